@@ -1,0 +1,94 @@
+// What a peer offers and asks for: publications and subscriptions, as a peer states them (paper sections 3 and 3.2.3).
+#ifndef GEMINGA_SERVICE_HPP
+#define GEMINGA_SERVICE_HPP
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geminga/identity.hpp"
+#include "geminga/match.hpp"
+
+namespace geminga {
+
+/// How a channel between provider and consumers is set up (paper section 3).
+enum class ChannelMode : std::uint8_t {
+  one_to_one,          ///< `oto`
+  one_to_many_stream,  ///< `otm/stream`: consumers only listen, the provider is not told
+  one_to_many_pubsub,  ///< `otm/pubsub`: the provider opens the channel when the first consumer comes
+};
+
+/// The word of GCNP for a mode, e.g. "otm/stream". Static storage.
+[[nodiscard]] std::string_view to_string(ChannelMode mode);
+/// The mode of a GCNP word, or nothing.
+[[nodiscard]] std::optional<ChannelMode> channel_mode(std::string_view word);
+
+/// Names one daemon on the air. Drawn at random and claimed before use (paper section 3.5.1); 0 is no participant.
+/// Written as eight lower-case hexadecimal digits.
+enum class ParticipantId : std::uint32_t {};
+
+/// Names one local client of a participant; 0 is no peer.
+enum class PeerId : std::uint32_t {};
+
+/// Names one publication or subscription in the whole team: the participant, its peer, and the peer's GCNP statement id.
+/// Written `PARTICIPANT/PEER/NUMBER`, the participant in hexadecimal, the others in decimal.
+struct ServiceKey {
+  ParticipantId participant{};
+  PeerId peer{};
+  std::uint32_t number = 0;
+  friend auto operator<=>(const ServiceKey&, const ServiceKey&) = default;
+};
+
+/// "1a2b3c4d"
+[[nodiscard]] std::string to_string(ParticipantId id);
+/// "1a2b3c4d/1/42"
+[[nodiscard]] std::string to_string(const ServiceKey& key);
+/// The participant of eight hexadecimal digits, or nothing.
+[[nodiscard]] std::optional<ParticipantId> participant_id(std::string_view text);
+/// The key of a text as to_string() writes it, or nothing.
+[[nodiscard]] std::optional<ServiceKey> service_key(std::string_view text);
+
+/// Free attributes of a service: sorted by key, so that order never depends on chance.
+using Attributes = std::map<std::string, std::string, std::less<>>;
+
+/// What is offered. Equality is equality of everything that a consumer can see.
+struct Publication {
+  ChannelMode mode = ChannelMode::one_to_one;
+  Identity identity;
+  std::string address;  ///< a numeric IP address; empty: the provider's own, as valid for each consumer
+  std::uint16_t port = 0;
+  std::string protocol = "udp";
+  std::int32_t priority = 0;  ///< greater wins an arbitration
+  Attributes attributes;
+  friend bool operator==(const Publication&, const Publication&) = default;
+};
+
+/// One provider that a consumer accepts: a participant by id or by name, and perhaps one of its peers, by id or by name.
+struct ProviderFilter {
+  std::string participant;
+  std::string peer;  ///< empty: any peer
+  friend bool operator==(const ProviderFilter&, const ProviderFilter&) = default;
+};
+
+/// What is asked for.
+struct Subscription {
+  ChannelMode mode = ChannelMode::one_to_one;
+  Identity identity;
+  Degree weakest = Degree::narrower;     ///< the weakest degree of match that counts
+  std::vector<ProviderFilter> providers;  ///< empty: any provider
+  std::string where;                      ///< a filter over attributes (src/matching/WHERE.md); empty: none
+  std::uint32_t limit = 0;                ///< at most this many providers, the best; 0: all
+  std::int32_t priority = 0;
+  std::uint16_t port = 0;  ///< where the consumer can be reached; 0: unstated
+  std::string address;     ///< as in Publication
+  Attributes attributes;
+  friend bool operator==(const Subscription&, const Subscription&) = default;
+};
+
+}  // namespace geminga
+
+#endif

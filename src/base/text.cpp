@@ -1,0 +1,42 @@
+#include "base/text.hpp"
+
+#include <utf8.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace geminga::base {
+
+bool is_valid_utf8(std::string_view bytes) { return utf8::is_valid(bytes.begin(), bytes.end()); }
+
+bool has_control_character(std::string_view bytes) {
+  return std::ranges::any_of(bytes, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+}
+
+std::optional<std::uint32_t> parse_id32(std::string_view text) {
+  if (!text.starts_with("0x") && !text.starts_with("0X")) return parse_number<std::uint32_t>(text);
+  text.remove_prefix(2);
+  std::uint32_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, 16);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+std::string to_hex(std::uint64_t number, int digits) {
+  std::string text(static_cast<std::size_t>(digits), '0');
+  for (auto place = text.rbegin(); place != text.rend(); ++place, number >>= 4U) *place = "0123456789abcdef"[number & 15U];
+  return text;
+}
+
+std::string printable(std::string_view bytes, std::size_t max_bytes) {
+  std::string text;
+  utf8::replace_invalid(bytes.begin(), bytes.end(), std::back_inserter(text));
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+  if (text.size() <= max_bytes) return text;
+  std::size_t end = max_bytes;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;  // never inside a character
+  return text.substr(0, end) + "...";
+}
+
+}  // namespace geminga::base

@@ -1,0 +1,42 @@
+// Strict reading of small texts: numbers, UTF-8, hexadecimal.
+#ifndef GEMINGA_BASE_TEXT_HPP
+#define GEMINGA_BASE_TEXT_HPP
+
+#include <charconv>
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace geminga::base {
+
+/// Whether the bytes are well-formed UTF-8 (RFC 3629).
+[[nodiscard]] bool is_valid_utf8(std::string_view bytes);
+
+/// Whether any byte is a C0 control character or DEL.
+[[nodiscard]] bool has_control_character(std::string_view bytes);
+
+/// The number that the whole text is in decimal, without sign for unsigned types, white space or anything behind it; or
+/// nothing.
+template <std::integral Number>
+[[nodiscard]] std::optional<Number> parse_number(std::string_view text) {
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+/// A 32-bit number in decimal or, behind `0x`, in hexadecimal; or nothing.
+[[nodiscard]] std::optional<std::uint32_t> parse_id32(std::string_view text);
+
+/// Exactly `digits` lower-case hexadecimal digits of `number`.
+[[nodiscard]] std::string to_hex(std::uint64_t number, int digits);
+
+/// A text from outside, made fit to be shown in one line: bad UTF-8 is replaced, control characters become `?`, and what
+/// is over `max_bytes` is cut at a character and ends in `...`.
+[[nodiscard]] std::string printable(std::string_view bytes, std::size_t max_bytes = 120);
+
+}  // namespace geminga::base
+
+#endif

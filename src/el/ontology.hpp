@@ -1,0 +1,106 @@
+// A classified ontology as the daemon sees it: names, subsumption and explanations, read from its compiled form.
+#ifndef GEMINGA_EL_ONTOLOGY_HPP
+#define GEMINGA_EL_ONTOLOGY_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace geminga::el {
+
+/// The dense number of a named class in one ontology, [0, class_count). Numbers of different ontologies have nothing in common.
+enum class ClassNumber : std::uint32_t {};
+
+/// Why a name could not be resolved. `text` is one line that says what to do, for a user.
+struct NameError {
+  enum class Kind { malformed, unknown, ambiguous } kind = Kind::unknown;
+  std::string text;
+};
+
+/// A compiled ontology that was refused. `text` says what is wrong and at which offset where there is one.
+struct CompiledError {
+  std::string text;
+};
+
+/// One file that was loaded.
+struct LoadedFile {
+  std::string path;
+  std::string ontology_iri;  ///< empty: the file names none
+};
+
+/// Axioms of one kind that the reasoner did not use, e.g. {"owl:inverseOf", 12, "soma.owl:17"}.
+struct LeftOut {
+  std::string construct;
+  std::uint32_t count = 0;
+  std::string first;  ///< file:line of the first
+};
+
+/// One step of an explanation: an axiom in readable syntax and where it stands, e.g. "soccer:SharedBallInfo SubClassOf soccer:BallInfo".
+struct ExplainedAxiom {
+  std::string text;
+  std::string file;
+  std::uint32_t line = 0;
+};
+
+/// An immutable classified ontology over a compiled form. Movable, not copyable; safe to read from many threads.
+/// Every string_view and span points into the compiled form and lives as long as the ontology.
+class Ontology {
+ public:
+  /// Maps a compiled file, checks its version, checksum and every number in it. Cost: linear in the file, no parsing.
+  [[nodiscard]] static std::expected<Ontology, CompiledError> map(const std::string& path);
+  /// The same over bytes in memory.
+  [[nodiscard]] static std::expected<Ontology, CompiledError> from_bytes(std::vector<std::byte> bytes);
+
+  Ontology(Ontology&&) noexcept;
+  Ontology& operator=(Ontology&&) noexcept;
+  ~Ontology();
+
+  /// A digest of the axioms and names: equal on every host that loaded the same ontologies, whatever their order or format.
+  [[nodiscard]] std::uint64_t digest() const;
+  [[nodiscard]] std::uint32_t class_count() const;
+  [[nodiscard]] std::vector<LoadedFile> files() const;
+  [[nodiscard]] std::vector<LeftOut> left_out() const;
+
+  /// Resolves `prefix:Name`, `<IRI>`, a bare IRI, or a label where it is unambiguous.
+  [[nodiscard]] std::expected<ClassNumber, NameError> find(std::string_view name) const;
+  [[nodiscard]] std::optional<ClassNumber> find_iri(std::string_view iri) const;
+
+  [[nodiscard]] std::string_view iri(ClassNumber number) const;
+  /// The label, or an empty view.
+  [[nodiscard]] std::string_view label(ClassNumber number) const;
+  /// `prefix:Name` where a prefix of the ontology fits, else `<IRI>`.
+  [[nodiscard]] std::string short_name(ClassNumber number) const;
+  /// The same for any IRI, known as a class or not.
+  [[nodiscard]] std::string short_name(std::string_view iri) const;
+
+  /// False where the class is subsumed by owl:Nothing.
+  [[nodiscard]] bool is_satisfiable(ClassNumber number) const;
+  /// Whether every instance of `sub` is one of `super`. Reflexive. O(1) to O(log n).
+  [[nodiscard]] bool is_subsumed(ClassNumber sub, ClassNumber super) const;
+  [[nodiscard]] bool is_equivalent(ClassNumber a, ClassNumber b) const { return is_subsumed(a, b) && is_subsumed(b, a); }
+  /// Edges of the shortest way up the taxonomy from `sub` to `super`: 0 for equivalents; nothing where not subsumed.
+  [[nodiscard]] std::optional<std::uint32_t> distance(ClassNumber sub, ClassNumber super) const;
+  /// Every named class that subsumes this one, itself, its equivalents and owl:Thing included, ascending by number.
+  [[nodiscard]] std::vector<ClassNumber> subsumers(ClassNumber number) const;
+  /// Direct superclasses and subclasses in the reduced taxonomy, one representative a node of equivalents, ascending.
+  [[nodiscard]] std::vector<ClassNumber> parents(ClassNumber number) const;
+  [[nodiscard]] std::vector<ClassNumber> children(ClassNumber number) const;
+
+  /// A minimal set of axioms that entails sub SubClassOf super, in the order of the argument; nothing where it is not entailed.
+  [[nodiscard]] std::optional<std::vector<ExplainedAxiom>> explain(ClassNumber sub, ClassNumber super) const;
+
+ private:
+  struct Mapped;
+  explicit Ontology(std::unique_ptr<const Mapped> mapped);
+  std::unique_ptr<const Mapped> mapped_;
+};
+
+}  // namespace geminga::el
+
+#endif

@@ -1,0 +1,63 @@
+// The one door between a participant and the world: clock, timer, randomness, datagrams and streams.
+#ifndef GEMINGA_ENV_ENV_HPP
+#define GEMINGA_ENV_ENV_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/log.hpp"
+#include "base/time.hpp"
+
+namespace geminga::env {
+
+/// The kernel's number of a network interface; never reused while a participant lives.
+enum class InterfaceIndex : std::uint32_t {};
+
+/// A network interface that announcements go out on.
+struct Interface {
+  InterfaceIndex index{};
+  std::string name;
+  /// Numeric addresses that are valid there, IPv4 before IPv6, without scope. May be empty while it comes up.
+  std::vector<std::string> addresses;
+  bool is_loopback = false;
+  friend bool operator==(const Interface&, const Interface&) = default;
+};
+
+/// Names one connected GCNP client; never reused while a participant lives.
+enum class StreamId : std::uint64_t {};
+
+/// What a participant may ask of the world. None of these blocks, fails or calls back into the participant: what happens
+/// in the world reaches the participant by its on_...() functions, one event at a time, on one thread.
+class Env {
+ public:
+  virtual ~Env() = default;
+
+  /// Monotonic now; constant within one event.
+  [[nodiscard]] virtual base::Instant now() const = 0;
+  /// The participant's one timer: on_timer() comes at `instant` or soon after it. A later call replaces an earlier one;
+  /// base::never stops it. An instant in the past comes at once, but not within this call.
+  virtual void wake_at(base::Instant instant) = 0;
+  /// 64 unpredictable bits on a robot, seeded ones in the simulator. For identifiers and jitter.
+  [[nodiscard]] virtual std::uint64_t random_bits() = 0;
+
+  /// The interfaces in use, ordered by index. A change is told by on_interfaces_changed().
+  [[nodiscard]] virtual const std::vector<Interface>& interfaces() const = 0;
+  /// Multicasts one datagram on one interface. What cannot be sent is lost, like anything on the air.
+  virtual void send(InterfaceIndex interface, std::span<const std::byte> datagram) = 0;
+
+  /// Queues bytes to a client. A client that reads too slowly is closed by the world, and on_stream_closed() says so.
+  virtual void write(StreamId stream, std::string_view bytes) = 0;
+  /// Closes a client after what is queued has been written; on_stream_closed() is not called for it.
+  virtual void close(StreamId stream) = 0;
+
+  /// Where the daemon's own words go.
+  [[nodiscard]] virtual base::LogSink& log() = 0;
+};
+
+}  // namespace geminga::env
+
+#endif

@@ -1,0 +1,61 @@
+# The one home of the include law: a folder under src/ is a target, and its DEPENDS are all that it may include.
+# tests/law compares every #include with the DEPENDS written here.
+
+add_library(geminga_flags INTERFACE)
+target_compile_features(geminga_flags INTERFACE cxx_std_23)
+target_compile_options(geminga_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+if(GEMINGA_SANITIZE)
+  target_compile_options(geminga_flags INTERFACE -fsanitize=${GEMINGA_SANITIZE} -fno-omit-frame-pointer
+                                                 -fno-sanitize-recover=all)
+  target_link_options(geminga_flags INTERFACE -fsanitize=${GEMINGA_SANITIZE})
+  # GCC 12 reports false positives of these two under the sanitizers (GCC bug 105562 and its kin).
+  target_compile_options(geminga_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-restrict>)
+endif()
+
+# geminga_module(NAME SOURCES file... [DEPENDS module...] [LINK external-target...])
+# Makes the static library geminga_NAME from src/NAME. `#include "other/..."` needs `other` in DEPENDS; the public face
+# <geminga/...> is open to all.
+function(geminga_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;LINK")
+  string(REPLACE "/" "_" target "geminga_${name}")
+  add_library(${target} STATIC ${arg_SOURCES})
+  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
+  target_link_libraries(${target} PRIVATE geminga_flags)
+  target_link_libraries(${target} PUBLIC ${arg_LINK})
+  foreach(module IN LISTS arg_DEPENDS)
+    string(REPLACE "/" "_" module ${module})
+    target_link_libraries(${target} PUBLIC geminga_${module})
+  endforeach()
+endfunction()
+
+# geminga_program(NAME SOURCES file... [DEPENDS module...] [LINK external-target...]): an installed executable.
+function(geminga_program name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;LINK")
+  add_executable(${name} ${arg_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
+  target_link_libraries(${name} PRIVATE geminga_flags ${arg_LINK})
+  foreach(module IN LISTS arg_DEPENDS)
+    string(REPLACE "/" "_" module ${module})
+    target_link_libraries(${name} PRIVATE geminga_${module})
+  endforeach()
+  target_compile_definitions(${name} PRIVATE GEMINGA_VERSION="${PROJECT_VERSION}")
+  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endfunction()
+
+# geminga_test(NAME SOURCES file... [DEPENDS module...] [LINK external-target...])
+# The tests of one module: tests/NAME mirrors src/NAME. Every TEST is known to ctest under its own name.
+function(geminga_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;LINK")
+  string(REPLACE "/" "_" target "geminga_${name}_tests")
+  add_executable(${target} ${arg_SOURCES})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include
+                                               ${PROJECT_SOURCE_DIR}/tests)
+  target_link_libraries(${target} PRIVATE geminga_flags GTest::gmock GTest::gtest_main ${arg_LINK})
+  foreach(module IN LISTS arg_DEPENDS)
+    string(REPLACE "/" "_" module ${module})
+    target_link_libraries(${target} PRIVATE geminga_${module})
+  endforeach()
+  target_compile_definitions(${target} PRIVATE GEMINGA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                                               GEMINGA_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  gtest_discover_tests(${target} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+endfunction()
