@@ -1,0 +1,76 @@
+// The whole daemon without an operating system: GCNP lines, datagrams and the time in; GCNP lines, datagrams and the
+// next deadline out.
+#ifndef GEMINGA_PARTICIPANT_PARTICIPANT_HPP
+#define GEMINGA_PARTICIPANT_PARTICIPANT_HPP
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "env/env.hpp"
+#include "gcnp/statement.hpp"
+#include "participant/settings.hpp"
+
+namespace geminga::el {
+class Ontology;
+}
+
+namespace geminga::participant {
+
+/// One participant of a team. Whoever owns it feeds it one event at a time by the on_...() functions, on one thread,
+/// never from within an Env call; after each of them everything that follows from the event has been handed to Env.
+/// Bytes from outside may be anything. No function throws.
+class Participant {
+ public:
+  /// Borrows `env` for its life, and `ontology` (null: none is loaded) until the next set_ontology() or its end.
+  Participant(env::Env& env, Settings settings, const el::Ontology* ontology = nullptr);
+  /// May come at any time; without a stop() that has ended, the team learns of it by the deadline only.
+  ~Participant();
+  Participant(const Participant&) = delete;
+  Participant& operator=(const Participant&) = delete;
+
+  /// Begins to claim an identifier (paper section 3.5.1). Once, before any other event. Clients may connect at once;
+  /// their statements are held until the identifier is claimed, and then handled in their order.
+  void start();
+  /// Withdraws everything, says goodbye on the air and closes the clients. The goodbye is repeated for a few hundredths
+  /// of a second against loss: feed on_timer() until is_stopped().
+  void stop();
+  /// Whether stop() has done everything; then the participant may be destroyed.
+  [[nodiscard]] bool is_stopped() const;
+  /// Whether the identifier is claimed and the participant not stopping.
+  [[nodiscard]] bool is_ready() const;
+
+  /// The instant that was last given to Env::wake_at() has come, or is about to: too early or too often does no harm.
+  void on_timer();
+  /// A datagram came in on an interface. `source` is the sender's numeric address, for the log and for diagnosis only.
+  void on_datagram(env::InterfaceIndex interface, std::string_view source, std::span<const std::byte> datagram);
+  /// Env::interfaces() gives something new.
+  void on_interfaces_changed();
+
+  void on_stream_opened(env::StreamId stream);
+  /// Bytes in the order of the stream, cut anywhere.
+  void on_stream_bytes(env::StreamId stream, std::string_view bytes);
+  /// The client is gone: all it offered and asked for is withdrawn. Not called after Env::close().
+  void on_stream_closed(env::StreamId stream);
+
+  /// Takes another ontology, or none. Peers are told what follows: a publication or subscription whose names the new
+  /// one does not know gets one error 422 and its events `del reason=changed`, and comes back by itself when a later
+  /// ontology knows them. The earlier ontology is not used any more when this returns.
+  void set_ontology(const el::Ontology* ontology);
+
+  /// Fields that only the owner knows (memory, processor time, files), appended to the answer of `query status`. Called
+  /// within on_stream_bytes(); must not call back.
+  using StatusSource = std::function<std::vector<gcnp::Parameter>()>;
+  void set_status_source(StatusSource source);
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace geminga::participant
+
+#endif
