@@ -24,8 +24,8 @@ struct TextIdentity {
   friend auto operator<=>(const TextIdentity&, const TextIdentity&) = default;
 };
 
-/// A concept and a representation, each a full IRI without angle brackets, compared byte by byte (RDF 1.1 Concepts, 3.2).
-/// An empty representation is unstated.
+/// A concept and a representation, each a full IRI without angle brackets, compared byte by byte (RDF 1.1
+/// Concepts, 3.2). An empty representation is unstated.
 struct SemanticIdentity {
   std::string concept_iri;
   std::string representation_iri;

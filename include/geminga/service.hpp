@@ -34,8 +34,8 @@ enum class ParticipantId : std::uint32_t {};
 /// Names one local client of a participant; 0 is no peer.
 enum class PeerId : std::uint32_t {};
 
-/// Names one publication or subscription in the whole team: the participant, its peer, and the peer's GCNP statement id.
-/// Written `PARTICIPANT/PEER/NUMBER`, the participant in hexadecimal, the others in decimal.
+/// Names one publication or subscription in the whole team: the participant, its peer, and the peer's GCNP statement
+/// id. Written `PARTICIPANT/PEER/NUMBER`, the participant in hexadecimal, the others in decimal.
 struct ServiceKey {
   ParticipantId participant{};
   PeerId peer{};
@@ -67,7 +67,8 @@ struct Publication {
   friend bool operator==(const Publication&, const Publication&) = default;
 };
 
-/// One provider that a consumer accepts: a participant by id or by name, and perhaps one of its peers, by id or by name.
+/// One provider that a consumer accepts: a participant by id or by name, and perhaps one of its peers, by id or by
+/// name.
 struct ProviderFilter {
   std::string participant;
   std::string peer;  ///< empty: any peer
@@ -78,7 +79,7 @@ struct ProviderFilter {
 struct Subscription {
   ChannelMode mode = ChannelMode::one_to_one;
   Identity identity;
-  Degree weakest = Degree::narrower;     ///< the weakest degree of match that counts
+  Degree weakest = Degree::narrower;      ///< the weakest degree of match that counts
   std::vector<ProviderFilter> providers;  ///< empty: any provider
   std::string where;                      ///< a filter over attributes (src/matching/WHERE.md); empty: none
   std::uint32_t limit = 0;                ///< at most this many providers, the best; 0: all

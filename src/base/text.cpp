@@ -24,15 +24,15 @@ std::optional<std::uint32_t> parse_id32(std::string_view text) {
 
 std::string to_hex(std::uint64_t number, int digits) {
   std::string text(static_cast<std::size_t>(digits), '0');
-  for (auto place = text.rbegin(); place != text.rend(); ++place, number >>= 4U) *place = "0123456789abcdef"[number & 15U];
+  for (auto place = text.rbegin(); place != text.rend(); ++place, number >>= 4U)
+    *place = "0123456789abcdef"[number & 15U];
   return text;
 }
 
 std::string printable(std::string_view bytes, std::size_t max_bytes) {
   std::string text;
   utf8::replace_invalid(bytes.begin(), bytes.end(), std::back_inserter(text));
-  std::ranges::replace_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+  std::ranges::replace_if(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
   if (text.size() <= max_bytes) return text;
   std::size_t end = max_bytes;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;  // never inside a character

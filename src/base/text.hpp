@@ -33,8 +33,8 @@ template <std::integral Number>
 /// Exactly `digits` lower-case hexadecimal digits of `number`.
 [[nodiscard]] std::string to_hex(std::uint64_t number, int digits);
 
-/// A text from outside, made fit to be shown in one line: bad UTF-8 is replaced, control characters become `?`, and what
-/// is over `max_bytes` is cut at a character and ends in `...`.
+/// A text from outside, made fit to be shown in one line: bad UTF-8 is replaced, control characters become `?`, and
+/// what is over `max_bytes` is cut at a character and ends in `...`.
 [[nodiscard]] std::string printable(std::string_view bytes, std::size_t max_bytes = 120);
 
 }  // namespace geminga::base

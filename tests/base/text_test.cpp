@@ -21,7 +21,8 @@ TEST(ParseId32, TakesDecimalAndHexadecimal) {
 
 TEST(Utf8, RefusesOverlongSurrogateAndTruncated) {
   EXPECT_TRUE(is_valid_utf8("\xc3\x96lstand"));
-  for (const char* bad : {"\xc0\xaf", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\xc3", "\xff"}) EXPECT_FALSE(is_valid_utf8(bad));
+  for (const char* bad : {"\xc0\xaf", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\xc3", "\xff"})
+    EXPECT_FALSE(is_valid_utf8(bad));
 }
 
 TEST(Printable, ReplacesControlsAndCutsAtACharacter) {

@@ -1,0 +1,98 @@
+#include "law/source_tree.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+namespace geminga::law {
+namespace {
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream stream(path);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+std::vector<SourceFile> source_files(std::string_view folder) {
+  const std::filesystem::path root = GEMINGA_SOURCE_DIR;
+  std::vector<SourceFile> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
+    const auto extension = entry.path().extension();
+    if (!entry.is_regular_file() || (extension != ".hpp" && extension != ".cpp" && extension != ".h")) continue;
+    SourceFile file{std::filesystem::relative(entry.path(), root).string(), {}};
+    std::istringstream stream(read_text(entry.path()));
+    for (std::string line; std::getline(stream, line);) file.lines.push_back(line);
+    files.push_back(std::move(file));
+  }
+  std::ranges::sort(files, {}, &SourceFile::path);
+  return files;
+}
+
+Law read_law(const std::filesystem::path& src) {
+  static const std::regex call(R"(geminga_module\(\s*([a-z/]+)([^)]*)\))");
+  static const std::regex word(R"(\S+)");
+  Law law;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(src)) {
+    if (entry.path().filename() != "CMakeLists.txt") continue;
+    const std::string text = read_text(entry.path());
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), call); it != std::sregex_iterator(); ++it) {
+      auto& depends = law[(*it)[1]];
+      const std::string arguments = (*it)[2];
+      bool in_depends = false;
+      for (auto w = std::sregex_iterator(arguments.begin(), arguments.end(), word); w != std::sregex_iterator(); ++w) {
+        const std::string argument = w->str();
+        if (argument == "DEPENDS" || argument == "SOURCES" || argument == "LINK") {
+          in_depends = argument == "DEPENDS";
+        } else if (in_depends) {
+          depends.insert(argument);
+        }
+      }
+    }
+  }
+  return law;
+}
+
+std::string module_of(const Law& law, std::string_view path_below_src) {
+  std::string best;
+  for (const auto& [module, depends] : law) {
+    if (path_below_src.starts_with(module + '/') && module.size() > best.size()) best = module;
+  }
+  return best;
+}
+
+std::vector<std::string> violations(const Law& law, const SourceFile& file) {
+  static const std::regex include(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"])re");
+  // Libraries that one folder alone may name.
+  static const std::map<std::string, std::string> owners = {{"boost/multi_index", "registry"},
+                                                            {"librdf", "rdf"},
+                                                            {"redland", "rdf"},
+                                                            {"raptor", "rdf"},
+                                                            {"google/protobuf", "beacon"}};
+  std::vector<std::string> found;
+  const bool is_public = file.path.starts_with("include/");
+  const std::string own = is_public ? "" : module_of(law, file.path.substr(std::string("src/").size()));
+  if (!is_public && own.empty()) return {file.path + ": belongs to no module"};
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    std::smatch match;
+    if (!std::regex_search(file.lines[i], match, include)) continue;
+    const std::string target = match[2];
+    const std::string place = file.path + ':' + std::to_string(i + 1) + ": ";
+    for (const auto& [library, owner] : owners) {
+      if (target.starts_with(library) && own != owner) found.push_back(place + target + " belongs to src/" + owner);
+    }
+    if (match[1] == "<" || target.starts_with("geminga/")) continue;
+    const std::string other = module_of(law, target);
+    if (is_public) {
+      found.push_back(place + "the public face includes " + target);
+    } else if (!other.empty() && other != own && !law.at(own).contains(other)) {
+      found.push_back(place + own + " may not include " + target);
+    }
+  }
+  return found;
+}
+
+}  // namespace geminga::law

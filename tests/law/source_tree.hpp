@@ -1,0 +1,35 @@
+// The project's own files as the law tests see them.
+#ifndef GEMINGA_TESTS_LAW_SOURCE_TREE_HPP
+#define GEMINGA_TESTS_LAW_SOURCE_TREE_HPP
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace geminga::law {
+
+/// One source file with its path relative to the project's root.
+struct SourceFile {
+  std::string path;
+  std::vector<std::string> lines;
+};
+
+/// Every .hpp, .cpp and .h below a folder of the project, sorted by path.
+[[nodiscard]] std::vector<SourceFile> source_files(std::string_view folder);
+
+/// The modules of src/ and what each names in DEPENDS, as the CMakeLists.txt files say it.
+using Law = std::map<std::string, std::set<std::string>, std::less<>>;
+[[nodiscard]] Law read_law(const std::filesystem::path& src);
+
+/// The module of the law that a path such as "env/asio/streams.hpp" belongs to, or "".
+[[nodiscard]] std::string module_of(const Law& law, std::string_view path_below_src);
+
+/// What is wrong with one file's includes; empty where nothing is.
+[[nodiscard]] std::vector<std::string> violations(const Law& law, const SourceFile& file);
+
+}  // namespace geminga::law
+
+#endif

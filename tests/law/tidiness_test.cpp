@@ -1,0 +1,56 @@
+// The parts of the house style that a program can see, and a test of the test.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "law/source_tree.hpp"
+
+namespace geminga::law {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr std::size_t max_lines = 400;
+
+std::vector<std::string> untidiness(const SourceFile& file) {
+  static const std::regex sleep(R"(\b(sleep_for|sleep_until|usleep|nanosleep)\b)");
+  static const std::regex todo(R"(\b(TODO|FIXME|XXX|HACK)\b)");
+  static const std::regex skip(R"(\b(GTEST_SKIP|DISABLED_)\b)");
+  std::vector<std::string> found;
+  if (file.lines.size() > max_lines) found.push_back(file.path + ": has over 400 lines: which two things live in it?");
+  const bool is_header = file.path.ends_with(".hpp") || file.path.ends_with(".h");
+  if (is_header && (file.lines.empty() || !file.lines[0].starts_with("// "))) {
+    found.push_back(file.path + ":1: does not open with a sentence that says what it is for");
+  }
+  const bool is_this = file.path.ends_with("tidiness_test.cpp");
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    const std::string place = file.path + ':' + std::to_string(i + 1) + ": ";
+    if (file.lines[i].find('\t') != std::string::npos) found.push_back(place + "has a tab");
+    if (is_this) continue;
+    if (std::regex_search(file.lines[i], sleep)) found.push_back(place + "sleeps: time comes from Env");
+    if (std::regex_search(file.lines[i], todo)) found.push_back(place + "has a mark without an owner");
+    if (std::regex_search(file.lines[i], skip)) found.push_back(place + "skips a test");
+  }
+  return found;
+}
+
+TEST(Tidiness, HoldsForEveryFileOfTheProject) {
+  for (const char* folder : {"src", "include", "tools", "tests", "examples"}) {
+    for (const auto& file : source_files(folder)) EXPECT_THAT(untidiness(file), IsEmpty());
+  }
+}
+
+TEST(Tidiness, FindsWhatItLooksFor) {
+  EXPECT_THAT(untidiness({"src/a.hpp", {"#ifndef A"}}), SizeIs(1));
+  EXPECT_THAT(untidiness({"src/a.cpp", {"\tint x;"}}), SizeIs(1));
+  EXPECT_THAT(untidiness({"src/a.cpp", {"std::this_thread::sleep_for(1s);"}}), SizeIs(1));
+  EXPECT_THAT(untidiness({"src/a.cpp", {"// TODO later"}}), SizeIs(1));
+  EXPECT_THAT(untidiness({"tests/a.cpp", {"GTEST_SKIP();"}}), SizeIs(1));
+  EXPECT_THAT(untidiness({"src/a.cpp", std::vector<std::string>(401)}), SizeIs(1));
+  EXPECT_THAT(untidiness({"src/a.cpp", std::vector<std::string>(400)}), IsEmpty());
+}
+
+}  // namespace
+}  // namespace geminga::law
