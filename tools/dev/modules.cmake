@@ -2,6 +2,8 @@
 # tests/law compares every #include with the DEPENDS written here.
 
 add_library(geminga_flags INTERFACE)
+# The modules that another project links when it uses the client; tools/dev/install.cmake installs them.
+set(geminga_client_modules base env identity gcnp client/cpp)
 target_compile_features(geminga_flags INTERFACE cxx_std_23)
 target_compile_options(geminga_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
 if(GEMINGA_SANITIZE)
@@ -19,8 +21,10 @@ function(geminga_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;LINK")
   string(REPLACE "/" "_" target "geminga_${name}")
   add_library(${target} STATIC ${arg_SOURCES})
-  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
-  target_link_libraries(${target} PRIVATE geminga_flags)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+                                              $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:geminga_flags>)
   target_link_libraries(${target} PUBLIC ${arg_LINK})
   foreach(module IN LISTS arg_DEPENDS)
     string(REPLACE "/" "_" module ${module})
