@@ -14,7 +14,8 @@
 
 namespace geminga::el {
 
-/// The dense number of a named class in one ontology, [0, class_count). Numbers of different ontologies have nothing in common.
+/// The dense number of a named class in one ontology, [0, class_count). Numbers of different ontologies have nothing in
+/// common.
 enum class ClassNumber : std::uint32_t {};
 
 /// Why a name could not be resolved. `text` is one line that says what to do, for a user.
@@ -41,7 +42,8 @@ struct LeftOut {
   std::string first;  ///< file:line of the first
 };
 
-/// One step of an explanation: an axiom in readable syntax and where it stands, e.g. "soccer:SharedBallInfo SubClassOf soccer:BallInfo".
+/// One step of an explanation: an axiom in readable syntax and where it stands, e.g. "soccer:SharedBallInfo SubClassOf
+/// soccer:BallInfo".
 struct ExplainedAxiom {
   std::string text;
   std::string file;
@@ -61,7 +63,8 @@ class Ontology {
   Ontology& operator=(Ontology&&) noexcept;
   ~Ontology();
 
-  /// A digest of the axioms and names: equal on every host that loaded the same ontologies, whatever their order or format.
+  /// A digest of the axioms and names: equal on every host that loaded the same ontologies, whatever their order or
+  /// format.
   [[nodiscard]] std::uint64_t digest() const;
   [[nodiscard]] std::uint32_t class_count() const;
   [[nodiscard]] std::vector<LoadedFile> files() const;
@@ -83,7 +86,9 @@ class Ontology {
   [[nodiscard]] bool is_satisfiable(ClassNumber number) const;
   /// Whether every instance of `sub` is one of `super`. Reflexive. O(1) to O(log n).
   [[nodiscard]] bool is_subsumed(ClassNumber sub, ClassNumber super) const;
-  [[nodiscard]] bool is_equivalent(ClassNumber a, ClassNumber b) const { return is_subsumed(a, b) && is_subsumed(b, a); }
+  [[nodiscard]] bool is_equivalent(ClassNumber a, ClassNumber b) const {
+    return is_subsumed(a, b) && is_subsumed(b, a);
+  }
   /// Edges of the shortest way up the taxonomy from `sub` to `super`: 0 for equivalents; nothing where not subsumed.
   [[nodiscard]] std::optional<std::uint32_t> distance(ClassNumber sub, ClassNumber super) const;
   /// Every named class that subsumes this one, itself, its equivalents and owl:Thing included, ascending by number.
@@ -92,7 +97,8 @@ class Ontology {
   [[nodiscard]] std::vector<ClassNumber> parents(ClassNumber number) const;
   [[nodiscard]] std::vector<ClassNumber> children(ClassNumber number) const;
 
-  /// A minimal set of axioms that entails sub SubClassOf super, in the order of the argument; nothing where it is not entailed.
+  /// A minimal set of axioms that entails sub SubClassOf super, in the order of the argument; nothing where it is not
+  /// entailed.
   [[nodiscard]] std::optional<std::vector<ExplainedAxiom>> explain(ClassNumber sub, ClassNumber super) const;
 
  private:

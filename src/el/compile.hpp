@@ -1,0 +1,18 @@
+// Writes the compiled form of a classified ontology (format: COMPILED.md), which el::Ontology reads.
+#ifndef GEMINGA_EL_COMPILE_HPP
+#define GEMINGA_EL_COMPILE_HPP
+
+#include <cstddef>
+#include <vector>
+
+#include "el/classify.hpp"
+#include "el/source.hpp"
+
+namespace geminga::el {
+
+/// The bytes of the compiled form. Equal for the same axioms, labels, prefixes and files, whatever their order.
+[[nodiscard]] std::vector<std::byte> compile(const OntologySource& source, const Classification& classification);
+
+}  // namespace geminga::el
+
+#endif
