@@ -1,0 +1,66 @@
+// What a peer is told after it has offered or asked for something (paper section 3.3).
+#ifndef GEMINGA_EVENT_HPP
+#define GEMINGA_EVENT_HPP
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "geminga/error.hpp"
+#include "geminga/match.hpp"
+#include "geminga/named.hpp"
+#include "geminga/service.hpp"
+
+namespace geminga {
+
+/// What happened to a service or a consumer. Per request and service the order is: add, any number of modify, del.
+enum class Change : std::uint8_t {
+  add,     ///< it is there
+  modify,  ///< it is still there and something about it is new
+  del,     ///< it is gone
+};
+
+/// The word of GCNP for a change: "add", "modify", "del". Static storage.
+[[nodiscard]] std::string_view to_string(Change change);
+/// The change of a GCNP word, or nothing.
+[[nodiscard]] std::optional<Change> change(std::string_view word);
+
+/// A subscription has a service: `N pub add|modify|del service=...`. After `del` only service and reason are filled.
+struct ServiceEvent {
+  Change change = Change::add;
+  ServiceKey service;            ///< the same in every event about it; names the provider, too
+  std::string peer_name;         ///< the provider's name; empty: it said none
+  std::string participant_name;  ///< of the provider's daemon
+  NamedPublication publication;  ///< names are `prefix:Name` or `<IRI>`; the address is one that works here
+  Degree degree = Degree::exact;
+  std::uint32_t distance = 0;  ///< taxonomy edges between what was asked for and what was found
+  std::string reason;          ///< after `del`: "withdrawn", "expired", "left", "outranked", ...
+  friend bool operator==(const ServiceEvent&, const ServiceEvent&) = default;
+};
+
+/// A publication has a consumer: `N sub add|modify|del subscription=...`. After `del` only subscription and reason are
+/// filled.
+struct ConsumerEvent {
+  Change change = Change::add;
+  ServiceKey subscription;       ///< the same in every event about it; names the consumer, too
+  std::string peer_name;         ///< the consumer's name; empty: it said none
+  std::string participant_name;  ///< of the consumer's daemon
+  NamedSubscription subscribed;  ///< what was asked for: identity, mode, address, port, priority, attributes
+  Degree degree = Degree::exact;
+  std::uint32_t distance = 0;
+  std::string reason;
+  friend bool operator==(const ConsumerEvent&, const ConsumerEvent&) = default;
+};
+
+/// One thing that the daemon told about the request with this number: an event, or an error, at once after the request.
+struct Event {
+  std::uint32_t request = 0;
+  std::variant<ServiceEvent, ConsumerEvent, Error> what;
+  friend bool operator==(const Event&, const Event&) = default;
+};
+
+}  // namespace geminga
+
+#endif
