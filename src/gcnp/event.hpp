@@ -4,9 +4,9 @@
 
 #include <cstdint>
 #include <expected>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "gcnp/statement.hpp"
@@ -26,9 +26,12 @@ namespace geminga::gcnp {
 /// publication that is told. An address or a port that is not stated is left out.
 [[nodiscard]] Statement to_statement(std::uint32_t request, const ConsumerEvent& event);
 
-/// The event or error of a line from the daemon; nothing where the statement is neither (`msg`), and an error where it
-/// is one that cannot be read. Unknown keys are attributes, so that a daemon may say more than this client knows.
-[[nodiscard]] std::expected<std::optional<Event>, Error> read_event(const Statement& statement);
+/// A line from the daemon: an event or error about a request, or a message (`N msg ...`).
+using Reply = std::variant<Event, Statement>;
+
+/// Reads a line from the daemon, without its end. Unknown keys of an event are attributes, so that a daemon may say
+/// more than this client knows. The error says why the line is none of GCNP.
+[[nodiscard]] std::expected<Reply, Error> read_reply(std::string_view line);
 
 /// Appends `id=N`, `text=NAME`, or `concept=C [representation=R]`; for the lines of `query` too.
 void append_identity(std::vector<Parameter>& parameters, const NamedIdentity& identity);

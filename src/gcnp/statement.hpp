@@ -2,6 +2,7 @@
 #ifndef GEMINGA_GCNP_STATEMENT_HPP
 #define GEMINGA_GCNP_STATEMENT_HPP
 
+#include <cstddef>
 #include <cstdint>
 #include <expected>
 #include <optional>
@@ -17,6 +18,8 @@ namespace geminga::gcnp {
 inline constexpr std::size_t max_line_bytes = 64 * 1024;
 /// The most parameters of one statement.
 inline constexpr std::size_t max_parameters = 256;
+/// The longest text of an error; what is over it is cut and ends in `...`.
+inline constexpr std::size_t max_error_text_bytes = 4096;
 
 /// `key` or `key=value`. A key is one or more of `[A-Za-z0-9_.-]`.
 struct Parameter {
@@ -49,7 +52,12 @@ struct Malformed {
 /// Reads one line without its end. Linear in its length; allocates nothing that the line does not contain.
 [[nodiscard]] std::expected<Statement, Malformed> parse(std::string_view line);
 
-/// Writes a statement with CR LF. A value is bare where it can be and quoted otherwise; parse() of the line gives back an equal statement.
+/// What a line over max_line_bytes is answered with.
+[[nodiscard]] Error line_too_long();
+
+/// Writes a statement with CR LF. A value is bare where it can be and quoted otherwise; parse() of the line gives back
+/// an equal statement, except that what no value can hold (bad UTF-8, control characters without an escape) is
+/// replaced. Requires that command, subcommand and keys are words.
 [[nodiscard]] std::string to_line(const Statement& statement);
 
 /// Writes `<id> <code> <text>` with CR LF.
