@@ -12,17 +12,22 @@
 namespace geminga::gcnp {
 namespace {
 
-bool is_ip_address(const std::string& text) {
-  in_addr four{};
-  in6_addr six{};
-  return inet_pton(AF_INET, text.c_str(), &four) == 1 || inet_pton(AF_INET6, text.c_str(), &six) == 1;
-}
+enum class AddressKind { none, unspecified, usable };
 
-bool is_unspecified(const std::string& text) {
+/// What a text is as a numeric IP address. An IPv6 link-local one may carry a zone (`fe80::1%eth0`, RFC 4007).
+AddressKind address_kind(std::string text) {
   in_addr four{};
-  if (inet_pton(AF_INET, text.c_str(), &four) == 1) return four.s_addr == INADDR_ANY;
+  if (inet_pton(AF_INET, text.c_str(), &four) == 1) {
+    return four.s_addr == INADDR_ANY ? AddressKind::unspecified : AddressKind::usable;
+  }
+  const auto zone = text.find('%');
+  const bool has_zone = zone != std::string::npos;
+  if (has_zone && zone + 1 == text.size()) return AddressKind::none;
+  text.resize(std::min(zone, text.size()));
   in6_addr six{};
-  return inet_pton(AF_INET6, text.c_str(), &six) == 1 && IN6_IS_ADDR_UNSPECIFIED(&six);
+  if (inet_pton(AF_INET6, text.c_str(), &six) != 1) return AddressKind::none;
+  if (IN6_IS_ADDR_UNSPECIFIED(&six)) return AddressKind::unspecified;
+  return has_zone && !IN6_IS_ADDR_LINKLOCAL(&six) ? AddressKind::none : AddressKind::usable;
 }
 
 }  // namespace
@@ -108,12 +113,18 @@ std::optional<std::string> KeyReader::address() {
   const auto given = value("address");
   if (!given) return std::nullopt;
   std::string address(*given);
-  if (!address.empty() && (address.find('\0') != std::string::npos || !is_ip_address(address))) {
-    fail(ErrorCode::impossible,
-         "address=" + base::printable(address, 60) + " is no IP address: write one in numbers, or leave address out");
-  } else if (is_unspecified(address)) {
-    fail(ErrorCode::impossible,
-         "address=" + address + " cannot be sent to: leave address out, and each interface's own is announced");
+  if (address.empty()) return address;
+  switch (address_kind(address)) {
+    case AddressKind::none:
+      fail(ErrorCode::impossible,
+           "address=" + base::printable(address, 60) + " is no IP address: write one in numbers, or leave address out");
+      break;
+    case AddressKind::unspecified:
+      fail(ErrorCode::impossible,
+           "address=" + address + " cannot be sent to: leave address out, and each interface's own is announced");
+      break;
+    case AddressKind::usable:
+      break;
   }
   return address;
 }
