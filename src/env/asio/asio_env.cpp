@@ -1,0 +1,257 @@
+#include "env/asio/asio_env.hpp"
+
+#include <sys/random.h>
+
+#include <algorithm>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <map>
+#include <set>
+#include <system_error>
+
+#include "base/assert.hpp"
+#include "env/asio/link_watch.hpp"
+#include "env/asio/links.hpp"
+#include "env/asio/multicast.hpp"
+#include "env/asio/streams.hpp"
+#include "env/asio/unicast.hpp"
+
+namespace geminga::env {
+namespace {
+
+namespace net = boost::asio;
+using net::ip::address;
+
+base::Instant read_clock() {
+  return base::Instant(std::chrono::duration_cast<base::Duration>(std::chrono::steady_clock::now().time_since_epoch()));
+}
+
+std::chrono::steady_clock::time_point to_steady(base::Instant instant) {
+  return std::chrono::steady_clock::time_point(
+      std::chrono::duration_cast<std::chrono::steady_clock::duration>(instant.time_since_epoch()));
+}
+
+}  // namespace
+
+class AsioEnv::State {
+ public:
+  State(net::io_context& context, base::LogSink& log)
+      : context_(context),
+        log_(log),
+        timer_(context),
+        streams_(context,
+                 {.opened = [this](StreamId id) { tell([&](EventSink& sink) { sink.on_stream_opened(id); }); },
+                  .bytes =
+                      [this](StreamId id, std::string_view bytes) {
+                        tell([&](EventSink& sink) { sink.on_stream_bytes(id, bytes); });
+                      },
+                  .closed = [this](StreamId id) { tell([&](EventSink& sink) { sink.on_stream_closed(id); }); }}),
+        now_(read_clock()) {}
+
+  template <typename Action>
+  void event(Action&& action) {
+    now_ = read_clock();
+    action();
+    streams_.flush();
+  }
+
+  /// One event for the sink; nothing where there is none yet.
+  template <typename Action>
+  void tell(Action&& action) {
+    if (sink_ != nullptr) event([&] { action(*sink_); });
+  }
+
+  void open_air(AirSettings settings) {
+    settings_ = std::move(settings);
+    groups_.clear();
+    for (const std::string& group : settings_.groups) groups_.push_back(net::ip::make_address(group));
+    links_.clear();
+    problems_.clear();
+    unicast_.reset();
+    if (!settings_.peers.empty()) {
+      unicast_ = std::make_unique<Unicast>(
+          context_, settings_.peers, settings_.port, log_,
+          [this](InterfaceIndex interface, const address& source, std::span<const std::byte> datagram) {
+            receive(interface, source, datagram);
+          });
+    }
+    scan();
+    if (!watch_) watch_ = std::make_unique<LinkWatch>(context_, [this] { scan(); });
+  }
+
+  void serve(EventSink& sink) {
+    sink_ = &sink;
+    streams_.serve();
+  }
+
+  void wake_at(base::Instant instant) {
+    wanted_ = instant;
+    if (wanted_ >= armed_) return;  // the timer comes earlier, and is then set again
+    arm();
+  }
+
+  void send(InterfaceIndex interface, std::span<const std::byte> datagram) {
+    if (const auto found = links_.find(interface); found != links_.end()) {
+      found->second->send(datagram);
+      watch_sending(*found->second);
+    }
+    if (unicast_) unicast_->send(interface, datagram);
+  }
+
+  net::io_context& context_;
+  base::LogSink& log_;
+  net::steady_timer timer_;
+  Streams streams_;
+  base::Instant now_;
+  std::vector<Interface> interfaces_;
+
+ private:
+  void arm() {
+    armed_ = wanted_;
+    if (armed_ == base::never) {
+      timer_.cancel();
+      return;
+    }
+    timer_.expires_at(to_steady(armed_));
+    timer_.async_wait([this](const boost::system::error_code& error) {
+      if (error || armed_ == base::never) return;
+      if (read_clock() < armed_) return;  // an expiry that was already on its way when the timer was set anew
+      armed_ = base::never;
+      if (read_clock() < wanted_) {
+        arm();
+        return;
+      }
+      wanted_ = base::never;
+      tell([](EventSink& sink) { sink.on_timer(); });
+    });
+  }
+
+  void receive(InterfaceIndex interface, const address& source, std::span<const std::byte> datagram) {
+    tell([&](EventSink& sink) { sink.on_datagram(interface, source.to_string(), datagram); });
+  }
+
+  /// Compares the interfaces with those in use, and joins what is new or came back.
+  void scan() {
+    const std::vector<Link> found = scan_links(settings_.interfaces);
+    bool is_changed =
+        std::erase_if(links_, [&](const auto& entry) {
+          return std::ranges::none_of(found, [&](const Link& link) { return link.interface.index == entry.first; });
+        }) > 0;
+    for (const Link& link : found) {
+      const auto in_use = links_.find(link.interface.index);
+      const bool was_open = in_use != links_.end();
+      if (was_open && in_use->second->is_sound() && in_use->second->update(link)) continue;
+      const bool was_sound = was_open && in_use->second->is_sound();
+      if (was_open) links_.erase(in_use);
+      const bool is_sound = open(link);
+      is_changed = is_changed || !was_open || was_sound || is_sound;
+    }
+    if (unicast_) unicast_->set_links(found);
+    std::vector<Interface> seen;
+    for (const Link& link : found) seen.push_back(link.interface);
+    say_missing(seen);
+    if (!is_changed && seen == interfaces_) return;
+    interfaces_ = std::move(seen);
+    tell([](EventSink& sink) { sink.on_interfaces_changed(); });
+  }
+
+  /// Whether it can be used.
+  bool open(const Link& link) {
+    auto opened = std::make_unique<MulticastLink>(
+        context_, link, groups_, settings_.port,
+        [this, index = link.interface.index](const address& source, std::span<const std::byte> datagram) {
+          receive(index, source, datagram);
+        });
+    for (const std::string& problem : opened->problems()) {
+      if (problems_.insert(problem).second) {
+        log_.write(opened->is_sound() ? base::LogLevel::debug : base::LogLevel::warning, problem);
+      }
+    }
+    const bool is_sound = opened->is_sound();
+    links_.emplace(link.interface.index, std::move(opened));
+    return is_sound;
+  }
+
+  /// An interface that was asked for by name and is not there is worth a line, once until it comes.
+  void say_missing(const std::vector<Interface>& seen) {
+    for (const std::string& name : settings_.interfaces) {
+      const bool is_there =
+          std::ranges::any_of(seen, [&](const Interface& interface) { return interface.name == name; });
+      if (is_there) {
+        missing_.erase(name);
+      } else if (missing_.insert(name).second) {
+        log_.write(base::LogLevel::warning, "interface " + name + " is not there or not up: waiting for it");
+      }
+    }
+  }
+
+  /// Says once that sending fails, and once that it works again.
+  void watch_sending(const MulticastLink& link) {
+    int& last = send_errors_[link.link().interface.index];
+    if (link.last_send_error() == last) return;
+    last = link.last_send_error();
+    const std::string& name = link.link().interface.name;
+    if (last == 0) {
+      log_.write(base::LogLevel::info, "sending on " + name + " works again");
+    } else {
+      log_.write(base::LogLevel::warning, "cannot send on " + name + ": " + std::generic_category().message(last));
+    }
+  }
+
+  AirSettings settings_;
+  std::vector<address> groups_;
+  EventSink* sink_ = nullptr;
+  std::map<InterfaceIndex, std::unique_ptr<MulticastLink>> links_;
+  std::map<InterfaceIndex, int> send_errors_;
+  std::set<std::string> problems_;
+  std::set<std::string> missing_;
+  std::unique_ptr<Unicast> unicast_;
+  std::unique_ptr<LinkWatch> watch_;
+  base::Instant wanted_ = base::never;  // by the participant
+  base::Instant armed_ = base::never;   // of the timer
+};
+
+AsioEnv::AsioEnv(net::io_context& context, base::LogSink& log) : state_(std::make_unique<State>(context, log)) {}
+AsioEnv::~AsioEnv() = default;
+
+std::expected<void, std::string> AsioEnv::listen(const Endpoint& endpoint, bool may_be_missing) {
+  const auto listening = state_->streams_.listen(endpoint);
+  if (listening) return {};
+  const ListenError& error = listening.error();
+  if (error.kind == ListenError::Kind::in_use) {
+    return std::unexpected(to_string(endpoint) + " is already in use: another gemingad? choose another with --gcnp");
+  }
+  if (error.kind == ListenError::Kind::not_available && may_be_missing) {
+    state_->log_.write(base::LogLevel::info,
+                       to_string(endpoint) + " is not available on this host: going on without it");
+    return {};
+  }
+  return std::unexpected("cannot listen on " + to_string(endpoint) + ": " + error.text);
+}
+
+void AsioEnv::open_air(AirSettings settings) { state_->open_air(std::move(settings)); }
+void AsioEnv::serve(EventSink& sink) { state_->serve(sink); }
+void AsioEnv::stop_listening() { state_->streams_.stop_listening(); }
+void AsioEnv::event(const std::function<void()>& action) { state_->event(action); }
+bool AsioEnv::is_writing() const { return state_->streams_.is_writing(); }
+
+base::Instant AsioEnv::now() const { return state_->now_; }
+void AsioEnv::wake_at(base::Instant instant) { state_->wake_at(instant); }
+
+std::uint64_t AsioEnv::random_bits() {
+  std::uint64_t bits = 0;
+  // Up to 256 octets are never cut short or interrupted once the pool is ready (getrandom(2)); before that it blocks.
+  while (::getrandom(&bits, sizeof bits, 0) != static_cast<ssize_t>(sizeof bits)) {
+    GEMINGA_ASSERT(errno == EINTR);
+  }
+  return bits;
+}
+
+const std::vector<Interface>& AsioEnv::interfaces() const { return state_->interfaces_; }
+void AsioEnv::send(InterfaceIndex interface, std::span<const std::byte> datagram) { state_->send(interface, datagram); }
+void AsioEnv::write(StreamId stream, std::string_view bytes) { state_->streams_.write(stream, bytes); }
+void AsioEnv::close(StreamId stream) { state_->streams_.close(stream); }
+base::LogSink& AsioEnv::log() { return state_->log_; }
+
+}  // namespace geminga::env

@@ -1,0 +1,34 @@
+// What happens in the world, one event at a time; env/asio tells it to whoever owns the participant.
+#ifndef GEMINGA_ENV_ASIO_EVENT_SINK_HPP
+#define GEMINGA_ENV_ASIO_EVENT_SINK_HPP
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "env/env.hpp"
+
+namespace geminga::env {
+
+/// The functions of a participant that env/asio calls, always from the event loop and never from within an Env call.
+/// What is handed over is borrowed for the call.
+class EventSink {
+ public:
+  virtual ~EventSink() = default;
+
+  virtual void on_timer() = 0;
+  /// `source` is the sender's numeric address. A datagram longer than max_datagram_bytes arrives cut to one octet more,
+  /// so that it can be counted and refused.
+  virtual void on_datagram(InterfaceIndex interface, std::string_view source, std::span<const std::byte> datagram) = 0;
+  virtual void on_interfaces_changed() = 0;
+  virtual void on_stream_opened(StreamId stream) = 0;
+  virtual void on_stream_bytes(StreamId stream, std::string_view bytes) = 0;
+  virtual void on_stream_closed(StreamId stream) = 0;
+};
+
+/// The longest datagram that is read whole: what fits into an Ethernet frame that is not fragmented.
+inline constexpr std::size_t max_datagram_bytes = 1472;
+
+}  // namespace geminga::env
+
+#endif

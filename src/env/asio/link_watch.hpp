@@ -1,0 +1,34 @@
+// Says when to look at the network interfaces again: when the kernel reports a change, and regularly in case it does
+// not.
+#ifndef GEMINGA_ENV_ASIO_LINK_WATCH_HPP
+#define GEMINGA_ENV_ASIO_LINK_WATCH_HPP
+
+#include <boost/asio/io_context.hpp>
+#include <chrono>
+#include <functional>
+#include <memory>
+
+namespace geminga::env {
+
+/// Between two looks without a reported change. Shorter: a change that the kernel did not report is seen sooner.
+/// Longer: less processor time. Reports are reliable on every kernel we know; this is the belt beside the braces.
+inline constexpr std::chrono::seconds link_scan_period{2};
+/// Between two looks when reports rain: an interface that comes up causes half a dozen.
+inline constexpr std::chrono::milliseconds link_scan_pause{20};
+
+/// Listens to rtnetlink(7) and a timer.
+class LinkWatch {
+ public:
+  LinkWatch(boost::asio::io_context& context, std::function<void()> look);
+  ~LinkWatch();
+  LinkWatch(const LinkWatch&) = delete;
+  LinkWatch& operator=(const LinkWatch&) = delete;
+
+ private:
+  class State;
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace geminga::env
+
+#endif

@@ -1,0 +1,46 @@
+// The host's network interfaces as the kernel shows them at this moment, and who is on link there.
+#ifndef GEMINGA_ENV_ASIO_LINKS_HPP
+#define GEMINGA_ENV_ASIO_LINKS_HPP
+
+#include <boost/asio/ip/address.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "env/env.hpp"
+
+namespace geminga::env {
+
+/// An address of an interface and the length of its network's prefix.
+struct Prefix {
+  boost::asio::ip::address address;
+  unsigned length = 0;
+  friend bool operator==(const Prefix&, const Prefix&) = default;
+};
+
+/// One interface in use: what the participant sees of it, and every address with its prefix, link-local ones included.
+struct Link {
+  Interface interface;
+  std::vector<Prefix> prefixes;
+  friend bool operator==(const Link&, const Link&) = default;
+
+  [[nodiscard]] std::optional<boost::asio::ip::address_v4> first_v4() const;
+  [[nodiscard]] bool has_address(const boost::asio::ip::address& address) const;
+  /// Whether a datagram from this source can have been sent on this very link: it is in one of the interface's
+  /// networks, or link-local. True where the interface is the loopback, or has no address of that family to judge by.
+  [[nodiscard]] bool is_on_link(const boost::asio::ip::address& source) const;
+};
+
+/// The most interfaces in use; what is over it is ignored, in order of index. A robot has two or three.
+inline constexpr std::size_t max_links = 16;
+/// The most addresses of one interface that are announced. More would only make announcements longer.
+inline constexpr std::size_t max_addresses_per_link = 4;
+
+/// The interfaces that are up and running and can multicast, without the loopback; or, where `names` is not empty,
+/// those with these names, whatever they are, as long as they are up. Ordered by index. An IPv6 link-local address is
+/// announced only where there is no other address: without a scope nobody else can use it. Cost: two netlink dumps.
+[[nodiscard]] std::vector<Link> scan_links(const std::vector<std::string>& names);
+
+}  // namespace geminga::env
+
+#endif

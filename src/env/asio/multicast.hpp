@@ -1,0 +1,61 @@
+// The sockets of one interface: joined to the team's groups there, and hearing nothing else.
+#ifndef GEMINGA_ENV_ASIO_MULTICAST_HPP
+#define GEMINGA_ENV_ASIO_MULTICAST_HPP
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/udp.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "env/asio/links.hpp"
+
+namespace geminga::env {
+
+/// Datagrams read in one turn of the event loop before other sockets get theirs.
+inline constexpr int max_datagrams_per_turn = 32;
+
+/// The multicast side of one interface. One receiving socket a group, bound to the group's address and joined by the
+/// interface's index, with IP_MULTICAST_ALL off: so it hears its own interface and group and nothing that another
+/// socket of this host has joined. One sending socket a family with a port of its own, so that our own echo can be told
+/// from what another daemon of this host says.
+///
+/// Sends on IPv4 where the interface has an IPv4 address and there is an IPv4 group, on IPv6 otherwise, and receives on
+/// both. Sending on both would say everything twice to nearly everybody, and a datagram saved is air time of the whole
+/// team; a host without IPv4 address still hears the IPv4 group, because a group is joined by index, not by address.
+class MulticastLink {
+ public:
+  /// Takes one datagram with its sender. May not destroy the MulticastLink.
+  using Receive = std::function<void(const boost::asio::ip::address& source, std::span<const std::byte> datagram)>;
+
+  /// Opens what can be opened; what cannot is in problems(), one line each.
+  MulticastLink(boost::asio::io_context& context, const Link& link, const std::vector<boost::asio::ip::address>& groups,
+                std::uint16_t port, Receive receive);
+  ~MulticastLink();
+  MulticastLink(const MulticastLink&) = delete;
+  MulticastLink& operator=(const MulticastLink&) = delete;
+
+  /// Sends to every group of the family in use. Never blocks; what the kernel refuses is counted and lost.
+  void send(std::span<const std::byte> datagram);
+
+  /// The interface with changed addresses. True where the sockets still fit; false: make a new MulticastLink.
+  [[nodiscard]] bool update(const Link& link);
+  [[nodiscard]] const Link& link() const;
+  [[nodiscard]] const std::vector<std::string>& problems() const;
+  /// Whether it can send, and hears the groups of the family that it sends on. Otherwise it is worth another attempt.
+  [[nodiscard]] bool is_sound() const;
+  /// The error of the last send, or 0. Told apart so that the log can say it once.
+  [[nodiscard]] int last_send_error() const;
+
+ private:
+  struct Sockets;
+  std::shared_ptr<Sockets> sockets_;  // shared with the handlers that wait on them
+};
+
+}  // namespace geminga::env
+
+#endif
