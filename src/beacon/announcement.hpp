@@ -56,7 +56,7 @@ struct Announcement {
   BootNonce boot{};
   std::uint32_t link = 0;      ///< the sender's number of the interface that it went out on
   std::uint64_t sequence = 0;  ///< counts the sender's datagrams on that interface, so that others can measure loss
-  base::Duration interval = std::chrono::seconds(2);  ///< at most so long to the next one; whole milliseconds
+  base::Duration interval = std::chrono::seconds(2);  ///< between two of them, on average; whole milliseconds
   std::string name;                                   ///< the participant's; empty: its identifier
   std::uint64_t ontology_digest = 0;                  ///< 0: none is loaded
   std::vector<std::string> addresses;                 ///< numeric, valid on this interface, best first, without zone

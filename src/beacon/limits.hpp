@@ -15,7 +15,7 @@ namespace geminga::beacon {
 inline constexpr std::size_t max_datagram_bytes = 1200;
 /// What one publication or subscription may take of a datagram, its share of the tables included. The rest is kept for
 /// the largest possible header, so whether a service fits depends on nothing but the service.
-inline constexpr std::size_t max_entry_bytes = 680;
+inline constexpr std::size_t max_entry_bytes = 720;
 
 /// Names of groups, participants and peers, in octets of UTF-8.
 inline constexpr std::size_t max_name_bytes = 64;

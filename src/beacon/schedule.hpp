@@ -66,8 +66,6 @@ class Schedule {
   [[nodiscard]] bool take(base::Instant now);
   /// Whether stop() was called and all goodbyes have been taken.
   [[nodiscard]] bool is_finished() const;
-  /// The interval to announce: what others may rely on, the jitter included.
-  [[nodiscard]] base::Duration announced_interval() const;
 
  private:
   void begin_copies(base::Instant first);
@@ -90,6 +88,7 @@ class Schedule {
   base::Instant refilled_{};
   std::size_t goodbyes_left_ = 0;
   base::Instant goodbye_due_ = base::never;
+  bool is_running_ = false;
   bool is_stopping_ = false;
 };
 
