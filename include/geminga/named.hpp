@@ -51,6 +51,43 @@ struct NamedSubscription {
   friend bool operator==(const NamedSubscription&, const NamedSubscription&) = default;
 };
 
+/// New names of a service, of which only those given change. An empty representation takes back the stated one.
+struct ConceptChange {
+  std::optional<std::string> concept_name;
+  std::optional<std::string> representation_name;
+  friend bool operator==(const ConceptChange&, const ConceptChange&) = default;
+};
+
+/// A new identity. One that was a number or a text becomes a concept by a ConceptChange with a concept.
+using IdentityChange = std::variant<NumericIdentity, TextIdentity, ConceptChange>;
+
+/// What is new about a publication: only what is given changes.
+struct PublicationChange {
+  std::optional<IdentityChange> identity;
+  std::optional<ChannelMode> mode;
+  std::optional<std::string> address;  ///< empty: back to the provider's own
+  std::optional<std::uint16_t> port;
+  std::optional<std::string> protocol;
+  std::optional<std::int32_t> priority;
+  Attributes attributes;  ///< added to those that are there; one of the same key takes its place
+  friend bool operator==(const PublicationChange&, const PublicationChange&) = default;
+};
+
+/// What is new about a subscription: only what is given changes.
+struct SubscriptionChange {
+  std::optional<IdentityChange> identity;
+  std::optional<ChannelMode> mode;
+  std::optional<Degree> weakest;
+  std::optional<std::vector<ProviderFilter>> providers;  ///< empty: any provider again
+  std::optional<std::string> where;                      ///< empty: no filter any more
+  std::optional<std::uint32_t> limit;
+  std::optional<std::int32_t> priority;
+  std::optional<std::uint16_t> port;
+  std::optional<std::string> address;
+  Attributes attributes;  ///< added to those that are there; one of the same key takes its place
+  friend bool operator==(const SubscriptionChange&, const SubscriptionChange&) = default;
+};
+
 }  // namespace geminga
 
 #endif

@@ -32,30 +32,13 @@ struct Bye {
   friend bool operator==(const Bye&, const Bye&) = default;
 };
 
-/// Names of a `modify`, of which only those given change. An empty representation takes back the stated one.
-struct ConceptChange {
-  std::optional<std::string> concept_name;
-  std::optional<std::string> representation_name;
-  friend bool operator==(const ConceptChange&, const ConceptChange&) = default;
-};
-using IdentityChange = std::variant<NumericIdentity, TextIdentity, ConceptChange>;
-
 /// `N pub create ...`
 struct PubCreate {
   NamedPublication publication;
   friend bool operator==(const PubCreate&, const PubCreate&) = default;
 };
-/// `N pub modify ...`: only what is given changes. `attributes` are added to those that are there.
-struct PubModify {
-  std::optional<IdentityChange> identity;
-  std::optional<ChannelMode> mode;
-  std::optional<std::string> address;  ///< empty: back to the participant's own
-  std::optional<std::uint16_t> port;
-  std::optional<std::string> protocol;
-  std::optional<std::int32_t> priority;
-  Attributes attributes;
-  friend bool operator==(const PubModify&, const PubModify&) = default;
-};
+/// `N pub modify ...`
+using PubModify = PublicationChange;
 /// `N pub remove`
 struct PubRemove {
   friend bool operator==(const PubRemove&, const PubRemove&) = default;
@@ -66,20 +49,8 @@ struct SubCreate {
   NamedSubscription subscription;
   friend bool operator==(const SubCreate&, const SubCreate&) = default;
 };
-/// `N sub modify ...`: only what is given changes. `attributes` are added to those that are there.
-struct SubModify {
-  std::optional<IdentityChange> identity;
-  std::optional<ChannelMode> mode;
-  std::optional<Degree> weakest;
-  std::optional<std::vector<ProviderFilter>> providers;  ///< empty: any provider again
-  std::optional<std::string> where;                      ///< empty: no filter any more
-  std::optional<std::uint32_t> limit;
-  std::optional<std::int32_t> priority;
-  std::optional<std::uint16_t> port;
-  std::optional<std::string> address;
-  Attributes attributes;
-  friend bool operator==(const SubModify&, const SubModify&) = default;
-};
+/// `N sub modify ...`
+using SubModify = SubscriptionChange;
 /// `N sub remove`
 struct SubRemove {
   friend bool operator==(const SubRemove&, const SubRemove&) = default;
