@@ -2,54 +2,21 @@
 #ifndef GEMINGA_MATCHING_MATCHER_HPP
 #define GEMINGA_MATCHING_MATCHER_HPP
 
-#include <cstdint>
 #include <expected>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
-#include <string_view>
-#include <variant>
 #include <vector>
 
 #include "base/time.hpp"
 #include "el/ontology.hpp"
-#include "geminga/error.hpp"
-#include "geminga/match.hpp"
 #include "geminga/service.hpp"
+#include "matching/degree.hpp"
+#include "matching/event.hpp"
+#include "matching/where.hpp"  // check_where() is part of this seam
 #include "registry/entry.hpp"
 
 namespace geminga::matching {
-
-/// How an offer meets a request.
-struct Match {
-  Degree degree = Degree::exact;
-  std::uint32_t distance = 0;  ///< taxonomy edges of the concept plus those of the representation
-  friend auto operator<=>(const Match&, const Match&) = default;
-};
-
-/// Why a service that was told of is gone; the `reason=` of GCNP. Words are only ever appended.
-enum class Reason : std::uint8_t {
-  withdrawn,  ///< its peer removed it or disconnected
-  expired,    ///< its participant was not heard of before the deadline
-  left,       ///< its participant said goodbye
-  outranked,  ///< a better one took its place under the subscription's limit
-  changed,    ///< it was modified and matches no more, or the ontology was
-  renamed,    ///< its participant took a new identifier after a clash
-};
-[[nodiscard]] std::string_view to_string(Reason reason);
-
-enum class Change : std::uint8_t { add, modify, del };
-[[nodiscard]] std::string_view to_string(Change change);
-
-/// What a local peer is to be told. `to` is its own subscription (for a PublicationEntry) or publication (for a SubscriptionEntry).
-struct Event {
-  Change change = Change::add;
-  ServiceKey to;
-  std::variant<registry::PublicationEntry, registry::SubscriptionEntry> about;  ///< as it is now; for del as it was last told
-  Match match;
-  Reason reason = Reason::withdrawn;  ///< for del only
-};
 
 /// One line of `geminga-query match`.
 struct Ranked {
@@ -57,11 +24,20 @@ struct Ranked {
   Match match;
 };
 
-/// Holds the registry, matches and arbitrates. Not thread-safe. Feeding it is idempotent: a put of what is there already
-/// refreshes its deadline and causes no event. No event is ever doubled: per (to, about) the stream is add (modify)* del.
+/// Holds the registry, matches and arbitrates. Not thread-safe. Feeding it is idempotent: a put of what is there
+/// already refreshes its deadline and causes no event. No event is ever doubled: per (to, about) the stream is add
+/// (modify)* del.
 ///
-/// Arbitration order: greater priority, better degree, smaller distance, the incumbent, then the smaller key.
-/// Providers are told of consumers in the modes oto and otm/pubsub only (paper section 3).
+/// Arbitration order: greater priority, better degree, smaller distance, the incumbent, then the smaller key. In the
+/// events of one cause a subscription's dels come before its modifies and these before its adds, and subscriptions
+/// follow each other by key.
+///
+/// Providers are told of consumers in the modes oto and otm/pubsub only (paper section 3), and only of those whose
+/// choice they are in. Every host computes the choice of every consumer from its own view; nothing is asked for over
+/// the air. Who is chosen follows from announced facts except between candidates that are equal in all but their key,
+/// where the incumbent stays; there a host that came later may see another one chosen until something changes.
+///
+/// A peer is never told of the end of its own request: after its subscription is removed there are no dels for it.
 class Matcher {
  public:
   /// `ontology` may be null: then semantic identities match exactly or not at all. Borrowed until set_ontology().
@@ -106,9 +82,6 @@ class Matcher {
   class State;
   std::unique_ptr<State> state_;
 };
-
-/// Reads a `where` expression and says what is wrong with it at which octet; used to refuse a bad one with 422.
-[[nodiscard]] std::optional<Error> check_where(std::string_view expression);
 
 }  // namespace geminga::matching
 

@@ -15,8 +15,8 @@ struct PublicationEntry {
   Publication publication;
   std::string peer_name;
   std::string participant_name;
-  bool is_local = false;           ///< offered by a peer of this very participant
-  base::Instant updated;           ///< last heard; the timestamp index of paper section 3.6
+  bool is_local = false;  ///< offered by a peer of this very participant
+  base::Instant updated;  ///< last heard; the timestamp index of paper section 3.6
   base::Instant deadline = base::never;
   /// Whether a consumer would see a difference; provenance times do not count.
   [[nodiscard]] bool same_as(const PublicationEntry& other) const {

@@ -1,0 +1,53 @@
+// Filing plans and the walk from an offer to the subscriptions that wait for it.
+#include "matching/candidates.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace geminga::matching {
+
+FilingPlan::FilingPlan(std::optional<el::ClassNumber> own, bool is_below, const el::Ontology* ontology) {
+  if (!own) return;
+  own_ = std::to_underlying(*own);
+  if (!is_below) return;
+  for (const el::ClassNumber number : ontology->subsumers(*own)) below_.push_back(std::to_underlying(number));
+}
+
+FilingPlan FilingPlan::of_publication(const Classes& classes, const el::Ontology* ontology) {
+  return {classes.concept_class, true, ontology};
+}
+
+FilingPlan FilingPlan::of_subscription(const Classes& classes, Degree weakest, const el::Ontology* ontology) {
+  return {classes.concept_class, weakest >= Degree::broader, ontology};
+}
+
+std::vector<const registry::StoredSubscription*> standing_subscriptions(const registry::Subscriptions& subscriptions,
+                                                                        const Identity& offered, const Classes& classes,
+                                                                        const el::Ontology* ontology) {
+  std::vector<const registry::StoredSubscription*> standing;
+  const auto add_all = [&standing](auto filed) {
+    for (const auto& one : filed) standing.push_back(one.stored);
+  };
+  const auto* semantic = std::get_if<SemanticIdentity>(&offered);
+  if (semantic == nullptr) {
+    add_all(subscriptions.with_identity(offered, id32(offered)));
+  } else if (!classes.concept_class) {
+    add_all(subscriptions.with_concept(semantic->concept_iri));
+  } else {
+    for (const el::ClassNumber wider : ontology->subsumers(*classes.concept_class)) {
+      add_all(subscriptions.own(std::to_underlying(wider)));
+    }
+    add_all(subscriptions.below(std::to_underlying(*classes.concept_class)));
+  }
+  order_by_key(standing);
+  return standing;
+}
+
+void order_by_key(std::vector<const registry::StoredSubscription*>& subscriptions) {
+  std::ranges::sort(subscriptions, {}, [](const auto* stored) { return stored->entry.key; });
+  const auto twice = std::ranges::unique(subscriptions);
+  subscriptions.erase(twice.begin(), twice.end());
+}
+
+}  // namespace geminga::matching

@@ -1,0 +1,50 @@
+// How an offered identity meets a requested one, by the ontology or, where it knows nothing, by the identifier alone.
+#ifndef GEMINGA_MATCHING_DEGREE_HPP
+#define GEMINGA_MATCHING_DEGREE_HPP
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "el/ontology.hpp"
+#include "geminga/identity.hpp"
+#include "geminga/match.hpp"
+
+namespace geminga::matching {
+
+/// How an offer meets a request.
+struct Match {
+  Degree degree = Degree::exact;
+  std::uint32_t distance = 0;  ///< taxonomy edges of the concept plus those of the representation
+  friend auto operator<=>(const Match&, const Match&) = default;
+};
+
+/// The classes of a semantic identity in one ontology. A name that the ontology does not know has no class here, and
+/// neither has an unsatisfiable one: it is below everything only because nothing can be an instance of it, so a service
+/// that offers it has no instance to give and one that asks for it none to take. Both match exactly or not at all.
+struct Classes {
+  std::optional<el::ClassNumber> concept_class;
+  std::optional<el::ClassNumber> representation_class;
+};
+
+/// Looks up both names. `ontology` may be null: then there are no classes.
+[[nodiscard]] Classes classes_of(const Identity& identity, const el::Ontology* ontology);
+
+/// The degree of one name, a concept or a representation: exact for equal identifiers, otherwise by subsumption between
+/// the classes, which needs both. Nothing where neither subsumes the other.
+[[nodiscard]] std::optional<Match> degree_of_name(const std::string& offered_iri,
+                                                  std::optional<el::ClassNumber> offered,
+                                                  const std::string& requested_iri,
+                                                  std::optional<el::ClassNumber> requested,
+                                                  const el::Ontology* ontology);
+
+/// The degree of the whole identity, however weak; the caller compares it with what the subscription allows. Identities
+/// of different kinds never match, numbers and texts only when they are equal. The 32-bit identity plays no part.
+[[nodiscard]] std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
+                                                      const Identity& requested, const Classes& requested_classes,
+                                                      const el::Ontology* ontology);
+
+}  // namespace geminga::matching
+
+#endif

@@ -1,0 +1,38 @@
+// The words of GCNP for events.
+#include "matching/event.hpp"
+
+#include "base/assert.hpp"
+
+namespace geminga::matching {
+
+std::string_view to_string(Reason reason) {
+  switch (reason) {
+    case Reason::withdrawn:
+      return "withdrawn";
+    case Reason::expired:
+      return "expired";
+    case Reason::left:
+      return "left";
+    case Reason::outranked:
+      return "outranked";
+    case Reason::changed:
+      return "changed";
+    case Reason::renamed:
+      return "renamed";
+  }
+  base::assertion_failed("a reason has a word", __FILE__, __LINE__);
+}
+
+std::string_view to_string(Change change) {
+  switch (change) {
+    case Change::add:
+      return "add";
+    case Change::modify:
+      return "modify";
+    case Change::del:
+      return "del";
+  }
+  base::assertion_failed("a change has a word", __FILE__, __LINE__);
+}
+
+}  // namespace geminga::matching

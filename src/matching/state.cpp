@@ -1,0 +1,228 @@
+// Changes to the registry, the pairs that they concern, and what they lead to.
+#include "matching/state.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace geminga::matching {
+
+using registry::PublicationEntry;
+using registry::StoredPublication;
+using registry::StoredSubscription;
+using registry::SubscriptionEntry;
+
+std::optional<Match> Matcher::State::meets(const StoredSubscription& subscription,
+                                           const StoredPublication& publication) const {
+  return matching::meets(subscription.entry.subscription, of_subscription_[subscription.slot].request,
+                         publication.entry, of_publication_[publication.slot].classes, ontology_);
+}
+
+const StoredPublication& Matcher::State::store(PublicationEntry entry, const StoredPublication* known) {
+  const Classes classes = classes_of(entry.publication.identity, ontology_);
+  const FilingPlan plan = FilingPlan::of_publication(classes, ontology_);
+  if (known == nullptr) {
+    known = &publications_.insert(std::move(entry), plan.filing());
+    if (known->slot >= of_publication_.size()) of_publication_.resize(known->slot + 1);
+    of(*known) = {};
+  } else {
+    replaced_publication_ = {known, known->entry};
+    publications_.replace(*known, std::move(entry), plan.filing());
+  }
+  of(*known).classes = classes;
+  return *known;
+}
+
+const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const StoredSubscription* known) {
+  Request request = prepared(entry.subscription, ontology_);
+  const FilingPlan plan = FilingPlan::of_subscription(request.classes, entry.subscription.weakest, ontology_);
+  if (known == nullptr) {
+    known = &subscriptions_.insert(std::move(entry), plan.filing());
+    if (known->slot >= of_subscription_.size()) of_subscription_.resize(known->slot + 1);
+    of(*known) = {};
+    of(*known).stored = known;
+  } else {
+    replaced_subscription_ = {known, known->entry};
+    replaced_request_ = std::move(of(*known).request);
+    subscriptions_.replace(*known, std::move(entry), plan.filing());
+  }
+  of(*known).request = std::move(request);
+  of(*known).choice.set_limit(known->entry.subscription.limit);
+  return *known;
+}
+
+void Matcher::State::put(PublicationEntry entry) {
+  const StoredPublication* known = publications_.find(entry.key);
+  if (known != nullptr && known->entry.is_local != entry.is_local) {
+    remove({known}, {}, Reason::changed);
+    known = nullptr;
+  }
+  if (known != nullptr && known->entry.same_as(entry)) {
+    publications_.refresh(*known, entry.updated, entry.deadline);
+    return;
+  }
+  const StoredPublication& stored = store(std::move(entry), known);
+  auto concerned =
+      standing_subscriptions(subscriptions_, stored.entry.publication.identity, of(stored).classes, ontology_);
+  for (const auto& [slot, rank] : of(stored).considered_by) concerned.push_back(of_subscription_[slot].stored);
+  order_by_key(concerned);
+  for (const auto* subscription : concerned) {
+    judge(*subscription, stored);
+    settle(*subscription);
+  }
+  replaced_publication_ = {};
+}
+
+void Matcher::State::put(SubscriptionEntry entry) {
+  const StoredSubscription* known = subscriptions_.find(entry.key);
+  if (known != nullptr && known->entry.is_local != entry.is_local) {
+    remove({}, {known}, Reason::changed);
+    known = nullptr;
+  }
+  if (known != nullptr && known->entry.same_as(entry)) {
+    subscriptions_.refresh(*known, entry.updated, entry.deadline);
+    return;
+  }
+  const StoredSubscription& stored = store(std::move(entry), known);
+  judge_all(stored);
+  settle(stored);
+  replaced_subscription_ = {};
+}
+
+void Matcher::State::remove(const std::vector<const StoredPublication*>& publications,
+                            const std::vector<const StoredSubscription*>& subscriptions, Reason reason) {
+  for (const auto* publication : publications) of(*publication).is_leaving = true;
+  for (const auto* subscription : subscriptions) forget(*subscription, reason);
+  std::vector<const StoredSubscription*> concerned;
+  for (const auto* publication : publications) {
+    for (const auto& [slot, rank] : of(*publication).considered_by) {
+      of_subscription_[slot].choice.withdraw(rank, reason);
+      concerned.push_back(of_subscription_[slot].stored);
+    }
+    of(*publication).considered_by.clear();
+  }
+  order_by_key(concerned);
+  for (const auto* subscription : concerned) settle(*subscription);
+  for (const auto* publication : publications) publications_.erase(*publication);
+  for (const auto* subscription : subscriptions) {
+    of(*subscription) = {};
+    subscriptions_.erase(*subscription);
+  }
+}
+
+void Matcher::State::forget(const StoredSubscription& subscription, Reason reason) {
+  for (const auto& chosen : of(subscription).choice.chosen()) {
+    tell_provider(Change::del, subscription, *chosen.publication, chosen.match, reason);
+  }
+  for (const auto& [rank, publication] : of(subscription).choice.candidates()) {
+    of(*publication).considered_by.erase(subscription.slot);
+  }
+}
+
+void Matcher::State::set_ontology(const el::Ontology* ontology) {
+  ontology_ = ontology;
+  const std::size_t classes = ontology == nullptr ? 0 : ontology->class_count();
+  publications_.set_class_count(classes);
+  subscriptions_.set_class_count(classes);
+  publications_.for_each([this](const StoredPublication& stored) {
+    auto& known = of(stored).classes = classes_of(stored.entry.publication.identity, ontology_);
+    publications_.refile(stored, FilingPlan::of_publication(known, ontology_).filing());
+  });
+  subscriptions_.for_each([this](const StoredSubscription& stored) {
+    const Subscription& asked = stored.entry.subscription;
+    auto& known = of(stored).request.classes = classes_of(asked.identity, ontology_);
+    subscriptions_.refile(stored, FilingPlan::of_subscription(known, asked.weakest, ontology_).filing());
+  });
+  subscriptions_.for_each([this](const StoredSubscription& stored) {
+    judge_all(stored);
+    settle(stored);
+  });
+}
+
+bool Matcher::State::is_of_interest(const SubscriptionEntry& subscription, const PublicationEntry& publication) {
+  if (subscription.is_local) return true;
+  if (subscription.subscription.mode == ChannelMode::one_to_many_stream) return false;  // its provider is not told
+  return publication.is_local ||
+         subscription.subscription.limit != 0;  // without a limit nobody stands in another's way
+}
+
+bool Matcher::State::was_chosen_unseen(const StoredPublication& publication) const {
+  if (replaced_subscription_.stored == nullptr) return false;
+  const SubscriptionEntry& before = replaced_subscription_.before;
+  return !is_of_interest(before, publication.entry) && before.subscription.mode != ChannelMode::one_to_many_stream &&
+         matching::meets(before.subscription, replaced_request_, publication.entry,
+                         of_publication_[publication.slot].classes, ontology_);
+}
+
+void Matcher::State::judge(const StoredSubscription& subscription, const StoredPublication& publication) {
+  auto& considered_by = of(publication).considered_by;
+  auto& choice = of(subscription).choice;
+  const auto match =
+      is_of_interest(subscription.entry, publication.entry) ? meets(subscription, publication) : std::nullopt;
+  const auto known = considered_by.find(subscription.slot);
+  if (!match) {
+    if (known == considered_by.end()) return;
+    choice.withdraw(known->second, Reason::changed);
+    considered_by.erase(known);
+    return;
+  }
+  const Rank rank{publication.entry.publication.priority, *match, publication.entry.key};
+  if (known != considered_by.end()) {
+    choice.change(known->second, rank);
+    known->second = rank;
+  } else {
+    choice.offer(rank, publication, was_chosen_unseen(publication));
+    considered_by.emplace(subscription.slot, rank);
+  }
+}
+
+void Matcher::State::judge_all(const StoredSubscription& subscription) {
+  for (const auto& [rank, publication] : of(subscription).choice.candidates()) judge(subscription, *publication);
+  const Subscription& asked = subscription.entry.subscription;
+  visit_publications(publications_, asked.identity, of(subscription).request.classes, asked.weakest, ontology_,
+                     [&](const StoredPublication& publication) {
+                       if (!of(publication).considered_by.contains(subscription.slot)) judge(subscription, publication);
+                       return false;
+                     });
+}
+
+std::vector<Ranked> Matcher::State::match(const Subscription& asked) const {
+  const Request request = prepared(asked, ontology_);
+  std::vector<Ranked> ranked;
+  visit_publications(publications_, asked.identity, request.classes, asked.weakest, ontology_,
+                     [&](const StoredPublication& publication) {
+                       const auto match = matching::meets(asked, request, publication.entry,
+                                                          of_publication_[publication.slot].classes, ontology_);
+                       if (match) ranked.push_back({&publication.entry, *match});
+                       return false;
+                     });
+  std::ranges::sort(ranked, BestFirst{}, [](const Ranked& one) {
+    return Rank{one.publication->publication.priority, one.match, one.publication->key};
+  });
+  return ranked;
+}
+
+bool Matcher::State::is_served(const SubscriptionEntry& subscription) const {
+  const Subscription& asked = subscription.subscription;
+  const Request request = prepared(asked, ontology_);
+  bool served = false;
+  visit_publications(publications_, asked.identity, request.classes, asked.weakest, ontology_,
+                     [&](const StoredPublication& publication) {
+                       served = matching::meets(asked, request, publication.entry,
+                                                of_publication_[publication.slot].classes, ontology_)
+                                    .has_value();
+                       return served;
+                     });
+  return served;
+}
+
+bool Matcher::State::is_used(const PublicationEntry& publication) const {
+  const Classes classes = classes_of(publication.publication.identity, ontology_);
+  const auto standing = standing_subscriptions(subscriptions_, publication.publication.identity, classes, ontology_);
+  return std::ranges::any_of(standing, [&](const StoredSubscription* subscription) {
+    return matching::meets(subscription->entry.subscription, of_subscription_[subscription->slot].request, publication,
+                           classes, ontology_)
+        .has_value();
+  });
+}
+
+}  // namespace geminga::matching

@@ -1,0 +1,92 @@
+// What the matcher knows: the registry, the pairs that match, and the choice of each subscription.
+#ifndef GEMINGA_MATCHING_STATE_HPP
+#define GEMINGA_MATCHING_STATE_HPP
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "matching/arbitration.hpp"
+#include "matching/candidates.hpp"
+#include "matching/matcher.hpp"
+#include "matching/request.hpp"
+#include "registry/table.hpp"
+
+namespace geminga::matching {
+
+/// Every change runs in three steps: the registry takes it, the pairs that it concerns are judged again, and each
+/// subscription whose candidates changed is settled once, which gives the events.
+class Matcher::State {
+ public:
+  explicit State(const el::Ontology* ontology) { set_ontology(ontology); }
+
+  void put(registry::PublicationEntry entry);
+  void put(registry::SubscriptionEntry entry);
+  /// Removes all of these at once, so that nothing that is about to go takes another's place.
+  void remove(const std::vector<const registry::StoredPublication*>& publications,
+              const std::vector<const registry::StoredSubscription*>& subscriptions, Reason reason);
+  void set_ontology(const el::Ontology* ontology);
+
+  [[nodiscard]] std::vector<Ranked> match(const Subscription& request) const;
+  [[nodiscard]] bool is_served(const registry::SubscriptionEntry& subscription) const;
+  [[nodiscard]] bool is_used(const registry::PublicationEntry& publication) const;
+
+  const el::Ontology* ontology_ = nullptr;
+  registry::Publications publications_;
+  registry::Subscriptions subscriptions_;
+  std::vector<Event> events_;
+
+ private:
+  struct OfPublication {
+    Classes classes;
+    std::map<std::uint32_t, Rank> considered_by;  ///< by the slot of the subscription whose candidate it is
+    bool is_leaving = false;
+  };
+  struct OfSubscription {
+    const registry::StoredSubscription* stored = nullptr;
+    Request request;
+    Choice choice;
+  };
+
+  [[nodiscard]] OfPublication& of(const registry::StoredPublication& stored) { return of_publication_[stored.slot]; }
+  [[nodiscard]] OfSubscription& of(const registry::StoredSubscription& stored) { return of_subscription_[stored.slot]; }
+  [[nodiscard]] std::optional<Match> meets(const registry::StoredSubscription& subscription,
+                                           const registry::StoredPublication& publication) const;
+
+  const registry::StoredPublication& store(registry::PublicationEntry entry, const registry::StoredPublication* known);
+  const registry::StoredSubscription& store(registry::SubscriptionEntry entry,
+                                            const registry::StoredSubscription* known);
+  /// Whether the pair can ever cause an event or decide about another one that can.
+  [[nodiscard]] static bool is_of_interest(const registry::SubscriptionEntry& subscription,
+                                           const registry::PublicationEntry& publication);
+  void judge(const registry::StoredSubscription& subscription, const registry::StoredPublication& publication);
+  void judge_all(const registry::StoredSubscription& subscription);
+  void forget(const registry::StoredSubscription& subscription, Reason reason);
+  void settle(const registry::StoredSubscription& subscription);
+  /// Whether the pair had been chosen although it was of no interest, before the subscription got a limit.
+  [[nodiscard]] bool was_chosen_unseen(const registry::StoredPublication& publication) const;
+
+  void tell_consumer(Change change, const registry::StoredSubscription& subscription,
+                     const registry::StoredPublication& publication, Match match, Reason reason = Reason::withdrawn);
+  void tell_provider(Change change, const registry::StoredSubscription& subscription,
+                     const registry::StoredPublication& publication, Match match, Reason reason = Reason::withdrawn);
+  [[nodiscard]] const registry::PublicationEntry& as_told(const registry::StoredPublication& publication) const;
+  [[nodiscard]] const registry::SubscriptionEntry& as_told(const registry::StoredSubscription& subscription) const;
+
+  std::vector<OfPublication> of_publication_;    ///< by slot
+  std::vector<OfSubscription> of_subscription_;  ///< by slot
+
+  /// The entry that a put() is replacing, as its peers were told of it.
+  template <typename Entry>
+  struct Replaced {
+    const registry::Stored<Entry>* stored = nullptr;
+    Entry before;
+  };
+  Replaced<registry::PublicationEntry> replaced_publication_;
+  Replaced<registry::SubscriptionEntry> replaced_subscription_;
+  Request replaced_request_;
+};
+
+}  // namespace geminga::matching
+
+#endif

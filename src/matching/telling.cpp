@@ -1,0 +1,61 @@
+// From verdicts to events: who is told, of what, in which order.
+#include <utility>
+
+#include "matching/state.hpp"
+
+namespace geminga::matching {
+
+using registry::PublicationEntry;
+using registry::StoredPublication;
+using registry::StoredSubscription;
+using registry::SubscriptionEntry;
+
+void Matcher::State::settle(const StoredSubscription& subscription) {
+  const Verdict verdict = of(subscription).choice.settle();
+  for (const auto& gone : verdict.gone) {
+    tell_consumer(Change::del, subscription, *gone.publication, gone.told, gone.reason);
+    tell_provider(Change::del, subscription, *gone.publication, gone.told, gone.reason);
+  }
+  for (const auto& kept : verdict.kept) {
+    const bool is_other_match = kept.told != kept.match;
+    const bool is_other_publication = replaced_publication_.stored == kept.publication;
+    const bool is_other_subscription = replaced_subscription_.stored == &subscription;
+    if (is_other_match || is_other_publication) {
+      tell_consumer(Change::modify, subscription, *kept.publication, kept.match);
+    }
+    if (is_other_match || is_other_subscription) {
+      tell_provider(Change::modify, subscription, *kept.publication, kept.match);
+    }
+  }
+  for (const auto& come : verdict.come) {
+    tell_consumer(Change::add, subscription, *come.publication, come.match);
+    tell_provider(Change::add, subscription, *come.publication, come.match);
+  }
+}
+
+void Matcher::State::tell_consumer(Change change, const StoredSubscription& subscription,
+                                   const StoredPublication& publication, Match match, Reason reason) {
+  if (!subscription.entry.is_local) return;
+  const PublicationEntry& about = change == Change::del ? as_told(publication) : publication.entry;
+  events_.push_back({change, subscription.entry.key, about, match, reason});
+}
+
+void Matcher::State::tell_provider(Change change, const StoredSubscription& subscription,
+                                   const StoredPublication& publication, Match match, Reason reason) {
+  if (!publication.entry.is_local || of(publication).is_leaving) return;
+  const bool is_over = change == Change::del;
+  const ChannelMode mode = is_over ? as_told(publication).publication.mode : publication.entry.publication.mode;
+  if (mode == ChannelMode::one_to_many_stream) return;
+  const SubscriptionEntry& about = is_over ? as_told(subscription) : subscription.entry;
+  events_.push_back({change, publication.entry.key, about, match, reason});
+}
+
+const PublicationEntry& Matcher::State::as_told(const StoredPublication& publication) const {
+  return replaced_publication_.stored == &publication ? replaced_publication_.before : publication.entry;
+}
+
+const SubscriptionEntry& Matcher::State::as_told(const StoredSubscription& subscription) const {
+  return replaced_subscription_.stored == &subscription ? replaced_subscription_.before : subscription.entry;
+}
+
+}  // namespace geminga::matching

@@ -1,0 +1,80 @@
+// How an entry stands in the registry: its 32-bit identity, its dense slot, and every bucket it is filed in.
+#ifndef GEMINGA_REGISTRY_STORED_HPP
+#define GEMINGA_REGISTRY_STORED_HPP
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geminga/identity.hpp"
+#include "registry/entry.hpp"
+
+namespace geminga::registry {
+
+template <typename Entry>
+class Bucket;
+template <typename Entry>
+struct Name;
+
+/// The place of an entry in one bucket; the way back that makes removal independent of the bucket's size.
+template <typename Entry>
+struct FiledAt {
+  Bucket<Entry>* bucket = nullptr;
+  std::uint32_t position = 0;
+};
+
+/// An entry in the registry. Its address stays the same until it is erased. Only the registry changes it.
+template <typename Entry>
+struct Stored {
+  Entry entry;
+  /// The 32-bit identity: candidates, never proof.
+  Id32 identity = 0;
+  /// A small number that no other entry of the same table has; used again after the entry was erased. Lets others keep
+  /// what they know about an entry in an array.
+  std::uint32_t slot = 0;
+
+  /// The registry's own; mutable because none of it is part of a key of the container.
+  mutable std::vector<FiledAt<Entry>> filings;
+  mutable const Name<Entry>* identity_name = nullptr;
+  mutable const Name<Entry>* concept_name = nullptr;
+};
+
+/// Entries that share something, in no order that means anything. A caller that shows or decides by them sorts first.
+template <typename Entry>
+class Bucket {
+ public:
+  struct Filed {
+    const Stored<Entry>* stored = nullptr;
+    std::uint32_t back = 0;  ///< which of stored->filings points here
+  };
+
+  /// Appends; amortised O(1).
+  void file(const Stored<Entry>& stored) {
+    stored.filings.push_back({this, static_cast<std::uint32_t>(entries_.size())});
+    entries_.push_back({&stored, static_cast<std::uint32_t>(stored.filings.size() - 1)});
+  }
+
+  /// Puts the last entry into the hole and tells it its new place; O(1). The caller forgets the filing itself.
+  void remove(std::uint32_t position) {
+    const Filed last = entries_.back();
+    entries_[position] = last;
+    last.stored->filings[last.back].position = position;
+    entries_.pop_back();
+  }
+
+  [[nodiscard]] std::span<const Filed> entries() const { return entries_; }
+  [[nodiscard]] bool is_empty() const { return entries_.empty(); }
+
+ private:
+  std::vector<Filed> entries_;
+};
+
+template <typename Entry>
+using Filed = typename Bucket<Entry>::Filed;
+
+using StoredPublication = Stored<PublicationEntry>;
+using StoredSubscription = Stored<SubscriptionEntry>;
+
+}  // namespace geminga::registry
+
+#endif

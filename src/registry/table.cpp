@@ -1,0 +1,318 @@
+// The MultiIndex containers behind Table; everything else of the registry is plain C++.
+#include "registry/table.hpp"
+
+#include <algorithm>
+#include <boost/multi_index/hashed_index.hpp>
+#include <boost/multi_index/identity.hpp>
+#include <boost/multi_index/mem_fun.hpp>
+#include <boost/multi_index/ordered_index.hpp>
+#include <boost/multi_index_container.hpp>
+#include <functional>
+#include <tuple>
+#include <utility>
+
+#include "base/assert.hpp"
+#include "registry/fields.hpp"
+#include "registry/name_index.hpp"
+#include "registry/semantic_index.hpp"
+
+namespace geminga::registry {
+namespace {
+
+namespace mi = boost::multi_index;
+
+struct ByKey {};
+struct InKeyOrder {};
+struct ByDescription {};
+struct ByUpdate {};
+struct ByDeadline {};
+
+/// Spreads the bits of a number over a word (the finaliser of splitmix64).
+std::size_t mixed(std::uint64_t bits) {
+  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9U;
+  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebU;
+  return static_cast<std::size_t>(bits ^ (bits >> 31));
+}
+
+std::size_t hash_of(ParticipantId participant, PeerId peer, std::uint32_t number) {
+  const auto high = static_cast<std::uint64_t>(std::to_underlying(participant)) << 32;
+  return mixed(mixed(high | std::to_underlying(peer)) + number);
+}
+
+struct KeyHash {
+  std::size_t operator()(const ServiceKey& key) const { return hash_of(key.participant, key.peer, key.number); }
+};
+
+/// A borrowed Description. Its hash uses the 32-bit identity, so that refreshing an entry never hashes a name.
+struct DescriptionView {
+  PeerId peer;
+  ParticipantId participant;
+  Id32 id;
+  const Identity* identity;
+  ChannelMode mode;
+  std::string_view address;
+};
+
+struct DescriptionHash {
+  std::size_t operator()(const DescriptionView& view) const {
+    return mixed(hash_of(view.participant, view.peer, view.id) + std::to_underlying(view.mode) +
+                 std::hash<std::string_view>{}(view.address));
+  }
+};
+
+struct SameDescription {
+  bool operator()(const DescriptionView& a, const DescriptionView& b) const {
+    return a.peer == b.peer && a.participant == b.participant && a.id == b.id && a.mode == b.mode &&
+           a.address == b.address && *a.identity == *b.identity;
+  }
+};
+
+/// The element of the container: a stored entry and the keys that are read from it.
+template <typename Entry>
+struct Element : Stored<Entry> {
+  [[nodiscard]] const ServiceKey& key() const { return this->entry.key; }
+  [[nodiscard]] base::Instant updated() const { return this->entry.updated; }
+  [[nodiscard]] base::Instant deadline() const { return this->entry.deadline; }
+  [[nodiscard]] DescriptionView description() const {
+    const auto& about = this->entry;
+    return {about.key.peer,      about.key.participant, this->identity,
+            &identity_of(about), mode_of(about),        address_of(about)};
+  }
+};
+
+template <typename Entry>
+using Container = mi::multi_index_container<
+    Element<Entry>,
+    mi::indexed_by<
+        mi::hashed_unique<mi::tag<ByKey>, mi::const_mem_fun<Element<Entry>, const ServiceKey&, &Element<Entry>::key>,
+                          KeyHash>,
+        mi::ordered_unique<mi::tag<InKeyOrder>,
+                           mi::const_mem_fun<Element<Entry>, const ServiceKey&, &Element<Entry>::key>>,
+        mi::hashed_non_unique<mi::tag<ByDescription>,
+                              mi::const_mem_fun<Element<Entry>, DescriptionView, &Element<Entry>::description>,
+                              DescriptionHash, SameDescription>,
+        mi::ordered_non_unique<mi::tag<ByUpdate>,
+                               mi::const_mem_fun<Element<Entry>, base::Instant, &Element<Entry>::updated>>,
+        mi::ordered_non_unique<mi::tag<ByDeadline>,
+                               mi::const_mem_fun<Element<Entry>, base::Instant, &Element<Entry>::deadline>>>>;
+
+/// Compares keys by what is given of them, so that the entries of a participant or a peer are one range of the key
+/// order.
+struct InParticipant {
+  bool operator()(const ServiceKey& key, ParticipantId participant) const { return key.participant < participant; }
+  bool operator()(ParticipantId participant, const ServiceKey& key) const { return participant < key.participant; }
+};
+
+using PeerPrefix = std::pair<ParticipantId, PeerId>;
+struct InPeer {
+  static PeerPrefix prefix(const ServiceKey& key) { return {key.participant, key.peer}; }
+  bool operator()(const ServiceKey& key, const PeerPrefix& peer) const { return prefix(key) < peer; }
+  bool operator()(const PeerPrefix& peer, const ServiceKey& key) const { return peer < prefix(key); }
+};
+
+template <typename Range>
+auto pointers(const Range& range) {
+  using StoredEntry = std::remove_cvref_t<decltype(*range.first)>;
+  std::vector<const StoredEntry*> entries;
+  for (auto at = range.first; at != range.second; ++at) entries.push_back(&*at);
+  return entries;
+}
+
+template <typename Entry, typename Elements>
+std::vector<const Stored<Entry>*> plain(const Elements& elements) {
+  return {elements.begin(), elements.end()};
+}
+
+template <typename Entry>
+void sort_by_key(std::vector<const Stored<Entry>*>& entries) {
+  std::ranges::sort(entries, {}, [](const Stored<Entry>* stored) { return stored->entry.key; });
+}
+
+}  // namespace
+
+template <typename Entry>
+struct Table<Entry>::Indexes {
+  Container<Entry> container;
+  NameIndex<Entry> names;
+  SemanticIndex<Entry> classes;
+  std::vector<std::uint32_t> free_slots;
+  std::uint32_t next_slot = 0;
+
+  auto position_of(const Stored<Entry>& stored) {
+    return container.iterator_to(static_cast<const Element<Entry>&>(stored));
+  }
+
+  std::uint32_t take_slot() {
+    if (free_slots.empty()) return next_slot++;
+    const std::uint32_t slot = free_slots.back();
+    free_slots.pop_back();
+    return slot;
+  }
+
+  /// The names come first in the filings, so that refile() can tell them from the classes.
+  void file(const Stored<Entry>& stored, const Filing& filing) {
+    stored.filings.reserve(2 + 1 + filing.below.size());
+    names.file(stored);
+    classes.file(stored, filing);
+  }
+
+  static std::size_t name_filings(const Stored<Entry>& stored) { return stored.concept_name == nullptr ? 1 : 2; }
+
+  static void unfile(const Stored<Entry>& stored, std::size_t down_to) {
+    while (stored.filings.size() > down_to) {
+      const FiledAt<Entry> last = stored.filings.back();
+      last.bucket->remove(last.position);
+      stored.filings.pop_back();
+    }
+  }
+};
+
+template <typename Entry>
+Table<Entry>::Table() : indexes_(std::make_unique<Indexes>()) {}
+
+template <typename Entry>
+Table<Entry>::~Table() = default;
+
+template <typename Entry>
+const Stored<Entry>& Table<Entry>::insert(Entry entry, const Filing& filing) {
+  Element<Entry> element;
+  element.identity = id32(identity_of(entry));
+  element.slot = indexes_->take_slot();
+  element.entry = std::move(entry);
+  const auto [at, is_new] = indexes_->container.insert(std::move(element));
+  GEMINGA_ASSERT(is_new);
+  indexes_->file(*at, filing);
+  return *at;
+}
+
+template <typename Entry>
+void Table<Entry>::replace(const StoredEntry& stored, Entry entry, const Filing& filing) {
+  GEMINGA_ASSERT(stored.entry.key == entry.key);
+  const auto at = indexes_->position_of(stored);
+  Indexes::unfile(stored, 0);
+  indexes_->names.release(stored);
+  const bool is_replaced = indexes_->container.modify(at, [&](Element<Entry>& element) {
+    element.identity = id32(identity_of(entry));
+    element.entry = std::move(entry);
+  });
+  GEMINGA_ASSERT(is_replaced);
+  indexes_->file(*at, filing);
+}
+
+template <typename Entry>
+void Table<Entry>::refresh(const StoredEntry& stored, base::Instant updated, base::Instant deadline) {
+  indexes_->container.modify(indexes_->position_of(stored), [&](Element<Entry>& element) {
+    element.entry.updated = updated;
+    element.entry.deadline = deadline;
+  });
+}
+
+template <typename Entry>
+void Table<Entry>::erase(const StoredEntry& stored) {
+  Indexes::unfile(stored, 0);
+  indexes_->names.release(stored);
+  indexes_->free_slots.push_back(stored.slot);
+  indexes_->container.erase(indexes_->position_of(stored));
+}
+
+template <typename Entry>
+void Table<Entry>::set_class_count(std::size_t count) {
+  for (const auto& element : indexes_->container) element.filings.resize(Indexes::name_filings(element));
+  indexes_->classes.set_class_count(count);
+}
+
+template <typename Entry>
+void Table<Entry>::refile(const StoredEntry& stored, const Filing& filing) {
+  Indexes::unfile(stored, Indexes::name_filings(stored));
+  indexes_->classes.file(stored, filing);
+}
+
+template <typename Entry>
+std::size_t Table<Entry>::size() const {
+  return indexes_->container.size();
+}
+
+template <typename Entry>
+const Stored<Entry>* Table<Entry>::find(const ServiceKey& key) const {
+  const auto& index = indexes_->container.template get<ByKey>();
+  const auto at = index.find(key);
+  return at == index.end() ? nullptr : &*at;
+}
+
+template <typename Entry>
+std::span<const Filed<Entry>> Table<Entry>::with_identity(const Identity& identity, Id32 id) const {
+  const auto* name = indexes_->names.find(identity, id);
+  return name == nullptr ? std::span<const Filed<Entry>>{} : name->same.entries();
+}
+
+template <typename Entry>
+std::span<const Filed<Entry>> Table<Entry>::with_concept(std::string_view concept_iri) const {
+  const Identity alone = SemanticIdentity{std::string(concept_iri), {}};
+  const auto* name = indexes_->names.find(alone, id32(alone));
+  return name == nullptr ? std::span<const Filed<Entry>>{} : name->same_concept.entries();
+}
+
+template <typename Entry>
+std::span<const Filed<Entry>> Table<Entry>::own(ClassIndex number) const {
+  return indexes_->classes.own(number);
+}
+
+template <typename Entry>
+std::span<const Filed<Entry>> Table<Entry>::below(ClassIndex number) const {
+  return indexes_->classes.below(number);
+}
+
+template <typename Entry>
+std::vector<const Stored<Entry>*> Table<Entry>::of_participant(ParticipantId participant) const {
+  const auto& index = indexes_->container.template get<InKeyOrder>();
+  return plain<Entry>(pointers(index.equal_range(participant, InParticipant{})));
+}
+
+template <typename Entry>
+std::vector<const Stored<Entry>*> Table<Entry>::of_peer(ParticipantId participant, PeerId peer) const {
+  const auto& index = indexes_->container.template get<InKeyOrder>();
+  return plain<Entry>(pointers(index.equal_range(PeerPrefix{participant, peer}, InPeer{})));
+}
+
+template <typename Entry>
+std::vector<const Stored<Entry>*> Table<Entry>::described(const Description& description) const {
+  const DescriptionView view{description.peer,      description.participant, id32(description.identity),
+                             &description.identity, description.mode,        description.address};
+  const auto& index = indexes_->container.template get<ByDescription>();
+  auto entries = plain<Entry>(pointers(index.equal_range(view)));
+  sort_by_key<Entry>(entries);
+  return entries;
+}
+
+template <typename Entry>
+void Table<Entry>::for_each(const std::function<void(const StoredEntry&)>& visit) const {
+  for (const auto& element : indexes_->container.template get<InKeyOrder>()) visit(element);
+}
+
+template <typename Entry>
+base::Instant Table<Entry>::next_deadline() const {
+  const auto& index = indexes_->container.template get<ByDeadline>();
+  return index.empty() ? base::never : index.begin()->entry.deadline;
+}
+
+template <typename Entry>
+std::vector<const Stored<Entry>*> Table<Entry>::due(base::Instant now) const {
+  const auto& index = indexes_->container.template get<ByDeadline>();
+  auto entries = plain<Entry>(pointers(std::pair(index.begin(), index.upper_bound(now))));
+  sort_by_key<Entry>(entries);
+  return entries;
+}
+
+template <typename Entry>
+std::vector<const Stored<Entry>*> Table<Entry>::not_updated_since(base::Instant instant) const {
+  const auto& index = indexes_->container.template get<ByUpdate>();
+  auto entries = plain<Entry>(pointers(std::pair(index.begin(), index.lower_bound(instant))));
+  std::ranges::stable_sort(
+      entries, {}, [](const StoredEntry* stored) { return std::pair(stored->entry.updated, stored->entry.key); });
+  return entries;
+}
+
+template class Table<PublicationEntry>;
+template class Table<SubscriptionEntry>;
+
+}  // namespace geminga::registry

@@ -1,0 +1,105 @@
+// Publications or subscriptions by every key that matching needs (paper section 3.6).
+#ifndef GEMINGA_REGISTRY_TABLE_HPP
+#define GEMINGA_REGISTRY_TABLE_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "base/time.hpp"
+#include "registry/entry.hpp"
+#include "registry/stored.hpp"
+
+namespace geminga::registry {
+
+/// The dense number of a class in the caller's ontology. The registry knows nothing else about classes.
+using ClassIndex = std::uint32_t;
+
+/// Where an entry is filed in the semantic index. A publication is filed under its own class and below every subsumer
+/// of it, so that a semantic request is one look-up. A subscription is filed under its own class, so that a new
+/// publication finds it by walking its concept's subsumers; below the subsumers too when it accepts broader concepts.
+struct Filing {
+  std::optional<ClassIndex> own;      ///< nothing: the concept is unknown or the identity is not semantic
+  std::span<const ClassIndex> below;  ///< each less than the table's class count, none twice
+};
+
+/// The five fields that describe a service in paper section 3.6.
+struct Description {
+  PeerId peer{};
+  ParticipantId participant{};
+  Identity identity;
+  ChannelMode mode = ChannelMode::one_to_one;
+  std::string address;
+};
+
+/// Entries of one kind, unique by ServiceKey. Resource: neither copied nor moved. Not thread-safe. Spans and vectors of
+/// entries that are given out are valid until the next change of the table.
+template <typename Entry>
+class Table {
+ public:
+  using StoredEntry = Stored<Entry>;
+
+  Table();
+  ~Table();
+  Table(const Table&) = delete;
+  Table& operator=(const Table&) = delete;
+
+  /// Adds an entry whose key is not there yet. O(log n + filings).
+  const StoredEntry& insert(Entry entry, const Filing& filing);
+  /// Puts another entry with the same key into the place of one; its slot and address stay. O(log n + filings).
+  void replace(const StoredEntry& stored, Entry entry, const Filing& filing);
+  /// Moves an entry in the orders of time and nothing else.
+  void refresh(const StoredEntry& stored, base::Instant updated, base::Instant deadline);
+  /// Removes an entry. O(log n + filings), however many entries share its buckets.
+  void erase(const StoredEntry& stored);
+
+  /// Empties the semantic index and makes it one for classes [0, count). The entries stay; refile() them.
+  void set_class_count(std::size_t count);
+  /// Files an entry anew in the semantic index.
+  void refile(const StoredEntry& stored, const Filing& filing);
+
+  [[nodiscard]] std::size_t size() const;
+  [[nodiscard]] const StoredEntry* find(const ServiceKey& key) const;
+  /// Entries with exactly this identity: candidates by `id`, which must be id32(identity), then the full identity.
+  /// O(1).
+  [[nodiscard]] std::span<const Filed<Entry>> with_identity(const Identity& identity, Id32 id) const;
+  /// Entries with this concept and any representation or none. O(1). For concepts that the ontology does not know.
+  [[nodiscard]] std::span<const Filed<Entry>> with_concept(std::string_view concept_iri) const;
+  /// Entries filed under exactly this class. O(1).
+  [[nodiscard]] std::span<const Filed<Entry>> own(ClassIndex number) const;
+  /// Entries filed below this class, which for publications includes its own. O(1).
+  [[nodiscard]] std::span<const Filed<Entry>> below(ClassIndex number) const;
+
+  /// In ascending order of key.
+  [[nodiscard]] std::vector<const StoredEntry*> of_participant(ParticipantId participant) const;
+  [[nodiscard]] std::vector<const StoredEntry*> of_peer(ParticipantId participant, PeerId peer) const;
+  /// The index of paper section 3.6. Several entries may share a description: they differ in their statement or port.
+  [[nodiscard]] std::vector<const StoredEntry*> described(const Description& description) const;
+  void for_each(const std::function<void(const StoredEntry&)>& visit) const;
+
+  /// The earliest deadline, or base::never.
+  [[nodiscard]] base::Instant next_deadline() const;
+  /// Entries whose deadline is at or before `now`, in ascending order of key.
+  [[nodiscard]] std::vector<const StoredEntry*> due(base::Instant now) const;
+  /// Entries last updated before `instant`, the longest silent first; equal times by key.
+  [[nodiscard]] std::vector<const StoredEntry*> not_updated_since(base::Instant instant) const;
+
+ private:
+  struct Indexes;
+  std::unique_ptr<Indexes> indexes_;
+};
+
+extern template class Table<PublicationEntry>;
+extern template class Table<SubscriptionEntry>;
+
+using Publications = Table<PublicationEntry>;
+using Subscriptions = Table<SubscriptionEntry>;
+
+}  // namespace geminga::registry
+
+#endif
