@@ -45,7 +45,7 @@ inline constexpr std::size_t max_participants = 256;
 /// Publications and subscriptions of all remote participants together; further ones are not taken.
 inline constexpr std::size_t max_remote_services = 8192;
 /// Ways on which one participant is heard (our interface and its interface); further ones are not used.
-inline constexpr std::size_t max_paths = 8;
+inline constexpr std::size_t max_paths = 4;
 
 /// The announced interval. A shorter one would be a flood, a longer one would keep the dead for minutes.
 inline constexpr base::Duration min_interval = std::chrono::milliseconds(50);

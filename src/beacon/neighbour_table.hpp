@@ -71,9 +71,9 @@ enum class Hearing : std::uint8_t {
   claim,        ///< somebody claims an identifier: it is new here, so Schedule::newcomer()
   newcomer,     ///< a participant that was not known, or has restarted: Schedule::newcomer()
   known,        ///< a known participant's; changes may follow
-  goodbye,      ///< a known participant has left, or an unknown one did
+  goodbye,      ///< a known participant has left
   other_group,  ///< not for us
-  stale,        ///< overtaken: from before its sender's goodbye or restart
+  stale,        ///< from before its sender's goodbye or restart, or the goodbye of somebody unknown
   full,         ///< an unknown participant beyond max_participants: not remembered
 };
 /// "own", "clash", ... Static storage.
