@@ -1,0 +1,68 @@
+// What the parts of one participant share: the world, the ontology, the registry with its matcher, and the peers.
+#ifndef GEMINGA_PARTICIPANT_CORE_HPP
+#define GEMINGA_PARTICIPANT_CORE_HPP
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "beacon/neighbour_table.hpp"
+#include "env/env.hpp"
+#include "matching/matcher.hpp"
+#include "participant/counters.hpp"
+#include "participant/session.hpp"
+#include "participant/settings.hpp"
+
+namespace geminga::participant {
+
+/// Where a participant is in its life.
+enum class Phase : std::uint8_t {
+  created,   ///< start() has not been called
+  claiming,  ///< no identifier is held: statements wait
+  ready,     ///< the identifier is held, everything is announced
+  stopping,  ///< goodbyes are being said
+  stopped,   ///< may be destroyed
+  failed,    ///< no identifier could be claimed: may be destroyed
+};
+[[nodiscard]] std::string_view to_string(Phase phase);
+
+struct Core {
+  Core(env::Env& the_env, Settings the_settings, const el::Ontology* the_ontology);
+
+  env::Env& env;
+  const Settings settings;
+  const el::Ontology* ontology;
+  matching::Matcher matcher;
+  beacon::NeighbourTable neighbours;
+  Counters counters;
+  Phase phase = Phase::created;
+  ParticipantId id{};  ///< 0 while no identifier is held
+  base::Instant started{};
+  std::map<env::StreamId, std::unique_ptr<Session>> sessions;
+  /// Something that is announced is not what was announced last.
+  bool is_changed = false;
+  std::function<std::vector<gcnp::Parameter>()> status_source;
+
+  /// What the team calls us.
+  [[nodiscard]] std::string name() const;
+  [[nodiscard]] std::uint64_t digest() const;
+  [[nodiscard]] Session* find(PeerId peer);
+  /// In ascending order of peer.
+  [[nodiscard]] std::vector<const Session*> peers() const;
+  [[nodiscard]] const env::Interface* find(env::InterfaceIndex index) const;
+  /// Publications and subscriptions of all peers.
+  [[nodiscard]] std::size_t service_count() const;
+
+  /// Writes an error to a peer, and counts it.
+  void refuse(Session& session, std::uint32_t id, const Error& error);
+  /// Hands what the matcher has to tell to the peers, in its order.
+  void deliver_events();
+  void log(base::LogLevel level, const std::string& line) { env.log().write(level, line); }
+};
+
+}  // namespace geminga::participant
+
+#endif

@@ -1,0 +1,39 @@
+// What `query status` counts.
+#ifndef GEMINGA_PARTICIPANT_COUNTERS_HPP
+#define GEMINGA_PARTICIPANT_COUNTERS_HPP
+
+#include <array>
+#include <cstdint>
+#include <map>
+
+#include "beacon/codec.hpp"
+#include "beacon/neighbour_table.hpp"
+#include "env/env.hpp"
+
+namespace geminga::participant {
+
+/// Datagrams of one interface.
+struct InterfaceCounters {
+  std::uint64_t sent = 0;
+  std::uint64_t received = 0;
+};
+
+struct Counters {
+  std::uint64_t statements = 0;  ///< lines from clients, good and bad
+  std::uint64_t errors = 0;      ///< error lines to clients
+  std::uint64_t events = 0;      ///< event lines to clients
+  std::uint64_t clients = 0;     ///< connections taken since the start
+  std::uint64_t clients_refused = 0;
+  std::uint64_t datagrams_sent = 0;
+  std::uint64_t bytes_sent = 0;
+  std::uint64_t datagrams_received = 0;
+  std::uint64_t bytes_received = 0;
+  std::uint64_t clashes = 0;                                            ///< times that the identifier was given up
+  std::array<std::uint64_t, beacon::decode_error_count> undecodable{};  ///< by DecodeError
+  std::map<beacon::Hearing, std::uint64_t> hearings;
+  std::map<env::InterfaceIndex, InterfaceCounters> interfaces;
+};
+
+}  // namespace geminga::participant
+
+#endif

@@ -1,0 +1,79 @@
+#include "participant/naming.hpp"
+
+#include "base/text.hpp"
+#include "el/ontology.hpp"
+
+namespace geminga::participant {
+namespace {
+
+std::expected<std::string, Error> resolve_class(const el::Ontology* ontology, std::string_view key,
+                                                const std::string& name) {
+  const auto impossible = [&](const std::string& why) {
+    return std::unexpected(Error{ErrorCode::impossible, std::string(key) + "=" + base::printable(name) + ": " + why});
+  };
+  if (ontology == nullptr) return impossible("no ontology is loaded: start gemingad with --ontology");
+  const auto found = ontology->find(name);
+  if (!found) return impossible(found.error().text);
+  if (!ontology->is_satisfiable(*found)) {
+    return impossible("the class is unsatisfiable, nothing can be one: geminga-query explain says why");
+  }
+  return std::string(ontology->iri(*found));
+}
+
+}  // namespace
+
+std::expected<Identity, Error> resolve(const el::Ontology* ontology, const NamedIdentity& named) {
+  if (const auto* number = std::get_if<NumericIdentity>(&named)) return *number;
+  if (const auto* text = std::get_if<TextIdentity>(&named)) return *text;
+  const auto& names = std::get<ConceptNames>(named);
+  SemanticIdentity identity;
+  auto concept_iri = resolve_class(ontology, "concept", names.concept_name);
+  if (!concept_iri) return std::unexpected(concept_iri.error());
+  identity.concept_iri = std::move(*concept_iri);
+  if (!names.representation_name.empty()) {
+    auto representation_iri = resolve_class(ontology, "representation", names.representation_name);
+    if (!representation_iri) return std::unexpected(representation_iri.error());
+    identity.representation_iri = std::move(*representation_iri);
+  }
+  return identity;
+}
+
+std::string short_name(const el::Ontology* ontology, std::string_view iri) {
+  return ontology == nullptr ? "<" + std::string(iri) + ">" : ontology->short_name(iri);
+}
+
+NamedIdentity named(const el::Ontology* ontology, const Identity& identity) {
+  if (const auto* number = std::get_if<NumericIdentity>(&identity)) return *number;
+  if (const auto* text = std::get_if<TextIdentity>(&identity)) return *text;
+  const auto& iris = std::get<SemanticIdentity>(identity);
+  return ConceptNames{
+      .concept_name = short_name(ontology, iris.concept_iri),
+      .representation_name = iris.representation_iri.empty() ? "" : short_name(ontology, iris.representation_iri)};
+}
+
+NamedPublication named(const el::Ontology* ontology, const Publication& publication) {
+  return NamedPublication{.identity = named(ontology, publication.identity),
+                          .mode = publication.mode,
+                          .address = publication.address,
+                          .port = publication.port,
+                          .protocol = publication.protocol,
+                          .priority = publication.priority,
+                          .attributes = publication.attributes};
+}
+
+NamedSubscription named(const el::Ontology* ontology, const Subscription& subscription) {
+  return NamedSubscription{.identity = named(ontology, subscription.identity),
+                           .mode = subscription.mode,
+                           .weakest = subscription.weakest,
+                           .providers = subscription.providers,
+                           .where = subscription.where,
+                           .limit = subscription.limit,
+                           .priority = subscription.priority,
+                           .port = subscription.port,
+                           .address = subscription.address,
+                           .attributes = subscription.attributes};
+}
+
+std::string digest_word(std::uint64_t digest) { return digest == 0 ? "-" : base::to_hex(digest, 16); }
+
+}  // namespace geminga::participant

@@ -1,0 +1,34 @@
+// From the names that peers use to full identities and back, by way of the loaded ontology.
+#ifndef GEMINGA_PARTICIPANT_NAMING_HPP
+#define GEMINGA_PARTICIPANT_NAMING_HPP
+
+#include <expected>
+#include <string>
+#include <string_view>
+
+#include "geminga/error.hpp"
+#include "geminga/named.hpp"
+#include "geminga/service.hpp"
+
+namespace geminga::el {
+class Ontology;
+}
+
+namespace geminga::participant {
+
+/// The identity with full IRIs. 422 where no ontology is loaded (null), a name is unknown or ambiguous, or a class can
+/// have no instance. Numbers and texts need no ontology.
+[[nodiscard]] std::expected<Identity, Error> resolve(const el::Ontology* ontology, const NamedIdentity& named);
+
+/// As peers are told: `prefix:Name` where a prefix of the ontology fits, else `<IRI>`.
+[[nodiscard]] std::string short_name(const el::Ontology* ontology, std::string_view iri);
+[[nodiscard]] NamedIdentity named(const el::Ontology* ontology, const Identity& identity);
+[[nodiscard]] NamedPublication named(const el::Ontology* ontology, const Publication& publication);
+[[nodiscard]] NamedSubscription named(const el::Ontology* ontology, const Subscription& subscription);
+
+/// The ontology's digest as GCNP writes it: 16 hexadecimal digits, or `-` for 0, which means that none is loaded.
+[[nodiscard]] std::string digest_word(std::uint64_t digest);
+
+}  // namespace geminga::participant
+
+#endif

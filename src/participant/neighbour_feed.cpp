@@ -1,0 +1,82 @@
+#include "participant/neighbour_feed.hpp"
+
+#include <utility>
+
+#include "beacon/codec.hpp"
+
+namespace geminga::participant {
+namespace {
+
+matching::Reason reason_of(beacon::Departure departure) {
+  switch (departure) {
+    case beacon::Departure::withdrawn:
+      return matching::Reason::withdrawn;
+    case beacon::Departure::expired:
+      return matching::Reason::expired;
+    case beacon::Departure::left:
+      return matching::Reason::left;
+  }
+  return matching::Reason::withdrawn;
+}
+
+/// Does one change to the registry. Entries have no deadline of their own there: the neighbour table, which hears every
+/// sign of life, is the only one that decides when somebody is gone.
+struct Feed {
+  matching::Matcher& matcher;
+
+  void operator()(beacon::PutPublication& put) const {
+    matcher.put(registry::PublicationEntry{.key = put.key,
+                                           .publication = std::move(put.publication),
+                                           .peer_name = std::move(put.peer_name),
+                                           .participant_name = std::move(put.participant_name),
+                                           .updated = put.heard});
+  }
+  void operator()(beacon::PutSubscription& put) const {
+    matcher.put(registry::SubscriptionEntry{.key = put.key,
+                                            .subscription = std::move(put.subscription),
+                                            .peer_name = std::move(put.peer_name),
+                                            .participant_name = std::move(put.participant_name),
+                                            .updated = put.heard});
+  }
+  void operator()(const beacon::RemovePublication& gone) const {
+    matcher.remove_publication(gone.key, reason_of(gone.reason));
+  }
+  void operator()(const beacon::RemoveSubscription& gone) const {
+    matcher.remove_subscription(gone.key, reason_of(gone.reason));
+  }
+  void operator()(const beacon::RemoveParticipant& gone) const {
+    matcher.remove_participant(gone.participant, reason_of(gone.reason));
+  }
+};
+
+}  // namespace
+
+void feed(Core& core) {
+  for (beacon::Change& change : core.neighbours.take_changes()) std::visit(Feed{core.matcher}, change);
+}
+
+Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceIndex interface, std::string_view source,
+                            std::span<const std::byte> datagram) {
+  ++core.counters.datagrams_received;
+  core.counters.bytes_received += datagram.size();
+  const env::Interface* on = core.find(interface);
+  if (on == nullptr) return Announcer::Consequence::nothing;  // It came in just before the interface went away.
+  ++core.counters.interfaces[interface].received;
+  const auto announcement = beacon::decode(datagram);
+  if (!announcement) {
+    ++core.counters.undecodable.at(static_cast<std::size_t>(announcement.error()));
+    return Announcer::Consequence::nothing;
+  }
+  const beacon::Hearing hearing = core.neighbours.hear(
+      *announcement, {.interface = interface, .interface_name = on->name, .source = source, .now = core.env.now()});
+  ++core.counters.hearings[hearing];
+  feed(core);
+  return announcer.heard(hearing, announcement->kind);
+}
+
+void expire(Core& core) {
+  core.neighbours.expire(core.env.now());
+  feed(core);
+}
+
+}  // namespace geminga::participant

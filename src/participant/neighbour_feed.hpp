@@ -1,0 +1,24 @@
+// Brings what is heard on the air into the registry.
+#ifndef GEMINGA_PARTICIPANT_NEIGHBOUR_FEED_HPP
+#define GEMINGA_PARTICIPANT_NEIGHBOUR_FEED_HPP
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "participant/announcer.hpp"
+#include "participant/core.hpp"
+
+namespace geminga::participant {
+
+/// Takes in one datagram, whatever is in it. What follows for our own identifier is the result.
+[[nodiscard]] Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceIndex interface,
+                                          std::string_view source, std::span<const std::byte> datagram);
+/// Brings what the neighbour table has changed into the registry.
+void feed(Core& core);
+/// Removes what has not been heard of before its deadline.
+void expire(Core& core);
+
+}  // namespace geminga::participant
+
+#endif

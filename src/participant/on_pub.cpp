@@ -1,0 +1,51 @@
+// `N pub create`, `modify` and `remove`.
+#include <utility>
+
+#include "beacon/announceable.hpp"
+#include "participant/naming.hpp"
+#include "participant/own_services.hpp"
+#include "participant/statements.hpp"
+
+namespace geminga::participant {
+
+Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubCreate& create) {
+  if (auto refusal = check_room(core, session, id, session.publications.size())) return refusal;
+  auto identity = resolve(core.ontology, create.publication.identity);
+  if (!identity) return identity.error();
+  StatedPublication stated{.named = create.publication.identity,
+                           .publication = gcnp::with_identity(create.publication, std::move(*identity))};
+  if (auto refusal = beacon::check(stated.publication)) return refusal;
+  enter(core, session, id, session.publications.emplace(id, std::move(stated)).first->second);
+  return std::nullopt;
+}
+
+Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubModify& modify) {
+  const auto found = session.publications.find(id);
+  if (found == session.publications.end())
+    return unknown_request(id, "publication", session.subscriptions.contains(id));
+  StatedPublication stated = found->second;
+  gcnp::apply(modify, stated.publication);
+  if (modify.identity) {
+    auto named = changed(stated.named, *modify.identity);
+    if (!named) return named.error();
+    stated.named = std::move(*named);
+  }
+  auto identity = resolve(core.ontology, stated.named);
+  if (!identity) return identity.error();
+  stated.publication.identity = std::move(*identity);
+  stated.is_in_force = true;
+  if (auto refusal = beacon::check(stated.publication)) return refusal;
+  found->second = std::move(stated);
+  enter(core, session, id, found->second);
+  return std::nullopt;
+}
+
+Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubRemove&) {
+  if (!session.publications.contains(id)) return unknown_request(id, "publication", session.subscriptions.contains(id));
+  withdraw_publication(core, session, id, matching::Reason::withdrawn);
+  session.publications.erase(id);
+  session.told.erase(id);
+  return std::nullopt;
+}
+
+}  // namespace geminga::participant

@@ -1,0 +1,137 @@
+#include "participant/own_services.hpp"
+
+#include "gcnp/event.hpp"
+#include "participant/naming.hpp"
+
+namespace geminga::participant {
+namespace {
+
+ServiceKey key_of(const Core& core, const Session& session, std::uint32_t number) {
+  return ServiceKey{.participant = core.id, .peer = session.peer(), .number = number};
+}
+
+/// Sets the identity that the ontology gives to the names. False where it knows them no more; then the peer was told.
+template <typename Stated, typename Service>
+bool resolve_again(Core& core, Session& session, std::uint32_t number, Stated& stated, Service& service) {
+  const bool was_in_force = stated.is_in_force;
+  auto identity = resolve(core.ontology, stated.named);
+  stated.is_in_force = identity.has_value();
+  if (identity) {
+    service.identity = std::move(*identity);
+  } else if (was_in_force) {
+    tell_gone(core, session, number, matching::Reason::changed);
+    core.refuse(session, number, identity.error());
+  }
+  return stated.is_in_force;
+}
+
+}  // namespace
+
+void enter(Core& core, const Session& session, std::uint32_t number, const StatedPublication& stated) {
+  registry::PublicationEntry entry{.key = key_of(core, session, number),
+                                   .publication = stated.publication,
+                                   .peer_name = session.name,
+                                   .participant_name = core.name(),
+                                   .is_local = true,
+                                   .updated = core.env.now()};
+  if (entry.publication.address.empty()) entry.publication.address = local_address;
+  core.matcher.put(std::move(entry));
+  core.is_changed = true;
+}
+
+void enter(Core& core, const Session& session, std::uint32_t number, const StatedSubscription& stated) {
+  registry::SubscriptionEntry entry{.key = key_of(core, session, number),
+                                    .subscription = stated.subscription,
+                                    .peer_name = session.name,
+                                    .participant_name = core.name(),
+                                    .is_local = true,
+                                    .updated = core.env.now()};
+  if (entry.subscription.address.empty()) entry.subscription.address = local_address;
+  core.matcher.put(std::move(entry));
+  core.is_changed = true;
+}
+
+void withdraw_publication(Core& core, const Session& session, std::uint32_t number, matching::Reason reason) {
+  core.is_changed |= core.matcher.remove_publication(key_of(core, session, number), reason);
+}
+
+void withdraw_subscription(Core& core, const Session& session, std::uint32_t number, matching::Reason reason) {
+  core.is_changed |= core.matcher.remove_subscription(key_of(core, session, number), reason);
+}
+
+void tell_gone(Core& core, Session& session, std::uint32_t number, matching::Reason reason) {
+  const auto told = session.told.find(number);
+  if (told == session.told.end()) return;
+  for (const ServiceKey& key : told->second) {
+    ++core.counters.events;
+    if (session.publications.contains(number)) {
+      ConsumerEvent event;
+      event.change = Change::del;
+      event.subscription = key;
+      event.reason = to_string(reason);
+      session.say(gcnp::to_statement(number, event));
+    } else {
+      ServiceEvent event;
+      event.change = Change::del;
+      event.service = key;
+      event.reason = to_string(reason);
+      session.say(gcnp::to_statement(number, event));
+    }
+  }
+  session.told.erase(told);
+}
+
+void withdraw_all(Core& core, Session& session) {
+  core.is_changed |= !session.publications.empty() || !session.subscriptions.empty();
+  core.matcher.remove_peer(core.id, session.peer(), matching::Reason::withdrawn);
+  session.publications.clear();
+  session.subscriptions.clear();
+  session.told.clear();
+}
+
+void enter_all(Core& core) {
+  for (const auto& [stream, session] : core.sessions) {
+    for (const auto& [number, stated] : session->publications) {
+      if (stated.is_in_force) enter(core, *session, number, stated);
+    }
+    for (const auto& [number, stated] : session->subscriptions) {
+      if (stated.is_in_force) enter(core, *session, number, stated);
+    }
+  }
+}
+
+void leave_all(Core& core) {
+  core.matcher.remove_participant(core.id, matching::Reason::renamed);
+  core.deliver_events();
+  for (const auto& [stream, session] : core.sessions) {
+    for (const auto& [number, stated] : session->publications) {
+      tell_gone(core, *session, number, matching::Reason::renamed);
+    }
+    for (const auto& [number, stated] : session->subscriptions) {
+      tell_gone(core, *session, number, matching::Reason::renamed);
+    }
+  }
+}
+
+void change_ontology(Core& core, const el::Ontology* ontology) {
+  const bool is_held = core.phase == Phase::ready;
+  core.ontology = ontology;
+  core.matcher.set_ontology(ontology);
+  core.deliver_events();
+  for (const auto& [stream, session] : core.sessions) {
+    for (auto& [number, stated] : session->publications) {
+      const bool knows = resolve_again(core, *session, number, stated, stated.publication);
+      if (is_held && knows) enter(core, *session, number, stated);
+      if (is_held && !knows) withdraw_publication(core, *session, number, matching::Reason::changed);
+    }
+    for (auto& [number, stated] : session->subscriptions) {
+      const bool knows = resolve_again(core, *session, number, stated, stated.subscription);
+      if (is_held && knows) enter(core, *session, number, stated);
+      if (is_held && !knows) withdraw_subscription(core, *session, number, matching::Reason::changed);
+    }
+  }
+  core.deliver_events();
+  core.is_changed = true;  // The digest is announced, too.
+}
+
+}  // namespace geminga::participant

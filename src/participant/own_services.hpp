@@ -1,0 +1,34 @@
+// What our own peers state, on its way into the registry and out of it.
+#ifndef GEMINGA_PARTICIPANT_OWN_SERVICES_HPP
+#define GEMINGA_PARTICIPANT_OWN_SERVICES_HPP
+
+#include <cstdint>
+
+#include "participant/core.hpp"
+
+namespace geminga::participant {
+
+/// What a consumer on our host is told when a publication states no address, and the other way round.
+inline constexpr const char* local_address = "127.0.0.1";
+
+/// Enters a statement, or its change, into the registry; it is announced at the end of the event.
+void enter(Core& core, const Session& session, std::uint32_t number, const StatedPublication& stated);
+void enter(Core& core, const Session& session, std::uint32_t number, const StatedSubscription& stated);
+void withdraw_publication(Core& core, const Session& session, std::uint32_t number, matching::Reason reason);
+void withdraw_subscription(Core& core, const Session& session, std::uint32_t number, matching::Reason reason);
+/// Tells a peer that everything is gone that it was told of for this request, which it keeps.
+void tell_gone(Core& core, Session& session, std::uint32_t number, matching::Reason reason);
+/// Everything of one peer, which forgets it.
+void withdraw_all(Core& core, Session& session);
+/// Everything of all peers, under the identifier that is held now.
+void enter_all(Core& core);
+/// The opposite, before another identifier is claimed: the peers' statements stay, and they are told that their
+/// services are gone.
+void leave_all(Core& core);
+/// Swaps the ontology. What it does not know is withdrawn and told to its peer; what an earlier one did not know comes
+/// back.
+void change_ontology(Core& core, const el::Ontology* ontology);
+
+}  // namespace geminga::participant
+
+#endif

@@ -1,0 +1,44 @@
+// `query explain`: whether one class is subsumed by another, and the axioms that say so.
+#include "base/text.hpp"
+#include "el/ontology.hpp"
+#include "participant/queries/lines.hpp"
+
+namespace geminga::participant {
+namespace {
+
+std::expected<el::ClassNumber, Error> find(const el::Ontology& ontology, std::string_view key,
+                                           const std::string& name) {
+  const auto found = ontology.find(name);
+  if (found) return *found;
+  return std::unexpected(
+      Error{ErrorCode::impossible, std::string(key) + "=" + base::printable(name) + ": " + found.error().text});
+}
+
+}  // namespace
+
+Answered answer(Core& core, const gcnp::QueryExplain& query) {
+  if (core.ontology == nullptr) {
+    return std::unexpected(Error{ErrorCode::impossible, "no ontology is loaded: start gemingad with --ontology"});
+  }
+  const el::Ontology& ontology = *core.ontology;
+  const auto sub = find(ontology, "sub", query.sub);
+  if (!sub) return std::unexpected(sub.error());
+  const auto super = find(ontology, "super", query.super);
+  if (!super) return std::unexpected(super.error());
+  Answer answer{.kind = "explain", .lines = {}, .end = {}};
+  if (const auto axioms = ontology.explain(*sub, *super)) {
+    for (const el::ExplainedAxiom& axiom : *axioms) {
+      Line line;
+      append(line, "axiom", axiom.text);
+      append_known(line, "file", base::printable(axiom.file, 4096));
+      if (axiom.line != 0) append(line, "line", axiom.line);
+      answer.lines.push_back(std::move(line));
+    }
+  }
+  append_flag(answer.end, "subsumed", ontology.is_subsumed(*sub, *super));
+  append(answer.end, "sub", ontology.short_name(*sub));
+  append(answer.end, "super", ontology.short_name(*super));
+  return answer;
+}
+
+}  // namespace geminga::participant

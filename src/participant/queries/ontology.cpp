@@ -1,0 +1,45 @@
+// `query ontology`: what is loaded, what the reasoner does not use, and who on the air has loaded something else.
+#include "el/ontology.hpp"
+
+#include "base/text.hpp"
+#include "participant/naming.hpp"
+#include "participant/queries/lines.hpp"
+
+namespace geminga::participant {
+
+Answered answer(Core& core, const gcnp::QueryOntology&) {
+  Answer answer{.kind = "ontology", .lines = {{}}, .end = {}};
+  append_flag(answer.lines.front(), "loaded", core.ontology != nullptr);
+  append(answer.lines.front(), "digest", digest_word(core.digest()));
+  if (core.ontology != nullptr) {
+    const auto files = core.ontology->files();
+    const auto left_out = core.ontology->left_out();
+    append(answer.lines.front(), "classes", core.ontology->class_count());
+    append(answer.lines.front(), "files", files.size());
+    append(answer.lines.front(), "left_out", left_out.size());
+    for (const el::LoadedFile& file : files) {
+      Line line;
+      append(line, "file", base::printable(file.path, 4096));
+      append_known(line, "iri", file.ontology_iri);
+      answer.lines.push_back(std::move(line));
+    }
+    for (const el::LeftOut& one : left_out) {
+      Line line;
+      append(line, "left_out", one.construct);
+      append(line, "count", one.count);
+      append_known(line, "first", base::printable(one.first, 4096));
+      answer.lines.push_back(std::move(line));
+    }
+  }
+  core.neighbours.for_each([&](const beacon::Neighbour& neighbour) {
+    if (neighbour.ontology_digest == core.digest()) return;
+    Line line;
+    append(line, "other", to_string(neighbour.id));
+    append(line, "name", neighbour.name.empty() ? to_string(neighbour.id) : neighbour.name);
+    append(line, "ontology", digest_word(neighbour.ontology_digest));
+    answer.lines.push_back(std::move(line));
+  });
+  return answer;
+}
+
+}  // namespace geminga::participant

@@ -1,0 +1,47 @@
+// The answers to `query`, one kind a file; src/participant/QUERIES.md specifies them.
+#ifndef GEMINGA_PARTICIPANT_QUERIES_QUERIES_HPP
+#define GEMINGA_PARTICIPANT_QUERIES_QUERIES_HPP
+
+#include <cstdint>
+#include <expected>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gcnp/request.hpp"
+#include "gcnp/statement.hpp"
+#include "geminga/error.hpp"
+#include "participant/core.hpp"
+
+namespace geminga::participant {
+
+/// The parameters of one line.
+using Line = std::vector<gcnp::Parameter>;
+
+/// `N msg KIND ...` for each line, and what `N msg end count=K` says beside the count.
+struct Answer {
+  std::string kind;
+  std::vector<Line> lines;
+  Line end;
+};
+using Answered = std::expected<Answer, Error>;
+
+// None of these changes anything. Cost: linear in what they look through.
+[[nodiscard]] Answered answer(Core& core, const gcnp::QueryParticipants& query);
+[[nodiscard]] Answered answer(Core& core, const gcnp::QueryServices& query);
+[[nodiscard]] Answered answer(Core& core, const gcnp::QueryRequests& query);
+[[nodiscard]] Answered answer(Core& core, const gcnp::QueryMatch& query);
+[[nodiscard]] Answered answer(Core& core, const gcnp::QueryExplain& query);
+[[nodiscard]] Answered answer(Core& core, const gcnp::QueryWhy& query);
+[[nodiscard]] Answered answer(Core& core, const gcnp::QueryOntology& query);
+[[nodiscard]] Answered answer(Core& core, const gcnp::QueryStatus& query);
+[[nodiscard]] Answered answer(Core& core, const gcnp::QueryInterfaces& query);
+[[nodiscard]] Answered answer(Core& core, const gcnp::QueryPeers& query);
+
+/// Writes an answer to the peer; an error is the caller's to write.
+[[nodiscard]] std::optional<Error> reply(Session& session, std::uint32_t id, const Answered& answered);
+
+}  // namespace geminga::participant
+
+#endif

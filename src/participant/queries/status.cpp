@@ -1,0 +1,66 @@
+// `query status`: the daemon itself.
+#include "beacon/codec.hpp"
+#include "participant/naming.hpp"
+#include "participant/queries/lines.hpp"
+
+namespace geminga::participant {
+namespace {
+
+void append_counters(Line& line, const Counters& counters) {
+  append(line, "statements", counters.statements);
+  append(line, "errors", counters.errors);
+  append(line, "events", counters.events);
+  append(line, "clients", counters.clients);
+  append(line, "clients_refused", counters.clients_refused);
+  append(line, "datagrams_sent", counters.datagrams_sent);
+  append(line, "bytes_sent", counters.bytes_sent);
+  append(line, "datagrams_received", counters.datagrams_received);
+  append(line, "bytes_received", counters.bytes_received);
+  append(line, "clashes", counters.clashes);
+  for (std::size_t i = 0; i < counters.undecodable.size(); ++i) {
+    if (counters.undecodable.at(i) == 0) continue;
+    append(line, "rejected_" + std::string(beacon::to_string(static_cast<beacon::DecodeError>(i))),
+           counters.undecodable.at(i));
+  }
+  for (const auto& [hearing, count] : counters.hearings) {
+    append(line, "heard_" + std::string(beacon::to_string(hearing)), count);
+  }
+}
+
+}  // namespace
+
+Answered answer(Core& core, const gcnp::QueryStatus&) {
+  std::size_t own_publications = 0;
+  std::size_t own_subscriptions = 0;
+  for (const auto& [stream, session] : core.sessions) {
+    own_publications += session->publications.size();
+    own_subscriptions += session->subscriptions.size();
+  }
+  std::size_t publications = 0;
+  std::size_t subscriptions = 0;
+  core.matcher.for_each_publication([&](const auto&) { ++publications; });
+  core.matcher.for_each_subscription([&](const auto&) { ++subscriptions; });
+  Line line;
+  append(line, "version", core.settings.version);
+  append(line, "state", std::string(to_string(core.phase)));
+  append(line, "participant", to_string(core.id));
+  append(line, "name", core.name());
+  append(line, "group", core.settings.group);
+  append(line, "uptime", seconds(core.env.now() - core.started));
+  append(line, "interval", seconds(core.settings.interval));
+  append(line, "peers", core.sessions.size());
+  append(line, "participants", core.neighbours.size() + 1);
+  append(line, "publications", publications);
+  append(line, "subscriptions", subscriptions);
+  append(line, "local_publications", own_publications);
+  append(line, "local_subscriptions", own_subscriptions);
+  append(line, "ontology", digest_word(core.digest()));
+  append_counters(line, core.counters);
+  if (core.neighbours.refused_services() != 0) append(line, "refused_services", core.neighbours.refused_services());
+  if (core.status_source) {
+    for (gcnp::Parameter& parameter : core.status_source()) line.push_back(std::move(parameter));
+  }
+  return Answer{.kind = "status", .lines = {std::move(line)}, .end = {}};
+}
+
+}  // namespace geminga::participant

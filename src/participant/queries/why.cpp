@@ -1,0 +1,121 @@
+// `query why`: what fits and what does not between one subscription and one service.
+#include <algorithm>
+
+#include "gcnp/event.hpp"
+#include "participant/naming.hpp"
+#include "participant/queries/lines.hpp"
+
+namespace geminga::participant {
+namespace {
+
+Line check(std::string_view what, bool is_ok, std::string text) {
+  Line line;
+  append(line, "check", std::string(what));
+  append_flag(line, "ok", is_ok);
+  append(line, "text", std::move(text));
+  return line;
+}
+
+/// The identity as a user would write it.
+std::string words(const Core& core, const Identity& identity) {
+  Line line;
+  gcnp::append_identity(line, named(core.ontology, identity));
+  std::string text;
+  for (const gcnp::Parameter& one : line) text += (text.empty() ? "" : " ") + one.key + "=" + one.value.value_or("");
+  return text;
+}
+
+Line check_mode(const Subscription& asked, const Publication& offered) {
+  const std::string offers(to_string(offered.mode));
+  const std::string asks(to_string(asked.mode));
+  if (asked.mode == offered.mode) return check("mode", true, "both are " + offers);
+  return check("mode", false, "offered is " + offers + ", asked for is " + asks);
+}
+
+/// The request with everything taken away but one aspect, so that each can be judged by itself.
+registry::SubscriptionEntry only(const registry::SubscriptionEntry& request, const registry::PublicationEntry& offer) {
+  registry::SubscriptionEntry one = request;
+  one.subscription.mode = offer.publication.mode;
+  one.subscription.identity = offer.publication.identity;
+  one.subscription.weakest = Degree::broader;
+  one.subscription.providers.clear();
+  one.subscription.where.clear();
+  return one;
+}
+
+Line check_identity(const Core& core, const registry::SubscriptionEntry& request,
+                    const registry::PublicationEntry& offer) {
+  registry::SubscriptionEntry one = only(request, offer);
+  one.subscription.identity = request.subscription.identity;
+  one.subscription.weakest = request.subscription.weakest;
+  const auto match = core.matcher.why(one, offer);
+  const std::string pair = "offered is " + words(core, offer.publication.identity) + ", asked for is " +
+                           words(core, request.subscription.identity) + ": ";
+  if (!match) return check("identity", false, pair + match.error());
+  return check("identity", true,
+               pair + std::string(to_string(match->degree)) + ", distance " + std::to_string(match->distance));
+}
+
+Line check_provider(const Core& core, const registry::SubscriptionEntry& request,
+                    const registry::PublicationEntry& offer) {
+  if (request.subscription.providers.empty()) return check("provider", true, "any provider is accepted");
+  registry::SubscriptionEntry one = only(request, offer);
+  one.subscription.providers = request.subscription.providers;
+  const bool is_ok = core.matcher.why(one, offer).has_value();
+  return check("provider", is_ok,
+               gcnp::peer_word(offer.key) + (is_ok ? " is accepted by " : " is none of ") +
+                   joined(request.subscription.providers));
+}
+
+Line check_where(const Core& core, const registry::SubscriptionEntry& request,
+                 const registry::PublicationEntry& offer) {
+  if (request.subscription.where.empty()) return check("where", true, "there is no filter");
+  registry::SubscriptionEntry one = only(request, offer);
+  one.subscription.where = request.subscription.where;
+  const auto match = core.matcher.why(one, offer);
+  return check("where", match.has_value(), match ? "the attributes meet " + request.subscription.where : match.error());
+}
+
+Line check_arbitration(const Core& core, const registry::SubscriptionEntry& request,
+                       const registry::PublicationEntry& offer) {
+  const std::uint32_t limit = request.subscription.limit;
+  const auto ranked = core.matcher.match(request.subscription);
+  const auto place = std::ranges::find(ranked, offer.key, [](const auto& one) { return one.publication->key; });
+  const auto rank = static_cast<std::size_t>(place - ranked.begin()) + 1;
+  if (place == ranked.end()) return check("arbitration", false, "it takes no part: it does not match");
+  std::string text = "it ranks " + std::to_string(rank) + " of " + std::to_string(ranked.size());
+  if (limit == 0) return check("arbitration", true, text + ", and there is no limit");
+  text += ", the limit is " + std::to_string(limit);
+  if (rank <= limit) return check("arbitration", true, text);
+  // An incumbent of the same rank is kept, which the list does not know.
+  return check("arbitration", false,
+               text + ": outranked by " + to_string(ranked.front().publication->key) + " unless it was there first");
+}
+
+}  // namespace
+
+Answered answer(Core& core, const gcnp::QueryWhy& query) {
+  const auto* request = core.matcher.find_subscription(query.subscription);
+  const auto* offer = core.matcher.find_publication(query.service);
+  if (request == nullptr || offer == nullptr) {
+    return std::unexpected(
+        Error{ErrorCode::unknown_request,
+              request == nullptr
+                  ? "there is no subscription " + to_string(query.subscription) + ": geminga-query requests lists them"
+                  : "there is no service " + to_string(query.service) + ": geminga-query services lists them"});
+  }
+  const auto match = core.matcher.why(*request, *offer);
+  Answer answer{.kind = "why",
+                .lines = {check_mode(request->subscription, offer->publication), check_identity(core, *request, *offer),
+                          check_provider(core, *request, *offer), check_where(core, *request, *offer)},
+                .end = {}};
+  if (match) answer.lines.push_back(check_arbitration(core, *request, *offer));
+  append_flag(answer.end, "matches", match.has_value());
+  if (match) {
+    append(answer.end, "degree", std::string(to_string(match->degree)));
+    append(answer.end, "distance", match->distance);
+  }
+  return answer;
+}
+
+}  // namespace geminga::participant
