@@ -1,0 +1,132 @@
+// Arbitration: order, limits, incumbents.
+#include "matching/arbitration.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <deque>
+
+namespace geminga::matching {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class Arbitration : public testing::Test {
+ protected:
+  Rank rank(std::uint32_t number, std::int32_t priority, Degree degree = Degree::exact, std::uint32_t distance = 0) {
+    return {priority, {degree, distance}, {ParticipantId{1}, PeerId{1}, number}};
+  }
+
+  void offer(const Rank& rank) {
+    auto& stored = stored_.emplace_back();
+    stored.entry.key = rank.key;
+    choice_.offer(rank, stored);
+  }
+
+  /// One settling in words: "-1 outranked", "*2", "+3".
+  std::vector<std::string> settle() {
+    std::vector<std::string> words;
+    const Verdict verdict = choice_.settle();
+    const auto number = [](const auto& about) { return std::to_string(about.publication->entry.key.number); };
+    for (const auto& gone : verdict.gone)
+      words.push_back("-" + number(gone) + " " + std::string(to_string(gone.reason)));
+    for (const auto& kept : verdict.kept) words.push_back("*" + number(kept));
+    for (const auto& come : verdict.come) words.push_back("+" + number(come));
+    return words;
+  }
+
+  std::deque<registry::StoredPublication> stored_;
+  Choice choice_;
+};
+
+TEST_F(Arbitration, RanksByPriorityThenDegreeThenDistanceThenKey) {
+  const std::vector<Rank> best_first{rank(9, 3, Degree::broader, 9),
+                                     rank(1, 2),
+                                     rank(2, 2),
+                                     rank(8, 1, Degree::exact),
+                                     rank(7, 1, Degree::equivalent),
+                                     rank(6, 1, Degree::narrower, 1),
+                                     rank(5, 1, Degree::narrower, 2),
+                                     rank(4, 1, Degree::broader, 1),
+                                     rank(3, -1)};
+  for (std::size_t i = 0; i < best_first.size(); ++i) {
+    for (std::size_t j = 0; j < best_first.size(); ++j) {
+      EXPECT_EQ(BestFirst{}(best_first[i], best_first[j]), i < j) << i << ' ' << j;
+    }
+  }
+}
+
+TEST_F(Arbitration, WithoutALimitAllAreChosenBestFirst) {
+  for (const auto& one : {rank(1, 0), rank(2, 5), rank(3, 0, Degree::narrower, 1)}) offer(one);
+  EXPECT_THAT(settle(), ElementsAre("+2", "+1", "+3"));
+  EXPECT_THAT(settle(), IsEmpty());
+}
+
+TEST_F(Arbitration, TheWorstGoesBeforeTheBetterOneComes) {
+  choice_.set_limit(2);
+  offer(rank(1, 1));
+  offer(rank(2, 2));
+  EXPECT_THAT(settle(), ElementsAre("+2", "+1"));
+  offer(rank(3, 3));
+  EXPECT_THAT(settle(), ElementsAre("-1 outranked", "+3"));
+}
+
+TEST_F(Arbitration, AnIncumbentWinsATieAndLosesToWhatIsBetter) {
+  choice_.set_limit(1);
+  offer(rank(5, 1));
+  EXPECT_THAT(settle(), ElementsAre("+5"));
+  offer(rank(1, 1));
+  EXPECT_THAT(settle(), IsEmpty());
+  offer(rank(2, 1, Degree::narrower, 1));
+  EXPECT_THAT(settle(), IsEmpty());
+  choice_.withdraw(rank(5, 1), Reason::expired);
+  EXPECT_THAT(settle(), ElementsAre("-5 expired", "+1"));
+  offer(rank(9, 2));
+  EXPECT_THAT(settle(), ElementsAre("-1 outranked", "+9"));
+}
+
+TEST_F(Arbitration, NewcomersThatTieAreTakenByKey) {
+  choice_.set_limit(1);
+  offer(rank(7, 1));
+  offer(rank(4, 1));
+  EXPECT_THAT(settle(), ElementsAre("+4"));
+}
+
+TEST_F(Arbitration, ALimitThatShrinksAndGrowsKeepsTheBest) {
+  for (std::uint32_t number = 1; number <= 4; ++number) offer(rank(number, static_cast<std::int32_t>(number)));
+  EXPECT_THAT(settle(), ElementsAre("+4", "+3", "+2", "+1"));
+  choice_.set_limit(2);
+  EXPECT_THAT(settle(), ElementsAre("-1 outranked", "-2 outranked"));
+  choice_.set_limit(3);
+  EXPECT_THAT(settle(), ElementsAre("+2"));
+  choice_.set_limit(0);
+  EXPECT_THAT(settle(), ElementsAre("+1"));
+}
+
+TEST_F(Arbitration, AChosenOneThatChangesIsKeptWhereItStillWins) {
+  choice_.set_limit(1);
+  offer(rank(1, 3));
+  offer(rank(2, 2));
+  EXPECT_THAT(settle(), ElementsAre("+1"));
+  choice_.change(rank(1, 3), rank(1, 2));
+  EXPECT_THAT(settle(), ElementsAre("*1")) << "a tie now, and it is the incumbent";
+  choice_.change(rank(1, 2), rank(1, 1));
+  EXPECT_THAT(settle(), ElementsAre("-1 outranked", "+2"));
+  choice_.change(rank(1, 1), rank(1, 0));
+  EXPECT_THAT(settle(), IsEmpty()) << "nobody sees a change of one that waits";
+  choice_.change(rank(1, 0), rank(1, 9));
+  EXPECT_THAT(settle(), ElementsAre("-2 outranked", "+1"));
+}
+
+TEST_F(Arbitration, OneThatWasChosenUnseenIsAnIncumbent) {
+  choice_.set_limit(1);
+  auto& stored = stored_.emplace_back();
+  stored.entry.key.number = 9;
+  choice_.offer({1, {}, stored.entry.key}, stored, true);
+  offer(rank(1, 1));
+  EXPECT_THAT(settle(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace geminga::matching
