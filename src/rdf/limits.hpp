@@ -1,0 +1,36 @@
+// The most that a file of triples may hold. Each limit is there because a parser behind it can be made to suffer.
+#ifndef GEMINGA_RDF_LIMITS_HPP
+#define GEMINGA_RDF_LIMITS_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+namespace geminga::rdf {
+
+/// What is beyond any of these refuses the file that goes beyond it, by name and line, before or while Redland reads
+/// it.
+struct Limits {
+  std::size_t files = 10'000;
+  std::size_t file_bytes = std::size_t{1} << 30;
+  std::size_t triples = 100'000'000;  ///< of all files together
+  /// Of one text: raptor's N-Triples reader is quadratic in it.
+  std::size_t literal_bytes = std::size_t{1} << 20;
+  std::size_t iri_bytes = 8192;
+  /// Of XML elements or Turtle brackets: raptor's RDF/XML reader is quadratic in it.
+  std::size_t nesting = 512;
+  /// Of one XML element: libxml2 compares each with each.
+  std::size_t attributes = 1024;
+  /// Of one XML tag.
+  std::size_t tag_bytes = std::size_t{1} << 22;
+  /// Internal entities of one DOCTYPE.
+  std::size_t entities = 4096;
+  /// What one internal entity expands to.
+  std::size_t entity_bytes = std::size_t{1} << 16;
+  /// What all references to internal entities expand to: this, and `entity_growth` times the size of the file.
+  std::size_t expansion_bytes = std::size_t{1} << 20;
+  std::size_t entity_growth = 16;
+};
+
+}  // namespace geminga::rdf
+
+#endif

@@ -1,0 +1,178 @@
+// What each node is: by its declaration, else by how it is used (mapping, section 3.1.3, and tables 5 and 6).
+#include "rdf/mapping.hpp"
+
+namespace geminga::rdf {
+
+void Mapping::find_roles() {
+  for (const Word word : {Word::owl_thing, Word::owl_nothing}) add_role(node_of(word), is_class);
+  for (const Word word : {Word::rdfs_literal, Word::rdf_plain_literal, Word::rdf_xml_literal, Word::rdf_lang_string,
+                          Word::owl_real, Word::owl_rational})
+    add_role(node_of(word), is_datatype);
+  for (const Word word : {Word::owl_top_object_property, Word::owl_bottom_object_property})
+    add_role(node_of(word), is_object_property);
+  for (const Word word : {Word::owl_top_data_property, Word::owl_bottom_data_property})
+    add_role(node_of(word), is_data_property);
+  for (const Word word : {Word::rdfs_label, Word::rdfs_comment, Word::rdfs_see_also, Word::rdfs_is_defined_by,
+                          Word::skos_pref_label, Word::owl_version_info, Word::owl_deprecated})
+    add_role(node_of(word), is_annotation_property);
+  for (std::uint32_t node = 0; node < graph_.node_count(); ++node) {
+    if (graph_.is_iri(NodeId{node}) && graph_.text(NodeId{node}).starts_with(xsd_namespace))
+      add_role(NodeId{node}, is_datatype);
+  }
+  for (std::uint32_t number = 0; number < graph_.triple_count(); ++number) {
+    const Triple& triple = graph_.triple(number);
+    if (word(triple.predicate) == Word::rdf_type) role_of_type(triple);
+  }
+  for (std::uint32_t number = 0; number < graph_.triple_count(); ++number) role_of_use(graph_.triple(number));
+  spread_property_kinds();
+  settle_properties();
+}
+
+void Mapping::role_of_type(const Triple& triple) {
+  const NodeId node = triple.subject;
+  switch (word(triple.object)) {
+    case Word::owl_class:
+    case Word::rdfs_class:
+    case Word::owl_deprecated_class:
+      add_role(node, is_class);
+      break;
+    case Word::rdfs_datatype:
+    case Word::owl_data_range:
+      add_role(node, is_datatype);
+      break;
+    case Word::owl_object_property:
+    case Word::owl_inverse_functional_property:
+    case Word::owl_reflexive_property:
+    case Word::owl_irreflexive_property:
+    case Word::owl_symmetric_property:
+    case Word::owl_asymmetric_property:
+    case Word::owl_transitive_property:
+      add_role(node, is_object_property | is_declared_property);
+      break;
+    case Word::owl_datatype_property:
+      add_role(node, is_data_property | is_declared_property);
+      break;
+    case Word::owl_annotation_property:
+    case Word::owl_ontology_property:
+      add_role(node, is_annotation_property | is_declared_property);
+      break;
+    case Word::rdf_property:
+    case Word::owl_functional_property:
+    case Word::owl_deprecated_property:
+      add_role(node, is_some_property | is_declared_property);
+      break;
+    case Word::owl_ontology:
+      add_role(node, is_header);
+      break;
+    case Word::owl_axiom:
+    case Word::owl_annotation:
+      add_role(node, is_reified);
+      break;
+    default:
+      break;
+  }
+}
+
+void Mapping::role_of_use(const Triple& triple) {
+  if (graph_.is_literal(triple.object)) add_role(triple.predicate, has_literals);
+  switch (word(triple.predicate)) {
+    case Word::owl_inverse_of:
+      if (graph_.is_iri(triple.subject)) add_role(triple.subject, is_object_property);
+      add_role(triple.object, is_object_property);
+      break;
+    case Word::owl_property_chain_axiom: {
+      add_role(triple.subject, is_object_property);
+      if (const auto chain = list(triple.object)) {
+        for (const NodeId property : *chain) add_role(property, is_object_property);
+      }
+      break;
+    }
+    case Word::owl_on_property: {
+      add_role(triple.object, is_some_property);
+      if (has_role(triple.object, property_kinds & ~is_annotation_property)) break;
+      for (const std::uint32_t number : graph_.about(triple.subject)) {
+        const Triple& part = graph_.triple(number);
+        switch (word(part.predicate)) {
+          case Word::owl_some_values_from:
+          case Word::owl_all_values_from:
+            add_role(triple.object, is_range(part.object) ? is_data_property : is_object_property);
+            break;
+          case Word::owl_has_value:
+            add_role(triple.object, graph_.is_literal(part.object) ? is_data_property : is_object_property);
+            break;
+          case Word::owl_has_self:
+          case Word::owl_on_class:
+            add_role(triple.object, is_object_property);
+            break;
+          case Word::owl_on_data_range:
+            add_role(triple.object, is_data_property);
+            break;
+          default:
+            break;
+        }
+      }
+      break;
+    }
+    case Word::rdfs_domain:
+      add_role(triple.subject, is_some_property);
+      break;
+    case Word::rdfs_range:
+      add_role(triple.subject, is_some_property);
+      if (!has_role(triple.subject, property_kinds))
+        add_role(triple.subject, is_range(triple.object) ? is_data_property : is_object_property);
+      break;
+    case Word::rdfs_sub_property_of:
+    case Word::owl_equivalent_property:
+    case Word::owl_property_disjoint_with:
+      add_role(triple.subject, is_some_property);
+      add_role(triple.object, is_some_property);
+      break;
+    case Word::owl_assertion_property:
+      for (const std::uint32_t number : graph_.about(triple.subject)) {
+        const Word part = word(graph_.triple(number).predicate);
+        if (has_role(triple.object, property_kinds)) break;
+        if (part == Word::owl_target_individual) add_role(triple.object, is_object_property);
+        if (part == Word::owl_target_value) add_role(triple.object, is_data_property);
+      }
+      break;
+    default:
+      break;
+  }
+}
+
+void Mapping::spread_property_kinds() {
+  // A property without a kind of its own has that of those it is related to. Each round gives at least one a kind or is
+  // the last; the rounds are bounded, because nobody writes a chain of a hundred undeclared properties.
+  constexpr int max_rounds = 100;
+  std::vector<std::uint32_t> links;
+  for (std::uint32_t number = 0; number < graph_.triple_count(); ++number) {
+    const Word predicate = word(graph_.triple(number).predicate);
+    if (predicate == Word::rdfs_sub_property_of || predicate == Word::owl_equivalent_property ||
+        predicate == Word::owl_property_disjoint_with)
+      links.push_back(number);
+  }
+  bool is_changed = true;
+  for (int round = 0; is_changed && round < max_rounds; ++round) {
+    is_changed = false;
+    for (const std::uint32_t number : links) {
+      const Triple& link = graph_.triple(number);
+      const auto copy = [&](NodeId from, NodeId to) {
+        if (has_role(to, property_kinds) || !has_role(from, property_kinds) || !graph_.is_iri(to)) return;
+        add_role(to, roles_[static_cast<std::size_t>(from)] & property_kinds);
+        is_changed = true;
+      };
+      copy(link.object, link.subject);
+      copy(link.subject, link.object);
+    }
+  }
+}
+
+void Mapping::settle_properties() {
+  for (std::uint32_t number = 0; number < graph_.node_count(); ++number) {
+    const NodeId node{number};
+    if (!has_role(node, is_some_property) || has_role(node, property_kinds)) continue;
+    add_role(node, has_role(node, has_literals) ? is_data_property : is_object_property);
+  }
+}
+
+}  // namespace geminga::rdf

@@ -1,0 +1,268 @@
+// Callbacks of raptor's parsers. No exception passes through its C frames: a callback that fails stops the parser.
+#include "rdf/redland.hpp"
+
+#include <libxml/parser.h>
+#include <raptor2.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <string_view>
+
+#include "base/text.hpp"
+
+namespace geminga::rdf {
+namespace {
+
+constexpr std::size_t chunk_bytes = std::size_t{1} << 18;
+
+/// Declared external entities are empty: libxml2 opens nothing.
+xmlParserInputPtr no_external_entity(const char*, const char*, xmlParserCtxtPtr) { return nullptr; }
+
+const char* parser_name(Syntax syntax) {
+  switch (syntax) {
+    case Syntax::rdf_xml:
+      return "rdfxml";
+    case Syntax::turtle:
+      return "turtle";
+    case Syntax::n_triples:
+      return "ntriples";
+  }
+  return "";
+}
+
+std::string_view view_of(raptor_uri* uri) {
+  std::size_t size = 0;
+  const auto* text = reinterpret_cast<const char*>(raptor_uri_as_counted_string(uri, &size));
+  return {text, size};
+}
+
+std::string_view view_of(const unsigned char* text, std::size_t size) {
+  return {reinterpret_cast<const char*>(text), text == nullptr ? 0 : size};
+}
+
+/// Whether an IRI can be written between angle brackets on one line. What else is odd about it is not our business.
+bool is_writable(std::string_view iri) {
+  return std::ranges::none_of(iri, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '<' || c == '>'; });
+}
+
+bool is_comment(NodeId predicate) {
+  switch (static_cast<Word>(predicate)) {
+    case Word::rdfs_comment:
+    case Word::rdfs_see_also:
+    case Word::rdfs_is_defined_by:
+    case Word::owl_version_info:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+struct Redland::World {
+  explicit World(const Limits& named_limits) : limits(named_limits) {}
+
+  const Limits& limits;
+  raptor_world* world = nullptr;
+  std::vector<DeclaredPrefix> prefixes;
+  std::uint64_t triples = 0;
+
+  // Of the file that is being read.
+  raptor_parser* parser = nullptr;
+  Graph* graph = nullptr;
+  std::uint32_t file = 0;
+  std::string blank_prefix;  ///< the same for the same file on every host: made of its content
+  std::string label;
+  std::uint32_t generated = 0;
+  std::optional<LoadError> error;
+  bool out_of_memory = false;
+
+  [[nodiscard]] std::uint32_t line() const {
+    raptor_locator* locator = parser == nullptr ? nullptr : raptor_parser_get_locator(parser);
+    const int number = locator == nullptr ? 0 : raptor_locator_line(locator);
+    return number > 0 ? static_cast<std::uint32_t>(number) : 0;
+  }
+
+  void fail(std::string text) {
+    if (!error) error = LoadError{{}, line(), std::move(text)};
+    if (parser != nullptr) raptor_parser_parse_abort(parser);
+  }
+
+  [[nodiscard]] bool has_failed() const { return error.has_value() || out_of_memory; }
+
+  /// Says nothing that would itself need memory.
+  void stop_for_memory() {
+    out_of_memory = true;
+    if (parser != nullptr) raptor_parser_parse_abort(parser);
+  }
+
+  NodeId node(raptor_term* term) {
+    switch (term->type) {
+      case RAPTOR_TERM_TYPE_URI: {
+        const std::string_view iri = view_of(term->value.uri);
+        if (iri.size() > limits.iri_bytes)
+          fail("has an IRI of more than " + std::to_string(limits.iri_bytes) + " bytes");
+        if (!is_writable(iri)) fail("has an IRI with a control character or an angle bracket in it");
+        return graph->iri(iri);
+      }
+      case RAPTOR_TERM_TYPE_BLANK:
+        label = blank_prefix;
+        label += view_of(term->value.blank.string, term->value.blank.string_len);
+        return graph->blank(label);
+      case RAPTOR_TERM_TYPE_LITERAL:
+        return literal(term->value.literal);
+      default:
+        fail("has a node that is neither IRI, blank node nor literal");
+        return NodeId{};
+    }
+  }
+
+  NodeId literal(const raptor_term_literal_value& value) {
+    const std::string_view lexical = view_of(value.string, value.string_len);
+    if (lexical.size() > limits.literal_bytes)
+      fail("has a literal of more than " + std::to_string(limits.literal_bytes) + " bytes");
+    if (lexical.find('\0') != std::string_view::npos) fail("has a literal with a NUL in it");
+    const NodeId datatype = value.datatype == nullptr ? NodeId{} : graph->iri(view_of(value.datatype));
+    const NodeId language = value.language == nullptr
+                                ? NodeId{}
+                                : graph->literal(view_of(value.language, value.language_len), NodeId{}, NodeId{});
+    return graph->literal(lexical, datatype, language);
+  }
+
+  void take(raptor_statement* statement) {
+    if (error || out_of_memory) return;
+    if (++triples > limits.triples)
+      return fail("is beyond " + std::to_string(limits.triples) + " triples in all files");
+    const NodeId predicate = node(statement->predicate);
+    if (is_comment(predicate)) return;
+    const Triple triple{node(statement->subject), predicate, node(statement->object), line()};
+    if (!error) graph->add(triple);
+  }
+
+  static void on_statement(void* self, raptor_statement* statement) {
+    auto* world = static_cast<World*>(self);
+    try {
+      world->take(statement);
+    } catch (const std::exception&) {
+      world->stop_for_memory();
+    }
+  }
+
+  static void on_namespace(void* self, raptor_namespace* name) {
+    auto* world = static_cast<World*>(self);
+    raptor_uri* uri = raptor_namespace_get_uri(name);
+    if (uri == nullptr) return;
+    const auto* prefix = reinterpret_cast<const char*>(raptor_namespace_get_prefix(name));
+    try {
+      DeclaredPrefix declared{prefix == nullptr ? "" : prefix, std::string(view_of(uri)), world->file};
+      // The same declaration on every element is common, and has nothing to say.
+      for (std::size_t back = 0; back < std::min<std::size_t>(world->prefixes.size(), 64); ++back) {
+        const DeclaredPrefix& known = world->prefixes[world->prefixes.size() - 1 - back];
+        if (known.prefix == declared.prefix && known.iri == declared.iri && known.file == declared.file) return;
+      }
+      if (world->prefixes.size() < max_prefixes) world->prefixes.push_back(std::move(declared));
+    } catch (const std::exception&) {
+      world->stop_for_memory();
+    }
+  }
+
+  static void on_log(void* self, raptor_log_message* message) {
+    auto* world = static_cast<World*>(self);
+    if (message->level < RAPTOR_LOG_LEVEL_ERROR || world->error) return;
+    try {
+      std::string_view text = message->text == nullptr ? "cannot be parsed" : message->text;
+      constexpr std::string_view chatter = "XML parser error: ";
+      if (text.starts_with(chatter)) text.remove_prefix(chatter.size());
+      world->fail(base::printable(text, 300));
+    } catch (const std::exception&) {
+      world->stop_for_memory();
+    }
+  }
+
+  /// Blank nodes that a file names and those that raptor makes up get different first letters, so that `_:genid1` in a
+  /// file is never one that raptor made up.
+  static unsigned char* on_blank(void* self, unsigned char* given) {
+    auto* world = static_cast<World*>(self);
+    const std::size_t given_size = given == nullptr ? 16 : std::strlen(reinterpret_cast<const char*>(given));
+    auto* name = static_cast<char*>(raptor_alloc_memory(given_size + 2));
+    if (name == nullptr) return nullptr;
+    if (given == nullptr) {
+      const std::string number = 'g' + std::to_string(++world->generated);  // short: never allocates
+      std::memcpy(name, number.c_str(), number.size() + 1);
+    } else {
+      name[0] = 'u';
+      std::memcpy(name + 1, given, given_size + 1);
+      raptor_free_memory(given);
+    }
+    return reinterpret_cast<unsigned char*>(name);
+  }
+
+  static constexpr std::size_t max_prefixes = 100'000;
+};
+
+Redland::Redland(const Limits& limits) : world_(std::make_unique<World>(limits)) {
+  xmlSetExternalEntityLoader(no_external_entity);
+  raptor_world* world = raptor_new_world();
+  if (world == nullptr) return;
+  raptor_world_set_flag(world, RAPTOR_WORLD_FLAG_WWW_SKIP_INIT_FINISH, 1);
+  raptor_world_set_log_handler(world, world_.get(), World::on_log);
+  raptor_world_set_generate_bnodeid_handler(world, world_.get(), World::on_blank);
+  if (raptor_world_open(world) != 0) {
+    raptor_free_world(world);
+    return;
+  }
+  // Opening libxml2 may have put its own loader back.
+  xmlSetExternalEntityLoader(no_external_entity);
+  world_->world = world;
+}
+
+Redland::~Redland() {
+  if (world_->world != nullptr) raptor_free_world(world_->world);
+}
+
+const std::vector<DeclaredPrefix>& Redland::prefixes() const { return world_->prefixes; }
+std::uint64_t Redland::triple_count() const { return world_->triples; }
+
+std::optional<LoadError> Redland::read(const std::string& path, Syntax syntax, FileBytes& bytes,
+                                       const std::string& base_iri, Graph& graph) {
+  World& state = *world_;
+  if (state.world == nullptr) return LoadError{path, 0, "cannot be read: Redland does not start, memory is short"};
+  const std::string_view view = bytes.view();
+  state.graph = &graph;
+  state.file = static_cast<std::uint32_t>(graph.file_count());
+  state.blank_prefix = "_:" + base::to_hex(XXH3_64bits(view.data(), view.size()), 16) + '.';
+  state.generated = 0;
+  state.error.reset();
+  graph.begin_file();
+
+  state.parser = raptor_new_parser(state.world, parser_name(syntax));
+  raptor_uri* base = raptor_new_uri(state.world, reinterpret_cast<const unsigned char*>(base_iri.c_str()));
+  if (state.parser == nullptr || base == nullptr) {
+    state.fail("cannot be read: Redland does not start, memory is short");
+  } else {
+    raptor_parser_set_statement_handler(state.parser, &state, World::on_statement);
+    raptor_parser_set_namespace_handler(state.parser, &state, World::on_namespace);
+    raptor_parser_set_option(state.parser, RAPTOR_OPTION_NO_NET, nullptr, 1);
+    raptor_parser_set_option(state.parser, RAPTOR_OPTION_NO_FILE, nullptr, 1);
+    raptor_parser_set_option(state.parser, RAPTOR_OPTION_LOAD_EXTERNAL_ENTITIES, nullptr, 0);
+    int failed = raptor_parser_parse_start(state.parser, base);
+    for (std::size_t place = 0; failed == 0 && !state.has_failed() && place < view.size(); place += chunk_bytes) {
+      const std::string_view chunk = view.substr(place, chunk_bytes);
+      failed = raptor_parser_parse_chunk(state.parser, reinterpret_cast<const unsigned char*>(chunk.data()),
+                                         chunk.size(), 0);
+      bytes.release(place);
+    }
+    if (failed == 0 && !state.has_failed()) failed = raptor_parser_parse_chunk(state.parser, nullptr, 0, 1);
+    if (state.out_of_memory) state.fail("needs more memory than there is");
+    if (failed != 0 && !state.error) state.fail("cannot be parsed");
+  }
+  if (base != nullptr) raptor_free_uri(base);
+  if (state.parser != nullptr) raptor_free_parser(state.parser);
+  state.parser = nullptr;
+  if (state.error) state.error->file = base::printable(path, 4096);
+  return std::move(state.error);
+}
+
+}  // namespace geminga::rdf

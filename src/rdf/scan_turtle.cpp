@@ -1,0 +1,128 @@
+// The brackets, strings and IRIs of Turtle and N-Triples (RDF 1.1 Turtle, section 6.5), measured against the limits.
+#include <string>
+
+#include "rdf/scan.hpp"
+
+namespace geminga::rdf {
+namespace {
+
+class TurtleScan {
+ public:
+  TurtleScan(std::string_view bytes, const Limits& limits) : bytes_(bytes), limits_(limits) {}
+
+  std::optional<ScanProblem> run() {
+    while (place_ < bytes_.size() && !problem_) step();
+    return std::move(problem_);
+  }
+
+ private:
+  void step() {
+    switch (bytes_[place_]) {
+      case '#':
+        place_ = std::min(bytes_.find('\n', place_), bytes_.size());
+        break;
+      case '<':
+        iri();
+        break;
+      case '"':
+      case '\'':
+        string();
+        break;
+      case '[':
+      case '(':
+        if (++depth_ > limits_.nesting)
+          fail(place_, "nests brackets more than " + std::to_string(limits_.nesting) + " deep");
+        ++place_;
+        break;
+      case ']':
+      case ')':
+        if (depth_ > 0) --depth_;
+        ++place_;
+        break;
+      case '\\':  // an escape in a local name, such as \( or \'
+        place_ += 2;
+        break;
+      default:
+        name();
+    }
+  }
+
+  /// Skips a run of characters that mean nothing here. One without any break is a name, and may be too long.
+  void name() {
+    const std::size_t begin = place_;
+    place_ = std::min(bytes_.find_first_of(" \t\r\n#<\"'[]()\\,;", place_ + 1), bytes_.size());
+    if (place_ - begin > limits_.iri_bytes) too_long(begin, "a name", limits_.iri_bytes);
+  }
+
+  void iri() {
+    const std::size_t begin = place_++;
+    while (place_ < bytes_.size() && bytes_[place_] != '>' && bytes_[place_] != '\n') {
+      if (bytes_[place_] == '\\') {
+        escape();
+      } else {
+        ++place_;
+      }
+    }
+    if (place_ - begin > limits_.iri_bytes) too_long(begin, "an IRI", limits_.iri_bytes);
+    ++place_;
+  }
+
+  void string() {
+    const std::size_t begin = place_;
+    const char quote = bytes_[place_];
+    const bool is_long = place_ + 2 < bytes_.size() && bytes_[place_ + 1] == quote && bytes_[place_ + 2] == quote;
+    place_ += is_long ? 3 : 1;
+    for (;; ++place_) {
+      if (place_ >= bytes_.size()) break;
+      const char c = bytes_[place_];
+      if (c == '\\') {
+        escape();
+        --place_;
+      } else if (c == quote) {
+        if (!is_long) break;
+        if (bytes_.substr(place_, 3) == std::string(3, quote)) break;
+      } else if (c == '\n' && !is_long) {
+        break;  // no Turtle; Redland says so
+      }
+    }
+    if (place_ - begin > limits_.literal_bytes) too_long(begin, "a literal", limits_.literal_bytes);
+    place_ += is_long ? 3 : 1;
+  }
+
+  /// \u0000 would cut a name short, and a surrogate would become bad UTF-8.
+  void escape() {
+    const std::size_t begin = place_;
+    place_ += 2;
+    if (begin + 1 >= bytes_.size()) return;
+    const char kind = bytes_[begin + 1];
+    if (kind != 'u' && kind != 'U') return;
+    const std::string digits(bytes_.substr(begin + 2, kind == 'u' ? 4 : 8));
+    if (digits.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) return;
+    const unsigned long code = std::stoul('0' + digits, nullptr, 16);
+    if (code == 0) fail(begin, "writes a NUL as " + std::string(bytes_.substr(begin, 2 + digits.size())));
+    if ((code >= 0xd800 && code <= 0xdfff) || code > 0x10ffff)
+      fail(begin, "writes no character as " + std::string(bytes_.substr(begin, 2 + digits.size())));
+  }
+
+  void too_long(std::size_t place, const char* what, std::size_t limit) {
+    fail(place, std::string("has ") + what + " of more than " + std::to_string(limit) + " bytes");
+  }
+
+  void fail(std::size_t place, std::string text) {
+    if (!problem_) problem_ = ScanProblem{line_of(bytes_, place), std::move(text)};
+  }
+
+  std::string_view bytes_;
+  const Limits& limits_;
+  std::size_t place_ = 0;
+  std::size_t depth_ = 0;
+  std::optional<ScanProblem> problem_;
+};
+
+}  // namespace
+
+std::optional<ScanProblem> scan_turtle(std::string_view bytes, const Limits& limits) {
+  return TurtleScan(bytes, limits).run();
+}
+
+}  // namespace geminga::rdf

@@ -1,0 +1,104 @@
+// Looks at no more than the first words of a file.
+#include "rdf/syntax.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace geminga::rdf {
+namespace {
+
+enum class Content { empty, xml, owl_xml, turtle, functional, manchester, utf16 };
+
+bool is_name_byte(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.' ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
+
+std::string_view without_comments(std::string_view text) {
+  for (;;) {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin == std::string_view::npos) return {};
+    text.remove_prefix(begin);
+    if (!text.starts_with('#')) return text;
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) return {};
+    text.remove_prefix(end);
+  }
+}
+
+/// `<rdf:RDF `, but not `<http://example.org/a> `.
+bool is_xml_tag(std::string_view text) {
+  const std::size_t end = text.find_first_of(" \t\r\n/>", 1);
+  if (end == std::string_view::npos || end == 1 || (text[end] == '/' && text.substr(end, 2) != "/>")) return false;
+  const std::string_view name = text.substr(1, end - 1);
+  return std::ranges::count(name, ':') <= 1 &&
+         std::ranges::all_of(name, [](char c) { return c == ':' || is_name_byte(c); });
+}
+
+/// The name of the first element behind declaration, comments and DOCTYPE; good enough to tell OWL/XML from RDF/XML.
+std::string_view root_name(std::string_view text) {
+  std::size_t at = 0;
+  while ((at = text.find('<', at)) != std::string_view::npos) {
+    const std::string_view rest = text.substr(at);
+    std::size_t end = std::string_view::npos;
+    if (rest.starts_with("<!--")) {
+      end = rest.find("-->");
+    } else if (rest.starts_with("<?")) {
+      end = rest.find("?>");
+    } else if (rest.starts_with("<!DOCTYPE")) {
+      const std::size_t open = rest.find_first_of("[>");
+      end = open != std::string_view::npos && rest[open] == '[' ? rest.find("]", open) : open;
+    } else {
+      return rest.substr(1, std::min(rest.find_first_of(" \t\r\n/>", 1), rest.size()) - 1);
+    }
+    if (end == std::string_view::npos) return {};
+    at += end + 1;
+  }
+  return {};
+}
+
+Content look(std::string_view content) {
+  if (content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff")) return Content::utf16;
+  if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);
+  const std::string_view text = without_comments(content);
+  if (text.empty()) return Content::empty;
+  if (text.starts_with("<?xml") || text.starts_with("<!DOCTYPE") || text.starts_with("<!--") || is_xml_tag(text))
+    return root_name(text) == "Ontology" ? Content::owl_xml : Content::xml;
+  if (text.starts_with("Prefix:") || text.starts_with("Ontology:")) return Content::manchester;
+  for (const std::string_view word : {"Prefix", "Ontology"}) {
+    if (text.starts_with(word) && without_comments(text.substr(word.size())).starts_with('('))
+      return Content::functional;
+  }
+  return Content::turtle;
+}
+
+}  // namespace
+
+std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::string_view content) {
+  const Content found = look(content);
+  switch (found) {
+    case Content::utf16:
+      return std::unexpected("is in UTF-16, which is not read: convert it to UTF-8");
+    case Content::functional:
+      return std::unexpected("is in OWL functional syntax, which is not read yet: convert it to RDF/XML or Turtle");
+    case Content::manchester:
+      return std::unexpected("is in OWL Manchester syntax, which is not read: convert it to RDF/XML or Turtle");
+    case Content::owl_xml:
+      return std::unexpected("is in OWL/XML, which is not read: convert it to RDF/XML or Turtle");
+    default:
+      break;
+  }
+  const bool says_turtle = path.ends_with(".ttl");
+  const bool says_triples = path.ends_with(".nt");
+  if (says_turtle || says_triples) {
+    if (found == Content::xml) return std::unexpected("is XML by its content: name it .rdf or .owl");
+    return says_turtle ? Syntax::turtle : Syntax::n_triples;
+  }
+  const bool says_xml = path.ends_with(".rdf") || path.ends_with(".owl") || path.ends_with(".xml");
+  if (found == Content::xml) return Syntax::rdf_xml;
+  if (!says_xml) return std::unexpected("has no known extension: name it .ttl, .nt, .rdf, .owl or .xml");
+  if (found == Content::empty) return std::unexpected("is empty");
+  return Syntax::turtle;
+}
+
+}  // namespace geminga::rdf

@@ -1,0 +1,20 @@
+// Which syntax a file is in, by its name and by how its content begins.
+#ifndef GEMINGA_RDF_SYNTAX_HPP
+#define GEMINGA_RDF_SYNTAX_HPP
+
+#include <cstdint>
+#include <expected>
+#include <string>
+#include <string_view>
+
+namespace geminga::rdf {
+
+enum class Syntax : std::uint8_t { rdf_xml, turtle, n_triples };
+
+/// The syntax of a file, or why it cannot be read, as the words behind "FILE: ". A name that ends in .ttl or .nt says
+/// what the file is; .owl, .rdf and .xml are used for several syntaxes, and the content decides.
+[[nodiscard]] std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::string_view content);
+
+}  // namespace geminga::rdf
+
+#endif
