@@ -1,0 +1,167 @@
+#include "client/cpp/session.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace geminga::client {
+
+using Kind = ClientError::Kind;
+
+std::expected<void, ClientError> Session::connect(const std::vector<Endpoint>& endpoints) {
+  const auto deadline = Clock::now() + timeout_;
+  std::string tried;
+  for (const auto& endpoint : endpoints) {
+    where_ = to_string(endpoint);
+    connection_ = std::make_unique<Connection>();
+    const auto connected = connection_->connect(endpoint, deadline);
+    if (connected) return {};
+    if (connected.error() == Connection::Failure::bad_address) {
+      return std::unexpected(broken(Kind::wrong_use, where_ + " has no IP address in numbers: write ADDRESS:PORT"));
+    }
+    if (connected.error() == Connection::Failure::timed_out) {
+      return std::unexpected(
+          broken(Kind::timed_out, "no connection to " + where_ + " in time: is the daemon stopped?"));
+    }
+    tried += (tried.empty() ? "" : " and ") + where_;
+  }
+  return std::unexpected(broken(Kind::unreachable, "no daemon at " + tried + " (" + connection_->reason() +
+                                                       "): start gemingad, or say where it listens"));
+}
+
+std::expected<gcnp::Statement, ClientError> Session::hello(const std::string& name) {
+  gcnp::Statement statement{0, "sys", "hello", {}};
+  if (!name.empty()) statement.parameters.push_back({"name", name});
+  if (auto sent = send(statement); !sent) return std::unexpected(std::move(sent.error()));
+  Wait wait{0, "hello", {}, {}};
+  if (auto done = finish(wait); !done) return std::unexpected(std::move(done.error()));
+  was_met_ = true;
+  return std::move(wait.messages.back());
+}
+
+std::expected<void, ClientError> Session::request(const gcnp::Statement& statement) {
+  if (auto sent = send(statement); !sent) return sent;
+  // The pong comes once everything before the ping has been handled, so an error is there by then.
+  if (auto sent = send({0, "sys", "ping", {}}); !sent) return sent;
+  Wait wait{statement.id, "pong", {}, {}};
+  if (auto done = finish(wait); !done) return done;
+  if (wait.error) return std::unexpected(ClientError{Kind::refused, wait.error->text, wait.error->code});
+  return {};
+}
+
+std::expected<std::vector<gcnp::Statement>, ClientError> Session::query(const gcnp::Statement& statement) {
+  if (auto sent = send(statement); !sent) return std::unexpected(std::move(sent.error()));
+  Wait wait{statement.id, "end", {}, {}};
+  if (auto done = finish(wait); !done) return std::unexpected(std::move(done.error()));
+  if (wait.error) return std::unexpected(ClientError{Kind::refused, wait.error->text, wait.error->code});
+  return std::move(wait.messages);
+}
+
+std::expected<std::optional<Event>, ClientError> Session::next_event(Clock::time_point deadline) {
+  while (events_.empty()) {
+    if (broken_) return std::unexpected(*broken_);
+    const auto read = read_lines(deadline, nullptr);
+    if (events_.empty() && !read) {
+      if (read.error().kind == Kind::timed_out) return std::nullopt;
+      return std::unexpected(read.error());
+    }
+  }
+  std::optional<Event> event = std::move(events_.front());
+  events_.pop_front();
+  return event;
+}
+
+std::uint32_t Session::next_number() {
+  ++last_number_;
+  if (last_number_ == 0) ++last_number_;  // 0 is the system's
+  return last_number_;
+}
+
+std::expected<void, ClientError> Session::send(const gcnp::Statement& statement) {
+  if (broken_) return std::unexpected(*broken_);
+  const std::string line = gcnp::to_line(statement);
+  const auto read_back = gcnp::parse(std::string_view(line).substr(0, line.size() - 2));
+  if (!read_back) return std::unexpected(ClientError{Kind::wrong_use, read_back.error().error.text});
+  if (*read_back != statement) {
+    return std::unexpected(ClientError{Kind::wrong_use, "a kind, key or value has characters that GCNP cannot carry"});
+  }
+  if (auto written = connection_->write(line, Clock::now() + timeout_); !written) {
+    return std::unexpected(broken(written.error()));
+  }
+  return {};
+}
+
+std::expected<void, ClientError> Session::finish(Wait& wait) {
+  const auto deadline = Clock::now() + timeout_;
+  while (!wait.is_over) {
+    if (auto read = read_lines(deadline, &wait); !read) {
+      if (read.error().kind == Kind::timed_out) broken_ = read.error();
+      return read;
+    }
+  }
+  if (wait.error && wait.id == 0) broken_ = ClientError{Kind::refused, wait.error->text, wait.error->code};
+  if (broken_) return std::unexpected(*broken_);
+  return {};
+}
+
+std::expected<void, ClientError> Session::read_lines(Clock::time_point deadline, Wait* wait) {
+  const auto bytes = connection_->read(deadline);
+  if (!bytes && bytes.error() == Connection::Failure::timed_out) return std::unexpected(no_answer());
+  if (!bytes) return std::unexpected(broken(bytes.error()));
+  reader_.feed(*bytes);
+  while (const auto line = reader_.next()) {
+    auto reply = line->is_too_long ? std::unexpected(gcnp::line_too_long()) : gcnp::read_reply(line->text);
+    if (!reply) {
+      return std::unexpected(broken(was_met_ ? Kind::closed : Kind::unreachable,
+                                    "what listens at " + where_ + " does not speak GCNP: " + reply.error().text));
+    }
+    if (auto taken = take(std::move(*reply), wait); !taken) return taken;
+  }
+  return {};
+}
+
+std::expected<void, ClientError> Session::take(gcnp::Reply reply, Wait* wait) {
+  if (auto* event = std::get_if<Event>(&reply)) {
+    auto* error = std::get_if<Error>(&event->what);
+    if (wait != nullptr && !wait->is_over && error != nullptr && (event->request == wait->id || event->request == 0)) {
+      // A refused request is still followed by its pong; a refused hello or query is followed by nothing.
+      wait->error = std::move(*error);
+      wait->is_over = wait->last != "pong" || event->request == 0;
+      if (event->request == 0) wait->id = 0;
+      return {};
+    }
+    if (events_.size() == Client::max_waiting_events) {
+      return std::unexpected(broken(Kind::closed, "events were not taken: call poll() or next_event() more often"));
+    }
+    events_.push_back(std::move(*event));
+    return {};
+  }
+  auto& message = std::get<gcnp::Statement>(reply);
+  // A message that nobody waits for is one that a newer daemon says by itself; it is not for this client.
+  if (wait == nullptr || wait->is_over || message.command != "msg") return {};
+  const std::uint32_t id = wait->last == "end" ? wait->id : 0;
+  if (message.id != id) return {};
+  wait->is_over = message.subcommand == wait->last;
+  wait->messages.push_back(std::move(message));
+  return {};
+}
+
+ClientError Session::broken(Kind kind, std::string text) {
+  broken_ = ClientError{kind, std::move(text)};
+  return *broken_;
+}
+
+ClientError Session::broken(Connection::Failure failure) {
+  if (failure == Connection::Failure::timed_out) {
+    broken_ = no_answer();
+    return *broken_;
+  }
+  if (!was_met_)
+    return broken(Kind::unreachable, "what listens at " + where_ + " closed the connection: is it gemingad?");
+  return broken(Kind::closed, "the daemon at " + where_ + " is gone (" + connection_->reason() + "): start it again");
+}
+
+ClientError Session::no_answer() const {
+  return {Kind::timed_out, "no answer from " + where_ + " in time: is the daemon busy or stopped?"};
+}
+
+}  // namespace geminga::client
