@@ -19,6 +19,9 @@ class io_context;
 
 namespace geminga::env {
 
+/// The most hosts that unicast copies go to.
+inline constexpr std::size_t max_unicast_peers = 64;
+
 /// Which interfaces, groups and hosts are spoken with.
 struct AirSettings {
   std::vector<std::string> interfaces;  ///< empty: every one that can multicast, without the loopback

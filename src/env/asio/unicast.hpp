@@ -17,8 +17,6 @@
 
 namespace geminga::env {
 
-/// The most hosts of --peer.
-inline constexpr std::size_t max_unicast_peers = 64;
 /// Between two attempts to resolve a name that could not be resolved, and between two looks at one that could.
 inline constexpr std::chrono::seconds resolve_retry{5};
 inline constexpr std::chrono::seconds resolve_refresh{300};

@@ -1,0 +1,57 @@
+// One child process with bounds on everything: memory, time, what it may say, and no network.
+#ifndef GEMINGA_DAEMON_CHILD_HPP
+#define GEMINGA_DAEMON_CHILD_HPP
+
+#include <chrono>
+#include <cstddef>
+#include <expected>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace boost::asio {
+class io_context;
+}
+
+namespace geminga::daemon {
+
+/// What a child may use. Whoever reaches a bound is killed and has failed.
+struct ChildLimits {
+  std::chrono::seconds time{120};          ///< by the clock, and of the processor
+  std::size_t address_space = 4UL << 30U;  ///< octets; an ontology of 350k classes needs about half
+  std::size_t file_bytes = 1UL << 30U;     ///< the longest file that it may write
+  std::size_t words_bytes = 16UL * 1024;   ///< of its standard error; the rest is dropped
+};
+
+/// How it ended.
+struct ChildEnd {
+  bool has_succeeded = false;
+  std::string how;    ///< e.g. "exit status 2", "killed by signal 9", "stopped after 120 s"
+  std::string words;  ///< its standard error, as far as it was kept
+};
+
+/// A running child. Destroying it kills the child.
+class Child {
+ public:
+  using Done = std::function<void(const ChildEnd&)>;
+
+  /// Starts `program` with these arguments (argv[0] not among them); standard input is empty, standard output dropped.
+  /// `done` is called once, from the event loop, unless the Child is destroyed before. The error is the system's
+  /// reason.
+  [[nodiscard]] static std::expected<std::unique_ptr<Child>, std::string> start(
+      boost::asio::io_context& context, const std::string& program, const std::vector<std::string>& arguments,
+      const ChildLimits& limits, Done done);
+  ~Child();
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+ private:
+  class State;
+  explicit Child(std::shared_ptr<State> state);
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace geminga::daemon
+
+#endif

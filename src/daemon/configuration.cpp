@@ -1,0 +1,260 @@
+#include "daemon/configuration.hpp"
+
+#include <net/if.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "beacon/announceable.hpp"
+#include "beacon/limits.hpp"
+
+namespace geminga::daemon {
+namespace {
+
+constexpr std::uint16_t default_port = 4717;
+constexpr std::array<std::pair<std::string_view, base::LogLevel>, 4> log_levels{{{"debug", base::LogLevel::debug},
+                                                                                 {"info", base::LogLevel::info},
+                                                                                 {"warning", base::LogLevel::warning},
+                                                                                 {"error", base::LogLevel::error}}};
+
+class Resolver {
+ public:
+  explicit Resolver(const std::vector<const Layer*>& layers) : layers_(layers) {}
+
+  std::expected<Configuration, std::vector<std::string>> resolve(const std::string& host_name) {
+    refuse_what_is_not_there();
+    read_texts(host_name);
+    read_gcnp();
+    read_air();
+    read_interval();
+    read_logging();
+    if (!errors_.empty()) return std::unexpected(std::move(errors_));
+    return std::move(result_);
+  }
+
+ private:
+  /// What the strongest layer says, or null.
+  [[nodiscard]] const std::vector<Stated>* stated(std::string_view key) const {
+    for (const Layer* layer : layers_) {
+      const auto found = layer->values.find(key);
+      if (found != layer->values.end()) return &found->second;
+    }
+    return nullptr;
+  }
+
+  [[nodiscard]] const Stated* single(std::string_view key) const {
+    const auto* values = stated(key);
+    return values == nullptr || values->empty() ? nullptr : &values->front();
+  }
+
+  [[nodiscard]] const std::vector<Stated>& list(std::string_view key, std::size_t most) {
+    static const std::vector<Stated> none;
+    const auto* values = stated(key);
+    if (values == nullptr) return none;
+    if (values->size() > most) {
+      fail(values->back(), "more than " + std::to_string(most) + " values");
+      return none;
+    }
+    return *values;
+  }
+
+  void fail(const Stated& at, const std::string& what) { errors_.push_back(at.origin + ": " + what); }
+
+  void refuse_what_is_not_there() {
+    for (const Key& key : keys) {
+      if (key.refused.empty()) continue;
+      if (const auto* values = stated(key.name)) {
+        errors_.push_back((values->empty() ? std::string(key.name) : values->front().origin) + ": " +
+                          std::string(key.refused));
+      }
+    }
+  }
+
+  void read_texts(const std::string& host_name) {
+    for (const Stated& ontology : list("ontology", max_values)) {
+      if (ontology.text.empty()) {
+        fail(ontology, "an empty path: name a file or a folder");
+      } else {
+        result_.ontologies.push_back(ontology.text);
+      }
+    }
+    if (beacon::is_valid_name(host_name)) result_.name = host_name;
+    read_name("name", result_.name);
+    read_name("group", result_.group);
+  }
+
+  void read_name(std::string_view key, std::string& name) {
+    const Stated* given = single(key);
+    if (given == nullptr) return;
+    if (!beacon::is_valid_name(given->text)) {
+      fail(*given, '\'' + base::printable(given->text) + "' is no name: 1 to " +
+                       std::to_string(beacon::max_name_bytes) +
+                       " octets of UTF-8 without control characters, '/' and ','");
+    }
+    name = given->text;
+  }
+
+  void read_gcnp() {
+    if (stated("gcnp") == nullptr) {
+      result_.gcnp = {{{"127.0.0.1", default_port}, false}, {{"::1", default_port}, true}};
+      return;
+    }
+    const auto& given = list("gcnp", max_addresses);
+    for (const Stated& text : given) {
+      const auto endpoint = env::parse_endpoint(text.text);
+      if (!endpoint) {
+        fail(text, endpoint.error());
+      } else if (!env::is_loopback(endpoint->address)) {
+        fail(text, env::to_string(*endpoint) + " is not on this host alone: GCNP is local, use 127.0.0.1 or [::1]");
+      } else if (std::ranges::none_of(result_.gcnp, [&](const auto& known) { return known.endpoint == *endpoint; })) {
+        result_.gcnp.push_back({*endpoint, false});
+      }
+    }
+    if (given.empty() && errors_.empty()) errors_.emplace_back("gcnp: an empty list: nobody could reach the daemon");
+  }
+
+  void read_air() {
+    env::AirSettings& air = result_.air;
+    air.port = default_port;
+    if (const Stated* port = single("port")) {
+      const auto number = base::parse_number<std::uint16_t>(port->text);
+      if (!number || *number == 0) {
+        fail(*port, '\'' + base::printable(port->text) + "' is no port: use a number from 1 to 65535");
+      } else {
+        air.port = *number;
+      }
+    }
+    air.groups = {"239.192.47.17", "ff02::4717"};
+    if (stated("multicast") != nullptr) read_groups();
+    for (const Stated& name : list("interface", max_values)) {
+      if (name.text.empty() || name.text.size() >= IFNAMSIZ || base::has_control_character(name.text)) {
+        fail(name, '\'' + base::printable(name.text) + "' is no name of an interface: see ip link");
+      } else if (std::ranges::find(air.interfaces, name.text) == air.interfaces.end()) {
+        air.interfaces.push_back(name.text);
+      }
+    }
+    for (const Stated& text : list("peer", env::max_unicast_peers)) {
+      const auto peer = env::parse_host_port(text.text, air.port);
+      if (!peer) {
+        fail(text, peer.error());
+      } else if (env::is_multicast(peer->host)) {
+        fail(text, peer->host + " is a multicast group: use --multicast");
+      } else if (std::ranges::find(air.peers, *peer) == air.peers.end()) {
+        air.peers.push_back(*peer);
+      }
+    }
+  }
+
+  void read_groups() {
+    result_.air.groups.clear();
+    for (const Stated& text : list("multicast", max_addresses)) {
+      const auto group = env::parse_address(text.text);
+      if (!group) {
+        fail(text, group.error());
+      } else if (!env::is_multicast(*group)) {
+        fail(text, *group + " is no multicast group: use one of 239.0.0.0/8 or ff02::/16");
+      } else if (std::ranges::find(result_.air.groups, *group) == result_.air.groups.end()) {
+        result_.air.groups.push_back(*group);
+      }
+    }
+  }
+
+  void read_interval() {
+    const Stated* text = single("interval");
+    if (text == nullptr) return;
+    double seconds = 0;
+    const char* end = text->text.data() + text->text.size();
+    const auto [stop, error] = std::from_chars(text->text.data(), end, seconds, std::chars_format::fixed);
+    const bool is_number = error == std::errc() && stop == end && std::isfinite(seconds);
+    if (!is_number || seconds < std::chrono::duration<double>(beacon::min_interval).count() ||
+        seconds > std::chrono::duration<double>(beacon::max_interval).count()) {
+      fail(*text, '\'' + base::printable(text->text) + "' is no interval: use 0.05 to 60 seconds");
+      return;
+    }
+    result_.interval = std::chrono::milliseconds(std::llround(seconds * 1000));
+  }
+
+  void read_logging() {
+    if (const Stated* level = single("log-level")) {
+      const auto* const found = std::ranges::find(log_levels, level->text, [](const auto& pair) { return pair.first; });
+      if (found == log_levels.end()) {
+        fail(*level, '\'' + base::printable(level->text) + "' is no level: use debug, info, warning or error");
+      } else {
+        result_.log_level = found->second;
+      }
+    }
+    if (const Stated* format = single("log-format")) {
+      if (format->text != "text" && format->text != "json") {
+        fail(*format, '\'' + base::printable(format->text) + "' is no format: use text or json");
+      }
+      result_.log_format = format->text == "json" ? LogFormat::json : LogFormat::text;
+    }
+  }
+
+  const std::vector<const Layer*>& layers_;
+  Configuration result_;
+  std::vector<std::string> errors_;
+};
+
+/// A TOML basic string (TOML 1.0, "String").
+std::string quoted(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto octet = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += c;
+    } else if (octet < 0x20 || octet == 0x7f) {
+      result += "\\u" + base::to_hex(octet, 4);
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+std::string quoted(const std::vector<std::string>& texts) {
+  std::string result = "[";
+  for (const std::string& text : texts) result += (result.size() > 1 ? ", " : "") + quoted(text);
+  return result + ']';
+}
+
+std::string line(std::string_view key, const std::string& value) { return std::string(key) + " = " + value + '\n'; }
+
+}  // namespace
+
+std::expected<Configuration, std::vector<std::string>> resolve(const std::vector<const Layer*>& layers,
+                                                               const std::string& host_name) {
+  return Resolver(layers).resolve(host_name);
+}
+
+std::string_view to_string(base::LogLevel level) {
+  return std::ranges::find(log_levels, level, [](const auto& pair) { return pair.second; })->first;
+}
+
+std::string to_toml(const Configuration& configuration) {
+  std::vector<std::string> gcnp;
+  for (const GcnpAddress& address : configuration.gcnp) gcnp.push_back(env::to_string(address.endpoint));
+  std::vector<std::string> peers;
+  for (const env::HostPort& peer : configuration.air.peers) peers.push_back(env::to_string(peer));
+  const auto milliseconds = std::chrono::duration_cast<std::chrono::milliseconds>(configuration.interval).count();
+  const std::string fraction = std::to_string(1000 + milliseconds % 1000).substr(1);
+  std::string text;
+  text += line("ontology", quoted(configuration.ontologies));
+  text += line("group", quoted(configuration.group));
+  text += line("interface", quoted(configuration.air.interfaces));
+  text += line("peer", quoted(peers));
+  if (!configuration.name.empty()) text += line("name", quoted(configuration.name));
+  text += line("gcnp", quoted(gcnp));
+  text += line("port", std::to_string(configuration.air.port));
+  text += line("multicast", quoted(configuration.air.groups));
+  text += line("interval", std::to_string(milliseconds / 1000) + '.' + fraction);
+  text += line("log-level", quoted(to_string(configuration.log_level)));
+  text += line("log-format", quoted(configuration.log_format == LogFormat::json ? "json" : "text"));
+  return text;
+}
+
+}  // namespace geminga::daemon

@@ -1,0 +1,54 @@
+// The effective configuration of gemingad: flags over environment over file over defaults, checked as a whole.
+#ifndef GEMINGA_DAEMON_CONFIGURATION_HPP
+#define GEMINGA_DAEMON_CONFIGURATION_HPP
+
+#include <cstdint>
+#include <expected>
+#include <string>
+#include <vector>
+
+#include "base/log.hpp"
+#include "base/time.hpp"
+#include "daemon/layer.hpp"
+#include "env/asio/asio_env.hpp"
+
+namespace geminga::daemon {
+
+/// The most values of one key.
+inline constexpr std::size_t max_values = 256;
+/// The most addresses of --gcnp, and of --multicast.
+inline constexpr std::size_t max_addresses = 16;
+
+enum class LogFormat { text, json };
+
+struct GcnpAddress {
+  env::Endpoint endpoint;
+  bool may_be_missing = false;  ///< a default: a host without IPv6 goes on with IPv4
+  friend bool operator==(const GcnpAddress&, const GcnpAddress&) = default;
+};
+
+struct Configuration {
+  std::vector<std::string> ontologies;
+  std::string group = "default";
+  std::string name;
+  std::vector<GcnpAddress> gcnp;
+  env::AirSettings air;
+  base::Duration interval = std::chrono::seconds(2);
+  base::LogLevel log_level = base::LogLevel::info;
+  LogFormat log_format = LogFormat::text;
+  friend bool operator==(const Configuration&, const Configuration&) = default;
+};
+
+/// Puts the layers together, the strongest first. The errors are lines that begin with the place of what is wrong.
+/// `host_name` is the default of --name.
+[[nodiscard]] std::expected<Configuration, std::vector<std::string>> resolve(const std::vector<const Layer*>& layers,
+                                                                             const std::string& host_name);
+
+/// The configuration as a TOML document that configures the same.
+[[nodiscard]] std::string to_toml(const Configuration& configuration);
+
+[[nodiscard]] std::string_view to_string(base::LogLevel level);
+
+}  // namespace geminga::daemon
+
+#endif

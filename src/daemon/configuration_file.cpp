@@ -1,0 +1,118 @@
+#include "daemon/configuration_file.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "base/text.hpp"
+
+#define TOML_EXCEPTIONS 0
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
+
+namespace geminga::daemon {
+namespace {
+
+using Errors = std::vector<std::string>;
+
+std::string place(const std::string& path, const toml::source_region& region) {
+  return path + ':' + std::to_string(region.begin.line);
+}
+
+std::string_view wanted(Kind kind) {
+  switch (kind) {
+    case Kind::text:
+      return "a text in quotes";
+    case Kind::texts:
+      return "a text in quotes, or several in brackets";
+    case Kind::number:
+      return "a whole number";
+    case Kind::seconds:
+      return "a number of seconds";
+  }
+  return "";
+}
+
+/// The value as a flag would write it, or nothing where it has another type.
+std::optional<std::string> as_text(const toml::node& node, Kind kind) {
+  if (kind == Kind::text || kind == Kind::texts) return node.value_exact<std::string>();
+  if (const auto number = node.value_exact<std::int64_t>()) return std::to_string(*number);
+  if (kind == Kind::seconds) {
+    if (const auto seconds = node.value_exact<double>()) {
+      char digits[64];
+      const auto [end, error] = std::to_chars(std::begin(digits), std::end(digits), *seconds);
+      if (error == std::errc()) return std::string(std::begin(digits), end);
+    }
+  }
+  return std::nullopt;
+}
+
+class Reader {
+ public:
+  explicit Reader(std::string path) : path_(std::move(path)) {}
+
+  std::expected<Layer, Errors> read(const toml::table& table) {
+    for (const auto& [name, node] : table) take(std::string(name.str()), name.source(), node);
+    if (!errors_.empty()) return std::unexpected(std::move(errors_));
+    return std::move(layer_);
+  }
+
+ private:
+  void take(const std::string& name, const toml::source_region& region, const toml::node& node) {
+    const Key* key = find_key(name);
+    if (key == nullptr || name == "config") {
+      errors_.push_back(place(path_, region) + ": unknown key '" + base::printable(name) +
+                        "': the keys are the long flags of gemingad --help");
+      return;
+    }
+    auto& values = layer_.values[name];
+    const toml::array* array = node.as_array();
+    if (array != nullptr && key->kind == Kind::texts) {
+      for (const toml::node& element : *array) take_value(*key, element, values);
+    } else {
+      take_value(*key, node, values);
+    }
+  }
+
+  void take_value(const Key& key, const toml::node& node, std::vector<Stated>& values) {
+    auto text = as_text(node, key.kind);
+    const std::string origin = place(path_, node.source());
+    if (!text) {
+      errors_.push_back(origin + ": " + std::string(key.name) + " must be " + std::string(wanted(key.kind)));
+      return;
+    }
+    if (key.name == "ontology" && !text->empty()) {
+      *text = (std::filesystem::path(path_).parent_path() / *text).string();
+    }
+    values.push_back({std::move(*text), origin});
+  }
+
+  std::string path_;
+  Layer layer_;
+  Errors errors_;
+};
+
+}  // namespace
+
+std::expected<Layer, Errors> read_configuration_text(const std::string& text, const std::string& path) {
+  const toml::parse_result parsed = toml::parse(std::string_view(text), std::string_view(path));
+  if (!parsed) {
+    return std::unexpected(
+        Errors{place(path, parsed.error().source()) + ": " + base::printable(parsed.error().description(), 300)});
+  }
+  return Reader(path).read(parsed.table());
+}
+
+std::expected<Layer, Errors> read_configuration_file(const std::string& path) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), &std::fclose);
+  if (!file) return std::unexpected(Errors{path + ": " + std::generic_category().message(errno)});
+  std::string text(max_configuration_bytes + 1, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+  if (std::ferror(file.get()) != 0) return std::unexpected(Errors{path + ": cannot be read: is it a file?"});
+  if (text.size() > max_configuration_bytes) return std::unexpected(Errors{path + ": longer than 1 MiB"});
+  return read_configuration_text(text, path);
+}
+
+}  // namespace geminga::daemon

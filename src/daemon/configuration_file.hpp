@@ -1,0 +1,26 @@
+// The configuration file of gemingad: TOML, with the keys of the flags.
+#ifndef GEMINGA_DAEMON_CONFIGURATION_FILE_HPP
+#define GEMINGA_DAEMON_CONFIGURATION_FILE_HPP
+
+#include <expected>
+#include <string>
+#include <vector>
+
+#include "daemon/layer.hpp"
+
+namespace geminga::daemon {
+
+/// The longest configuration file.
+inline constexpr std::size_t max_configuration_bytes = 1024 * 1024;
+
+/// Reads the file. Unknown keys and values of a wrong type are errors. Paths of ontologies are relative to the file's
+/// folder. The errors are lines that begin with file:line where there is one.
+[[nodiscard]] std::expected<Layer, std::vector<std::string>> read_configuration_file(const std::string& path);
+
+/// The same for a text that stands in for the file of this path.
+[[nodiscard]] std::expected<Layer, std::vector<std::string>> read_configuration_text(const std::string& text,
+                                                                                     const std::string& path);
+
+}  // namespace geminga::daemon
+
+#endif

@@ -1,0 +1,72 @@
+#include "daemon/flags.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <list>
+
+namespace geminga::daemon {
+namespace {
+
+constexpr const char* about =
+    "gemingad finds the services of a robot team: one daemon a host, in the foreground.\n"
+    "Local programs publish and subscribe over GCNP on 127.0.0.1:4717 and [::1]:4717; the team is found by UDP "
+    "multicast.";
+
+constexpr const char* footer =
+    R"(Environment: each flag has a variable, e.g. GEMINGA_ONTOLOGY=a.ttl,b.ttl and GEMINGA_LOG_LEVEL=debug.
+Signals:     SIGHUP reads configuration and ontologies again; SIGTERM and SIGINT say goodbye to the team and end.
+Exit status: 0 ended as asked, 2 wrong usage or configuration.
+
+Examples:
+  gemingad --ontology /usr/share/geminga/ontology/robot-soccer.ttl
+  gemingad --config /etc/geminga.toml --check-config
+  gemingad --interface wlan0 --name robot2 --interval 1
+Two daemons on one host, for a try:
+  gemingad --interface lo --name a --gcnp 127.0.0.1:4717 &
+  gemingad --interface lo --name b --gcnp 127.0.0.1:4718 &)";
+
+}  // namespace
+
+std::expected<Flags, std::string> read_flags(int argc, const char* const* argv) {
+  CLI::App app(about, "gemingad");
+  app.footer(footer);
+  app.get_formatter()->column_width(34);
+  app.set_version_flag("--version", "gemingad " GEMINGA_VERSION, "Print the version and end");
+  Flags flags;
+  app.add_flag("--check-config", flags.is_check_only,
+               "Check configuration and ontologies, print what would hold, and end");
+  std::list<std::pair<const Key*, std::vector<std::string>>> given;  // a list, because CLI11 keeps references
+  for (const Key& key : keys) {
+    auto& [owner, values] = given.emplace_back(&key, std::vector<std::string>{});
+    CLI::Option* option = app.add_option("--" + std::string(key.name), values, std::string(key.help));
+    option->type_size(1)->allow_extra_args(false)->type_name(std::string(key.placeholder));
+    if (key.kind == Kind::texts) {
+      option->expected(1, static_cast<int>(CLI::detail::expected_max_vector_size));
+    } else {
+      option->expected(1);
+    }
+    if (!key.refused.empty()) option->group("");
+    option->multi_option_policy(key.kind == Kind::texts ? CLI::MultiOptionPolicy::TakeAll
+                                                        : CLI::MultiOptionPolicy::Throw);
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    flags.answer = app.help();
+    return flags;
+  } catch (const CLI::CallForVersion&) {
+    flags.answer = "gemingad " GEMINGA_VERSION "\n";
+    return flags;
+  } catch (const CLI::ParseError& error) {
+    return std::unexpected(std::string(error.what()) + ": see gemingad --help");
+  }
+  for (const auto& [key, values] : given) {
+    if (values.empty()) continue;
+    const std::string name(key->name);
+    for (const std::string& value : values) flags.layer.values[name].push_back({value, "--" + name});
+  }
+  return flags;
+}
+
+}  // namespace geminga::daemon

@@ -1,0 +1,76 @@
+// What one source (the flags, the environment, the configuration file) states, with the place where it stands.
+#ifndef GEMINGA_DAEMON_LAYER_HPP
+#define GEMINGA_DAEMON_LAYER_HPP
+
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace geminga::daemon {
+
+enum class Kind {
+  text,
+  texts,   ///< any number of texts; a later source replaces all of them
+  number,  ///< a whole number
+  seconds,
+};
+
+/// One thing that can be configured: the flag `--KEY`, the variable GEMINGA_KEY, and KEY in the file.
+struct Key {
+  std::string_view name;
+  Kind kind;
+  std::string_view placeholder;
+  std::string_view help;
+  std::string_view refused;  ///< not empty: known, not there yet, and why
+};
+
+inline constexpr std::array<Key, 14> keys{{
+    {"ontology", Kind::texts, "FILE-OR-FOLDER",
+     "Ontology to load; a folder means every ontology file in it. May be given many times", ""},
+    {"group", Kind::text, "NAME", "Only participants of the same group see each other (default: default)", ""},
+    {"interface", Kind::texts, "NAME",
+     "Use only this network interface; may be given many times. The loopback is used only when named: --interface lo",
+     ""},
+    {"peer", Kind::texts, "HOST[:PORT]",
+     "Send copies to this host, where multicast does not pass; the other side names us too. May be given many times",
+     ""},
+    {"name", Kind::text, "NAME", "What the team calls this participant (default: the host's name)", ""},
+    {"gcnp", Kind::texts, "ADDRESS:PORT",
+     "Listen for local clients there; may be given many times (default: 127.0.0.1:4717 and [::1]:4717)", ""},
+    {"port", Kind::number, "UDP-PORT", "UDP port of announcements (default: 4717)", ""},
+    {"multicast", Kind::texts, "ADDRESS",
+     "Multicast group of announcements; may be given many times (default: 239.192.47.17 and ff02::4717)", ""},
+    {"interval", Kind::seconds, "SECONDS",
+     "Time between announcements of an unchanged state, 0.05 to 60 (default: 2). Shorter: a lost participant is "
+     "noticed "
+     "sooner. Longer: less traffic",
+     ""},
+    {"key-file", Kind::texts, "FILE", "", "sealed announcements are not there yet: start without it"},
+    {"http", Kind::text, "ADDRESS:PORT", "", "the HTTP side is not there yet: start without it"},
+    {"log-level", Kind::text, "LEVEL", "debug, info, warning or error (default: info)", ""},
+    {"log-format", Kind::text, "FORMAT", "text or json (default: text)", ""},
+    {"config", Kind::text, "FILE", "Configuration file in TOML; a flag beats the environment beats the file", ""},
+}};
+
+/// The key of this name, or null.
+[[nodiscard]] const Key* find_key(std::string_view name);
+
+/// One value and its place: `--port`, `GEMINGA_PORT`, or `team.toml:3`.
+struct Stated {
+  std::string text;
+  std::string origin;
+};
+
+/// What a source states, by key. A key that is there without values states an empty list.
+struct Layer {
+  std::map<std::string, std::vector<Stated>, std::less<>> values;
+};
+
+/// What the variables GEMINGA_... state; lists are separated by commas. `environment` is as main() gets it.
+[[nodiscard]] Layer read_environment(const char* const* environment);
+
+}  // namespace geminga::daemon
+
+#endif

@@ -1,0 +1,32 @@
+// The daemon's log: lines on standard error, as text or as one JSON object each.
+#ifndef GEMINGA_DAEMON_LOG_HPP
+#define GEMINGA_DAEMON_LOG_HPP
+
+#include <memory>
+#include <string_view>
+
+#include "base/log.hpp"
+#include "daemon/configuration.hpp"
+
+namespace geminga::daemon {
+
+class Log final : public base::LogSink {
+ public:
+  Log(base::LogLevel level, LogFormat format);
+  ~Log() override;
+  Log(const Log&) = delete;
+  Log& operator=(const Log&) = delete;
+
+  /// What is less severe than `level` is dropped from now on.
+  void set(base::LogLevel level, LogFormat format);
+  /// A line that cannot be written (a full disk, a closed terminal) is lost; nobody else is to suffer from it.
+  void write(base::LogLevel level, std::string_view line) override;
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace geminga::daemon
+
+#endif

@@ -1,0 +1,73 @@
+// gemingad: reads its configuration, then hands over to Daemon.
+#include <malloc.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <string>
+
+#include "daemon/configuration.hpp"
+#include "daemon/configuration_file.hpp"
+#include "daemon/daemon.hpp"
+#include "daemon/flags.hpp"
+#include "daemon/layer.hpp"
+#include "daemon/log.hpp"
+
+namespace {
+
+using geminga::daemon::Configuration;
+using geminga::daemon::Layer;
+using Errors = std::vector<std::string>;
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  if (::gethostname(name.data(), name.size() - 1) != 0) return "";
+  return name.data();
+}
+
+/// Flags over environment over file.
+std::expected<Configuration, Errors> configure(const Layer& flags, const Layer& environment) {
+  Layer file;
+  for (const Layer* layer : {&flags, &environment}) {
+    const auto path = layer->values.find("config");
+    if (path == layer->values.end()) continue;
+    auto read = geminga::daemon::read_configuration_file(path->second.front().text);
+    if (!read) return std::unexpected(std::move(read.error()));
+    file = std::move(*read);
+    break;
+  }
+  return geminga::daemon::resolve({&flags, &environment, &file}, host_name());
+}
+
+int refuse(const Errors& errors) {
+  for (const std::string& error : errors) std::fprintf(stderr, "gemingad: %s\n", error.c_str());
+  return geminga::daemon::exit_wrong;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ::mallopt(M_ARENA_MAX, 1);
+  std::signal(SIGPIPE, SIG_IGN);
+  const auto flags = geminga::daemon::read_flags(argc, argv);
+  if (!flags) return refuse({flags.error()});
+  if (!flags->answer.empty()) {
+    std::fputs(flags->answer.c_str(), stdout);
+    return geminga::daemon::exit_done;
+  }
+  const Layer environment = geminga::daemon::read_environment(environ);
+  const auto reread = [&] { return configure(flags->layer, environment); };
+  const auto configuration = reread();
+  if (!configuration) return refuse(configuration.error());
+  geminga::daemon::Log log(configuration->log_level, configuration->log_format);
+  geminga::daemon::Daemon daemon(*configuration, reread, log);
+  if (flags->is_check_only) {
+    if (const auto checked = daemon.check(); !checked) return refuse(checked.error());
+    std::fputs(geminga::daemon::to_toml(*configuration).c_str(), stdout);
+    return geminga::daemon::exit_done;
+  }
+  if (const auto served = daemon.run(); !served) return refuse(served.error());
+  return geminga::daemon::exit_done;
+}

@@ -1,0 +1,178 @@
+#include "daemon/ontology_loader.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "base/text.hpp"
+
+namespace geminga::daemon {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view program_name = "geminga-ontology";
+constexpr std::string_view compiled_suffix = ".gmo";
+/// Of what the compiler says, so many lines of so many octets are shown.
+constexpr std::size_t max_lines = 40;
+constexpr std::size_t max_line_bytes = 1000;
+
+std::vector<std::string> lines_of(std::string_view words) {
+  std::vector<std::string> lines;
+  while (!words.empty() && lines.size() < max_lines) {
+    const auto end = std::min(words.find('\n'), words.size());
+    std::string_view line = words.substr(0, end);
+    words.remove_prefix(std::min(end + 1, words.size()));
+    const std::string prefix = std::string(program_name) + ": ";
+    if (line.starts_with(prefix)) line.remove_prefix(prefix.size());
+    if (!line.empty()) lines.push_back(base::printable(line, max_line_bytes));
+  }
+  return lines;
+}
+
+/// A folder of our own that nobody else can look into, removed with all that is in it.
+class PrivateFolder {
+ public:
+  PrivateFolder() = default;
+  PrivateFolder(PrivateFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
+  PrivateFolder& operator=(PrivateFolder&& other) noexcept {
+    std::swap(path_, other.path_);
+    return *this;
+  }
+  ~PrivateFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+
+  /// In XDG_RUNTIME_DIR, TMPDIR or /tmp, whichever is the first that works.
+  static std::optional<PrivateFolder> make() {
+    for (const char* variable : {"XDG_RUNTIME_DIR", "TMPDIR", ""}) {
+      const char* parent = *variable == '\0' ? "/tmp" : std::getenv(variable);
+      if (parent == nullptr || *parent == '\0') continue;
+      std::string path = std::string(parent) + "/gemingad-XXXXXX";
+      if (::mkdtemp(path.data()) == nullptr) continue;
+      PrivateFolder folder;
+      folder.path_ = std::move(path);
+      return folder;
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+bool is_executable(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored) && ::access(path.c_str(), X_OK) == 0;
+}
+
+std::expected<LoadedOntology, std::vector<std::string>> map(const std::string& path, const std::string& shown) {
+  auto mapped = el::Ontology::map(path);
+  if (!mapped) return std::unexpected(std::vector<std::string>{shown + ": " + mapped.error().text});
+  return LoadedOntology{std::make_unique<el::Ontology>(std::move(*mapped)), {}};
+}
+
+}  // namespace
+
+std::string find_compiler() {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  if (const std::string beside = (self.parent_path() / program_name).string(); !error && is_executable(beside))
+    return beside;
+  const char* variable = std::getenv("PATH");
+  std::string_view folders = variable == nullptr ? std::string_view() : variable;
+  while (!folders.empty()) {
+    const auto end = std::min(folders.find(':'), folders.size());
+    const std::string candidate = std::string(folders.substr(0, end)) + '/' + std::string(program_name);
+    if (end > 0 && is_executable(candidate)) return candidate;
+    folders.remove_prefix(std::min(end + 1, folders.size()));
+  }
+  return std::string(program_name);
+}
+
+class OntologyLoader::State {
+ public:
+  State(boost::asio::io_context& context, std::string compiler, ChildLimits limits)
+      : context_(context), compiler_(std::move(compiler)), limits_(limits) {}
+
+  void load(const std::vector<std::string>& files, Done done) {
+    child_.reset();
+    ++generation_;
+    done_ = std::move(done);
+    if (files.empty()) return answer_later(LoadedOntology{});
+    if (files.size() == 1 && files.front().ends_with(compiled_suffix)) {
+      return answer_later(map(files.front(), files.front()));
+    }
+    auto folder = PrivateFolder::make();
+    if (!folder) {
+      return answer_later(failure("no place for the compiled ontology: set TMPDIR to a folder that may be written to"));
+    }
+    folder_ = std::move(*folder);
+    output_ = folder_.path() + "/ontology.gmo";
+    std::vector<std::string> arguments{"compile"};
+    // A path that looks like a flag stays a path.
+    for (const std::string& file : files) arguments.push_back(file.starts_with('-') ? "./" + file : file);
+    arguments.insert(arguments.end(), {"-o", output_});
+    auto started = Child::start(context_, compiler_, arguments, limits_, [this](const ChildEnd& end) { finish(end); });
+    if (!started) return answer_later(failure("cannot start " + compiler_ + ": " + started.error()));
+    child_ = std::move(*started);
+  }
+
+  [[nodiscard]] bool is_loading() const { return static_cast<bool>(done_); }
+
+ private:
+  static std::unexpected<std::vector<std::string>> failure(std::string line) {
+    return std::unexpected(std::vector<std::string>{std::move(line)});
+  }
+
+  void finish(const ChildEnd& end) {
+    std::vector<std::string> lines = lines_of(end.words);
+    if (!end.has_succeeded) {
+      if (lines.empty() || !end.how.starts_with("exit status")) lines.push_back(compiler_ + ": " + end.how);
+      return answer_later(std::unexpected(std::move(lines)));
+    }
+    auto mapped = map(output_, "the compiled ontology");
+    if (mapped) mapped->remarks = std::move(lines);
+    answer_later(std::move(mapped));
+  }
+
+  /// In an event of its own, so that `done` may start the next load.
+  void answer_later(std::expected<LoadedOntology, std::vector<std::string>> result) {
+    folder_ = PrivateFolder();  // what is mapped stays mapped
+    auto kept = std::make_shared<decltype(result)>(std::move(result));
+    boost::asio::post(context_, [this, kept, generation = generation_, alive = std::weak_ptr<int>(alive_)] {
+      if (alive.expired() || generation != generation_) return;
+      child_.reset();
+      std::exchange(done_, nullptr)(std::move(*kept));
+    });
+  }
+
+  boost::asio::io_context& context_;
+  std::string compiler_;
+  ChildLimits limits_;
+  Done done_;
+  PrivateFolder folder_;
+  std::string output_;
+  std::unique_ptr<Child> child_;
+  std::uint64_t generation_ = 0;
+  std::shared_ptr<int> alive_ = std::make_shared<int>(0);
+};
+
+OntologyLoader::OntologyLoader(boost::asio::io_context& context, std::string compiler, ChildLimits limits)
+    : state_(std::make_unique<State>(context, std::move(compiler), limits)) {}
+OntologyLoader::~OntologyLoader() = default;
+void OntologyLoader::load(const std::vector<std::string>& files, Done done) { state_->load(files, std::move(done)); }
+bool OntologyLoader::is_loading() const { return state_->is_loading(); }
+
+}  // namespace geminga::daemon

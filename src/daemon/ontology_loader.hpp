@@ -1,0 +1,49 @@
+// From the team's ontology files to an ontology that the participant can use: compiled by a child, mapped here.
+#ifndef GEMINGA_DAEMON_ONTOLOGY_LOADER_HPP
+#define GEMINGA_DAEMON_ONTOLOGY_LOADER_HPP
+
+#include <expected>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "daemon/child.hpp"
+#include "el/ontology.hpp"
+
+namespace geminga::daemon {
+
+/// What loading has given.
+struct LoadedOntology {
+  std::unique_ptr<el::Ontology> ontology;  ///< null: there are no files
+  std::vector<std::string> remarks;        ///< what the compiler said although it succeeded, a line each
+};
+
+/// Where geminga-ontology is: beside this program, else on PATH; the plain name where it is nowhere.
+[[nodiscard]] std::string find_compiler();
+
+/// Runs `geminga-ontology compile` with bounds, and maps what it wrote. The daemon itself reads no RDF: a hostile file
+/// can hurt only the child. Serves the event loop meanwhile.
+class OntologyLoader {
+ public:
+  /// The errors are lines, with file and line where the compiler gave them; never empty.
+  using Done = std::function<void(std::expected<LoadedOntology, std::vector<std::string>>)>;
+
+  OntologyLoader(boost::asio::io_context& context, std::string compiler, ChildLimits limits = {});
+  ~OntologyLoader();
+  OntologyLoader(const OntologyLoader&) = delete;
+  OntologyLoader& operator=(const OntologyLoader&) = delete;
+
+  /// Loads these files and folders, and calls `done` once from the event loop. A load that is under way is given up,
+  /// and its `done` never called. A single file that ends in `.gmo` is taken as compiled already.
+  void load(const std::vector<std::string>& files, Done done);
+  [[nodiscard]] bool is_loading() const;
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace geminga::daemon
+
+#endif
