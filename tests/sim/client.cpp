@@ -1,0 +1,89 @@
+#include "sim/client.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sim/host.hpp"
+#include "sim/world.hpp"
+
+namespace geminga::sim {
+
+void Client::connect(Host& host) { host.connect(*this); }
+
+void Client::connected(Host& host, env::StreamId stream) {
+  host_ = &host;
+  stream_ = stream;
+  unfinished_.clear();
+  participant_.clear();
+  peer_.clear();
+  views_.clear();
+}
+
+void Client::say(std::string_view line) { send_bytes(std::string(line) + "\r\n"); }
+
+void Client::send_bytes(std::string bytes) {
+  if (host_ != nullptr) host_->from_client(stream_, std::move(bytes));
+}
+
+void Client::hang_up() {
+  if (host_ == nullptr) return;
+  host_->client_closed(stream_);
+  host_ = nullptr;
+}
+
+void Client::connection_lost() {
+  host_ = nullptr;
+  world_.trace(name_, "lost");
+  if (on_lost) on_lost();
+}
+
+void Client::closed_by_host(env::StreamId stream) {
+  if (host_ != nullptr && stream == stream_) connection_lost();
+}
+
+void Client::receive(env::StreamId stream, std::string_view bytes) {
+  if (stream != stream_) return;
+  unfinished_.append(bytes);
+  std::size_t begin = 0;
+  for (std::size_t end = 0; (end = unfinished_.find("\r\n", begin)) != std::string::npos; begin = end + 2) {
+    const std::string line = unfinished_.substr(begin, end - begin);
+    const auto statement = gcnp::parse(line);
+    // An error line ends in free text, which need not be a statement.
+    const gcnp::Statement read = statement ? *statement : gcnp::Statement{};
+    if (statement) check(line, read);
+    if (keeps_lines) lines.push_back(line);
+    if (on_line) on_line(line, read);
+  }
+  unfinished_.erase(0, begin);
+}
+
+void Client::check(std::string_view line, const gcnp::Statement& statement) {
+  if (statement.command == "msg" && statement.subcommand == "hello") {
+    participant_ = statement.value("participant").value_or("");
+    peer_ = statement.value("peer").value_or("");
+  }
+  if (statement.command != "pub" && statement.command != "sub") return;
+  const auto key = statement.value(statement.command == "pub" ? "service" : "subscription");
+  ASSERT_TRUE(key.has_value()) << "an event without its service: " << line;
+  View& view = views_[statement.id];
+  const auto known = view.find(*key);
+  const std::string where = world_.when() + ", client " + name_ + ": " + std::string(line);
+  if (statement.subcommand == "add") {
+    EXPECT_TRUE(known == view.end()) << "told twice. " << where;
+    view.insert_or_assign(std::string(*key), statement);
+  } else if (statement.subcommand == "modify") {
+    EXPECT_TRUE(known != view.end()) << "changed without having been told. " << where;
+    if (known != view.end()) known->second = statement;
+  } else {
+    EXPECT_EQ(statement.subcommand, "del") << where;
+    EXPECT_TRUE(known != view.end()) << "gone without having been told. " << where;
+    if (known != view.end()) view.erase(known);
+  }
+}
+
+const Client::View& Client::view(std::uint32_t request) const {
+  static const View nothing;
+  const auto found = views_.find(request);
+  return found == views_.end() ? nothing : found->second;
+}
+
+}  // namespace geminga::sim

@@ -1,0 +1,168 @@
+#include "sim/host.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace geminga::sim {
+
+/// Enters the daemon's words into the trace: they must not depend on chance either.
+class Host::Log final : public base::LogSink {
+ public:
+  Log(World& world, const std::string& who) : world_(world), who_(who) {}
+  void write(base::LogLevel, std::string_view line) override { world_.trace(who_, line); }
+
+ private:
+  World& world_;
+  const std::string& who_;
+};
+
+Host::Host(World& world, std::string name, std::uint32_t number, std::uint64_t seed)
+    : world_(world),
+      name_(std::move(name)),
+      number_(number),
+      random_(seed),
+      clock_offset_(random_.between(std::chrono::seconds(1), std::chrono::hours(1000))),
+      log_(std::make_unique<Log>(world_, name_)) {
+  settings.name = name_;
+}
+
+Host::~Host() { drop_clients(); }
+
+void Host::switch_on() {
+  ++life_;
+  is_stopping_ = false;
+  world_.trace(name_, "on");
+  participant_ = std::make_unique<participant::Participant>(*this, settings, ontology);
+  participant_->start();
+}
+
+void Host::crash() {
+  if (!is_on()) return;
+  ++life_;
+  ++timer_;
+  world_.trace(name_, "crash");
+  participant_.reset();
+  drop_clients();
+}
+
+void Host::stop() {
+  if (!is_on()) return;
+  world_.trace(name_, "stop");
+  is_stopping_ = true;
+  participant_->stop();
+  end_of_event();
+}
+
+void Host::end_of_event() {
+  if (!is_stopping_ || participant_ == nullptr || !participant_->is_stopped()) return;
+  ++life_;
+  ++timer_;
+  participant_.reset();
+  drop_clients();
+}
+
+void Host::drop_clients() {
+  for (const auto& [stream, client] : std::exchange(streams_, {})) client->connection_lost();
+}
+
+void Host::attach(const std::string& interface, std::uint32_t segment, bool is_loopback) {
+  const auto index = env::InterfaceIndex(is_loopback ? 1 : next_interface_++);
+  const std::string tail = std::to_string(number_);
+  const std::string ipv4 = is_loopback ? "127.0.0.1" : "10.0." + std::to_string(segment) + "." + tail;
+  ports_.push_back(Port{.index = index, .segment = segment, .address = ipv4});
+  interfaces_.push_back(env::Interface{.index = index,
+                                       .name = interface,
+                                       .addresses = {ipv4, is_loopback ? "::1" : "fe80::" + tail},
+                                       .is_loopback = is_loopback});
+  std::ranges::sort(interfaces_, {}, &env::Interface::index);
+  if (is_on()) participant_->on_interfaces_changed();
+}
+
+void Host::detach(const std::string& interface) {
+  const auto found = std::ranges::find(interfaces_, interface, &env::Interface::name);
+  if (found == interfaces_.end()) return;
+  std::erase_if(ports_, [&](const Port& port) { return port.index == found->index; });
+  interfaces_.erase(found);
+  if (is_on()) participant_->on_interfaces_changed();
+}
+
+const Host::Port* Host::port(env::InterfaceIndex index) const {
+  const auto found = std::ranges::find(ports_, index, &Port::index);
+  return found == ports_.end() ? nullptr : &*found;
+}
+
+void Host::receive(env::InterfaceIndex interface, const std::string& source, std::string_view datagram) {
+  if (!is_on() || port(interface) == nullptr) return;
+  participant_->on_datagram(interface, source, std::as_bytes(std::span(datagram)));
+  end_of_event();
+}
+
+void Host::connect(Client& client) {
+  const auto stream = env::StreamId(next_stream_++);
+  client.connected(*this, stream);
+  if (!is_on()) {
+    client.connection_lost();
+    return;
+  }
+  streams_.emplace(stream, &client);
+  participant_->on_stream_opened(stream);
+}
+
+void Host::from_client(env::StreamId stream, std::string bytes) {
+  world_.after(base::Duration(0), [this, stream, bytes = std::move(bytes), life = life_] {
+    if (life != life_ || !streams_.contains(stream)) return;
+    participant_->on_stream_bytes(stream, bytes);
+    end_of_event();
+  });
+}
+
+void Host::client_closed(env::StreamId stream) {
+  world_.after(base::Duration(0), [this, stream, life = life_] {
+    if (life != life_ || streams_.erase(stream) == 0) return;
+    participant_->on_stream_closed(stream);
+    end_of_event();
+  });
+}
+
+base::Instant Host::now() const { return world_.now() + clock_offset_; }
+
+void Host::wake_at(base::Instant instant) {
+  const std::uint64_t timer = ++timer_;
+  if (instant == base::never) return;
+  world_.at(instant - clock_offset_, [this, timer, life = life_] {
+    if (timer != timer_ || life != life_ || !is_on()) return;
+    participant_->on_timer();
+    end_of_event();
+  });
+}
+
+std::uint64_t Host::random_bits() {
+  if (forced_bits.empty()) return random_.next();
+  const std::uint64_t bits = forced_bits.front();
+  forced_bits.erase(forced_bits.begin());
+  return bits;
+}
+
+void Host::send(env::InterfaceIndex interface, std::span<const std::byte> datagram) {
+  world_.transmit(*this, interface, std::string_view(reinterpret_cast<const char*>(datagram.data()), datagram.size()));
+}
+
+void Host::write(env::StreamId stream, std::string_view bytes) {
+  const auto found = streams_.find(stream);
+  if (found == streams_.end()) return;
+  world_.trace(name_, bytes);
+  // Through the queue, so that what a client does about a line is an event of its own.
+  world_.after(base::Duration(0),
+               [client = found->second, stream, text = std::string(bytes)] { client->receive(stream, text); });
+}
+
+void Host::close(env::StreamId stream) {
+  const auto found = streams_.find(stream);
+  if (found == streams_.end()) return;
+  world_.after(base::Duration(0), [client = found->second, stream] { client->closed_by_host(stream); });
+  streams_.erase(found);
+}
+
+base::LogSink& Host::log() { return *log_; }
+
+}  // namespace geminga::sim

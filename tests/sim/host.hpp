@@ -1,0 +1,102 @@
+// One host of the simulated world: the Env of a participant that can be switched on, crashed and switched on again.
+#ifndef GEMINGA_SIM_HOST_HPP
+#define GEMINGA_SIM_HOST_HPP
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "env/env.hpp"
+#include "participant/participant.hpp"
+#include "sim/client.hpp"
+#include "sim/world.hpp"
+
+namespace geminga::sim {
+
+/// Its clock runs from another zero than everybody else's, as monotonic clocks do.
+class Host final : public env::Env {
+ public:
+  /// One interface: on which network it is, and under which address.
+  struct Port {
+    env::InterfaceIndex index{};
+    std::uint32_t segment = 0;
+    std::string address;
+  };
+
+  Host(World& world, std::string name, std::uint32_t number, std::uint64_t seed);
+  ~Host() override;
+
+  /// Settings of the next participant that is switched on; its name is the host's until changed.
+  participant::Settings settings;
+  const el::Ontology* ontology = nullptr;
+  /// The identifiers that random_bits() gives first, to bring about a clash.
+  std::vector<std::uint64_t> forced_bits;
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] World& world() { return world_; }
+  [[nodiscard]] std::uint32_t number() const { return number_; }
+
+  /// Constructs and starts a participant.
+  void switch_on();
+  /// The host vanishes: nothing is said, clients see their connections end.
+  void crash();
+  /// The participant is asked to stop, and is destroyed when it has.
+  void stop();
+  [[nodiscard]] bool is_on() const { return participant_ != nullptr; }
+  [[nodiscard]] participant::Participant& participant() { return *participant_; }
+  /// Counts the times it was switched on or off, so that what was meant for an earlier life does not reach a later one.
+  [[nodiscard]] std::uint64_t life() const { return life_; }
+
+  void attach(const std::string& interface, std::uint32_t segment, bool is_loopback = false);
+  void detach(const std::string& interface);
+  [[nodiscard]] const std::vector<Port>& ports() const { return ports_; }
+  [[nodiscard]] const Port* port(env::InterfaceIndex index) const;
+  void receive(env::InterfaceIndex interface, const std::string& source, std::string_view datagram);
+  /// Hosts hear each other only where their island is the same number.
+  void set_island(int island) { island_ = island; }
+  [[nodiscard]] int island() const { return island_; }
+
+  /// Connects a client to the participant that is running; the client may outlive it.
+  void connect(Client& client);
+  /// The client's side of a connection.
+  void from_client(env::StreamId stream, std::string bytes);
+  void client_closed(env::StreamId stream);
+
+  [[nodiscard]] base::Instant now() const override;
+  void wake_at(base::Instant instant) override;
+  [[nodiscard]] std::uint64_t random_bits() override;
+  [[nodiscard]] const std::vector<env::Interface>& interfaces() const override { return interfaces_; }
+  void send(env::InterfaceIndex interface, std::span<const std::byte> datagram) override;
+  void write(env::StreamId stream, std::string_view bytes) override;
+  void close(env::StreamId stream) override;
+  [[nodiscard]] base::LogSink& log() override;
+
+ private:
+  class Log;
+
+  void end_of_event();
+  void drop_clients();
+
+  World& world_;
+  std::string name_;
+  std::uint32_t number_;
+  base::Random random_;
+  base::Duration clock_offset_;
+  std::unique_ptr<Log> log_;
+  std::unique_ptr<participant::Participant> participant_;
+  bool is_stopping_ = false;
+  std::uint64_t life_ = 0;
+  std::uint64_t timer_ = 0;
+  std::uint64_t next_stream_ = 1;
+  std::uint32_t next_interface_ = 2;
+  int island_ = 0;
+  std::vector<Port> ports_;
+  std::vector<env::Interface> interfaces_;
+  std::map<env::StreamId, Client*> streams_;
+};
+
+}  // namespace geminga::sim
+
+#endif

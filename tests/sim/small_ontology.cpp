@@ -1,0 +1,72 @@
+#include "sim/small_ontology.hpp"
+
+#include <string>
+
+#include "base/assert.hpp"
+#include "el/classify.hpp"
+#include "el/compile.hpp"
+#include "el/source.hpp"
+
+namespace geminga::sim {
+namespace {
+
+constexpr std::string_view soccer = "https://geminga.example/soccer#";
+
+/// Writes axioms over names under `soccer:`; each stands on a line of its own, in the order of the calls.
+class Writer {
+ public:
+  Writer() : file_(source_.add_file("small.ttl", "https://geminga.example/small")) {
+    source_.add_prefix("soccer", soccer);
+    source_.add_prefix("owl", "http://www.w3.org/2002/07/owl#");
+  }
+  void sub(const char* sub, const char* super) {
+    source_.add(el::AxiomKind::sub_class_of, {named(sub), named(super)}, file_, ++line_);
+  }
+  void equivalent(const char* a, const char* b) {
+    source_.add(el::AxiomKind::equivalent_classes, {named(a), named(b)}, file_, ++line_);
+  }
+  void unsatisfiable(const char* name) {
+    source_.add(el::AxiomKind::sub_class_of, {named(name), source_.named_class(el::owl_nothing)}, file_, ++line_);
+  }
+  void label(const char* name, const char* text) { source_.add_label(std::string(soccer) + name, text); }
+  [[nodiscard]] el::Ontology finish() const {
+    const auto classification = el::classify(source_);
+    GEMINGA_ASSERT(classification.has_value());
+    auto ontology = el::Ontology::from_bytes(el::compile(source_, *classification));
+    GEMINGA_ASSERT(ontology.has_value());
+    return std::move(*ontology);
+  }
+
+ private:
+  el::TermId named(const char* name) { return source_.named_class(std::string(soccer) + name); }
+  el::OntologySource source_;
+  el::FileId file_;
+  std::uint32_t line_ = 0;
+};
+
+el::Ontology make(bool has_ball) {
+  Writer writer;
+  writer.sub("TrackedObject", "Information");
+  writer.sub("Opponent", "TrackedObject");
+  if (has_ball) {
+    writer.sub("Ball", "TrackedObject");
+    writer.sub("OrangeBall", "Ball");
+    writer.equivalent("Sphere", "Ball");
+    writer.unsatisfiable("SquareBall");
+    writer.label("OrangeBall", "the orange ball");
+  }
+  writer.sub("CartesianFrame", "Frame");
+  writer.sub("PolarFrame", "Frame");
+  return writer.finish();
+}
+
+}  // namespace
+
+const el::Ontology* small_ontology(std::string_view name) {
+  static const el::Ontology whole = make(true);
+  static const el::Ontology without_ball = make(false);
+  if (name == "soccer") return &whole;
+  return name == "ballless" ? &without_ball : nullptr;
+}
+
+}  // namespace geminga::sim

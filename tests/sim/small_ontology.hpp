@@ -1,0 +1,17 @@
+// Small ontologies that are made in memory, for tests that need names and subsumption but no files.
+#ifndef GEMINGA_SIM_SMALL_ONTOLOGY_HPP
+#define GEMINGA_SIM_SMALL_ONTOLOGY_HPP
+
+#include <string_view>
+
+#include "el/ontology.hpp"
+
+namespace geminga::sim {
+
+/// `soccer` (see small_ontology.cpp for its classes), or `ballless`: the same without soccer:Ball and everything below.
+/// Each lives as long as the program, so that a participant can borrow it. Null for `none`.
+[[nodiscard]] const el::Ontology* small_ontology(std::string_view name);
+
+}  // namespace geminga::sim
+
+#endif
