@@ -49,7 +49,9 @@ class Client {
 
   /// The view of the request with this id on the present connection.
   [[nodiscard]] const View& view(std::uint32_t request) const;
-  /// From the answer to hello; empty before it.
+  /// For a request that was taken back: nothing is told about its end.
+  void forget_view(std::uint32_t request) { views_.erase(request); }
+  /// From the last answer to hello; empty before it.
   [[nodiscard]] const std::string& participant() const { return participant_; }
   [[nodiscard]] const std::string& peer() const { return peer_; }
 

@@ -26,7 +26,7 @@ Host::Host(World& world, std::string name, std::uint32_t number, std::uint64_t s
   settings.name = name_;
 }
 
-Host::~Host() { drop_clients(); }
+Host::~Host() = default;
 
 void Host::switch_on() {
   ++life_;

@@ -49,6 +49,9 @@ class Host final : public env::Env {
   /// Counts the times it was switched on or off, so that what was meant for an earlier life does not reach a later one.
   [[nodiscard]] std::uint64_t life() const { return life_; }
 
+  /// A port that nobody else on this host has been given.
+  [[nodiscard]] std::uint16_t take_port() { return next_port_++; }
+
   void attach(const std::string& interface, std::uint32_t segment, bool is_loopback = false);
   void detach(const std::string& interface);
   [[nodiscard]] const std::vector<Port>& ports() const { return ports_; }
@@ -89,6 +92,7 @@ class Host final : public env::Env {
   bool is_stopping_ = false;
   std::uint64_t life_ = 0;
   std::uint64_t timer_ = 0;
+  std::uint16_t next_port_ = 5000;
   std::uint64_t next_stream_ = 1;
   std::uint32_t next_interface_ = 2;
   int island_ = 0;
