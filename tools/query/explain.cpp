@@ -1,0 +1,79 @@
+// geminga-query explain: whether one concept is subsumed by another, and the axioms that say so.
+#include <boost/json/array.hpp>
+#include <boost/json/object.hpp>
+#include <iostream>
+#include <memory>
+
+#include "query/command.hpp"
+#include "query/listing.hpp"
+#include "shell/json.hpp"
+#include "shell/report.hpp"
+
+namespace geminga::query {
+namespace {
+
+struct Names {
+  std::string sub;
+  std::string super;
+};
+
+void print_json(const Names& names, const Answer& answer, bool is_subsumed) {
+  shell::print(std::cout, boost::json::object{{"sub", names.sub},
+                                              {"super", names.super},
+                                              {"subsumed", is_subsumed},
+                                              {"axioms", shell::to_json(answer.records)}});
+}
+
+void print_words(const Context& context, const Names& names, const Answer& answer, bool is_subsumed) {
+  const std::string sub = shell::printable(names.sub);
+  const std::string super = shell::printable(names.super);
+  if (!is_subsumed) {
+    std::cout << coloured(context.terminal, shell::Colour::red, "no") << ": " << sub << " is not subsumed by " << super
+              << '\n';
+    return;
+  }
+  std::cout << coloured(context.terminal, shell::Colour::green, "yes") << ": " << sub << " is subsumed by " << super;
+  if (answer.records.empty()) {
+    std::cout << ", without any axiom\n";
+    return;
+  }
+  std::cout << ", because\n";
+  std::size_t widest = 0;
+  for (const auto& record : answer.records) {
+    widest = std::max(widest, shell::width(shell::printable(record["axiom"])));
+  }
+  for (const auto& record : answer.records) {
+    const std::string axiom = shell::printable(record["axiom"]);
+    const std::string place = shell::printable(std::string(record["file"]) + ':' + std::string(record["line"]));
+    std::cout << "  " << axiom << std::string(widest - shell::width(axiom) + 2, ' ')
+              << coloured(context.terminal, shell::Colour::dim, place) << '\n';
+  }
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, Run& selected) {
+  CLI::App* command = app.add_subcommand("explain", "Whether SUB is subsumed by SUPER, and the axioms that say so");
+  const auto names = std::make_shared<Names>();
+  command->add_option("SUB", names->sub, "prefix:Name, <IRI> or a label")->required();
+  command->add_option("SUPER", names->super, "prefix:Name, <IRI> or a label")->required();
+  command->footer(
+      "Example: geminga-query explain soccer:SharedBallInfo soccer:TrackedObject\n"
+      "Exit status 0: it is; 1: it is not; 2: a name is unknown.");
+  command->callback([names, &selected] {
+    selected = [names](const Context& context, Client& client) {
+      if (refuses_watch(context, "explain")) return shell::ExitStatus::wrong_use;
+      const auto answer = client.query("explain", {{"sub", names->sub}, {"super", names->super}});
+      if (!answer) return shell::report(program, answer.error());
+      const bool is_subsumed = answer->end["subsumed"] == "1";
+      if (context.common.is_json) {
+        print_json(*names, *answer, is_subsumed);
+      } else {
+        print_words(context, *names, *answer, is_subsumed);
+      }
+      return is_subsumed ? shell::ExitStatus::found : shell::ExitStatus::nothing;
+    };
+  });
+}
+
+}  // namespace geminga::query

@@ -1,0 +1,54 @@
+// geminga-query: asks the local daemon what it knows.
+#include <CLI/CLI.hpp>
+#include <array>
+#include <string>
+
+#include "query/command.hpp"
+#include "shell/report.hpp"
+
+namespace geminga::query {
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  geminga-query participants
+  geminga-query services mode=otm/stream
+  geminga-query requests --unmatched
+  geminga-query match soccer:TrackedObject --limit 3
+  geminga-query explain soccer:SharedBallInfo soccer:TrackedObject
+  geminga-query --watch --json services
+  geminga-query --connect 127.0.0.1:4718 status
+
+Exit status: 0 found, 1 nothing found or the answer is no, 2 wrong usage (also a name that the ontology does not know),
+3 the daemon cannot be reached, 4 timed out.)";
+
+int run(int argc, char** argv) {
+  CLI::App app("Asks the local Geminga daemon: who is there, what is offered and asked for, what matches, and why.",
+               std::string(program));
+  app.footer(examples);
+  app.require_subcommand(1);
+  app.fallthrough();
+  Context context;
+  Run selected;
+  context.common.add_to(app, "How long to wait for the daemon (5 unless told)");
+  app.add_flag("--watch", context.is_watching,
+               "Print what is there and then every change, until Ctrl-C or the daemon's end (exit status 3)");
+  for (const auto add : std::array{add_participants, add_services, add_requests, add_match, add_explain, add_why,
+                                   add_ontology, add_status}) {
+    add(app, selected);
+  }
+  if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
+
+  context.terminal = shell::Terminal::of_standard_output();
+  ClientOptions options;
+  options.connect = context.common.connect;
+  options.name = program;
+  options.timeout = context.common.timeout_or(std::chrono::seconds(5));
+  auto client = Client::connect(options);
+  if (!client) return static_cast<int>(shell::report(program, client.error()));
+  return static_cast<int>(selected(context, *client));
+}
+
+}  // namespace
+}  // namespace geminga::query
+
+int main(int argc, char** argv) { return geminga::query::run(argc, argv); }

@@ -1,0 +1,99 @@
+// geminga-query match: who could serve an identity, best first.
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "query/command.hpp"
+#include "query/listing.hpp"
+#include "query/services.hpp"
+#include "shell/describe.hpp"
+
+namespace geminga::query {
+namespace {
+
+struct Flags {
+  std::string concept_name;
+  shell::IdentityOptions identity;
+  std::optional<ChannelMode> mode;
+  Degree degree = Degree::narrower;
+  std::string where;
+  std::vector<std::string> providers;
+  std::uint32_t limit = 0;
+};
+
+shell::Table table(const std::vector<Record>& records) {
+  shell::Table shown({{"DEGREE"},
+                      {"DISTANCE", true},
+                      {"PROVIDER", false, 10},
+                      {"IDENTITY", false, 24},
+                      {"MODE"},
+                      {"ADDRESS"},
+                      {"PRIO", true},
+                      {"AGE", true},
+                      {"SERVICE"},
+                      {"ATTRIBUTES", false, 10}});
+  for (const auto& record : records) {
+    const auto priority = record["priority"] == "0" ? "" : std::string(record["priority"]);
+    shown.add({std::string(record["degree"]), std::string(record["distance"]),
+               shell::who(record["provider"], record["name"], record["participant_name"]),
+               shell::identity_words(record), std::string(record["mode"]),
+               shell::place(record["address"], record["port"]), priority, shell::duration_words(record["age"]),
+               std::string(record["service"]), shell::attribute_words(record.attributes)});
+  }
+  return shown;
+}
+
+Listing listing_of(const Flags& flags) {
+  Listing listing{"match",
+                  {},
+                  {},
+                  "service",
+                  table,
+                  service_line,
+                  "nothing matches: see geminga-query services for what is offered, and try --degree broader"};
+  auto& parameters = listing.parameters;
+  const auto identity = flags.identity.identity(flags.concept_name);
+  if (identity) {
+    if (const auto* number = std::get_if<NumericIdentity>(&*identity)) {
+      parameters.emplace_back("id", std::to_string(number->number));
+    } else if (const auto* text = std::get_if<TextIdentity>(&*identity)) {
+      parameters.emplace_back("text", text->text);
+    } else {
+      const auto& names = std::get<ConceptNames>(*identity);
+      parameters.emplace_back("concept", names.concept_name);
+      if (!names.representation_name.empty()) parameters.emplace_back("representation", names.representation_name);
+    }
+  }
+  if (flags.degree != Degree::narrower) parameters.emplace_back("degree", to_string(flags.degree));
+  if (flags.mode) parameters.emplace_back("mode", to_string(*flags.mode));
+  if (!flags.where.empty()) parameters.emplace_back("where", flags.where);
+  if (!flags.providers.empty()) parameters.emplace_back("provider", CLI::detail::join(flags.providers, ","));
+  if (flags.limit != 0) parameters.emplace_back("limit", std::to_string(flags.limit));
+  return listing;
+}
+
+}  // namespace
+
+void add_match(CLI::App& app, Run& selected) {
+  CLI::App* command = app.add_subcommand("match", "The publications that match an identity, best first");
+  const auto flags = std::make_shared<Flags>();
+  command->add_option("CONCEPT", flags->concept_name,
+                      "prefix:Name, <IRI> or a label; with --id or --text left out; without any, everything is listed");
+  flags->identity.add_to(*command);
+  shell::add_degree(*command, flags->degree);
+  shell::add_mode(*command, flags->mode, "Only this channel mode");
+  command->add_option("--where", flags->where, "Only services whose attributes fit")->type_name("EXPRESSION");
+  command->add_option("--provider", flags->providers, "Only these providers")->type_name("PARTICIPANT[/PEER]")->allow_extra_args(false);
+  command->add_option("--limit", flags->limit, "At most this many, the best")->type_name("N");
+  command->footer(
+      "Examples:\n  geminga-query match soccer:TrackedObject\n"
+      "  geminga-query match soccer:BallInfo --representation soccer:CartesianFieldFrame --mode otm/stream\n"
+      "  geminga-query match --id 0x30242948\n  geminga-query match soccer:BallInfo --where 'rate >= 30' --limit 1");
+  command->callback([flags, &selected] {
+    auto listing = listing_of(*flags);  // throws where the identity is not one
+    selected = [listing = std::move(listing)](const Context& context, Client& client) {
+      return show(context, client, listing);
+    };
+  });
+}
+
+}  // namespace geminga::query

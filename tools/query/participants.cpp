@@ -1,0 +1,57 @@
+// geminga-query participants: everybody who is known.
+#include <memory>
+
+#include "query/command.hpp"
+#include "query/listing.hpp"
+#include "shell/describe.hpp"
+
+namespace geminga::query {
+namespace {
+
+shell::Table table(const std::vector<Record>& records) {
+  shell::Table shown({{"ID"},
+                      {"NAME", false, 8},
+                      {"ADDRESSES", false, 15},
+                      {"HEARD", true},
+                      {"INTERVAL", true},
+                      {"LOSS", true},
+                      {"PUBS", true},
+                      {"SUBS", true},
+                      {"ONTOLOGY"},
+                      {""}});
+  for (const auto& record : records) {
+    const bool is_self = record["self"] == "1";
+    std::string loss(record["loss"]);
+    if (!loss.empty()) {
+      const double share = std::strtod(loss.c_str(), nullptr);
+      loss = std::to_string(static_cast<int>(share * 100 + 0.5)) + " %";
+    }
+    shown.add({std::string(record["id"]), std::string(record["name"]), std::string(record["addresses"]),
+               is_self ? "" : shell::duration_words(record["heard"]), shell::duration_words(record["interval"]),
+               is_self ? "" : loss, std::string(record["publications"]), std::string(record["subscriptions"]),
+               std::string(record["ontology"]), is_self ? "(this host)" : " "});
+  }
+  return shown;
+}
+
+std::string line(const Record& record) {
+  return std::string(record["id"]) + "  " + std::string(record["name"]) + "  " + std::string(record["addresses"]) +
+         "  " + std::string(record["publications"]) + " publications, " + std::string(record["subscriptions"]) +
+         " subscriptions";
+}
+
+}  // namespace
+
+void add_participants(CLI::App& app, Run& selected) {
+  CLI::App* command = app.add_subcommand("participants", "Every known participant");
+  command->footer("Example: geminga-query participants");
+  command->callback([&selected] {
+    selected = [](const Context& context, Client& client) {
+      const Listing listing{
+          "participants", {}, {}, "id", table, line, "no participant is known: is the daemon still starting?"};
+      return show(context, client, listing);
+    };
+  });
+}
+
+}  // namespace geminga::query

@@ -1,0 +1,74 @@
+// geminga-query requests: every known subscription, or what is missing and what is left over.
+#include <memory>
+
+#include "query/command.hpp"
+#include "query/filter.hpp"
+#include "query/services.hpp"
+#include "shell/describe.hpp"
+
+namespace geminga::query {
+namespace {
+
+struct Flags {
+  std::vector<std::string> words;
+  bool unmatched = false;
+  bool unused = false;
+};
+
+shell::Table table(const std::vector<Record>& records) {
+  shell::Table shown({{"CONSUMER", false, 10},
+                      {"IDENTITY", false, 24},
+                      {"MATCH"},
+                      {"MODE"},
+                      {"SERVED"},
+                      {"PROVIDERS", false, 10},
+                      {"WHERE", false, 10},
+                      {"LIMIT", true},
+                      {"AGE", true},
+                      {"REQUEST"}});
+  for (const auto& record : records) {
+    const auto limit = record["limit"] == "0" ? "" : std::string(record["limit"]);
+    shown.add({shell::who(record["consumer"], record["name"], record["participant_name"]),
+               shell::identity_words(record), std::string(record["match"]), std::string(record["mode"]),
+               record["served"] == "1" ? "yes" : "no", std::string(record["provider"]), std::string(record["where"]),
+               limit, shell::duration_words(record["age"]), std::string(record["subscription"])});
+  }
+  return shown;
+}
+
+Listing listing_of(const Flags& flags) {
+  Filter filter = read_filter(flags.words);
+  if (flags.unused) {
+    filter.parameters.emplace_back("unused", "1");
+    auto listing = services_listing(std::move(filter.parameters), std::move(filter.keeps));
+    listing.nothing = "no service is unused: each has somebody who asks for it";
+    return listing;
+  }
+  if (flags.unmatched) filter.parameters.emplace_back("unmatched", "1");
+  return {"requests",
+          std::move(filter.parameters),
+          std::move(filter.keeps),
+          "subscription",
+          table,
+          service_line,
+          flags.unmatched ? "no such request is unmatched: each has somebody who serves it"
+                          : "no such request is known: see geminga-query participants for who is heard at all"};
+}
+
+}  // namespace
+
+void add_requests(CLI::App& app, Run& selected) {
+  CLI::App* command = app.add_subcommand("requests", "Every known subscription");
+  const auto flags = std::make_shared<Flags>();
+  command->add_option("FILTER", flags->words, filter_meaning);
+  CLI::Option* unmatched = command->add_flag("--unmatched", flags->unmatched, "Only those that nobody serves");
+  command->add_flag("--unused", flags->unused, "Instead, the publications that nobody asks for")->excludes(unmatched);
+  command->footer(
+      "Examples:\n  geminga-query requests\n  geminga-query requests --unmatched\n  geminga-query requests --unused "
+      "robot2");
+  command->callback([flags, &selected] {
+    selected = [flags](const Context& context, Client& client) { return show(context, client, listing_of(*flags)); };
+  });
+}
+
+}  // namespace geminga::query

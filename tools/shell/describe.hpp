@@ -1,0 +1,35 @@
+// Services and their parts in words, the same in every table and line.
+#ifndef GEMINGA_SHELL_DESCRIBE_HPP
+#define GEMINGA_SHELL_DESCRIBE_HPP
+
+#include <string>
+#include <string_view>
+
+#include "geminga/client.hpp"
+#include "geminga/event.hpp"
+#include "geminga/named.hpp"
+#include "geminga/service.hpp"
+
+namespace geminga::shell {
+
+/// `vision@robot2`; without a peer's name `3@robot2`, from the word PARTICIPANT/PEER; without a participant's name its
+/// id.
+[[nodiscard]] std::string who(std::string_view peer_word, std::string_view peer_name,
+                              std::string_view participant_name);
+/// `soccer:BallInfo in soccer:FieldFrame`, `4711`, `"text"`
+[[nodiscard]] std::string identity_words(const NamedIdentity& identity);
+[[nodiscard]] std::string identity_words(const Record& record);
+/// `10.0.0.2:5000`, `[fe80::1]:5000`, `:5000` where no address is known, or nothing
+[[nodiscard]] std::string place(std::string_view address, std::string_view port);
+/// `frame=map rate=30`
+[[nodiscard]] std::string attribute_words(const Attributes& attributes);
+/// `0.4 s`, `3 min`, from seconds
+[[nodiscard]] std::string duration_words(std::string_view seconds);
+
+/// One line of an event, e.g. `+ vision@robot2  soccer:BallInfo  narrower 1  otm/stream  10.0.0.2:5000`.
+[[nodiscard]] std::string line_of(const ServiceEvent& event);
+[[nodiscard]] std::string line_of(const ConsumerEvent& event);
+
+}  // namespace geminga::shell
+
+#endif

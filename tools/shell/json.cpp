@@ -1,0 +1,201 @@
+#include "shell/json.hpp"
+
+#include <utf8.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/json/serialize.hpp>
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace geminga::shell {
+namespace {
+
+namespace json = boost::json;
+
+constexpr std::array<std::string_view, 31> number_keys{"id",
+                                                       "port",
+                                                       "priority",
+                                                       "distance",
+                                                       "age",
+                                                       "heard",
+                                                       "interval",
+                                                       "loss",
+                                                       "limit",
+                                                       "publications",
+                                                       "subscriptions",
+                                                       "statements",
+                                                       "line",
+                                                       "classes",
+                                                       "count",
+                                                       "uptime",
+                                                       "peers",
+                                                       "participants",
+                                                       "errors",
+                                                       "events",
+                                                       "sent",
+                                                       "received",
+                                                       "clashes",
+                                                       "local_publications",
+                                                       "bytes_sent",
+                                                       "left_out",
+                                                       "datagrams_sent",
+                                                       "datagrams_received",
+                                                       "bytes_received",
+                                                       "local_subscriptions",
+                                                       "peer"};
+constexpr std::array<std::string_view, 8> flag_keys{"self", "local",  "used",    "served",
+                                                    "ok",   "loaded", "matches", "subsumed"};
+constexpr std::array<std::string_view, 1> list_keys{"addresses"};
+
+template <typename Keys>
+bool contains(const Keys& keys, std::string_view key) {
+  return std::ranges::find(keys, key) != keys.end();
+}
+
+/// The number that the whole text is, or nothing.
+std::optional<json::value> number(std::string_view text) {
+  const char* const end = text.data() + text.size();
+  std::int64_t whole = 0;
+  if (const auto read = std::from_chars(text.data(), end, whole); read.ec == std::errc() && read.ptr == end) {
+    return json::value(whole);
+  }
+  double real = 0;
+  if (text.find_first_not_of("0123456789.-") != std::string_view::npos) return std::nullopt;
+  if (const auto read = std::from_chars(text.data(), end, real); read.ec == std::errc() && read.ptr == end) {
+    return json::value(real);
+  }
+  return std::nullopt;
+}
+
+json::value typed(std::string_view key, std::string_view text, bool is_participant) {
+  // The id of a participant is a word of hexadecimal digits, even where it has decimal ones only.
+  const bool is_word = is_participant && key == "id";
+  const bool is_measure = contains(number_keys, key) || key.starts_with("rejected_") || key.ends_with("_ms") ||
+                          key.ends_with("_kib") || key.ends_with("_bytes") || key.ends_with("_seconds");
+  if (is_measure && !is_word) {
+    if (auto value = number(text)) return *value;
+  }
+  if (contains(flag_keys, key) && (text == "0" || text == "1")) return text == "1";
+  if (!contains(list_keys, key)) return json::string(text);
+  json::array list;
+  while (!text.empty()) {
+    const auto comma = std::min(text.find(','), text.size());
+    list.emplace_back(text.substr(0, comma));
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  return list;
+}
+
+json::object to_object(const Attributes& attributes) {
+  json::object object;
+  for (const auto& [key, value] : attributes) object[key] = value;
+  return object;
+}
+
+void append_identity(json::object& object, const NamedIdentity& identity) {
+  if (const auto* number_identity = std::get_if<NumericIdentity>(&identity)) {
+    object["id"] = number_identity->number;
+  } else if (const auto* text = std::get_if<TextIdentity>(&identity)) {
+    object["text"] = text->text;
+  } else {
+    const auto& names = std::get<ConceptNames>(identity);
+    object["concept"] = names.concept_name;
+    if (!names.representation_name.empty()) object["representation"] = names.representation_name;
+  }
+}
+
+std::string peer_word(const ServiceKey& key) {
+  return to_string(key.participant) + '/' + std::to_string(std::to_underlying(key.peer));
+}
+
+/// What both kinds of events have; `role` is what the other side is: provider or consumer.
+template <typename Event, typename Service>
+void append_common(json::object& object, const Event& event, const ServiceKey& key, std::string_view role,
+                   const Service& service) {
+  if (event.change == Change::del) {
+    object["reason"] = event.reason;
+    return;
+  }
+  object[role] = peer_word(key);
+  object["name"] = event.peer_name;
+  object["participant_name"] = event.participant_name;
+  append_identity(object, service.identity);
+  object["degree"] = to_string(event.degree);
+  object["distance"] = event.distance;
+  object["mode"] = to_string(service.mode);
+  if (!service.address.empty()) object["address"] = service.address;
+  if (service.port != 0) object["port"] = service.port;
+}
+
+}  // namespace
+
+json::object to_json(const Record& record) {
+  json::object object;
+  const bool is_participant = record.kind == "participants";
+  for (const auto& [key, value] : record.fields) object[key] = typed(key, value, is_participant);
+  const bool is_service = object.contains("service") || object.contains("subscription");
+  if (is_service && (record.kind == "services" || record.kind == "requests" || record.kind == "match")) {
+    object["attributes"] = to_object(record.attributes);
+  }
+  return object;
+}
+
+json::array to_json(const std::vector<Record>& records) {
+  json::array array;
+  for (const auto& record : records) array.push_back(to_json(record));
+  return array;
+}
+
+json::object to_json(const ServiceEvent& event) {
+  json::object object;
+  object["event"] = to_string(event.change);
+  object["service"] = to_string(event.service);
+  append_common(object, event, event.service, "provider", event.publication);
+  if (event.change == Change::del) return object;
+  object["protocol"] = event.publication.protocol;
+  object["priority"] = event.publication.priority;
+  object["attributes"] = to_object(event.publication.attributes);
+  return object;
+}
+
+json::object to_json(const ConsumerEvent& event) {
+  json::object object;
+  object["event"] = to_string(event.change);
+  object["subscription"] = to_string(event.subscription);
+  append_common(object, event, event.subscription, "consumer", event.subscribed);
+  if (event.change == Change::del) return object;
+  object["priority"] = event.subscribed.priority;
+  object["attributes"] = to_object(event.subscribed.attributes);
+  return object;
+}
+
+void print(std::ostream& out, const json::value& document) {
+  // Boost.JSON escapes what RFC 8259 demands (C0); the rest that a terminal could obey stands inside strings only,
+  // where an escape means the same.
+  const std::string text = json::serialize(document);
+  std::string safe;
+  utf8::replace_invalid(text.begin(), text.end(), std::back_inserter(safe));
+  std::string line;
+  for (auto at = safe.begin(); at != safe.end();) {
+    const auto begin = at;
+    const char32_t c = utf8::next(at, safe.end());
+    const bool is_steering = (c >= 0x7f && c < 0xa0) || c == 0x061c || (c >= 0x200e && c <= 0x200f) ||
+                             (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
+    if (!is_steering) {
+      line.append(begin, at);
+      continue;
+    }
+    std::array<char, 8> escape{};
+    std::snprintf(escape.data(), escape.size(), "\\u%04x", static_cast<unsigned>(c));
+    line += escape.data();
+  }
+  out << line << '\n' << std::flush;
+}
+
+}  // namespace geminga::shell

@@ -1,0 +1,101 @@
+#include "shell/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdint>
+#include <iostream>
+
+#include "shell/report.hpp"
+
+namespace geminga::shell {
+namespace {
+
+/// A 32-bit number in decimal or behind 0x.
+std::optional<std::uint32_t> number(std::string_view text) {
+  const bool is_hex = text.starts_with("0x") || text.starts_with("0X");
+  if (is_hex) text.remove_prefix(2);
+  std::uint32_t value = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value, is_hex ? 16 : 10);
+  if (text.empty() || read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+void CommonOptions::add_to(CLI::App& app, const std::string& timeout_meaning) {
+  app.add_option("--connect", connect,
+                 "Where the daemon listens; else $GEMINGA_CONNECT, else 127.0.0.1:4717 and then [::1]:4717")
+      ->type_name("ADDRESS:PORT");
+  app.add_flag("--json", is_json, "Print JSON: one document, or one object a line for what goes on");
+  app.add_option("--timeout", timeout_seconds, timeout_meaning)
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.0, max_timeout_seconds));
+  app.set_version_flag("--version", app.get_name() + " " GEMINGA_VERSION, "Print the version and exit");
+}
+
+std::chrono::milliseconds CommonOptions::timeout_or(std::chrono::milliseconds usual) const {
+  if (!timeout_seconds) return usual;
+  return std::chrono::ceil<std::chrono::milliseconds>(std::chrono::duration<double>(*timeout_seconds));
+}
+
+void IdentityOptions::add_to(CLI::App& app) {
+  app.add_option("--id", id, "The identity is this 32-bit number, decimal or 0x")->type_name("N");
+  app.add_option("--text", text, "The identity is this text")->type_name("NAME");
+  app.add_option("--representation", representation, "The representation of the concept")->type_name("R");
+}
+
+std::optional<NamedIdentity> IdentityOptions::identity(const std::string& concept_name) const {
+  if ((id ? 1 : 0) + (text ? 1 : 0) + (concept_name.empty() ? 0 : 1) > 1) {
+    throw CLI::ValidationError("IDENTITY", "two identities: give one of --id, --text and a concept");
+  }
+  if (concept_name.empty() && !representation.empty()) {
+    throw CLI::ValidationError("--representation", "belongs to a concept: name the concept, too");
+  }
+  if (id) {
+    const auto value = number(*id);
+    if (!value) throw CLI::ValidationError("--id", "must be a number from 0 to 4294967295, decimal or 0x");
+    return NumericIdentity{*value};
+  }
+  if (text) return TextIdentity{*text};
+  if (!concept_name.empty()) return ConceptNames{concept_name, representation};
+  return std::nullopt;
+}
+
+void add_mode(CLI::App& app, std::optional<ChannelMode>& mode, const std::string& meaning) {
+  app.add_option_function<std::string>(
+         "--mode",
+         [&mode](const std::string& word) {
+           mode = channel_mode(word);
+           if (!mode) throw CLI::ValidationError("--mode", "must be oto, otm/stream or otm/pubsub");
+         },
+         meaning)
+      ->type_name("oto|otm/stream|otm/pubsub");
+}
+
+void add_degree(CLI::App& app, Degree& degree) {
+  app.add_option_function<std::string>(
+         "--degree",
+         [&degree](const std::string& word) {
+           const auto value = geminga::degree(word);
+           if (!value) throw CLI::ValidationError("--degree", "must be exact, equivalent, narrower or broader");
+           degree = *value;
+         },
+         "The weakest degree of match that counts (narrower unless told)")
+      ->type_name("exact|equivalent|narrower|broader");
+}
+
+std::optional<ExitStatus> parse(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+      app.exit(error, std::cout, std::cerr);  // --help and --version
+      return ExitStatus::found;
+    }
+    complain(app.get_name(), std::string(error.what()) + ": see " + app.get_name() + " --help");
+    return ExitStatus::wrong_use;
+  }
+}
+
+}  // namespace geminga::shell

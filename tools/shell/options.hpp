@@ -1,0 +1,57 @@
+// The flags that the programs share, and how a wrong one is told.
+#ifndef GEMINGA_SHELL_OPTIONS_HPP
+#define GEMINGA_SHELL_OPTIONS_HPP
+
+#include <CLI/App.hpp>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geminga/client.hpp"
+#include "geminga/match.hpp"
+#include "geminga/named.hpp"
+#include "geminga/service.hpp"
+#include "shell/exit_status.hpp"
+
+namespace geminga::shell {
+
+/// The longest --timeout, so that no sum of times can overflow: a year.
+inline constexpr double max_timeout_seconds = 366.0 * 24 * 3600;
+
+/// --connect, --json, --timeout, --version.
+struct CommonOptions {
+  std::string connect;
+  bool is_json = false;
+  std::optional<double> timeout_seconds;
+
+  /// Adds the flags to a program. Borrows this for the life of `app`.
+  void add_to(CLI::App& app, const std::string& timeout_meaning);
+  [[nodiscard]] std::chrono::milliseconds timeout_or(std::chrono::milliseconds usual) const;
+};
+
+/// --id, --text, --representation; a concept comes as a positional word.
+struct IdentityOptions {
+  std::optional<std::string> id;
+  std::optional<std::string> text;
+  std::string representation;
+
+  void add_to(CLI::App& app);
+  /// The identity with this concept (empty: none); nothing where none is given. Throws CLI::ValidationError where two
+  /// are given or one cannot be read.
+  [[nodiscard]] std::optional<NamedIdentity> identity(const std::string& concept_name) const;
+  [[nodiscard]] bool needs_no_concept() const { return id.has_value() || text.has_value(); }
+};
+
+/// Adds `--mode M` (oto, otm/stream, otm/pubsub).
+void add_mode(CLI::App& app, std::optional<ChannelMode>& mode, const std::string& meaning);
+/// Adds `--degree D` (exact, equivalent, narrower, broader).
+void add_degree(CLI::App& app, Degree& degree);
+
+/// Reads the command line. Returns the exit status where the program ends here (--help, --version, a mistake), after
+/// having printed what is to be said: help on standard output, a mistake on standard error.
+[[nodiscard]] std::optional<ExitStatus> parse(CLI::App& app, int argc, char** argv);
+
+}  // namespace geminga::shell
+
+#endif

@@ -1,0 +1,33 @@
+#include "shell/report.hpp"
+
+#include <iostream>
+#include <string>
+
+#include "shell/terminal.hpp"
+
+namespace geminga::shell {
+
+void complain(std::string_view program, std::string_view text) {
+  std::cout << std::flush;
+  std::cerr << program << ": " << printable(text) << std::endl;
+}
+
+ExitStatus report(std::string_view program, const ClientError& error) {
+  complain(program, error.text);
+  switch (error.kind) {
+    case ClientError::Kind::wrong_use:
+      return ExitStatus::wrong_use;
+    case ClientError::Kind::unreachable:
+    case ClientError::Kind::closed:
+      return ExitStatus::no_daemon;
+    case ClientError::Kind::timed_out:
+      return ExitStatus::timed_out;
+    case ClientError::Kind::refused:
+      break;
+  }
+  if (error.code == ErrorCode::unknown_request) return ExitStatus::nothing;
+  if (error.code == ErrorCode::not_ready || error.code == ErrorCode::too_many) return ExitStatus::no_daemon;
+  return ExitStatus::wrong_use;
+}
+
+}  // namespace geminga::shell

@@ -1,0 +1,55 @@
+#include "shell/stop_signals.hpp"
+
+#include <poll.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <limits>
+
+namespace geminga::shell {
+namespace {
+
+sigset_t stopping() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set, signal);
+  return set;
+}
+
+}  // namespace
+
+StopSignals::StopSignals() {
+  const sigset_t set = stopping();
+  sigprocmask(SIG_BLOCK, &set, nullptr);
+  signals_ = signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
+}
+
+StopSignals::~StopSignals() {
+  if (signals_ >= 0) close(signals_);
+  const sigset_t set = stopping();
+  sigprocmask(SIG_UNBLOCK, &set, nullptr);
+}
+
+StopSignals::Woken StopSignals::wait(int descriptor, std::optional<std::chrono::milliseconds> timeout) const {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  std::array<pollfd, 2> watched{{{signals_, POLLIN, 0}, {descriptor, POLLIN, 0}}};
+  while (true) {
+    int milliseconds = -1;
+    if (timeout) {
+      const auto left = *timeout - std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin);
+      milliseconds = static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, std::numeric_limits<int>::max()));
+    }
+    const int ready = poll(watched.data(), watched.size(), milliseconds);
+    if (ready < 0 && errno == EINTR) continue;
+    if (watched[0].revents != 0) return Woken::stopped;
+    if (watched[1].revents != 0) return Woken::readable;
+    return Woken::timed_out;
+  }
+}
+
+}  // namespace geminga::shell

@@ -1,0 +1,30 @@
+// Waits for the daemon, a time and Ctrl-C together.
+#ifndef GEMINGA_SHELL_STOP_SIGNALS_HPP
+#define GEMINGA_SHELL_STOP_SIGNALS_HPP
+
+#include <chrono>
+#include <optional>
+
+namespace geminga::shell {
+
+/// While it lives SIGINT, SIGTERM and SIGHUP do not end the program but are waited for. One at a time, made before any
+/// thread. Neither copies nor moves.
+class StopSignals {
+ public:
+  enum class Woken { stopped, readable, timed_out };
+
+  StopSignals();
+  ~StopSignals();
+  StopSignals(const StopSignals&) = delete;
+  StopSignals& operator=(const StopSignals&) = delete;
+
+  /// Waits until a signal comes, `descriptor` (-1: none) is readable or the time is over; nothing: without end.
+  [[nodiscard]] Woken wait(int descriptor, std::optional<std::chrono::milliseconds> timeout) const;
+
+ private:
+  int signals_ = -1;
+};
+
+}  // namespace geminga::shell
+
+#endif

@@ -1,0 +1,37 @@
+// What may reach a terminal: harmless characters, and colour where it is wanted.
+#ifndef GEMINGA_SHELL_TERMINAL_HPP
+#define GEMINGA_SHELL_TERMINAL_HPP
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace geminga::shell {
+
+/// A text from the network as one harmless line: bad UTF-8, control characters (C0, DEL, C1) and the characters that
+/// turn the direction of writing become U+FFFD.
+[[nodiscard]] std::string printable(std::string_view text);
+
+/// The columns that a printable text takes, one a character.
+[[nodiscard]] std::size_t width(std::string_view text);
+/// The first `columns` columns of a printable text, the last one `…` where something was cut. Requires columns > 0.
+[[nodiscard]] std::string shortened(std::string_view text, std::size_t columns);
+
+/// How standard output is shown.
+struct Terminal {
+  bool is_terminal = false;
+  bool has_colour = false;
+  std::size_t columns = 0;  ///< 0: as wide as it takes
+
+  /// Standard output as it is. Colour only on a terminal, never with NO_COLOR (no-color.org) or TERM=dumb.
+  [[nodiscard]] static Terminal of_standard_output();
+};
+
+enum class Colour { bold, dim, green, yellow, red };
+
+/// The text in a colour, or as it is where there is none.
+[[nodiscard]] std::string coloured(const Terminal& terminal, Colour colour, std::string_view text);
+
+}  // namespace geminga::shell
+
+#endif
