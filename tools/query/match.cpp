@@ -82,7 +82,9 @@ void add_match(CLI::App& app, Run& selected) {
   shell::add_degree(*command, flags->degree);
   shell::add_mode(*command, flags->mode, "Only this channel mode");
   command->add_option("--where", flags->where, "Only services whose attributes fit")->type_name("EXPRESSION");
-  command->add_option("--provider", flags->providers, "Only these providers")->type_name("PARTICIPANT[/PEER]")->allow_extra_args(false);
+  command->add_option("--provider", flags->providers, "Only these providers")
+      ->type_name("PARTICIPANT[/PEER]")
+      ->allow_extra_args(false);
   command->add_option("--limit", flags->limit, "At most this many, the best")->type_name("N");
   command->footer(
       "Examples:\n  geminga-query match soccer:TrackedObject\n"

@@ -1,0 +1,130 @@
+// geminga-publish: offers one service from a shell until it is ended.
+#include <CLI/CLI.hpp>
+#include <boost/json/object.hpp>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "geminga/client.hpp"
+#include "shell/describe.hpp"
+#include "shell/json.hpp"
+#include "shell/options.hpp"
+#include "shell/report.hpp"
+#include "shell/stream.hpp"
+#include "shell/terminal.hpp"
+
+namespace geminga::publish {
+namespace {
+
+constexpr std::string_view program = "geminga-publish";
+
+constexpr const char* examples = R"(Examples:
+  geminga-publish soccer:BallInfo --representation soccer:CartesianFieldFrame --mode otm/stream --port 5000
+  geminga-publish --text camera --mode otm/pubsub --port 5001 --priority 5 rate=30 frame=front
+  geminga-publish --id 0x1234 --mode oto --port 5002 --protocol tcp --json
+
+Offers the service until Ctrl-C or a SIGTERM (exit status 0), and prints its consumers as they come (+) and go (-).
+When the daemon goes, ends with status 3; with --keep offers again when it is back. Exit status 2: wrong usage, also a
+name that the daemon's ontology does not know.)";
+
+struct Options {
+  shell::CommonOptions common;
+  shell::IdentityOptions identity;
+  std::vector<std::string> words;
+  std::optional<ChannelMode> mode;
+  NamedPublication publication;
+  std::string name = std::string(program);
+  bool is_kept = false;
+};
+
+void add_to(CLI::App& app, Options& options) {
+  options.common.add_to(app, "How long to wait for the daemon (5 unless told)");
+  app.add_option(
+      "WORDS", options.words,
+      "The CONCEPT (prefix:Name, <IRI> or a label; left out with --id or --text), then attributes KEY=VALUE");
+  options.identity.add_to(app);
+  shell::add_mode(app, options.mode, "How the channel is set up (otm/stream unless told)");
+  app.add_option("--port", options.publication.port, "Where the service can be reached")
+      ->type_name("1..65535")
+      ->check(CLI::Range(1, 65535))
+      ->required();
+  app.add_option("--address", options.publication.address, "Its IP address; else each interface's own is announced");
+  app.add_option("--protocol", options.publication.protocol, "udp unless told");
+  app.add_option("--priority", options.publication.priority, "Greater wins where several providers match")
+      ->type_name("K");
+  app.add_option("--name", options.name, "The name of this peer (geminga-publish unless told)")->type_name("PEER");
+  app.add_flag("--keep", options.is_kept, "When the daemon goes, wait for it and offer again");
+}
+
+/// Reads the positional words and checks what flags cannot say alone. Throws CLI::ValidationError.
+void complete(Options& options) {
+  auto word = options.words.begin();
+  std::string concept_name;
+  if (!options.identity.needs_no_concept() && word != options.words.end()) concept_name = *word++;
+  auto identity = options.identity.identity(concept_name);
+  if (!identity) throw CLI::ValidationError("IDENTITY", "is missing: name a CONCEPT, --id N or --text NAME");
+  options.publication.identity = std::move(*identity);
+  options.publication.mode = options.mode.value_or(ChannelMode::one_to_many_stream);
+  for (; word != options.words.end(); ++word) {
+    const auto equals = word->find('=');
+    if (equals == 0 || equals == std::string::npos) {
+      throw CLI::ValidationError(*word, "is no attribute: write KEY=VALUE");
+    }
+    if (!options.publication.attributes.emplace(word->substr(0, equals), word->substr(equals + 1)).second) {
+      throw CLI::ValidationError(word->substr(0, equals), "is given twice: give each attribute once");
+    }
+  }
+}
+
+std::expected<void, ClientError> begin(const Options& options, Client& client) {
+  const auto request = client.publish(options.publication);
+  if (!request) return std::unexpected(request.error());
+  const Welcome& welcome = client.welcome();
+  const std::string service = to_string(ServiceKey{welcome.participant, welcome.peer, *request});
+  if (options.common.is_json) {
+    shell::print(std::cout, boost::json::object{{"event", "offered"}, {"service", service}});
+  } else {
+    std::cerr << program << ": offering " << shell::printable(shell::identity_words(options.publication.identity))
+              << " as " << service << std::endl;
+  }
+  return {};
+}
+
+bool print(const Options& options, const Event& event) {
+  if (const auto* error = std::get_if<Error>(&event.what)) {
+    shell::complain(program, error->text);
+    return false;
+  }
+  const auto* consumer = std::get_if<ConsumerEvent>(&event.what);
+  if (consumer == nullptr) return false;
+  if (options.common.is_json) {
+    shell::print(std::cout, shell::to_json(*consumer));
+  } else {
+    std::cout << shell::printable(shell::line_of(*consumer)) << std::endl;
+  }
+  return true;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Offers one service until it is ended, and prints who consumes it.", std::string(program));
+  app.footer(examples);
+  Options options;
+  add_to(app, options);
+  app.callback([&options] { complete(options); });
+  if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
+
+  shell::Stream stream;
+  stream.program = program;
+  stream.connection.connect = options.common.connect;
+  stream.connection.name = options.name;
+  stream.connection.timeout = options.common.timeout_or(stream.connection.timeout);
+  stream.is_kept = options.is_kept;
+  stream.begin = [&options](Client& client) { return begin(options, client); };
+  stream.print = [&options](const Event& event) { return print(options, event); };
+  return static_cast<int>(shell::run(stream));
+}
+
+}  // namespace
+}  // namespace geminga::publish
+
+int main(int argc, char** argv) { return geminga::publish::run(argc, argv); }

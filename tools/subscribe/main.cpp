@@ -1,0 +1,137 @@
+// geminga-subscribe: asks for services from a shell and prints the events.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "geminga/client.hpp"
+#include "shell/describe.hpp"
+#include "shell/json.hpp"
+#include "shell/options.hpp"
+#include "shell/report.hpp"
+#include "shell/stream.hpp"
+#include "shell/terminal.hpp"
+
+namespace geminga::subscribe {
+namespace {
+
+constexpr std::string_view program = "geminga-subscribe";
+
+constexpr const char* examples = R"(Examples:
+  geminga-subscribe soccer:TrackedObject
+  geminga-subscribe soccer:BallInfo --representation soccer:CartesianFieldFrame --where 'rate >= 30'
+  geminga-subscribe --text camera --mode otm/pubsub --provider robot2,robot3/vision
+  geminga-subscribe soccer:BallInfo --count 1 --timeout 5 --json
+
+Prints each event as a line: + a service is there, ~ it changed, - it is gone and why. Ends with status 0 on Ctrl-C, a SIGTERM
+or after --count events, 4 when --timeout was over before that (with nothing printed, where no count is given), 3 when the
+daemon goes (unless --keep), 2 on wrong usage, also for a name that the daemon's ontology does not know.)";
+
+struct Options {
+  shell::CommonOptions common;
+  shell::IdentityOptions identity;
+  std::vector<std::string> concepts;
+  std::optional<ChannelMode> mode;
+  NamedSubscription subscription;  ///< without its identity
+  std::vector<NamedIdentity> identities;
+  std::vector<std::string> providers;
+  std::optional<std::uint32_t> limit;
+  std::uint64_t count = 0;
+  std::string name = std::string(program);
+  bool is_kept = false;
+};
+
+void add_to(CLI::App& app, Options& options) {
+  options.common.add_to(app, "End after this time (never unless told)");
+  app.add_option("CONCEPT", options.concepts, "prefix:Name, <IRI> or a label; several are asked for together");
+  options.identity.add_to(app);
+  shell::add_mode(app, options.mode, "How the channel is set up (otm/stream unless told)");
+  shell::add_degree(app, options.subscription.weakest);
+  app.add_option("--where", options.subscription.where, "Only services whose attributes fit")->type_name("EXPRESSION");
+  app.add_option("--limit", options.limit, "At most this many providers, the best; 0: all (1 for oto, else all)")
+      ->type_name("K");
+  app.add_option("--provider", options.providers, "Only these providers, with commas or given several times")
+      ->type_name("PARTICIPANT[/PEER]")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--priority", options.subscription.priority, "Told to the provider")->type_name("K");
+  app.add_option("--port", options.subscription.port, "Where this consumer can be reached; told to the provider")
+      ->type_name("1..65535")
+      ->check(CLI::Range(1, 65535));
+  app.add_option("--address", options.subscription.address, "Its IP address; told to the provider");
+  app.add_option("--count", options.count, "End after this many events")->type_name("N");
+  app.add_option("--name", options.name, "The name of this peer (geminga-subscribe unless told)")->type_name("PEER");
+  app.add_flag("--keep", options.is_kept, "When the daemon goes, wait for it and ask again");
+}
+
+/// Checks what flags cannot say alone. Throws CLI::ValidationError.
+void complete(Options& options) {
+  for (const auto& concept_name : options.concepts) {
+    options.identities.push_back(options.identity.identity(concept_name).value_or(NamedIdentity{}));
+  }
+  if (options.concepts.empty()) {
+    auto identity = options.identity.identity("");
+    if (!identity) throw CLI::ValidationError("IDENTITY", "is missing: name a CONCEPT, --id N or --text NAME");
+    options.identities.push_back(std::move(*identity));
+  }
+  options.subscription.mode = options.mode.value_or(ChannelMode::one_to_many_stream);
+  options.subscription.limit = options.limit;
+  for (const auto& provider : options.providers) {
+    const auto slash = provider.find('/');
+    const std::string participant = provider.substr(0, slash);
+    if (participant.empty()) throw CLI::ValidationError("--provider", "must be PARTICIPANT or PARTICIPANT/PEER");
+    const std::string peer = slash == std::string::npos ? "" : provider.substr(slash + 1);
+    options.subscription.providers.push_back({participant, peer});
+  }
+}
+
+std::expected<void, ClientError> begin(const Options& options, Client& client) {
+  NamedSubscription subscription = options.subscription;
+  for (const auto& identity : options.identities) {
+    subscription.identity = identity;
+    if (const auto request = client.subscribe(subscription); !request) return std::unexpected(request.error());
+  }
+  return {};
+}
+
+bool print(const Options& options, const Event& event) {
+  if (const auto* error = std::get_if<Error>(&event.what)) {
+    shell::complain(program, error->text);
+    return false;
+  }
+  const auto* service = std::get_if<ServiceEvent>(&event.what);
+  if (service == nullptr) return false;
+  if (options.common.is_json) {
+    shell::print(std::cout, shell::to_json(*service));
+  } else {
+    std::cout << shell::printable(shell::line_of(*service)) << std::endl;
+  }
+  return true;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Asks for services and prints the events: what is there, what changes, what is gone.",
+               std::string(program));
+  app.footer(examples);
+  Options options;
+  add_to(app, options);
+  app.callback([&options] { complete(options); });
+  if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
+
+  shell::Stream stream;
+  stream.program = program;
+  stream.connection.connect = options.common.connect;
+  stream.connection.name = options.name;
+  if (options.common.timeout_seconds) stream.timeout = options.common.timeout_or({});
+  stream.count = options.count;
+  stream.is_kept = options.is_kept;
+  stream.begin = [&options](Client& client) { return begin(options, client); };
+  stream.print = [&options](const Event& event) { return print(options, event); };
+  return static_cast<int>(shell::run(stream));
+}
+
+}  // namespace
+}  // namespace geminga::subscribe
+
+int main(int argc, char** argv) { return geminga::subscribe::run(argc, argv); }
