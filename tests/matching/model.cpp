@@ -1,0 +1,120 @@
+#include "matching/model.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "matching/team.hpp"
+
+namespace geminga::matching {
+
+using registry::PublicationEntry;
+using registry::SubscriptionEntry;
+
+bool is_same(const Told& a, const Told& b) {
+  if (a.about.index() != b.about.index() || a.match != b.match) return false;
+  if (const auto* publication = std::get_if<PublicationEntry>(&a.about)) {
+    return publication->same_as(std::get<PublicationEntry>(b.about));
+  }
+  return std::get<SubscriptionEntry>(a.about).same_as(std::get<SubscriptionEntry>(b.about));
+}
+
+std::optional<Match> Model::meets(const SubscriptionEntry& subscription, const PublicationEntry& publication) const {
+  return matching::meets(subscription.subscription, requests_.at(subscription.key), publication,
+                         classes_.at(publication.key), ontology);
+}
+
+void Model::work_out() {
+  auto before = std::exchange(chosen_, {});
+  requests_.clear();
+  classes_.clear();
+  for (const auto& [key, entry] : publications) classes_[key] = classes_of(entry.publication.identity, ontology);
+  for (const auto& [key, entry] : subscriptions) requests_[key] = prepared(entry.subscription, ontology);
+  for (const auto& [key, subscription] : subscriptions) {
+    const auto& incumbents = before[key];
+    using Sorted = std::tuple<std::int64_t, Match, bool, ServiceKey>;
+    std::vector<Sorted> candidates;
+    for (const auto& [offer_key, publication] : publications) {
+      if (const auto match = meets(subscription, publication)) {
+        candidates.emplace_back(-std::int64_t{publication.publication.priority}, *match,
+                                !incumbents.contains(offer_key), offer_key);
+      }
+    }
+    std::ranges::sort(candidates);
+    const std::uint32_t limit = subscription.subscription.limit;
+    if (limit != 0 && candidates.size() > limit) candidates.resize(limit);
+    for (const auto& [priority, match, is_new, offer_key] : candidates) chosen_[key].emplace(offer_key, match);
+  }
+}
+
+View Model::view() const {
+  View view;
+  for (const auto& [key, chosen] : chosen_) {
+    const SubscriptionEntry& subscription = subscriptions.at(key);
+    for (const auto& [offer_key, match] : chosen) {
+      const PublicationEntry& publication = publications.at(offer_key);
+      if (subscription.is_local) view[{key, offer_key}] = {publication, match};
+      if (publication.is_local && publication.publication.mode != ChannelMode::one_to_many_stream) {
+        view[{offer_key, key}] = {subscription, match};
+      }
+    }
+  }
+  return view;
+}
+
+std::string Replay::apply(const std::vector<Event>& events, Reason reason, const Model& model) {
+  std::set<std::pair<ServiceKey, ServiceKey>> seen;
+  std::map<ServiceKey, Change> last;
+  // Within a step each consumer hears of what it loses first, then of what changed, then of what it gains.
+  const auto turn = [](Change change) { return change == Change::del ? 0 : change == Change::modify ? 1 : 2; };
+  for (const Event& event : events) {
+    if (!seen.emplace(event.to, key_of(event)).second) return in_words(event) + ": a second event about one pair";
+    if (std::holds_alternative<PublicationEntry>(event.about)) {
+      if (last.contains(event.to) && turn(last[event.to]) > turn(event.change)) return in_words(event) + ": too late";
+      last[event.to] = event.change;
+    }
+    if (auto wrong = apply(event, reason, model); !wrong.empty()) return in_words(event) + ": " + wrong;
+  }
+  return {};
+}
+
+std::string Replay::apply(const Event& event, Reason reason, const Model& model) {
+  const std::pair pair(event.to, key_of(event));
+  const Told told{event.about, event.match};
+  const auto known = view_.find(pair);
+  if (event.change == Change::add) return view_.emplace(pair, told).second ? "" : "told already";
+  if (known == view_.end()) return "was never told";
+  if (event.change == Change::modify) {
+    if (is_same(known->second, told)) return "nothing changed";
+    known->second = told;
+    return {};
+  }
+  if (!is_same(known->second, told)) return "not as last told";
+  view_.erase(known);
+  const bool is_offer = std::holds_alternative<PublicationEntry>(event.about);
+  const auto publication = model.publications.find(is_offer ? key_of(event) : event.to);
+  const auto subscription = model.subscriptions.find(is_offer ? event.to : key_of(event));
+  Reason wanted = reason;
+  if (publication != model.publications.end() && subscription != model.subscriptions.end()) {
+    wanted = model.meets(subscription->second, publication->second) ? Reason::outranked : Reason::changed;
+  }
+  return event.reason == wanted ? "" : "should be " + std::string(to_string(wanted));
+}
+
+void Replay::forget(const ServiceKey& to) {
+  std::erase_if(view_, [&to](const auto& row) { return row.first.first == to; });
+}
+
+std::string difference(const View& told, const View& wanted) {
+  const auto words = [](const auto& pair) { return name(pair.first) + " about " + name(pair.second); };
+  for (const auto& [pair, what] : wanted) {
+    const auto known = told.find(pair);
+    if (known == told.end()) return words(pair) + ": lost";
+    if (!is_same(known->second, what)) return words(pair) + ": not as it is now";
+  }
+  for (const auto& [pair, what] : told) {
+    if (!wanted.contains(pair)) return words(pair) + ": should be gone";
+  }
+  return {};
+}
+
+}  // namespace geminga::matching

@@ -1,0 +1,278 @@
+// The matcher against the model over random lives of a team: every step, every event, every seed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/random.hpp"
+#include "matching/model.hpp"
+#include "matching/taxonomy.hpp"
+#include "matching/team.hpp"
+
+namespace geminga::matching {
+namespace {
+
+using registry::PublicationEntry;
+using registry::SubscriptionEntry;
+
+/// One team, held by a matcher and by a model, and what its local peers were told.
+class RandomTeam {
+ public:
+  RandomTeam(std::uint64_t seed, std::vector<const el::Ontology*> ontologies)
+      : random_(seed),
+        is_crowded_(seed % 2 == 0),
+        ontologies_(std::move(ontologies)),
+        matcher_(ontologies_.front()),
+        replay_({}) {
+    model_.ontology = ontologies_.front();
+  }
+
+  void step(int number) {
+    const std::uint64_t dice = random_.below(100);
+    if (dice < 40) {
+      put_publication();
+    } else if (dice < 70) {
+      put_subscription();
+    } else if (dice < 80) {
+      remove_one();
+    } else if (dice < 86) {
+      remove_many();
+    } else if (dice < 94) {
+      expire();
+    } else if (dice < 96) {
+      set_ontology();
+    } else {
+      put_everything_again();
+    }
+    compare(number);
+  }
+
+ private:
+  template <std::size_t size>
+  const char* one_of(const std::array<const char*, size>& names) {
+    return names[random_.below(size)];
+  }
+
+  /// A crowded team wants much the same thing, so that arbitration has much to do.
+  Identity identity() {
+    if (is_crowded_) return semantic(one_of<3>({"Ball", "Sphere", "OwnBall"}));
+    const std::uint64_t dice = random_.below(10);
+    if (dice == 0) return NumericIdentity{0x9ddb3b5f};
+    if (dice == 1) return TextIdentity{one_of<2>({"service-3352", "service-724358"})};
+    const char* concept_name =
+        one_of<10>({"Tracked", "Ball", "Sphere", "OwnBall", "Robot", "Ghost", "Round", "New", "Team", "OwnRobot"});
+    return semantic(concept_name, one_of<7>({"", "", "Frame", "FieldFrame", "Pitch", "PolarFieldFrame", "NewFrame"}));
+  }
+
+  ChannelMode mode() {
+    if (is_crowded_ && random_.chance(0.8)) return ChannelMode::one_to_one;
+    return std::array{ChannelMode::one_to_one, ChannelMode::one_to_many_pubsub,
+                      ChannelMode::one_to_many_stream}[std::min<std::uint64_t>(random_.below(5) / 2, 2)];
+  }
+
+  /// Numbers of publications and subscriptions of one peer differ, as in GCNP.
+  ServiceKey some_key(bool is_subscription) {
+    return key(static_cast<std::uint32_t>(1 + random_.below(4)), static_cast<std::uint32_t>(1 + random_.below(2)),
+               static_cast<std::uint32_t>(2 * random_.below(3) + (is_subscription ? 1 : 0)));
+  }
+
+  /// In the midst of the others, so that ties are won by smaller and by greater keys.
+  static bool is_local(const ServiceKey& of) { return of.participant == ParticipantId{3}; }
+
+  base::Instant deadline(const ServiceKey& of) {
+    return is_local(of) ? base::never : now_ + random_.between(base::Duration(1), lifetime);
+  }
+
+  void put_publication() {
+    const ServiceKey one = some_key(false);
+    const auto known = model_.publications.find(one);
+    PublicationEntry entry = known == model_.publications.end() ? offer(one, identity(), 0, mode()) : known->second;
+    switch (random_.below(6)) {
+      case 0:
+        entry.publication.identity = identity();
+        break;
+      case 1:
+        entry.publication.priority = static_cast<std::int32_t>(random_.below(3)) - 1;
+        break;
+      case 2:
+        entry.publication.mode = mode();
+        break;
+      case 3:
+        entry.publication.attributes["rate"] = std::to_string(random_.below(4));
+        break;
+      case 4:
+        entry.publication.port = static_cast<std::uint16_t>(5000 + random_.below(2));
+        break;
+      default:
+        break;  // as it was
+    }
+    entry.is_local = is_local(one);
+    entry.updated = now_;
+    entry.deadline = deadline(one);
+    model_.publications[one] = entry;
+    matcher_.put(entry);
+  }
+
+  void put_subscription() {
+    const ServiceKey one = some_key(true);
+    const auto known = model_.subscriptions.find(one);
+    SubscriptionEntry entry =
+        known == model_.subscriptions.end()
+            ? request(one, identity(), static_cast<std::uint32_t>(random_.below(3)), Degree::narrower, mode())
+            : known->second;
+    Subscription& asked = entry.subscription;
+    switch (random_.below(9)) {
+      case 0:
+        asked.identity = identity();
+        break;
+      case 1:
+        asked.priority = static_cast<std::int32_t>(random_.below(2));
+        break;
+      case 2:
+        asked.mode = mode();
+        break;
+      case 3:
+        asked.where = one_of<4>({"", "rate >= 2", "not has rate", "rate ="});
+        break;
+      case 4:
+        asked.limit = static_cast<std::uint32_t>(random_.below(4));
+        break;
+      case 5:
+        asked.weakest = static_cast<Degree>(random_.below(4));
+        break;
+      case 6:
+        asked.providers.clear();
+        if (random_.chance(0.5)) asked.providers.push_back({one_of<3>({"00000002", "robot1", "robot3"}), ""});
+        if (random_.chance(0.3)) asked.providers.push_back({"robot1", one_of<2>({"2", "module1"})});
+        break;
+      default:
+        break;  // as it was
+    }
+    entry.is_local = is_local(one);
+    entry.updated = now_;
+    entry.deadline = deadline(one);
+    model_.subscriptions[one] = entry;
+    matcher_.put(entry);
+  }
+
+  Reason some_reason() {
+    return reason_ = std::array{Reason::withdrawn, Reason::left, Reason::renamed}[random_.below(3)];
+  }
+
+  void remove_one() {
+    const bool is_subscription = random_.chance(0.4);
+    const ServiceKey one = some_key(is_subscription);
+    if (is_subscription) {
+      const bool was_there = model_.subscriptions.erase(one) == 1;
+      EXPECT_EQ(matcher_.remove_subscription(one, some_reason()), was_there);
+    } else {
+      const bool was_there = model_.publications.erase(one) == 1;
+      EXPECT_EQ(matcher_.remove_publication(one, some_reason()), was_there);
+    }
+    replay_.forget(one);
+  }
+
+  template <typename Gone>
+  void erase_from_model(const Gone& is_gone) {
+    std::erase_if(model_.publications,
+                  [&](const auto& row) { return is_gone(row.second) && (forget(row.first), true); });
+    std::erase_if(model_.subscriptions,
+                  [&](const auto& row) { return is_gone(row.second) && (forget(row.first), true); });
+  }
+
+  void forget(const ServiceKey& one) { replay_.forget(one); }
+
+  void remove_many() {
+    const ServiceKey one = some_key(false);
+    const bool is_whole_participant = random_.chance(0.5);
+    erase_from_model([&](const auto& entry) {
+      return entry.key.participant == one.participant && (is_whole_participant || entry.key.peer == one.peer);
+    });
+    if (is_whole_participant) {
+      matcher_.remove_participant(one.participant, some_reason());
+    } else {
+      matcher_.remove_peer(one.participant, one.peer, some_reason());
+    }
+  }
+
+  void expire() {
+    reason_ = Reason::expired;
+    now_ += random_.between(base::Duration(0), lifetime / 4);
+    erase_from_model([&](const auto& entry) { return entry.deadline <= now_; });
+    matcher_.expire(now_);
+  }
+
+  void set_ontology() {
+    model_.ontology = ontologies_[random_.below(ontologies_.size())];
+    matcher_.set_ontology(model_.ontology);
+  }
+
+  /// As announcements do every interval.
+  void put_everything_again() {
+    for (auto& [one, entry] : model_.publications) {
+      entry.updated = now_;
+      entry.deadline = deadline(one);
+      matcher_.put(entry);
+    }
+    for (auto& [one, entry] : model_.subscriptions) {
+      entry.updated = now_;
+      entry.deadline = deadline(one);
+      matcher_.put(entry);
+    }
+  }
+
+  void compare(int number) {
+    SCOPED_TRACE("step " + std::to_string(number));
+    model_.work_out();
+    ASSERT_EQ(replay_.apply(matcher_.take_events(), reason_, model_), "");
+    ASSERT_EQ(difference(replay_.view(), model_.view()), "");
+    auto next = base::never;
+    for (const auto& [one, entry] : model_.publications) {
+      next = std::min(next, entry.deadline);
+      const bool is_used = std::ranges::any_of(
+          model_.subscriptions, [&](const auto& row) { return model_.meets(row.second, entry).has_value(); });
+      ASSERT_EQ(matcher_.is_used(entry), is_used) << name(one);
+    }
+    for (const auto& [one, entry] : model_.subscriptions) {
+      next = std::min(next, entry.deadline);
+      std::vector<ServiceKey> meeting;
+      for (const auto& [offer_key, publication] : model_.publications) {
+        if (model_.meets(entry, publication)) meeting.push_back(offer_key);
+      }
+      std::vector<ServiceKey> matched;
+      for (const auto& ranked : matcher_.match(entry.subscription)) matched.push_back(ranked.publication->key);
+      std::ranges::sort(matched);
+      ASSERT_EQ(matched, meeting) << name(one);
+      ASSERT_EQ(matcher_.is_served(entry), !meeting.empty()) << name(one);
+    }
+    ASSERT_EQ(matcher_.next_deadline(), next);
+  }
+
+  static constexpr base::Duration lifetime = std::chrono::seconds(20);
+
+  base::Random random_;
+  bool is_crowded_;
+  std::vector<const el::Ontology*> ontologies_;
+  base::Instant now_;
+  Reason reason_ = Reason::withdrawn;
+  Model model_;
+  Matcher matcher_;
+  Replay replay_;
+};
+
+TEST(RandomTeam, IsToldExactlyWhatWorkingEverythingOutSays) {
+  const auto first = soccer();
+  Taxonomy taxonomy;
+  taxonomy.sub("OwnBall", "Round").sub("Round", "Tracked").sub("OwnRobot", "Robot").sub("Robot", "Team");
+  taxonomy.equivalent("Team", "Round").sub("New", "Ball").sub("Frame", "FieldFrame").unsatisfiable("Sphere");
+  const auto second = taxonomy.classified();
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomTeam team(seed, {&first, &second, nullptr});
+    for (int number = 0; number < 1500 && !testing::Test::HasFailure(); ++number) team.step(number);
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+}  // namespace
+}  // namespace geminga::matching
