@@ -45,7 +45,7 @@ class IdentifierClaim {
 
   enum class Verdict : std::uint8_t {
     ignore,   ///< nothing follows: a goodbye, or nothing of ours
-    answer,   ///< the identifier is ours and a claimant wants it: announce the state soon (Schedule::newcomer())
+    answer,   ///< the identifier is ours and a claimant wants it: announce the state at once (Schedule::contested())
     redrawn,  ///< we were claiming it ourselves: another candidate was drawn; id() changed, step() goes on
     dropped,  ///< two owners: both drop it. Say goodbye for the old identifier, withdraw what it offered; id() is a new
               ///< candidate, step() goes on

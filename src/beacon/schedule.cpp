@@ -42,10 +42,15 @@ void Schedule::newcomer(Instant now) {
   if (had_newcomer_) newcomer_due_ = std::max(newcomer_due_, newcomer_last_ + newcomer_spacing);
 }
 
+void Schedule::contested(Instant now) {
+  if (is_running_) contested_ = std::min(contested_, now);
+}
+
 void Schedule::pause() {
   is_running_ = false;
   next_copy_ = copies_.size();
   periodic_ = never;
+  contested_ = never;
   newcomer_due_ = never;
 }
 
@@ -59,7 +64,7 @@ void Schedule::stop(Instant now) {
 
 Instant Schedule::wanted() const {
   const auto copy = next_copy_ < copies_.size() ? copies_[next_copy_] : never;
-  return std::min({copy, periodic_, newcomer_due_});
+  return std::min({copy, periodic_, contested_, newcomer_due_});
 }
 
 Instant Schedule::allowed() const {
@@ -99,6 +104,7 @@ bool Schedule::take(Instant now) {
   }
   // Whatever was due until now is told by this one announcement.
   while (next_copy_ < copies_.size() && copies_[next_copy_] <= now) ++next_copy_;
+  contested_ = never;
   last_sent_ = now;
   has_sent_ = true;
   periodic_ = now + spread(options_.interval, interval_jitter);

@@ -54,6 +54,9 @@ class Schedule {
   /// A participant is heard that does not know us yet (a newcomer, or a claimant): as changed(), but a little later and
   /// not more often than newcomer_spacing.
   void newcomer(base::Instant now);
+  /// Somebody claims our identifier (IdentifierClaim::Verdict::answer): one copy is due at once, or as soon as the
+  /// limits allow, so that each of its claims is answered before it holds the identifier.
+  void contested(base::Instant now);
   /// Nothing is due any more until changed(): the identifier was lost, say.
   void pause();
   /// Only goodbyes are due from now on, the first at once, regardless of the limits.
@@ -79,6 +82,7 @@ class Schedule {
   std::array<base::Instant, repeat_delays.size() + 1> copies_{};  ///< the copies of the last change
   std::size_t next_copy_ = repeat_delays.size() + 1;
   base::Instant periodic_ = base::never;
+  base::Instant contested_ = base::never;     ///< when a claim to our identifier came
   base::Instant newcomer_due_ = base::never;  ///< when the copies for newcomers begin
   base::Instant newcomer_last_{};             ///< when they last began
   bool had_newcomer_ = false;

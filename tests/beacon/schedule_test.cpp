@@ -163,6 +163,20 @@ TEST(Schedule, AnswersANewcomerThatCopiesDoNotReachWhenTheSpacingIsOver) {
   EXPECT_EQ(sent[5], sent[0] + newcomer_spacing);
 }
 
+TEST(Schedule, AnswersEachClaimToItsIdentifierAtOnceWithOneCopy) {
+  auto schedule = running(12);
+  run(schedule, start + seconds(10));
+  const auto when = run(schedule, start + seconds(13)).back() + milliseconds(100);
+  const auto contested = [](Schedule& s, Instant now) { s.contested(now); };
+  const std::vector<Instant> claims{when, when + milliseconds(30), when + milliseconds(60)};
+  const auto sent =
+      run(schedule, when + milliseconds(500), {{claims[0], contested}, {claims[1], contested}, {claims[2], contested}});
+  EXPECT_EQ(sent, claims);
+  schedule.pause();
+  schedule.contested(when + seconds(1));
+  EXPECT_EQ(schedule.due(), base::never);
+}
+
 TEST(Schedule, IsSilentWhilePaused) {
   auto schedule = running(9);
   run(schedule, start + milliseconds(30));
