@@ -1,0 +1,232 @@
+// What gemingad says when it starts, when it cannot, and when it is asked to end or to read everything again.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "system/lab.hpp"
+
+namespace geminga::system {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::Contains;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+/// A folder for the files of one test, removed with it.
+class Folder {
+ public:
+  Folder() {
+    std::string path = fs::temp_directory_path() / "geminga-test-XXXXXX";
+    if (::mkdtemp(path.data()) != nullptr) path_ = path;
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name) << text;
+    return path_ / name;
+  }
+  [[nodiscard]] std::string path(const std::string& name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+};
+
+constexpr const char* animals = R"(@prefix : <http://zoo.example/#> .
+@prefix owl: <http://www.w3.org/2002/07/owl#> .
+@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
+<http://zoo.example/> a owl:Ontology .
+:Animal a owl:Class .
+:Cat a owl:Class ; rdfs:subClassOf :Animal .
+)";
+
+std::string shipped(const std::string& name) { return std::string(GEMINGA_SOURCE_DIR) + "/ontology/" + name; }
+
+/// Starts a gemingad that is expected to refuse.
+Ran refused(const std::vector<std::string>& flags, std::map<std::string, std::string> environment = {}) {
+  std::vector<std::string> words{program("gemingad")};
+  words.insert(words.end(), flags.begin(), flags.end());
+  return run({.words = words, .environment = std::move(environment), .before = {}});
+}
+
+TEST(Start, AnswersOverIpv6) {
+  Lab lab(1);
+  const std::string port = std::to_string(lab.gcnp_port(0));
+  lab.start(0, {"--gcnp", "127.0.0.1:" + port, "--gcnp", "[::1]:" + port});
+  Talk talk = lab.talk(0, "::1");
+  talk.say("0 sys hello name=six");
+  const auto hello = talk.line();
+  ASSERT_TRUE(hello);
+  EXPECT_THAT(*hello, AllOf(StartsWith("0 msg hello version=1 "), HasSubstr(" name=six ")));
+}
+
+TEST(Start, ListensOnBothLoopbackAddressesUnlessToldOtherwise) {
+  Lab lab(1);
+  if (lab.has_namespaces()) {
+    lab.start(0);
+    EXPECT_THAT(lab.talk(0, "127.0.0.1").lines_until_pong(), IsEmpty());
+    EXPECT_THAT(lab.talk(0, "::1").lines_until_pong(), IsEmpty());
+  } else {  // the default ports belong to whoever else is on this host
+    EXPECT_THAT(refused({"--check-config"}).said, HasSubstr(R"(gcnp = ["127.0.0.1:4717", "[::1]:4717"])"));
+  }
+}
+
+TEST(Start, ServesWithoutIpv6OnTheHost) {
+  Lab lab(1);
+  if (!lab.has_namespaces()) return;  // only a namespace of our own may lose its IPv6
+  lab.visit(0, [] { std::ofstream("/proc/sys/net/ipv6/conf/all/disable_ipv6") << "1"; });
+  lab.start(0);
+  EXPECT_THAT(lab.daemon(0).said(), HasSubstr("[::1]:4717 is not available on this host: going on without it"));
+  EXPECT_THAT(lab.talk(0).lines_until_pong(), IsEmpty());
+}
+
+TEST(Start, SaysThatThePortIsInUse) {
+  Lab lab(1);
+  lab.start(0);
+  const std::string address = "127.0.0.1:" + std::to_string(lab.gcnp_port(0));
+  const Ran second = run(lab.on(0, {program("gemingad"), "--interface", "lo", "--gcnp", address}));
+  EXPECT_EQ(second.status, 2);
+  EXPECT_EQ(second.said, "gemingad: " + address + " is already in use: another gemingad? choose another with --gcnp\n");
+  EXPECT_THAT(lab.talk(0).lines_until_pong(), IsEmpty()) << "the first one does not notice";
+}
+
+TEST(Start, RefusesWhatItDoesNotUnderstand) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"--gcnp", "0.0.0.0:4717"}, "--gcnp: 0.0.0.0:4717 is not on this host alone"},
+      {{"--gcnp", "[::]:4717"}, "--gcnp: [::]:4717 is not on this host alone"},
+      {{"--gcnp", "localhost:4717"}, "--gcnp: 'localhost' is no IP address"},
+      {{"--port", "65536"}, "--port: '65536' is no port"},
+      {{"--multicast", "10.0.0.1"}, "--multicast: 10.0.0.1 is no multicast group"},
+      {{"--key-file", "team.key"}, "--key-file: sealed announcements are not there yet"},
+      {{"--http", "127.0.0.1:80"}, "--http: the HTTP side is not there yet"},
+      {{"--surprise"}, "--surprise: see gemingad --help"},
+      {{"surprise"}, "surprise: see gemingad --help"},
+      {{"--config", "/nowhere/geminga.toml"}, "/nowhere/geminga.toml: No such file or directory"},
+  };
+  for (const auto& [flags, words] : cases) {
+    const Ran ran = refused(flags);
+    EXPECT_EQ(ran.status, 2) << words;
+    EXPECT_THAT(ran.said, AllOf(StartsWith("gemingad: "), HasSubstr(words)));
+  }
+}
+
+TEST(Start, ChecksItsConfiguration) {
+  const Folder folder;
+  const std::string file =
+      folder.write("geminga.toml", "name = \"r2\"\nport = 4000\ninterval = 1\nlog-level = \"debug\"\n");
+  const Ran good =
+      refused({"--config", file, "--check-config"}, {{"GEMINGA_PORT", "4001"}, {"GEMINGA_LOG_LEVEL", "error"}});
+  EXPECT_EQ(good.status, 0);
+  EXPECT_THAT(good.said, AllOf(HasSubstr("name = \"r2\"\n"), HasSubstr("port = 4001\n"),
+                               HasSubstr("interval = 1.000\n"), HasSubstr("log-level = \"error\"\n")));
+  const std::string bad = folder.write("bad.toml", "name = \"r2\"\nport = \"4000\"\ncolour = \"red\"\n");
+  const Ran wrong = refused({"--config", bad, "--check-config"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.said, AllOf(HasSubstr("gemingad: " + bad + ":2: port must be a whole number\n"),
+                                HasSubstr("gemingad: " + bad + ":3: unknown key 'colour'")));
+}
+
+TEST(Start, ServesTheOntologyItWasGiven) {
+  Lab lab(1);
+  lab.start(0, {"--ontology", shipped("core.ttl"), "--ontology", shipped("robot-soccer.ttl")});
+  Talk talk = lab.talk(0);
+  talk.say("1 sub create mode=otm/stream concept=soccer:BallInfo");
+  talk.say("2 sub create mode=otm/stream concept=soccer:NoSuchThing");
+  const auto lines = talk.lines_until_pong();
+  ASSERT_THAT(lines, testing::SizeIs(1));
+  EXPECT_THAT(lines[0], StartsWith("2 422 "));
+}
+
+TEST(Start, DoesNotStartOnHalfAnOntology) {
+  const Folder folder;
+  const std::string good = folder.write("good.ttl", animals);
+  const std::string broken =
+      folder.write("broken.ttl", std::string(animals) + ":Dog a owl:Class\n:Fox a owl:Class .\n");
+  const std::string missing = folder.path("missing.ttl");
+  Lab lab(1);
+  const std::string address = "127.0.0.1:" + std::to_string(lab.gcnp_port(0));
+  const auto start = [&](const std::string& ontology) {
+    return run(lab.on(
+        0, {program("gemingad"), "--interface", "lo", "--gcnp", address, "--ontology", good, "--ontology", ontology}));
+  };
+  const Ran not_there = start(missing);
+  EXPECT_EQ(not_there.status, 2);
+  EXPECT_THAT(not_there.said, AllOf(StartsWith("gemingad: "), HasSubstr(missing)));
+  const Ran unreadable = start(broken);
+  EXPECT_EQ(unreadable.status, 2);
+  EXPECT_THAT(unreadable.said, AllOf(StartsWith("gemingad: "), HasSubstr(broken + ":8")));
+  for (const Ran& ran : {not_there, unreadable}) EXPECT_THAT(ran.said, Not(HasSubstr("ready: ")));
+}
+
+TEST(Reload, KeepsPublicationsAndTakesTheNewOntology) {
+  const Folder folder;
+  const std::string file = folder.write("zoo.ttl", animals);
+  Lab lab(1);
+  lab.start(0, {"--ontology", file});
+  Talk consumer = lab.talk(0);
+  consumer.say("1 sub create mode=otm/stream concept=<http://zoo.example/#Animal>");
+  Talk provider = lab.talk(0);
+  provider.say("1 pub create mode=otm/stream concept=<http://zoo.example/#Cat> port=5000");
+  provider.say("2 pub create mode=otm/stream concept=<http://zoo.example/#Dog> port=5001");
+  EXPECT_THAT(provider.lines_until_pong(), testing::ElementsAre(StartsWith("2 422 ")));
+  EXPECT_TRUE(consumer.line_with({"1 pub add", "port=5000"}));
+
+  folder.write("zoo.ttl", std::string(animals) + ":Dog a owl:Class ; rdfs:subClassOf :Animal .\n");
+  lab.daemon(0).forget();
+  lab.daemon(0).signal(SIGHUP);
+  ASSERT_TRUE(lab.daemon(0).wait_for("is in force")) << lab.daemon(0).said();
+  provider.say("2 pub create mode=otm/stream concept=<http://zoo.example/#Dog> port=5001");
+  EXPECT_TRUE(consumer.line_with({"1 pub add", "port=5001"}));
+  EXPECT_THAT(consumer.lines_until_pong(), IsEmpty()) << "what stayed matched gets no event";
+}
+
+TEST(Reload, KeepsTheOntologyInForceWhenTheNewOneIsBroken) {
+  const Folder folder;
+  const std::string file = folder.write("zoo.ttl", animals);
+  Lab lab(1);
+  lab.start(0, {"--ontology", file});
+  folder.write("zoo.ttl", std::string(animals) + ":Dog a owl:Class\n:Fox a owl:Class .\n");
+  lab.daemon(0).forget();
+  lab.daemon(0).signal(SIGHUP);
+  ASSERT_TRUE(lab.daemon(0).wait_for("the ontology in force is kept"));
+  EXPECT_THAT(lab.daemon(0).said(), HasSubstr(file + ":8"));
+  Talk talk = lab.talk(0);
+  talk.say("1 pub create mode=otm/stream concept=<http://zoo.example/#Cat> port=5000");
+  EXPECT_THAT(talk.lines_until_pong(), IsEmpty());
+}
+
+TEST(Reload, KeepsTheConfigurationInForceWhenTheNewOneIsBroken) {
+  const Folder folder;
+  const std::string file = folder.write("geminga.toml", "log-level = \"info\"\n");
+  Lab lab(1);
+  lab.start(0, {"--config", file});
+  folder.write("geminga.toml", "log-level = 7\n");
+  lab.daemon(0).signal(SIGHUP);
+  EXPECT_TRUE(lab.daemon(0).wait_for(file + ":1: log-level must be a text in quotes")) << lab.daemon(0).said();
+  EXPECT_TRUE(lab.daemon(0).wait_for("the configuration in force is kept"));
+  folder.write("geminga.toml", "log-level = \"debug\"\nlog-format = \"json\"\n");
+  lab.daemon(0).signal(SIGHUP);
+  EXPECT_TRUE(lab.daemon(0).wait_for(R"("text":"ontology: none is in force")")) << lab.daemon(0).said();
+  EXPECT_THAT(lab.talk(0).lines_until_pong(), IsEmpty());
+}
+
+TEST(End, ComesWithStatusZeroOnSigint) {
+  Lab lab(1);
+  lab.start(0);
+  lab.daemon(0).signal(SIGINT);
+  EXPECT_EQ(lab.daemon(0).wait(), 0);
+}
+
+}  // namespace
+}  // namespace geminga::system

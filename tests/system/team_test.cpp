@@ -1,0 +1,193 @@
+// Whole daemons on real sockets: a team that publishes, subscribes, leaves, dies, and loses its radio.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <set>
+
+#include "system/lab.hpp"
+
+namespace geminga::system {
+namespace {
+
+using testing::HasSubstr;
+using testing::SizeIs;
+
+/// Short, so that deadlines come soon.
+const std::vector<std::string> quick{"--interval", "0.1"};
+
+/// Waits until the daemon has heard so many more datagrams: repetitions of what it knows among them.
+void hear(Talk& talk, int datagrams) {
+  const auto heard = [&] { return std::stoi(field(talk.query("status").at(0), "datagrams_received")); };
+  const int enough = heard() + datagrams;
+  const auto until = std::chrono::steady_clock::now() + patience;
+  while (heard() < enough && std::chrono::steady_clock::now() < until) {
+  }
+}
+
+TEST(Team, IsToldOfAPublicationOnAnotherHost) {
+  Lab lab(2);
+  lab.start_all(quick);
+  Talk consumer = lab.talk(1);
+  consumer.say("7 sub create mode=otm/stream text=ball");
+  Talk provider = lab.talk(0);
+  provider.say("0 sys hello name=vision");
+  provider.say("4 pub create mode=otm/stream text=ball port=5000 colour=orange");
+  const auto told = consumer.line_with({"7 pub add"});
+  ASSERT_TRUE(told) << lab.way();
+  EXPECT_EQ(field(*told, "address"), lab.address_of(0));
+  EXPECT_EQ(field(*told, "port"), "5000");
+  EXPECT_EQ(field(*told, "colour"), "orange");
+  EXPECT_EQ(field(*told, "name"), "vision");
+  EXPECT_EQ(field(*told, "participant_name"), "robot0");
+  provider.say("4 pub modify colour=yellow");
+  const auto changed = consumer.line_with({"7 pub modify"});
+  ASSERT_TRUE(changed);
+  EXPECT_EQ(field(*changed, "service"), field(*told, "service"));
+  EXPECT_EQ(field(*changed, "colour"), "yellow");
+  provider.say("4 pub remove");
+  const auto gone = consumer.line_with({"7 pub del"});
+  ASSERT_TRUE(gone);
+  EXPECT_EQ(*gone, "7 pub del service=" + field(*told, "service") + " reason=withdrawn");
+}
+
+TEST(Team, TellsAProviderOfItsConsumerAndTheEndOfIt) {
+  Lab lab(2);
+  lab.start_all(quick);
+  Talk provider = lab.talk(0);
+  provider.say("4 pub create mode=otm/pubsub id=17 port=5000");
+  {
+    Talk consumer = lab.talk(1);
+    consumer.say("9 sub create mode=otm/pubsub id=17 port=6000");
+    const auto told = provider.line_with({"4 sub add"});
+    ASSERT_TRUE(told) << lab.way();
+    EXPECT_EQ(field(*told, "port"), "6000");
+    EXPECT_EQ(field(*told, "address"), lab.address_of(1));
+  }
+  const auto gone = provider.line_with({"4 sub del"});
+  ASSERT_TRUE(gone) << "a consumer that disconnected has withdrawn";
+  EXPECT_THAT(*gone, HasSubstr("reason=withdrawn"));
+}
+
+TEST(Team, OfSevenLosesAndDoublesNoEvent) {
+  constexpr std::size_t hosts = 7;
+  constexpr int services = 20;
+  Lab lab(hosts);
+  lab.start_all(quick);
+  for (std::size_t host = 0; host < hosts; ++host) ASSERT_TRUE(lab.wait_for_participants(host, hosts)) << lab.way();
+  std::vector<Talk> consumers;
+  for (std::size_t host = 1; host < hosts; ++host) {
+    consumers.push_back(lab.talk(host));
+    for (int number = 1; number <= services; ++number) {
+      consumers.back().say(std::to_string(number) + " sub create mode=otm/stream id=" + std::to_string(number));
+    }
+  }
+  Talk provider = lab.talk(0);
+  for (int number = 1; number <= services; ++number) {
+    provider.say(std::to_string(number) + " pub create mode=otm/stream id=" + std::to_string(number) + " port=5000");
+  }
+  for (Talk& consumer : consumers) {
+    std::set<std::string> told;
+    for (int number = 1; number <= services; ++number) {
+      const auto line = consumer.line_with({" pub add "});
+      ASSERT_TRUE(line);
+      EXPECT_TRUE(told.insert(line->substr(0, line->find(" provider="))).second) << "told twice: " << *line;
+    }
+    hear(consumer, 20);
+    EXPECT_THAT(consumer.lines_until_pong(), testing::IsEmpty()) << "an event more than there are services";
+  }
+  for (int number = 1; number <= services; ++number) provider.say(std::to_string(number) + " pub remove");
+  for (Talk& consumer : consumers) {
+    std::set<std::string> gone;
+    for (int number = 1; number <= services; ++number) {
+      const auto line = consumer.line_with({" pub del ", "reason=withdrawn"});
+      ASSERT_TRUE(line);
+      EXPECT_TRUE(gone.insert(*line).second) << "told twice: " << *line;
+    }
+    hear(consumer, 20);
+    EXPECT_THAT(consumer.lines_until_pong(), testing::IsEmpty());
+  }
+}
+
+TEST(Team, IsToldAtOnceThatADaemonWasEnded) {
+  Lab lab(3);
+  lab.start_all({"--interval", "30"});  // far longer than patience: only the goodbye can be the reason
+  std::vector<Talk> consumers;
+  for (const std::size_t host : {1U, 2U}) {
+    consumers.push_back(lab.talk(host));
+    consumers.back().say("1 sub create mode=otm/stream id=5");
+  }
+  Talk provider = lab.talk(0);
+  provider.say("1 pub create mode=otm/stream id=5 port=5000");
+  for (Talk& consumer : consumers) ASSERT_TRUE(consumer.line_with({"1 pub add"})) << lab.way();
+  lab.daemon(0).signal(SIGTERM);
+  for (Talk& consumer : consumers) {
+    const auto gone = consumer.line_with({"1 pub del"});
+    ASSERT_TRUE(gone);
+    EXPECT_THAT(*gone, HasSubstr("reason=left"));
+  }
+  EXPECT_EQ(lab.daemon(0).wait(), 0);
+  EXPECT_TRUE(provider.is_closed_by_daemon());
+  for (const std::size_t host : {1U, 2U}) EXPECT_TRUE(lab.wait_for_participants(host, 2));
+}
+
+TEST(Team, NoticesThatADaemonWasKilledAndTakesItBack) {
+  Lab lab(3);
+  lab.start_all(quick);
+  Talk consumer = lab.talk(1);
+  consumer.say("1 sub create mode=otm/stream id=5");
+  {
+    Talk provider = lab.talk(0);
+    provider.say("1 pub create mode=otm/stream id=5 port=5000");
+    ASSERT_TRUE(consumer.line_with({"1 pub add"})) << lab.way();
+    lab.daemon(0).signal(SIGKILL);
+  }
+  const auto gone = consumer.line_with({"1 pub del"});
+  ASSERT_TRUE(gone);
+  EXPECT_THAT(*gone, HasSubstr("reason=expired"));
+  EXPECT_EQ(lab.daemon(0).wait(), 128 + SIGKILL);
+  lab.start(0, quick);
+  Talk provider = lab.talk(0);
+  provider.say("1 pub create mode=otm/stream id=5 port=5001");
+  const auto back = consumer.line_with({"1 pub add"});
+  ASSERT_TRUE(back);
+  EXPECT_EQ(field(*back, "port"), "5001");
+  EXPECT_THAT(consumer.lines_until_pong(), testing::IsEmpty());
+}
+
+TEST(Team, LosesAHostWithItsLinkAndFindsItAgainWhenTheLinkIsBack) {
+  Lab lab(3);
+  lab.start_all(quick);
+  std::vector<Talk> consumers;
+  for (const std::size_t host : {1U, 2U}) {
+    consumers.push_back(lab.talk(host));
+    consumers.back().say("1 sub create mode=otm/stream id=5");
+  }
+  Talk provider = lab.talk(0);
+  provider.say("1 pub create mode=otm/stream id=5 port=5000");
+  for (Talk& consumer : consumers) ASSERT_TRUE(consumer.line_with({"1 pub add"})) << lab.way();
+  lab.cut(0);
+  for (Talk& consumer : consumers) {
+    const auto gone = consumer.line_with({"1 pub del"});
+    ASSERT_TRUE(gone);
+    EXPECT_THAT(*gone, HasSubstr("reason=expired"));
+  }
+  lab.join(0);
+  for (Talk& consumer : consumers) EXPECT_TRUE(consumer.line_with({"1 pub add"})) << lab.way();
+  EXPECT_TRUE(lab.wait_for_participants(0, 3)) << "the host that was away hears the others again";
+}
+
+TEST(Team, KeepsGroupsApart) {
+  Lab lab(3);
+  lab.start(0, {"--interval", "0.1", "--group", "blue"});
+  lab.start(1, {"--interval", "0.1", "--group", "yellow"});
+  lab.start(2, {"--interval", "0.1", "--group", "blue"});
+  EXPECT_TRUE(lab.wait_for_participants(0, 2)) << lab.way();
+  EXPECT_TRUE(lab.wait_for_participants(2, 2));
+  Talk yellow = lab.talk(1);
+  hear(yellow, 10);
+  EXPECT_THAT(yellow.query("participants"), SizeIs(1));
+}
+
+}  // namespace
+}  // namespace geminga::system
