@@ -1,0 +1,62 @@
+// From the bytes of one file in the functional-style syntax of OWL 2 to the axioms of an OntologySource.
+//
+//   const el::FileId file = source.add_file(path);
+//   const auto document = functional::read(bytes, file, source);
+//   if (!document) return refuse(to_string(document.error()));    // "soma.owl:17: expected a class expression, found
+//   ')'" for (const auto& import : document->imports) ...              // the caller's business: none is fetched here
+//
+// The syntax is that of https://www.w3.org/TR/owl2-syntax/; FUNCTIONAL.md says what is read beyond it, and what is not.
+#ifndef GEMINGA_FUNCTIONAL_READ_HPP
+#define GEMINGA_FUNCTIONAL_READ_HPP
+
+#include <cstdint>
+#include <expected>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "el/source.hpp"
+#include "functional/error.hpp"
+#include "functional/limits.hpp"
+
+namespace geminga::functional {
+
+/// An ontology that the file imports. It is recorded and never fetched.
+struct Import {
+  std::string iri;
+  std::uint32_t line = 0;
+};
+
+/// A prefix as the file declares it; those that every file knows (owl, rdf, rdfs, xsd) only where it declares them.
+struct DeclaredPrefix {
+  std::string prefix;  ///< without the colon; empty: the default one
+  std::string iri;
+};
+
+/// What a file says beside its axioms. Imports and prefixes stand in the order of the file, each once.
+struct Document {
+  std::string ontology_iri;  ///< empty: the ontology has no name
+  std::string version_iri;
+  std::vector<Import> imports;
+  std::vector<DeclaredPrefix> prefixes;
+  std::uint64_t axioms = 0;       ///< handed to the source, declarations included; not what is left out
+  std::uint64_t annotations = 0;  ///< of the ontology, of axioms, of annotations, and axioms about annotations
+  std::uint64_t vacuous = 0;      ///< axioms that say nothing, like EquivalentClasses(:A)
+};
+
+/// Whether a file is in this syntax by its content: its first word behind white space and comments is `Prefix` or
+/// `Ontology`, and a bracket follows. Looks no further.
+[[nodiscard]] bool is_functional(std::string_view bytes);
+
+/// Reads a whole file into the source. Sets the ontology IRI of `file` there, adds every axiom with its line, and the
+/// texts of rdfs:label and skos:prefLabel as labels. Declared prefixes are not added: which file's meaning of a prefix
+/// counts is settled among all files. What no axiom kind can express is left out there by name; annotations have no
+/// meaning for a reasoner, and are only counted.
+///
+/// On an error the source holds an unknown part of the file: the caller drops it. Linear in the file.
+[[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, el::FileId file,
+                                                      el::OntologySource& source, const Limits& limits = {});
+
+}  // namespace geminga::functional
+
+#endif
