@@ -1,0 +1,61 @@
+// Any octets as a datagram: decoding, encoding again and taking in must stay within every limit.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+
+#include "beacon/codec.hpp"
+#include "beacon/limits.hpp"
+#include "beacon/neighbour_table.hpp"
+
+namespace {
+
+using namespace geminga;
+using namespace geminga::beacon;
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+/// What was accepted can be announced again, and comes back the same.
+void check_round_trip(Announcement announcement) {
+  announcement.part = 0;
+  announcement.part_count = 1;
+  // Services that were written tighter than we write them may take a second datagram; each must be readable.
+  const auto datagrams = encode(announcement);
+  for (const auto& datagram : datagrams) {
+    require(datagram.size() <= max_datagram_bytes);
+    const auto again = decode(datagram);
+    require(again.has_value());
+    require(again->participant == announcement.participant && again->name == announcement.name);
+  }
+}
+
+/// A table that has heard it keeps within its limits, and forgets it at its deadline.
+void check_table(const Announcement& announcement) {
+  NeighbourTable table(announcement.group);
+  table.set_self(ParticipantId{1}, BootNonce{1});
+  const base::Instant now{std::chrono::hours(1)};
+  for (int i = 0; i < 2; ++i) (void)table.hear(announcement, {env::InterfaceIndex{1}, "eth0", "10.0.0.1", now});
+  table.for_each([&](const Neighbour& neighbour) {
+    require(neighbour.publications + neighbour.subscriptions <= max_services_per_participant);
+    require(neighbour.paths.size() <= max_paths);
+    require(neighbour.deadline > now && neighbour.deadline <= now + deadline_intervals * max_interval);
+  });
+  require(table.take_changes().size() <= 2 * max_services_per_participant);
+  table.expire(now + deadline_intervals * max_interval);
+  require(table.size() == 0);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t size) {
+  const auto announcement = decode(std::as_bytes(std::span(octets, size)));
+  if (!announcement) {
+    require(!to_string(announcement.error()).empty());
+    return 0;
+  }
+  check_round_trip(*announcement);
+  check_table(*announcement);
+  return 0;
+}
