@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 5> extensions{".ttl", ".nt", ".rdf", ".owl", ".xml"};
 
 std::unexpected<LoadError> refuse(std::string file, std::string text) {
-  return std::unexpected(LoadError{base::printable(file, 4096), 0, std::move(text)});
+  return std::unexpected(LoadError{base::printable(file, 4096), 0, std::move(text), true});
 }
 
 std::string kernel_words(int error) { return std::generic_category().message(error); }

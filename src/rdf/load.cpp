@@ -17,6 +17,7 @@
 #include "rdf/redland.hpp"
 #include "rdf/scan.hpp"
 #include "rdf/syntax.hpp"
+#include "rdf/turtle_lines.hpp"
 
 namespace geminga::rdf {
 namespace {
@@ -45,9 +46,10 @@ std::optional<LoadError> read_file(const std::string& path, const Limits& limits
   if (!bytes) return std::move(bytes.error());
   const auto syntax = detect_syntax(path, bytes->view());
   if (!syntax) return LoadError{base::printable(path, 4096), 0, syntax.error()};
-  if (auto problem = scan(*syntax, bytes->view(), limits))
+  TurtleLines lines;
+  if (auto problem = scan(*syntax, bytes->view(), limits, lines))
     return LoadError{base::printable(path, 4096), problem->line, std::move(problem->text)};
-  return redland.read(path, *syntax, *bytes, base_iri(path), graph);
+  return redland.read(path, *syntax, *bytes, base_iri(path), lines.take(), graph);
 }
 
 /// Ontology headers: what each file calls itself, and what it imports.

@@ -52,7 +52,8 @@ class Mapping {
   // mapping_roles.cpp: what each node is.
   void find_roles();
   void role_of_type(const Triple& triple);
-  void role_of_use(const Triple& triple);
+  void role_of_use(const Triple& triple, std::vector<std::uint16_t>& uses);
+  [[nodiscard]] std::uint16_t use_of_restricted(NodeId restriction) const;
   void spread_property_kinds();
   void settle_properties();
 

@@ -180,7 +180,9 @@ void Mapping::map_identity(std::uint32_t number, el::AxiomKind kind) {
 
 void Mapping::map_assertion(std::uint32_t number) {
   const Triple& triple = graph_.triple(number);
-  if (word(triple.predicate) != Word::none && !has_role(triple.predicate, property_kinds)) return;  // vocabulary
+  if (!has_role(triple.predicate, property_kinds) &&
+      (word(triple.predicate) != Word::none || graph_.text(triple.predicate).starts_with(owl_namespace)))
+    return;  // vocabulary
   const bool is_value = graph_.is_literal(triple.object);
   if (has_role(triple.predicate, is_object_property) && !is_value) {
     used_[number] = true;

@@ -128,9 +128,20 @@ void Mapping::map_reified(std::uint32_t number) {
   if (has_role(property, is_annotation_property) ||
       (word(property) == Word::none && !has_role(property, property_kinds)))
     return;
+  const bool is_class_valued = word(property) == Word::rdfs_sub_class_of ||
+                               word(property) == Word::owl_equivalent_class ||
+                               word(property) == Word::owl_disjoint_with || word(property) == Word::rdfs_domain ||
+                               word(property) == Word::rdfs_range;
+  // Writers repeat a blank node's description instead of its name. Lists and the like are taken on trust.
+  if (graph_.is_blank(source) || (graph_.is_blank(target) && !is_class_valued)) return;
+  const Mapped described =
+      graph_.is_blank(target) && !is_range(target) ? class_expression(target) : Mapped(el::TermId{});
   for (const std::uint32_t other : graph_.about(source)) {
     const Triple& triple = graph_.triple(other);
-    if (triple.predicate == property && triple.object == target) return;
+    if (triple.predicate != property) continue;
+    if (triple.object == target || is_range(target)) return;
+    if (!graph_.is_blank(target) || !graph_.is_blank(triple.object)) continue;
+    if (const Mapped same = class_expression(triple.object); same && described && *same == *described) return;
   }
   leave_out(number, "an owl:Axiom whose own triple is missing");
 }
@@ -159,6 +170,9 @@ void Mapping::report_leftovers() {
     const std::string_view predicate = graph_.text(triple.predicate);
     // A class expression in no axiom says nothing, but it must be one.
     if (graph_.is_blank(triple.subject) && predicate.starts_with(owl_namespace)) {
+      const bool was_tried = classes_[static_cast<std::size_t>(triple.subject)].state != Memo::State::unknown ||
+                             ranges_.contains(static_cast<std::uint32_t>(triple.subject));
+      if (was_tried) continue;  // and counted where it was used
       const Mapped mapped = is_range(triple.subject)                         ? data_range(triple.subject)
                             : word(triple.predicate) == Word::owl_inverse_of ? object_property(triple.subject)
                                                                              : class_expression(triple.subject);

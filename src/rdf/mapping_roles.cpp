@@ -23,7 +23,13 @@ void Mapping::find_roles() {
     const Triple& triple = graph_.triple(number);
     if (word(triple.predicate) == Word::rdf_type) role_of_type(triple);
   }
-  for (std::uint32_t number = 0; number < graph_.triple_count(); ++number) role_of_use(graph_.triple(number));
+  // Collected beside the declared roles, so that the order of triples decides nothing.
+  std::vector<std::uint16_t> uses(roles_.size(), 0);
+  for (std::uint32_t number = 0; number < graph_.triple_count(); ++number) role_of_use(graph_.triple(number), uses);
+  for (std::size_t node = 0; node < roles_.size(); ++node) {
+    const bool has_kind = (roles_[node] & property_kinds) != 0;
+    add_role(NodeId{static_cast<std::uint32_t>(node)}, has_kind ? uses[node] & ~property_kinds : uses[node]);
+  }
   spread_property_kinds();
   settle_properties();
 }
@@ -73,71 +79,71 @@ void Mapping::role_of_type(const Triple& triple) {
   }
 }
 
-void Mapping::role_of_use(const Triple& triple) {
-  if (graph_.is_literal(triple.object)) add_role(triple.predicate, has_literals);
+void Mapping::role_of_use(const Triple& triple, std::vector<std::uint16_t>& uses) {
+  const auto use = [&](NodeId node, std::uint16_t roles) { uses[static_cast<std::size_t>(node)] |= roles; };
+  if (graph_.is_literal(triple.object)) use(triple.predicate, has_literals);
   switch (word(triple.predicate)) {
     case Word::owl_inverse_of:
-      if (graph_.is_iri(triple.subject)) add_role(triple.subject, is_object_property);
-      add_role(triple.object, is_object_property);
+      if (graph_.is_iri(triple.subject)) use(triple.subject, is_object_property);
+      use(triple.object, is_object_property);
       break;
-    case Word::owl_property_chain_axiom: {
-      add_role(triple.subject, is_object_property);
+    case Word::owl_property_chain_axiom:
+      use(triple.subject, is_object_property);
       if (const auto chain = list(triple.object)) {
-        for (const NodeId property : *chain) add_role(property, is_object_property);
+        for (const NodeId property : *chain) use(property, is_object_property);
       }
       break;
-    }
-    case Word::owl_on_property: {
-      add_role(triple.object, is_some_property);
-      if (has_role(triple.object, property_kinds & ~is_annotation_property)) break;
-      for (const std::uint32_t number : graph_.about(triple.subject)) {
-        const Triple& part = graph_.triple(number);
-        switch (word(part.predicate)) {
-          case Word::owl_some_values_from:
-          case Word::owl_all_values_from:
-            add_role(triple.object, is_range(part.object) ? is_data_property : is_object_property);
-            break;
-          case Word::owl_has_value:
-            add_role(triple.object, graph_.is_literal(part.object) ? is_data_property : is_object_property);
-            break;
-          case Word::owl_has_self:
-          case Word::owl_on_class:
-            add_role(triple.object, is_object_property);
-            break;
-          case Word::owl_on_data_range:
-            add_role(triple.object, is_data_property);
-            break;
-          default:
-            break;
-        }
-      }
+    case Word::owl_on_property:
+      use(triple.object, is_some_property | use_of_restricted(triple.subject));
       break;
-    }
     case Word::rdfs_domain:
-      add_role(triple.subject, is_some_property);
+      use(triple.subject, is_some_property);
       break;
     case Word::rdfs_range:
-      add_role(triple.subject, is_some_property);
-      if (!has_role(triple.subject, property_kinds))
-        add_role(triple.subject, is_range(triple.object) ? is_data_property : is_object_property);
+      use(triple.subject, is_some_property | (is_range(triple.object) ? is_data_property : is_object_property));
       break;
     case Word::rdfs_sub_property_of:
     case Word::owl_equivalent_property:
     case Word::owl_property_disjoint_with:
-      add_role(triple.subject, is_some_property);
-      add_role(triple.object, is_some_property);
+      use(triple.subject, is_some_property);
+      use(triple.object, is_some_property);
       break;
     case Word::owl_assertion_property:
       for (const std::uint32_t number : graph_.about(triple.subject)) {
         const Word part = word(graph_.triple(number).predicate);
-        if (has_role(triple.object, property_kinds)) break;
-        if (part == Word::owl_target_individual) add_role(triple.object, is_object_property);
-        if (part == Word::owl_target_value) add_role(triple.object, is_data_property);
+        if (part == Word::owl_target_individual) use(triple.object, is_object_property);
+        if (part == Word::owl_target_value) use(triple.object, is_data_property);
       }
       break;
     default:
       break;
   }
+}
+
+std::uint16_t Mapping::use_of_restricted(NodeId restriction) const {
+  std::uint16_t roles = 0;
+  for (const std::uint32_t number : graph_.about(restriction)) {
+    const Triple& part = graph_.triple(number);
+    switch (word(part.predicate)) {
+      case Word::owl_some_values_from:
+      case Word::owl_all_values_from:
+        roles |= is_range(part.object) ? is_data_property : is_object_property;
+        break;
+      case Word::owl_has_value:
+        roles |= graph_.is_literal(part.object) ? is_data_property : is_object_property;
+        break;
+      case Word::owl_has_self:
+      case Word::owl_on_class:
+        roles |= is_object_property;
+        break;
+      case Word::owl_on_data_range:
+        roles |= is_data_property;
+        break;
+      default:
+        break;
+    }
+  }
+  return roles;
 }
 
 void Mapping::spread_property_kinds() {
@@ -151,19 +157,18 @@ void Mapping::spread_property_kinds() {
         predicate == Word::owl_property_disjoint_with)
       links.push_back(number);
   }
-  bool is_changed = true;
-  for (int round = 0; is_changed && round < max_rounds; ++round) {
-    is_changed = false;
+  std::vector<std::pair<NodeId, std::uint16_t>> news{{}};
+  for (int round = 0; !news.empty() && round < max_rounds; ++round) {
+    news.clear();
+    const auto copy = [&](NodeId from, NodeId to) {
+      const std::uint16_t kinds = roles_[static_cast<std::size_t>(from)] & property_kinds;
+      if (kinds != 0 && !has_role(to, property_kinds) && graph_.is_iri(to)) news.emplace_back(to, kinds);
+    };
     for (const std::uint32_t number : links) {
-      const Triple& link = graph_.triple(number);
-      const auto copy = [&](NodeId from, NodeId to) {
-        if (has_role(to, property_kinds) || !has_role(from, property_kinds) || !graph_.is_iri(to)) return;
-        add_role(to, roles_[static_cast<std::size_t>(from)] & property_kinds);
-        is_changed = true;
-      };
-      copy(link.object, link.subject);
-      copy(link.subject, link.object);
+      copy(graph_.triple(number).object, graph_.triple(number).subject);
+      copy(graph_.triple(number).subject, graph_.triple(number).object);
     }
+    for (const auto& [node, kinds] : news) add_role(node, kinds);
   }
 }
 

@@ -76,6 +76,8 @@ struct Redland::World {
   std::string blank_prefix;  ///< the same for the same file on every host: made of its content
   std::string label;
   std::uint32_t generated = 0;
+  std::vector<std::uint32_t> lines;
+  std::size_t taken = 0;  ///< triples of this file
   std::optional<LoadError> error;
   bool out_of_memory = false;
 
@@ -135,9 +137,11 @@ struct Redland::World {
     if (error || out_of_memory) return;
     if (++triples > limits.triples)
       return fail("is beyond " + std::to_string(limits.triples) + " triples in all files");
+    const std::size_t place = taken++;
     const NodeId predicate = node(statement->predicate);
     if (is_comment(predicate)) return;
-    const Triple triple{node(statement->subject), predicate, node(statement->object), line()};
+    const Triple triple{node(statement->subject), predicate, node(statement->object),
+                        place < lines.size() ? lines[place] : line()};
     if (!error) graph->add(triple);
   }
 
@@ -226,7 +230,7 @@ const std::vector<DeclaredPrefix>& Redland::prefixes() const { return world_->pr
 std::uint64_t Redland::triple_count() const { return world_->triples; }
 
 std::optional<LoadError> Redland::read(const std::string& path, Syntax syntax, FileBytes& bytes,
-                                       const std::string& base_iri, Graph& graph) {
+                                       const std::string& base_iri, std::vector<std::uint32_t> lines, Graph& graph) {
   World& state = *world_;
   if (state.world == nullptr) return LoadError{path, 0, "cannot be read: Redland does not start, memory is short"};
   const std::string_view view = bytes.view();
@@ -234,6 +238,8 @@ std::optional<LoadError> Redland::read(const std::string& path, Syntax syntax, F
   state.file = static_cast<std::uint32_t>(graph.file_count());
   state.blank_prefix = "_:" + base::to_hex(XXH3_64bits(view.data(), view.size()), 16) + '.';
   state.generated = 0;
+  state.lines = std::move(lines);
+  state.taken = 0;
   state.error.reset();
   graph.begin_file();
 

@@ -35,9 +35,12 @@ class Redland {
   ~Redland();
 
   /// Parses one file that was scanned (rdf/scan.hpp) into the graph. `base_iri` is what relative IRIs are relative to.
-  /// Stops at the first error. Triples whose predicate can only be a comment are counted and not kept.
+  /// `lines` are those of the file's triples in their order (rdf/turtle_lines.hpp); beyond them
+  /// raptor's own are taken. Stops at the first error. Triples whose predicate can only be a comment are counted and
+  /// not kept.
   [[nodiscard]] std::optional<LoadError> read(const std::string& path, Syntax syntax, FileBytes& bytes,
-                                              const std::string& base_iri, Graph& graph);
+                                              const std::string& base_iri, std::vector<std::uint32_t> lines,
+                                              Graph& graph);
 
   /// The prefixes of all files so far, in the order of reading.
   [[nodiscard]] const std::vector<DeclaredPrefix>& prefixes() const;

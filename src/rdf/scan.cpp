@@ -46,10 +46,10 @@ std::optional<ScanProblem> scan_text(std::string_view bytes, bool is_utf8) {
   return std::nullopt;
 }
 
-std::optional<ScanProblem> scan(Syntax syntax, std::string_view bytes, const Limits& limits) {
+std::optional<ScanProblem> scan(Syntax syntax, std::string_view bytes, const Limits& limits, TurtleLines& lines) {
   if (syntax == Syntax::rdf_xml) return scan_xml(bytes, limits);
   if (auto problem = scan_text(bytes, true)) return problem;
-  return scan_turtle(bytes, limits);
+  return scan_turtle(bytes, limits, lines);
 }
 
 }  // namespace geminga::rdf

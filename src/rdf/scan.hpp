@@ -22,13 +22,16 @@ struct ScanProblem {
   std::string text;
 };
 
-/// The first problem of a file, or nothing. Linear in the file.
-[[nodiscard]] std::optional<ScanProblem> scan(Syntax syntax, std::string_view bytes, const Limits& limits);
+class TurtleLines;
+
+/// The first problem of a file, or nothing. Linear in the file. `lines` follows the statements of a Turtle file.
+[[nodiscard]] std::optional<ScanProblem> scan(Syntax syntax, std::string_view bytes, const Limits& limits,
+                                              TurtleLines& lines);
 
 /// NUL bytes and bad UTF-8.
 [[nodiscard]] std::optional<ScanProblem> scan_text(std::string_view bytes, bool is_utf8);
 /// Turtle and N-Triples: nesting, long texts and IRIs, escapes for NUL and surrogates.
-[[nodiscard]] std::optional<ScanProblem> scan_turtle(std::string_view bytes, const Limits& limits);
+[[nodiscard]] std::optional<ScanProblem> scan_turtle(std::string_view bytes, const Limits& limits, TurtleLines& lines);
 /// RDF/XML: encoding, nesting, long texts and tags, and what its DOCTYPE declares.
 [[nodiscard]] std::optional<ScanProblem> scan_xml(std::string_view bytes, const Limits& limits);
 

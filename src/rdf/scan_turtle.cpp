@@ -1,16 +1,21 @@
 // The brackets, strings and IRIs of Turtle and N-Triples (RDF 1.1 Turtle, section 6.5), measured against the limits.
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include "rdf/scan.hpp"
+#include "rdf/turtle_lines.hpp"
 
 namespace geminga::rdf {
 namespace {
 
 class TurtleScan {
  public:
-  TurtleScan(std::string_view bytes, const Limits& limits) : bytes_(bytes), limits_(limits) {}
+  TurtleScan(std::string_view bytes, const Limits& limits, TurtleLines& lines)
+      : bytes_(bytes), limits_(limits), lines_(lines) {}
 
   std::optional<ScanProblem> run() {
+    if (bytes_.starts_with("\xef\xbb\xbf")) place_ = 3;
     while (place_ < bytes_.size() && !problem_) step();
     return std::move(problem_);
   }
@@ -32,26 +37,43 @@ class TurtleScan {
       case '(':
         if (++depth_ > limits_.nesting)
           fail(place_, "nests brackets more than " + std::to_string(limits_.nesting) + " deep");
-        ++place_;
+        lines_.open(bytes_[place_++], line_here());
         break;
       case ']':
       case ')':
         if (depth_ > 0) --depth_;
+        lines_.close(bytes_[place_++]);
+        break;
+      case ';':
+      case ',':
+        lines_.punctuation(bytes_[place_++], line_here());
+        break;
+      case ' ':
+      case '\t':
+      case '\r':
+      case '\n':
         ++place_;
         break;
-      case '\\':  // an escape in a local name, such as \( or \'
-        place_ += 2;
+      case '^':  // ^^ before a datatype
+        ++place_;
+        lines_.datatype();
         break;
       default:
         name();
     }
   }
 
-  /// Skips a run of characters that mean nothing here. One without any break is a name, and may be too long.
+  /// A run of characters without a break is a name, a number or a keyword; a name may escape what would end it.
   void name() {
     const std::size_t begin = place_;
-    place_ = std::min(bytes_.find_first_of(" \t\r\n#<\"'[]()\\,;", place_ + 1), bytes_.size());
+    for (;;) {
+      place_ = std::min(bytes_.find_first_of(" \t\r\n#<\"'[]()\\,;^", place_), bytes_.size());
+      if (place_ >= bytes_.size() || bytes_[place_] != '\\') break;
+      place_ = std::min(place_ + 2, bytes_.size());
+    }
+    if (place_ == begin) ++place_;
     if (place_ - begin > limits_.iri_bytes) too_long(begin, "a name", limits_.iri_bytes);
+    lines_.word(bytes_.substr(begin, place_ - begin), line_at(begin));
   }
 
   void iri() {
@@ -65,11 +87,13 @@ class TurtleScan {
     }
     if (place_ - begin > limits_.iri_bytes) too_long(begin, "an IRI", limits_.iri_bytes);
     ++place_;
+    lines_.term(line_at(begin));
   }
 
   void string() {
     const std::size_t begin = place_;
     const char quote = bytes_[place_];
+    const std::array<char, 3> fence{quote, quote, quote};
     const bool is_long = place_ + 2 < bytes_.size() && bytes_[place_ + 1] == quote && bytes_[place_ + 2] == quote;
     place_ += is_long ? 3 : 1;
     for (;; ++place_) {
@@ -80,13 +104,14 @@ class TurtleScan {
         --place_;
       } else if (c == quote) {
         if (!is_long) break;
-        if (bytes_.substr(place_, 3) == std::string(3, quote)) break;
+        if (bytes_.substr(place_, 3) == std::string_view(fence.data(), 3)) break;
       } else if (c == '\n' && !is_long) {
         break;  // no Turtle; Redland says so
       }
     }
     if (place_ - begin > limits_.literal_bytes) too_long(begin, "a literal", limits_.literal_bytes);
     place_ += is_long ? 3 : 1;
+    lines_.term(line_at(begin));
   }
 
   /// \u0000 would cut a name short, and a surrogate would become bad UTF-8.
@@ -104,6 +129,15 @@ class TurtleScan {
       fail(begin, "writes no character as " + std::string(bytes_.substr(begin, 2 + digits.size())));
   }
 
+  /// The line of a place that is not before the last one asked for.
+  std::uint32_t line_at(std::size_t place) {
+    for (; counted_ < place; ++counted_) {
+      if (bytes_[counted_] == '\n') ++line_;
+    }
+    return line_;
+  }
+  std::uint32_t line_here() { return line_at(std::min(place_, bytes_.size())); }
+
   void too_long(std::size_t place, const char* what, std::size_t limit) {
     fail(place, std::string("has ") + what + " of more than " + std::to_string(limit) + " bytes");
   }
@@ -114,15 +148,18 @@ class TurtleScan {
 
   std::string_view bytes_;
   const Limits& limits_;
+  TurtleLines& lines_;
   std::size_t place_ = 0;
+  std::size_t counted_ = 0;
+  std::uint32_t line_ = 1;
   std::size_t depth_ = 0;
   std::optional<ScanProblem> problem_;
 };
 
 }  // namespace
 
-std::optional<ScanProblem> scan_turtle(std::string_view bytes, const Limits& limits) {
-  return TurtleScan(bytes, limits).run();
+std::optional<ScanProblem> scan_turtle(std::string_view bytes, const Limits& limits, TurtleLines& lines) {
+  return TurtleScan(bytes, limits, lines).run();
 }
 
 }  // namespace geminga::rdf

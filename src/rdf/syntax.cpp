@@ -28,6 +28,7 @@ std::string_view without_comments(std::string_view text) {
 
 /// `<rdf:RDF `, but not `<http://example.org/a> `.
 bool is_xml_tag(std::string_view text) {
+  if (!text.starts_with('<')) return false;
   const std::size_t end = text.find_first_of(" \t\r\n/>", 1);
   if (end == std::string_view::npos || end == 1 || (text[end] == '/' && text.substr(end, 2) != "/>")) return false;
   const std::string_view name = text.substr(1, end - 1);

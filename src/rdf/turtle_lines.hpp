@@ -1,0 +1,51 @@
+// The line of every triple of a Turtle file, in the order in which raptor will give them out.
+//
+// Raptor knows only where it is, and that is the end of a statement when it gives out the triples of one. People write
+// a whole class as one statement, and want to know the line of the axiom.
+#ifndef GEMINGA_RDF_TURTLE_LINES_HPP
+#define GEMINGA_RDF_TURTLE_LINES_HPP
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace geminga::rdf {
+
+/// Follows the tokens of a file. A triple has the line of its object; raptor gives out the triples of brackets and
+/// lists when they close, those of a list from its end, and all others at the end of the statement. A file that is no
+/// Turtle gives lines that mean nothing; raptor refuses it.
+class TurtleLines {
+ public:
+  TurtleLines() { frames_.emplace_back(); }
+
+  void word(std::string_view text, std::uint32_t line);  ///< a name, number or keyword; perhaps with a final dot
+  void term(std::uint32_t line);                         ///< an IRI or a string
+  void open(char bracket, std::uint32_t line);
+  void close(char bracket);
+  void punctuation(char mark, std::uint32_t line);  ///< one of . ; ,
+  /// The next word or IRI is the datatype of the literal before it.
+  void datatype() { is_datatype_next_ = true; }
+
+  [[nodiscard]] std::vector<std::uint32_t> take() { return std::move(lines_); }
+
+ private:
+  enum class Place { subject, verb, object };
+  struct Frame {
+    char bracket = 0;  ///< 0: the statement itself
+    Place next = Place::subject;
+    std::uint32_t line = 0;
+    std::vector<std::uint32_t> objects;
+  };
+
+  void end_statement();
+  void flush(Frame& frame);
+
+  std::vector<Frame> frames_;
+  std::vector<std::uint32_t> lines_;
+  bool is_datatype_next_ = false;
+  int directive_left_ = 0;  ///< terms of a directive that are still to come
+};
+
+}  // namespace geminga::rdf
+
+#endif
