@@ -199,6 +199,10 @@ void Lab::join(std::size_t host) {
   visit(host, [] { ip({"link", "set", "wlan0", "up"}); });
 }
 
+void Lab::take_ipv4(std::size_t host) {
+  visit(host, [] { ip({"-4", "address", "flush", "dev", "wlan0"}); });
+}
+
 std::uint16_t Lab::gcnp_port(std::size_t host) const { return hosts_.at(host).gcnp_port; }
 std::uint16_t Lab::udp_port() const { return udp_port_; }
 std::string Lab::interface_of(std::size_t) const { return has_namespaces() ? "wlan0" : "lo"; }

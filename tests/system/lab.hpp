@@ -48,6 +48,9 @@ class Lab {
   void cut(std::size_t host);
   void join(std::size_t host);
 
+  /// Takes the host's IPv4 address away. Only with namespaces.
+  void take_ipv4(std::size_t host);
+
   [[nodiscard]] std::uint16_t gcnp_port(std::size_t host) const;
   [[nodiscard]] std::uint16_t udp_port() const;
   /// The interface that the host's daemon uses.

@@ -177,6 +177,18 @@ TEST(Team, LosesAHostWithItsLinkAndFindsItAgainWhenTheLinkIsBack) {
   EXPECT_TRUE(lab.wait_for_participants(0, 3)) << "the host that was away hears the others again";
 }
 
+TEST(Team, WithoutIpv4MeetsOverIpv6) {
+  Lab lab(2);
+  if (lab.has_namespaces()) {
+    for (const std::size_t host : {0U, 1U}) lab.take_ipv4(host);
+  }  // the loopback interface has no route for IPv6 multicast: there the team meets over IPv4
+  lab.start_all(quick);
+  for (const std::size_t host : {0U, 1U}) EXPECT_TRUE(lab.wait_for_participants(host, 2)) << lab.way();
+  const auto interfaces = lab.talk(0).query("interfaces");
+  ASSERT_THAT(interfaces, SizeIs(1));
+  if (lab.has_namespaces()) EXPECT_THAT(field(interfaces[0], "addresses"), testing::StartsWith("fe80::"));
+}
+
 TEST(Team, KeepsGroupsApart) {
   Lab lab(3);
   lab.start(0, {"--interval", "0.1", "--group", "blue"});
