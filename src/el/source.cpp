@@ -26,7 +26,13 @@ std::uint64_t hash_of_term(TermKind kind, NameId name, std::uint32_t number, std
 
 }  // namespace
 
-OntologySource::OntologySource(const SourceLimits& limits) : limits_(limits) { intern("", 0); }
+OntologySource::OntologySource(const SourceLimits& limits) : limits_(limits) {
+  // These are always there, whatever the limits: the empty name, and the first two terms.
+  intern("", 0);
+  intern_term(TermKind::named_class, intern(owl_thing, owl_thing.size()), 0, {});
+  intern_term(TermKind::named_class, intern(owl_nothing, owl_nothing.size()), 0, {});
+  problem_.reset();
+}
 
 void OntologySource::fail(std::string text) {
   if (!problem_) problem_ = std::move(text);
@@ -88,8 +94,7 @@ TermId OntologySource::intern_term(TermKind kind, NameId name, std::uint32_t num
   if (terms_.size() >= limits_.terms || term_arguments_.size() + arguments.size() > limits_.arguments) {
     fail("the ontology has more than " + std::to_string(limits_.terms) + " different terms or " +
          std::to_string(limits_.arguments) + " arguments");
-    // Some valid term must come back: the first, or this one where the limit is zero.
-    if (!terms_.empty()) return TermId{0};
+    if (terms_.size() > 1) return thing_term;  // some valid term must come back
   }
   std::uint32_t depth = 0;
   bool well_formed = is_well_formed(*this, kind, arguments);

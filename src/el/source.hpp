@@ -22,14 +22,18 @@ namespace geminga::el {
 struct SourceLimits {
   std::size_t name_bytes = std::size_t{1} << 16;      ///< of one IRI or label; longer names are a problem
   std::size_t literal_bytes = std::size_t{1} << 20;   ///< of one lexical form
-  std::size_t all_name_bytes = std::size_t{1} << 31;  ///< of all names together
-  std::size_t terms = std::size_t{1} << 27;           ///< different terms
-  std::size_t arguments = std::size_t{1} << 28;       ///< arguments of all terms, and of all axioms
-  std::size_t axioms = std::size_t{1} << 26;
+  std::size_t all_name_bytes = std::size_t{1} << 29;  ///< of all names together
+  std::size_t terms = std::size_t{1} << 23;           ///< different terms
+  std::size_t arguments = std::size_t{1} << 24;       ///< arguments of all terms, and of all axioms
+  std::size_t axioms = std::size_t{1} << 23;
   std::size_t files = 10'000;
   /// Levels of nested class expressions; an axiom with more is left out and named, it is not a problem.
   std::uint32_t nesting = 500;
 };
+
+/// owl:Thing and owl:Nothing have these numbers in every source.
+inline constexpr TermId thing_term{0};
+inline constexpr TermId nothing_term{1};
 
 /// An ontology as it was read, in no particular order. Only appended to; ids stay valid. Not thread-safe.
 class OntologySource {

@@ -1,0 +1,193 @@
+// The way from axioms to the taxonomy: normalise, saturate, reduce.
+#include "el/classify.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "el/index.hpp"
+#include "el/nominals.hpp"
+#include "el/normaliser.hpp"
+#include "el/saturation.hpp"
+#include "el/taxonomy.hpp"
+
+namespace geminga::el {
+namespace {
+
+constexpr std::size_t max_pairs = std::size_t{1} << 28;        // of one closure before saturation
+constexpr std::size_t max_conclusions = std::size_t{1} << 31;  // of one saturation
+constexpr std::size_t max_conditional_roots = 20'000;          // saturations for nominals
+
+/// The work of one classification, step by step.
+class Classifier {
+ public:
+  explicit Classifier(const OntologySource& source) : source_(source), normaliser_(source, index_) {}
+
+  std::expected<Classification, ClassifyError> run() {
+    if (source_.problem()) return std::unexpected(ClassifyError{*source_.problem()});
+    find_classes();
+    add_axioms();
+    if (!index_.finish(max_pairs)) {
+      return std::unexpected(ClassifyError{"the closure of the properties or of the told classes has more than " +
+                                           std::to_string(max_pairs) + " pairs"});
+    }
+    Saturation saturation(index_, max_conclusions);
+    require_contexts(saturation);
+    if (!saturation.run()) {
+      return std::unexpected(
+          ClassifyError{"more than " + std::to_string(max_conclusions) + " conclusions follow: the ontology is too large"});
+    }
+    count(saturation);
+    reduce(saturation);
+    return std::move(result_);
+  }
+
+ private:
+  /// Every class in an axiom, ascending by IRI, and T and F.
+  void find_classes() {
+    std::vector<bool> is_used(source_.term_count(), false);
+    is_used[static_cast<std::size_t>(thing_term)] = true;
+    is_used[static_cast<std::size_t>(nothing_term)] = true;
+    for (std::size_t number_of_axiom = 0; number_of_axiom < source_.axiom_count(); ++number_of_axiom) {
+      for (const TermId argument : source_.axiom(number_of_axiom).arguments) {
+        is_used[static_cast<std::size_t>(argument)] = true;
+      }
+    }
+    std::vector<std::pair<std::string_view, TermId>> named;
+    // The arguments of a term have smaller numbers than it, so that one pass downwards finds all that is used.
+    for (std::uint32_t id = static_cast<std::uint32_t>(source_.term_count()); id-- > 0;) {
+      if (!is_used[id]) continue;
+      const Term term = source_.term(TermId{id});
+      for (const TermId argument : term.arguments) is_used[static_cast<std::size_t>(argument)] = true;
+      if (term.kind == TermKind::named_class) named.emplace_back(source_.name(term.name), TermId{id});
+    }
+    std::ranges::sort(named);
+    for (const auto& [iri, term] : named) classes_.push_back(term);
+  }
+
+  void add_axioms() {
+    for (std::uint32_t axiom = 0; axiom < source_.axiom_count(); ++axiom) {
+      const Construct unused = normaliser_.add(axiom);
+      if (unused != Construct::none) result_.unused.push_back({axiom, to_string(unused)});
+      if (source_.axiom(axiom).kind != AxiomKind::declaration) ++result_.counts.axioms;
+    }
+    for (const TermId term : classes_) exprs_.push_back(normaliser_.expression(term));
+    for (const auto& [axiom, construct] : normaliser_.finish()) result_.unused.push_back({axiom, to_string(construct)});
+    std::ranges::sort(result_.unused, {}, &UnusedAxiom::axiom);
+    const auto repeated = std::ranges::unique(result_.unused, {}, &UnusedAxiom::axiom);
+    result_.unused.erase(repeated.begin(), repeated.end());
+    result_.counts.used_axioms = result_.counts.axioms - result_.unused.size();
+  }
+
+  void require_contexts(Saturation& saturation) {
+    for (ExprId& expr : exprs_) {
+      expr = index_.representative(expr);
+      // Where a class has nothing but one expression with rules above it, that one's context says all.
+      if (!index_.needs_no_context(expr)) {
+        asked_.push_back(expr);
+      } else if (!index_.frontier(expr).empty()) {
+        asked_.push_back(index_.frontier(expr).front());
+      }
+    }
+    std::ranges::sort(asked_);
+    asked_.erase(std::unique(asked_.begin(), asked_.end()), asked_.end());
+    for (const ExprId root : asked_) saturation.require(root);
+    for (const ExprId individual : normaliser_.individuals()) saturation.require(index_.representative(individual));
+  }
+
+  void count(const Saturation& saturation) {
+    result_.counts.expressions = index_.size();
+    result_.counts.contexts = saturation.contexts().size();
+    result_.counts.subsumptions = saturation.conclusion_count();
+    result_.counts.links = saturation.link_count();
+  }
+
+  void reduce(const Saturation& saturation) {
+    SubsumptionGraph graph(index_);
+    result_.is_consistent = saturation.is_consistent();
+    for (const Context& context : saturation.contexts()) {
+      if (context.is_unsatisfiable) graph.set_unsatisfiable(context.root);
+      for (const ExprId above : context.derived) graph.add_edge(context.root, above);
+    }
+    const std::vector<ExprId> conditional = find_conditional_roots(index_, saturation, asked_);
+    // Over the limit the rest keeps what holds without an instance, and the axioms with nominals count as unused.
+    for (std::size_t at = 0; at < std::min(conditional.size(), max_conditional_roots); ++at) {
+      const auto world = find_world(index_, conditional[at], normaliser_.individuals(), max_conclusions);
+      if (!world) continue;
+      if (!world->is_possible) graph.set_unsatisfiable(conditional[at]);
+      for (const ExprId above : world->above) graph.add_edge(conditional[at], above);
+    }
+    if (conditional.size() > max_conditional_roots) leave_out_nominals();
+    name_classes();
+    std::move(graph).reduce(exprs_, result_);
+  }
+
+  void leave_out_nominals() {
+    for (std::uint32_t axiom = 0; axiom < source_.axiom_count(); ++axiom) {
+      const Axiom added = source_.axiom(axiom);
+      if (added.kind == AxiomKind::sub_class_of || added.kind == AxiomKind::equivalent_classes) {
+        const auto is_nominal = [&](TermId term) {
+          return source_.kind(term) == TermKind::object_has_value || source_.kind(term) == TermKind::object_one_of;
+        };
+        if (std::ranges::any_of(added.arguments, is_nominal)) {
+          result_.unused.push_back({axiom, to_string(Construct::too_many_nominals)});
+        }
+      }
+    }
+    std::ranges::stable_sort(result_.unused, {}, &UnusedAxiom::axiom);
+  }
+
+  void name_classes() {
+    for (const TermId term : classes_) result_.classes.push_back(source_.term(term).name);
+    const auto find = [&](std::string_view iri) {
+      const auto found = std::ranges::lower_bound(result_.classes, iri, {}, [&](NameId id) { return source_.name(id); });
+      return ClassNumber{static_cast<std::uint32_t>(found - result_.classes.begin())};
+    };
+    result_.thing = find(owl_thing);
+    result_.nothing = find(owl_nothing);
+  }
+
+  const OntologySource& source_;
+  Index index_;
+  Normaliser normaliser_;
+  std::vector<TermId> classes_;
+  std::vector<ExprId> exprs_;
+  std::vector<ExprId> asked_;
+  Classification result_;
+};
+
+}  // namespace
+
+std::expected<Classification, ClassifyError> classify(const OntologySource& source, const ClassifyOptions&) {
+  return Classifier(source).run();
+}
+
+std::vector<LeftOut> left_out(const OntologySource& source, const Classification& classification) {
+  struct Place {
+    std::uint32_t count = 0;
+    std::pair<std::string_view, std::uint32_t> first;
+  };
+  std::map<std::string_view, Place> places;
+  const auto add = [&](std::string_view construct, FileId file, std::uint32_t line, std::uint32_t count) {
+    Place& place = places[construct];
+    const std::pair<std::string_view, std::uint32_t> here(source.files()[static_cast<std::size_t>(file)].path, line);
+    if (place.count == 0 || here < place.first) place.first = here;
+    place.count += count;
+  };
+  for (const OntologySource::Omission& omission : source.omissions()) {
+    add(source.name(omission.construct), omission.file, omission.line, omission.count);
+  }
+  for (const UnusedAxiom& unused : classification.unused) {
+    const Axiom axiom = source.axiom(unused.axiom);
+    add(unused.construct, axiom.file, axiom.line, 1);
+  }
+  std::vector<LeftOut> result;
+  for (const auto& [construct, place] : places) {
+    result.push_back({std::string(construct), place.count,
+                      std::string(place.first.first) + ":" + std::to_string(place.first.second)});
+  }
+  return result;
+}
+
+}  // namespace geminga::el

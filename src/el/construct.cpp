@@ -1,0 +1,35 @@
+// The names of constructs.
+#include "el/construct.hpp"
+
+#include <array>
+
+namespace geminga::el {
+
+std::string_view to_string(Construct construct) {
+  static constexpr std::array<std::string_view, 21> words = {
+      "",
+      "owl:unionOf",
+      "owl:complementOf",
+      "owl:oneOf",
+      "owl:allValuesFrom",
+      "owl:minCardinality over 1",
+      "owl:maxCardinality",
+      "owl:inverseOf",
+      "owl:FunctionalProperty",
+      "owl:InverseFunctionalProperty",
+      "owl:SymmetricProperty",
+      "owl:AsymmetricProperty",
+      "owl:propertyDisjointWith",
+      "owl:topObjectProperty",
+      "owl:hasKey",
+      "owl:disjointUnionOf",
+      "rdfs:range of a property chain",
+      "owl:withRestrictions",
+      "owl:datatypeComplementOf",
+      "owl:unionOf data ranges",
+      "nominals in too many classes",
+  };
+  return words[static_cast<std::size_t>(construct)];
+}
+
+}  // namespace geminga::el

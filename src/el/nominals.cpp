@@ -1,0 +1,79 @@
+// Worlds in which one class is not empty.
+#include "el/nominals.hpp"
+
+#include <algorithm>
+
+namespace geminga::el {
+namespace {
+
+/// Whether a context below a nominal has subsumers with rules that the nominal has not.
+bool says_more(const Index& index, const Saturation& saturation, const Context& context) {
+  return std::ranges::any_of(context.nominals, [&](std::uint32_t nominal) {
+    const Context& individual = saturation.contexts()[nominal];
+    return std::ranges::any_of(context.subsumers.items(), [&](std::uint32_t subsumer) {
+      return subsumer < index.size() && !individual.subsumers.contains(subsumer);
+    });
+  });
+}
+
+}  // namespace
+
+std::vector<ExprId> find_conditional_roots(const Index& index, const Saturation& saturation,
+                                           std::span<const ExprId> asked) {
+  std::vector<ExprId> roots;
+  if (!index.has_nominals() || !saturation.is_consistent()) return roots;
+  // Backwards from what is below a nominal, is not known to have an instance, and says more than the nominal does.
+  const auto& contexts = saturation.contexts();
+  std::vector<bool> is_conditional(contexts.size(), false);
+  std::vector<std::uint32_t> stack;
+  for (std::uint32_t at = 0; at < contexts.size(); ++at) {
+    const Context& context = contexts[at];
+    if (context.is_nonempty || context.is_unsatisfiable || context.nominals.empty()) continue;
+    is_conditional[at] = true;
+    if (says_more(index, saturation, context)) stack.push_back(at);
+  }
+  std::vector<bool> seen(contexts.size(), false);
+  while (!stack.empty()) {
+    const std::uint32_t at = stack.back();
+    stack.pop_back();
+    if (seen[at]) continue;
+    seen[at] = true;
+    is_conditional[at] = true;
+    for (const Link link : contexts[at].backward.items()) stack.push_back(link.context);
+  }
+  for (const ExprId root : asked) {
+    const Context* context = saturation.find(root);
+    if (context == nullptr || context->is_nonempty || context->is_unsatisfiable) continue;
+    if (is_conditional[saturation.number_of(root)]) roots.push_back(root);
+  }
+  return roots;
+}
+
+std::optional<World> find_world(const Index& index, ExprId root, std::span<const ExprId> individuals,
+                                std::size_t max_conclusions) {
+  Saturation saturation(index, max_conclusions);
+  for (const ExprId individual : individuals) saturation.require(index.representative(individual));
+  saturation.require_nonempty(saturation.require(index.representative(root)));
+  if (!saturation.run()) return std::nullopt;
+  World world;
+  world.is_possible = saturation.is_consistent();
+  if (!world.is_possible) return world;
+  std::vector<bool> seen(index.size(), false);
+  const auto reach = [&](ExprId above) {
+    if (seen[number(above)]) return;
+    seen[number(above)] = true;
+    world.above.push_back(above);
+  };
+  reach(index.representative(root));
+  reach(index.representative(top_expr));
+  for (std::size_t at = 0; at < world.above.size(); ++at) {
+    const ExprId node = world.above[at];
+    for (const ExprId above : index.told_atoms(node)) reach(above);
+    if (const Context* context = saturation.find(node)) {
+      for (const ExprId above : context->derived) reach(above);
+    }
+  }
+  return world;
+}
+
+}  // namespace geminga::el

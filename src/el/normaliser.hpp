@@ -1,0 +1,101 @@
+// From OWL axioms to the index: what EL can say exactly is said, what it cannot is weakened soundly and named.
+#ifndef GEMINGA_EL_NORMALISER_HPP
+#define GEMINGA_EL_NORMALISER_HPP
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "el/construct.hpp"
+#include "el/index.hpp"
+#include "el/source.hpp"
+
+namespace geminga::el {
+
+/// Rewrites axioms one by one into an index. Everything it adds follows from the axioms (over names of its own), so that
+/// whatever is derived is sound; where it returns Construct::none, nothing of the axiom is lost.
+///
+/// An expression that EL has no rules for becomes an atom of its own, so that it is at least equal to itself.
+class Normaliser {
+ public:
+  Normaliser(const OntologySource& source, Index& index);
+
+  /// Adds one axiom of the source; the first construct in it that is not used in full.
+  Construct add(std::uint32_t axiom);
+  /// To be called once after the last axiom: the axioms that turn out not to be used in full only now.
+  [[nodiscard]] std::vector<std::pair<std::uint32_t, Construct>> finish();
+
+  /// The expression of a class, whether an axiom uses it or not.
+  ExprId expression(TermId term);
+  /// All individuals that the added axioms name.
+  [[nodiscard]] const std::vector<ExprId>& individuals() const { return individuals_; }
+
+ private:
+  /// A property expression: a role, or the inverse of one.
+  struct Property {
+    RoleId role{};
+    bool is_inverse = false;
+    bool is_top = false;
+    bool is_data = false;
+  };
+
+  // Both polarities.
+  ExprId make_expression(TermId term);
+  ExprId make_restriction(TermId id, const Term& term);
+  ExprId make_some(const Property& property, ExprId filler, TermId id);
+  ExprId opaque(TermKind kind, std::uint32_t number, std::vector<std::uint32_t> key);
+  ExprId opaque_restriction(TermKind kind, std::uint32_t number, const Property& property, ExprId filler);
+  ExprId make_union(const std::vector<ExprId>& parts);
+  Property property(TermId term);
+  ExprId filler_of(const Term& term);
+
+  // One polarity: `use` adds the rules, once, and returns the first construct that has none.
+  Construct use_negative(TermId term);
+  Construct use_positive(TermId term);
+  Construct make_negative(TermId term);
+  Construct make_positive(TermId term);
+  Construct make_negative_restriction(const Term& term, ExprId expr);
+  Construct make_positive_restriction(const Term& term, ExprId expr);
+  Construct use_all_values(const Property& property, TermId filler, ExprId expr);
+  Construct use_at_most(std::uint32_t limit, const Property& property, const Term& term, ExprId expr);
+  Construct use_negative_filler(const Term& term);
+  Construct use_positive_filler(const Term& term);
+  ExprId negative_some(const Property& property, ExprId filler);
+
+  // Axioms.
+  Construct add_class_axiom(const Axiom& axiom);
+  Construct add_object_property_axiom(const Axiom& axiom);
+  Construct add_data_property_axiom(const Axiom& axiom);
+  Construct add_assertion(const Axiom& axiom);
+  Construct include(TermId sub, TermId super);
+  std::optional<Construct> include_as_range(TermId sub, TermId super);
+  Construct add_disjoint(std::span<const TermId> members);
+  Construct add_chain(const Term& chain, TermId super);
+  Construct add_domain(const Property& property, TermId domain);
+  Construct add_range(const Property& property, TermId range, std::uint32_t axiom);
+  Construct add_property_assertion(const Axiom& axiom, bool is_negative);
+
+  const OntologySource& source_;
+  Index& index_;
+  std::vector<std::uint32_t> exprs_;       ///< by term
+  std::vector<std::uint8_t> negative_;     ///< by term: 0 not used yet, else 1 + construct
+  std::vector<std::uint8_t> positive_;
+  std::vector<std::uint32_t> roles_;       ///< by term
+  std::vector<std::uint32_t> opaque_keys_; ///< all keys in a row
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> opaque_spans_;
+  std::vector<ExprId> opaque_exprs_;
+  NumberTable opaque_table_;
+  std::vector<ExprId> individuals_;
+  std::uint32_t current_axiom_ = 0;
+  struct Range {
+    std::uint32_t axiom = 0;
+    RoleId role{};
+    ExprId range{};
+  };
+  std::vector<Range> ranges_;
+};
+
+}  // namespace geminga::el
+
+#endif

@@ -1,0 +1,406 @@
+// Expressions, by polarity. Legend as in index.hpp; X is the atom that stands for an expression without rules.
+#include <xxhash.h>
+
+#include <algorithm>
+
+#include "base/assert.hpp"
+#include "el/normaliser.hpp"
+
+namespace geminga::el {
+namespace {
+
+constexpr std::uint32_t none = NumberTable::none;
+constexpr std::string_view owl = "http://www.w3.org/2002/07/owl#";
+constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
+
+Construct both(Construct first, Construct second) { return first != Construct::none ? first : second; }
+
+bool is_in_owl(std::string_view iri, std::string_view local) {
+  return iri.size() == owl.size() + local.size() && iri.starts_with(owl) && iri.ends_with(local);
+}
+
+/// min R C is given as min R T where it is not qualified.
+bool is_qualified(const Term& term) { return term.arguments.size() == 2; }
+
+}  // namespace
+
+Normaliser::Normaliser(const OntologySource& source, Index& index)
+    : source_(source),
+      index_(index),
+      exprs_(source.term_count(), none),
+      negative_(source.term_count(), 0),
+      positive_(source.term_count(), 0),
+      roles_(source.term_count(), none) {}
+
+Normaliser::Property Normaliser::property(TermId id) {
+  const Term term = source_.term(id);
+  if (term.kind == TermKind::object_inverse_of) {
+    Property inverse = property(term.arguments[0]);
+    inverse.is_inverse = !inverse.is_top;  // the inverse of the top property is itself
+    return inverse;
+  }
+  Property result;
+  result.is_data = term.kind == TermKind::data_property;
+  const std::string_view iri = source_.name(term.name);
+  result.is_top = is_in_owl(iri, result.is_data ? "topDataProperty" : "topObjectProperty");
+  std::uint32_t& role = roles_[static_cast<std::size_t>(id)];
+  if (role == none) {
+    role = static_cast<std::uint32_t>(index_.roles().add());
+    if (is_in_owl(iri, result.is_data ? "bottomDataProperty" : "bottomObjectProperty")) {
+      const ExprId some = index_.existential(RoleId{role}, top_expr);
+      index_.mark_negative(some);
+      index_.add_told(some, bottom_expr);
+    }
+  }
+  result.role = RoleId{role};
+  return result;
+}
+
+ExprId Normaliser::expression(TermId id) {
+  const auto index = static_cast<std::size_t>(id);
+  if (exprs_[index] == none) exprs_[index] = number(make_expression(id));
+  return ExprId{exprs_[index]};
+}
+
+ExprId Normaliser::make_expression(TermId id) {
+  const Term term = source_.term(id);
+  switch (term.kind) {
+    case TermKind::named_class: {
+      const std::string_view iri = source_.name(term.name);
+      if (iri == owl_thing) return top_expr;
+      if (iri == owl_nothing) return bottom_expr;
+      return index_.add_atom();
+    }
+    case TermKind::datatype:
+      return source_.name(term.name) == rdfs_literal ? top_expr : index_.add_atom();
+    case TermKind::literal:
+      return index_.add_atom();
+    case TermKind::individual:
+    case TermKind::anonymous_individual:
+      individuals_.push_back(index_.add_nominal());
+      return individuals_.back();
+    case TermKind::object_intersection_of:
+    case TermKind::data_intersection_of: {
+      std::vector<ExprId> parts;
+      for (const TermId part : term.arguments) parts.push_back(expression(part));
+      return index_.conjunction(std::move(parts));
+    }
+    case TermKind::object_union_of:
+    case TermKind::data_union_of:
+    case TermKind::object_one_of:
+    case TermKind::data_one_of: {
+      std::vector<ExprId> parts;
+      for (const TermId part : term.arguments) parts.push_back(expression(part));
+      return make_union(parts);
+    }
+    case TermKind::object_complement_of:
+    case TermKind::data_complement_of: {
+      const ExprId part = expression(term.arguments[0]);
+      if (part == top_expr) return bottom_expr;
+      if (part == bottom_expr) return top_expr;
+      if (source_.kind(term.arguments[0]) == term.kind) return expression(source_.term(term.arguments[0]).arguments[0]);
+      return opaque(TermKind::object_complement_of, 0, {number(part)});
+    }
+    case TermKind::datatype_restriction:
+      return index_.add_atom();
+    default:
+      return make_restriction(id, term);
+  }
+}
+
+ExprId Normaliser::make_union(const std::vector<ExprId>& parts) {
+  std::vector<std::uint32_t> key;
+  for (const ExprId part : parts) {
+    if (part == top_expr) return top_expr;
+    if (part != bottom_expr) key.push_back(number(part));
+  }
+  std::ranges::sort(key);
+  key.erase(std::unique(key.begin(), key.end()), key.end());
+  if (key.empty()) return bottom_expr;
+  if (key.size() == 1) return ExprId{key.front()};
+  return opaque(TermKind::object_union_of, 0, std::move(key));
+}
+
+ExprId Normaliser::filler_of(const Term& term) { return is_qualified(term) ? expression(term.arguments[1]) : top_expr; }
+
+ExprId Normaliser::make_some(const Property& property, ExprId filler, TermId) {
+  if (filler == bottom_expr) return bottom_expr;
+  if (property.is_inverse) return opaque_restriction(TermKind::object_some_values_from, 0, property, filler);
+  return index_.existential(property.role, filler);
+}
+
+ExprId Normaliser::make_restriction(TermId id, const Term& term) {
+  const Property role = property(term.arguments[0]);
+  switch (term.kind) {
+    case TermKind::object_some_values_from:
+    case TermKind::data_some_values_from:
+    case TermKind::object_has_value:
+    case TermKind::data_has_value:
+      return make_some(role, expression(term.arguments[1]), id);
+    case TermKind::object_has_self:
+      return index_.self(role.role);
+    case TermKind::object_all_values_from:
+    case TermKind::data_all_values_from: {
+      const ExprId filler = expression(term.arguments[1]);
+      return filler == top_expr ? top_expr : opaque_restriction(TermKind::object_all_values_from, 0, role, filler);
+    }
+    case TermKind::object_min_cardinality:
+    case TermKind::data_min_cardinality:
+      if (term.number == 0) return top_expr;
+      if (term.number == 1 || filler_of(term) == bottom_expr) return make_some(role, filler_of(term), id);
+      return opaque_restriction(TermKind::object_min_cardinality, term.number, role, filler_of(term));
+    case TermKind::object_max_cardinality:
+    case TermKind::data_max_cardinality:
+      if (filler_of(term) == bottom_expr) return top_expr;
+      return opaque_restriction(TermKind::object_max_cardinality, term.number, role, filler_of(term));
+    case TermKind::object_exact_cardinality:
+    case TermKind::data_exact_cardinality: {
+      const ExprId filler = filler_of(term);
+      if (filler == bottom_expr) return term.number == 0 ? top_expr : bottom_expr;
+      const ExprId most = opaque_restriction(TermKind::object_max_cardinality, term.number, role, filler);
+      if (term.number == 0) return most;
+      const ExprId least = term.number == 1
+                               ? make_some(role, filler, id)
+                               : opaque_restriction(TermKind::object_min_cardinality, term.number, role, filler);
+      return index_.conjunction({least, most});
+    }
+    default:
+      GEMINGA_ASSERT(!"a term that is no class expression or data range");
+  }
+}
+
+ExprId Normaliser::opaque_restriction(TermKind kind, std::uint32_t limit, const Property& property, ExprId filler) {
+  return opaque(kind, limit,
+                {static_cast<std::uint32_t>(property.role), property.is_inverse ? 1U : 0U, number(filler)});
+}
+
+ExprId Normaliser::opaque(TermKind kind, std::uint32_t limit, std::vector<std::uint32_t> key) {
+  key.push_back(limit);
+  key.push_back(static_cast<std::uint32_t>(kind));
+  const auto filed = [&](std::uint32_t entry) {
+    return std::span(opaque_keys_).subspan(opaque_spans_[entry].first, opaque_spans_[entry].second);
+  };
+  const std::uint64_t hash = XXH3_64bits(key.data(), key.size() * sizeof key[0]);
+  const std::uint32_t found =
+      opaque_table_.find(hash, [&](std::uint32_t entry) { return std::ranges::equal(filed(entry), key); });
+  if (found != none) return opaque_exprs_[found];
+  const auto entry = static_cast<std::uint32_t>(opaque_exprs_.size());
+  opaque_spans_.emplace_back(static_cast<std::uint32_t>(opaque_keys_.size()), static_cast<std::uint32_t>(key.size()));
+  opaque_keys_.insert(opaque_keys_.end(), key.begin(), key.end());
+  opaque_exprs_.push_back(index_.add_atom());
+  opaque_table_.insert(hash, entry, [&](std::uint32_t other) {
+    return XXH3_64bits(filed(other).data(), filed(other).size_bytes());
+  });
+  return opaque_exprs_.back();
+}
+
+ExprId Normaliser::negative_some(const Property& property, ExprId filler) {
+  const ExprId some = index_.existential(property.role, filler);
+  index_.mark_negative(some);
+  return some;
+}
+
+Construct Normaliser::use_negative(TermId id) {
+  const auto index = static_cast<std::size_t>(id);
+  if (negative_[index] == 0) negative_[index] = static_cast<std::uint8_t>(1 + static_cast<int>(make_negative(id)));
+  return static_cast<Construct>(negative_[index] - 1);
+}
+
+Construct Normaliser::use_positive(TermId id) {
+  const auto index = static_cast<std::size_t>(id);
+  if (positive_[index] == 0) positive_[index] = static_cast<std::uint8_t>(1 + static_cast<int>(make_positive(id)));
+  return static_cast<Construct>(positive_[index] - 1);
+}
+
+Construct Normaliser::use_negative_filler(const Term& term) {
+  return is_qualified(term) ? use_negative(term.arguments[1]) : Construct::none;
+}
+
+Construct Normaliser::use_positive_filler(const Term& term) {
+  return is_qualified(term) ? use_positive(term.arguments[1]) : Construct::none;
+}
+
+Construct Normaliser::make_negative(TermId id) {
+  const Term term = source_.term(id);
+  const ExprId expr = expression(id);
+  // What is T or F is exact as it is, whatever it was written with.
+  if (expr == top_expr || expr == bottom_expr) return Construct::none;
+  Construct unused = Construct::none;
+  switch (term.kind) {
+    case TermKind::named_class:
+    case TermKind::datatype:
+    case TermKind::literal:
+    case TermKind::individual:
+    case TermKind::anonymous_individual:
+      return Construct::none;
+    case TermKind::object_intersection_of:
+    case TermKind::data_intersection_of:
+      for (const TermId part : term.arguments) unused = both(unused, use_negative(part));
+      index_.mark_negative(expr);
+      return unused;
+    case TermKind::object_union_of:
+    case TermKind::data_union_of:
+    case TermKind::object_one_of:
+    case TermKind::data_one_of:
+      //  C or D < E  is  C < X, D < X, X < E
+      for (const TermId part : term.arguments) {
+        unused = both(unused, use_negative(part));
+        index_.add_told(expression(part), expr);
+      }
+      return unused;
+    case TermKind::object_complement_of:
+      return source_.kind(term.arguments[0]) == term.kind ? use_negative(source_.term(term.arguments[0]).arguments[0])
+                                                          : Construct::complement_of;
+    case TermKind::data_complement_of:
+      return Construct::datatype_complement;
+    case TermKind::datatype_restriction:
+      return Construct::datatype_restriction;
+    default:
+      return make_negative_restriction(term, expr);
+  }
+}
+
+Construct Normaliser::make_negative_restriction(const Term& term, ExprId expr) {
+  const Property role = property(term.arguments[0]);
+  if (role.is_top) return Construct::top_property;
+  switch (term.kind) {
+    case TermKind::object_has_self:
+      index_.mark_negative(expr);
+      return Construct::none;
+    case TermKind::object_all_values_from:
+    case TermKind::data_all_values_from:
+      return Construct::all_values_from;
+    case TermKind::object_max_cardinality:
+    case TermKind::data_max_cardinality:
+    case TermKind::object_exact_cardinality:
+    case TermKind::data_exact_cardinality:
+      return Construct::max_cardinality;
+    case TermKind::object_min_cardinality:
+    case TermKind::data_min_cardinality:
+      if (term.number > 1) return Construct::min_cardinality;
+      break;
+    default:
+      break;
+  }
+  if (role.is_inverse) return Construct::inverse_of;
+  index_.mark_negative(expr);
+  return use_negative_filler(term);
+}
+
+Construct Normaliser::make_positive(TermId id) {
+  const Term term = source_.term(id);
+  const ExprId expr = expression(id);
+  if (expr == top_expr || expr == bottom_expr) return Construct::none;
+  Construct unused = Construct::none;
+  switch (term.kind) {
+    case TermKind::named_class:
+    case TermKind::datatype:
+    case TermKind::literal:
+    case TermKind::individual:
+    case TermKind::anonymous_individual:
+      return Construct::none;
+    case TermKind::object_intersection_of:
+    case TermKind::data_intersection_of:
+      for (const TermId part : term.arguments) unused = both(unused, use_positive(part));
+      return unused;
+    case TermKind::object_union_of:
+    case TermKind::data_union_of:
+    case TermKind::object_one_of:
+    case TermKind::data_one_of: {
+      std::size_t possible = 0;
+      for (const TermId part : term.arguments) {
+        unused = both(unused, use_positive(part));
+        if (expression(part) != bottom_expr && expression(part) == expr) ++possible;
+      }
+      if (possible > 0) return unused;  // it is one of its parts, the others being empty or equal
+      if (term.kind == TermKind::data_union_of) return Construct::datatype_union;
+      return term.kind == TermKind::object_union_of ? Construct::union_of : Construct::one_of;
+    }
+    case TermKind::object_complement_of:
+    case TermKind::data_complement_of: {
+      if (source_.kind(term.arguments[0]) == term.kind) return use_positive(source_.term(term.arguments[0]).arguments[0]);
+      //  C < not D  is  C < X, X and D < F
+      const ExprId clash = index_.conjunction({expr, expression(term.arguments[0])});
+      index_.mark_negative(clash);
+      index_.add_told(clash, bottom_expr);
+      return use_negative(term.arguments[0]);
+    }
+    case TermKind::datatype_restriction:
+      return Construct::datatype_restriction;
+    default:
+      return make_positive_restriction(term, expr);
+  }
+}
+
+Construct Normaliser::make_positive_restriction(const Term& term, ExprId expr) {
+  const Property role = property(term.arguments[0]);
+  if (role.is_top) return Construct::top_property;
+  Construct unused = Construct::none;
+  switch (term.kind) {
+    case TermKind::object_has_self:
+      return Construct::none;
+    case TermKind::object_all_values_from:
+    case TermKind::data_all_values_from:
+      return use_all_values(role, term.arguments[1], expr);
+    case TermKind::object_max_cardinality:
+    case TermKind::data_max_cardinality:
+      return use_at_most(term.number, role, term, expr);
+    case TermKind::object_exact_cardinality:
+    case TermKind::data_exact_cardinality: {
+      const ExprId most = opaque_restriction(TermKind::object_max_cardinality, term.number, role, filler_of(term));
+      unused = use_at_most(term.number, role, term, most);
+      if (term.number == 0) return unused;
+      [[fallthrough]];
+    }
+    case TermKind::object_min_cardinality:
+    case TermKind::data_min_cardinality:
+      unused = both(unused, use_positive_filler(term));
+      if (role.is_inverse) return both(unused, Construct::inverse_of);
+      if (term.number == 1) return unused;
+      //  at least n R C < R some C
+      index_.add_told(opaque_restriction(TermKind::object_min_cardinality, term.number, role, filler_of(term)),
+                      index_.existential(role.role, filler_of(term)));
+      return both(unused, Construct::min_cardinality);
+    default:
+      unused = use_positive_filler(term);
+      return both(unused, role.is_inverse ? Construct::inverse_of : Construct::none);
+  }
+}
+
+Construct Normaliser::use_all_values(const Property& role, TermId filler, ExprId expr) {
+  const TermKind kind = source_.kind(filler);
+  if (role.is_inverse) {
+    //  C < inverse R only D  is  C < X, R some X < D
+    index_.add_told(negative_some(role, expr), expression(filler));
+    return use_positive(filler);
+  }
+  ExprId excluded = bottom_expr;
+  Construct unused = Construct::none;
+  if (expression(filler) == bottom_expr) {
+    excluded = top_expr;
+  } else if (kind == TermKind::object_complement_of || kind == TermKind::data_complement_of) {
+    const TermId negated = source_.term(filler).arguments[0];
+    excluded = expression(negated);
+    unused = use_negative(negated);
+  } else {
+    return both(use_positive(filler), Construct::all_values_from);
+  }
+  //  C < R only not D  is  C < X, X and R some D < F
+  const ExprId clash = index_.conjunction({expr, negative_some(role, excluded)});
+  index_.mark_negative(clash);
+  index_.add_told(clash, bottom_expr);
+  return unused;
+}
+
+Construct Normaliser::use_at_most(std::uint32_t limit, const Property& role, const Term& term, ExprId expr) {
+  if (limit > 0) return Construct::max_cardinality;
+  //  C < at most 0 R D          is  C < X, X and R some D < F
+  //  C < at most 0 inverse R D  is  C < X, R some X and D < F
+  const ExprId clash = role.is_inverse ? index_.conjunction({negative_some(role, expr), filler_of(term)})
+                                       : index_.conjunction({expr, negative_some(role, filler_of(term))});
+  index_.mark_negative(clash);
+  index_.add_told(clash, bottom_expr);
+  return use_negative_filler(term);
+}
+
+}  // namespace geminga::el

@@ -1,0 +1,351 @@
+// The rules, each in logic notation beside its code; the legend is in saturation.hpp.
+#include "el/saturation.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace geminga::el {
+namespace {
+
+constexpr std::uint32_t no_context = std::numeric_limits<std::uint32_t>::max();
+
+}  // namespace
+
+Saturation::Saturation(const Index& index, std::size_t max_conclusions)
+    : index_(index),
+      max_conclusions_(max_conclusions),
+      keeps_forward_(index.has_nominals()),
+      context_of_(index.size(), no_context) {
+  const std::uint32_t top = require(top_expr);
+  require_nonempty(top);
+}
+
+const Context* Saturation::find(ExprId root) const {
+  const std::uint32_t context = context_of_[number(root)];
+  return context == no_context ? nullptr : &contexts_[context];
+}
+
+//   ----- (init)   -----
+//   C < C          C < T
+std::uint32_t Saturation::require(ExprId root) {
+  std::uint32_t& context = context_of_[number(root)];
+  if (context != no_context) return context;
+  context = static_cast<std::uint32_t>(contexts_.size());
+  const std::uint32_t created = context;
+  contexts_.emplace_back().root = root;
+  for (const ExprId own : {root, top_expr}) {
+    if (index_.is_active(own)) {
+      add_subsumer(created, own);
+    } else {
+      for (const ExprId above : index_.frontier(own)) add_subsumer(created, above);
+    }
+  }
+  if (index_.is_nominal(root)) require_nonempty(created);
+  return created;
+}
+
+bool Saturation::run() {
+  while (!queue_.empty() && is_consistent_) {
+    const std::uint32_t context = queue_.back();
+    queue_.pop_back();
+    contexts_[context].is_queued = false;
+    process(context);
+    if (conclusions_ > max_conclusions_) return false;
+  }
+  return true;
+}
+
+void Saturation::enqueue(std::uint32_t context) {
+  if (contexts_[context].is_queued) return;
+  contexts_[context].is_queued = true;
+  queue_.push_back(context);
+}
+
+void Saturation::process(std::uint32_t context) {
+  Context& self = contexts_[context];  // a deque does not move its members
+  while (is_consistent_ && conclusions_ <= max_conclusions_) {
+    if (self.is_unsatisfiable) {
+      if (self.backward_done == self.backward.size()) break;
+      add_bottom(self.backward[self.backward_done++].context);
+    } else if (self.subsumers_done < self.subsumers.size()) {
+      const std::uint32_t subsumer = self.subsumers[self.subsumers_done++];
+      if (subsumer < index_.size()) process_subsumer(context, ExprId{subsumer});
+    } else if (self.backward_done < self.backward.size()) {
+      process_backward(context, self.backward[self.backward_done++]);
+    } else if (self.forward_done < self.forward.size()) {
+      process_forward(context, self.forward[self.forward_done++]);
+    } else if (self.selfs_done < self.selfs.size()) {
+      process_self(context, self.selfs[self.selfs_done++]);
+    } else {
+      break;
+    }
+  }
+}
+
+void Saturation::add_subsumer(std::uint32_t context, ExprId subsumer) {
+  Context& self = contexts_[context];
+  if (self.is_unsatisfiable || !self.subsumers.insert(number(subsumer))) return;
+  ++conclusions_;
+  enqueue(context);
+}
+
+void Saturation::add_derived_atom(std::uint32_t context, ExprId atom) {
+  Context& self = contexts_[context];
+  if (self.is_unsatisfiable || atom == self.root) return;
+  if (index_.is_active(atom)) {
+    if (self.subsumers.contains(number(atom))) return;
+    self.derived.push_back(atom);
+    add_subsumer(context, atom);
+    return;
+  }
+  self.derived.push_back(atom);
+  for (const ExprId above : index_.frontier(atom)) add_subsumer(context, above);
+}
+
+void Saturation::process_subsumer(std::uint32_t context, ExprId subsumer) {
+  Context& self = contexts_[context];
+
+  //  C < D
+  //  ----- [D < F is told]
+  //  C < F
+  if (index_.is_told_bottom(subsumer)) return add_bottom(context);
+
+  //  C < D
+  //  ----- [D < E is told]; of an atom D the taxonomy knows it, of others it must be noted
+  //  C < E
+  if (index_.is_atom(subsumer)) {
+    for (const ExprId above : index_.frontier(subsumer)) add_subsumer(context, above);
+  } else {
+    for (const ExprId above : index_.told_atoms(subsumer)) add_derived_atom(context, above);
+  }
+
+  //  C < D
+  //  -------- [D < R some E is told]
+  //  C -R-> E
+  for (const LinkRule& link : index_.links(subsumer)) add_link(context, link.role, require(index_.link_root(link.target)));
+
+  //  C < D
+  //  ---------- [D < R Self is told]
+  //  C < R Self
+  for (const RoleId role : index_.selfs(subsumer)) add_self(context, role);
+
+  //  C < D   C < E
+  //  ------------- [D and E occurs negatively]
+  //  C < D and E
+  for (const ConjunctionRule& rule : index_.conjunctions(subsumer)) {
+    if (self.subsumers.contains(number(rule.partner))) add_subsumer(context, rule.conjunction);
+  }
+
+  //  C -R-> D   D < E
+  //  ---------------- [S some E occurs negatively, R <* S]; here the second premise is new
+  //  C < S some E
+  for (const ExistentialRule& rule : index_.existentials(subsumer)) {
+    self.propagations.push_back(rule);
+    for (std::uint32_t at = 0; at < self.backward_done; ++at) {
+      const Link link = self.backward[at];
+      if (index_.roles().is_sub_role(link.role, rule.role)) add_subsumer(link.context, rule.existential);
+    }
+  }
+
+  for (const std::uint32_t axiom : index_.disjointness(subsumer)) add_disjointness(context, axiom);
+  if (index_.has_nominals() && !self.is_unsatisfiable) process_nominal(context, subsumer);
+}
+
+//  C < D   C < E
+//  ------------- [D and E are different members of one disjointness axiom]
+//  C < F
+void Saturation::add_disjointness(std::uint32_t context, std::uint32_t axiom) {
+  // The axiom's mark in the set of subsumers says that one member was there before.
+  if (!contexts_[context].subsumers.insert(static_cast<std::uint32_t>(index_.size()) + axiom)) add_bottom(context);
+}
+
+//  C -R-> D   D < F
+//  ---------------- ; what is left to do for C < F itself
+//  C < F
+void Saturation::add_bottom(std::uint32_t context) {
+  Context& self = contexts_[context];
+  if (self.is_unsatisfiable) return;
+  self.is_unsatisfiable = true;
+  ++conclusions_;
+  if (self.is_nonempty) is_consistent_ = false;
+  self.backward_done = 0;
+  self.subsumers.clear();
+  self.forward = {};
+  self.propagations = {};
+  self.derived = {};
+  self.selfs = {};
+  self.nominals = {};
+  enqueue(context);
+}
+
+void Saturation::add_link(std::uint32_t from, RoleId role, std::uint32_t to) {
+  Context& target = contexts_[to];
+  if (contexts_[from].is_unsatisfiable || !target.backward.insert({role, from})) return;
+  ++conclusions_;
+  ++links_;
+  enqueue(to);
+  if (keeps_forward_ || index_.roles().is_second(role)) {
+    contexts_[from].forward.push_back({role, to});
+    enqueue(from);
+  }
+}
+
+void Saturation::process_backward(std::uint32_t context, Link link) {
+  Context& self = contexts_[context];
+
+  //  C -R-> D   D < E
+  //  ---------------- [S some E occurs negatively, R <* S]; here the first premise is new
+  //  C < S some E
+  for (const ExistentialRule& rule : self.propagations) {
+    if (index_.roles().is_sub_role(link.role, rule.role)) add_subsumer(link.context, rule.existential);
+  }
+
+  //  C -R-> D   D -S-> E
+  //  ------------------- [R o S SubPropertyOf R']; here the first premise is new
+  //  C -R'-> E
+  if (!index_.roles().compositions(link.role).empty()) {
+    for (std::uint32_t at = 0; at < self.forward_done; ++at) {
+      const Link next = self.forward[at];
+      compose(link.context, link.role, next.role, next.context);
+    }
+  }
+}
+
+void Saturation::process_forward(std::uint32_t context, Link link) {
+  //  C -R-> D   D -S-> E
+  //  ------------------- [R o S SubPropertyOf R']; here the second premise is new
+  //  C -R'-> E
+  Context& self = contexts_[context];
+  if (index_.roles().is_second(link.role)) {
+    for (std::uint32_t at = 0; at < self.backward_done; ++at) {
+      const Link before = self.backward[at];
+      compose(before.context, before.role, link.role, link.context);
+    }
+  }
+  if (self.is_nonempty) require_nonempty(link.context);
+  if (index_.has_nominals() && index_.has_negative_self()) find_self_of_link(context, link.role, link.context);
+}
+
+void Saturation::compose(std::uint32_t from, RoleId first, RoleId second, std::uint32_t to) {
+  const auto rules = index_.roles().compositions(first);
+  for (auto rule = std::ranges::lower_bound(rules, second, {}, &Composition::second);
+       rule != rules.end() && rule->second == second; ++rule) {
+    add_link(from, rule->result, to);
+  }
+}
+
+void Saturation::add_self(std::uint32_t context, RoleId role) {
+  Context& self = contexts_[context];
+  if (self.is_unsatisfiable || std::ranges::find(self.selfs, role) != self.selfs.end()) return;
+  self.selfs.push_back(role);
+  ++conclusions_;
+  enqueue(context);
+}
+
+void Saturation::process_self(std::uint32_t context, RoleId role) {
+  //  C < R Self
+  //  ---------- [R <* S, S Self occurs negatively]
+  //  C < S Self
+  for (const RoleId super : index_.roles().supers(role)) {
+    const ExprId negative = index_.negative_self(super);
+    if (negative != bottom_expr) add_subsumer(context, negative);
+  }
+
+  //  C < R Self    C < R Self
+  //  ----------    ---------- [E is the range of R]
+  //  C -R-> C      C < E
+  add_link(context, role, context);
+  if (index_.range_of(role) != top_expr) add_derived_atom(context, index_.representative(index_.range_of(role)));
+
+  //  C < R Self   C < S Self
+  //  ----------------------- [R o S SubPropertyOf R']
+  //  C < R' Self
+  const auto compose_selfs = [&](RoleId first, RoleId second) {
+    for (const Composition& rule : index_.roles().compositions(first)) {
+      if (rule.second == second) add_self(context, rule.result);
+    }
+  };
+  const std::uint32_t done = contexts_[context].selfs_done;
+  for (std::uint32_t at = 0; at < done; ++at) {
+    const RoleId other = contexts_[context].selfs[at];
+    compose_selfs(role, other);
+    if (other != role) compose_selfs(other, role);
+  }
+}
+
+void Saturation::require_nonempty(std::uint32_t context) {
+  std::vector<std::uint32_t> stack = {context};
+  while (!stack.empty()) {
+    const std::uint32_t at = stack.back();
+    stack.pop_back();
+    Context& self = contexts_[at];
+    if (self.is_nonempty) continue;
+    self.is_nonempty = true;
+    if (self.is_unsatisfiable) is_consistent_ = false;
+    // What is still to be processed will see the flag.
+    for (std::uint32_t done = 0; done < self.forward_done; ++done) stack.push_back(self.forward[done].context);
+    for (const std::uint32_t nominal : self.nominals) merge_into_nominal(at, nominal);
+  }
+}
+
+//  C < {a}   {a} < D     C < {a}   C < D
+//  -----------------     --------------- [C is not empty]
+//  C < D                 {a} < D
+void Saturation::process_nominal(std::uint32_t context, ExprId subsumer) {
+  Context& self = contexts_[context];
+  // What is new here is passed on to what is below this nominal, and to the nominals that this is equal to.
+  for (std::size_t at = 0; at < self.members.size(); ++at) add_subsumer(self.members[at], subsumer);
+  if (self.is_nonempty) {
+    for (const std::uint32_t nominal : self.nominals) add_subsumer(nominal, subsumer);
+  }
+  if (!index_.is_nominal(subsumer)) return;
+  const std::uint32_t nominal = require(subsumer);
+  if (nominal == context) return;
+  self.nominals.push_back(nominal);
+  contexts_[nominal].members.push_back(context);
+  const GrowingSet<std::uint32_t>& known = contexts_[nominal].subsumers;
+  for (std::size_t at = 0; at < known.size(); ++at) {
+    if (known[at] < index_.size()) add_subsumer(context, ExprId{known[at]});
+  }
+  if (self.is_nonempty) merge_into_nominal(context, nominal);
+  if (index_.has_negative_self()) find_selfs(context, nominal);
+}
+
+void Saturation::merge_into_nominal(std::uint32_t context, std::uint32_t nominal) {
+  add_derived_atom(nominal, contexts_[context].root);
+  const GrowingSet<std::uint32_t>& known = contexts_[context].subsumers;
+  for (std::size_t at = 0; at < known.size(); ++at) {
+    if (known[at] < index_.size()) add_subsumer(nominal, ExprId{known[at]});
+  }
+}
+
+//  C < {a}   D < {a}   C -R-> D
+//  ----------------------------
+//  C < R Self
+void Saturation::find_selfs(std::uint32_t context, std::uint32_t nominal) {
+  const auto is_same = [&](std::uint32_t other) {
+    return other == nominal || std::ranges::find(contexts_[other].nominals, nominal) != contexts_[other].nominals.end();
+  };
+  for (std::size_t at = 0; at < contexts_[context].backward.size(); ++at) {
+    const Link link = contexts_[context].backward[at];
+    if (is_same(link.context)) add_self(link.context, link.role);
+  }
+  for (std::size_t at = 0; at < contexts_[context].forward.size(); ++at) {
+    const Link link = contexts_[context].forward[at];
+    if (is_same(link.context)) add_self(context, link.role);
+  }
+}
+
+void Saturation::find_self_of_link(std::uint32_t from, RoleId role, std::uint32_t to) {
+  const auto nominals_of = [&](std::uint32_t context) {
+    std::vector<std::uint32_t> nominals = contexts_[context].nominals;
+    if (index_.is_nominal(contexts_[context].root)) nominals.push_back(context);
+    return nominals;
+  };
+  const std::vector<std::uint32_t> ends = nominals_of(to);
+  for (const std::uint32_t nominal : nominals_of(from)) {
+    if (std::ranges::find(ends, nominal) != ends.end()) return add_self(from, role);
+  }
+}
+
+}  // namespace geminga::el
