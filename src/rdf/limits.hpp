@@ -18,6 +18,10 @@ struct Limits {
   std::size_t iri_bytes = 8192;
   /// Of XML elements or Turtle brackets: raptor's RDF/XML reader is quadratic in it.
   std::size_t nesting = 512;
+  /// Of one Turtle statement: raptor keeps it as a whole.
+  std::size_t statement_triples = 200'000;
+  /// Different prefixes of all files together.
+  std::size_t prefixes = 10'000;
   /// Of one XML element: libxml2 compares each with each.
   std::size_t attributes = 1024;
   /// Of one XML tag.

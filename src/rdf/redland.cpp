@@ -9,13 +9,15 @@
 #include <cstring>
 #include <exception>
 #include <string_view>
+#include <unordered_set>
 
 #include "base/text.hpp"
 
 namespace geminga::rdf {
 namespace {
 
-constexpr std::size_t chunk_bytes = std::size_t{1} << 18;
+/// libxml2 goes on to the end of a chunk after an error, and reports every other one in it.
+constexpr std::size_t chunk_bytes = std::size_t{1} << 16;
 
 /// Declared external entities are empty: libxml2 opens nothing.
 xmlParserInputPtr no_external_entity(const char*, const char*, xmlParserCtxtPtr) { return nullptr; }
@@ -67,6 +69,7 @@ struct Redland::World {
   const Limits& limits;
   raptor_world* world = nullptr;
   std::vector<DeclaredPrefix> prefixes;
+  std::unordered_set<std::string> known_prefixes;  ///< of the file that is being read
   std::uint64_t triples = 0;
 
   // Of the file that is being read.
@@ -162,11 +165,10 @@ struct Redland::World {
     try {
       DeclaredPrefix declared{prefix == nullptr ? "" : prefix, std::string(view_of(uri)), world->file};
       // The same declaration on every element is common, and has nothing to say.
-      for (std::size_t back = 0; back < std::min<std::size_t>(world->prefixes.size(), 64); ++back) {
-        const DeclaredPrefix& known = world->prefixes[world->prefixes.size() - 1 - back];
-        if (known.prefix == declared.prefix && known.iri == declared.iri && known.file == declared.file) return;
-      }
-      if (world->prefixes.size() < max_prefixes) world->prefixes.push_back(std::move(declared));
+      if (!world->known_prefixes.insert(declared.prefix + ' ' + declared.iri).second) return;
+      world->prefixes.push_back(std::move(declared));
+      if (world->prefixes.size() > world->limits.prefixes)
+        world->fail("is beyond " + std::to_string(world->limits.prefixes) + " prefixes in all files");
     } catch (const std::exception&) {
       world->stop_for_memory();
     }
@@ -202,8 +204,6 @@ struct Redland::World {
     }
     return reinterpret_cast<unsigned char*>(name);
   }
-
-  static constexpr std::size_t max_prefixes = 100'000;
 };
 
 Redland::Redland(const Limits& limits) : world_(std::make_unique<World>(limits)) {
@@ -240,6 +240,7 @@ std::optional<LoadError> Redland::read(const std::string& path, Syntax syntax, F
   state.generated = 0;
   state.lines = std::move(lines);
   state.taken = 0;
+  state.known_prefixes.clear();
   state.error.reset();
   graph.begin_file();
 

@@ -16,7 +16,14 @@ class TurtleScan {
 
   std::optional<ScanProblem> run() {
     if (bytes_.starts_with("\xef\xbb\xbf")) place_ = 3;
-    while (place_ < bytes_.size() && !problem_) step();
+    while (place_ < bytes_.size() && !problem_) {
+      step();
+      if (lines_.statement_triples() > limits_.statement_triples)
+        fail(place_,
+             "has a statement of more than " + std::to_string(limits_.statement_triples) + " triples: split it");
+      if (lines_.prefix_count() > limits_.prefixes)
+        fail(place_, "declares more than " + std::to_string(limits_.prefixes) + " prefixes");
+    }
     return std::move(problem_);
   }
 

@@ -42,28 +42,56 @@ class XmlScan {
     place_ = open;
     const std::string_view rest = bytes_.substr(place_, 9);
     if (rest.starts_with("<!--")) {
-      skip_behind("-->", 4);
+      comment();
     } else if (rest.starts_with("<![CDATA[")) {
       const std::size_t begin = place_;
-      skip_behind("]]>", 9);
+      skip_behind("]]>", 9, "a CDATA section");
       add_text(place_ - begin);
     } else if (rest.starts_with("<?")) {
-      skip_behind("?>", 2);
+      skip_behind("?>", 2, "a processing instruction");
     } else if (rest == "<!DOCTYPE") {
       doctype();
     } else if (rest.starts_with("</")) {
-      text_bytes_ = 0;
+      const std::size_t begin = place_;
       if (depth_ > 0) --depth_;
-      skip_behind(">", 2);
+      if (depth_ < literal_depth_) literal_depth_ = 0;
+      skip_behind(">", 2, "a tag");
+      end_of_tag(begin);
     } else if (!rest.empty()) {
-      text_bytes_ = 0;
       start_tag();
     }
   }
 
-  void skip_behind(std::string_view end, std::size_t from) {
+  void skip_behind(std::string_view end, std::size_t from, const char* what) {
     const std::size_t found = bytes_.find(end, place_ + from);
-    place_ = found == std::string_view::npos ? bytes_.size() : found + end.size();
+    if (found == std::string_view::npos) return fail(std::string("has ") + what + " without end");
+    place_ = found + end.size();
+  }
+
+  /// libxml2 reports each `--` inside a comment by itself, at a length that makes a megabyte of them take minutes.
+  void comment() {
+    const std::size_t dashes = bytes_.find("--", place_ + 4);
+    if (dashes == std::string_view::npos) return fail("has a comment without end");
+    if (bytes_.substr(dashes, 3) != "-->") return fail("has -- inside a comment, which XML forbids");
+    place_ = dashes + 3;
+  }
+
+  /// Text goes from tag to tag, but an XML literal is one text, tags and all.
+  void end_of_tag(std::size_t begin) {
+    if (literal_depth_ == 0) {
+      text_bytes_ = 0;
+    } else {
+      add_text(place_ - begin);
+    }
+  }
+
+  /// Whether an element's content is an XML literal: rdf:parseType is neither Resource nor Collection.
+  [[nodiscard]] static bool makes_literal(std::string_view tag) {
+    const std::size_t name = tag.find("parseType");
+    if (name == std::string_view::npos) return false;
+    const std::size_t quote = tag.find_first_of("'\"", name);
+    const std::string_view value = quote == std::string_view::npos ? "" : tag.substr(quote + 1);
+    return !value.starts_with("Resource") && !value.starts_with("Collection");
   }
 
   void add_text(std::size_t count) {
@@ -114,14 +142,18 @@ class XmlScan {
     }
     if (place_ - begin > limits_.tag_bytes)
       return fail("has a tag of more than " + std::to_string(limits_.tag_bytes) + " bytes");
-    const bool is_empty_element = place_ < bytes_.size() && bytes_[place_ - 1] == '/';
+    if (place_ >= bytes_.size()) return fail("has a tag without end");
+    const bool is_empty_element = bytes_[place_ - 1] == '/';
     if (!is_empty_element && ++depth_ > limits_.nesting)
       return fail("nests elements more than " + std::to_string(limits_.nesting) + " deep");
     ++place_;
+    end_of_tag(begin);
+    if (!is_empty_element && literal_depth_ == 0 && makes_literal(bytes_.substr(begin, place_ - begin)))
+      literal_depth_ = depth_;
   }
 
   void doctype() {
-    if (doctype_) return skip_behind(">", 9);  // a second one is no XML; Redland says so
+    if (doctype_) return fail("has a second DOCTYPE");
     auto read = Doctype::read(bytes_, place_, limits_);
     if (!read) {
       problem_ = std::move(read.error());
@@ -139,8 +171,9 @@ class XmlScan {
   const Limits& limits_;
   std::size_t place_ = 0;
   std::size_t depth_ = 0;
-  std::size_t text_bytes_ = 0;  ///< character data since the last tag
-  std::size_t expansion_ = 0;   ///< of all references so far
+  std::size_t literal_depth_ = 0;  ///< of the element whose content is an XML literal; 0: none is open
+  std::size_t text_bytes_ = 0;     ///< character data since the last tag
+  std::size_t expansion_ = 0;      ///< of all references so far
   std::optional<Doctype> doctype_;
   std::optional<ScanProblem> problem_;
 };

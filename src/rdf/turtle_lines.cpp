@@ -18,6 +18,7 @@ void TurtleLines::word(std::string_view text, std::uint32_t line) {
   const bool is_statement_start = frames_.size() == 1 && frames_.front().next == Place::subject;
   if (is_statement_start && (text == "@prefix" || is_keyword(text, "prefix"))) {
     directive_left_ = 2;
+    ++prefix_count_;
   } else if (is_statement_start && (text == "@base" || is_keyword(text, "base"))) {
     directive_left_ = 1;
   } else if (text.starts_with('@')) {
@@ -42,12 +43,14 @@ void TurtleLines::term(std::uint32_t line) {
   Frame& frame = frames_.back();
   if (frame.bracket == '(') {
     frame.objects.push_back(line);
+    statement_triples_ += 2;
   } else if (frame.next == Place::subject) {
     frame.next = Place::verb;
   } else if (frame.next == Place::verb) {
     frame.next = Place::object;
   } else {
     frame.objects.push_back(line);
+    ++statement_triples_;
   }
 }
 
@@ -79,6 +82,7 @@ void TurtleLines::end_statement() {
   frames_.resize(1);
   flush(frames_.front());
   frames_.front() = Frame{};
+  statement_triples_ = 0;
 }
 
 void TurtleLines::flush(Frame& frame) {

@@ -26,6 +26,9 @@ class TurtleLines {
   /// The next word or IRI is the datatype of the literal before it.
   void datatype() { is_datatype_next_ = true; }
 
+  /// Triples of the statement that is open, brackets that were closed included.
+  [[nodiscard]] std::size_t statement_triples() const { return statement_triples_; }
+  [[nodiscard]] std::size_t prefix_count() const { return prefix_count_; }
   [[nodiscard]] std::vector<std::uint32_t> take() { return std::move(lines_); }
 
  private:
@@ -42,6 +45,8 @@ class TurtleLines {
 
   std::vector<Frame> frames_;
   std::vector<std::uint32_t> lines_;
+  std::size_t statement_triples_ = 0;
+  std::size_t prefix_count_ = 0;
   bool is_datatype_next_ = false;
   int directive_left_ = 0;  ///< terms of a directive that are still to come
 };
