@@ -4,7 +4,6 @@
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
-#include <sys/pidfd.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -108,7 +107,8 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
       return std::unexpected(std::generic_category().message(fork_error));
     }
     words_.assign(ends[0]);
-    const int process = ::pidfd_open(pid_, 0);
+    // By its number, because glibc 2.36 declares pidfd_open() without C linkage.
+    const int process = static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0));
     if (process < 0) {
       const std::string text = reason();
       kill();
@@ -171,7 +171,7 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
     } else if (WIFSIGNALED(status)) {
       end_.how = "killed by signal " + std::to_string(WTERMSIG(status));
     } else if (WEXITSTATUS(status) == cannot_execute) {
-      end_.how = "could not be executed";
+      end_.how = "could not be executed: install it beside gemingad or on PATH";
     } else {
       end_.how = "exit status " + std::to_string(WEXITSTATUS(status));
     }

@@ -1,0 +1,210 @@
+#include "daemon/configuration.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "beacon/limits.hpp"
+#include "daemon/configuration_file.hpp"
+
+namespace geminga::daemon {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+Layer layer_of(const std::vector<std::pair<std::string, std::string>>& values, const std::string& origin = "--") {
+  Layer layer;
+  for (const auto& [key, text] : values) layer.values[key].push_back({text, origin == "--" ? "--" + key : origin});
+  return layer;
+}
+
+std::expected<Configuration, std::vector<std::string>> resolved(const Layer& layer, const std::string& host = "host") {
+  return resolve({&layer}, host);
+}
+
+TEST(Configuration, HasTheDefaultsOfTheContract) {
+  const auto result = resolved({});
+  ASSERT_TRUE(result);
+  EXPECT_THAT(result->ontologies, IsEmpty());
+  EXPECT_EQ(result->group, "default");
+  EXPECT_EQ(result->name, "host");
+  EXPECT_THAT(result->gcnp, ElementsAre(GcnpAddress{{"127.0.0.1", 4717}, false}, GcnpAddress{{"::1", 4717}, true}));
+  EXPECT_EQ(result->air.port, 4717);
+  EXPECT_THAT(result->air.groups, ElementsAre("239.192.47.17", "ff02::4717"));
+  EXPECT_THAT(result->air.interfaces, IsEmpty());
+  EXPECT_EQ(result->interval, std::chrono::seconds(2));
+  EXPECT_EQ(result->log_level, base::LogLevel::info);
+}
+
+TEST(Configuration, TakesTheStrongestLayerThatSaysAnything) {
+  const Layer flags = layer_of({{"port", "1"}, {"interface", "a"}});
+  const Layer environment = layer_of({{"port", "2"}, {"name", "b"}}, "GEMINGA");
+  const Layer file =
+      layer_of({{"port", "3"}, {"name", "c"}, {"interface", "d"}, {"interface", "e"}, {"group", "f"}}, "file");
+  const auto result = resolve({&flags, &environment, &file}, "host");
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->air.port, 1);
+  EXPECT_EQ(result->name, "b");
+  EXPECT_EQ(result->group, "f");
+  EXPECT_THAT(result->air.interfaces, ElementsAre("a")) << "a list replaces a list";
+}
+
+TEST(Configuration, GoesWithoutANameWhereTheHostHasNone) {
+  for (const char* host : {"", "bad/name", "bad\xff"}) {
+    const auto result = resolved({}, host);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->name, "");
+  }
+}
+
+TEST(Configuration, RefusesAWrongValueWithItsPlace) {
+  const std::vector<std::pair<std::pair<std::string, std::string>, std::string>> cases{
+      {{"port", "0"}, "is no port"},
+      {{"port", "65536"}, "is no port"},
+      {{"port", "-1"}, "is no port"},
+      {{"port", "4717x"}, "is no port"},
+      {{"interval", "0.049"}, "is no interval"},
+      {{"interval", "60.001"}, "is no interval"},
+      {{"interval", "nan"}, "is no interval"},
+      {{"interval", "1e1"}, "is no interval"},
+      {{"interval", ""}, "is no interval"},
+      {{"gcnp", "192.0.2.1:4717"}, "GCNP is local"},
+      {{"gcnp", "4717"}, "is no ADDRESS:PORT"},
+      {{"multicast", "192.0.2.1"}, "is no multicast group"},
+      {{"multicast", "x"}, "is no IP address"},
+      {{"peer", "239.1.1.1"}, "use --multicast"},
+      {{"peer", "a b"}, "neither an IP address nor a host name"},
+      {{"interface", ""}, "is no name of an interface"},
+      {{"interface", "sixteen-octets-x"}, "is no name of an interface"},
+      {{"name", ""}, "is no name"},
+      {{"name", "a,b"}, "is no name"},
+      {{"group", "a\nb"}, "is no name"},
+      {{"ontology", ""}, "an empty path"},
+      {{"log-level", "loud"}, "use debug, info, warning or error"},
+      {{"log-format", "xml"}, "use text or json"},
+      {{"key-file", "k"}, "not there yet"},
+      {{"http", "127.0.0.1:80"}, "not there yet"},
+  };
+  for (const auto& [value, words] : cases) {
+    const auto result = resolved(layer_of({value}));
+    ASSERT_FALSE(result) << value.first << " = " << value.second;
+    EXPECT_THAT(result.error(),
+                ElementsAre(testing::AllOf(testing::StartsWith("--" + value.first + ": "), HasSubstr(words))));
+  }
+}
+
+TEST(Configuration, TakesIntervalsWithinTheRangeOfTheAnnouncement) {
+  EXPECT_EQ(resolved(layer_of({{"interval", "0.05"}}))->interval, beacon::min_interval);
+  EXPECT_EQ(resolved(layer_of({{"interval", "60"}}))->interval, beacon::max_interval);
+  EXPECT_EQ(resolved(layer_of({{"interval", "0.125"}}))->interval, std::chrono::milliseconds(125));
+}
+
+TEST(Configuration, HasAMostOfEveryList) {
+  const auto with = [](const std::string& key, std::size_t count, const std::function<std::string(std::size_t)>& text) {
+    Layer layer;
+    for (std::size_t number = 0; number < count; ++number) layer.values[key].push_back({text(number), "--" + key});
+    return resolved(layer);
+  };
+  const auto gcnp = [](std::size_t number) { return "127.0.0.1:" + std::to_string(number + 1); };
+  EXPECT_TRUE(with("gcnp", max_addresses - 1, gcnp));
+  EXPECT_TRUE(with("gcnp", max_addresses, gcnp));
+  EXPECT_FALSE(with("gcnp", max_addresses + 1, gcnp));
+  const auto peer = [](std::size_t number) { return "robot" + std::to_string(number); };
+  EXPECT_TRUE(with("peer", env::max_unicast_peers - 1, peer));
+  EXPECT_TRUE(with("peer", env::max_unicast_peers, peer));
+  EXPECT_FALSE(with("peer", env::max_unicast_peers + 1, peer));
+  EXPECT_TRUE(with("ontology", max_values, peer));
+  EXPECT_FALSE(with("ontology", max_values + 1, peer));
+}
+
+TEST(Configuration, SaysEverythingThatIsWrongAtOnce) {
+  EXPECT_THAT(resolved(layer_of({{"port", "x"}, {"interval", "y"}, {"log-level", "z"}})).error(), SizeIs(3));
+}
+
+TEST(Configuration, PrintedAsTomlConfiguresTheSame) {
+  const Layer layer = layer_of({{"port", "4000"},
+                                {"interval", "0.125"},
+                                {"name", "r\"2\\ \xc3\xa4"},
+                                {"group", "blue"},
+                                {"gcnp", "127.0.0.1:1"},
+                                {"gcnp", "[::1]:2"},
+                                {"multicast", "239.1.2.3"},
+                                {"peer", "robot3"},
+                                {"peer", "[fd00::1]:9"},
+                                {"interface", "wlan0"},
+                                {"ontology", "/a b/c.ttl"},
+                                {"log-level", "warning"},
+                                {"log-format", "json"}});
+  const auto result = resolved(layer);
+  ASSERT_TRUE(result) << result.error()[0];
+  const auto file = read_configuration_text(to_toml(*result), "/printed.toml");
+  ASSERT_TRUE(file) << file.error()[0];
+  EXPECT_EQ(resolve({&*file}, "other"), result);
+}
+
+TEST(ConfigurationFile, IsReadWithItsPlaces) {
+  const auto layer = read_configuration_text(
+      "# a team\nport = 4000\nontology = [\"a.ttl\",\n  \"/b.ttl\"]\ninterval = 0.5\n", "/etc/geminga.toml");
+  ASSERT_TRUE(layer);
+  EXPECT_EQ(layer->values.at("port")[0].text, "4000");
+  EXPECT_EQ(layer->values.at("port")[0].origin, "/etc/geminga.toml:2");
+  ASSERT_THAT(layer->values.at("ontology"), SizeIs(2));
+  EXPECT_EQ(layer->values.at("ontology")[0].text, "/etc/a.ttl") << "relative to the file";
+  EXPECT_EQ(layer->values.at("ontology")[1].text, "/b.ttl");
+  EXPECT_EQ(layer->values.at("ontology")[1].origin, "/etc/geminga.toml:4");
+  EXPECT_EQ(layer->values.at("interval")[0].text, "0.5");
+}
+
+TEST(ConfigurationFile, IsRefusedWithFileAndLine) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"port = \"4717\"", "f.toml:1: port must be a whole number"},
+      {"port = 1.5", "f.toml:1: port must be a whole number"},
+      {"\nport = true", "f.toml:2: port must be a whole number"},
+      {"port = [1]", "f.toml:1: port must be a whole number"},
+      {"interval = \"2\"", "f.toml:1: interval must be a number of seconds"},
+      {"name = 7", "f.toml:1: name must be a text in quotes"},
+      {"name = [\"a\"]", "f.toml:1: name must be a text in quotes"},
+      {"ontology = [\"a\", 7]", "f.toml:1: ontology must be a text in quotes, or several"},
+      {"colour = 1", "f.toml:1: unknown key 'colour'"},
+      {"config = \"x\"", "f.toml:1: unknown key 'config'"},
+      {"[port]\nx = 1", "f.toml:1: port must be a whole number"},
+      {"port = 1\nport = 2", "f.toml:2: "},
+      {"port = \n", "f.toml:1: "},
+      {"name = \"\xff\"", "f.toml:1: "},
+  };
+  for (const auto& [text, words] : cases) {
+    const auto layer = read_configuration_text(text, "f.toml");
+    ASSERT_FALSE(layer) << text;
+    EXPECT_THAT(layer.error(), ElementsAre(testing::StartsWith(words)));
+  }
+}
+
+TEST(ConfigurationFile, IsNoFolderAndNoHole) {
+  EXPECT_THAT(read_configuration_file("/").error(), ElementsAre(testing::StartsWith("/: ")));
+  EXPECT_THAT(read_configuration_file("/no/such/file").error(),
+              ElementsAre("/no/such/file: No such file or directory"));
+}
+
+TEST(Environment, IsReadByTheNamesOfTheFlags) {
+  const char* const variables[] = {"GEMINGA_PORT=4000",
+                                   "GEMINGA_ONTOLOGY=a.ttl,b.ttl",
+                                   "GEMINGA_LOG_LEVEL=debug",
+                                   "GEMINGA_NAME=",
+                                   "GEMINGA_PORTABLE=1",
+                                   "GEMINGA_CONNECT=x",
+                                   "GEMINGA_INTERFACE=a,,b",
+                                   "HOME=/root",
+                                   nullptr};
+  const Layer layer = read_environment(variables);
+  EXPECT_THAT(layer.values, SizeIs(4));
+  EXPECT_EQ(layer.values.at("port")[0].text, "4000");
+  EXPECT_EQ(layer.values.at("port")[0].origin, "GEMINGA_PORT");
+  EXPECT_THAT(layer.values.at("ontology"), SizeIs(2));
+  EXPECT_THAT(layer.values.at("interface"), SizeIs(2));
+  EXPECT_EQ(layer.values.at("log-level")[0].text, "debug");
+}
+
+}  // namespace
+}  // namespace geminga::daemon

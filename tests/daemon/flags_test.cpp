@@ -1,0 +1,60 @@
+#include "daemon/flags.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace geminga::daemon {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::SizeIs;
+
+std::expected<Flags, std::string> read(std::vector<const char*> words) {
+  words.insert(words.begin(), "gemingad");
+  return read_flags(static_cast<int>(words.size()), words.data());
+}
+
+TEST(Flags, OfListsMayBeRepeatedAndTakeOneValueEach) {
+  const auto flags =
+      read({"--interface", "a", "--interface", "b", "--ontology=x.ttl", "--port", "7", "--check-config"});
+  ASSERT_TRUE(flags) << flags.error();
+  ASSERT_THAT(flags->layer.values.at("interface"), SizeIs(2));
+  EXPECT_EQ(flags->layer.values.at("interface")[1].text, "b");
+  EXPECT_EQ(flags->layer.values.at("ontology")[0].origin, "--ontology");
+  EXPECT_TRUE(flags->is_check_only);
+  EXPECT_FALSE(read({"--interface", "a", "b"})) << "b belongs to nothing";
+}
+
+TEST(Flags, OfSingleValuesMayNot) {
+  const auto flags = read({"--port", "1", "--port", "2"});
+  ASSERT_FALSE(flags);
+  EXPECT_THAT(flags.error(), HasSubstr("--port"));
+}
+
+TEST(Flags, ThatAreUnknownOrWithoutValueAreRefused) {
+  for (const char* flag : {"--colour", "-x", "word", "--por", "--port"}) {
+    const auto flags = read({flag});
+    ASSERT_FALSE(flags) << flag;
+    EXPECT_THAT(flags.error(), HasSubstr("see gemingad --help"));
+  }
+}
+
+TEST(Flags, HaveAHelpWithExamplesAndWithoutWhatIsNotThereYet) {
+  const auto flags = read({"--help"});
+  ASSERT_TRUE(flags);
+  for (const Key& key : keys) {
+    const std::string flag = "--" + std::string(key.name) + ' ';
+    if (key.refused.empty()) {
+      EXPECT_THAT(flags->answer, HasSubstr(flag));
+    } else {
+      EXPECT_THAT(flags->answer, Not(HasSubstr(flag)));
+    }
+  }
+  EXPECT_THAT(flags->answer, HasSubstr("Examples:"));
+}
+
+TEST(Flags, TellTheVersion) { EXPECT_THAT(read({"--version"})->answer, testing::StartsWith("gemingad 0.")); }
+
+}  // namespace
+}  // namespace geminga::daemon

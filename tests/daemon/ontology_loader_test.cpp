@@ -1,0 +1,113 @@
+// The loader against compilers of our own making: what it starts, what it says of failures, what it leaves behind.
+#include "daemon/ontology_loader.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <boost/asio/io_context.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+namespace geminga::daemon {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+using Result = std::expected<LoadedOntology, std::vector<std::string>>;
+
+class OntologyLoaderTest : public testing::Test {
+ protected:
+  OntologyLoaderTest() {
+    std::string path = fs::temp_directory_path() / "geminga-loader-XXXXXX";
+    EXPECT_NE(::mkdtemp(path.data()), nullptr);
+    folder = path;
+    fs::create_directory(folder / "tmp");
+    ::setenv("XDG_RUNTIME_DIR", (folder / "tmp").c_str(), 1);
+  }
+  ~OntologyLoaderTest() override {
+    ::unsetenv("XDG_RUNTIME_DIR");
+    fs::remove_all(folder);
+  }
+
+  /// A compiler that is this shell script.
+  std::string compiler(const std::string& script) {
+    const fs::path path = folder / "compiler";
+    std::ofstream(path) << "#!/bin/sh\n" << script << '\n';
+    fs::permissions(path, fs::perms::owner_all);
+    return path;
+  }
+
+  Result load(const std::string& script, const std::vector<std::string>& files) {
+    boost::asio::io_context context;
+    OntologyLoader loader(context, compiler(script));
+    std::optional<Result> result;
+    loader.load(files, [&](Result loaded) { result.emplace(std::move(loaded)); });
+    context.run();
+    EXPECT_TRUE(result);
+    EXPECT_FALSE(loader.is_loading());
+    EXPECT_TRUE(fs::is_empty(folder / "tmp")) << "nothing is left behind";
+    return result ? std::move(*result) : Result(std::unexpected(std::vector<std::string>{}));
+  }
+
+  fs::path folder;
+};
+
+TEST_F(OntologyLoaderTest, GivesNoneForNoFiles) {
+  const Result result = load("exit 1", {});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->ontology, nullptr);
+}
+
+TEST_F(OntologyLoaderTest, PassesFilesAndOutputAndShowsWhatTheCompilerSays) {
+  const Result result =
+      load(R"(echo "geminga-ontology: $1 $2 $3 $4" >&2; echo "zoo.ttl:7: a second line" >&2; exit 1)", {"a.ttl", "-b"});
+  ASSERT_FALSE(result);
+  EXPECT_THAT(result.error(), ElementsAre("compile a.ttl ./-b -o", "zoo.ttl:7: a second line"));
+}
+
+TEST_F(OntologyLoaderTest, SaysHowASilentCompilerEnded) {
+  EXPECT_THAT(load("exit 3", {"a.ttl"}).error(), ElementsAre(testing::EndsWith("/compiler: exit status 3")));
+  EXPECT_THAT(load("echo half a word >&2; kill -11 $$", {"a.ttl"}).error(),
+              ElementsAre("half a word", testing::EndsWith("/compiler: killed by signal 11")));
+}
+
+TEST_F(OntologyLoaderTest, RefusesWhatIsNoCompiledOntology) {
+  const Result random = load(R"(for last; do :; done; head -c 4096 /dev/urandom > "$last")", {"a.ttl"});
+  ASSERT_FALSE(random);
+  EXPECT_THAT(random.error(), ElementsAre(testing::StartsWith("the compiled ontology: ")));
+  const Result nothing = load("exit 0", {"a.ttl"});
+  ASSERT_FALSE(nothing);
+  EXPECT_THAT(nothing.error(), ElementsAre(testing::StartsWith("the compiled ontology: ")));
+  const Result given = load("exit 0", {(folder / "none.gmo").string()});
+  ASSERT_FALSE(given);
+  EXPECT_THAT(given.error(), ElementsAre(HasSubstr("none.gmo: ")));
+}
+
+TEST_F(OntologyLoaderTest, BoundsTheLinesItShows) {
+  const Result result = load("yes 'a line that is repeated' | head -n 1000 >&2; exit 1", {"a.ttl"});
+  ASSERT_FALSE(result);
+  EXPECT_THAT(result.error(), SizeIs(40));
+}
+
+TEST_F(OntologyLoaderTest, GivesUpALoadForALaterOne) {
+  boost::asio::io_context context;
+  OntologyLoader loader(context, compiler("sleep 1000"));
+  bool was_first_called = false;
+  bool was_second_called = false;
+  loader.load({"a.ttl"}, [&](const Result&) { was_first_called = true; });
+  EXPECT_TRUE(loader.is_loading());
+  loader.load({}, [&](const Result&) { was_second_called = true; });
+  context.run();
+  EXPECT_FALSE(was_first_called);
+  EXPECT_TRUE(was_second_called);
+  EXPECT_TRUE(fs::is_empty(folder / "tmp"));
+}
+
+}  // namespace
+}  // namespace geminga::daemon
