@@ -69,6 +69,8 @@ class Ontology {
   [[nodiscard]] std::uint32_t class_count() const;
   [[nodiscard]] std::vector<LoadedFile> files() const;
   [[nodiscard]] std::vector<LeftOut> left_out() const;
+  /// False: some individual cannot exist, and every class is below every other.
+  [[nodiscard]] bool is_consistent() const;
 
   /// Resolves `prefix:Name`, `<IRI>`, a bare IRI, or a label where it is unambiguous.
   [[nodiscard]] std::expected<ClassNumber, NameError> find(std::string_view name) const;
@@ -94,6 +96,7 @@ class Ontology {
   /// Every named class that subsumes this one, itself, its equivalents and owl:Thing included, ascending by number.
   [[nodiscard]] std::vector<ClassNumber> subsumers(ClassNumber number) const;
   /// Direct superclasses and subclasses in the reduced taxonomy, one representative a node of equivalents, ascending.
+  /// Unsatisfiable classes have neither, and are the children of none.
   [[nodiscard]] std::vector<ClassNumber> parents(ClassNumber number) const;
   [[nodiscard]] std::vector<ClassNumber> children(ClassNumber number) const;
 

@@ -130,6 +130,11 @@ TermId OntologySource::facet(std::string_view facet_iri, TermId value) {
   return intern_term(TermKind::facet, intern(facet_iri, limits_.name_bytes), 0, std::span(&value, 1));
 }
 
+TermId OntologySource::copy(TermKind kind, std::string_view name, std::uint32_t number,
+                            std::span<const TermId> arguments) {
+  return intern_term(kind, intern(name, limits_.literal_bytes), number, arguments);
+}
+
 TermId OntologySource::term(TermKind kind, std::span<const TermId> arguments, std::uint32_t number) {
   GEMINGA_ASSERT(std::ranges::all_of(
       arguments, [&](TermId argument) { return static_cast<std::size_t>(argument) < terms_.size(); }));

@@ -1,0 +1,230 @@
+// Printing in the manner of the Manchester syntax.
+#include "el/print.hpp"
+
+#include <algorithm>
+
+namespace geminga::el {
+namespace {
+
+/// Prints terms of one source. Depth is bounded by SourceLimits::nesting.
+class Printer {
+ public:
+  Printer(const OntologySource& source, const ShortName& short_name) : source_(source), short_name_(short_name) {}
+
+  std::string term(TermId id) const;
+  std::string axiom(const Axiom& axiom) const;
+
+ private:
+  std::string nested(TermId id) const;
+  std::string joined(std::span<const TermId> terms, std::string_view between) const;
+  std::string literal(const Term& literal) const;
+  std::string cardinality(const Term& term, std::string_view word) const;
+  std::string listed(const Axiom& axiom, std::string_view pair_word) const;
+
+  const OntologySource& source_;
+  const ShortName& short_name_;
+};
+
+std::string Printer::nested(TermId id) const {
+  const Term inner = source_.term(id);
+  const bool is_bare = inner.arguments.empty() || inner.kind == TermKind::literal || inner.kind == TermKind::object_one_of ||
+                       inner.kind == TermKind::data_one_of || inner.kind == TermKind::object_inverse_of ||
+                       inner.kind == TermKind::datatype_restriction;
+  return is_bare ? term(id) : "(" + term(id) + ")";
+}
+
+std::string Printer::joined(std::span<const TermId> terms, std::string_view between) const {
+  std::string text;
+  for (const TermId id : terms) {
+    if (!text.empty()) text += between;
+    text += nested(id);
+  }
+  return text;
+}
+
+std::string Printer::literal(const Term& term) const {
+  std::string text = "\"";
+  for (const char character : source_.name(term.name)) {
+    if (character == '"' || character == '\\') text += '\\';
+    if (character == '\n') {
+      text += "\\n";
+    } else if (character == '\r') {
+      text += "\\r";
+    } else if (character == '\t') {
+      text += "\\t";
+    } else {
+      text += character;
+    }
+  }
+  text += '"';
+  if (term.arguments.size() == 2) return text + "@" + std::string(source_.name_of(term.arguments[1]));
+  const std::string_view datatype = source_.name_of(term.arguments[0]);
+  if (datatype == "http://www.w3.org/2001/XMLSchema#string") return text;
+  return text + "^^" + short_name_(datatype);
+}
+
+std::string Printer::cardinality(const Term& term, std::string_view word) const {
+  std::string text = nested(term.arguments[0]) + " " + std::string(word) + " " + std::to_string(term.number);
+  if (term.arguments.size() == 2) text += " " + nested(term.arguments[1]);
+  return text;
+}
+
+std::string Printer::term(TermId id) const {
+  const Term term = source_.term(id);
+  const auto arguments = term.arguments;
+  const auto restriction = [&](std::string_view word) {
+    return nested(arguments[0]) + " " + std::string(word) + " " + nested(arguments[1]);
+  };
+  switch (term.kind) {
+    case TermKind::named_class:
+    case TermKind::object_property:
+    case TermKind::data_property:
+    case TermKind::annotation_property:
+    case TermKind::datatype:
+    case TermKind::individual:
+      return short_name_(source_.name(term.name));
+    case TermKind::anonymous_individual:
+    case TermKind::language_tag:
+      return std::string(source_.name(term.name));
+    case TermKind::literal:
+      return literal(term);
+    case TermKind::object_inverse_of:
+      return "inverse " + nested(arguments[0]);
+    case TermKind::object_property_chain:
+      return joined(arguments, " o ");
+    case TermKind::object_intersection_of:
+    case TermKind::data_intersection_of:
+      return arguments.empty() ? short_name_(owl_thing) : joined(arguments, " and ");
+    case TermKind::object_union_of:
+    case TermKind::data_union_of:
+      return arguments.empty() ? short_name_(owl_nothing) : joined(arguments, " or ");
+    case TermKind::object_complement_of:
+    case TermKind::data_complement_of:
+      return "not " + nested(arguments[0]);
+    case TermKind::object_one_of:
+    case TermKind::data_one_of:
+      return "{" + joined(arguments, ", ") + "}";
+    case TermKind::object_some_values_from:
+    case TermKind::data_some_values_from:
+      return restriction("some");
+    case TermKind::object_all_values_from:
+    case TermKind::data_all_values_from:
+      return restriction("only");
+    case TermKind::object_has_value:
+    case TermKind::data_has_value:
+      return restriction("value");
+    case TermKind::object_has_self:
+      return nested(arguments[0]) + " Self";
+    case TermKind::object_min_cardinality:
+    case TermKind::data_min_cardinality:
+      return cardinality(term, "min");
+    case TermKind::object_max_cardinality:
+    case TermKind::data_max_cardinality:
+      return cardinality(term, "max");
+    case TermKind::object_exact_cardinality:
+    case TermKind::data_exact_cardinality:
+      return cardinality(term, "exactly");
+    case TermKind::datatype_restriction:
+      return nested(arguments[0]) + "[" + joined(arguments.subspan(1), ", ") + "]";
+    case TermKind::facet:
+      return short_name_(source_.name(term.name)) + " " + nested(arguments[0]);
+  }
+  return {};
+}
+
+std::string Printer::listed(const Axiom& axiom, std::string_view pair_word) const {
+  if (axiom.arguments.size() == 2) {
+    return nested(axiom.arguments[0]) + " " + std::string(pair_word) + " " + nested(axiom.arguments[1]);
+  }
+  return std::string(to_string(axiom.kind)) + ": " + joined(axiom.arguments, ", ");
+}
+
+std::string Printer::axiom(const Axiom& axiom) const {
+  const auto arguments = axiom.arguments;
+  const auto between = [&](std::string_view word) {
+    return term(arguments[0]) + " " + std::string(word) + " " + term(arguments[1]);
+  };
+  switch (axiom.kind) {
+    case AxiomKind::sub_class_of:
+      return between("SubClassOf");
+    case AxiomKind::equivalent_classes:
+      return arguments.size() == 2 ? between("EquivalentTo") : listed(axiom, "");
+    case AxiomKind::equivalent_object_properties:
+    case AxiomKind::equivalent_data_properties:
+      return listed(axiom, "EquivalentTo");
+    case AxiomKind::disjoint_classes:
+    case AxiomKind::disjoint_object_properties:
+    case AxiomKind::disjoint_data_properties:
+      return listed(axiom, "DisjointWith");
+    case AxiomKind::disjoint_union:
+      return term(arguments[0]) + " DisjointUnionOf " + joined(arguments.subspan(1), ", ");
+    case AxiomKind::sub_object_property_of:
+    case AxiomKind::sub_data_property_of:
+      return between("SubPropertyOf");
+    case AxiomKind::inverse_object_properties:
+      return between("InverseOf");
+    case AxiomKind::object_property_domain:
+    case AxiomKind::data_property_domain:
+      return between("Domain");
+    case AxiomKind::object_property_range:
+    case AxiomKind::data_property_range:
+      return between("Range");
+    case AxiomKind::datatype_definition:
+      return between("EquivalentTo");
+    case AxiomKind::has_key:
+      return term(arguments[0]) + " HasKey " + joined(arguments.subspan(1), ", ");
+    case AxiomKind::same_individual:
+      return listed(axiom, "SameAs");
+    case AxiomKind::different_individuals:
+      return listed(axiom, "DifferentFrom");
+    case AxiomKind::class_assertion:
+      return term(arguments[1]) + " Type " + term(arguments[0]);
+    case AxiomKind::object_property_assertion:
+    case AxiomKind::data_property_assertion:
+      return term(arguments[1]) + " Fact " + term(arguments[0]) + " " + term(arguments[2]);
+    case AxiomKind::negative_object_property_assertion:
+    case AxiomKind::negative_data_property_assertion:
+      return term(arguments[1]) + " Fact not " + term(arguments[0]) + " " + term(arguments[2]);
+    default:
+      return std::string(to_string(axiom.kind)) + ": " + joined(arguments, ", ");
+  }
+}
+
+bool is_plain_local_name(std::string_view name) {
+  const auto is_plain = [](char c) {
+    const auto octet = static_cast<unsigned char>(c);
+    return octet >= 0x80 || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '.';
+  };
+  return !name.empty() && name.front() != '.' && name.front() != '-' && name.back() != '.' &&
+         std::ranges::all_of(name, is_plain);
+}
+
+}  // namespace
+
+std::string print(const OntologySource& source, TermId term, const ShortName& short_name) {
+  return Printer(source, short_name).term(term);
+}
+
+std::string print(const OntologySource& source, const Axiom& axiom, const ShortName& short_name) {
+  return Printer(source, short_name).axiom(axiom);
+}
+
+std::string shorten(std::string_view iri, std::span<const std::pair<std::string_view, std::string_view>> prefixes) {
+  const std::pair<std::string_view, std::string_view>* best = nullptr;
+  for (std::size_t at = 0; at < prefixes.size(); ++at) {
+    const auto& prefix = prefixes[at];
+    const bool is_shared = (at > 0 && prefixes[at - 1].first == prefix.first) ||
+                           (at + 1 < prefixes.size() && prefixes[at + 1].first == prefix.first);
+    if (is_shared || prefix.second.empty() || !iri.starts_with(prefix.second)) continue;
+    if (!is_plain_local_name(iri.substr(prefix.second.size()))) continue;
+    // A named prefix reads better than the empty one, which every file uses for something else.
+    const bool is_better = best == nullptr || prefix.second.size() > best->second.size() ||
+                           (prefix.second.size() == best->second.size() && best->first.empty());
+    if (is_better) best = &prefix;
+  }
+  if (best == nullptr) return "<" + std::string(iri) + ">";
+  return std::string(best->first) + ":" + std::string(iri.substr(best->second.size()));
+}
+
+}  // namespace geminga::el

@@ -1,0 +1,28 @@
+// Axioms as a person reads them: Manchester-like, with short names.
+#ifndef GEMINGA_EL_PRINT_HPP
+#define GEMINGA_EL_PRINT_HPP
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "el/source.hpp"
+
+namespace geminga::el {
+
+/// How an IRI is written: `soccer:BallInfo` or `<https://...>`.
+using ShortName = std::function<std::string(std::string_view iri)>;
+
+/// "soccer:Camera and (core:observes some soccer:Ball)".
+[[nodiscard]] std::string print(const OntologySource& source, TermId term, const ShortName& short_name);
+/// "soccer:SharedBallInfo SubClassOf soccer:BallInfo".
+[[nodiscard]] std::string print(const OntologySource& source, const Axiom& axiom, const ShortName& short_name);
+
+/// `prefix:local` by the longest of the given prefix IRIs after which a plain local name is left, else `<iri>`. A prefix
+/// that is given for two IRIs is not used. `prefixes` are (word, IRI), sorted.
+[[nodiscard]] std::string shorten(std::string_view iri,
+                                  std::span<const std::pair<std::string_view, std::string_view>> prefixes);
+
+}  // namespace geminga::el
+
+#endif
