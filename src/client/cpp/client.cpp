@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
+#include <utility>
+#include <variant>
 
 #include "base/text.hpp"
 #include "client/cpp/session.hpp"
@@ -72,6 +75,7 @@ class Client::State {
   explicit State(std::chrono::milliseconds timeout) : session(timeout) {}
   client::Session session;
   Welcome welcome;
+  std::map<std::uint32_t, bool> is_publication;  ///< of everything that is offered or asked for, by its number
 
   std::expected<void, ClientError> send(std::uint32_t number, const gcnp::Request& request) {
     return session.request(gcnp::to_statement(number, request));
@@ -79,6 +83,7 @@ class Client::State {
   std::expected<std::uint32_t, ClientError> create(const gcnp::Request& request) {
     const std::uint32_t number = session.next_number();
     if (auto sent = send(number, request); !sent) return std::unexpected(std::move(sent.error()));
+    is_publication.emplace(number, std::holds_alternative<gcnp::PubCreate>(request));
     return number;
   }
 };
@@ -115,6 +120,18 @@ std::expected<void, ClientError> Client::modify(std::uint32_t request, const Pub
 
 std::expected<void, ClientError> Client::modify(std::uint32_t request, const SubscriptionChange& change) {
   return state_->send(request, change);
+}
+
+std::expected<void, ClientError> Client::withdraw(std::uint32_t request) {
+  const auto stated = state_->is_publication.find(request);
+  if (stated == state_->is_publication.end()) {
+    return std::unexpected(
+        ClientError{Kind::wrong_use, "there is no request " + std::to_string(request) + " to withdraw"});
+  }
+  const auto remove = stated->second ? gcnp::Request(gcnp::PubRemove{}) : gcnp::Request(gcnp::SubRemove{});
+  if (auto sent = state_->send(request, remove); !sent) return sent;
+  state_->is_publication.erase(stated);
+  return {};
 }
 
 std::expected<std::optional<Event>, ClientError> Client::next_event(std::chrono::milliseconds timeout) {

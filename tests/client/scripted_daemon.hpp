@@ -1,0 +1,59 @@
+// A daemon of a few lines that says what a test tells it to, on a free port of this host.
+#ifndef GEMINGA_TESTS_CLIENT_SCRIPTED_DAEMON_HPP
+#define GEMINGA_TESTS_CLIENT_SCRIPTED_DAEMON_HPP
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <thread>
+
+namespace geminga::client {
+
+/// One accepted connection, used on the daemon's thread.
+class Conversation {
+ public:
+  explicit Conversation(int socket) : socket_(socket) {}
+
+  /// The next line without its end; empty at the end of the stream.
+  std::string hear();
+  /// Fails the test unless the next line is this one.
+  void expect(std::string_view line);
+  /// Sends a line and CR LF.
+  void say(std::string_view line);
+  /// Sends bytes as they are.
+  void send(std::string_view bytes);
+  /// Answers the hello with participant 1a2b3c4d, peer 3.
+  void welcome();
+  /// Waits until the client has closed.
+  void wait_for_end();
+
+ private:
+  int socket_;
+  std::string heard_;
+};
+
+/// Accepts one connection and runs the script on it in a thread, which the destructor joins.
+class ScriptedDaemon {
+ public:
+  explicit ScriptedDaemon(std::function<void(Conversation&)> script);
+  ~ScriptedDaemon();
+  ScriptedDaemon(const ScriptedDaemon&) = delete;
+  ScriptedDaemon& operator=(const ScriptedDaemon&) = delete;
+
+  [[nodiscard]] std::uint16_t port() const { return port_; }
+  /// `127.0.0.1:PORT`
+  [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
+
+ private:
+  std::uint16_t port_ = 0;
+  int listener_ = -1;  ///< behind port_, which its making fills
+  std::thread thread_;
+};
+
+/// A port of this host on which nobody listens.
+[[nodiscard]] std::uint16_t free_port();
+
+}  // namespace geminga::client
+
+#endif
