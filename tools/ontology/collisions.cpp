@@ -1,0 +1,55 @@
+// Sorts all identities by their 32 bits.
+#include "collisions.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace geminga::ontology {
+namespace {
+
+/// Beyond this the birthday paradox finds collisions by the hundreds, and nobody publishes that many services.
+constexpr std::size_t max_pairs = 4'000'000;
+
+struct Entry {
+  Id32 id;
+  std::uint32_t concept_index;
+  std::uint32_t representation_index;  ///< 0: none
+};
+
+}  // namespace
+
+Collisions find_collisions(const std::vector<std::string>& concept_iris,
+                           const std::vector<std::string>& representation_iris) {
+  Collisions collisions;
+  const bool with_pairs = concept_iris.size() * representation_iris.size() <= max_pairs;
+  collisions.is_whole = with_pairs;
+  const auto identity = [&](const Entry& entry) {
+    SemanticIdentity named{concept_iris[entry.concept_index], {}};
+    if (entry.representation_index != 0) named.representation_iri = representation_iris[entry.representation_index - 1];
+    return named;
+  };
+  std::vector<Entry> entries;
+  for (std::uint32_t c = 0; c < concept_iris.size(); ++c) {
+    for (std::uint32_t r = 0; r <= (with_pairs ? representation_iris.size() : 0); ++r) {
+      Entry entry{0, c, r};
+      entry.id = id32(identity(entry));
+      entries.push_back(entry);
+    }
+  }
+  std::ranges::sort(entries, {}, &Entry::id);
+  for (std::size_t begin = 0; begin < entries.size();) {
+    std::size_t end = begin + 1;
+    while (end < entries.size() && entries[end].id == entries[begin].id) ++end;
+    if (end - begin > 1) {
+      Collision collision{entries[begin].id, {}};
+      for (std::size_t place = begin; place < end; ++place)
+        collision.names.push_back(canonical_form(identity(entries[place])));
+      std::ranges::sort(collision.names);
+      collisions.found.push_back(std::move(collision));
+    }
+    begin = end;
+  }
+  return collisions;
+}
+
+}  // namespace geminga::ontology

@@ -1,0 +1,40 @@
+// The commands of geminga-ontology: each adds itself to the command line and leaves its exit status behind.
+#ifndef GEMINGA_ONTOLOGY_COMMAND_HPP
+#define GEMINGA_ONTOLOGY_COMMAND_HPP
+
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace geminga::ontology {
+
+/// The exit statuses of the contract.
+enum class Exit : int {
+  yes = 0,        ///< done, or found
+  no = 1,         ///< the answer is no, or there is a problem
+  usage = 2,      ///< wrong usage, or a file that cannot be loaded
+  timed_out = 4,  ///< --time-limit was exceeded
+};
+
+/// What the chosen command wants to be run with, once the whole command line has been read.
+struct Choice {
+  std::function<Exit()> run;
+  bool may_execute = false;       ///< runs another program
+  unsigned memory_limit_mib = 0;  ///< 0: none
+  unsigned time_limit_s = 0;      ///< 0: none
+};
+
+void add_check(CLI::App& program, Choice& choice);
+void add_classify(CLI::App& program, Choice& choice);
+void add_subsumes(CLI::App& program, Choice& choice);
+void add_explain(CLI::App& program, Choice& choice);
+void add_id(CLI::App& program, Choice& choice);
+void add_compile(CLI::App& program, Choice& choice);
+void add_draw(CLI::App& program, Choice& choice);
+
+}  // namespace geminga::ontology
+
+#endif

@@ -1,0 +1,86 @@
+// `geminga-ontology compile`: the one file that the daemon maps at start.
+#include "el/compile.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <system_error>
+
+#include "command.hpp"
+#include "knowledge.hpp"
+#include "words.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+struct Request {
+  std::vector<std::string> files;
+  std::string out;
+};
+
+bool write_all(int file, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = write(file, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+/// Writes beside the target and renames, so that at every instant the target is the old file or the whole new one.
+Exit replace(const std::string& target, std::span<const std::byte> bytes) {
+  struct stat status{};
+  if (stat(target.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
+    return say_error(target + " is not a regular file: name another one behind -o");
+  const std::filesystem::path folder = std::filesystem::path(target).parent_path();
+  std::string temporary = (folder / ".geminga-ontology-XXXXXX").string();
+  const auto fail = [&](int error) {
+    unlink(temporary.c_str());
+    return say_error(target + " cannot be written: " + std::generic_category().message(error));
+  };
+  const int file = mkostemp(temporary.data(), O_CLOEXEC);
+  if (file < 0) return fail(errno);
+  const mode_t mask = umask(0);
+  umask(mask);
+  const bool is_written =
+      write_all(file, bytes) && fchmod(file, static_cast<mode_t>(0666 & ~mask)) == 0 && fsync(file) == 0;
+  const int error = errno;
+  if (close(file) != 0 || !is_written) return fail(error);
+  if (std::rename(temporary.c_str(), target.c_str()) != 0) return fail(errno);
+  return Exit::yes;
+}
+
+Exit compile(const Request& request) {
+  const auto knowledge = learn_or_say(request.files);
+  if (!knowledge) return Exit::usage;
+  return replace(request.out, el::compile(knowledge->loaded.source, knowledge->classification));
+}
+
+}  // namespace
+
+void add_compile(CLI::App& program, Choice& choice) {
+  auto request = std::make_shared<Request>();
+  CLI::App* command = program.add_subcommand("compile", "Write the compiled form that the daemon maps at start");
+  add_files(*command, request->files);
+  command->add_option("-o,--output", request->out, "the file to write; replaced as a whole or not at all")
+      ->required()
+      ->type_name("OUT");
+  add_number(*command, "--memory-limit", choice.memory_limit_mib, 64, 1'000'000,
+             "most address space to use, in MiB; more memory is a longer start, less refuses large ontologies");
+  add_number(*command, "--time-limit", choice.time_limit_s, 1, 1'000'000,
+             "most processor time to use, in seconds; then exit 4");
+  command->footer("\nExample:\n  geminga-ontology compile team/ -o team.geminga --memory-limit 512 --time-limit 30");
+  command->callback([request, &choice] { choice.run = [request] { return compile(*request); }; });
+}
+
+}  // namespace geminga::ontology

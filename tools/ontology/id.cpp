@@ -1,0 +1,104 @@
+// `geminga-ontology id`: the 32-bit identity of a concept and, perhaps, a representation (src/identity/IDENTITY.md).
+#include <CLI/CLI.hpp>
+#include <boost/json.hpp>
+#include <expected>
+#include <memory>
+
+#include "base/text.hpp"
+#include "command.hpp"
+#include "geminga/identity.hpp"
+#include "knowledge.hpp"
+#include "words.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+struct Request {
+  std::string concept_name;
+  std::string representation_name;
+  std::vector<std::string> files;
+  bool as_json = false;
+};
+
+/// The IRI that a name is by itself: `<IRI>`, or one with a scheme that nobody takes for a prefix.
+std::optional<std::string> plain_iri(const std::string& name) {
+  if (name.size() > 2 && name.front() == '<' && name.back() == '>') return name.substr(1, name.size() - 2);
+  if (name.find("://") != std::string::npos || name.starts_with("urn:")) return name;
+  return std::nullopt;
+}
+
+/// Resolves names, and loads the ontologies when the first one needs them.
+class Resolver {
+ public:
+  explicit Resolver(const Request& request) : request_(request) {}
+
+  std::optional<std::string> resolve(const std::string& name) {
+    if (auto iri = plain_iri(name)) {
+      const bool is_good = !iri->empty() && base::is_valid_utf8(*iri) && !base::has_control_character(*iri) &&
+                           iri->find_first_of("<> \"") == std::string::npos;
+      if (is_good) return iri;
+      say_error(base::printable(name) + " is no IRI: write it without spaces, quotes and angle brackets");
+      return std::nullopt;
+    }
+    if (!ontology_ && !open()) return std::nullopt;
+    const auto number = find_or_say(*ontology_, name);
+    if (!number) return std::nullopt;
+    return std::string(ontology_->iri(*number));
+  }
+
+ private:
+  bool open() {
+    const auto knowledge =
+        learn_or_say(request_.files.empty() ? std::vector{shipped_ontologies().string()} : request_.files);
+    if (knowledge) ontology_ = open_or_say(*knowledge);
+    return ontology_.has_value();
+  }
+
+  const Request& request_;
+  std::optional<el::Ontology> ontology_;
+};
+
+Exit print_id(const Request& request) {
+  Resolver resolver(request);
+  const auto concept_iri = resolver.resolve(request.concept_name);
+  if (!concept_iri) return Exit::usage;
+  SemanticIdentity identity{*concept_iri, {}};
+  if (!request.representation_name.empty()) {
+    const auto representation_iri = resolver.resolve(request.representation_name);
+    if (!representation_iri) return Exit::usage;
+    identity.representation_iri = *representation_iri;
+  }
+  const Id32 id = id32(identity);
+  std::string text = std::to_string(id) + '\n';
+  if (request.as_json) {
+    const boost::json::object document{{"id", id},
+                                       {"hex", "0x" + base::to_hex(id, 8)},
+                                       {"canonical", canonical_form(identity)},
+                                       {"concept", identity.concept_iri},
+                                       {"representation", identity.representation_iri}};
+    text = boost::json::serialize(document) + '\n';
+  }
+  return print(text) ? Exit::yes : say_error("standard output cannot be written");
+}
+
+}  // namespace
+
+void add_id(CLI::App& program, Choice& choice) {
+  auto request = std::make_shared<Request>();
+  CLI::App* command = program.add_subcommand("id", "Print the 32-bit identity of a concept and a representation");
+  command->add_option("CONCEPT", request->concept_name, "prefix:Name, <IRI>, a bare IRI, or a label")
+      ->required()
+      ->type_name("");
+  command->add_option("REPRESENTATION", request->representation_name, "the same; unstated where it is left out")
+      ->type_name("");
+  command
+      ->add_option("--ontology", request->files, "where prefixes and labels come from; else the ontologies that ship")
+      ->type_name("FILES");
+  command->add_flag("--json", request->as_json, "print number, hexadecimal number and canonical form as JSON");
+  command->footer(
+      "\nExamples:\n  geminga-ontology id soccer:BallInfo soccer:CartesianFieldFrame\n"
+      "  geminga-ontology id '<http://example.org/a>' --json");
+  command->callback([request, &choice] { choice.run = [request] { return print_id(*request); }; });
+}
+
+}  // namespace geminga::ontology

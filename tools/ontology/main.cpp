@@ -1,0 +1,72 @@
+// geminga-ontology: checks, classifies, explains, draws and compiles ontologies; needs no daemon.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "command.hpp"
+#include "sandbox.hpp"
+#include "words.hpp"
+
+namespace {
+
+using namespace geminga::ontology;
+
+constexpr const char* examples = R"(
+Examples:
+  geminga-ontology check team/                      every ontology file in the folder, together
+  geminga-ontology classify robot-soccer.ttl core.ttl
+  geminga-ontology classify --closure soma.rdf      one SUB<TAB>SUPER line for each entailed subsumption
+  geminga-ontology subsumes team/ --sub soccer:SharedBallInfo --super soccer:BallInfo
+  geminga-ontology explain team/ --sub soccer:SharedBallInfo --super soccer:BallInfo
+  geminga-ontology id soccer:BallInfo soccer:CartesianFieldFrame
+  geminga-ontology compile team/ -o team.geminga
+  geminga-ontology draw team/ --root soccer:BallInfo --format svg > ball.svg
+
+FILES are RDF/XML (.rdf .owl .xml), Turtle (.ttl) and N-Triples (.nt), or folders of them. Nothing is fetched from a
+network: owl:imports are looked for among the files that are named. Names are prefix:Name, <IRI>, or a label.
+Exit status: 0 yes or done, 1 no or a problem found, 2 wrong usage or a file that cannot be loaded, 4 timed out.)";
+
+/// CLI11 ends its messages in line ends, and some run over several lines.
+std::string in_one_line(std::string words) {
+  while (!words.empty() && (words.back() == '\n' || words.back() == ' ')) words.pop_back();
+  for (char& c : words) {
+    if (c == '\n') c = ' ';
+  }
+  return words;
+}
+
+int run(int argc, char** argv) {
+  CLI::App program("Checks, classifies, explains, draws and compiles ontologies.", "geminga-ontology");
+  program.set_version_flag("--version", "geminga-ontology " GEMINGA_VERSION);
+  program.footer(examples);
+  program.require_subcommand(1);
+  Choice choice;
+  for (const auto add : {add_check, add_classify, add_subsumes, add_explain, add_id, add_compile, add_draw})
+    add(program, choice);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& wanted) {  // --help and --version
+    return program.exit(wanted);
+  } catch (const CLI::ParseError& error) {
+    return static_cast<int>(say_error(in_one_line(error.what()) + ": see geminga-ontology --help"));
+  }
+  limit_memory(choice.memory_limit_mib);
+  limit_time(choice.time_limit_s);
+  forbid_the_world(choice.may_execute);
+  return static_cast<int>(choice.run());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("geminga-ontology: there is not enough memory: raise --memory-limit, or split the ontology\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "geminga-ontology: something unexpected went wrong: %s\n", error.what());
+  }
+  return static_cast<int>(Exit::usage);
+}
