@@ -2,9 +2,11 @@
 #ifndef GEMINGA_REGISTRY_NAME_INDEX_HPP
 #define GEMINGA_REGISTRY_NAME_INDEX_HPP
 
+#include <boost/container/small_vector.hpp>
 #include <boost/multi_index/hashed_index.hpp>
 #include <boost/multi_index/member.hpp>
 #include <boost/multi_index_container.hpp>
+#include <cstring>
 #include <string_view>
 #include <variant>
 
@@ -13,13 +15,56 @@
 
 namespace geminga::registry {
 
+/// An identity as two texts, borrowed: the concept and the representation, or the text and nothing. A number is its
+/// 32-bit form already.
+struct NameView {
+  std::size_t kind = 0;  ///< the index in Identity
+  std::string_view first;
+  std::string_view second;
+};
+
+inline NameView view_of(const Identity& identity) {
+  if (const auto* semantic = std::get_if<SemanticIdentity>(&identity)) {
+    return {identity.index(), semantic->concept_iri, semantic->representation_iri};
+  }
+  const auto* text = std::get_if<TextIdentity>(&identity);
+  return {identity.index(), text == nullptr ? std::string_view() : std::string_view(text->text), {}};
+}
+
+/// The octets of an identity, kept in place where they are not many: comparing them then costs no other cache miss.
+class NameText {
+ public:
+  explicit NameText(const NameView& name)
+      : kind_(name.kind), first_size_(name.first.size()), octets_(name.first.begin(), name.first.end()) {
+    octets_.insert(octets_.end(), name.second.begin(), name.second.end());
+  }
+
+  /// Whether this is the whole of that identity, 32-bit numbers apart.
+  [[nodiscard]] bool is(const NameView& name) const {
+    return kind_ == name.kind && first_size_ == name.first.size() &&
+           octets_.size() == name.first.size() + name.second.size() && has_at(0, name.first) &&
+           has_at(first_size_, name.second);
+  }
+
+ private:
+  static constexpr std::size_t in_place = 104;  ///< two IRIs of usual length; longer ones go to the heap
+
+  [[nodiscard]] bool has_at(std::size_t offset, std::string_view octets) const {
+    return octets.empty() || std::memcmp(octets_.data() + offset, octets.data(), octets.size()) == 0;
+  }
+
+  std::size_t kind_;
+  std::size_t first_size_;
+  boost::container::small_vector<char, in_place> octets_;
+};
+
 /// One identity that some entry has, or whose concept some entry has. Every identity is kept once, so that a look-up
 /// compares one full identity, however many entries share it.
 template <typename Entry>
 struct Name {
   Id32 id = 0;
-  Identity identity;
-  mutable Bucket<Entry> same;          ///< entries with this very identity
+  mutable Bucket<Entry> same;  ///< entries with this very identity
+  NameText text;
   mutable Bucket<Entry> same_concept;  ///< for a concept alone: entries with it in whatever representation
 };
 
@@ -47,10 +92,11 @@ class NameIndex {
     drop_if_unused(second);
   }
 
+  /// The name with this full identity, among those with this 32-bit one.
   [[nodiscard]] const Name<Entry>* find(const Identity& identity, Id32 id) const {
-    const auto [first, last] = names_.equal_range(id);
-    for (auto candidate = first; candidate != last; ++candidate) {
-      if (candidate->identity == identity) return &*candidate;
+    const NameView view = view_of(identity);
+    for (auto candidate = names_.find(id); candidate != names_.end() && candidate->id == id; ++candidate) {
+      if (candidate->text.is(view)) return &*candidate;
     }
     return nullptr;
   }
@@ -62,7 +108,7 @@ class NameIndex {
 
   const Name<Entry>& name(const Identity& identity, Id32 id) {
     if (const auto* known = find(identity, id)) return *known;
-    return *names_.insert(Name<Entry>{id, identity, {}, {}}).first;
+    return *names_.insert(Name<Entry>{id, {}, NameText(view_of(identity)), {}}).first;
   }
 
   void drop_if_unused(const Name<Entry>* name) {

@@ -2,8 +2,11 @@
 #ifndef GEMINGA_REGISTRY_STORED_HPP
 #define GEMINGA_REGISTRY_STORED_HPP
 
+#include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geminga/identity.hpp"
@@ -40,6 +43,8 @@ struct Stored {
 };
 
 /// Entries that share something, in no order that means anything. A caller that shows or decides by them sorts first.
+/// A lone entry is kept within, because most identities have one provider and a look-up should not pay for more. Must
+/// not be moved while an entry is filed in it.
 template <typename Entry>
 class Bucket {
  public:
@@ -50,23 +55,36 @@ class Bucket {
 
   /// Appends; amortised O(1).
   void file(const Stored<Entry>& stored) {
-    stored.filings.push_back({this, static_cast<std::uint32_t>(entries_.size())});
-    entries_.push_back({&stored, static_cast<std::uint32_t>(stored.filings.size() - 1)});
+    if (size_ == capacity_) grow();
+    stored.filings.push_back({this, size_});
+    begin()[size_++] = {&stored, static_cast<std::uint32_t>(stored.filings.size() - 1)};
   }
 
   /// Puts the last entry into the hole and tells it its new place; O(1). The caller forgets the filing itself.
   void remove(std::uint32_t position) {
-    const Filed last = entries_.back();
-    entries_[position] = last;
+    const Filed last = begin()[--size_];
+    begin()[position] = last;
     last.stored->filings[last.back].position = position;
-    entries_.pop_back();
   }
 
-  [[nodiscard]] std::span<const Filed> entries() const { return entries_; }
-  [[nodiscard]] bool is_empty() const { return entries_.empty(); }
+  [[nodiscard]] std::span<const Filed> entries() const { return {many_ ? many_.get() : &only_, size_}; }
+  [[nodiscard]] bool is_empty() const { return size_ == 0; }
 
  private:
-  std::vector<Filed> entries_;
+  Filed* begin() { return many_ ? many_.get() : &only_; }
+
+  void grow() {
+    const std::uint32_t capacity = capacity_ * 2;
+    auto more = std::make_unique<Filed[]>(capacity);
+    std::copy_n(begin(), size_, more.get());
+    many_ = std::move(more);
+    capacity_ = capacity;
+  }
+
+  Filed only_;
+  std::unique_ptr<Filed[]> many_;
+  std::uint32_t size_ = 0;
+  std::uint32_t capacity_ = 1;
 };
 
 template <typename Entry>
