@@ -37,7 +37,8 @@ bool write_all(int file, std::span<const std::byte> bytes) {
   return true;
 }
 
-/// Writes beside the target and renames, so that at every instant the target is the old file or the whole new one.
+/// Writes beside the target and renames, so that at every instant the target is the old file or the whole new one. It is
+/// not forced to the disk, which would take most of the time: a file that a power cut damaged fails its checksum.
 Exit replace(const std::string& target, std::span<const std::byte> bytes) {
   struct stat status{};
   if (stat(target.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
@@ -52,8 +53,7 @@ Exit replace(const std::string& target, std::span<const std::byte> bytes) {
   if (file < 0) return fail(errno);
   const mode_t mask = umask(0);
   umask(mask);
-  const bool is_written =
-      write_all(file, bytes) && fchmod(file, static_cast<mode_t>(0666 & ~mask)) == 0 && fsync(file) == 0;
+  const bool is_written = write_all(file, bytes) && fchmod(file, static_cast<mode_t>(0666 & ~mask)) == 0;
   const int error = errno;
   if (close(file) != 0 || !is_written) return fail(error);
   if (std::rename(temporary.c_str(), target.c_str()) != 0) return fail(errno);
