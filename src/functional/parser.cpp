@@ -42,10 +42,10 @@ std::string describe(const Token& token) {
 Parser::Parser(std::string_view bytes, el::FileId file, el::OntologySource& source, const Limits& limits)
     : source_(source), file_(file), limits_(limits), bytes_(bytes), tokens_(bytes, limits) {
   // OWL 2, table 2: every document knows these.
-  prefixes_.emplace("owl", "http://www.w3.org/2002/07/owl#");
-  prefixes_.emplace("rdf", "http://www.w3.org/1999/02/22-rdf-syntax-ns#");
-  prefixes_.emplace("rdfs", "http://www.w3.org/2000/01/rdf-schema#");
-  prefixes_.emplace("xsd", "http://www.w3.org/2001/XMLSchema#");
+  prefixes_.emplace("owl", Prefix{"http://www.w3.org/2002/07/owl#", false});
+  prefixes_.emplace("rdf", Prefix{"http://www.w3.org/1999/02/22-rdf-syntax-ns#", false});
+  prefixes_.emplace("rdfs", Prefix{"http://www.w3.org/2000/01/rdf-schema#", false});
+  prefixes_.emplace("xsd", Prefix{"http://www.w3.org/2001/XMLSchema#", false});
 }
 
 std::expected<Document, Problem> Parser::run() {
@@ -81,19 +81,19 @@ bool Parser::prefix_declaration() {
   if (!tokens_.is(TokenKind::full_iri)) return expected("an IRI in angle brackets");
   const std::string_view iri = tokens_.token().text;
 
-  const auto known = prefixes_.find(prefix);
-  if (known != prefixes_.end() && known->second != iri) {
+  const auto known = prefixes_.try_emplace(std::string(prefix), Prefix{std::string(iri), false}).first;
+  Prefix& declared = known->second;
+  if (declared.iri != iri) {
     tokens_.fail("the prefix " + base::printable(prefix, shown_bytes) + ": already stands for <" +
-                 base::printable(known->second, shown_bytes) + '>');
+                 base::printable(declared.iri, shown_bytes) + '>');
     return false;
   }
-  const auto is_this = [prefix](const DeclaredPrefix& declared) { return declared.prefix == prefix; };
-  if (known == prefixes_.end() || std::ranges::none_of(document_.prefixes, is_this)) {
+  if (!declared.is_declared) {
     if (document_.prefixes.size() >= limits_.prefixes) {
       tokens_.fail("more than " + std::to_string(limits_.prefixes) + " prefixes");
       return false;
     }
-    prefixes_.emplace(prefix, iri);
+    declared.is_declared = true;
     document_.prefixes.push_back({std::string(prefix), std::string(iri)});
   }
   tokens_.advance();

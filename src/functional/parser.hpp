@@ -84,10 +84,16 @@ class Parser {
   bool individual(std::string_view what);
   /// Reads a literal; it is in lexical_, language_ and, the datatype, iri_.
   bool literal();
+  void take_language(std::string_view tag);
 
   struct TextHash {
     using is_transparent = void;
     std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
+  };
+
+  struct Prefix {
+    std::string iri;
+    bool is_declared = false;  ///< in this file
   };
 
   el::OntologySource& source_;
@@ -97,7 +103,7 @@ class Parser {
   Tokenizer tokens_;
   Document document_;
 
-  std::unordered_map<std::string, std::string, TextHash, std::equal_to<>> prefixes_;
+  std::unordered_map<std::string, Prefix, TextHash, std::equal_to<>> prefixes_;
   std::string last_prefix_;                       ///< whose IRI is last_prefix_iri_
   const std::string* last_prefix_iri_ = nullptr;  ///< into prefixes_, whose nodes do not move
   std::unordered_set<std::string> imported_;
@@ -106,8 +112,9 @@ class Parser {
   std::string_view iri_;  ///< the last name; valid until the next
   std::string iri_buffer_;
   std::string_view lexical_;   ///< of the last literal, without escapes
-  std::string_view language_;  ///< of the last literal
+  std::string_view language_;  ///< of the last literal, in lower case
   std::string lexical_buffer_;
+  std::string language_buffer_;
 
   std::vector<el::TermId> terms_;
   std::size_t depth_ = 0;           ///< of expressions or annotations

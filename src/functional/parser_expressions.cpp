@@ -21,12 +21,12 @@ bool Parser::operand(Operand wanted) {
     case Operand::individual:
       return individual(to_string(wanted));
     case Operand::class_expression:
-      return is_name() ? entity(TermKind::named_class, {}) : expression(wanted);
+      return is_name() ? entity(TermKind::named_class, to_string(wanted)) : expression(wanted);
     case Operand::object_property:
     case Operand::property_chain:
-      return is_name() ? entity(TermKind::object_property, {}) : expression(wanted);
+      return is_name() ? entity(TermKind::object_property, to_string(wanted)) : expression(wanted);
     case Operand::data_range:
-      return is_name() ? entity(TermKind::datatype, {}) : expression(wanted);
+      return is_name() ? entity(TermKind::datatype, to_string(wanted)) : expression(wanted);
     case Operand::literal:
       if (!literal()) return false;
       terms_.push_back(source_.literal(lexical_, iri_, language_));
@@ -115,7 +115,7 @@ bool Parser::counted(std::uint32_t& number) {
 bool Parser::n_ary_data() {
   if (!operand(Operand::data_property)) return false;
   for (std::size_t properties = 1; is_name(); ++properties) {
-    if (!iri({})) return false;
+    if (!iri(to_string(Operand::data_range))) return false;
     if (tokens_.is(TokenKind::close)) {
       terms_.push_back(source_.datatype(iri_));
       return true;

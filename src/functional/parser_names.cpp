@@ -34,7 +34,7 @@ bool Parser::resolve(const Token& name) {
       return false;
     }
     last_prefix_ = prefix;
-    last_prefix_iri_ = &found->second;
+    last_prefix_iri_ = &found->second.iri;
   }
   const std::string_view local = name.text.substr(name.prefix_bytes + 1);
   iri_buffer_.assign(*last_prefix_iri_);
@@ -67,6 +67,15 @@ bool Parser::individual(std::string_view what) {
   return true;
 }
 
+void Parser::take_language(std::string_view tag) {
+  // Tags that differ in case are one (RFC 5646, section 2.1.1); raptor reads RDF/XML so, too.
+  language_buffer_ = tag;
+  for (char& c : language_buffer_) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
+  }
+  language_ = language_buffer_;
+}
+
 bool Parser::literal() {
   const Token token = tokens_.token();
   if (token.kind != TokenKind::string) return expected(to_string(Operand::literal));
@@ -80,7 +89,7 @@ bool Parser::literal() {
   iri_ = {};
   tokens_.advance();
   if (tokens_.is(TokenKind::language)) {
-    language_ = tokens_.token().text;
+    take_language(tokens_.token().text);
     tokens_.advance();
     return true;
   }
@@ -92,7 +101,7 @@ bool Parser::literal() {
   iri_ = {};
   const std::size_t at = lexical_.rfind('@');
   if (at == std::string_view::npos) return true;
-  language_ = lexical_.substr(at + 1);
+  take_language(lexical_.substr(at + 1));
   lexical_ = lexical_.substr(0, at);
   return true;
 }
