@@ -69,7 +69,7 @@ class IdentifierClaim {
   std::size_t attempts_ = 0;
   std::size_t claims_sent_ = 0;
   base::Instant due_ = base::never;
-  base::Instant held_since_{};
+  base::Instant held_since_;
 };
 
 }  // namespace geminga::beacon

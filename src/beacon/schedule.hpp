@@ -84,12 +84,12 @@ class Schedule {
   base::Instant periodic_ = base::never;
   base::Instant contested_ = base::never;     ///< when a claim to our identifier came
   base::Instant newcomer_due_ = base::never;  ///< when the copies for newcomers begin
-  base::Instant newcomer_last_{};             ///< when they last began
+  base::Instant newcomer_last_;               ///< when they last began
   bool had_newcomer_ = false;
-  base::Instant last_sent_{};
+  base::Instant last_sent_;
   bool has_sent_ = false;
   std::size_t tokens_ = burst_capacity;
-  base::Instant refilled_{};
+  base::Instant refilled_;
   std::size_t goodbyes_left_ = 0;
   base::Instant goodbye_due_ = base::never;
   bool is_running_ = false;

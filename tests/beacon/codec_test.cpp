@@ -126,6 +126,19 @@ TEST(Codec, LeavesOutOnlyTheServiceThatCannotBeAnnounced) {
   EXPECT_EQ(parts[0].peers[0].publications[1].number, 3U);
 }
 
+TEST(Codec, LeavesOutOnlyTheServiceThatIsLargerThanADatagram) {
+  for (const std::size_t place : {0U, 2U, 5U}) {
+    const auto without = state_of(5);
+    auto state = without;
+    auto huge = simple_publication();
+    huge.identity = SemanticIdentity{std::string(max_iri_bytes - 1, 'c') + "/", std::string(max_iri_bytes, 'r')};
+    for (const auto* key : {"a", "b", "c"}) huge.attributes[key] = std::string(max_attribute_value_bytes, 'x');
+    auto& publications = state.peers[0].publications;
+    publications.insert(publications.begin() + static_cast<std::ptrdiff_t>(place), {99, huge});
+    EXPECT_EQ(joined(decode_all(encode(state))), without) << place;
+  }
+}
+
 TEST(Codec, LeavesOutAPeerWithoutServices) {
   auto state = state_of(1);
   state.peers.push_back({PeerId{2}, "idle", {}, {}, {}});
