@@ -22,8 +22,8 @@
 namespace geminga::rdf {
 namespace {
 
-/// What more unresolved imports than this have to say is said by their number.
-constexpr std::size_t max_unresolved = 1000;
+/// Different ontologies that are imported; what is imported beyond them is not looked for.
+constexpr std::size_t max_imports = 1000;
 
 /// What a file's relative IRIs are relative to: its name, not its place, so that they are the same on every robot.
 std::string base_iri(const std::string& path) {
@@ -41,68 +41,76 @@ std::string base_iri(const std::string& path) {
   return iri;
 }
 
-std::optional<LoadError> read_file(const std::string& path, const Limits& limits, Redland& redland, Graph& graph) {
-  auto bytes = FileBytes::read(path, limits);
-  if (!bytes) return std::move(bytes.error());
-  const auto syntax = detect_syntax(path, bytes->view());
-  if (!syntax) return LoadError{base::printable(path, 4096), 0, syntax.error()};
-  TurtleLines lines;
-  if (auto problem = scan(*syntax, bytes->view(), limits, lines))
-    return LoadError{base::printable(path, 4096), problem->line, std::move(problem->text)};
-  return redland.read(path, *syntax, *bytes, base_iri(path), lines.take(), graph);
-}
-
-/// Ontology headers: what each file calls itself, and what it imports.
+/// Ontology headers: what the files call themselves, and what they import.
 class Headers {
  public:
-  Headers(const Graph& graph, const std::vector<std::string>& paths) : graph_(graph), own_(paths.size()) {
-    for (std::uint32_t number = 0; number < graph.triple_count(); ++number) {
-      const Triple& triple = graph.triple(number);
-      if (triple.predicate == node_of(Word::rdf_type) && triple.object == node_of(Word::owl_ontology)) {
-        const std::string_view iri = graph.text(triple.subject);
-        std::string& own = own_[graph.file_of(number)];
-        if (graph.is_iri(triple.subject) && own.empty()) own = iri;
-        known_.emplace(iri);
-      } else if (triple.predicate == node_of(Word::owl_version_iri)) {
-        known_.emplace(graph.text(triple.object));
-      } else if (triple.predicate == node_of(Word::owl_imports)) {
-        imports_.push_back(number);
-      }
-    }
+  explicit Headers(const std::vector<std::string>& paths) : own_(paths.size()) {
     for (const std::string& path : paths) {
-      known_.insert(base_iri(path));
+      names_.insert(base_iri(path));
       std::error_code error;
       const std::filesystem::path absolute = std::filesystem::absolute(path, error).lexically_normal();
-      if (!error) known_.insert("file://" + absolute.string());
+      if (!error) names_.insert("file://" + absolute.string());
+    }
+  }
+
+  /// The first ontology that a file declares is the one that it is.
+  void name(std::size_t file, std::string_view iri) {
+    if (own_[file].empty()) own_[file] = iri;
+    names_.emplace(iri);
+  }
+  void version(std::string_view iri) { names_.emplace(iri); }
+  void import(std::size_t file, std::string_view iri, std::uint32_t line) {
+    if (!seen_.emplace(iri).second) return;
+    if (imports_.size() < max_imports) imports_.push_back({std::string(iri), file, line});
+  }
+
+  void read(const Graph& graph) {
+    for (std::uint32_t number = 0; number < graph.triple_count(); ++number) {
+      const Triple& triple = graph.triple(number);
+      const auto object = [&] { return graph.text(triple.object); };
+      if (triple.predicate == node_of(Word::rdf_type) && triple.object == node_of(Word::owl_ontology)) {
+        if (graph.is_iri(triple.subject)) name(graph.file_of(number), graph.text(triple.subject));
+      } else if (triple.predicate == node_of(Word::owl_version_iri)) {
+        version(object());
+      } else if (triple.predicate == node_of(Word::owl_imports)) {
+        import(graph.file_of(number), object(), triple.line);
+      }
     }
   }
 
   [[nodiscard]] const std::string& own(std::size_t file) const { return own_[file]; }
 
-  [[nodiscard]] std::vector<UnresolvedImport> unresolved(const std::vector<std::string>& paths) const {
+  /// The imports that no file answers. Each is left out in the source, too.
+  [[nodiscard]] std::vector<UnresolvedImport> settle(const std::vector<std::string>& paths,
+                                                     el::OntologySource& source) const {
     std::vector<UnresolvedImport> missing;
-    std::set<std::string_view> seen;
-    for (const std::uint32_t number : imports_) {
-      const Triple& triple = graph_.triple(number);
-      const std::string_view iri = graph_.text(triple.object);
-      if (is_known(iri) || !seen.insert(iri).second || missing.size() == max_unresolved) continue;
-      missing.push_back({std::string(iri), paths[graph_.file_of(number)], triple.line});
+    for (const Import& import : imports_) {
+      if (is_known(import.iri)) continue;
+      missing.push_back({import.iri, paths[import.file], import.line});
+      source.leave_out("owl:imports <" + import.iri + ">", el::FileId{static_cast<std::uint32_t>(import.file)},
+                       import.line);
     }
     return missing;
   }
 
  private:
+  struct Import {
+    std::string iri;
+    std::size_t file;
+    std::uint32_t line;
+  };
+
   [[nodiscard]] bool is_known(std::string_view iri) const {
-    if (known_.contains(iri)) return true;
+    if (names_.contains(iri)) return true;
     // A trailing # is not part of an ontology's IRI, but often written.
-    return iri.ends_with('#') ? known_.contains(iri.substr(0, iri.size() - 1))
-                              : known_.contains(std::string(iri) + '#');
+    return iri.ends_with('#') ? names_.contains(iri.substr(0, iri.size() - 1))
+                              : names_.contains(std::string(iri) + '#');
   }
 
-  const Graph& graph_;
   std::vector<std::string> own_;
-  std::set<std::string, std::less<>> known_;
-  std::vector<std::uint32_t> imports_;
+  std::set<std::string, std::less<>> names_;
+  std::set<std::string, std::less<>> seen_;
+  std::vector<Import> imports_;
 };
 
 /// Gives every prefix one IRI: the one that most files declare, the smallest among equals, so that neither the order of
@@ -135,34 +143,81 @@ std::vector<PrefixConflict> settle_prefixes(const std::vector<DeclaredPrefix>& d
   return conflicts;
 }
 
+/// One load, file by file.
+class Loading {
+ public:
+  Loading(const std::vector<std::string>& paths, const Limits& limits, const OtherReader& other)
+      : paths_(paths), limits_(limits), other_(other), redland_(limits), headers_(paths) {}
+
+  std::optional<LoadError> read(std::size_t number) {
+    const std::string& path = paths_[number];
+    const el::FileId file = loaded_.source.add_file(path);
+    auto bytes = FileBytes::read(path, limits_);
+    if (!bytes) return std::move(bytes.error());
+    const auto syntax = detect_syntax(path, bytes->view());
+    if (!syntax) return LoadError{base::printable(path, 4096), 0, syntax.error()};
+    if (*syntax == Syntax::functional) return read_other(number, file, bytes->view());
+    TurtleLines lines;
+    if (auto problem = scan(*syntax, bytes->view(), limits_, lines))
+      return LoadError{base::printable(path, 4096), problem->line, std::move(problem->text)};
+    return redland_.read(path, *syntax, *bytes, base_iri(path), lines.take(), graph_);
+  }
+
+  std::expected<Loaded, LoadError> finish() {
+    loaded_.triples = redland_.triple_count();
+    std::vector<DeclaredPrefix> prefixes = redland_.prefixes();
+    prefixes.insert(prefixes.end(), other_prefixes_.begin(), other_prefixes_.end());
+    loaded_.conflicts = settle_prefixes(prefixes, loaded_.source);
+    headers_.read(graph_);
+    std::vector<el::FileId> files;
+    for (std::size_t number = 0; number < paths_.size(); ++number) {
+      files.push_back(el::FileId{static_cast<std::uint32_t>(number)});
+      loaded_.source.set_ontology_iri(files.back(), headers_.own(number));
+    }
+    graph_.index();
+    Mapping(graph_, loaded_.source, std::move(files)).run();
+    loaded_.unresolved = headers_.settle(paths_, loaded_.source);
+    if (const auto& problem = loaded_.source.problem()) return std::unexpected(LoadError{{}, 0, *problem});
+    return std::move(loaded_);
+  }
+
+ private:
+  std::optional<LoadError> read_other(std::size_t number, el::FileId file, std::string_view bytes) {
+    if (!other_)
+      return LoadError{base::printable(paths_[number], 4096), 0,
+                       "is in OWL functional syntax, which is not read here: convert it to RDF/XML or Turtle"};
+    const auto document = other_(bytes, file, loaded_.source);
+    if (!document) return document.error();
+    graph_.begin_file();  // without triples, so that the graph's files have the source's numbers
+    if (!document->ontology_iri.empty()) headers_.name(number, document->ontology_iri);
+    if (!document->version_iri.empty()) headers_.version(document->version_iri);
+    for (const OtherDocument::Import& import : document->imports) headers_.import(number, import.iri, import.line);
+    for (const auto& [prefix, iri] : document->prefixes)
+      other_prefixes_.push_back({prefix, iri, static_cast<std::uint32_t>(number)});
+    return std::nullopt;
+  }
+
+  const std::vector<std::string>& paths_;
+  const Limits& limits_;
+  const OtherReader& other_;
+  Redland redland_;
+  Graph graph_;
+  Headers headers_;
+  std::vector<DeclaredPrefix> other_prefixes_;
+  Loaded loaded_;
+};
+
 }  // namespace
 
-std::expected<Loaded, LoadError> load(std::span<const std::string> arguments, const Limits& limits) {
+std::expected<Loaded, LoadError> load(std::span<const std::string> arguments, const Limits& limits,
+                                      const OtherReader& other) {
   const auto paths = list_files(arguments, limits);
   if (!paths) return std::unexpected(paths.error());
-  Loaded loaded;
-  Graph graph;
-  {
-    Redland redland(limits);
-    for (const std::string& path : *paths) {
-      if (auto error = read_file(path, limits, redland, graph)) return std::unexpected(std::move(*error));
-    }
-    loaded.triples = redland.triple_count();
-    loaded.conflicts = settle_prefixes(redland.prefixes(), loaded.source);
+  Loading loading(*paths, limits, other);
+  for (std::size_t number = 0; number < paths->size(); ++number) {
+    if (auto error = loading.read(number)) return std::unexpected(std::move(*error));
   }
-  graph.index();
-  const Headers headers(graph, *paths);
-  std::vector<el::FileId> files;
-  for (std::size_t file = 0; file < paths->size(); ++file)
-    files.push_back(loaded.source.add_file((*paths)[file], headers.own(file)));
-  Mapping(graph, loaded.source, files).run();
-  loaded.unresolved = headers.unresolved(*paths);
-  for (const UnresolvedImport& import : loaded.unresolved) {
-    const auto file = std::ranges::find(*paths, import.file) - paths->begin();
-    loaded.source.leave_out("owl:imports <" + import.iri + ">", files[static_cast<std::size_t>(file)], import.line);
-  }
-  if (const auto& problem = loaded.source.problem()) return std::unexpected(LoadError{{}, 0, *problem});
-  return loaded;
+  return loading.finish();
 }
 
 }  // namespace geminga::rdf

@@ -4,8 +4,11 @@
 
 #include <cstdint>
 #include <expected>
+#include <functional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "el/source.hpp"
@@ -28,6 +31,22 @@ struct PrefixConflict {
   std::vector<std::string> others;  ///< sorted
 };
 
+/// What a file in a syntax without triples says beside its axioms.
+struct OtherDocument {
+  struct Import {
+    std::string iri;
+    std::uint32_t line = 0;
+  };
+  std::string ontology_iri;
+  std::string version_iri;
+  std::vector<Import> imports;
+  std::vector<std::pair<std::string, std::string>> prefixes;  ///< without the colon; the IRI
+};
+
+/// Reads the bytes of a file in OWL functional syntax into the source, its ontology IRI included.
+using OtherReader = std::function<std::expected<OtherDocument, LoadError>(std::string_view bytes, el::FileId file,
+                                                                          el::OntologySource& source)>;
+
 /// Everything that was read.
 struct Loaded {
   el::OntologySource source;
@@ -39,7 +58,9 @@ struct Loaded {
 /// Reads RDF/XML, Turtle and N-Triples files, and every such file in the folders named. Opens nothing else, whatever
 /// the files say. The first file that is broken, hostile or beyond a limit refuses everything, with its line. The
 /// result does not depend on the order of triples; what is reported first depends on the order of files.
-[[nodiscard]] std::expected<Loaded, LoadError> load(std::span<const std::string> arguments, const Limits& limits = {});
+/// Files in OWL functional syntax go to `other`, and are refused where there is none.
+[[nodiscard]] std::expected<Loaded, LoadError> load(std::span<const std::string> arguments, const Limits& limits = {},
+                                                    const OtherReader& other = {});
 
 }  // namespace geminga::rdf
 

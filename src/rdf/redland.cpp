@@ -30,6 +30,8 @@ const char* parser_name(Syntax syntax) {
       return "turtle";
     case Syntax::n_triples:
       return "ntriples";
+    case Syntax::functional:
+      break;
   }
   return "";
 }

@@ -47,6 +47,7 @@ std::optional<ScanProblem> scan_text(std::string_view bytes, bool is_utf8) {
 }
 
 std::optional<ScanProblem> scan(Syntax syntax, std::string_view bytes, const Limits& limits, TurtleLines& lines) {
+  if (syntax == Syntax::functional) return std::nullopt;  // its reader looks for itself
   if (syntax == Syntax::rdf_xml) return scan_xml(bytes, limits);
   if (auto problem = scan_text(bytes, true)) return problem;
   return scan_turtle(bytes, limits, lines);

@@ -81,7 +81,7 @@ std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::str
     case Content::utf16:
       return std::unexpected("is in UTF-16, which is not read: convert it to UTF-8");
     case Content::functional:
-      return std::unexpected("is in OWL functional syntax, which is not read yet: convert it to RDF/XML or Turtle");
+      return Syntax::functional;
     case Content::manchester:
       return std::unexpected("is in OWL Manchester syntax, which is not read: convert it to RDF/XML or Turtle");
     case Content::owl_xml:

@@ -9,7 +9,12 @@
 
 namespace geminga::rdf {
 
-enum class Syntax : std::uint8_t { rdf_xml, turtle, n_triples };
+enum class Syntax : std::uint8_t {
+  rdf_xml,
+  turtle,
+  n_triples,
+  functional,  ///< of OWL 2: no triples, read by somebody else
+};
 
 /// The syntax of a file, or why it cannot be read, as the words behind "FILE: ". A name that ends in .ttl or .nt says
 /// what the file is; .owl, .rdf and .xml are used for several syntaxes, and the content decides.

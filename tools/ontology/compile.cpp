@@ -37,8 +37,8 @@ bool write_all(int file, std::span<const std::byte> bytes) {
   return true;
 }
 
-/// Writes beside the target and renames, so that at every instant the target is the old file or the whole new one. It is
-/// not forced to the disk, which would take most of the time: a file that a power cut damaged fails its checksum.
+/// Writes beside the target and renames, so that at every instant the target is the old file or the whole new one. It
+/// is not forced to the disk, which would take most of the time: a file that a power cut damaged fails its checksum.
 Exit replace(const std::string& target, std::span<const std::byte> bytes) {
   struct stat status{};
   if (stat(target.c_str(), &status) == 0 && !S_ISREG(status.st_mode))

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "el/compile.hpp"
+#include "functional/read.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {
@@ -14,11 +15,25 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// The syntax in which SOMA and its like are published has a reader of its own.
+std::expected<rdf::OtherDocument, rdf::LoadError> read_functional(std::string_view bytes, el::FileId file,
+                                                                  el::OntologySource& source) {
+  auto document = functional::read(bytes, file, source);
+  if (!document)
+    return std::unexpected(
+        rdf::LoadError{std::move(document.error().file), document.error().line, std::move(document.error().text)});
+  rdf::OtherDocument other{std::move(document->ontology_iri), std::move(document->version_iri), {}, {}};
+  for (functional::Import& import : document->imports) other.imports.push_back({std::move(import.iri), import.line});
+  for (functional::DeclaredPrefix& prefix : document->prefixes)
+    other.prefixes.emplace_back(std::move(prefix.prefix), std::move(prefix.iri));
+  return other;
+}
+
 }  // namespace
 
 std::expected<Knowledge, NoKnowledge> learn(const std::vector<std::string>& files, unsigned threads) {
   const auto start = std::chrono::steady_clock::now();
-  auto loaded = rdf::load(files);
+  auto loaded = rdf::load(files, {}, read_functional);
   if (!loaded) return std::unexpected(NoKnowledge{rdf::to_string(loaded.error()), loaded.error().is_unreadable});
   const double load_ms = milliseconds_since(start);
   const auto read = std::chrono::steady_clock::now();
