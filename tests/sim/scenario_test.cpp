@@ -1,4 +1,5 @@
 // What a team lives through, and what must hold of it all the time. GEMINGA_SEED chooses another seed.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -87,7 +88,8 @@ TEST(Scenario, TenParticipantsLiveThroughAnHourWithLossACrashAndARestart) {
   robots.host(7).switch_on();
   robots.world.run_for(minutes(14));
   EXPECT_TRUE(robots.team.settle(seconds(10)));
-  EXPECT_EQ(robots.team.false_departures(), 0U) << robots.world.when();
+  // A deadline of five intervals, which spread by 10 %, may hold only four announcements: 0.05^4 in 162 000 windows.
+  EXPECT_LE(robots.team.false_departures().size(), 3U) << testing::PrintToString(robots.team.false_departures());
   EXPECT_GT(robots.team.events(), 1000U) << robots.world.when();
 }
 
@@ -106,13 +108,22 @@ TEST(Scenario, TheSameSeedGivesTheSameRunAndAnotherSeedAnother) {
   EXPECT_NE(trace_of(seed), trace_of(seed + 1)) << "GEMINGA_SEED=" << seed;
 }
 
-TEST(Scenario, NobodyIsTakenForDeadAtThirtyPercentLoss) {
-  Robots robots(World::seed_or(5), 10, {.loss = 0.3, .duplicate = 0.05, .longest_delay = milliseconds(100)},
-                {.missing = seconds(15), .surplus = seconds(60)});
+TEST(Scenario, NobodyIsTakenForDeadInAnHourAtOnePercentLoss) {
+  Robots robots(World::seed_or(5), 5, {.loss = 0.01, .duplicate = 0.05, .longest_delay = milliseconds(100)});
   robots.start();
-  robots.world.run_for(minutes(10));
-  EXPECT_TRUE(robots.team.settle(seconds(10)));
-  EXPECT_EQ(robots.team.false_departures(), 0U) << robots.world.when();
+  robots.world.run_for(minutes(60));
+  EXPECT_TRUE(robots.team.is_right()) << robots.world.when() << "\n" << robots.team.complaints();
+  EXPECT_THAT(robots.team.false_departures(), testing::IsEmpty());
+}
+
+TEST(Scenario, AtThirtyPercentLossViewsAreRightWithinSecondsAndEveryMistakeIsMended) {
+  Robots robots(World::seed_or(6), 10, {.loss = 0.3, .duplicate = 0.05, .longest_delay = milliseconds(100)},
+                {.missing = seconds(15), .surplus = seconds(25)});
+  robots.start();
+  EXPECT_TRUE(robots.team.settle(seconds(15)));
+  keep_changing(robots, seconds(5));
+  robots.world.run_for(minutes(5));
+  EXPECT_TRUE(robots.team.settle(seconds(15)));
 }
 
 TEST(Scenario, ANewServiceIsToldEverywhereWithinFiveMilliseconds) {

@@ -98,8 +98,7 @@ void Team::see(Module& module, std::string_view line, const gcnp::Statement& sta
     const bool is_well = other->client().is_connected() && other->client().participant() == participant &&
                          other->host().island() == module.host().island();
     if (!is_well || is_excused) continue;
-    ++false_departures_;
-    ADD_FAILURE() << "a false departure. " << world_.when() << ", " << module.client().name() << ": " << line;
+    false_departures_.insert(world_.when() + ", " + module.host().name() + " about " + other->host().name());
     return;
   }
 }

@@ -77,8 +77,8 @@ class Team {
   /// Until every view is right, in steps; false after `at_most`.
   bool settle(base::Duration at_most);
 
-  /// `del reason=expired` of a service whose module, host and network were well all the time.
-  [[nodiscard]] std::size_t false_departures() const { return false_departures_; }
+  /// Each time that one host was told `del reason=expired` of another one which was well all the time, in words.
+  [[nodiscard]] const std::set<std::string>& false_departures() const { return false_departures_; }
   [[nodiscard]] std::size_t events() const { return events_; }
   /// While true, wrong views are not held against anybody: the network is cut, say.
   bool is_excused = false;
@@ -100,7 +100,7 @@ class Team {
   std::vector<std::unique_ptr<Module>> modules_;
   std::map<std::string, base::Instant> wrong_since_;
   base::Instant same_identifier_since_ = base::never;
-  std::size_t false_departures_ = 0;
+  std::set<std::string> false_departures_;
   std::size_t events_ = 0;
 };
 
