@@ -58,7 +58,7 @@ const Case hierarchy[] = {
     {"IntersectionThroughEquivalents",
      "EquivalentClasses(B C)\nSubClassOf(ObjectIntersectionOf(B C) D)\nSubClassOf(A B)",
      {"A < B", "A < C", "A < D", "B < C", "B < D", "C < B", "C < D"}},
-    {"ThingLeft", "SubClassOf(Thing A)\nSubClassOf(B C)", {"A < Thing", "B < A", "B < C", "C < A", "Thing < A"}},
+    {"ThingLeft", "SubClassOf(Thing A)\nSubClassOf(B C)", {"B < A", "B < C", "C < A", "Thing < A"}},
     {"UnionLeft", "SubClassOf(ObjectUnionOf(A B) C)", {"A < C", "B < C"}},
     {"UnionOfOneRight", "SubClassOf(A ObjectUnionOf(B))", {"A < B"}},
     {"UnionRightIsLeftOut", "SubClassOf(A ObjectUnionOf(B C))", {}, false},
@@ -161,7 +161,7 @@ const Case existential[] = {
      "ReflexiveObjectProperty(r)\nSubObjectPropertyOf(ObjectPropertyChain(r s) t)\n"
      "SubClassOf(A ObjectSomeValuesFrom(s B))\nSubClassOf(ObjectSomeValuesFrom(t B) C)",
      {"A < C"}},
-    {"ReflexiveHasItsRange", "ReflexiveObjectProperty(r)\nObjectPropertyRange(r A)", {"A < Thing", "Thing < A"}},
+    {"ReflexiveHasItsRange", "ReflexiveObjectProperty(r)\nObjectPropertyRange(r A)", {"Thing < A"}},
     {"Self", "SubClassOf(A ObjectHasSelf(r))\nSubClassOf(ObjectSomeValuesFrom(r A) B)\nSubClassOf(ObjectHasSelf(r) C)",
      {"A < B", "A < C"}},
     {"SelfOfSuperRole",
@@ -170,7 +170,7 @@ const Case existential[] = {
     {"Irreflexive", "IrreflexiveObjectProperty(r)\nSubClassOf(A ObjectHasSelf(r))", {"A < Nothing"}},
     {"BottomProperty", "SubClassOf(A ObjectSomeValuesFrom(owl:bottomObjectProperty B))", {"A < Nothing"}},
     {"AtLeastOne", "SubClassOf(A ObjectMinCardinality(1 r B))\nSubClassOf(ObjectSomeValuesFrom(r B) C)", {"A < C"}},
-    {"AtLeastNone", "SubClassOf(ObjectMinCardinality(0 r B) C)", {"C < Thing", "Thing < C"}},
+    {"AtLeastNone", "SubClassOf(ObjectMinCardinality(0 r B) C)", {"B < C", "Thing < C"}},
     {"AtLeastTwoIsWeakened", "SubClassOf(A ObjectMinCardinality(2 r B))\nSubClassOf(ObjectSomeValuesFrom(r B) C)",
      {"A < C"}, false},
     {"ExactlyOneIsWeakened", "SubClassOf(A ObjectExactCardinality(1 r B))\nSubClassOf(ObjectSomeValuesFrom(r B) C)",
@@ -254,6 +254,7 @@ TEST(LeftOut, IsNamedByConstructWithCountAndFirstPlace) {
 TEST(Classify, FollowsAChainOfAHundredThousandClasses) {
   OntologySource source;
   const FileId file = source.add_file("chain");
+  source.add_prefix("t", "https://t.example/#");
   constexpr int length = 100'000;
   std::vector<TermId> classes;
   for (int at = 0; at < length; ++at) classes.push_back(source.named_class("https://t.example/#C" + std::to_string(at)));
@@ -269,6 +270,7 @@ TEST(Classify, FollowsAChainOfAHundredThousandClasses) {
 TEST(Classify, FollowsACycleOfAHundredThousandClasses) {
   OntologySource source;
   const FileId file = source.add_file("cycle");
+  source.add_prefix("t", "https://t.example/#");
   constexpr int length = 100'000;
   std::vector<TermId> classes;
   for (int at = 0; at < length; ++at) classes.push_back(source.named_class("https://t.example/#C" + std::to_string(at)));
@@ -282,6 +284,7 @@ TEST(Classify, FollowsACycleOfAHundredThousandClasses) {
 TEST(Classify, FollowsAChainOfLinksOfFiftyThousand) {
   OntologySource source;
   const FileId file = source.add_file("links");
+  source.add_prefix("t", "https://t.example/#");
   constexpr int length = 50'000;
   std::vector<TermId> classes;
   const TermId role = source.object_property("https://t.example/#r");
@@ -291,7 +294,8 @@ TEST(Classify, FollowsAChainOfLinksOfFiftyThousand) {
                {classes[at], source.term(TermKind::object_some_values_from, {role, classes[at + 1]})}, file, 1);
   }
   source.add(AxiomKind::sub_class_of, {classes.back(), nothing_term}, file, 1);
-  EXPECT_FALSE(loaded(source).is_satisfiable(named(loaded(source), "C0")));
+  const Ontology ontology = loaded(source);
+  EXPECT_FALSE(ontology.is_satisfiable(named(ontology, "C0")));
 }
 
 }  // namespace
