@@ -46,7 +46,7 @@ void add_to(CLI::App& app, Options& options) {
   shell::add_mode(app, options.mode, "How the channel is set up (otm/stream unless told)");
   app.add_option("--port", options.publication.port, "Where the service can be reached")
       ->type_name("1..65535")
-      ->check(CLI::Range(1, 65535))
+      ->check(CLI::Range(1, 65535).description(""))
       ->required();
   app.add_option("--address", options.publication.address, "Its IP address; else each interface's own is announced");
   app.add_option("--protocol", options.publication.protocol, "udp unless told");

@@ -1,5 +1,7 @@
 // geminga-query status: the daemon itself.
+#include <algorithm>
 #include <boost/json/object.hpp>
+#include <cstdlib>
 #include <iostream>
 
 #include "query/command.hpp"
@@ -12,14 +14,20 @@
 namespace geminga::query {
 namespace {
 
+/// A value with its unit.
+std::string words_of(const std::string& key, const std::string& value) {
+  if (key == "uptime" || key == "interval" || key == "cpu") return shell::duration_words(value);
+  if (key != "memory" && key != "peak_memory") return value;
+  return shell::number_words(std::strtod(value.c_str(), nullptr) / (1024.0 * 1024.0), "MiB");
+}
+
 void print_words(const Context& context, const Answer& answer) {
   shell::Table table({{"WHAT"}, {"VALUE"}});
   for (const auto& record : answer.records) {
     for (const auto& [key, value] : record.fields) {
-      const bool is_duration = key == "uptime" || key == "interval";
-      std::string words = key;
-      std::ranges::replace(words, '_', ' ');
-      table.add({words, is_duration ? shell::duration_words(value) : value});
+      std::string title = key;
+      std::ranges::replace(title, '_', ' ');
+      table.add({title, words_of(key, value)});
     }
   }
   table.print(std::cout, context.terminal);

@@ -23,12 +23,6 @@ std::string sign(Change change) {
   return "";
 }
 
-std::string number_words(double value, const char* unit) {
-  char text[64];
-  std::snprintf(text, sizeof text, value < 10 ? "%.1f %s" : "%.0f %s", value, unit);
-  return text;
-}
-
 std::string port_word(std::uint16_t port) { return port == 0 ? "" : std::to_string(port); }
 
 /// What both kinds of events say behind who it is.
@@ -89,6 +83,12 @@ std::string attribute_words(const Attributes& attributes) {
     words += has_space ? "=\"" + value + '"' : '=' + value;
   }
   return words;
+}
+
+std::string number_words(double value, const char* unit) {
+  char text[64];
+  std::snprintf(text, sizeof text, value < 10 ? "%.1f %s" : "%.0f %s", value, unit);
+  return text;
 }
 
 std::string duration_words(std::string_view seconds) {

@@ -26,6 +26,9 @@ namespace geminga::shell {
 /// `0.4 s`, `3 min`, from seconds
 [[nodiscard]] std::string duration_words(std::string_view seconds);
 
+/// `7.6 MiB`: one decimal below ten, none above
+[[nodiscard]] std::string number_words(double value, const char* unit);
+
 /// One line of an event, e.g. `+ vision@robot2  soccer:BallInfo  narrower 1  otm/stream  10.0.0.2:5000`.
 [[nodiscard]] std::string line_of(const ServiceEvent& event);
 [[nodiscard]] std::string line_of(const ConsumerEvent& event);

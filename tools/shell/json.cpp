@@ -13,52 +13,30 @@
 #include <string>
 #include <utility>
 
+#include "shell/terminal.hpp"
+
 namespace geminga::shell {
 namespace {
 
 namespace json = boost::json;
 
-constexpr std::array<std::string_view, 31> number_keys{"id",
-                                                       "port",
-                                                       "priority",
-                                                       "distance",
-                                                       "age",
-                                                       "heard",
-                                                       "interval",
-                                                       "loss",
-                                                       "limit",
-                                                       "publications",
-                                                       "subscriptions",
-                                                       "statements",
-                                                       "line",
-                                                       "classes",
-                                                       "count",
-                                                       "uptime",
-                                                       "peers",
-                                                       "participants",
-                                                       "errors",
-                                                       "events",
-                                                       "sent",
-                                                       "received",
-                                                       "clashes",
-                                                       "local_publications",
-                                                       "bytes_sent",
-                                                       "left_out",
-                                                       "datagrams_sent",
-                                                       "datagrams_received",
-                                                       "bytes_received",
-                                                       "local_subscriptions",
-                                                       "peer"};
-constexpr std::array<std::string_view, 8> flag_keys{"self", "local",  "used",    "served",
-                                                    "ok",   "loaded", "matches", "subsumed"};
-constexpr std::array<std::string_view, 1> list_keys{"addresses"};
+constexpr auto number_keys = std::to_array<std::string_view>(
+    {"id", "port", "priority", "distance", "age", "heard", "interval", "loss", "limit", "publications", "subscriptions",
+     "statements", "line", "classes", "count", "left_out", "sent", "received", "peer"});
+constexpr auto flag_keys =
+    std::to_array<std::string_view>({"self", "local", "used", "served", "ok", "loaded", "matches", "subsumed"});
+constexpr auto list_keys = std::to_array<std::string_view>({"addresses"});
 
 template <typename Keys>
 bool contains(const Keys& keys, std::string_view key) {
   return std::ranges::find(keys, key) != keys.end();
 }
 
-/// The number that the whole text is, or nothing.
+/// In a status every value is a measure but these.
+constexpr auto words_of_status =
+    std::to_array<std::string_view>({"version", "state", "participant", "name", "group", "ontology"});
+
+/// The number that the whole text is in decimal, or nothing.
 std::optional<json::value> number(std::string_view text) {
   const char* const end = text.data() + text.size();
   std::int64_t whole = 0;
@@ -73,12 +51,14 @@ std::optional<json::value> number(std::string_view text) {
   return std::nullopt;
 }
 
-json::value typed(std::string_view key, std::string_view text, bool is_participant) {
+bool is_measure(std::string_view key, std::string_view kind) {
+  if (kind == "status") return !contains(words_of_status, key);
   // The id of a participant is a word of hexadecimal digits, even where it has decimal ones only.
-  const bool is_word = is_participant && key == "id";
-  const bool is_measure = contains(number_keys, key) || key.starts_with("rejected_") || key.ends_with("_ms") ||
-                          key.ends_with("_kib") || key.ends_with("_bytes") || key.ends_with("_seconds");
-  if (is_measure && !is_word) {
+  return contains(number_keys, key) && !(kind == "participants" && key == "id");
+}
+
+json::value typed(std::string_view key, std::string_view text, std::string_view kind) {
+  if (is_measure(key, kind)) {
     if (auto value = number(text)) return *value;
   }
   if (contains(flag_keys, key) && (text == "0" || text == "1")) return text == "1";
@@ -137,8 +117,7 @@ void append_common(json::object& object, const Event& event, const ServiceKey& k
 
 json::object to_json(const Record& record) {
   json::object object;
-  const bool is_participant = record.kind == "participants";
-  for (const auto& [key, value] : record.fields) object[key] = typed(key, value, is_participant);
+  for (const auto& [key, value] : record.fields) object[key] = typed(key, value, record.kind);
   const bool is_service = object.contains("service") || object.contains("subscription");
   if (is_service && (record.kind == "services" || record.kind == "requests" || record.kind == "match")) {
     object["attributes"] = to_object(record.attributes);
@@ -175,26 +154,67 @@ json::object to_json(const ConsumerEvent& event) {
   return object;
 }
 
-void print(std::ostream& out, const json::value& document) {
-  // Boost.JSON escapes what RFC 8259 demands (C0); the rest that a terminal could obey stands inside strings only,
-  // where an escape means the same.
-  const std::string text = json::serialize(document);
+namespace {
+
+/// A string in JSON. Boost.JSON escapes what RFC 8259 demands (C0); what else a terminal could obey becomes an escape,
+/// too.
+std::string quoted(const json::string& text) {
+  std::string valid;
+  utf8::replace_invalid(text.begin(), text.end(), std::back_inserter(valid));
+  const std::string escaped = json::serialize(json::string(valid));
   std::string safe;
-  utf8::replace_invalid(text.begin(), text.end(), std::back_inserter(safe));
-  std::string line;
-  for (auto at = safe.begin(); at != safe.end();) {
+  for (auto at = escaped.begin(); at != escaped.end();) {
     const auto begin = at;
-    const char32_t c = utf8::next(at, safe.end());
-    const bool is_steering = (c >= 0x7f && c < 0xa0) || c == 0x061c || (c >= 0x200e && c <= 0x200f) ||
-                             (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
-    if (!is_steering) {
-      line.append(begin, at);
+    const char32_t c = utf8::next(at, escaped.end());
+    if (!is_harmful(c)) {
+      safe.append(begin, at);
       continue;
     }
     std::array<char, 8> escape{};
     std::snprintf(escape.data(), escape.size(), "\\u%04x", static_cast<unsigned>(c));
-    line += escape.data();
+    safe += escape.data();
   }
+  return safe;
+}
+
+/// Boost.JSON would write 0.25 as 2.5E-1.
+std::string plain(double number) {
+  std::array<char, 400> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed);
+  return end.ec == std::errc() ? std::string(text.data(), end.ptr) : "null";
+}
+
+void append(std::string& out, const json::value& value) {
+  if (const auto* object = value.if_object()) {
+    const char* separator = "{";
+    for (const auto& [key, member] : *object) {
+      out += separator + quoted(json::string(key)) + ':';
+      append(out, member);
+      separator = ",";
+    }
+    out += object->empty() ? "{}" : "}";
+  } else if (const auto* array = value.if_array()) {
+    const char* separator = "[";
+    for (const auto& element : *array) {
+      out += separator;
+      append(out, element);
+      separator = ",";
+    }
+    out += array->empty() ? "[]" : "]";
+  } else if (const auto* text = value.if_string()) {
+    out += quoted(*text);
+  } else if (const auto* real = value.if_double()) {
+    out += plain(*real);
+  } else {
+    out += json::serialize(value);
+  }
+}
+
+}  // namespace
+
+void print(std::ostream& out, const json::value& document) {
+  std::string line;
+  append(line, document);
   out << line << '\n' << std::flush;
 }
 

@@ -29,7 +29,7 @@ void CommonOptions::add_to(CLI::App& app, const std::string& timeout_meaning) {
   app.add_flag("--json", is_json, "Print JSON: one document, or one object a line for what goes on");
   app.add_option("--timeout", timeout_seconds, timeout_meaning)
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.0, max_timeout_seconds));
+      ->check(CLI::Range(0.0, max_timeout_seconds).description(""));
   app.set_version_flag("--version", app.get_name() + " " GEMINGA_VERSION, "Print the version and exit");
 }
 

@@ -11,6 +11,13 @@
 namespace geminga::shell {
 namespace {
 
+bool is_set(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr && *value != '\0';
+}
+
+}  // namespace
+
 bool is_harmful(char32_t c) {
   const bool is_control = c < 0x20 || (c >= 0x7f && c < 0xa0);
   const bool turns_direction =
@@ -18,13 +25,6 @@ bool is_harmful(char32_t c) {
   const bool breaks_line = c == 0x2028 || c == 0x2029;
   return is_control || turns_direction || breaks_line;
 }
-
-bool is_set(const char* name) {
-  const char* value = std::getenv(name);
-  return value != nullptr && *value != '\0';
-}
-
-}  // namespace
 
 std::string printable(std::string_view text) {
   std::string valid;

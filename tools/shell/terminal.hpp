@@ -8,8 +8,11 @@
 
 namespace geminga::shell {
 
-/// A text from the network as one harmless line: bad UTF-8, control characters (C0, DEL, C1) and the characters that
-/// turn the direction of writing become U+FFFD.
+/// Whether a terminal could obey this character: control characters (C0, DEL, C1), those that turn the direction of
+/// writing, and those that end a line.
+[[nodiscard]] bool is_harmful(char32_t character);
+
+/// A text from the network as one harmless line: bad UTF-8 and harmful characters become U+FFFD.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// The columns that a printable text takes, one a character.

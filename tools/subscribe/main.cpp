@@ -58,7 +58,7 @@ void add_to(CLI::App& app, Options& options) {
   app.add_option("--priority", options.subscription.priority, "Told to the provider")->type_name("K");
   app.add_option("--port", options.subscription.port, "Where this consumer can be reached; told to the provider")
       ->type_name("1..65535")
-      ->check(CLI::Range(1, 65535));
+      ->check(CLI::Range(1, 65535).description(""));
   app.add_option("--address", options.subscription.address, "Its IP address; told to the provider");
   app.add_option("--count", options.count, "End after this many events")->type_name("N");
   app.add_option("--name", options.name, "The name of this peer (geminga-subscribe unless told)")->type_name("PEER");
