@@ -1,0 +1,22 @@
+// A second, slow reasoner that shares nothing with the first but the axioms: the rules of EL over sets of terms, applied
+// everywhere until nothing changes.
+#ifndef GEMINGA_TESTS_EL_REFERENCE_HPP
+#define GEMINGA_TESTS_EL_REFERENCE_HPP
+
+#include <string>
+#include <vector>
+
+#include "base/random.hpp"
+#include "el/source.hpp"
+
+namespace geminga::el {
+
+/// As closure() of written.hpp. Without individuals, data and what is beyond EL.
+std::vector<std::string> reference_closure(const OntologySource& source);
+
+/// A random ontology in the syntax of written.hpp. `size` is about the number of axioms.
+std::string random_ontology(base::Random& random, std::size_t size);
+
+}  // namespace geminga::el
+
+#endif
