@@ -73,6 +73,10 @@ class TurtleScan {
   /// A run of characters without a break is a name, a number or a keyword; a name may escape what would end it.
   void name() {
     const std::size_t begin = place_;
+    if (bytes_[begin] == '.' && !is_digit(begin + 1)) {
+      lines_.punctuation('.', line_at(place_++));
+      return;
+    }
     for (;;) {
       place_ = std::min(bytes_.find_first_of(" \t\r\n#<\"'[]()\\,;^", place_), bytes_.size());
       if (place_ >= bytes_.size() || bytes_[place_] != '\\') break;
@@ -81,6 +85,10 @@ class TurtleScan {
     if (place_ == begin) ++place_;
     if (place_ - begin > limits_.iri_bytes) too_long(begin, "a name", limits_.iri_bytes);
     lines_.word(bytes_.substr(begin, place_ - begin), line_at(begin));
+  }
+
+  [[nodiscard]] bool is_digit(std::size_t place) const {
+    return place < bytes_.size() && bytes_[place] >= '0' && bytes_[place] <= '9';
   }
 
   void iri() {

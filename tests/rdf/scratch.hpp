@@ -26,7 +26,7 @@ class Scratch {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Writes a file and gives its path.
-  [[nodiscard]] std::string write(const std::string& name, std::string_view content) const {
+  std::string write(const std::string& name, std::string_view content) const {
     const std::filesystem::path file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
     std::ofstream(file, std::ios::binary) << content;

@@ -1,0 +1,46 @@
+// Names and contents that agree, and those that do not.
+#include "rdf/syntax.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace geminga::rdf {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Syntax, IsDecidedByTheNameOfTurtleAndTriplesAndByTheContentOfOthers) {
+  const std::string_view turtle = "# a comment\n@prefix : <http://e/> .";
+  const std::string_view iri_first = "<http://e/a> a <http://e/B> .";
+  const std::string_view xml = "\xef\xbb\xbf<?xml version=\"1.0\"?>\n<rdf:RDF/>";
+  EXPECT_EQ(detect_syntax("a.ttl", turtle), Syntax::turtle);
+  EXPECT_EQ(detect_syntax("a.ttl", ""), Syntax::turtle);
+  EXPECT_EQ(detect_syntax("a.nt", iri_first), Syntax::n_triples);
+  for (const char* name : {"a.owl", "a.rdf", "a.xml"}) {
+    EXPECT_EQ(detect_syntax(name, turtle), Syntax::turtle) << name;
+    EXPECT_EQ(detect_syntax(name, iri_first), Syntax::turtle) << name;
+    EXPECT_EQ(detect_syntax(name, xml), Syntax::rdf_xml) << name;
+    EXPECT_EQ(detect_syntax(name, "<rdf:RDF xmlns:rdf=\"x\">"), Syntax::rdf_xml) << name;
+    EXPECT_EQ(detect_syntax(name, "<!-- x -->\n<owl:Ontology rdf:about=''/>"), Syntax::rdf_xml) << name;
+    EXPECT_EQ(detect_syntax(name, "# SOMA\nPrefix(:=<http://e/>)\nOntology()"), Syntax::functional) << name;
+    EXPECT_EQ(detect_syntax(name, "Ontology ( <http://e/> )"), Syntax::functional) << name;
+  }
+  EXPECT_EQ(detect_syntax("noname", xml), Syntax::rdf_xml);
+}
+
+TEST(Syntax, IsRefusedWithWhatToDo) {
+  const auto words = [](std::string_view path, std::string_view content) {
+    const auto syntax = detect_syntax(path, content);
+    return syntax ? std::string("accepted") : syntax.error();
+  };
+  EXPECT_EQ(words("a.ttl", "<?xml version=\"1.0\"?>"), "is XML by its content: name it .rdf or .owl");
+  EXPECT_EQ(words("a.owl", "<?xml version=\"1.0\"?><Ontology xmlns=\"http://www.w3.org/2002/07/owl#\">"),
+            "is in OWL/XML, which is not read: convert it to RDF/XML or Turtle");
+  EXPECT_EQ(words("a.owl", "Prefix: : <http://e/>\nOntology: <http://e/>"),
+            "is in OWL Manchester syntax, which is not read: convert it to RDF/XML or Turtle");
+  EXPECT_EQ(words("a.txt", "hello"), "has no known extension: name it .ttl, .nt, .rdf, .owl or .xml");
+  EXPECT_EQ(words("a.owl", " \n"), "is empty");
+}
+
+}  // namespace
+}  // namespace geminga::rdf
