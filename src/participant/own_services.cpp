@@ -60,6 +60,7 @@ void withdraw_subscription(Core& core, const Session& session, std::uint32_t num
 }
 
 void tell_gone(Core& core, Session& session, std::uint32_t number, matching::Reason reason) {
+  core.deliver_events();  // What is on its way may tell a part of it.
   const auto told = session.told.find(number);
   if (told == session.told.end()) return;
   for (const ServiceKey& key : told->second) {

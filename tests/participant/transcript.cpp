@@ -140,7 +140,11 @@ void Transcript::set_limit(sim::Host& host, const std::string& name, std::size_t
 }
 
 void Transcript::say(const std::string& client, std::string text, bool is_raw) {
-  clients_.at(client)->send_bytes(is_raw ? unescaped(text) : text + "\r\n");
+  if (is_raw) {
+    clients_.at(client)->send_bytes(unescaped(text));
+  } else {
+    clients_.at(client)->say(text);
+  }
   run(std::chrono::milliseconds(1));
 }
 

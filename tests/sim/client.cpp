@@ -18,7 +18,12 @@ void Client::connected(Host& host, env::StreamId stream) {
   views_.clear();
 }
 
-void Client::say(std::string_view line) { send_bytes(std::string(line) + "\r\n"); }
+void Client::say(std::string_view line) {
+  const auto statement = gcnp::parse(line);
+  // Whoever takes a request back is not told that what it had is gone.
+  if (statement && statement->subcommand == "remove") views_.erase(statement->id);
+  send_bytes(std::string(line) + "\r\n");
+}
 
 void Client::send_bytes(std::string bytes) {
   if (host_ != nullptr) host_->from_client(stream_, std::move(bytes));

@@ -31,7 +31,7 @@ class Client {
   [[nodiscard]] const std::string& name() const { return name_; }
 
   void connect(Host& host);
-  /// Sends one statement, or several with line ends between them.
+  /// Sends one statement.
   void say(std::string_view line);
   void send_bytes(std::string bytes);
   /// Closes the connection from this side.
@@ -49,8 +49,6 @@ class Client {
 
   /// The view of the request with this id on the present connection.
   [[nodiscard]] const View& view(std::uint32_t request) const;
-  /// For a request that was taken back: nothing is told about its end.
-  void forget_view(std::uint32_t request) { views_.erase(request); }
   /// From the last answer to hello; empty before it.
   [[nodiscard]] const std::string& participant() const { return participant_; }
   [[nodiscard]] const std::string& peer() const { return peer_; }

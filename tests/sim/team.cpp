@@ -41,7 +41,7 @@ std::uint32_t Module::wish(const std::string& text, const std::string& mode) {
 void Module::withdraw(std::uint32_t number) {
   client_.say(std::to_string(number) + (offers_.contains(number) ? " pub remove" : " sub remove"));
   offers_.erase(number);
-  if (wishes_.erase(number) != 0) client_.forget_view(number);
+  wishes_.erase(number);
 }
 
 void Module::run() {
