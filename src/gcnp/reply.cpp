@@ -50,8 +50,10 @@ Number number_of(const Statement& statement, std::string_view key) {
 /// What pub and sub events have in common. `service` is the publication or subscription that the event tells of.
 template <typename Event, typename Service>
 std::optional<Error> fill(const Statement& statement, Event& event, Service& service) {
-  event.reason = statement.value("reason").value_or("");
-  if (event.change == Change::del) return std::nullopt;
+  if (event.change == Change::del) {
+    event.reason = statement.value("reason").value_or("");
+    return std::nullopt;
+  }
   event.peer_name = statement.value("name").value_or("");
   event.participant_name = statement.value("participant_name").value_or("");
   event.distance = number_of<std::uint32_t>(statement, "distance");
@@ -76,7 +78,7 @@ std::expected<Reply, Error> read_service_event(const Statement& statement, Chang
   if (!service) return std::unexpected(no_event("service"));
   event.service = *service;
   if (auto error = fill(statement, event, event.publication)) return std::unexpected(std::move(*error));
-  event.publication.protocol = statement.value("protocol").value_or("udp");
+  if (change != Change::del) event.publication.protocol = statement.value("protocol").value_or("udp");
   return Event{statement.id, std::move(event)};
 }
 

@@ -45,6 +45,13 @@ TEST(ServiceEvent, OfADeletionHasServiceAndReasonOnly) {
   bare.service = event.service;
   bare.reason = "expired";
   EXPECT_EQ(read(to_line(to_statement(7, event))), (Event{7, bare}));
+  EXPECT_EQ(read("7 pub del service=1a2b3c4d/2/42 reason=expired mode=oto protocol=tcp rate=30\r\n"), (Event{7, bare}));
+}
+
+TEST(ServiceEvent, HasNoReasonBeforeItsDeletion) {
+  const auto event =
+      read("7 pub add service=00000001/2/3 degree=exact distance=0 mode=oto port=1 id=1 reason=left\r\n");
+  EXPECT_EQ(std::get<ServiceEvent>(event.what).reason, "");
 }
 
 TEST(ConsumerEvent, IsTheSameAfterWritingAndReading) {
