@@ -1,0 +1,105 @@
+// What check says about good, wrong and doubtful ontologies.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <boost/json.hpp>
+
+#include "tools/ontology/program.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+TEST(Check, TheShippedOntologiesAreCompleteAndWithoutProblem) {
+  const Outcome outcome = Program().run({"check", shipped()});
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("Complete: everything that follows from these files was found.\n"));
+  EXPECT_THAT(outcome.out, AllOf(Not(HasSubstr("Left out")), Not(HasSubstr("Imports")), Not(HasSubstr("Prefixes"))));
+}
+
+TEST(Check, NamesUnsatisfiableClassesWithTheirReasons) {
+  const Program program;
+  program.turtle("a.ttl", ":A rdfs:subClassOf :B ,\n  :C .\n:B owl:disjointWith :C .\n:D rdfs:subClassOf :A .\n");
+  const Outcome outcome = program.run({"check", "a.ttl"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("1 file, 4 triples, 4 classes, 4 axioms\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("Classes that can have no instance:\n  e:A\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("e:A SubClassOf e:B   [a.ttl:2]"));
+  EXPECT_THAT(outcome.out, HasSubstr("e:A SubClassOf e:C   [a.ttl:3]"));
+  EXPECT_THAT(outcome.out, HasSubstr("\n  e:D\n"));
+}
+
+TEST(Check, ListsWhatWasLeftOutWithItsFirstPlace) {
+  const Program program;
+  program.turtle(
+      "a.ttl",
+      ":A rdfs:subClassOf :B .\n:B owl:newInOwl3 :C .\n:B owl:newInOwl3 :D .\n<http://e/o> a owl:Ontology ;\n"
+      "  owl:imports <http://e/nowhere> .\n");
+  const Outcome outcome = program.run({"check", "a.ttl"});
+  EXPECT_EQ(outcome.status, 0) << outcome.out;
+  EXPECT_THAT(outcome.out, HasSubstr("  owl:newInOwl3: 2, first at a.ttl:3\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("  <http://e/nowhere> at a.ttl:6\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("\nIncomplete: every answer is right, but some may be missing"));
+}
+
+TEST(Check, ReportsCollidingNamesAndPrefixes) {
+  const Program program;
+  // Found by trying: XXH32 of <http://e/C4222> and of <http://e/C159386> is 0x17c5b94d.
+  program.turtle("a.ttl", ":C4222 rdfs:subClassOf :B .\n:C159386 rdfs:subClassOf :B .\n");
+  program.write("b.ttl", "@prefix e: <http://f/> .\n");
+  const Outcome outcome = program.run({"check", "a.ttl", "b.ttl"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("  0x17c5b94d: <http://e/C159386> <http://e/C4222>\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("  e: is <http://e/>, not <http://f/>\n"));
+}
+
+TEST(Check, AContradictionIsAProblem) {
+  const Program program;
+  program.turtle("a.ttl", ":i a :A, :B . :A owl:disjointWith :B .\n");
+  const Outcome outcome = program.run({"check", "a.ttl"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("Contradiction: "));
+}
+
+TEST(Check, ABrokenFileIsStatusOneAndAMissingOneTwo) {
+  const Program program;
+  program.turtle("bad.ttl", ":A rdfs:subClassOf\n");
+  EXPECT_EQ(program.run({"check", "bad.ttl"}).status, 1);
+  EXPECT_THAT(program.run({"check", "bad.ttl"}).err, StartsWith("geminga-ontology: bad.ttl:3: "));
+  EXPECT_EQ(program.run({"check", "missing.ttl"}).status, 2);
+}
+
+TEST(Check, JsonIsOneDocumentWithTheSameFindings) {
+  const Program program;
+  program.turtle("a.ttl", ":A rdfs:subClassOf :B , :C .\n:B owl:disjointWith :C .\n:B owl:newInOwl3 :C .\n");
+  const Outcome outcome = program.run({"check", "--json", "a.ttl"});
+  EXPECT_EQ(outcome.status, 1);
+  const boost::json::object found = boost::json::parse(outcome.out).as_object();
+  EXPECT_EQ(found.at("classes"), 3);
+  EXPECT_EQ(found.at("problem"), true);
+  EXPECT_EQ(found.at("complete"), false);
+  EXPECT_EQ(found.at("consistent"), true);
+  EXPECT_EQ(found.at("files").at(0).at("path"), "a.ttl");
+  EXPECT_EQ(found.at("left_out").at(0).at("construct"), "owl:newInOwl3");
+  EXPECT_EQ(found.at("left_out").at(0).at("first"), "a.ttl:4");
+  EXPECT_EQ(found.at("unsatisfiable").at(0).at("class"), "e:A");
+  EXPECT_EQ(found.at("unsatisfiable").at(0).at("because").as_array().size(), 3U);
+}
+
+TEST(Check, FunctionalSyntaxIsReadBesideTurtle) {
+  const Program program;
+  program.write("a.owl", "Prefix(e:=<http://e/>)\nOntology(<http://e/a>\nSubClassOf(e:A e:B))\n");
+  program.turtle("b.ttl", "<http://e/b> a owl:Ontology ; owl:imports <http://e/a> . :B rdfs:subClassOf :C .\n");
+  const Outcome outcome = program.run({"check", "a.owl", "b.ttl"});
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, Not(HasSubstr("Imports")));
+  EXPECT_EQ(program.run({"subsumes", "a.owl", "b.ttl", "--sub", "e:A", "--super", "e:C"}).status, 0);
+}
+
+}  // namespace
+}  // namespace geminga::ontology

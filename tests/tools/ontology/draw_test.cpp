@@ -1,0 +1,67 @@
+// Pictures, as far as a program can look at them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tools/ontology/program.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+class Draw : public testing::Test {
+ protected:
+  Draw() {
+    program_.turtle("a.ttl",
+                    ":B rdfs:subClassOf :A . :C owl:equivalentClass :B . :D rdfs:subClassOf :C . :Z a owl:Class .\n");
+  }
+  const Program program_;
+};
+
+TEST_F(Draw, DotHasOneBoxForEquivalentsAndAnEdgeToEachParent) {
+  const Outcome outcome = program_.run({"draw", "a.ttl"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, StartsWith("digraph taxonomy {\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("c0 [label=\"e:A\"];\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("c1 [label=\"e:B\\n= e:C\""));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("c1 -> c0;\n"), HasSubstr("c3 -> c1;\n"), HasSubstr("\"e:Z\"")));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("owl:")));
+}
+
+TEST_F(Draw, RootLeavesOnlyWhatIsBelowIt) {
+  const Outcome outcome = program_.run({"draw", "--root", "e:C", "a.ttl"});
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("e:B"), HasSubstr("e:D"), Not(HasSubstr("e:A")), Not(HasSubstr("e:Z"))));
+}
+
+TEST_F(Draw, MermaidIsAGraphOfTheSameBoxes) {
+  const Outcome outcome = program_.run({"draw", "a.ttl", "--format", "mermaid"});
+  EXPECT_THAT(outcome.out, StartsWith("graph RL\n"));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("c1[\"e:B<br/>= e:C\"]\n"), HasSubstr("c1 --> c0\n")));
+}
+
+TEST_F(Draw, NamesCannotBreakOutOfTheirBoxes) {
+  program_.turtle("b.ttl", "<http://f/a\\\"];x[\\\"> rdfs:subClassOf <http://f/b> .\n");
+  program_.write("c.owl",
+                 "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
+                 "xmlns:owl=\"http://www.w3.org/2002/07/owl#\"><owl:Class rdf:about='http://f/a\"];b[\"'/></rdf:RDF>");
+  EXPECT_THAT(program_.run({"draw", "c.owl"}).out, HasSubstr("[label=\"<http://f/a\\\"];b[\\\">\"];\n"));
+  EXPECT_THAT(program_.run({"draw", "c.owl", "--format", "mermaid"}).out,
+              HasSubstr("[\"#60;http://f/a#34;]#59;b[#34;#62;\"]\n"));
+}
+
+TEST_F(Draw, SvgComesFromGraphvizOrSaysThatItIsMissing) {
+  const Outcome outcome = program_.run({"draw", "a.ttl", "--format", "svg"});
+  if (outcome.status == 0) {
+    EXPECT_THAT(outcome.out, HasSubstr("<svg"));
+    EXPECT_THAT(outcome.out, HasSubstr("e:D"));
+  } else {
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("install graphviz, or ask for --format dot"));
+  }
+}
+
+}  // namespace
+}  // namespace geminga::ontology
