@@ -125,7 +125,7 @@ Lab::Lab(std::size_t hosts) : hosts_(hosts) {
     udp_port_ = free_port(SOCK_DGRAM);
     for (Host& host : hosts_) host.gcnp_port = free_port(SOCK_STREAM);
   }
-  std::cout << "This lab of " << hosts << " hosts is made of " << way() << ".\n";
+  std::cerr << "This lab of " << hosts << " hosts is made of " << way() << ".\n";
 }
 
 Lab::~Lab() = default;
