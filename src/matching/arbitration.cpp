@@ -15,19 +15,41 @@ bool is_strictly_better(const Rank& a, const Rank& b) {
 }
 
 void Choice::offer(const Rank& rank, const registry::StoredPublication& publication, bool is_incumbent) {
-  auto& ranking = is_incumbent ? chosen_ : waiting_;
-  const bool is_new = ranking.emplace(rank, Candidate{&publication, rank.match}).second;
+  const Candidate candidate{&publication, rank.match};
+  if (!is_incumbent) {
+    wait(rank, candidate);
+    return;
+  }
+  const bool is_new = chosen_.emplace(rank, candidate).second;
   GEMINGA_ASSERT(is_new);
 }
 
+void Choice::wait(const Rank& rank, const Candidate& candidate) {
+  if (bound_ && !BestFirst{}(rank, *bound_)) {
+    dropped_.push_back(candidate.publication);  // nobody knows whether it is better than those dropped before
+    return;
+  }
+  const bool is_new = waiting_.emplace(rank, candidate).second;
+  GEMINGA_ASSERT(is_new);
+  const bool is_bounded = limit_ < unlimited - max_waiting;
+  if (!is_bounded || waiting_.size() <= limit_ + max_waiting) return;
+  const auto worst = std::prev(waiting_.end());
+  bound_ = worst->first;
+  dropped_.push_back(worst->second.publication);
+  waiting_.erase(worst);
+}
+
 void Choice::change(const Rank& before, const Rank& now) {
-  const bool was_chosen = chosen_.contains(before);
-  auto& ranking = was_chosen ? chosen_ : waiting_;
-  auto node = ranking.extract(before);
+  if (const auto at = chosen_.find(before); at != chosen_.end()) {
+    auto node = chosen_.extract(at);
+    node.key() = now;
+    chosen_.insert(std::move(node));
+    touched_.push_back(now);
+    return;
+  }
+  const auto node = waiting_.extract(before);
   GEMINGA_ASSERT(!node.empty());
-  node.key() = now;
-  ranking.insert(std::move(node));
-  if (was_chosen) touched_.push_back(now);
+  wait(now, node.mapped());
 }
 
 void Choice::withdraw(const Rank& rank, Reason reason) {
@@ -40,30 +62,40 @@ void Choice::withdraw(const Rank& rank, Reason reason) {
   GEMINGA_ASSERT(erased == 1);
 }
 
+const Rank* Choice::best_waiting(const std::function<void()>& refill) {
+  const bool is_full = chosen_.size() >= limit_;
+  if (waiting_.empty() && bound_ && (!is_full || is_strictly_better(*bound_, std::prev(chosen_.end())->first))) {
+    bound_.reset();
+    refill();
+  }
+  return waiting_.empty() ? nullptr : &waiting_.begin()->first;
+}
+
 void Choice::promote_best(Verdict& verdict) {
-  const auto& [rank, candidate] = *waiting_.begin();
-  verdict.come.push_back({candidate.publication, rank.match});
   auto node = waiting_.extract(waiting_.begin());
   node.mapped().told = node.key().match;
+  verdict.come.push_back({node.mapped().publication, node.key().match});
   chosen_.insert(std::move(node));
 }
 
 void Choice::demote_worst(Verdict& verdict) {
-  const auto worst = std::prev(chosen_.end());
-  verdict.gone.push_back({worst->second.publication, worst->second.told, Reason::outranked});
-  waiting_.insert(chosen_.extract(worst));
+  const auto node = chosen_.extract(std::prev(chosen_.end()));
+  verdict.gone.push_back({node.mapped().publication, node.mapped().told, Reason::outranked});
+  wait(node.key(), node.mapped());
 }
 
 // Nothing that is promoted here is demoted again, nor the other way round: after the first two loops the choice is full
-// or nobody waits, and each swap puts a strictly better candidate into the place of the worst.
-Verdict Choice::settle() {
+// or nobody waits, and each swap puts a strictly better candidate into the place of the worst. The promotion of a swap
+// comes first, because the demoted one may be the one too many that is dropped.
+Verdict Choice::settle(const std::function<void()>& refill) {
   Verdict verdict;
   verdict.gone = std::exchange(gone_, {});
   while (chosen_.size() > limit_) demote_worst(verdict);
-  while (chosen_.size() < limit_ && !waiting_.empty()) promote_best(verdict);
-  while (!waiting_.empty() && is_strictly_better(waiting_.begin()->first, std::prev(chosen_.end())->first)) {
-    demote_worst(verdict);
+  while (chosen_.size() < limit_ && best_waiting(refill) != nullptr) promote_best(verdict);
+  while (const Rank* best = best_waiting(refill)) {
+    if (!is_strictly_better(*best, std::prev(chosen_.end())->first)) break;
     promote_best(verdict);
+    demote_worst(verdict);
   }
   std::ranges::sort(touched_, BestFirst{});
   for (const Rank& rank : std::exchange(touched_, {})) {

@@ -4,8 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "geminga/service.hpp"
@@ -31,6 +34,11 @@ struct BestFirst {
     return !is_strictly_better(b, a) && a.key < b.key;
   }
 };
+
+/// How many candidates beyond its limit a subscription remembers, so that one team member that announces thousands of
+/// services, and another that asks for them thousands of times, cost memory for neither product. Fewer than this may go
+/// before the registry has to be searched again.
+inline constexpr std::size_t max_waiting = 16;
 
 /// What one settling changed. Each publication is in at most one of the lists.
 struct Verdict {
@@ -58,10 +66,14 @@ struct Verdict {
 /// consumer change its provider. Changes are collected and take effect in settle(), so that one cause gives one
 /// verdict.
 ///
+/// Of those that are not chosen only the best wait here, at most `limit + max_waiting`; the others are dropped, and
+/// when it comes to them, settle() asks for all candidates again.
+///
 /// Borrows the publications; one that was withdrawn must live until the next settle(). Each operation is O(log n).
 class Choice {
  public:
   static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+  using Dropped = std::vector<const registry::StoredPublication*>;
 
   /// 0 is no limit, as in Subscription::limit.
   void set_limit(std::uint32_t limit) { limit_ = limit == 0 ? unlimited : limit; }
@@ -73,8 +85,14 @@ class Choice {
   /// A candidate that is none any more.
   void withdraw(const Rank& rank, Reason reason);
 
-  /// Chooses, and says what became different since the last time.
-  [[nodiscard]] Verdict settle();
+  /// Chooses, and says what became different since the last time. Calls `refill` when those that were dropped may
+  /// matter: it must offer() every candidate that is neither chosen nor waiting.
+  [[nodiscard]] Verdict settle(const std::function<void()>& refill);
+
+  /// Forgets that any were dropped: the caller is about to judge and offer all of them again.
+  void expect_all() { bound_.reset(); }
+  /// Those that were dropped since the last call: candidates no more, until they are offered again.
+  [[nodiscard]] Dropped take_dropped() { return std::exchange(dropped_, {}); }
 
   [[nodiscard]] bool is_chosen(const Rank& rank) const { return chosen_.contains(rank); }
   /// Best first.
@@ -89,12 +107,18 @@ class Choice {
   };
   using Ranking = std::map<Rank, Candidate, BestFirst>;
 
+  /// Puts a candidate among the waiting, or drops it or the worst of them.
+  void wait(const Rank& rank, const Candidate& candidate);
+  /// The best that waits, after a refill if that could matter; nullptr where nobody does.
+  const Rank* best_waiting(const std::function<void()>& refill);
   void promote_best(Verdict& verdict);
   void demote_worst(Verdict& verdict);
 
   std::size_t limit_ = unlimited;
   Ranking chosen_;
   Ranking waiting_;
+  std::optional<Rank> bound_;  ///< every dropped candidate ranks here or behind; nothing: none was dropped
+  Dropped dropped_;
   std::vector<Verdict::Gone> gone_;
   std::vector<Rank> touched_;
 };

@@ -46,7 +46,7 @@ const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const S
     subscriptions_.replace(*known, std::move(entry), plan.filing());
   }
   of(*known).request = std::move(request);
-  of(*known).choice.set_limit(known->entry.subscription.limit);
+  of(*known).choice.set_limit(limit_of(known->entry));
   return *known;
 }
 
@@ -138,11 +138,15 @@ void Matcher::State::set_ontology(const el::Ontology* ontology) {
   });
 }
 
+std::uint32_t Matcher::State::limit_of(const SubscriptionEntry& subscription) {
+  const std::uint32_t limit = subscription.subscription.limit;
+  return subscription.is_local || limit <= max_counted_providers ? limit : 0;
+}
+
 bool Matcher::State::is_of_interest(const SubscriptionEntry& subscription, const PublicationEntry& publication) {
   if (subscription.is_local) return true;
   if (subscription.subscription.mode == ChannelMode::one_to_many_stream) return false;  // its provider is not told
-  return publication.is_local ||
-         subscription.subscription.limit != 0;  // without a limit nobody stands in another's way
+  return publication.is_local || limit_of(subscription) != 0;  // without a limit nobody stands in another's way
 }
 
 bool Matcher::State::was_chosen_unseen(const StoredPublication& publication) const {
@@ -167,22 +171,42 @@ void Matcher::State::judge(const StoredSubscription& subscription, const StoredP
   }
   const Rank rank{publication.entry.publication.priority, *match, publication.entry.key};
   if (known != considered_by.end()) {
-    choice.change(known->second, rank);
-    known->second = rank;
+    choice.change(std::exchange(known->second, rank), rank);
   } else {
-    choice.offer(rank, publication, was_chosen_unseen(publication));
     considered_by.emplace(subscription.slot, rank);
+    choice.offer(rank, publication, was_chosen_unseen(publication));
   }
+  forget_dropped(subscription);
 }
 
 void Matcher::State::judge_all(const StoredSubscription& subscription) {
-  for (const auto& [rank, publication] : of(subscription).choice.candidates()) judge(subscription, *publication);
+  auto& choice = of(subscription).choice;
+  choice.expect_all();
+  for (const auto& [rank, publication] : choice.candidates()) judge(subscription, *publication);
   const Subscription& asked = subscription.entry.subscription;
   visit_publications(publications_, asked.identity, of(subscription).request.classes, asked.weakest, ontology_,
                      [&](const StoredPublication& publication) {
                        if (!of(publication).considered_by.contains(subscription.slot)) judge(subscription, publication);
                        return false;
                      });
+}
+
+void Matcher::State::refill(const StoredSubscription& subscription) {
+  forget_dropped(subscription);
+  const Subscription& asked = subscription.entry.subscription;
+  visit_publications(publications_, asked.identity, of(subscription).request.classes, asked.weakest, ontology_,
+                     [&](const StoredPublication& publication) {
+                       auto& known = of(publication);
+                       if (known.is_leaving || known.considered_by.contains(subscription.slot)) return false;
+                       judge(subscription, publication);
+                       return false;
+                     });
+}
+
+void Matcher::State::forget_dropped(const StoredSubscription& subscription) {
+  for (const auto* dropped : of(subscription).choice.take_dropped()) {
+    of(*dropped).considered_by.erase(subscription.slot);
+  }
 }
 
 std::vector<Ranked> Matcher::State::match(const Subscription& asked) const {

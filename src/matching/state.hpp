@@ -14,6 +14,11 @@
 
 namespace geminga::matching {
 
+/// A remote consumer that asks for more providers than this is treated as one that takes all: its choice then needs no
+/// other candidates than our own publications. The price is that a provider may be told of a consumer that has better
+/// ones.
+inline constexpr std::uint32_t max_counted_providers = 16;
+
 /// Every change runs in three steps: the registry takes it, the pairs that it concerns are judged again, and each
 /// subscription whose candidates changed is settled once, which gives the events.
 class Matcher::State {
@@ -56,11 +61,16 @@ class Matcher::State {
   const registry::StoredPublication& store(registry::PublicationEntry entry, const registry::StoredPublication* known);
   const registry::StoredSubscription& store(registry::SubscriptionEntry entry,
                                             const registry::StoredSubscription* known);
+  /// The limit that arbitration works with; 0 is none.
+  [[nodiscard]] static std::uint32_t limit_of(const registry::SubscriptionEntry& subscription);
   /// Whether the pair can ever cause an event or decide about another one that can.
   [[nodiscard]] static bool is_of_interest(const registry::SubscriptionEntry& subscription,
                                            const registry::PublicationEntry& publication);
   void judge(const registry::StoredSubscription& subscription, const registry::StoredPublication& publication);
   void judge_all(const registry::StoredSubscription& subscription);
+  /// Offers every candidate that the choice does not hold.
+  void refill(const registry::StoredSubscription& subscription);
+  void forget_dropped(const registry::StoredSubscription& subscription);
   void forget(const registry::StoredSubscription& subscription, Reason reason);
   void settle(const registry::StoredSubscription& subscription);
   /// Whether the pair had been chosen although it was of no interest, before the subscription got a limit.

@@ -11,7 +11,8 @@ using registry::StoredSubscription;
 using registry::SubscriptionEntry;
 
 void Matcher::State::settle(const StoredSubscription& subscription) {
-  const Verdict verdict = of(subscription).choice.settle();
+  const Verdict verdict = of(subscription).choice.settle([&] { refill(subscription); });
+  forget_dropped(subscription);
   for (const auto& gone : verdict.gone) {
     tell_consumer(Change::del, subscription, *gone.publication, gone.told, gone.reason);
     tell_provider(Change::del, subscription, *gone.publication, gone.told, gone.reason);

@@ -5,6 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <deque>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace geminga::matching {
 namespace {
@@ -21,13 +25,26 @@ class Arbitration : public testing::Test {
   void offer(const Rank& rank) {
     auto& stored = stored_.emplace_back();
     stored.entry.key = rank.key;
+    ranks_[rank.key.number] = rank;
     choice_.offer(rank, stored);
+    collect_dropped();
+  }
+
+  void collect_dropped() {
+    for (const auto* dropped : choice_.take_dropped()) dropped_.push_back(dropped);
   }
 
   /// One settling in words: "-1 outranked", "*2", "+3".
   std::vector<std::string> settle() {
     std::vector<std::string> words;
-    const Verdict verdict = choice_.settle();
+    const Verdict verdict = choice_.settle([this] {
+      ++refills_;
+      for (const auto* dropped : std::exchange(dropped_, {})) {
+        choice_.offer(ranks_.at(dropped->entry.key.number), *dropped);
+        collect_dropped();
+      }
+    });
+    collect_dropped();
     const auto number = [](const auto& about) { return std::to_string(about.publication->entry.key.number); };
     for (const auto& gone : verdict.gone)
       words.push_back("-" + number(gone) + " " + std::string(to_string(gone.reason)));
@@ -37,6 +54,9 @@ class Arbitration : public testing::Test {
   }
 
   std::deque<registry::StoredPublication> stored_;
+  std::map<std::uint32_t, Rank> ranks_;
+  Choice::Dropped dropped_;
+  int refills_ = 0;
   Choice choice_;
 };
 
@@ -126,6 +146,54 @@ TEST_F(Arbitration, OneThatWasChosenUnseenIsAnIncumbent) {
   choice_.offer({1, {}, stored.entry.key}, stored, true);
   offer(rank(1, 1));
   EXPECT_THAT(settle(), IsEmpty());
+}
+
+TEST_F(Arbitration, RemembersUpToItsLimitOfWaitingOnesAndSearchesAgainForMore) {
+  constexpr std::uint32_t limit = 2;
+  constexpr auto most = static_cast<std::uint32_t>(max_waiting) + limit;
+  choice_.set_limit(limit);
+  offer(rank(1001, 9));
+  offer(rank(1002, 9));
+  EXPECT_THAT(settle(), ElementsAre("+1001", "+1002"));
+  for (std::uint32_t number = 1; number < most; ++number) offer(rank(number, 1));
+  EXPECT_TRUE(dropped_.empty());
+  offer(rank(most, 1));
+  EXPECT_TRUE(dropped_.empty());
+  offer(rank(most + 1, 1));
+  ASSERT_EQ(dropped_.size(), 1U) << "the worst by key";
+  EXPECT_EQ(dropped_[0]->entry.key.number, most + 1);
+  offer(rank(0, 1));
+  ASSERT_EQ(dropped_.size(), 2U);
+  EXPECT_EQ(dropped_[1]->entry.key.number, most) << "a better one takes its place";
+  EXPECT_THAT(settle(), IsEmpty());
+  for (std::uint32_t number = 0; number < most; ++number) choice_.withdraw(rank(number, 1), Reason::left);
+  EXPECT_THAT(settle(), IsEmpty());
+  EXPECT_EQ(refills_, 0) << "no dropped one could matter yet";
+  choice_.withdraw(rank(1001, 9), Reason::left);
+  EXPECT_THAT(settle(), ElementsAre("-1001 left", "+" + std::to_string(most)));
+  EXPECT_EQ(refills_, 1);
+  choice_.withdraw(rank(1002, 9), Reason::left);
+  EXPECT_THAT(settle(), ElementsAre("-1002 left", "+" + std::to_string(most + 1)));
+  EXPECT_EQ(refills_, 1) << "nobody was dropped since";
+}
+
+TEST_F(Arbitration, SearchesAgainWhenAChosenOneFallsBehindTheDropped) {
+  constexpr auto most = static_cast<std::uint32_t>(max_waiting) + 1;
+  choice_.set_limit(1);
+  offer(rank(1001, 9));
+  EXPECT_THAT(settle(), ElementsAre("+1001"));
+  for (std::uint32_t number = 1; number <= most + 1; ++number) offer(rank(number, 1));
+  for (std::uint32_t number = 1; number <= most; ++number) choice_.withdraw(rank(number, 1), Reason::left);
+  ranks_[1001] = rank(1001, 0);
+  choice_.change(rank(1001, 9), rank(1001, 0));
+  EXPECT_THAT(settle(), ElementsAre("-1001 outranked", "+" + std::to_string(most + 1)));
+  EXPECT_EQ(refills_, 1);
+}
+
+TEST_F(Arbitration, WithoutALimitNobodyIsDropped) {
+  for (std::uint32_t number = 1; number <= 100; ++number) offer(rank(number, 1));
+  EXPECT_TRUE(dropped_.empty());
+  EXPECT_EQ(settle().size(), 100U);
 }
 
 }  // namespace

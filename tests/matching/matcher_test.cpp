@@ -122,6 +122,16 @@ TEST(Matcher, AProviderIsToldOnlyOfConsumersThatChooseIt) {
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 sub del p3.1.8 outranked"));
 }
 
+TEST(Matcher, ARemoteConsumerOfVeryManyProvidersIsToldToAllOfThem) {
+  for (const auto& [limit, is_told] : {std::pair(15U, false), std::pair(16U, false), std::pair(17U, true)}) {
+    Matcher matcher(nullptr);
+    for (std::uint32_t number = 0; number < 17; ++number) matcher.put(offer(key(2, 1, number), ball, 2));
+    matcher.put(offer(key(here, 1, 1), ball, 1));
+    matcher.put(request(key(3, 1, 8), ball, limit));
+    EXPECT_EQ(matcher.take_events().size(), is_told ? 1U : 0U) << limit;
+  }
+}
+
 TEST(Matcher, ModesAreNotMixed) {
   Matcher matcher(nullptr);
   matcher.put(offer(key(2, 1, 1), ball, 0, one_to_many_stream));

@@ -40,7 +40,8 @@ void Model::work_out() {
       }
     }
     std::ranges::sort(candidates);
-    const std::uint32_t limit = subscription.subscription.limit;
+    std::uint32_t limit = subscription.subscription.limit;
+    if (!subscription.is_local && limit > 16) limit = 0;  // max_counted_providers: such a consumer takes all
     if (limit != 0 && candidates.size() > limit) candidates.resize(limit);
     for (const auto& [priority, match, is_new, offer_key] : candidates) chosen_[key].emplace(offer_key, match);
   }

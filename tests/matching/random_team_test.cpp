@@ -73,7 +73,8 @@ class RandomTeam {
   /// Numbers of publications and subscriptions of one peer differ, as in GCNP.
   ServiceKey some_key(bool is_subscription) {
     return key(static_cast<std::uint32_t>(1 + random_.below(4)), static_cast<std::uint32_t>(1 + random_.below(2)),
-               static_cast<std::uint32_t>(2 * random_.below(3) + (is_subscription ? 1 : 0)));
+               static_cast<std::uint32_t>(2 * random_.below(is_crowded_ && !is_subscription ? 9 : 3) +
+                                          (is_subscription ? 1 : 0)));
   }
 
   /// In the midst of the others, so that ties are won by smaller and by greater keys.
@@ -135,7 +136,7 @@ class RandomTeam {
         asked.where = one_of<4>({"", "rate >= 2", "not has rate", "rate ="});
         break;
       case 4:
-        asked.limit = static_cast<std::uint32_t>(random_.below(4));
+        asked.limit = static_cast<std::uint32_t>(random_.chance(0.8) ? random_.below(4) : 15 + random_.below(3));
         break;
       case 5:
         asked.weakest = static_cast<Degree>(random_.below(4));
