@@ -122,7 +122,8 @@ void order_axioms(const OntologySource& source, const ContentHashes& hashes,
   entries.reserve(source.axiom_count());
   for (std::uint32_t number = 0; number < source.axiom_count(); ++number) {
     const Axiom axiom = source.axiom(number);
-    entries.push_back({axiom.kind, hashes.of(axiom), number_of_file[static_cast<std::size_t>(axiom.file)], axiom.line, number});
+    entries.push_back(
+        {axiom.kind, hashes.of(axiom), number_of_file[static_cast<std::size_t>(axiom.file)], axiom.line, number});
   }
   std::ranges::sort(entries, {}, [](const Entry& e) { return std::tuple(e.kind, e.hash, e.file, e.line); });
   const auto repeated = std::ranges::unique(entries, {}, [](const Entry& e) { return std::pair(e.kind, e.hash); });

@@ -35,8 +35,8 @@ class ContentHashes {
 [[nodiscard]] std::size_t set_begin(TermKind kind, std::size_t count);
 [[nodiscard]] std::size_t set_begin(AxiomKind kind, std::size_t count);
 
-/// A source in canonical order: files by path; terms that an axiom uses, arguments before what they are in; axioms, each
-/// once, at the first place where it stands.
+/// A source in canonical order: files by path; terms that an axiom uses, arguments before what they are in; axioms,
+/// each once, at the first place where it stands.
 struct CanonicalOrder {
   struct CanonicalAxiom {
     std::uint32_t axiom = 0;  ///< in the source

@@ -35,8 +35,8 @@ class Classifier {
     Saturation saturation(index_, max_conclusions);
     require_contexts(saturation);
     if (!saturation.run()) {
-      return std::unexpected(
-          ClassifyError{"more than " + std::to_string(max_conclusions) + " conclusions follow: the ontology is too large"});
+      return std::unexpected(ClassifyError{"more than " + std::to_string(max_conclusions) +
+                                           " conclusions follow: the ontology is too large"});
     }
     count(saturation);
     reduce(saturation);
@@ -141,7 +141,8 @@ class Classifier {
   void name_classes() {
     for (const TermId term : classes_) result_.classes.push_back(source_.term(term).name);
     const auto find = [&](std::string_view iri) {
-      const auto found = std::ranges::lower_bound(result_.classes, iri, {}, [&](NameId id) { return source_.name(id); });
+      const auto found =
+          std::ranges::lower_bound(result_.classes, iri, {}, [&](NameId id) { return source_.name(id); });
       return ClassNumber{static_cast<std::uint32_t>(found - result_.classes.begin())};
     };
     result_.thing = find(owl_thing);

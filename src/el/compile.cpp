@@ -84,15 +84,16 @@ void Compiler::find_labels() {
   const auto class_of = [&](std::string_view iri) {
     const auto& classes = classification_.classes;
     const auto found = std::ranges::lower_bound(classes, iri, {}, [&](NameId id) { return source_.name(id); });
-    return found != classes.end() && source_.name(*found) == iri ? static_cast<std::uint32_t>(found - classes.begin()) : none;
+    return found != classes.end() && source_.name(*found) == iri ? static_cast<std::uint32_t>(found - classes.begin())
+                                                                 : none;
   };
   for (const OntologySource::Label& label : source_.labels()) {
     const std::uint32_t number = class_of(source_.name(label.entity));
     if (number != none) labels_.push_back({source_.name(label.text), number, source_.name(label.language)});
   }
   std::ranges::sort(labels_, {}, [](const Label& l) { return std::tuple(l.text, l.class_number, l.language); });
-  const auto repeated = std::ranges::unique(
-      labels_, {}, [](const Label& l) { return std::tuple(l.text, l.class_number, l.language); });
+  const auto repeated =
+      std::ranges::unique(labels_, {}, [](const Label& l) { return std::tuple(l.text, l.class_number, l.language); });
   labels_.erase(repeated.begin(), repeated.end());
 }
 
@@ -165,7 +166,10 @@ void Compiler::write_classes(compiled::OntologyT& out) const {
   out.nothing = static_cast<std::uint32_t>(classification_.nothing);
   // English first, then what has no language, then the rest.
   const auto preference = [](const Label& label) {
-    return std::tuple(label.language == "en" ? 0 : label.language.starts_with("en") ? 1 : label.language.empty() ? 2 : 3,
+    return std::tuple(label.language == "en"             ? 0
+                      : label.language.starts_with("en") ? 1
+                      : label.language.empty()           ? 2
+                                                         : 3,
                       label.language, label.text);
   };
   std::vector<const Label*> best(classification_.class_count(), nullptr);

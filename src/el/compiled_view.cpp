@@ -27,7 +27,8 @@ class Checker {
   }
   /// Row borders: one more than rows, from 0 to the number of items, never down.
   void borders(std::span<const std::uint32_t> begin, std::size_t rows, std::size_t items, std::string_view what) {
-    expect(begin.size() == rows + 1 && begin.front() == 0 && begin.back() == items && std::ranges::is_sorted(begin), what);
+    expect(begin.size() == rows + 1 && begin.front() == 0 && begin.back() == items && std::ranges::is_sorted(begin),
+           what);
   }
   [[nodiscard]] bool failed() const { return !problem_.empty(); }
   [[nodiscard]] const std::string& problem() const { return problem_; }
@@ -101,20 +102,22 @@ void check_classes(const CompiledView& view, Checker& check) {
   check.in_range(view.class_name, names, "the name of a class");
   check.expect(std::ranges::adjacent_find(view.class_name, std::greater_equal<>()) == view.class_name.end(),
                "the order of classes");
-  check.expect(view.class_label.size() == count && view.representative.size() == count && view.own_interval.size() == count,
-               "the number of classes");
+  check.expect(
+      view.class_label.size() == count && view.representative.size() == count && view.own_interval.size() == count,
+      "the number of classes");
   check.expect(view.thing < count && view.nothing < count, "owl:Thing or owl:Nothing");
   if (check.failed()) return;
-  check.expect(view.name(view.class_name[view.thing]) == owl_thing && view.name(view.class_name[view.nothing]) == owl_nothing,
-               "the names of owl:Thing and owl:Nothing");
+  check.expect(
+      view.name(view.class_name[view.thing]) == owl_thing && view.name(view.class_name[view.nothing]) == owl_nothing,
+      "the names of owl:Thing and owl:Nothing");
   check.expect(std::ranges::all_of(view.class_label,
                                    [&](std::uint32_t label) { return label < names || label == CompiledView::none; }),
                "a label");
   check.in_range(view.representative, count, "a representative");
   if (check.failed()) return;
-  check.expect(std::ranges::all_of(view.representative,
-                                   [&](std::uint32_t node) { return view.representative[node] == node; }),
-               "a representative");
+  check.expect(
+      std::ranges::all_of(view.representative, [&](std::uint32_t node) { return view.representative[node] == node; }),
+      "a representative");
   check.borders(view.parent_begin, count, view.parents.size(), "the borders of parents");
   check.in_range(view.parents, count, "a parent");
   check.borders(view.child_begin, count, view.children.size(), "the borders of children");
@@ -136,12 +139,16 @@ void check_terms(const CompiledView& view, Checker& check) {
   if (check.failed()) return;
   // An argument comes before what it is in, so nothing is part of itself; and no deeper than readers allow.
   std::vector<std::uint16_t> depth(count, 0);
+  std::vector<TermKind> kinds;
   for (std::uint32_t term = 0; term < count; ++term) {
+    kinds.clear();
     for (const std::uint32_t argument : view.arguments_of_term(term)) {
       check.expect(argument < term, "an argument of a term");
       if (check.failed()) return;
       depth[term] = std::max(depth[term], static_cast<std::uint16_t>(depth[argument] + 1));
+      kinds.push_back(view.kind_of_term(argument));
     }
+    check.expect(is_well_formed(view.kind_of_term(term), kinds), "the form of a term");
     check.expect(depth[term] <= SourceLimits{}.nesting, "the nesting of a term");
     if (check.failed()) return;
   }
@@ -155,6 +162,13 @@ void check_axioms(const CompiledView& view, Checker& check) {
   check.in_range(view.axiom_file, view.root->files()->size(), "the file of an axiom");
   check.borders(view.axiom_begin, count, view.axiom_arguments.size(), "the borders of arguments of axioms");
   check.in_range(view.axiom_arguments, view.term_kind.size(), "an argument of an axiom");
+  if (check.failed()) return;
+  std::vector<TermKind> kinds;
+  for (std::uint32_t axiom = 0; axiom < count && !check.failed(); ++axiom) {
+    kinds.clear();
+    for (const std::uint32_t argument : view.arguments_of_axiom(axiom)) kinds.push_back(view.kind_of_term(argument));
+    check.expect(is_well_formed(view.kind_of_axiom(axiom), kinds), "the form of an axiom");
+  }
 }
 
 }  // namespace
@@ -174,7 +188,8 @@ std::expected<CompiledView, CompiledError> view_compiled(std::span<const std::by
   for (const auto& step : {check_names, check_classes, check_terms, check_axioms}) {
     step(view, check);
     if (check.failed()) {
-      return std::unexpected(CompiledError{"the compiled ontology is damaged: " + check.problem() + " is out of range"});
+      return std::unexpected(
+          CompiledError{"the compiled ontology is damaged: " + check.problem() + " cannot be right"});
     }
   }
   return view;
@@ -182,7 +197,8 @@ std::expected<CompiledView, CompiledError> view_compiled(std::span<const std::by
 
 std::vector<LoadedFile> files_of(const CompiledView& view) {
   std::vector<LoadedFile> files;
-  for (const compiled::File* file : *view.root->files()) files.push_back({file->path()->str(), file->ontology_iri()->str()});
+  for (const compiled::File* file : *view.root->files())
+    files.push_back({file->path()->str(), file->ontology_iri()->str()});
   return files;
 }
 

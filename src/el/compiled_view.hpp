@@ -69,7 +69,9 @@ struct CompiledView {
   [[nodiscard]] TermKind kind_of_term(std::uint32_t term) const { return static_cast<TermKind>(term_kind[term]); }
   [[nodiscard]] AxiomKind kind_of_axiom(std::uint32_t axiom) const { return static_cast<AxiomKind>(axiom_kind[axiom]); }
   [[nodiscard]] Numbers arguments_of_term(std::uint32_t term) const { return row(term_begin, term_arguments, term); }
-  [[nodiscard]] Numbers arguments_of_axiom(std::uint32_t axiom) const { return row(axiom_begin, axiom_arguments, axiom); }
+  [[nodiscard]] Numbers arguments_of_axiom(std::uint32_t axiom) const {
+    return row(axiom_begin, axiom_arguments, axiom);
+  }
   [[nodiscard]] Numbers parents_of(std::uint32_t node) const { return row(parent_begin, parents, node); }
   [[nodiscard]] Numbers children_of(std::uint32_t node) const { return row(child_begin, children, node); }
 

@@ -11,8 +11,8 @@
 
 namespace geminga::el {
 
-/// The component of each node. Components are numbered so that every edge leads to the same or a smaller number: what is
-/// reachable comes first. Linear in nodes and edges.
+/// The component of each node. Components are numbered so that every edge leads to the same or a smaller number: what
+/// is reachable comes first. Linear in nodes and edges.
 struct Components {
   std::vector<std::uint32_t> component;
   std::uint32_t count = 0;

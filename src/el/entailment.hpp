@@ -9,8 +9,8 @@
 
 namespace geminga::el {
 
-/// Whether these axioms of the source entail `sub` SubClassOf `super`, two named classes, as far as classify() finds it.
-/// Cost: that of the axioms given and of what the sub class leads to; other classes are not looked at.
+/// Whether these axioms of the source entail `sub` SubClassOf `super`, two named classes, as far as classify() finds
+/// it. Cost: that of the axioms given and of what the sub class leads to; other classes are not looked at.
 [[nodiscard]] bool entails(const OntologySource& source, std::span<const std::uint32_t> axioms, TermId sub,
                            TermId super);
 

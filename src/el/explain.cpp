@@ -46,7 +46,8 @@ class Copier {
   TermId copy_term(std::uint32_t term) {
     std::vector<TermId> arguments;
     for (const std::uint32_t argument : view_.arguments_of_term(term)) arguments.push_back(copy_term(argument));
-    return source_.copy(view_.kind_of_term(term), view_.name(view_.term_name[term]), view_.term_number[term], arguments);
+    return source_.copy(view_.kind_of_term(term), view_.name(view_.term_name[term]), view_.term_number[term],
+                        arguments);
   }
 
   const CompiledView& view_;
@@ -57,10 +58,10 @@ class Copier {
 Numbers find_terms(const CompiledView& view, std::span<const std::uint32_t> classes) {
   Numbers terms;
   for (std::uint32_t term = 0; term < view.term_count(); ++term) {
-    const bool is_one = view.kind_of_term(term) == TermKind::named_class &&
-                        std::ranges::any_of(classes, [&](std::uint32_t number) {
-                          return view.class_name[number] == view.term_name[term];
-                        });
+    const bool is_one =
+        view.kind_of_term(term) == TermKind::named_class && std::ranges::any_of(classes, [&](std::uint32_t number) {
+          return view.class_name[number] == view.term_name[term];
+        });
     if (is_one) terms.push_back(term);
   }
   return terms;
@@ -70,6 +71,12 @@ void collect_entities(const OntologySource& source, TermId id, std::vector<TermI
   const Term term = source.term(id);
   if (term.arguments.empty() && term.kind != TermKind::datatype) entities.push_back(id);
   for (const TermId argument : term.arguments) collect_entities(source, argument, entities);
+}
+
+/// What an axiom is about: an individual of a fact, else its first argument.
+TermId subject_of(const Axiom& axiom) {
+  const bool is_fact = axiom.kind >= AxiomKind::class_assertion && axiom.arguments.size() > 1;
+  return axiom.arguments[is_fact ? 1 : 0];
 }
 
 /// Puts axioms into an order in which each speaks, where possible, of what was spoken of before.
@@ -83,7 +90,7 @@ Numbers in_order_of_argument(const OntologySource& source, Numbers axioms, TermI
     for (std::size_t at = 0; at < axioms.size(); ++at) {
       const Axiom axiom = source.axiom(axioms[at]);
       std::vector<TermId> subject;
-      collect_entities(source, axiom.arguments[0], subject);
+      collect_entities(source, subject_of(axiom), subject);
       std::vector<TermId> all;
       for (const TermId argument : axiom.arguments) collect_entities(source, argument, all);
       const bool follows = std::ranges::all_of(subject, is_known);

@@ -15,8 +15,8 @@ namespace geminga::el {
 
 /// A minimal subset of `candidates` for which `holds` is true, ascending; `holds` must be monotone and hold for all of
 /// them. It is asked O(k log(n / k)) times for a subset of k among n (QuickXplain, Junker 2004).
-[[nodiscard]] std::vector<std::uint32_t> find_minimal(
-    std::vector<std::uint32_t> candidates, const std::function<bool(std::span<const std::uint32_t>)>& holds);
+[[nodiscard]] std::vector<std::uint32_t> find_minimal(std::vector<std::uint32_t> candidates,
+                                                      const std::function<bool(std::span<const std::uint32_t>)>& holds);
 
 /// Axioms of a compiled ontology as a source of their own.
 struct Excerpt {

@@ -1,7 +1,8 @@
 // The axioms as the rules want them: interned EL expressions, each with the rules that its occurrences need.
 //
 // Legend: A atom, C D E expressions, R S roles, C < D for "C SubClassOf D", T owl:Thing, F owl:Nothing.
-// An expression occurs negatively where it must be recognised (left of <), positively where it is asserted (right of <).
+// An expression occurs negatively where it must be recognised (left of <), positively where it is asserted (right of
+// <).
 #ifndef GEMINGA_EL_INDEX_HPP
 #define GEMINGA_EL_INDEX_HPP
 

@@ -27,12 +27,15 @@ class Locality {
   [[nodiscard]] bool is_empty_role(std::uint32_t term) const;
   [[nodiscard]] bool is_bottom(std::uint32_t term) const;
   [[nodiscard]] bool is_top(std::uint32_t term) const;
-  [[nodiscard]] bool is_empty_filler(Numbers arguments) const { return arguments.size() == 2 && is_bottom(arguments[1]); }
+  [[nodiscard]] bool is_empty_filler(Numbers arguments) const {
+    return arguments.size() == 2 && is_bottom(arguments[1]);
+  }
   [[nodiscard]] std::size_t count_not_bottom(Numbers terms) const {
     return static_cast<std::size_t>(std::ranges::count_if(terms, [&](std::uint32_t term) { return !is_bottom(term); }));
   }
   [[nodiscard]] std::size_t count_not_empty_roles(Numbers terms) const {
-    return static_cast<std::size_t>(std::ranges::count_if(terms, [&](std::uint32_t term) { return !is_empty_role(term); }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(terms, [&](std::uint32_t term) { return !is_empty_role(term); }));
   }
 
   const CompiledView& view_;

@@ -1,4 +1,5 @@
-// The axioms that can matter for a question: a module by bottom locality (Cuenca Grau, Horrocks, Kazakov, Sattler 2008).
+// The axioms that can matter for a question: a module by bottom locality (Cuenca Grau, Horrocks, Kazakov, Sattler
+// 2008).
 #ifndef GEMINGA_EL_MODULE_HPP
 #define GEMINGA_EL_MODULE_HPP
 

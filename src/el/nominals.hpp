@@ -23,8 +23,8 @@ namespace geminga::el {
 
 /// What holds for one atom in the models in which it has an instance, which is all that holds for it.
 struct World {
-  bool is_possible = true;     ///< false: the atom is unsatisfiable, or the ontology inconsistent
-  std::vector<ExprId> above;   ///< the representatives of all atoms above it, itself and T included
+  bool is_possible = true;    ///< false: the atom is unsatisfiable, or the ontology inconsistent
+  std::vector<ExprId> above;  ///< the representatives of all atoms above it, itself and T included
 };
 
 /// Saturates with an instance of `root` beside all individuals. Nothing where it takes over `max_conclusions`.

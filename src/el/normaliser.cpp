@@ -162,7 +162,8 @@ Construct Normaliser::add_chain(const Term& chain, TermId super) {
 
 Construct Normaliser::add_object_property_axiom(const Axiom& axiom) {
   const auto arguments = axiom.arguments;
-  if (axiom.kind == AxiomKind::sub_object_property_of && source_.kind(arguments[0]) == TermKind::object_property_chain) {
+  if (axiom.kind == AxiomKind::sub_object_property_of &&
+      source_.kind(arguments[0]) == TermKind::object_property_chain) {
     return add_chain(source_.term(arguments[0]), arguments[1]);
   }
   const Property first = property(arguments[0]);

@@ -13,8 +13,8 @@
 
 namespace geminga::el {
 
-/// Rewrites axioms one by one into an index. Everything it adds follows from the axioms (over names of its own), so that
-/// whatever is derived is sound; where it returns Construct::none, nothing of the axiom is lost.
+/// Rewrites axioms one by one into an index. Everything it adds follows from the axioms (over names of its own), so
+/// that whatever is derived is sound; where it returns Construct::none, nothing of the axiom is lost.
 ///
 /// An expression that EL has no rules for becomes an atom of its own, so that it is at least equal to itself.
 class Normaliser {
@@ -78,11 +78,11 @@ class Normaliser {
 
   const OntologySource& source_;
   Index& index_;
-  std::vector<std::uint32_t> exprs_;       ///< by term
-  std::vector<std::uint8_t> negative_;     ///< by term: 0 not used yet, else 1 + construct
+  std::vector<std::uint32_t> exprs_;    ///< by term
+  std::vector<std::uint8_t> negative_;  ///< by term: 0 not used yet, else 1 + construct
   std::vector<std::uint8_t> positive_;
-  std::vector<std::uint32_t> roles_;       ///< by term
-  std::vector<std::uint32_t> opaque_keys_; ///< all keys in a row
+  std::vector<std::uint32_t> roles_;        ///< by term
+  std::vector<std::uint32_t> opaque_keys_;  ///< all keys in a row
   std::vector<std::pair<std::uint32_t, std::uint32_t>> opaque_spans_;
   std::vector<ExprId> opaque_exprs_;
   NumberTable opaque_table_;

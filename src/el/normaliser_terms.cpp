@@ -188,9 +188,8 @@ ExprId Normaliser::opaque(TermKind kind, std::uint32_t limit, std::vector<std::u
   opaque_spans_.emplace_back(static_cast<std::uint32_t>(opaque_keys_.size()), static_cast<std::uint32_t>(key.size()));
   opaque_keys_.insert(opaque_keys_.end(), key.begin(), key.end());
   opaque_exprs_.push_back(index_.add_atom());
-  opaque_table_.insert(hash, entry, [&](std::uint32_t other) {
-    return XXH3_64bits(filed(other).data(), filed(other).size_bytes());
-  });
+  opaque_table_.insert(
+      hash, entry, [&](std::uint32_t other) { return XXH3_64bits(filed(other).data(), filed(other).size_bytes()); });
   return opaque_exprs_.back();
 }
 
@@ -318,7 +317,8 @@ Construct Normaliser::make_positive(TermId id) {
     }
     case TermKind::object_complement_of:
     case TermKind::data_complement_of: {
-      if (source_.kind(term.arguments[0]) == term.kind) return use_positive(source_.term(term.arguments[0]).arguments[0]);
+      if (source_.kind(term.arguments[0]) == term.kind)
+        return use_positive(source_.term(term.arguments[0]).arguments[0]);
       //  C < not D  is  C < X, X and D < F
       const ExprId clash = index_.conjunction({expr, expression(term.arguments[0])});
       index_.mark_negative(clash);

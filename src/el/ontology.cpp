@@ -13,15 +13,17 @@
 namespace geminga::el {
 
 struct Ontology::Mapped {
-  MappedFile file;               ///< one of these two owns the bytes
+  MappedFile file;  ///< one of these two owns the bytes
   std::vector<std::byte> bytes;
   CompiledView view;
-  std::vector<std::pair<std::string_view, std::string_view>> prefixes;       ///< sorted
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> equivalents;  ///< representative, another member; sorted
+  std::vector<std::pair<std::string_view, std::string_view>> prefixes;  ///< sorted
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> equivalents;     ///< representative, another member; sorted
 
-  [[nodiscard]] std::expected<std::unique_ptr<const Mapped>, CompiledError> static finish(std::unique_ptr<Mapped> mapped,
-                                                                                        std::span<const std::byte> all);
-  [[nodiscard]] std::uint32_t node(ClassNumber number) const { return view.representative[static_cast<std::size_t>(number)]; }
+  [[nodiscard]] std::expected<std::unique_ptr<const Mapped>, CompiledError> static finish(
+      std::unique_ptr<Mapped> mapped, std::span<const std::byte> all);
+  [[nodiscard]] std::uint32_t node(ClassNumber number) const {
+    return view.representative[static_cast<std::size_t>(number)];
+  }
   [[nodiscard]] bool is_unsatisfiable(std::uint32_t node) const { return node == view.representative[view.nothing]; }
   [[nodiscard]] std::optional<std::uint32_t> find_class(std::string_view iri) const;
   [[nodiscard]] std::vector<std::uint32_t> find_label(std::string_view label) const;
@@ -173,8 +175,8 @@ std::expected<ClassNumber, NameError> Ontology::find(std::string_view name) cons
   if (found.size() == 1) return ClassNumber{found.front()};
   if (found.size() > 1) {
     return name_error(Kind::ambiguous, "'" + shown + "' may be " + short_name(ClassNumber{found[0]}) + " or " +
-                                           short_name(ClassNumber{found[1]}) +
-                                           (found.size() > 2 ? " or another" : "") + ": say which");
+                                           short_name(ClassNumber{found[1]}) + (found.size() > 2 ? " or another" : "") +
+                                           ": say which");
   }
   if (colon != std::string_view::npos && !has_known_prefix && name.find("//") == std::string_view::npos) {
     std::string known;

@@ -27,9 +27,9 @@ class Printer {
 
 std::string Printer::nested(TermId id) const {
   const Term inner = source_.term(id);
-  const bool is_bare = inner.arguments.empty() || inner.kind == TermKind::literal || inner.kind == TermKind::object_one_of ||
-                       inner.kind == TermKind::data_one_of || inner.kind == TermKind::object_inverse_of ||
-                       inner.kind == TermKind::datatype_restriction;
+  const bool is_bare = inner.arguments.empty() || inner.kind == TermKind::literal ||
+                       inner.kind == TermKind::object_one_of || inner.kind == TermKind::data_one_of ||
+                       inner.kind == TermKind::object_inverse_of || inner.kind == TermKind::datatype_restriction;
   return is_bare ? term(id) : "(" + term(id) + ")";
 }
 

@@ -18,8 +18,8 @@ using ShortName = std::function<std::string(std::string_view iri)>;
 /// "soccer:SharedBallInfo SubClassOf soccer:BallInfo".
 [[nodiscard]] std::string print(const OntologySource& source, const Axiom& axiom, const ShortName& short_name);
 
-/// `prefix:local` by the longest of the given prefix IRIs after which a plain local name is left, else `<iri>`. A prefix
-/// that is given for two IRIs is not used. `prefixes` are (word, IRI), sorted.
+/// `prefix:local` by the longest of the given prefix IRIs after which a plain local name is left, else `<iri>`. A
+/// prefix that is given for two IRIs is not used. `prefixes` are (word, IRI), sorted.
 [[nodiscard]] std::string shorten(std::string_view iri,
                                   std::span<const std::pair<std::string_view, std::string_view>> prefixes);
 

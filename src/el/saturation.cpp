@@ -122,7 +122,8 @@ void Saturation::process_subsumer(std::uint32_t context, ExprId subsumer) {
   //  C < D
   //  -------- [D < R some E is told]
   //  C -R-> E
-  for (const LinkRule& link : index_.links(subsumer)) add_link(context, link.role, require(index_.link_root(link.target)));
+  for (const LinkRule& link : index_.links(subsumer))
+    add_link(context, link.role, require(index_.link_root(link.target)));
 
   //  C < D
   //  ---------- [D < R Self is told]

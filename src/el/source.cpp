@@ -38,6 +38,12 @@ void OntologySource::fail(std::string text) {
   if (!problem_) problem_ = std::move(text);
 }
 
+std::span<const TermKind> OntologySource::kinds_of(std::span<const TermId> arguments) {
+  kinds_.clear();
+  for (const TermId argument : arguments) kinds_.push_back(kind(argument));
+  return kinds_;
+}
+
 NameId OntologySource::intern(std::string_view name, std::size_t max_bytes) {
   if (name.size() > max_bytes) {
     fail("a name or literal of " + std::to_string(name.size()) + " bytes is over the limit of " +
@@ -97,7 +103,7 @@ TermId OntologySource::intern_term(TermKind kind, NameId name, std::uint32_t num
     if (terms_.size() > 1) return thing_term;  // some valid term must come back
   }
   std::uint32_t depth = 0;
-  bool well_formed = is_well_formed(*this, kind, arguments);
+  bool well_formed = is_well_formed(kind, kinds_of(arguments));
   for (const TermId argument : arguments) {
     const TermRecord& record = terms_[static_cast<std::size_t>(argument)];
     depth = std::max(depth, record.depth + 1U);
@@ -144,7 +150,7 @@ TermId OntologySource::term(TermKind kind, std::span<const TermId> arguments, st
 void OntologySource::add(AxiomKind kind, std::span<const TermId> arguments, FileId file, std::uint32_t line) {
   GEMINGA_ASSERT(static_cast<std::size_t>(file) < files_.size());
   if (problem_) return;
-  bool well_formed = is_well_formed(*this, kind, arguments);
+  bool well_formed = is_well_formed(kind, kinds_of(arguments));
   std::uint32_t depth = 0;
   for (const TermId argument : arguments) {
     const TermRecord& record = terms_[static_cast<std::size_t>(argument)];

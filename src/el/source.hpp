@@ -134,6 +134,7 @@ class OntologySource {
   NameId intern(std::string_view name, std::size_t max_bytes);
   TermId intern_term(TermKind kind, NameId name, std::uint32_t number, std::span<const TermId> arguments);
   void fail(std::string text);
+  [[nodiscard]] std::span<const TermKind> kinds_of(std::span<const TermId> arguments);
 
   SourceLimits limits_;
   std::optional<std::string> problem_;
@@ -142,6 +143,7 @@ class OntologySource {
   NumberTable name_table_;
   std::vector<TermRecord> terms_;
   std::vector<TermId> term_arguments_;
+  std::vector<TermKind> kinds_;  ///< room for kinds_of()
   NumberTable term_table_;
   std::vector<AxiomRecord> axioms_;
   std::vector<TermId> axiom_arguments_;
@@ -157,10 +159,10 @@ class OntologySource {
 [[nodiscard]] bool is_data_range(TermKind kind);
 [[nodiscard]] bool is_individual(TermKind kind);
 
-/// Whether a term or axiom of this kind may have these arguments. Readers need not ask: term() refuses nothing but
-/// marks what is not well-formed, and add() leaves out an axiom that holds such a term.
-[[nodiscard]] bool is_well_formed(const OntologySource& source, TermKind kind, std::span<const TermId> arguments);
-[[nodiscard]] bool is_well_formed(const OntologySource& source, AxiomKind kind, std::span<const TermId> arguments);
+/// Whether a term or axiom of this kind may have arguments of these kinds. Readers need not ask: term() refuses nothing
+/// but marks what is not well-formed, and add() leaves out an axiom that holds such a term.
+[[nodiscard]] bool is_well_formed(TermKind kind, std::span<const TermKind> arguments);
+[[nodiscard]] bool is_well_formed(AxiomKind kind, std::span<const TermKind> arguments);
 
 }  // namespace geminga::el
 

@@ -43,7 +43,8 @@ void SubsumptionGraph::close_top() {
 
 void SubsumptionGraph::find_nodes(std::span<const ExprId> exprs, Classification& classification) {
   const Rows<std::uint32_t> up(index_.size(), edges_);
-  Components found = find_components(static_cast<std::uint32_t>(index_.size()), [&](std::uint32_t id) { return up[id]; });
+  Components found =
+      find_components(static_cast<std::uint32_t>(index_.size()), [&](std::uint32_t id) { return up[id]; });
   component_ = std::move(found.component);
   component_count_ = found.count;
 
@@ -87,10 +88,10 @@ void SubsumptionGraph::find_candidates(std::span<const ExprId> exprs, const Clas
   edges_.shrink_to_fit();
   Rows<std::uint32_t> up(component_count_, component_edges);
   up.sort_unique();
-  const std::uint32_t top = static_cast<std::uint32_t>(
-      classification.representative[static_cast<std::size_t>(classification.thing)]);
-  const std::uint32_t nothing = static_cast<std::uint32_t>(
-      classification.representative[static_cast<std::size_t>(classification.nothing)]);
+  const std::uint32_t top =
+      static_cast<std::uint32_t>(classification.representative[static_cast<std::size_t>(classification.thing)]);
+  const std::uint32_t nothing =
+      static_cast<std::uint32_t>(classification.representative[static_cast<std::size_t>(classification.nothing)]);
 
   // Atoms that no class is equivalent to stand between classes: what is above them is above those below them.
   std::vector<std::vector<std::uint32_t>> above_unnamed(component_count_);

@@ -31,10 +31,10 @@ class SubsumptionGraph {
 
   const Index& index_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_;
-  std::vector<bool> is_unsatisfiable_;                             ///< by atom
-  std::vector<std::uint32_t> component_;                           ///< by atom
+  std::vector<bool> is_unsatisfiable_;    ///< by atom
+  std::vector<std::uint32_t> component_;  ///< by atom
   std::uint32_t component_count_ = 0;
-  std::vector<std::uint32_t> class_of_component_;                  ///< the representative class, or none
+  std::vector<std::uint32_t> class_of_component_;                    ///< the representative class, or none
   std::vector<std::pair<std::uint32_t, std::uint32_t>> candidates_;  ///< class, class right above or higher
 };
 

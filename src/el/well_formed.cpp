@@ -6,28 +6,24 @@
 namespace geminga::el {
 namespace {
 
-using Arguments = std::span<const TermId>;
-
 /// Looks at the kinds of a list of arguments.
 class Shape {
  public:
-  Shape(const OntologySource& source, Arguments arguments) : source_(source), arguments_(arguments) {}
+  explicit Shape(std::span<const TermKind> arguments) : arguments_(arguments) {}
 
   [[nodiscard]] bool has(std::size_t count) const { return arguments_.size() == count; }
   [[nodiscard]] bool has_at_least(std::size_t count) const { return arguments_.size() >= count; }
   template <typename Test>
   [[nodiscard]] bool at(std::size_t index, Test&& test) const {
-    return index < arguments_.size() && test(source_.kind(arguments_[index]));
+    return index < arguments_.size() && test(arguments_[index]);
   }
   template <typename Test>
   [[nodiscard]] bool all(Test&& test, std::size_t from = 0) const {
-    return std::ranges::all_of(arguments_.subspan(std::min(from, arguments_.size())),
-                               [&](TermId id) { return test(source_.kind(id)); });
+    return std::ranges::all_of(arguments_.subspan(std::min(from, arguments_.size())), test);
   }
 
  private:
-  const OntologySource& source_;
-  Arguments arguments_;
+  std::span<const TermKind> arguments_;
 };
 
 constexpr auto is = [](TermKind wanted) { return [wanted](TermKind kind) { return kind == wanted; }; };
@@ -50,8 +46,8 @@ bool is_data_range(TermKind kind) {
 
 bool is_individual(TermKind kind) { return kind == TermKind::individual || kind == TermKind::anonymous_individual; }
 
-bool is_well_formed(const OntologySource& source, TermKind kind, std::span<const TermId> arguments) {
-  const Shape shape(source, arguments);
+bool is_well_formed(TermKind kind, std::span<const TermKind> arguments) {
+  const Shape shape(arguments);
   switch (kind) {
     case TermKind::named_class:
     case TermKind::object_property:
@@ -112,8 +108,8 @@ bool is_well_formed(const OntologySource& source, TermKind kind, std::span<const
   return false;
 }
 
-bool is_well_formed(const OntologySource& source, AxiomKind kind, std::span<const TermId> arguments) {
-  const Shape shape(source, arguments);
+bool is_well_formed(AxiomKind kind, std::span<const TermKind> arguments) {
+  const Shape shape(arguments);
   const auto is_property = [](TermKind term) {
     return is_object_property_expression(term) || term == TermKind::data_property;
   };

@@ -1,10 +1,11 @@
 // Random ontologies: the reasoner against the naive one, whatever the order of axioms, and every explanation checked.
+#include "base/random.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <sstream>
 
-#include "base/random.hpp"
 #include "el/compile.hpp"
 #include "el/entailment.hpp"
 #include "reference.hpp"
@@ -48,7 +49,8 @@ TEST(RandomOntologies, AreClassifiedAsByTheNaiveReasoner) {
       ASSERT_EQ(found, expected);
     } else {
       const bool is_sound = is_part(found, expected) || expected == std::vector<std::string>{"inconsistent"};
-      ASSERT_TRUE(is_sound || std::ranges::any_of(expected, [](const auto& line) { return line.ends_with("Nothing"); }));
+      ASSERT_TRUE(is_sound ||
+                  std::ranges::any_of(expected, [](const auto& line) { return line.ends_with("Nothing"); }));
     }
   }
   EXPECT_GT(complete, 150);

@@ -151,7 +151,8 @@ class Reference {
         changed |= add_self(at, shape.arguments[0]);
       }
     } else if (shape.kind == TermKind::object_intersection_of) {
-      if (std::ranges::all_of(shape.arguments, [&](TermId part) { return known.contains(part); })) changed |= add(at, term);
+      if (std::ranges::all_of(shape.arguments, [&](TermId part) { return known.contains(part); }))
+        changed |= add(at, term);
     } else if (shape.kind == TermKind::object_some_values_from) {
       for (const auto& [from, role, to] : links_) {
         if (from == at && elements_[to].contains(shape.arguments[1]) && is_sub_role(role, shape.arguments[0])) {
@@ -252,8 +253,9 @@ class Generator {
       case 3:
         return "SubObjectPropertyOf(" + role() + " " + role() + ")";
       case 4:
-        return random_.chance(0.5) ? "SubObjectPropertyOf(ObjectPropertyChain(" + role() + " " + role() + ") " + role() + ")"
-                                   : "TransitiveObjectProperty(" + role() + ")";
+        return random_.chance(0.5)
+                   ? "SubObjectPropertyOf(ObjectPropertyChain(" + role() + " " + role() + ") " + role() + ")"
+                   : "TransitiveObjectProperty(" + role() + ")";
       case 5:
         return random_.chance(0.3) ? "ReflexiveObjectProperty(" + role() + ")"
                                    : "ObjectPropertyDomain(" + role() + " " + name() + ")";

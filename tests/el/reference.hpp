@@ -1,5 +1,5 @@
-// A second, slow reasoner that shares nothing with the first but the axioms: the rules of EL over sets of terms, applied
-// everywhere until nothing changes.
+// A second, slow reasoner that shares nothing with the first but the axioms: the rules of EL over sets of terms,
+// applied everywhere until nothing changes.
 #ifndef GEMINGA_TESTS_EL_REFERENCE_HPP
 #define GEMINGA_TESTS_EL_REFERENCE_HPP
 

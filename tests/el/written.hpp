@@ -14,8 +14,9 @@ namespace geminga::el {
 
 /// One axiom a line, e.g. `SubClassOf(A ObjectSomeValuesFrom(r B))`; line numbers are those of the text, `#` is a
 /// comment. Upper case names are classes, lower case ones object properties, `d:x` data properties, `i:x` individuals,
-/// `_:x` blank nodes, `x:integer` XML Schema datatypes, `"1"^x:integer` literals, numbers are cardinalities. `Thing` and
-/// `Nothing` are OWL's; other names are in `t:` = https://t.example/#. What cannot be read fails the test that asks.
+/// `_:x` blank nodes, `x:integer` XML Schema datatypes, `"1"^x:integer` literals, numbers are cardinalities. `Thing`
+/// and `Nothing` are OWL's; other names are in `t:` = https://t.example/#. What cannot be read fails the test that
+/// asks.
 OntologySource written(std::string_view text, const std::string& path = "written.ofn");
 /// Adds to a source.
 void write_into(OntologySource& source, std::string_view text, const std::string& path);
