@@ -22,6 +22,10 @@ bool is_web(std::string_view line) {
          (last_word != std::string_view::npos && line.substr(last_word + 1).starts_with("HTTP/"));
 }
 
+/// What is said to a peer within one event is written together, but not more than this: Env, which knows what is still
+/// unread, closes a client for which too much waits.
+constexpr std::size_t max_outbox_bytes = std::size_t{256} * 1024;
+
 }  // namespace
 
 /// Handles one event at a time; settle() ends each of them.
@@ -184,11 +188,14 @@ class Participant::State {
       core.refuse(session, statement.error().id, statement.error().error);
       return;
     }
+    const std::uint64_t events_before = core.counters.events;
     const auto request = gcnp::read_request(*statement);
     const Refusal refusal = request ? handle(core, session, statement->id, *request) : Refusal(request.error());
     if (refusal) core.refuse(session, statement->id, *refusal);
     // Now, so that an answer to what comes next stands behind the events of this.
     core.deliver_events();
+    session.gate.charge((core.counters.events - events_before) / work_per_statement);
+    if (session.outbox_bytes() > max_outbox_bytes) core.env.write(session.stream(), session.take_outbox());
   }
 
   void claimed() {

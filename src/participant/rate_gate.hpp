@@ -2,6 +2,7 @@
 #ifndef GEMINGA_PARTICIPANT_RATE_GATE_HPP
 #define GEMINGA_PARTICIPANT_RATE_GATE_HPP
 
+#include <algorithm>
 #include <cstddef>
 
 #include "base/time.hpp"
@@ -28,6 +29,12 @@ class RateGate {
     ++seen_;
     if (seen_ <= limit_) return Verdict::pass;
     return seen_ - limit_ <= flood_ ? Verdict::refuse : Verdict::flood;
+  }
+
+  /// Counts the work that a statement made, beyond the statement itself, as if it had been so many more. Never makes a
+  /// flood by itself: only lines do.
+  void charge(std::size_t statements) {
+    if (seen_ < limit_) seen_ += std::min(statements, limit_ - seen_);
   }
 
  private:

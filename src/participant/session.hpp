@@ -65,6 +65,7 @@ class Session {
 
   void say(const gcnp::Statement& statement) { outbox_ += gcnp::to_line(statement); }
   void say(std::uint32_t id, const Error& error) { outbox_ += gcnp::to_line(id, error); }
+  [[nodiscard]] std::size_t outbox_bytes() const { return outbox_.size(); }
   /// Everything said since the last call, to be written at once.
   [[nodiscard]] std::string take_outbox();
 

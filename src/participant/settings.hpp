@@ -29,6 +29,10 @@ struct Limits {
   std::size_t held_bytes = 1024 * 1024;
 };
 
+/// Events that a statement caused, and entries that a query looked through, count as one more statement each time that
+/// they come to so many: a peer cannot make the daemon work without end for others to wait.
+inline constexpr std::size_t work_per_statement = 4;
+
 struct Settings {
   /// What the team calls this participant, e.g. the host's name: beacon::is_valid_name(). Empty: its identifier is its
   /// name.

@@ -25,5 +25,16 @@ TEST(RateGate, ForgivesAfterASecondAndNotBefore) {
   EXPECT_EQ(gate.count(start + milliseconds(1000)), Verdict::pass);
 }
 
+TEST(RateGate, CountsWorkAsStatementsButNeverAsAFlood) {
+  RateGate gate(10, 1);
+  const base::Instant start{};
+  EXPECT_EQ(gate.count(start), Verdict::pass);
+  gate.charge(8);
+  EXPECT_EQ(gate.count(start), Verdict::pass);
+  gate.charge(1000);
+  EXPECT_EQ(gate.count(start), Verdict::refuse);
+  EXPECT_EQ(gate.count(start + milliseconds(1000)), Verdict::pass);
+}
+
 }  // namespace
 }  // namespace geminga::participant

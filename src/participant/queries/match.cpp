@@ -51,6 +51,12 @@ std::vector<matching::Ranked> match_any(const Core& core, const gcnp::QueryMatch
   return found;
 }
 
+std::size_t publication_count(const Core& core) {
+  std::size_t count = 0;
+  core.matcher.for_each_publication([&](const auto&) { ++count; });
+  return count;
+}
+
 }  // namespace
 
 Answered answer(Core& core, const gcnp::QueryMatch& query) {
@@ -75,9 +81,10 @@ Answered answer(Core& core, const gcnp::QueryMatch& query) {
   } else {
     found = match_any(core, query, request);
   }
+  const std::size_t looked_through = query.identity ? found.size() : publication_count(core);
   std::ranges::sort(found, is_better);
   if (query.limit != 0 && found.size() > query.limit) found.resize(query.limit);
-  Answer answer{.kind = "match", .lines = {}, .end = {}};
+  Answer answer{.kind = "match", .lines = {}, .end = {}, .looked_through = looked_through};
   for (const matching::Ranked& one : found) answer.lines.push_back(line_of(core, one));
   return answer;
 }

@@ -24,6 +24,8 @@ struct Answer {
   std::string kind;
   std::vector<Line> lines;
   Line end;
+  /// Entries that were looked through for it: what the query cost, found or not.
+  std::size_t looked_through = 0;
 };
 using Answered = std::expected<Answer, Error>;
 

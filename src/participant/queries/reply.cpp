@@ -15,6 +15,7 @@ std::optional<Error> reply(Session& session, std::uint32_t id, const Answered& a
   append(statement.parameters, "count", answered->lines.size());
   statement.parameters.insert(statement.parameters.end(), answered->end.begin(), answered->end.end());
   session.say(statement);
+  session.gate.charge(answered->looked_through / work_per_statement);
   return std::nullopt;
 }
 

@@ -37,6 +37,7 @@ Answered answer(Core& core, const gcnp::QueryRequests& query) {
   if (!sieve) return std::unexpected(sieve.error());
   Answer answer{.kind = "requests", .lines = {}, .end = {}};
   core.matcher.for_each_subscription([&](const registry::SubscriptionEntry& entry) {
+    ++answer.looked_through;
     if (query.unmatched && core.matcher.is_served(entry)) return;
     if (!sieve->passes(entry.key, entry.participant_name, entry.peer_name, entry.subscription.identity,
                        entry.subscription.mode)) {

@@ -28,6 +28,7 @@ Answered answer(Core& core, const gcnp::QueryServices& query) {
   if (!sieve) return std::unexpected(sieve.error());
   Answer answer{.kind = "services", .lines = {}, .end = {}};
   core.matcher.for_each_publication([&](const registry::PublicationEntry& entry) {
+    ++answer.looked_through;
     if (query.unused && core.matcher.is_used(entry)) return;
     if (!sieve->passes(entry.key, entry.participant_name, entry.peer_name, entry.publication.identity,
                        entry.publication.mode)) {

@@ -60,7 +60,8 @@ Answered answer(Core& core, const gcnp::QueryStatus&) {
   if (core.status_source) {
     for (gcnp::Parameter& parameter : core.status_source()) line.push_back(std::move(parameter));
   }
-  return Answer{.kind = "status", .lines = {std::move(line)}, .end = {}};
+  return Answer{
+      .kind = "status", .lines = {std::move(line)}, .end = {}, .looked_through = publications + subscriptions};
 }
 
 }  // namespace geminga::participant
