@@ -29,9 +29,16 @@ StopSignals::StopSignals() {
 }
 
 StopSignals::~StopSignals() {
+  take_pending();  // or it would end the program as soon as it is unblocked
   if (signals_ >= 0) close(signals_);
   const sigset_t set = stopping();
   sigprocmask(SIG_UNBLOCK, &set, nullptr);
+}
+
+void StopSignals::take_pending() const {
+  signalfd_siginfo pending{};
+  while (read(signals_, &pending, sizeof pending) == sizeof pending) {
+  }
 }
 
 StopSignals::Woken StopSignals::wait(int descriptor, std::optional<std::chrono::milliseconds> timeout) const {

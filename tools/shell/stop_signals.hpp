@@ -18,10 +18,13 @@ class StopSignals {
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
 
-  /// Waits until a signal comes, `descriptor` (-1: none) is readable or the time is over; nothing: without end.
+  /// Waits until a signal has come (then every later call says so, too), `descriptor` (-1: none) is readable or the
+  /// time is over; nothing: without end.
   [[nodiscard]] Woken wait(int descriptor, std::optional<std::chrono::milliseconds> timeout) const;
 
  private:
+  void take_pending() const;
+
   int signals_ = -1;
 };
 

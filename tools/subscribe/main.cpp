@@ -60,7 +60,9 @@ void add_to(CLI::App& app, Options& options) {
       ->type_name("1..65535")
       ->check(CLI::Range(1, 65535).description(""));
   app.add_option("--address", options.subscription.address, "Its IP address; told to the provider");
-  app.add_option("--count", options.count, "End after this many events")->type_name("N");
+  app.add_option("--count", options.count, "End after this many events; 0: never")
+      ->type_name("N")
+      ->check(CLI::Range(0.0, 1e15).description(""));  // the sign of an unsigned number is not looked at otherwise
   app.add_option("--name", options.name, "The name of this peer (geminga-subscribe unless told)")->type_name("PEER");
   app.add_flag("--keep", options.is_kept, "When the daemon goes, wait for it and ask again");
 }

@@ -1,0 +1,81 @@
+// geminga-publish against a real daemon.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "tools/clients/bench.hpp"
+
+namespace geminga::tools {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Publish, OffersUntilItIsEnded) {
+  Bench bench;
+  Talk consumer = bench.talk();
+  consumer.say("1 sub create mode=otm/stream concept=soccer:TrackedObject");
+  auto publish = bench.start("geminga-publish",
+                             {"soccer:BallInfo", "--representation", "soccer:CartesianFieldFrame", "--port", "5000",
+                              "--priority", "-2", "--protocol", "tcp", "--name", "eye", "rate=30", "lens=wide angle"});
+  const auto added = consumer.line_with({"1 pub add"});
+  ASSERT_TRUE(added) << publish->said();
+  for (const char* part :
+       {"name=eye", "concept=soccer:BallInfo", "representation=soccer:CartesianFieldFrame", "port=5000", "priority=-2",
+        "protocol=tcp", "rate=30", "lens=\"wide angle\"", "mode=otm/stream"}) {
+    EXPECT_THAT(*added, HasSubstr(part));
+  }
+  publish->signal(SIGTERM);
+  EXPECT_EQ(publish->wait(), 0) << publish->said();
+  EXPECT_TRUE(consumer.line_with({"1 pub del", "reason=withdrawn"}));
+}
+
+TEST(Publish, PrintsItsConsumers) {
+  Bench bench;
+  auto publish =
+      bench.start("geminga-publish", {"--text", "camera", "--mode", "otm/pubsub", "--port", "5000", "--json"});
+  ASSERT_TRUE(publish->wait_for("\"event\":\"offered\"")) << publish->said();
+  Talk consumer = bench.talk();
+  consumer.say("0 sys hello name=world");
+  consumer.say("1 sub create mode=otm/pubsub text=camera port=6000");
+  ASSERT_TRUE(publish->wait_for("\"event\":\"add\"")) << publish->said();
+  EXPECT_THAT(publish->said(), HasSubstr("\"name\":\"world\""));
+  consumer.say("1 sub remove");
+  ASSERT_TRUE(publish->wait_for("\"reason\":\"withdrawn\"")) << publish->said();
+  publish->signal(SIGINT);
+  EXPECT_EQ(publish->wait(), 0);
+}
+
+TEST(Publish, EndsWithTwoOnANameThatTheOntologyDoesNotKnow) {
+  Bench bench;
+  const auto outcome = bench.run("geminga-publish", {"soccer:Bal", "--port", "5000"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("soccer:Bal"));
+  EXPECT_EQ(bench.run("geminga-publish", {"--text", "x", "--port", "5000", "--address", "robot2"}).status, 2);
+  EXPECT_EQ(bench.run("geminga-publish", {"--text", "x", "--port", "5000", "service=mine"}).status, 2);
+}
+
+TEST(Publish, EndsWithThreeWhenTheDaemonGoes) {
+  Bench bench;
+  auto publish = bench.start("geminga-publish", {"--text", "camera", "--port", "5000"});
+  ASSERT_TRUE(publish->wait_for("offering"));
+  bench.stop_daemon();
+  EXPECT_EQ(publish->wait(), 3);
+}
+
+TEST(Publish, OffersAgainWhenTheDaemonIsBackAndItIsKept) {
+  Bench bench;
+  auto publish = bench.start("geminga-publish", {"--text", "camera", "--port", "5000", "--keep"});
+  ASSERT_TRUE(publish->wait_for("offering"));
+  publish->forget();
+  bench.stop_daemon();
+  ASSERT_TRUE(publish->wait_for("trying again")) << publish->said();
+  bench.start_daemon();
+  ASSERT_TRUE(publish->wait_for("offering")) << publish->said();
+  EXPECT_EQ(bench.query({"services", "camera"}).status, 0);
+  publish->signal(SIGTERM);
+  EXPECT_EQ(publish->wait(), 0);
+}
+
+}  // namespace
+}  // namespace geminga::tools

@@ -1,0 +1,254 @@
+// geminga-query against a real daemon: what each command prints, as words and as JSON, and how it ends.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <boost/json/array.hpp>
+#include <boost/json/object.hpp>
+#include <cstdlib>
+
+#include "tools/clients/bench.hpp"
+
+namespace geminga::tools {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+/// A ball in two kinds, who wants one, and who wants what nobody has.
+class Query : public testing::Test {
+ protected:
+  Query() {
+    peer_.say("0 sys hello name=vision");
+    peer_.say(
+        "1 pub create mode=otm/stream concept=soccer:SharedBallInfo port=5000 priority=3 rate=30 lens=\"wide angle\"");
+    peer_.say("2 pub create mode=oto text=lonely port=5001 address=10.0.0.9");
+    peer_.say("3 sub create mode=otm/stream concept=soccer:TrackedObject where=\"rate > 10\"");
+    peer_.say("4 sub create mode=oto id=77");
+    EXPECT_TRUE(peer_.line_with({"3 pub add"}));
+    EXPECT_THAT(peer_.lines_until_pong(), IsEmpty());
+  }
+
+  std::string word(const std::vector<std::string>& query, const char* key) {
+    return bench_.json(query).at(0).at(key).as_string().c_str();
+  }
+
+  Bench bench_;
+  Talk peer_ = bench_.talk();
+};
+
+TEST_F(Query, ListsParticipants) {
+  const auto shown = bench_.query({"participants"});
+  EXPECT_EQ(shown.status, 0);
+  EXPECT_THAT(shown.out, HasSubstr("robot0"));
+  const auto all = bench_.json({"participants"});
+  ASSERT_EQ(all.as_array().size(), 1U);
+  const auto& self = all.at(0).as_object();
+  EXPECT_EQ(self.at("name"), "robot0");
+  EXPECT_EQ(self.at("self"), true);
+  EXPECT_EQ(self.at("publications").as_int64(), 2);
+  EXPECT_EQ(self.at("subscriptions").as_int64(), 2);
+  EXPECT_TRUE(self.at("addresses").is_array());
+  EXPECT_TRUE(self.at("id").is_string());
+  EXPECT_TRUE(self.at("interval").is_number());
+}
+
+TEST_F(Query, ListsServices) {
+  const auto shown = bench_.query({"services"});
+  EXPECT_EQ(shown.status, 0);
+  EXPECT_THAT(shown.out, StartsWith("PROVIDER"));
+  EXPECT_THAT(shown.out, HasSubstr("vision@robot0"));
+  EXPECT_THAT(shown.out, HasSubstr("soccer:SharedBallInfo"));
+  EXPECT_THAT(shown.out, HasSubstr("lens=\"wide angle\" rate=30"));
+  EXPECT_THAT(shown.out, HasSubstr("10.0.0.9:5001"));
+  const auto ball = bench_.json({"services", "mode=otm/stream"}).at(0).as_object();
+  EXPECT_EQ(ball.at("concept"), "soccer:SharedBallInfo");
+  EXPECT_EQ(ball.at("port").as_int64(), 5000);
+  EXPECT_EQ(ball.at("priority").as_int64(), 3);
+  EXPECT_EQ(ball.at("used"), true);
+  EXPECT_EQ(ball.at("attributes").at("rate"), "30");
+}
+
+TEST_F(Query, FiltersServicesByWords) {
+  const auto count = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), "services");
+    return bench_.json(words).as_array().size();
+  };
+  EXPECT_EQ(count({}), 2U);
+  EXPECT_EQ(count({"lonely"}), 1U);
+  EXPECT_EQ(count({"vision"}), 2U);
+  EXPECT_EQ(count({"vision", "wide"}), 1U);
+  EXPECT_EQ(count({"rate=30"}), 1U);
+  EXPECT_EQ(count({"rate=31"}), 0U);
+  EXPECT_EQ(count({"mode=oto"}), 1U);
+  EXPECT_EQ(count({"concept=soccer:TrackedObject"}), 1U);
+  EXPECT_EQ(count({"provider=robot0/vision"}), 2U);
+  EXPECT_EQ(count({"provider=robot1"}), 0U);
+  const auto nothing = bench_.query({"services", "nowhere"});
+  EXPECT_EQ(nothing.status, 1);
+  EXPECT_THAT(nothing.out, IsEmpty());
+  EXPECT_THAT(nothing.errors, StartsWith("geminga-query: no such service is known: "));
+  EXPECT_EQ(bench_.query({"services", "mode=otm"}).status, 2) << "the daemon's 400";
+}
+
+TEST_F(Query, ListsRequestsAndWhatIsMissingOrLeftOver) {
+  EXPECT_EQ(bench_.json({"requests"}).as_array().size(), 2U);
+  const auto unmatched = bench_.json({"requests", "--unmatched"}).as_array();
+  ASSERT_EQ(unmatched.size(), 1U);
+  EXPECT_EQ(unmatched.at(0).at("id").as_int64(), 77);
+  EXPECT_EQ(unmatched.at(0).at("served"), false);
+  const auto unused = bench_.json({"requests", "--unused"}).as_array();
+  ASSERT_EQ(unused.size(), 1U);
+  EXPECT_EQ(unused.at(0).at("text"), "lonely");
+  EXPECT_THAT(bench_.query({"requests"}).out, HasSubstr("rate > 10"));
+  peer_.say("4 sub remove");
+  peer_.say("2 pub remove");
+  EXPECT_THAT(peer_.lines_until_pong(), IsEmpty());
+  EXPECT_EQ(bench_.query({"requests", "--unmatched"}).status, 1);
+  EXPECT_EQ(bench_.query({"requests", "--unused"}).status, 1);
+}
+
+TEST_F(Query, RanksWhatMatches) {
+  peer_.say("5 pub create mode=oto concept=soccer:TrackedObject port=5002");
+  EXPECT_THAT(peer_.lines_until_pong(), IsEmpty());
+  const auto both = bench_.json({"match", "soccer:TrackedObject"}).as_array();
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_EQ(both.at(0).at("degree"), "narrower") << "priority is the first of arbitration";
+  EXPECT_EQ(both.at(1).at("degree"), "exact");
+  EXPECT_EQ(both.at(1).at("distance").as_int64(), 0);
+  EXPECT_EQ(bench_.json({"match", "soccer:TrackedObject", "--degree", "exact"}).as_array().size(), 1U);
+  EXPECT_EQ(bench_.json({"match", "soccer:TrackedObject", "--mode", "otm/stream"}).as_array().size(), 1U);
+  EXPECT_EQ(bench_.json({"match", "soccer:TrackedObject", "--limit", "1"}).as_array().size(), 1U);
+  EXPECT_EQ(bench_.json({"match", "soccer:TrackedObject", "--where", "rate = 30"}).as_array().size(), 1U);
+  EXPECT_EQ(bench_.json({"match", "--text", "lonely"}).as_array().size(), 1U);
+  EXPECT_EQ(bench_.json({"match"}).as_array().size(), 3U);
+  EXPECT_THAT(bench_.query({"match", "soccer:TrackedObject"}).out, StartsWith("DEGREE"));
+  EXPECT_EQ(bench_.query({"match", "--id", "0x4d"}).status, 1) << "asked for, and not offered";
+}
+
+TEST_F(Query, EndsWithTwoOnANameThatTheOntologyDoesNotKnow) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"match", "soccer:Bal"},
+                                                {"match", "soccer:BallInfo", "--representation", "soccer:Bal"},
+                                                {"explain", "soccer:Bal", "soccer:BallInfo"},
+                                                {"match", "soccer:BallInfo", "--where", "rate >"},
+                                                {"services", "concept=soccer:Bal"}}) {
+    const auto outcome = bench_.query(words);
+    EXPECT_EQ(outcome.status, 2) << words[1];
+    EXPECT_THAT(outcome.errors, StartsWith("geminga-query: ")) << words[1];
+    EXPECT_THAT(outcome.out, IsEmpty());
+  }
+}
+
+TEST_F(Query, ExplainsWithTheAxiomsAndWhereTheyStand) {
+  const auto yes = bench_.query({"explain", "soccer:SharedBallInfo", "soccer:TrackedObject"});
+  EXPECT_EQ(yes.status, 0);
+  EXPECT_THAT(yes.out, StartsWith("yes: "));
+  EXPECT_THAT(yes.out, HasSubstr("soccer:SharedBallInfo SubClassOf soccer:BallInfo"));
+  EXPECT_THAT(yes.out, HasSubstr("robot-soccer.ttl:"));
+  const auto no = bench_.query({"explain", "soccer:TrackedObject", "soccer:SharedBallInfo"});
+  EXPECT_EQ(no.status, 1);
+  EXPECT_THAT(no.out, StartsWith("no: "));
+  const auto document = bench_.json({"explain", "soccer:SharedBallInfo", "soccer:TrackedObject"});
+  EXPECT_EQ(document.at("subsumed"), true);
+  EXPECT_GE(document.at("axioms").as_array().size(), 2U);
+  EXPECT_TRUE(document.at("axioms").at(0).at("line").is_int64());
+  EXPECT_EQ(bench_.json({"explain", "soccer:TrackedObject", "soccer:SharedBallInfo"}).at("subsumed"), false);
+}
+
+TEST_F(Query, SaysWhyAPairMatchesOrNot) {
+  const std::string ball = word({"services", "mode=otm/stream"}, "service");
+  const std::string lonely = word({"services", "lonely"}, "service");
+  const std::string request = word({"requests", "mode=otm/stream"}, "subscription");
+  const auto yes = bench_.query({"why", request, ball});
+  EXPECT_EQ(yes.status, 0) << yes.errors;
+  EXPECT_THAT(yes.out, StartsWith("yes: "));
+  const auto no = bench_.query({"why", request, lonely});
+  EXPECT_EQ(no.status, 1);
+  EXPECT_THAT(no.out, StartsWith("no: "));
+  EXPECT_EQ(bench_.query({"why", request, "00000001/1/1"}).status, 1);
+  EXPECT_EQ(bench_.query({"why", request, "nonsense"}).status, 2);
+  const auto document = bench_.json({"why", request, ball});
+  EXPECT_EQ(document.at("matches"), true);
+  EXPECT_EQ(document.at("degree"), "narrower");
+  EXPECT_TRUE(document.at("checks").at(0).at("ok").is_bool());
+}
+
+TEST_F(Query, TellsOfTheOntologyAndTheStatus) {
+  const auto ontology = bench_.query({"ontology"});
+  EXPECT_EQ(ontology.status, 0);
+  EXPECT_THAT(ontology.out, HasSubstr("robot-soccer.ttl"));
+  const auto loaded = bench_.json({"ontology"});
+  EXPECT_EQ(loaded.at("loaded"), true);
+  EXPECT_GE(loaded.at("files").as_array().size(), 3U);
+  EXPECT_GT(loaded.at("classes").as_int64(), 100);
+  EXPECT_EQ(bench_.query({"status"}).status, 0);
+  const auto status = bench_.json({"status"});
+  EXPECT_EQ(status.at("state"), "ready");
+  EXPECT_TRUE(status.at("uptime").is_number());
+  EXPECT_TRUE(status.at("participant").is_string());
+}
+
+TEST_F(Query, PrintsNothingThatATerminalCouldObey) {
+  peer_.say("6 pub create mode=oto text=\"\u009b31mred\u202e\" port=1 note=\"\u2066\"");
+  EXPECT_THAT(peer_.lines_until_pong(), IsEmpty());
+  const auto shown = bench_.query({"services"});
+  const auto document = bench_.query({"services", "--json"});
+  for (const char* harmful : {"\u009b", "\u202e", "\u2066", "\x1b"}) {
+    EXPECT_THAT(shown.out, Not(HasSubstr(harmful)));
+    EXPECT_THAT(document.out, Not(HasSubstr(harmful)));
+  }
+  EXPECT_THAT(shown.out, HasSubstr("\ufffd31mred\ufffd"));
+  const auto services = parsed(document.out);
+  bool is_faithful = false;
+  for (const auto& service : services.as_array()) {
+    const auto* text = service.as_object().if_contains("text");
+    is_faithful = is_faithful || (text != nullptr && *text == "\u009b31mred\u202e");
+  }
+  EXPECT_TRUE(is_faithful) << document.out;
+}
+
+TEST_F(Query, UsesColourOnATerminalOnlyAndNeverWithNoColor) {
+  EXPECT_THAT(bench_.query({"services"}).out, Not(HasSubstr("\x1b[")));
+  for (const bool has_no_color : {false, true}) {
+    const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+    ASSERT_GE(terminal, 0);
+    ASSERT_EQ(::grantpt(terminal), 0);
+    ASSERT_EQ(::unlockpt(terminal), 0);
+    const std::string name = ::ptsname(terminal);
+    auto start = bench_.lab().on(0, {system::program("geminga-query"), "services"});
+    start.environment = {{"GEMINGA_CONNECT", "127.0.0.1:" + std::to_string(bench_.lab().gcnp_port(0))},
+                         {"TERM", "xterm"},
+                         {"NO_COLOR", has_no_color ? "1" : ""}};
+    start.before = [inner = start.before, &name] {
+      if (inner) inner();
+      ::dup2(::open(name.c_str(), O_RDWR | O_NOCTTY), STDOUT_FILENO);
+    };
+    const int keeps_open = ::open(name.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    EXPECT_EQ(system::run(start).status, 0);
+    std::array<char, 8192> shown{};
+    const auto size = ::read(terminal, shown.data(), shown.size());
+    ASSERT_GT(size, 0);
+    const std::string text(shown.data(), static_cast<std::size_t>(size));
+    EXPECT_THAT(text, HasSubstr("PROVIDER"));
+    EXPECT_EQ(text.find("\x1b[") != std::string::npos, !has_no_color) << text;
+    ::close(keeps_open);
+    ::close(terminal);
+  }
+}
+
+TEST(QueryWithoutOntology, SaysSo) {
+  system::Lab lab(1);
+  lab.start(0);
+  auto start = lab.on(0, {system::program("geminga-query"), "ontology"});
+  start.environment = {{"GEMINGA_CONNECT", "127.0.0.1:" + std::to_string(lab.gcnp_port(0))}};
+  const auto ran = system::run(start);
+  EXPECT_EQ(ran.status, 1);
+  EXPECT_THAT(ran.said, HasSubstr("start gemingad with --ontology"));
+}
+
+}  // namespace
+}  // namespace geminga::tools

@@ -1,0 +1,123 @@
+// geminga-subscribe against a real daemon.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <boost/json/object.hpp>
+#include <csignal>
+
+#include "tools/clients/bench.hpp"
+
+namespace geminga::tools {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+TEST(Subscribe, PrintsEventsUntilItsCount) {
+  Bench bench;
+  Talk provider = bench.talk();
+  provider.say("0 sys hello name=vision");
+  ASSERT_TRUE(provider.line_with({"0 msg hello"}));
+  provider.say("1 pub create mode=otm/stream concept=soccer:SharedBallInfo port=5000 rate=30");
+  EXPECT_THAT(provider.lines_until_pong(), IsEmpty());
+  const auto words = bench.run("geminga-subscribe", {"soccer:TrackedObject", "--count", "1"});
+  EXPECT_EQ(words.status, 0) << words.errors;
+  EXPECT_THAT(words.out, StartsWith("+ vision@robot0  soccer:SharedBallInfo  narrower 2  otm/stream  127.0.0.1:5000"));
+  const auto document = bench.run("geminga-subscribe", {"soccer:TrackedObject", "--count", "1", "--json"});
+  EXPECT_EQ(document.status, 0);
+  const auto event = parsed(document.out).as_object();
+  EXPECT_EQ(event.at("event"), "add");
+  EXPECT_EQ(event.at("concept"), "soccer:SharedBallInfo");
+  EXPECT_EQ(event.at("port").as_int64(), 5000);
+  EXPECT_EQ(event.at("attributes").at("rate"), "30");
+}
+
+TEST(Subscribe, PrintsWhatChangesAndWhatIsGone) {
+  Bench bench;
+  auto subscribe = bench.start("geminga-subscribe", {"soccer:BallInfo", "soccer:GoalInfo"});
+  Talk provider = bench.talk();
+  provider.say("1 pub create mode=otm/stream concept=soccer:BallInfo port=5000");
+  ASSERT_TRUE(subscribe->wait_for("+ ")) << subscribe->said();
+  provider.say("1 pub modify port=5001");
+  ASSERT_TRUE(subscribe->wait_for("~ ")) << subscribe->said();
+  provider.say("1 pub remove");
+  ASSERT_TRUE(subscribe->wait_for("  withdrawn\n")) << subscribe->said();
+  provider.say("2 pub create mode=otm/stream concept=soccer:GoalInfo port=5002");
+  ASSERT_TRUE(subscribe->wait_for("soccer:GoalInfo")) << subscribe->said();
+  subscribe->signal(SIGINT);
+  EXPECT_EQ(subscribe->wait(), 0);
+}
+
+TEST(Subscribe, EndsWithFourWhenItsTimeIsOverWithNothing) {
+  Bench bench;
+  const auto nothing = bench.run("geminga-subscribe", {"--text", "nothing", "--timeout", "0.05"});
+  EXPECT_EQ(nothing.status, 4);
+  EXPECT_THAT(nothing.out, IsEmpty());
+  Talk provider = bench.talk();
+  provider.say("1 pub create mode=otm/stream text=camera port=5000");
+  EXPECT_THAT(provider.lines_until_pong(), IsEmpty());
+  EXPECT_EQ(bench.run("geminga-subscribe", {"--text", "camera", "--timeout", "0.3"}).status, 0) << "something was told";
+  EXPECT_EQ(bench.run("geminga-subscribe", {"--text", "camera", "--timeout", "0.3", "--count", "2"}).status, 4)
+      << "less than was asked for";
+}
+
+TEST(Subscribe, AsksForProvidersDegreeWhereAndLimit) {
+  Bench bench;
+  Talk provider = bench.talk();
+  provider.say("0 sys hello name=vision");
+  ASSERT_TRUE(provider.line_with({"0 msg hello"}));
+  provider.say("1 pub create mode=otm/stream concept=soccer:SharedBallInfo port=5000 rate=30");
+  EXPECT_THAT(provider.lines_until_pong(), IsEmpty());
+  const auto status = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"soccer:BallInfo", "--count", "1", "--timeout", "0.3"});
+    return bench.run("geminga-subscribe", words).status;
+  };
+  EXPECT_EQ(status({}), 0);
+  EXPECT_EQ(status({"--degree", "exact"}), 4);
+  EXPECT_EQ(status({"--provider", "robot7,robot0/vision"}), 0);
+  EXPECT_EQ(status({"--provider", "robot7"}), 4);
+  EXPECT_EQ(status({"--where", "rate >= 30"}), 0);
+  EXPECT_EQ(status({"--where", "rate > 30"}), 4);
+  EXPECT_EQ(status({"--limit", "1"}), 0);
+  EXPECT_EQ(status({"--mode", "otm/pubsub"}), 4);
+}
+
+TEST(Subscribe, EndsWithTwoOnANameThatTheOntologyDoesNotKnow) {
+  Bench bench;
+  EXPECT_EQ(bench.run("geminga-subscribe", {"soccer:BallInfo", "soccer:Bal"}).status, 2);
+  EXPECT_EQ(bench.run("geminga-subscribe", {"soccer:BallInfo", "--where", "rate >"}).status, 2);
+}
+
+TEST(Subscribe, EndsWithThreeWhenTheDaemonGoes) {
+  Bench bench;
+  Talk provider = bench.talk();
+  provider.say("1 pub create mode=otm/stream text=camera port=5000");
+  EXPECT_THAT(provider.lines_until_pong(), IsEmpty());
+  auto subscribe = bench.start("geminga-subscribe", {"--text", "camera"});
+  ASSERT_TRUE(subscribe->wait_for("+ "));
+  bench.stop_daemon();
+  EXPECT_EQ(subscribe->wait(), 3);
+}
+
+TEST(Subscribe, AsksAgainWhenTheDaemonIsBackAndItIsKept) {
+  Bench bench;
+  auto subscribe = bench.start("geminga-subscribe", {"--text", "camera", "--keep"});
+  {
+    Talk provider = bench.talk();
+    provider.say("1 pub create mode=otm/stream text=camera port=5000");
+    ASSERT_TRUE(subscribe->wait_for("+ ")) << subscribe->said();
+  }
+  bench.stop_daemon();
+  ASSERT_TRUE(subscribe->wait_for("trying again")) << subscribe->said();
+  subscribe->forget();
+  bench.start_daemon();
+  Talk provider = bench.talk();
+  provider.say("1 pub create mode=otm/stream text=camera port=5000");
+  ASSERT_TRUE(subscribe->wait_for("+ ")) << subscribe->said();
+  subscribe->signal(SIGTERM);
+  EXPECT_EQ(subscribe->wait(), 0);
+}
+
+}  // namespace
+}  // namespace geminga::tools

@@ -1,0 +1,145 @@
+// What every program does whatever it is for: help, versions, mistakes, a daemon that is not there or does not answer.
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "tools/clients/bench.hpp"
+
+namespace geminga::tools {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+const std::vector<std::string> programs{"geminga-query", "geminga-publish", "geminga-subscribe"};
+
+/// Runs a program without any daemon.
+Outcome run(const std::string& program, const std::vector<std::string>& words) {
+  std::vector<std::string> line{system::program(program)};
+  line.insert(line.end(), words.begin(), words.end());
+  const auto ran = system::run({.words = line, .environment = {{"GEMINGA_CONNECT", nobody()}}, .before = {}});
+  return {ran.status, ran.said, ran.said};
+}
+
+TEST(Programs, ShowHelpWithExamples) {
+  for (const auto& program : programs) {
+    const auto help = run(program, {"--help"});
+    EXPECT_EQ(help.status, 0) << program;
+    EXPECT_THAT(help.out, HasSubstr("Examples:\n  " + program + " ")) << program;
+    EXPECT_THAT(help.out, HasSubstr("--connect")) << program;
+  }
+  for (const char* command :
+       {"participants", "services", "requests", "match", "explain", "why", "ontology", "status"}) {
+    const auto help = run("geminga-query", {command, "--help"});
+    EXPECT_EQ(help.status, 0) << command;
+    EXPECT_THAT(help.out, HasSubstr(std::string("geminga-query ") + command)) << command;
+    EXPECT_THAT(run("geminga-query", {"--help"}).out, HasSubstr(command));
+  }
+}
+
+TEST(Programs, ShowTheirVersion) {
+  for (const auto& program : programs) {
+    const auto version = run(program, {"--version"});
+    EXPECT_EQ(version.status, 0) << program;
+    EXPECT_THAT(version.out, StartsWith(program + " ")) << program;
+  }
+}
+
+TEST(Programs, EndWithTwoOnWrongUsage) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
+      {"geminga-query", {}},
+      {"geminga-query", {"doctor"}},
+      {"geminga-query", {"services", "--no-such-flag"}},
+      {"geminga-query", {"explain", "soccer:BallInfo"}},
+      {"geminga-query", {"why", "1a2b3c4d/1/1"}},
+      {"geminga-query", {"match", "soccer:BallInfo", "--id", "5"}},
+      {"geminga-query", {"match", "--id", "4294967296"}},
+      {"geminga-query", {"match", "--id", "five"}},
+      {"geminga-query", {"match", "--representation", "soccer:Pixels"}},
+      {"geminga-query", {"match", "x", "--degree", "close"}},
+      {"geminga-query", {"match", "x", "--mode", "otm"}},
+      {"geminga-query", {"match", "x", "--limit", "-1"}},
+      {"geminga-query", {"requests", "--unmatched", "--unused"}},
+      {"geminga-query", {"--timeout", "soon", "status"}},
+      {"geminga-query", {"--timeout", "-1", "status"}},
+      {"geminga-query", {"--connect", "robot2", "status"}},
+      {"geminga-query", {"--connect", "127.0.0.1:99999", "status"}},
+      {"geminga-publish", {}},
+      {"geminga-publish", {"soccer:BallInfo"}},
+      {"geminga-publish", {"--port", "5000"}},
+      {"geminga-publish", {"soccer:BallInfo", "--port", "0"}},
+      {"geminga-publish", {"soccer:BallInfo", "--port", "65536"}},
+      {"geminga-publish", {"soccer:BallInfo", "--port", "5000", "rate"}},
+      {"geminga-publish", {"soccer:BallInfo", "--port", "5000", "rate=1", "rate=2"}},
+      {"geminga-publish", {"soccer:BallInfo", "--port", "5000", "--priority", "high"}},
+      {"geminga-publish", {"--text", "a", "--id", "1", "--port", "5000"}},
+      {"geminga-subscribe", {}},
+      {"geminga-subscribe", {"soccer:BallInfo", "--text", "ball"}},
+      {"geminga-subscribe", {"soccer:BallInfo", "--degree", "very"}},
+      {"geminga-subscribe", {"soccer:BallInfo", "--count", "-1"}},
+      {"geminga-subscribe", {"soccer:BallInfo", "--provider", "/vision"}},
+  };
+  for (const auto& [program, words] : cases) {
+    const auto outcome = run(program, words);
+    const std::string line = program + ' ' + testing::PrintToString(words);
+    EXPECT_EQ(outcome.status, 2) << line;
+    EXPECT_THAT(outcome.errors, StartsWith(program + ": ")) << line;
+    EXPECT_THAT(outcome.errors, EndsWith("\n")) << line;
+    EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << line << outcome.errors;
+  }
+}
+
+TEST(Programs, EndWithThreeWhereNobodyListens) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
+      {"geminga-query", {"status"}},
+      {"geminga-query", {"--watch", "services"}},
+      {"geminga-publish", {"--text", "x", "--port", "5000"}},
+      {"geminga-publish", {"--text", "x", "--port", "5000", "--keep"}},
+      {"geminga-subscribe", {"--text", "x"}},
+  };
+  for (const auto& [program, words] : cases) {
+    const auto outcome = run(program, words);
+    EXPECT_EQ(outcome.status, 3) << program;
+    EXPECT_THAT(outcome.errors, StartsWith(program + ": no daemon at 127.0.0.1:")) << program;
+    EXPECT_THAT(outcome.errors, HasSubstr("start gemingad")) << program;
+  }
+}
+
+TEST(Programs, EndWithFourWhereTheDaemonDoesNotAnswer) {
+  // The kernel accepts, and nobody ever reads.
+  const int listener = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  ASSERT_EQ(::bind(listener, reinterpret_cast<const sockaddr*>(&address), size), 0);
+  ASSERT_EQ(::listen(listener, 4), 0);
+  ::getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size);
+  const std::string there = "127.0.0.1:" + std::to_string(ntohs(address.sin_port));
+  EXPECT_EQ(run("geminga-query", {"--connect", there, "--timeout", "0.05", "status"}).status, 4);
+  EXPECT_EQ(run("geminga-publish", {"--connect", there, "--timeout", "0.05", "--text", "x", "--port", "1"}).status, 4);
+  ::close(listener);
+}
+
+TEST(Programs, FindTheDaemonWhereItUsuallyIs) {
+  Bench bench;
+  const auto found = bench.run("geminga-query", {"participants"});
+  EXPECT_EQ(found.status, 0) << found.errors;
+  const std::string there = "127.0.0.1:" + std::to_string(bench.lab().gcnp_port(0));
+  EXPECT_EQ(bench.query({"--connect", there, "participants"}).status, 0) << "a flag";
+  EXPECT_EQ(bench.query({"--connect", nobody(), "participants"}).status, 3) << "a flag beats the environment";
+  if (bench.lab().has_namespaces()) {
+    const auto usual = system::run(bench.lab().on(0, {system::program("geminga-query"), "participants"}));
+    EXPECT_EQ(usual.status, 0) << "without any word about it: " << usual.said;
+    EXPECT_EQ(bench.query({"--connect", "[::1]:4717", "participants"}).status, 0);
+  }
+}
+
+}  // namespace
+}  // namespace geminga::tools
