@@ -89,8 +89,6 @@ class Choice {
   /// matter: it must offer() every candidate that is neither chosen nor waiting.
   [[nodiscard]] Verdict settle(const std::function<void()>& refill);
 
-  /// Forgets that any were dropped: the caller is about to judge and offer all of them again.
-  void expect_all() { bound_.reset(); }
   /// Those that were dropped since the last call: candidates no more, until they are offered again.
   [[nodiscard]] Dropped take_dropped() { return std::exchange(dropped_, {}); }
 

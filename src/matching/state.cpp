@@ -180,9 +180,7 @@ void Matcher::State::judge(const StoredSubscription& subscription, const StoredP
 }
 
 void Matcher::State::judge_all(const StoredSubscription& subscription) {
-  auto& choice = of(subscription).choice;
-  choice.expect_all();
-  for (const auto& [rank, publication] : choice.candidates()) judge(subscription, *publication);
+  for (const auto& [rank, publication] : of(subscription).choice.candidates()) judge(subscription, *publication);
   const Subscription& asked = subscription.entry.subscription;
   visit_publications(publications_, asked.identity, of(subscription).request.classes, asked.weakest, ontology_,
                      [&](const StoredPublication& publication) {

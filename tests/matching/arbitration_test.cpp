@@ -190,6 +190,24 @@ TEST_F(Arbitration, SearchesAgainWhenAChosenOneFallsBehindTheDropped) {
   EXPECT_EQ(refills_, 1);
 }
 
+TEST_F(Arbitration, NobodyWaitsWhoRanksBehindADroppedOne) {
+  constexpr auto most = static_cast<std::uint32_t>(max_waiting) + 1;
+  choice_.set_limit(1);
+  offer(rank(1001, 9));
+  EXPECT_THAT(settle(), ElementsAre("+1001"));
+  for (std::uint32_t number = 1; number <= most + 1; ++number) offer(rank(number, 5));
+  ASSERT_EQ(dropped_.size(), 1U);
+  for (std::uint32_t number = 1; number < most; ++number) choice_.withdraw(rank(number, 5), Reason::left);
+  offer(rank(500, 1));
+  EXPECT_EQ(dropped_.size(), 2U) << "there is room, but the one dropped before is better";
+  ranks_[most] = rank(most, 0);
+  choice_.change(rank(most, 5), rank(most, 0));
+  collect_dropped();
+  EXPECT_EQ(dropped_.size(), 3U) << "one that waited is the worst now";
+  choice_.withdraw(rank(1001, 9), Reason::left);
+  EXPECT_THAT(settle(), ElementsAre("-1001 left", "+" + std::to_string(most + 1)));
+}
+
 TEST_F(Arbitration, WithoutALimitNobodyIsDropped) {
   for (std::uint32_t number = 1; number <= 100; ++number) offer(rank(number, 1));
   EXPECT_TRUE(dropped_.empty());

@@ -132,6 +132,19 @@ TEST(Matcher, ARemoteConsumerOfVeryManyProvidersIsToldToAllOfThem) {
   }
 }
 
+TEST(Matcher, OneThatFellBehindAllOthersIsNotForgotten) {
+  Matcher matcher(nullptr);
+  matcher.put(request(key(here, 1, 1), ball, 1));
+  matcher.put(offer(key(3, 1, 1), ball, 9));
+  for (std::uint32_t number = 0; number < 30; ++number) matcher.put(offer(key(2, 1, number), ball, 1));
+  matcher.put(offer(key(3, 1, 1), ball, 0));
+  matcher.put(offer(key(3, 1, 1), ball, -1));
+  EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p3.1.1 exact 0", "p1.1.1 pub del p3.1.1 outranked",
+                                         "p1.1.1 pub add p2.1.0 exact 0"));
+  matcher.remove_participant(ParticipantId{2}, Reason::left);
+  EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub del p2.1.0 left", "p1.1.1 pub add p3.1.1 exact 0"));
+}
+
 TEST(Matcher, ModesAreNotMixed) {
   Matcher matcher(nullptr);
   matcher.put(offer(key(2, 1, 1), ball, 0, one_to_many_stream));

@@ -20,7 +20,7 @@ class RandomTeam {
  public:
   RandomTeam(std::uint64_t seed, std::vector<const el::Ontology*> ontologies)
       : random_(seed),
-        is_crowded_(seed % 2 == 0),
+        crowd_(static_cast<Crowd>(seed % 3)),
         ontologies_(std::move(ontologies)),
         matcher_(ontologies_.front()),
         replay_({}) {
@@ -29,18 +29,18 @@ class RandomTeam {
 
   void step(int number) {
     const std::uint64_t dice = random_.below(100);
-    if (dice < 40) {
+    if (dice < (crowd_ == Crowd::packed ? 60 : 40)) {
       put_publication();
     } else if (dice < 70) {
       put_subscription();
     } else if (dice < 80) {
       remove_one();
     } else if (dice < 86) {
-      remove_many();
+      if (crowd_ != Crowd::packed || random_.chance(0.1)) remove_many();
     } else if (dice < 94) {
-      expire();
+      if (crowd_ != Crowd::packed || random_.chance(0.05)) expire();
     } else if (dice < 96) {
-      set_ontology();
+      if (crowd_ != Crowd::packed || random_.chance(0.2)) set_ontology();
     } else {
       put_everything_again();
     }
@@ -48,14 +48,18 @@ class RandomTeam {
   }
 
  private:
+  /// A crowded team wants much the same thing, so that arbitration has much to do; a packed one has so many that offer
+  /// it that not all of them are remembered.
+  enum class Crowd { mixed, crowded, packed };
+
   template <std::size_t size>
   const char* one_of(const std::array<const char*, size>& names) {
     return names[random_.below(size)];
   }
 
-  /// A crowded team wants much the same thing, so that arbitration has much to do.
   Identity identity() {
-    if (is_crowded_) return semantic(one_of<3>({"Ball", "Sphere", "OwnBall"}));
+    if (crowd_ == Crowd::packed) return semantic(one_of<2>({"Ball", "Sphere"}));
+    if (crowd_ == Crowd::crowded) return semantic(one_of<3>({"Ball", "Sphere", "OwnBall"}));
     const std::uint64_t dice = random_.below(10);
     if (dice == 0) return NumericIdentity{0x9ddb3b5f};
     if (dice == 1) return TextIdentity{one_of<2>({"service-3352", "service-724358"})};
@@ -65,7 +69,7 @@ class RandomTeam {
   }
 
   ChannelMode mode() {
-    if (is_crowded_ && random_.chance(0.8)) return ChannelMode::one_to_one;
+    if (crowd_ == Crowd::packed || (crowd_ == Crowd::crowded && random_.chance(0.8))) return ChannelMode::one_to_one;
     return std::array{ChannelMode::one_to_one, ChannelMode::one_to_many_pubsub,
                       ChannelMode::one_to_many_stream}[std::min<std::uint64_t>(random_.below(5) / 2, 2)];
   }
@@ -73,7 +77,7 @@ class RandomTeam {
   /// Numbers of publications and subscriptions of one peer differ, as in GCNP.
   ServiceKey some_key(bool is_subscription) {
     return key(static_cast<std::uint32_t>(1 + random_.below(4)), static_cast<std::uint32_t>(1 + random_.below(2)),
-               static_cast<std::uint32_t>(2 * random_.below(is_crowded_ && !is_subscription ? 9 : 3) +
+               static_cast<std::uint32_t>(2 * random_.below(crowd_ == Crowd::packed && !is_subscription ? 9 : 3) +
                                           (is_subscription ? 1 : 0)));
   }
 
@@ -108,6 +112,8 @@ class RandomTeam {
         break;  // as it was
     }
     entry.is_local = is_local(one);
+    // In a packed team the local ones come last, so that they are needed only after many have gone at once.
+    if (crowd_ == Crowd::packed && entry.is_local) entry.publication.priority = -2;
     entry.updated = now_;
     entry.deadline = deadline(one);
     model_.publications[one] = entry;
@@ -133,6 +139,7 @@ class RandomTeam {
         asked.mode = mode();
         break;
       case 3:
+        if (crowd_ == Crowd::packed) break;
         asked.where = one_of<4>({"", "rate >= 2", "not has rate", "rate ="});
         break;
       case 4:
@@ -143,6 +150,7 @@ class RandomTeam {
         break;
       case 6:
         asked.providers.clear();
+        if (crowd_ == Crowd::packed) break;
         if (random_.chance(0.5)) asked.providers.push_back({one_of<3>({"00000002", "robot1", "robot3"}), ""});
         if (random_.chance(0.3)) asked.providers.push_back({"robot1", one_of<2>({"2", "module1"})});
         break;
@@ -198,7 +206,7 @@ class RandomTeam {
 
   void expire() {
     reason_ = Reason::expired;
-    now_ += random_.between(base::Duration(0), lifetime / 4);
+    now_ += crowd_ == Crowd::packed ? lifetime : random_.between(base::Duration(0), lifetime / 4);
     erase_from_model([&](const auto& entry) { return entry.deadline <= now_; });
     matcher_.expire(now_);
   }
@@ -227,6 +235,11 @@ class RandomTeam {
     model_.work_out();
     ASSERT_EQ(replay_.apply(matcher_.take_events(), reason_, model_), "");
     ASSERT_EQ(difference(replay_.view(), model_.view()), "");
+    if (number % 8 == 0) compare_questions();
+  }
+
+  /// What can be asked at any time, and changes nothing.
+  void compare_questions() {
     auto next = base::never;
     for (const auto& [one, entry] : model_.publications) {
       next = std::min(next, entry.deadline);
@@ -252,7 +265,7 @@ class RandomTeam {
   static constexpr base::Duration lifetime = std::chrono::seconds(20);
 
   base::Random random_;
-  bool is_crowded_;
+  Crowd crowd_;
   std::vector<const el::Ontology*> ontologies_;
   base::Instant now_;
   Reason reason_ = Reason::withdrawn;
