@@ -133,9 +133,7 @@ void Saturation::process_subsumer(std::uint32_t context, ExprId subsumer) {
   //  C < D   C < E
   //  ------------- [D and E occurs negatively]
   //  C < D and E
-  for (const ConjunctionRule& rule : index_.conjunctions(subsumer)) {
-    if (self.subsumers.contains(number(rule.partner))) add_subsumer(context, rule.conjunction);
-  }
+  apply_conjunctions(context, index_.conjunctions(subsumer));
 
   //  C -R-> D   D < E
   //  ---------------- [S some E occurs negatively, R <* S]; here the second premise is new
@@ -150,6 +148,24 @@ void Saturation::process_subsumer(std::uint32_t context, ExprId subsumer) {
 
   for (const std::uint32_t axiom : index_.disjointness(subsumer)) add_disjointness(context, axiom);
   if (index_.has_nominals() && !self.is_unsatisfiable) process_nominal(context, subsumer);
+}
+
+void Saturation::apply_conjunctions(std::uint32_t context, std::span<const ConjunctionRule> rules) {
+  // Whichever is shorter is walked, and the other searched: names like "disease" are in thousands of conjunctions.
+  Context& self = contexts_[context];
+  if (rules.size() <= self.subsumers.size() * 2) {
+    for (const ConjunctionRule& rule : rules) {
+      if (self.subsumers.contains(number(rule.partner))) add_subsumer(context, rule.conjunction);
+    }
+    return;
+  }
+  for (std::size_t at = 0; at < self.subsumers.size(); ++at) {
+    const ExprId partner{self.subsumers[at]};
+    for (auto rule = std::ranges::lower_bound(rules, partner, {}, &ConjunctionRule::partner);
+         rule != rules.end() && rule->partner == partner; ++rule) {
+      add_subsumer(context, rule->conjunction);
+    }
+  }
 }
 
 //  C < D   C < E

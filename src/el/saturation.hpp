@@ -80,6 +80,7 @@ class Saturation {
   void process_subsumer(std::uint32_t context, ExprId subsumer);
   void process_backward(std::uint32_t context, Link link);
   void process_forward(std::uint32_t context, Link link);
+  void apply_conjunctions(std::uint32_t context, std::span<const ConjunctionRule> rules);
   void add_subsumer(std::uint32_t context, ExprId subsumer);
   void add_derived_atom(std::uint32_t context, ExprId atom);
   void add_link(std::uint32_t from, RoleId role, std::uint32_t to);
