@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "base/text.hpp"
+#include "beacon/codec.hpp"
 #include "sim/small_ontology.hpp"
 
 namespace geminga::participant {
@@ -120,11 +121,26 @@ void Transcript::direct(std::string_view words) {
     } else if (verb == "receive") {
       const std::string bytes = unescaped(substituted(third));
       one->receive(one->ports().front().index, "10.0.0.99", bytes);
+    } else if (verb == "clash") {
+      clash(*one, substituted(third));
     } else {
       FAIL() << at_ << ": no such direction";
     }
   }
   run(std::chrono::milliseconds(1));
+}
+
+void Transcript::clash(sim::Host& host, const std::string& id) {
+  beacon::Announcement other;
+  other.group = host.settings.group;
+  other.participant = participant_id(id).value_or(ParticipantId{});
+  other.boot = beacon::BootNonce(99);
+  other.name = "another";
+  ASSERT_NE(other.participant, ParticipantId{}) << at_;
+  for (const beacon::Datagram& datagram : beacon::encode(other)) {
+    host.receive(host.ports().front().index, "10.0.0.99",
+                 std::string_view(reinterpret_cast<const char*>(datagram.data()), datagram.size()));
+  }
 }
 
 void Transcript::set_limit(sim::Host& host, const std::string& name, std::size_t value) {

@@ -29,6 +29,8 @@ class Transcript {
   [[nodiscard]] std::string substituted(std::string_view text) const;
   [[nodiscard]] bool matches(std::string_view pattern, const std::string& text);
   [[nodiscard]] sim::Host* host(const std::string& name);
+  /// Somebody else announces a state under this identifier.
+  void clash(sim::Host& host, const std::string& id);
   void set_limit(sim::Host& host, const std::string& name, std::size_t value);
 
   std::string path_;
