@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "rdf/catalog.hpp"
 #include "rdf/files.hpp"
 #include "rdf/graph.hpp"
 #include "rdf/mapping.hpp"
@@ -163,6 +164,28 @@ class Loading {
     return redland_.read(path, *syntax, *bytes, base_iri(path), lines.take(), graph_);
   }
 
+  /// Takes the catalogue of a folder, where there is one: an import that it gives to one of our files is answered.
+  std::optional<LoadError> read_catalog_in(const std::string& folder) {
+    const std::filesystem::path path = std::filesystem::path(folder) / catalog_name;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
+    const auto bytes = FileBytes::read(path.string(), limits_);
+    if (!bytes) return bytes.error();
+    const auto entries = read_catalog(path.string(), bytes->view(), limits_);
+    if (!entries) return entries.error();
+    const auto resolved = [&](const std::filesystem::path& file) {
+      return std::filesystem::weakly_canonical(file, error).string();
+    };
+    std::set<std::string> ours;
+    for (const std::string& ours_path : paths_) ours.insert(resolved(ours_path));
+    for (const CatalogEntry& entry : *entries) {
+      const bool is_url = entry.file.starts_with("file://");
+      if (ours.contains(resolved(std::filesystem::path(folder) / (is_url ? entry.file.substr(7) : entry.file))))
+        headers_.version(entry.iri);
+    }
+    return std::nullopt;
+  }
+
   std::expected<Loaded, LoadError> finish() {
     loaded_.triples = redland_.triple_count();
     std::vector<DeclaredPrefix> prefixes = redland_.prefixes();
@@ -216,6 +239,11 @@ std::expected<Loaded, LoadError> load(std::span<const std::string> arguments, co
   Loading loading(*paths, limits, other);
   for (std::size_t number = 0; number < paths->size(); ++number) {
     if (auto error = loading.read(number)) return std::unexpected(std::move(*error));
+  }
+  for (const std::string& argument : arguments) {
+    std::error_code failed;
+    if (!std::filesystem::is_directory(argument, failed)) continue;
+    if (auto error = loading.read_catalog_in(argument)) return std::unexpected(std::move(*error));
   }
   return loading.finish();
 }

@@ -172,8 +172,8 @@ class XmlScan {
   std::size_t place_ = 0;
   std::size_t depth_ = 0;
   std::size_t literal_depth_ = 0;  ///< of the element whose content is an XML literal; 0: none is open
-  std::size_t text_bytes_ = 0;  ///< character data since the last tag
-  std::size_t expansion_ = 0;   ///< of all references so far
+  std::size_t text_bytes_ = 0;     ///< character data since the last tag
+  std::size_t expansion_ = 0;      ///< of all references so far
   std::optional<Doctype> doctype_;
   std::optional<ScanProblem> problem_;
 };

@@ -49,6 +49,36 @@ TEST(Imports, MayBeCircular) {
   EXPECT_THAT(loaded->unresolved, IsEmpty());
 }
 
+TEST(Imports, AreResolvedThroughTheCatalogueOfAFolder) {
+  const Scratch scratch;
+  scratch.write("team.ttl",
+                ontology("http://e/team", "; owl:imports <http://old/core>, <http://old/gone>, <http://old/url>"));
+  const std::string core = scratch.write("core.ttl", ontology("http://e/core", ""));
+  scratch.write("catalog-v001.xml",
+                "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"no\"?>\n"
+                "<catalog prefer=\"public\" xmlns=\"urn:oasis:names:tc:entity:xmlns:xml:catalog\">\n"
+                "  <group id=\"Folder Repository\" prefer=\"public\">\n"
+                "    <uri id=\"1\" name=\"http://old/core\" uri=\"./core.ttl\"/>\n"
+                "    <uri id=\"2\" name=\"http://old/gone\" uri=\"../../../etc/passwd\"/>\n"
+                "    <uri id=\"3\" name=\"http://old/url\" uri=\"file://" +
+                    core +
+                    "\"/>\n"
+                    "  </group>\n</catalog>\n");
+  const auto loaded = load(std::vector{scratch.path().string()});
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  ASSERT_THAT(loaded->unresolved, SizeIs(1));
+  EXPECT_EQ(loaded->unresolved[0].iri, "http://old/gone");
+}
+
+TEST(Imports, ABrokenCatalogueIsRefusedWithItsLine) {
+  const Scratch scratch;
+  scratch.write("team.ttl", "");
+  scratch.write("catalog-v001.xml", "<catalog>\n<group>\n</catalog>\n");
+  const auto loaded = load(std::vector{scratch.path().string()});
+  ASSERT_FALSE(loaded);
+  EXPECT_THAT(to_string(loaded.error()), HasSubstr("catalog-v001.xml:3: is no well-formed XML"));
+}
+
 std::vector<std::string> prefixes(const Loaded& loaded) {
   std::vector<std::string> found;
   for (const auto& prefix : loaded.source.prefixes())

@@ -12,9 +12,6 @@
 namespace geminga::ontology {
 namespace {
 
-constexpr std::string_view concept_root = "https://geminga.example/core#Concept";
-constexpr std::string_view representation_root = "https://geminga.example/core#Representation";
-
 struct Request {
   std::vector<std::string> files;
   bool as_json = false;
@@ -34,20 +31,6 @@ struct Findings {
   }
 };
 
-/// The IRIs of the satisfiable classes below a root, or of all where the ontology knows no such root.
-std::vector<std::string> names_below(const Knowledge& knowledge, const el::Ontology& ontology, std::string_view root,
-                                     bool all_without_root) {
-  const auto top = ontology.find_iri(root);
-  std::vector<std::string> names;
-  for (std::uint32_t number = 0; number < knowledge.classification.class_count(); ++number) {
-    const el::ClassNumber named{number};
-    if (named == knowledge.classification.thing || named == knowledge.classification.nothing) continue;
-    if (top ? ontology.is_subsumed(named, *top) && ontology.is_satisfiable(named) : all_without_root)
-      names.emplace_back(ontology.iri(named));
-  }
-  return names;
-}
-
 Findings look(const Knowledge& knowledge, const el::Ontology& ontology) {
   Findings findings;
   const el::Classification& classification = knowledge.classification;
@@ -59,8 +42,7 @@ Findings look(const Knowledge& knowledge, const el::Ontology& ontology) {
         {ontology.short_name(named),
          ontology.explain(named, classification.nothing).value_or(std::vector<el::ExplainedAxiom>{})});
   }
-  findings.collisions = find_collisions(names_below(knowledge, ontology, concept_root, true),
-                                        names_below(knowledge, ontology, representation_root, false));
+  findings.collisions = find_collisions(knowledge, ontology);
   return findings;
 }
 

@@ -10,11 +10,28 @@ namespace {
 /// Beyond this the birthday paradox finds collisions by the hundreds, and nobody publishes that many services.
 constexpr std::size_t max_pairs = 4'000'000;
 
+constexpr std::string_view concept_root = "https://geminga.example/core#Concept";
+constexpr std::string_view representation_root = "https://geminga.example/core#Representation";
+
 struct Entry {
   Id32 id;
   std::uint32_t concept_index;
   std::uint32_t representation_index;  ///< 0: none
 };
+
+/// The IRIs of the satisfiable classes below a root, or of all where the ontology knows no such root.
+std::vector<std::string> names_below(const Knowledge& knowledge, const el::Ontology& ontology, std::string_view root,
+                                     bool all_without_root) {
+  const auto top = ontology.find_iri(root);
+  std::vector<std::string> names;
+  for (std::uint32_t number = 0; number < knowledge.classification.class_count(); ++number) {
+    const el::ClassNumber named{number};
+    if (named == knowledge.classification.thing || named == knowledge.classification.nothing) continue;
+    if (top ? ontology.is_subsumed(named, *top) && ontology.is_satisfiable(named) : all_without_root)
+      names.emplace_back(ontology.iri(named));
+  }
+  return names;
+}
 
 }  // namespace
 
@@ -50,6 +67,11 @@ Collisions find_collisions(const std::vector<std::string>& concept_iris,
     begin = end;
   }
   return collisions;
+}
+
+Collisions find_collisions(const Knowledge& knowledge, const el::Ontology& ontology) {
+  return find_collisions(names_below(knowledge, ontology, concept_root, true),
+                         names_below(knowledge, ontology, representation_root, false));
 }
 
 }  // namespace geminga::ontology

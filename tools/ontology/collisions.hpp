@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geminga/identity.hpp"
+#include "knowledge.hpp"
 
 namespace geminga::ontology {
 
@@ -22,6 +23,9 @@ struct Collisions {
 };
 [[nodiscard]] Collisions find_collisions(const std::vector<std::string>& concept_iris,
                                          const std::vector<std::string>& representation_iris);
+/// The same for what an ontology holds below geminga:Concept and geminga:Representation, or for all its classes where
+/// it knows neither.
+[[nodiscard]] Collisions find_collisions(const Knowledge& knowledge, const el::Ontology& ontology);
 
 }  // namespace geminga::ontology
 

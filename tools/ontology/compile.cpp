@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
@@ -15,6 +16,8 @@
 #include <span>
 #include <system_error>
 
+#include "base/text.hpp"
+#include "collisions.hpp"
 #include "command.hpp"
 #include "knowledge.hpp"
 #include "words.hpp"
@@ -60,10 +63,43 @@ Exit replace(const std::string& target, std::span<const std::byte> bytes) {
   return Exit::yes;
 }
 
+/// What whoever starts a robot should read in its log, a line each. `geminga-ontology check` says more.
+std::vector<std::string> remarks(const Knowledge& knowledge, const el::Ontology& ontology) {
+  std::vector<std::string> lines;
+  if (!knowledge.classification.is_consistent) lines.push_back("the ontology contradicts itself: every class is empty");
+  for (const rdf::UnresolvedImport& import : knowledge.loaded.unresolved)
+    lines.push_back(import.file + ':' + std::to_string(import.line) + ": imports <" + import.iri +
+                    ">, which no given file answers: name its file, too");
+  for (const rdf::PrefixConflict& conflict : knowledge.loaded.conflicts)
+    lines.push_back("the prefix " + conflict.prefix + ": means several IRIs, and <" + conflict.chosen + "> is taken");
+  for (std::uint32_t number = 0; number < ontology.class_count() && knowledge.classification.is_consistent; ++number) {
+    const el::ClassNumber named{number};
+    if (named != knowledge.classification.nothing && is_unsatisfiable(knowledge.classification, named))
+      lines.push_back(ontology.short_name(named) + " can have no instance");
+  }
+  for (const Collision& collision : find_collisions(knowledge, ontology).found) {
+    std::string line = "equal 32-bit identities 0x" + base::to_hex(collision.id, 8) + ':';
+    for (const std::string& name : collision.names) line += ' ' + name;
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
 Exit compile(const Request& request) {
+  constexpr std::size_t max_remarks = 20;
   const auto knowledge = learn_or_say(request.files);
   if (!knowledge) return Exit::usage;
-  return replace(request.out, el::compile(knowledge->loaded.source, knowledge->classification));
+  const std::vector<std::byte> bytes = el::compile(knowledge->loaded.source, knowledge->classification);
+  // What cannot be read back is not written.
+  const auto ontology = el::Ontology::from_bytes(bytes);
+  if (!ontology) return say_error(ontology.error().text);
+  const Exit exit = replace(request.out, bytes);
+  if (exit != Exit::yes) return exit;
+  const auto lines = remarks(*knowledge, *ontology);
+  for (std::size_t line = 0; line < std::min(lines.size(), max_remarks); ++line) say_error(lines[line]);
+  if (lines.size() > max_remarks)
+    say_error(std::to_string(lines.size() - max_remarks) + " more remarks: see geminga-ontology check");
+  return exit;
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 // geminga-ontology: checks, classifies, explains, draws and compiles ontologies; needs no daemon.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
 
+#include "base/text.hpp"
 #include "command.hpp"
 #include "sandbox.hpp"
 #include "words.hpp"
@@ -37,6 +39,11 @@ std::string in_one_line(std::string words) {
   return words;
 }
 
+bool is_command(const CLI::App& program, const std::string& name) {
+  const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
+  return std::ranges::any_of(commands, [&](const CLI::App* command) { return command->get_name() == name; });
+}
+
 int run(int argc, char** argv) {
   CLI::App program("Checks, classifies, explains, draws and compiles ontologies.", "geminga-ontology");
   program.set_version_flag("--version", "geminga-ontology " GEMINGA_VERSION);
@@ -50,6 +57,10 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& wanted) {  // --help and --version
     return program.exit(wanted);
   } catch (const CLI::ParseError& error) {
+    const std::string first = argc > 1 ? argv[1] : "";
+    if (!first.empty() && first.front() != '-' && !is_command(program, first))
+      return static_cast<int>(
+          say_error(geminga::base::printable(first) + " is no command: see geminga-ontology --help"));
     return static_cast<int>(say_error(in_one_line(error.what()) + ": see geminga-ontology --help"));
   }
   limit_memory(choice.memory_limit_mib);
