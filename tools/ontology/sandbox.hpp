@@ -4,6 +4,13 @@
 
 namespace geminga::ontology {
 
+/// AddressSanitizer looks for leaks at the end of a process by tracing it, so a build with it may trace.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr bool may_trace = true;
+#else
+inline constexpr bool may_trace = false;
+#endif
+
 /// From now on sockets, traces of other processes and, unless `may_execute`, other programs fail with EACCES, in this
 /// process and its children. Where the kernel has no seccomp nothing is forbidden; Redland is still told to open
 /// nothing.

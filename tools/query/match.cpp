@@ -32,12 +32,12 @@ shell::Table table(const std::vector<Record>& records) {
                       {"SERVICE"},
                       {"ATTRIBUTES", false, 10}});
   for (const auto& record : records) {
-    const auto priority = record["priority"] == "0" ? "" : std::string(record["priority"]);
     shown.add({std::string(record["degree"]), std::string(record["distance"]),
                shell::who(record["provider"], record["name"], record["participant_name"]),
                shell::identity_words(record), std::string(record["mode"]),
-               shell::place(record["address"], record["port"]), priority, shell::duration_words(record["age"]),
-               std::string(record["service"]), shell::attribute_words(record.attributes)});
+               shell::place(record["address"], record["port"]), std::string(record["priority"]),
+               shell::duration_words(record["age"]), std::string(record["service"]),
+               shell::attribute_words(record.attributes)});
   }
   return shown;
 }

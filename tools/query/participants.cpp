@@ -27,8 +27,8 @@ shell::Table table(const std::vector<Record>& records) {
       loss = std::to_string(static_cast<int>(share * 100 + 0.5)) + " %";
     }
     shown.add({std::string(record["id"]), std::string(record["name"]), std::string(record["addresses"]),
-               is_self ? "" : shell::duration_words(record["heard"]), shell::duration_words(record["interval"]),
-               is_self ? "" : loss, std::string(record["publications"]), std::string(record["subscriptions"]),
+               shell::duration_words(record["heard"]), shell::duration_words(record["interval"]), loss,
+               std::string(record["publications"]), std::string(record["subscriptions"]),
                std::string(record["ontology"]), is_self ? "(this host)" : " "});
   }
   return shown;

@@ -22,10 +22,9 @@ shell::Table table(const std::vector<Record>& records) {
                       {"ATTRIBUTES", false, 10}});
   for (const auto& record : records) {
     const auto protocol = record["protocol"] == "udp" ? "" : std::string(record["protocol"]);
-    const auto priority = record["priority"] == "0" ? "" : std::string(record["priority"]);
     shown.add({shell::who(record["provider"], record["name"], record["participant_name"]),
                shell::identity_words(record), std::string(record["mode"]),
-               shell::place(record["address"], record["port"]), protocol, priority,
+               shell::place(record["address"], record["port"]), protocol, std::string(record["priority"]),
                shell::duration_words(record["age"]), record["used"] == "1" ? "yes" : "no",
                std::string(record["service"]), shell::attribute_words(record.attributes)});
   }

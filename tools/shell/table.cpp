@@ -53,6 +53,7 @@ void Table::print(std::ostream& out, const Terminal& terminal) const {
       text += cell;
       behind = gap + (is_right ? 0 : padding);
     }
+    text.erase(text.find_last_not_of(' ') + 1);
     return text;
   };
   out << coloured(terminal, Colour::bold, line([&](std::size_t i) { return columns_[i].title; })) << '\n';

@@ -43,6 +43,15 @@ TEST(Table, AlignsItsColumns) {
             "longer  1000000  -\n");
 }
 
+TEST(Table, HasNoSpaceAtTheEndOfALine) {
+  Table table({{"A"}, {""}});
+  table.add({"a", " "});
+  table.add({"b", "(this host)"});
+  std::ostringstream out;
+  table.print(out, {});
+  EXPECT_EQ(out.str(), "A\na\nb  (this host)\n");
+}
+
 TEST(Table, FitsIntoATerminalByCuttingItsWidestColumns) {
   Table table({{"A"}, {"B", false, 4}, {"C", false, 4}});
   table.add({"fixed", "bbbbbbbbbbbb", "cccccc"});
