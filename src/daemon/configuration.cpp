@@ -20,6 +20,22 @@ constexpr std::array<std::pair<std::string_view, base::LogLevel>, 4> log_levels{
                                                                                  {"warning", base::LogLevel::warning},
                                                                                  {"error", base::LogLevel::error}}};
 
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+bool is_prefix_name(std::string_view name) {
+  return !name.empty() && name.size() <= max_prefix_name_bytes && is_letter(name.front()) &&
+         std::ranges::all_of(name,
+                             [](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_'; });
+}
+
+/// Whether it can stand between angle brackets (IRIREF of Turtle 1.1) and has a scheme; no more is asked of it.
+bool is_iri(std::string_view text) {
+  const auto colon = text.find(':');
+  return text.size() <= max_prefix_iri_bytes && colon != std::string_view::npos && colon > 0 &&
+         is_letter(text.front()) && base::is_valid_utf8(text) && !base::has_control_character(text) &&
+         text.find_first_of(" <>\"{}|^`\\") == std::string_view::npos;
+}
+
 class Resolver {
  public:
   explicit Resolver(const std::vector<const Layer*>& layers) : layers_(layers) {}
@@ -27,6 +43,7 @@ class Resolver {
   std::expected<Configuration, std::vector<std::string>> resolve(const std::string& host_name) {
     refuse_what_is_not_there();
     read_texts(host_name);
+    read_prefixes();
     read_gcnp();
     read_air();
     read_interval();
@@ -84,6 +101,23 @@ class Resolver {
     if (beacon::is_valid_name(host_name)) result_.name = host_name;
     read_name("name", result_.name);
     read_name("group", result_.group);
+  }
+
+  void read_prefixes() {
+    for (const Layer* layer : layers_) {
+      for (const auto& [name, iri] : layer->prefixes) {
+        if (!is_prefix_name(name)) {
+          fail(iri, '\'' + base::printable(name) + "' is no prefix: a letter, then letters, digits, '-' and '_'");
+        } else if (!is_iri(iri.text)) {
+          fail(iri, '\'' + base::printable(iri.text) + "' is no IRI");
+        } else if (result_.prefixes.size() == max_prefixes) {
+          fail(iri, "more than " + std::to_string(max_prefixes) + " prefixes");
+          return;
+        } else {
+          result_.prefixes.emplace(name, iri.text);
+        }
+      }
+    }
   }
 
   void read_name(std::string_view key, std::string& name) {
@@ -254,6 +288,8 @@ std::string to_toml(const Configuration& configuration) {
   text += line("interval", std::to_string(milliseconds / 1000) + '.' + fraction);
   text += line("log-level", quoted(to_string(configuration.log_level)));
   text += line("log-format", quoted(configuration.log_format == LogFormat::json ? "json" : "text"));
+  if (!configuration.prefixes.empty()) text += "\n[prefixes]\n";
+  for (const auto& [name, iri] : configuration.prefixes) text += line(name, quoted(iri));
   return text;
 }
 

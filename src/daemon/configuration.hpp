@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <expected>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ namespace geminga::daemon {
 
 /// The most values of one key.
 inline constexpr std::size_t max_values = 256;
+/// The most prefixes, and the octets of a prefix's name and of its IRI.
+inline constexpr std::size_t max_prefixes = 256;
+inline constexpr std::size_t max_prefix_name_bytes = 64;
+inline constexpr std::size_t max_prefix_iri_bytes = 255;
 /// The most addresses of --gcnp, and of --multicast.
 inline constexpr std::size_t max_addresses = 16;
 
@@ -29,6 +34,7 @@ struct GcnpAddress {
 
 struct Configuration {
   std::vector<std::string> ontologies;
+  std::map<std::string, std::string> prefixes;  ///< of names, beside those of the ontologies
   std::string group = "default";
   std::string name;
   std::vector<GcnpAddress> gcnp;

@@ -61,6 +61,7 @@ class Reader {
 
  private:
   void take(const std::string& name, const toml::source_region& region, const toml::node& node) {
+    if (name == "prefixes") return take_prefixes(node);
     const Key* key = find_key(name);
     if (key == nullptr || name == "config") {
       errors_.push_back(place(path_, region) + ": unknown key '" + base::printable(name) +
@@ -73,6 +74,22 @@ class Reader {
       for (const toml::node& element : *array) take_value(*key, element, values);
     } else {
       take_value(*key, node, values);
+    }
+  }
+
+  void take_prefixes(const toml::node& node) {
+    const toml::table* table = node.as_table();
+    if (table == nullptr) {
+      errors_.push_back(place(path_, node.source()) + ": prefixes must be a table: [prefixes]");
+      return;
+    }
+    for (const auto& [name, value] : *table) {
+      const auto iri = value.value_exact<std::string>();
+      if (iri) {
+        layer_.prefixes[std::string(name.str())] = {*iri, place(path_, value.source())};
+      } else {
+        errors_.push_back(place(path_, value.source()) + ": a prefix must be an IRI in quotes");
+      }
     }
   }
 

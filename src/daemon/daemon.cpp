@@ -77,12 +77,14 @@ class Daemon::State final : private env::EventSink {
   template <typename Then>
   void load(Then then) {
     const auto began = std::chrono::steady_clock::now();
-    loader_.load(configuration_.ontologies, [this, then, began](std::expected<LoadedOntology, Lines> loaded) {
-      if (!loaded) return fail(std::move(loaded.error()));
-      load_time_ = std::chrono::steady_clock::now() - began;
-      for (const std::string& remark : loaded->remarks) log_.write(LogLevel::warning, "ontology: " + remark);
-      then(std::move(*loaded));
-    });
+    loader_.load(configuration_.ontologies, configuration_.prefixes,
+                 [this, then, began](std::expected<LoadedOntology, Lines> loaded) {
+                   if (!loaded) return fail(std::move(loaded.error()));
+                   load_time_ = std::chrono::steady_clock::now() - began;
+                   for (const std::string& remark : loaded->remarks)
+                     log_.write(LogLevel::warning, "ontology: " + remark);
+                   then(std::move(*loaded));
+                 });
   }
 
   void begin(LoadedOntology loaded) {
@@ -189,18 +191,20 @@ class Daemon::State final : private env::EventSink {
   /// The old ontology serves until the new one is whole.
   void reload_ontologies() {
     const auto began = std::chrono::steady_clock::now();
-    loader_.load(configuration_.ontologies, [this, began](std::expected<LoadedOntology, Lines> loaded) {
-      if (is_stopping_) return;
-      if (!loaded) {
-        say_kept(loaded.error(), "the ontology in force is kept: " + digest_of(ontology_.get()));
-        return;
-      }
-      load_time_ = std::chrono::steady_clock::now() - began;
-      for (const std::string& remark : loaded->remarks) log_.write(LogLevel::warning, "ontology: " + remark);
-      env_.event([&] { participant_->set_ontology(loaded->ontology.get()); });
-      ontology_ = std::move(loaded->ontology);
-      log_.write(LogLevel::info, "ontology: " + digest_of(ontology_.get()) + " is in force");
-    });
+    loader_.load(configuration_.ontologies, configuration_.prefixes,
+                 [this, began](std::expected<LoadedOntology, Lines> loaded) {
+                   if (is_stopping_) return;
+                   if (!loaded) {
+                     say_kept(loaded.error(), "the ontology in force is kept: " + digest_of(ontology_.get()));
+                     return;
+                   }
+                   load_time_ = std::chrono::steady_clock::now() - began;
+                   for (const std::string& remark : loaded->remarks)
+                     log_.write(LogLevel::warning, "ontology: " + remark);
+                   env_.event([&] { participant_->set_ontology(loaded->ontology.get()); });
+                   ontology_ = std::move(loaded->ontology);
+                   log_.write(LogLevel::info, "ontology: " + digest_of(ontology_.get()) + " is in force");
+                 });
   }
 
   void say_kept(const Lines& errors, const std::string& kept) {

@@ -66,6 +66,7 @@ struct Stated {
 /// What a source states, by key. A key that is there without values states an empty list.
 struct Layer {
   std::map<std::string, std::vector<Stated>, std::less<>> values;
+  std::map<std::string, Stated> prefixes;  ///< of names; only the file has them, in its table [prefixes]
 };
 
 /// What the variables GEMINGA_... state; lists are separated by commas. `environment` is as main() gets it.

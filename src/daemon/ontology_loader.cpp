@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view program_name = "geminga-ontology";
-constexpr std::string_view compiled_suffix = ".gmo";
+constexpr std::string_view compiled_suffix = ".geminga";
 /// Of what the compiler says, so many lines of so many octets are shown.
 constexpr std::size_t max_lines = 40;
 constexpr std::size_t max_line_bytes = 1000;
@@ -72,6 +73,17 @@ class PrivateFolder {
   std::string path_;
 };
 
+/// Prefixes as an ontology file without axioms: so they go the way of every other prefix, and the digest of the
+/// ontology does not depend on them.
+std::optional<std::string> write_prefixes(const std::string& folder, const Prefixes& prefixes) {
+  std::string path = folder + "/configured-prefixes.ttl";
+  std::ofstream file(path);
+  for (const auto& [name, iri] : prefixes) file << "@prefix " << name << ": <" << iri << "> .\n";
+  file.close();
+  if (!file) return std::nullopt;
+  return path;
+}
+
 bool is_executable(const std::string& path) {
   std::error_code ignored;
   return fs::is_regular_file(path, ignored) && ::access(path.c_str(), X_OK) == 0;
@@ -106,7 +118,7 @@ class OntologyLoader::State {
   State(boost::asio::io_context& context, std::string compiler, ChildLimits limits)
       : context_(context), compiler_(std::move(compiler)), limits_(limits) {}
 
-  void load(const std::vector<std::string>& files, Done done) {
+  void load(const std::vector<std::string>& files, const Prefixes& prefixes, Done done) {
     child_.reset();
     ++generation_;
     done_ = std::move(done);
@@ -119,10 +131,15 @@ class OntologyLoader::State {
       return answer_later(failure("no place for the compiled ontology: set TMPDIR to a folder that may be written to"));
     }
     folder_ = std::move(*folder);
-    output_ = folder_.path() + "/ontology.gmo";
+    output_ = folder_.path() + "/ontology.geminga";
     std::vector<std::string> arguments{"compile"};
     // A path that looks like a flag stays a path.
     for (const std::string& file : files) arguments.push_back(file.starts_with('-') ? "./" + file : file);
+    if (!prefixes.empty()) {
+      auto file = write_prefixes(folder_.path(), prefixes);
+      if (!file) return answer_later(failure("cannot write into " + folder_.path() + ": is there room?"));
+      arguments.push_back(std::move(*file));
+    }
     arguments.insert(arguments.end(), {"-o", output_});
     auto started = Child::start(context_, compiler_, arguments, limits_, [this](const ChildEnd& end) { finish(end); });
     if (!started) return answer_later(failure("cannot start " + compiler_ + ": " + started.error()));
@@ -172,7 +189,9 @@ class OntologyLoader::State {
 OntologyLoader::OntologyLoader(boost::asio::io_context& context, std::string compiler, ChildLimits limits)
     : state_(std::make_unique<State>(context, std::move(compiler), limits)) {}
 OntologyLoader::~OntologyLoader() = default;
-void OntologyLoader::load(const std::vector<std::string>& files, Done done) { state_->load(files, std::move(done)); }
+void OntologyLoader::load(const std::vector<std::string>& files, const Prefixes& prefixes, Done done) {
+  state_->load(files, prefixes, std::move(done));
+}
 bool OntologyLoader::is_loading() const { return state_->is_loading(); }
 
 }  // namespace geminga::daemon

@@ -4,6 +4,7 @@
 
 #include <expected>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +19,9 @@ struct LoadedOntology {
   std::unique_ptr<el::Ontology> ontology;  ///< null: there are no files
   std::vector<std::string> remarks;        ///< what the compiler said although it succeeded, a line each
 };
+
+/// Names for the beginnings of IRIs; both as Turtle can write them.
+using Prefixes = std::map<std::string, std::string>;
 
 /// Where geminga-ontology is: beside this program, else on PATH; the plain name where it is nowhere.
 [[nodiscard]] std::string find_compiler();
@@ -34,9 +38,10 @@ class OntologyLoader {
   OntologyLoader(const OntologyLoader&) = delete;
   OntologyLoader& operator=(const OntologyLoader&) = delete;
 
-  /// Loads these files and folders, and calls `done` once from the event loop. A load that is under way is given up,
-  /// and its `done` never called. A single file that ends in `.gmo` is taken as compiled already.
-  void load(const std::vector<std::string>& files, Done done);
+  /// Loads these files and folders, and calls `done` once from the event loop. `prefixes` may be used in names beside
+  /// those of the files. A load that is under way is given up, and its `done` never called. A single file that ends in
+  /// `.geminga` is taken as compiled already, and knows no prefixes but its own.
+  void load(const std::vector<std::string>& files, const Prefixes& prefixes, Done done);
   [[nodiscard]] bool is_loading() const;
 
  private:

@@ -173,11 +173,28 @@ TEST(ConfigurationFile, IsRefusedWithFileAndLine) {
       {"port = 1\nport = 2", "f.toml:2: "},
       {"port = \n", "f.toml:1: "},
       {"name = \"\xff\"", "f.toml:1: "},
+      {"prefixes = 1", "f.toml:1: prefixes must be a table"},
+      {"[prefixes]\nzoo = 1", "f.toml:2: a prefix must be an IRI in quotes"},
   };
   for (const auto& [text, words] : cases) {
     const auto layer = read_configuration_text(text, "f.toml");
     ASSERT_FALSE(layer) << text;
     EXPECT_THAT(layer.error(), ElementsAre(testing::StartsWith(words)));
+  }
+}
+
+TEST(ConfigurationFile, NamesPrefixes) {
+  const auto file = read_configuration_text("[prefixes]\nzoo = \"http://zoo.example/#\"\n", "f.toml");
+  ASSERT_TRUE(file);
+  const auto result = resolve({&*file}, "host");
+  ASSERT_TRUE(result);
+  EXPECT_THAT(result->prefixes, ElementsAre(testing::Pair("zoo", "http://zoo.example/#")));
+  EXPECT_THAT(to_toml(*result), HasSubstr("\n[prefixes]\nzoo = \"http://zoo.example/#\"\n"));
+  for (const char* wrong : {"\"a b\" = \"http://x/\"", "\"1\" = \"http://x/\"", "a = \"http://x/>\"", "a = \"no iri\"",
+                            "a = \"relative\"", "a = \"http://x/\\n\""}) {
+    const auto read = read_configuration_text("[prefixes]\n" + std::string(wrong), "f.toml");
+    ASSERT_TRUE(read) << wrong;
+    EXPECT_THAT(resolve({&*read}, "host").error(), ElementsAre(testing::StartsWith("f.toml:2: "))) << wrong;
   }
 }
 

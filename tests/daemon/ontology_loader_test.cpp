@@ -43,11 +43,11 @@ class OntologyLoaderTest : public testing::Test {
     return path;
   }
 
-  Result load(const std::string& script, const std::vector<std::string>& files) {
+  Result load(const std::string& script, const std::vector<std::string>& files, const Prefixes& prefixes = {}) {
     boost::asio::io_context context;
     OntologyLoader loader(context, compiler(script));
     std::optional<Result> result;
-    loader.load(files, [&](Result loaded) { result.emplace(std::move(loaded)); });
+    loader.load(files, prefixes, [&](Result loaded) { result.emplace(std::move(loaded)); });
     context.run();
     EXPECT_TRUE(result);
     EXPECT_FALSE(loader.is_loading());
@@ -71,6 +71,12 @@ TEST_F(OntologyLoaderTest, PassesFilesAndOutputAndShowsWhatTheCompilerSays) {
   EXPECT_THAT(result.error(), ElementsAre("compile a.ttl ./-b -o", "zoo.ttl:7: a second line"));
 }
 
+TEST_F(OntologyLoaderTest, HandsConfiguredPrefixesOverAsAFileWithoutAxioms) {
+  const Result result = load("cat $3 >&2; exit 1", {"a.ttl"}, {{"zoo", "http://zoo.example/#"}, {"b", "urn:b:"}});
+  ASSERT_FALSE(result);
+  EXPECT_THAT(result.error(), ElementsAre("@prefix b: <urn:b:> .", "@prefix zoo: <http://zoo.example/#> ."));
+}
+
 TEST_F(OntologyLoaderTest, SaysHowASilentCompilerEnded) {
   EXPECT_THAT(load("exit 3", {"a.ttl"}).error(), ElementsAre(testing::EndsWith("/compiler: exit status 3")));
   EXPECT_THAT(load("echo half a word >&2; kill -11 $$", {"a.ttl"}).error(),
@@ -84,9 +90,9 @@ TEST_F(OntologyLoaderTest, RefusesWhatIsNoCompiledOntology) {
   const Result nothing = load("exit 0", {"a.ttl"});
   ASSERT_FALSE(nothing);
   EXPECT_THAT(nothing.error(), ElementsAre(testing::StartsWith("the compiled ontology: ")));
-  const Result given = load("exit 0", {(folder / "none.gmo").string()});
+  const Result given = load("exit 0", {(folder / "none.geminga").string()});
   ASSERT_FALSE(given);
-  EXPECT_THAT(given.error(), ElementsAre(HasSubstr("none.gmo: ")));
+  EXPECT_THAT(given.error(), ElementsAre(HasSubstr("none.geminga: ")));
 }
 
 TEST_F(OntologyLoaderTest, BoundsTheLinesItShows) {
@@ -100,9 +106,9 @@ TEST_F(OntologyLoaderTest, GivesUpALoadForALaterOne) {
   OntologyLoader loader(context, compiler("sleep 1000"));
   bool was_first_called = false;
   bool was_second_called = false;
-  loader.load({"a.ttl"}, [&](const Result&) { was_first_called = true; });
+  loader.load({"a.ttl"}, {}, [&](const Result&) { was_first_called = true; });
   EXPECT_TRUE(loader.is_loading());
-  loader.load({}, [&](const Result&) { was_second_called = true; });
+  loader.load({}, {}, [&](const Result&) { was_second_called = true; });
   context.run();
   EXPECT_FALSE(was_first_called);
   EXPECT_TRUE(was_second_called);

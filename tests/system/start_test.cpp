@@ -148,6 +148,18 @@ TEST(Start, ServesTheOntologyItWasGiven) {
   EXPECT_THAT(lines[0], StartsWith("2 422 "));
 }
 
+TEST(Start, TakesPrefixesFromItsConfiguration) {
+  const Folder folder;
+  const std::string zoo = folder.write("zoo.ttl", animals);
+  const std::string file =
+      folder.write("geminga.toml", "ontology = \"zoo.ttl\"\n[prefixes]\npet = \"http://zoo.example/#\"\n");
+  Lab lab(1);
+  lab.start(0, {"--config", file});
+  Talk talk = lab.talk(0);
+  talk.say("1 sub create mode=otm/stream concept=pet:Cat");
+  EXPECT_THAT(talk.lines_until_pong(), IsEmpty());
+}
+
 TEST(Start, DoesNotStartOnHalfAnOntology) {
   const Folder folder;
   const std::string good = folder.write("good.ttl", animals);

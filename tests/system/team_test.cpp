@@ -190,6 +190,24 @@ TEST(Team, WithoutIpv4MeetsOverIpv6) {
   EXPECT_THAT(field(interfaces[0], "addresses"), testing::StartsWith(expected));
 }
 
+TEST(Team, MeetsByNamedPeersWhereMulticastDoesNotPass) {
+  Lab lab(2);
+  const auto port = [&](std::size_t host) { return std::to_string(lab.udp_port() + 1 + static_cast<int>(host)); };
+  for (const std::size_t host : {0U, 1U}) {
+    const std::size_t other = 1 - host;  // other groups and other ports: only the copies for the peer can arrive
+    lab.start(host, {"--interval", "0.1", "--port", port(host), "--multicast", "239.192.47.2" + std::to_string(host),
+                     "--peer", lab.address_of(other) + ':' + port(other)});
+  }
+  for (const std::size_t host : {0U, 1U}) ASSERT_TRUE(lab.wait_for_participants(host, 2)) << lab.way();
+  Talk consumer = lab.talk(1);
+  consumer.say("1 sub create mode=otm/stream id=5");
+  Talk provider = lab.talk(0);
+  provider.say("1 pub create mode=otm/stream id=5 port=5000");
+  const auto told = consumer.line_with({"1 pub add"});
+  ASSERT_TRUE(told);
+  EXPECT_EQ(field(*told, "address"), lab.address_of(0));
+}
+
 TEST(Team, KeepsGroupsApart) {
   Lab lab(3);
   lab.start(0, {"--interval", "0.1", "--group", "blue"});
