@@ -260,7 +260,7 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
   }
 
   /// The client reads too slowly. It is closed hard, and the participant is told in an event of its own.
-  void lose(const Pointer& connection) {
+  void lose(Pointer connection) {  // by value: the map's own pointer goes
     connection->is_open = false;
     drop(connection);
     net::post(context_, [self = shared_from_this(), id = connection->id] {
@@ -275,7 +275,7 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
     });
   }
 
-  void drop(const Pointer& connection) {
+  void drop(Pointer connection) {  // by value, as above
     forget_queue(*connection);
     boost::system::error_code ignored;
     connection->socket.close(ignored);
