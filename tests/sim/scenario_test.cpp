@@ -152,7 +152,7 @@ TEST(Scenario, ACrashIsToldByTheDeadlineAndNotBefore) {
   Robots robots(World::seed_or(8), 10, {});
   robots.start();
   EXPECT_TRUE(robots.team.settle(seconds(10)));
-  robots.world.run_for(minutes(5));
+  robots.world.run_for(minutes(1));
   robots.host(4).crash();
   const auto interval = robots.host(4).settings.interval;
   // The last announcement may be as old as one interval with its jitter.

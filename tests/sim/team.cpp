@@ -103,16 +103,16 @@ void Team::see(Module& module, std::string_view line, const gcnp::Statement& sta
   }
 }
 
-Team::Places Team::expected(Module& consumer, const Module::Wish& wish) const {
-  Places places;
+Team::Offered Team::offered() const {
+  Offered offered;
   for (const auto& provider : modules_) {
     const Host& host = provider->host();
-    if (!provider->client().is_connected() || host.island() != consumer.host().island()) continue;
+    if (!provider->client().is_connected()) continue;
     for (const auto& [number, offer] : provider->offers()) {
-      if (offer.text == wish.text && offer.mode == wish.mode) places.insert(place(host.number(), offer.port));
+      offered[{host.island(), offer.text, offer.mode}].insert(place(host.number(), offer.port));
     }
   }
-  return places;
+  return offered;
 }
 
 Team::Places Team::seen(Module& consumer, std::uint32_t wish) {
@@ -132,11 +132,15 @@ bool Team::is_right() const { return complaints().empty(); }
 
 std::string Team::complaints() const {
   std::string text;
+  static const Places nothing;
+  const Offered offers = offered();
   for (const auto& module : modules_) {
     if (!module->client().is_connected()) continue;
     for (const auto& [number, wish] : module->wishes()) {
-      const Places should = expected(*module, wish);
+      const auto found = offers.find({module->host().island(), wish.text, wish.mode});
+      const Places& should = found == offers.end() ? nothing : found->second;
       const Places is = seen(*module, number);
+      if (is == should) continue;
       for (const Place& one : should) {
         if (!is.contains(one)) text += module->client().name() + " misses " + wish.text + " of " + one + "\n";
       }
@@ -155,7 +159,7 @@ bool Team::settle(base::Duration at_most) {
       ADD_FAILURE() << "the views are not right. " << world_.when() << "\n" << complaints();
       return false;
     }
-    world_.run_for(std::chrono::milliseconds(1));
+    world_.run_for(std::chrono::milliseconds(20));
   }
   return true;
 }

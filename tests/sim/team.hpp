@@ -7,6 +7,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "sim/client.hpp"
@@ -88,7 +89,10 @@ class Team {
   using Place = std::string;
   using Places = std::set<Place>;
 
-  [[nodiscard]] Places expected(Module& consumer, const Module::Wish& wish) const;
+  /// By island, text and mode: what there is to be told of.
+  using Offered = std::map<std::tuple<int, std::string, std::string>, Places>;
+
+  [[nodiscard]] Offered offered() const;
   [[nodiscard]] static Places seen(Module& consumer, std::uint32_t wish);
   void check_views();
   void check_identifiers();
