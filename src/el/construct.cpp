@@ -6,7 +6,7 @@
 namespace geminga::el {
 
 std::string_view to_string(Construct construct) {
-  static constexpr std::array<std::string_view, 21> words = {
+  static constexpr std::array<std::string_view, 23> words = {
       "",
       "owl:unionOf",
       "owl:complementOf",
@@ -28,6 +28,8 @@ std::string_view to_string(Construct construct) {
       "owl:datatypeComplementOf",
       "owl:unionOf data ranges",
       "nominals in too many classes",
+      "datatypes with finitely many values",
+      "literals that are not of their datatype",
   };
   return words[static_cast<std::size_t>(construct)];
 }

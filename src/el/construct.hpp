@@ -30,6 +30,8 @@ enum class Construct : std::uint8_t {
   datatype_complement,
   datatype_union,
   too_many_nominals,
+  finite_datatype,
+  ill_formed_literal,
 };
 
 [[nodiscard]] std::string_view to_string(Construct construct);

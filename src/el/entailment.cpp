@@ -17,6 +17,7 @@ bool entails(const OntologySource& source, std::span<const std::uint32_t> axioms
   for (const std::uint32_t axiom : axioms) normaliser.add(axiom);
   const ExprId from = normaliser.expression(sub);
   const ExprId to = normaliser.expression(super);
+  (void)normaliser.finish();  // what is left out is classify()'s to say
   if (!index.finish(max_pairs)) return false;
   const std::optional<World> world = find_world(index, from, normaliser.individuals(), max_pairs);
   if (!world) return false;

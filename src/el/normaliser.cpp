@@ -295,12 +295,20 @@ Construct Normaliser::add_property_assertion(const Axiom& axiom, bool is_negativ
 }
 
 std::vector<std::pair<std::uint32_t, Construct>> Normaliser::finish() {
-  // OWL 2 EL's restriction: a range of the result of a chain must be a range of its last property, too. Elsewhere the
-  // elimination of ranges would lose consequences.
+  relate_data();
   std::vector<std::pair<std::uint32_t, Construct>> unused;
-  if (ranges_.empty() || index_.roles().chains().empty()) return unused;
+  find_finite_datatypes(unused);
+  find_ranges_over_chains(unused);
+  return unused;
+}
+
+// OWL 2 EL's restriction: a range of the result of a chain must be a range of its last property, too. Elsewhere the
+// elimination of ranges would lose consequences.
+void Normaliser::find_ranges_over_chains(std::vector<std::pair<std::uint32_t, Construct>>& unused) const {
+  constexpr std::size_t max_pairs = std::size_t{1} << 26;
+  if (ranges_.empty() || index_.roles().chains().empty()) return;
   Roles closed = index_.roles();
-  if (!closed.close(std::size_t{1} << 26)) return unused;  // the index will not close either, and that is reported
+  if (!closed.close(max_pairs)) return;  // the index will not close either, and that is reported
   for (const Range& range : ranges_) {
     for (const Roles::Chain& chain : closed.chains()) {
       if (!closed.is_sub_role(chain.result, range.role) || closed.is_sub_role(chain.second, range.role)) continue;
@@ -312,7 +320,6 @@ std::vector<std::pair<std::uint32_t, Construct>> Normaliser::finish() {
       break;
     }
   }
-  return unused;
 }
 
 }  // namespace geminga::el

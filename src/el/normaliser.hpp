@@ -2,12 +2,16 @@
 #ifndef GEMINGA_EL_NORMALISER_HPP
 #define GEMINGA_EL_NORMALISER_HPP
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "el/construct.hpp"
+#include "el/datatypes.hpp"
 #include "el/index.hpp"
 #include "el/source.hpp"
 
@@ -23,7 +27,8 @@ class Normaliser {
 
   /// Adds one axiom of the source; the first construct in it that is not used in full.
   Construct add(std::uint32_t axiom);
-  /// To be called once after the last axiom: the axioms that turn out not to be used in full only now.
+  /// To be called once after the last axiom: says how literals and datatypes relate, and which axioms turn out only now
+  /// not to be used in full.
   [[nodiscard]] std::vector<std::pair<std::uint32_t, Construct>> finish();
 
   /// The expression of a class, whether an axiom uses it or not.
@@ -49,6 +54,16 @@ class Normaliser {
   ExprId make_union(const std::vector<ExprId>& parts);
   Property property(TermId term);
   ExprId filler_of(const Term& term);
+
+  // Data (normaliser_data.cpp).
+  ExprId make_literal(TermId id, const Term& term);
+  ExprId make_datatype(const Term& term);
+  Construct use_negative_literal(TermId id);
+  Construct use_positive_literal(TermId id);
+  Construct use_positive_datatype(const Term& term);
+  void relate_data();
+  void find_finite_datatypes(std::vector<std::pair<std::uint32_t, Construct>>& unused) const;
+  void find_ranges_over_chains(std::vector<std::pair<std::uint32_t, Construct>>& unused) const;
 
   // One polarity: `use` adds the rules, once, and returns the first construct that has none.
   Construct use_negative(TermId term);
@@ -88,6 +103,12 @@ class Normaliser {
   NumberTable opaque_table_;
   std::vector<ExprId> individuals_;
   std::uint32_t current_axiom_ = 0;
+  std::vector<std::pair<Datatype, ExprId>> datatypes_;
+  std::vector<std::pair<DataValue, ExprId>> values_;
+  std::map<std::pair<DataFamily, std::string>, ExprId> expr_of_value_;
+  std::map<TermId, DataFamily> family_of_literal_;
+  std::vector<std::pair<std::uint32_t, DataFamily>> finite_uses_;  ///< axiom, and what it says is in a finite datatype
+  std::array<bool, data_family_count> has_negative_literal_{};
   struct Range {
     std::uint32_t axiom = 0;
     RoleId role{};

@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::uint32_t none = NumberTable::none;
 constexpr std::string_view owl = "http://www.w3.org/2002/07/owl#";
-constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
 
 Construct both(Construct first, Construct second) { return first != Construct::none ? first : second; }
 
@@ -72,9 +71,9 @@ ExprId Normaliser::make_expression(TermId id) {
       return index_.add_atom();
     }
     case TermKind::datatype:
-      return source_.name(term.name) == rdfs_literal ? top_expr : index_.add_atom();
+      return make_datatype(term);
     case TermKind::literal:
-      return index_.add_atom();
+      return make_literal(id, term);
     case TermKind::individual:
     case TermKind::anonymous_individual:
       individuals_.push_back(index_.add_nominal());
@@ -228,10 +227,11 @@ Construct Normaliser::make_negative(TermId id) {
   switch (term.kind) {
     case TermKind::named_class:
     case TermKind::datatype:
-    case TermKind::literal:
     case TermKind::individual:
     case TermKind::anonymous_individual:
       return Construct::none;
+    case TermKind::literal:
+      return use_negative_literal(id);
     case TermKind::object_intersection_of:
     case TermKind::data_intersection_of:
       for (const TermId part : term.arguments) unused = both(unused, use_negative(part));
@@ -293,11 +293,13 @@ Construct Normaliser::make_positive(TermId id) {
   Construct unused = Construct::none;
   switch (term.kind) {
     case TermKind::named_class:
-    case TermKind::datatype:
-    case TermKind::literal:
     case TermKind::individual:
     case TermKind::anonymous_individual:
       return Construct::none;
+    case TermKind::datatype:
+      return use_positive_datatype(term);
+    case TermKind::literal:
+      return use_positive_literal(id);
     case TermKind::object_intersection_of:
     case TermKind::data_intersection_of:
       for (const TermId part : term.arguments) unused = both(unused, use_positive(part));

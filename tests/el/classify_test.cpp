@@ -260,10 +260,67 @@ const Case individuals[] = {
      {"inconsistent"}},
 };
 
+const Case data[] = {
+    {"DataExistential",
+     "SubClassOf(A DataSomeValuesFrom(d:p x:integer))\nSubClassOf(DataSomeValuesFrom(d:p x:decimal) B)",
+     {"A < B"}},
+    {"DataHasValueInDatatype",
+     "SubClassOf(A DataHasValue(d:p \"5\"^x:integer))\nSubClassOf(DataSomeValuesFrom(d:p x:integer) B)",
+     {"A < B"}},
+    {"DataHasValueOutsideDatatype",
+     "SubClassOf(A DataHasValue(d:p \"abc\"))\nSubClassOf(DataSomeValuesFrom(d:p x:integer) B)",
+     {}},
+    {"DataEqualValues",
+     "EquivalentClasses(A DataHasValue(d:p \"5\"^x:integer))\nEquivalentClasses(B DataHasValue(d:p "
+     "\"05.0\"^x:decimal))",
+     {"A < B", "B < A"}},
+    {"DataDifferentValues",
+     "EquivalentClasses(A DataHasValue(d:p \"5\"^x:integer))\nEquivalentClasses(B DataHasValue(d:p \"5\"))",
+     {}},
+    {"DataRangeClash",
+     "DataPropertyRange(d:p x:integer)\nSubClassOf(A DataHasValue(d:p \"abc\"))\n"
+     "SubClassOf(B DataHasValue(d:p \"7\"^x:integer))\nSubClassOf(C DataSomeValuesFrom(d:p x:string))",
+     {"A < Nothing", "C < Nothing"}},
+    {"DataRangeOfSmallerType",
+     "DataPropertyRange(d:p x:nonNegativeInteger)\nSubClassOf(A DataHasValue(d:p \"-7\"^x:integer))\n"
+     "SubClassOf(B DataHasValue(d:p \"7\"^x:integer))",
+     {"A < Nothing"}},
+    {"DataIntersection",
+     "SubClassOf(A DataSomeValuesFrom(d:p DataIntersectionOf(x:string x:integer)))\n"
+     "SubClassOf(B DataSomeValuesFrom(d:p DataIntersectionOf(x:decimal x:integer)))",
+     {"A < Nothing"}},
+    {"DataOneOf",
+     "SubClassOf(A DataSomeValuesFrom(d:p DataOneOf(\"5\"^x:integer)))\n"
+     "SubClassOf(DataSomeValuesFrom(d:p DataOneOf(\"5\"^x:decimal \"6\")) B)",
+     {"A < B"}},
+    {"DataSubProperty",
+     "SubDataPropertyOf(d:p d:q)\nSubClassOf(A DataSomeValuesFrom(d:p x:string))\nDataPropertyDomain(d:q B)",
+     {"A < B"}},
+    {"DataAssertions",
+     "DataPropertyAssertion(d:p i:a \"5\"^x:integer)\nNegativeDataPropertyAssertion(d:p i:a \"5.0\"^x:decimal)",
+     {"inconsistent"}},
+    {"DataLanguages",
+     "EquivalentClasses(A DataHasValue(d:p \"a\"@en))\nEquivalentClasses(B DataHasValue(d:p \"a\"@EN))\n"
+     "EquivalentClasses(C DataHasValue(d:p \"a\"))",
+     {"A < B", "B < A"}},
+    {"DataFiniteTypeIsLeftOutWhereItMatters",
+     "SubClassOf(A DataSomeValuesFrom(d:p x:boolean))\nSubClassOf(DataHasValue(d:p \"true\"^x:boolean) B)",
+     {},
+     false},
+    {"DataFiniteTypeAlone",
+     "SubClassOf(A DataSomeValuesFrom(d:p x:boolean))\nDataPropertyRange(d:p x:integer)",
+     {"A < Nothing"}},
+    {"DataIllFormedIsLeftOut", "SubClassOf(A DataHasValue(d:p \"abc\"^x:integer))", {}, false},
+    {"DataUnknownTypeIsItself",
+     "EquivalentClasses(A DataHasValue(d:p \"2020\"^x:gYear))\nEquivalentClasses(B DataHasValue(d:p \"2020\"^x:gYear))",
+     {"A < B", "B < A"}},
+};
+
 auto name_of = [](const auto& one) { return std::string(one.param.name); };
 INSTANTIATE_TEST_SUITE_P(Hierarchy, Classify, testing::ValuesIn(hierarchy), name_of);
 INSTANTIATE_TEST_SUITE_P(Bottom, Classify, testing::ValuesIn(bottom), name_of);
 INSTANTIATE_TEST_SUITE_P(Existential, Classify, testing::ValuesIn(existential), name_of);
+INSTANTIATE_TEST_SUITE_P(Data, Classify, testing::ValuesIn(data), name_of);
 INSTANTIATE_TEST_SUITE_P(Individuals, Classify, testing::ValuesIn(individuals), name_of);
 
 TEST(LeftOut, IsNamedByConstructWithCountAndFirstPlace) {
