@@ -22,8 +22,7 @@ constexpr const char* pubsub = "otm/pubsub";
 /// Hosts with three modules each, which offer and want what the others do (paper section 4: nine and seven a robot).
 class Robots {
  public:
-  Robots(std::uint64_t seed, int count, Air air, Bounds bounds = {})
-      : world(World::seed_or(seed), air), team(world, bounds) {
+  Robots(std::uint64_t seed, int count, Air air, Bounds bounds = {}) : world(seed, air), team(world, bounds) {
     for (int i = 1; i <= count; ++i) add("robot" + std::to_string(i));
   }
 
