@@ -107,6 +107,7 @@ class Classifier {
     SubsumptionGraph graph(index_);
     result_.is_consistent = saturation.is_consistent();
     for (const Context& context : saturation.contexts()) {
+      if (!context.together.empty()) continue;  // it is of no atom
       if (context.is_unsatisfiable) graph.set_unsatisfiable(context.root);
       for (const ExprId above : context.derived) graph.add_edge(context.root, above);
     }

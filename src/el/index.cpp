@@ -92,6 +92,8 @@ void Index::add_disjoint(std::span<const ExprId> members) {
   ++disjointness_count_;
 }
 
+void Index::add_functional(ExprId id, RoleId role) { functional_pairs_.emplace_back(number(id), role); }
+
 ExprId Index::range_atom(RoleId role) {
   const auto index = static_cast<std::size_t>(role);
   if (range_atoms_.size() <= index) range_atoms_.resize(index + 1, top_expr);
@@ -115,6 +117,7 @@ bool Index::finish(std::size_t max_pairs) {
   flatten_told();
   find_representatives();
   sort_rules();
+  find_functional();
   find_nominals();
   find_active();
   return find_frontiers(max_pairs);
@@ -258,6 +261,29 @@ void Index::sort_rules() {
   disjointness_ = rows_of(disjoint_pairs_);
 }
 
+void Index::find_functional() {
+  is_functional_.assign(roles_.count(), false);
+  if (functional_pairs_.empty()) return;
+  std::vector<std::pair<std::uint32_t, ExprId>> by_role;
+  std::vector<bool> is_used(roles_.count(), false);
+  for (auto& [id, role] : functional_pairs_) {
+    is_used[static_cast<std::size_t>(role)] = true;
+    if (ExprId{id} == top_expr) {
+      is_functional_[static_cast<std::size_t>(role)] = true;
+    } else {
+      by_role.emplace_back(static_cast<std::uint32_t>(role), representative_[id]);
+    }
+  }
+  std::erase_if(functional_pairs_, [](const auto& pair) { return ExprId{pair.first} == top_expr; });
+  functional_in_ = Rows<ExprId>(roles_.count(), by_role);
+  functional_roles_ = rows_of(functional_pairs_);
+  may_be_functional_.assign(roles_.count(), false);
+  for (std::uint32_t role = 0; role < roles_.count(); ++role) {
+    may_be_functional_[role] = std::ranges::any_of(
+        roles_.supers(RoleId{role}), [&](RoleId super) { return is_used[static_cast<std::size_t>(super)]; });
+  }
+}
+
 void Index::find_nominals() {
   // Individuals that nothing leads to need none of the rules for nominals: each is a class that must not be empty.
   for (std::uint32_t id = 0; id < exprs_.size() && !has_nominals_; ++id) {
@@ -274,7 +300,7 @@ void Index::find_active() {
   for (std::uint32_t id = 0; id < exprs_.size(); ++id) {
     is_active_[id] = exprs_[id].kind > ExprKind::nominal || is_nominal_rep_[id] || is_told_bottom_[id] ||
                      !links_[id].empty() || !selfs_[id].empty() || !conjunctions_[id].empty() ||
-                     !existentials_[id].empty() || !disjointness_[id].empty();
+                     !existentials_[id].empty() || !disjointness_[id].empty() || !functional_roles_[id].empty();
   }
 }
 

@@ -77,6 +77,8 @@ class Index {
   void add_disjoint(std::span<const ExprId> members);
   /// Everything that is on the right of a link of this role is in the returned atom.
   ExprId range_atom(RoleId role);
+  /// What is in the expression has at most one successor by the role. For T: of every instance, the role is functional.
+  void add_functional(ExprId id, RoleId role);
   Roles& roles() { return roles_; }
 
   /// Closes roles, finds told equivalents, sorts rules to their expressions. False where a closure has more than
@@ -106,6 +108,16 @@ class Index {
   [[nodiscard]] std::span<const ExistentialRule> existentials(ExprId id) const { return existentials_[number(id)]; }
   [[nodiscard]] std::span<const std::uint32_t> disjointness(ExprId id) const { return disjointness_[number(id)]; }
   [[nodiscard]] std::size_t disjointness_count() const { return disjointness_count_; }
+  /// Whether somewhere something has at most one successor by the role or by one of its super roles.
+  [[nodiscard]] bool may_be_functional(RoleId role) const {
+    return !may_be_functional_.empty() && may_be_functional_[static_cast<std::size_t>(role)];
+  }
+  [[nodiscard]] bool is_functional(RoleId role) const { return is_functional_[static_cast<std::size_t>(role)]; }
+  /// The expressions whose instances have at most one successor by this role.
+  [[nodiscard]] std::span<const ExprId> functional_in(RoleId role) const {
+    return functional_in_[static_cast<std::size_t>(role)];
+  }
+  [[nodiscard]] std::span<const RoleId> functional_roles(ExprId id) const { return functional_roles_[number(id)]; }
   /// The negative R Self of a role, or nothing (bottom_expr).
   [[nodiscard]] ExprId negative_self(RoleId role) const;
   [[nodiscard]] bool has_negative_self() const { return has_negative_self_; }
@@ -128,6 +140,7 @@ class Index {
   ExprId link_target(RoleId role, ExprId filler);
   void find_representatives();
   void sort_rules();
+  void find_functional();
   void find_nominals();
   void find_active();
   [[nodiscard]] bool find_frontiers(std::size_t max_items);
@@ -161,6 +174,11 @@ class Index {
   Rows<ExistentialRule> existentials_;
   Rows<std::uint32_t> disjointness_;
   std::vector<ExprId> negative_selfs_;  ///< by role
+  std::vector<std::pair<std::uint32_t, RoleId>> functional_pairs_;
+  std::vector<bool> may_be_functional_;  ///< by role; empty: none is
+  std::vector<bool> is_functional_;
+  Rows<ExprId> functional_in_;
+  Rows<RoleId> functional_roles_;
   std::vector<ExprId> frontier_items_;
   std::vector<std::uint32_t> frontier_begin_;
   std::vector<std::uint32_t> frontier_count_;

@@ -210,9 +210,14 @@ Construct Normaliser::add_object_property_axiom(const Axiom& axiom) {
     case AxiomKind::inverse_object_properties:
       return Construct::inverse_of;
     case AxiomKind::functional_object_property:
-      return first.is_inverse ? Construct::inverse_functional : Construct::functional;
+      if (first.is_top) return Construct::functional;
+      if (first.is_inverse) return Construct::inverse_functional;
+      index_.add_functional(top_expr, first.role);
+      return Construct::none;
     case AxiomKind::inverse_functional_object_property:
-      return first.is_inverse ? Construct::functional : Construct::inverse_functional;
+      if (first.is_top || !first.is_inverse) return Construct::inverse_functional;
+      index_.add_functional(top_expr, first.role);
+      return Construct::none;
     case AxiomKind::symmetric_object_property:
       return Construct::symmetric;
     case AxiomKind::asymmetric_object_property:
@@ -244,7 +249,9 @@ Construct Normaliser::add_data_property_axiom(const Axiom& axiom) {
       return unused;
     }
     case AxiomKind::functional_data_property:
-      return Construct::functional;
+      if (first.is_top) return Construct::functional;
+      index_.add_functional(top_expr, first.role);
+      return Construct::none;
     default:
       return Construct::disjoint_properties;
   }

@@ -395,6 +395,10 @@ Construct Normaliser::use_all_values(const Property& role, TermId filler, ExprId
 }
 
 Construct Normaliser::use_at_most(std::uint32_t limit, const Property& role, const Term& term, ExprId expr) {
+  if (limit == 1 && !role.is_inverse && filler_of(term) == top_expr) {
+    index_.add_functional(expr, role.role);
+    return Construct::none;
+  }
   if (limit > 0) return Construct::max_cardinality;
   //  C < at most 0 R D          is  C < X, X and R some D < F
   //  C < at most 0 inverse R D  is  C < X, R some X and D < F

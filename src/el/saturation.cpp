@@ -33,15 +33,38 @@ std::uint32_t Saturation::require(ExprId root) {
   context = static_cast<std::uint32_t>(contexts_.size());
   const std::uint32_t created = context;
   contexts_.emplace_back().root = root;
-  for (const ExprId own : {root, top_expr}) {
-    if (index_.is_active(own)) {
-      add_subsumer(created, own);
-    } else {
-      for (const ExprId above : index_.frontier(own)) add_subsumer(created, above);
-    }
-  }
+  start(created, {{root, top_expr}});
   if (index_.is_nominal(root)) require_nonempty(created);
   return created;
+}
+
+void Saturation::start(std::uint32_t context, std::span<const ExprId> atoms) {
+  for (const ExprId own : atoms) {
+    if (index_.is_active(own)) {
+      add_subsumer(context, own);
+    } else {
+      for (const ExprId above : index_.frontier(own)) add_subsumer(context, above);
+    }
+  }
+}
+
+std::uint32_t Saturation::require_together(const std::vector<ExprId>& atoms) {
+  if (atoms.size() == 1) return require(atoms.front());
+  const auto [known, is_new] = context_of_some_.try_emplace(atoms, static_cast<std::uint32_t>(contexts_.size()));
+  if (!is_new) return known->second;
+  const std::uint32_t created = known->second;
+  Context& self = contexts_.emplace_back();
+  self.root = bottom_expr;
+  self.together = atoms;
+  conclusions_ += atoms.size();
+  start(created, atoms);
+  start(created, {{top_expr}});
+  return created;
+}
+
+std::vector<ExprId> Saturation::atoms_of(std::uint32_t context) const {
+  const Context& self = contexts_[context];
+  return self.together.empty() ? std::vector<ExprId>{self.root} : self.together;
 }
 
 bool Saturation::run() {
@@ -122,8 +145,11 @@ void Saturation::process_subsumer(std::uint32_t context, ExprId subsumer) {
   //  C < D
   //  -------- [D < R some E is told]
   //  C -R-> E
-  for (const LinkRule& link : index_.links(subsumer))
-    add_link(context, link.role, require(index_.link_root(link.target)));
+  for (const LinkRule& link : index_.links(subsumer)) {
+    // By a functional role the successor may turn out to be this one itself, which then is in the target, too.
+    const bool may_be_itself = index_.may_be_functional(link.role);
+    add_link(context, link.role, require(may_be_itself ? link.target : index_.link_root(link.target)));
+  }
 
   //  C < D
   //  ---------- [D < R Self is told]
@@ -147,6 +173,16 @@ void Saturation::process_subsumer(std::uint32_t context, ExprId subsumer) {
   }
 
   for (const std::uint32_t axiom : index_.disjointness(subsumer)) add_disjointness(context, axiom);
+
+  //  C < D   C -R-> E
+  //  ---------------- [D has at most one S, R <* S]; here the first premise is new
+  //  E is the one S successor, as below
+  for (const RoleId functional : index_.functional_roles(subsumer)) {
+    for (std::uint32_t at = 0; at < self.forward_done && !self.is_unsatisfiable; ++at) {
+      group_successor(context, functional, self.forward[at]);
+    }
+    process_functional_self(context, functional);
+  }
   if (index_.has_nominals() && !self.is_unsatisfiable) process_nominal(context, subsumer);
 }
 
@@ -191,6 +227,7 @@ void Saturation::add_bottom(std::uint32_t context) {
   self.propagations = {};
   self.derived = {};
   self.selfs = {};
+  self.groups = {};
   self.nominals = {};
   enqueue(context);
 }
@@ -201,7 +238,7 @@ void Saturation::add_link(std::uint32_t from, RoleId role, std::uint32_t to) {
   ++conclusions_;
   ++links_;
   enqueue(to);
-  if (keeps_forward_ || index_.roles().is_second(role)) {
+  if (keeps_forward_ || index_.roles().is_second(role) || index_.may_be_functional(role)) {
     contexts_[from].forward.push_back({role, to});
     enqueue(from);
   }
@@ -239,6 +276,7 @@ void Saturation::process_forward(std::uint32_t context, Link link) {
       compose(before.context, before.role, link.role, link.context);
     }
   }
+  if (index_.may_be_functional(link.role)) process_functional(context, link);
   if (self.is_nonempty) require_nonempty(link.context);
   if (index_.has_nominals() && index_.has_negative_self()) find_self_of_link(context, link.role, link.context);
 }
@@ -249,6 +287,53 @@ void Saturation::compose(std::uint32_t from, RoleId first, RoleId second, std::u
        rule != rules.end() && rule->second == second; ++rule) {
     add_link(from, rule->result, to);
   }
+}
+
+void Saturation::process_functional(std::uint32_t context, Link link) {
+  for (const RoleId super : index_.roles().supers(link.role)) {
+    const auto holds_here = [&](ExprId id) { return contexts_[context].subsumers.contains(number(id)); };
+    if (index_.is_functional(super) || std::ranges::any_of(index_.functional_in(super), holds_here)) {
+      group_successor(context, super, link);
+      process_functional_self(context, super);
+    }
+  }
+}
+
+//  C -R1-> D1   C -R2-> D2
+//  ------------------------------------- [S is functional in C, R1 <* S, R2 <* S]
+//  C -R1-> D1 and D2   C -R2-> D1 and D2
+void Saturation::group_successor(std::uint32_t context, RoleId functional, Link link) {
+  if (!index_.roles().is_sub_role(link.role, functional)) return;
+  std::vector<FunctionalGroup>& groups = contexts_[context].groups;
+  auto group = std::ranges::find(groups, functional, &FunctionalGroup::functional);
+  if (group == groups.end()) {
+    groups.push_back({functional, link.context, {link.role}});
+    return;
+  }
+  const bool is_new_role = std::ranges::find(group->roles, link.role) == group->roles.end();
+  if (is_new_role) group->roles.push_back(link.role);
+  std::vector<ExprId> together = atoms_of(group->successor);
+  const std::size_t known = together.size();
+  for (const ExprId atom : atoms_of(link.context)) together.push_back(atom);
+  std::ranges::sort(together);
+  together.erase(std::unique(together.begin(), together.end()), together.end());
+  if (together.size() == known && !is_new_role) return;
+  const std::vector<RoleId> roles = group->roles;
+  const std::uint32_t successor = require_together(together);
+  group->successor = successor;
+  for (const RoleId role : roles) add_link(context, role, successor);
+}
+
+//  C < R Self   C -R'-> D
+//  ---------------------- [S is functional in C, R <* S, R' <* S]
+//  C < D
+void Saturation::process_functional_self(std::uint32_t context, RoleId functional) {
+  const Context& self = contexts_[context];
+  const bool has_self =
+      std::ranges::any_of(self.selfs, [&](RoleId role) { return index_.roles().is_sub_role(role, functional); });
+  const auto group = std::ranges::find(self.groups, functional, &FunctionalGroup::functional);
+  if (!has_self || group == self.groups.end()) return;
+  for (const ExprId atom : atoms_of(group->successor)) add_derived_atom(context, atom);
 }
 
 void Saturation::add_self(std::uint32_t context, RoleId role) {
@@ -272,6 +357,9 @@ void Saturation::process_self(std::uint32_t context, RoleId role) {
   //  ----------    ---------- [E is the range of R]
   //  C -R-> C      C < E
   add_link(context, role, context);
+  for (const RoleId super : index_.roles().supers(role)) {
+    if (index_.may_be_functional(super)) process_functional_self(context, super);
+  }
   if (index_.range_of(role) != top_expr) add_derived_atom(context, index_.representative(index_.range_of(role)));
 
   //  C < R Self   C < S Self
@@ -329,7 +417,7 @@ void Saturation::process_nominal(std::uint32_t context, ExprId subsumer) {
 }
 
 void Saturation::merge_into_nominal(std::uint32_t context, std::uint32_t nominal) {
-  add_derived_atom(nominal, contexts_[context].root);
+  for (const ExprId atom : atoms_of(context)) add_derived_atom(nominal, atom);
   const GrowingSet<std::uint32_t>& known = contexts_[context].subsumers;
   for (std::size_t at = 0; at < known.size(); ++at) {
     if (known[at] < index_.size()) add_subsumer(nominal, ExprId{known[at]});

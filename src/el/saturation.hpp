@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -31,10 +32,18 @@ struct Link {
   return ((static_cast<std::uint64_t>(link.role) << 32 | link.context) * 0x9e3779b97f4a7c15ULL) >> 20;
 }
 
-/// What is known of one atom. The tails of its lists behind the cursors are its to-do queue: a conclusion is tested for
-/// being new before it is queued, and every pair of premises meets once.
+/// The successors of a context by a functional role and its sub-roles: they are one.
+struct FunctionalGroup {
+  RoleId functional{};
+  std::uint32_t successor = 0;  ///< the context of all of them together
+  std::vector<RoleId> roles;    ///< by which it is a successor
+};
+
+/// What is known of one atom, or of some together. The tails of its lists behind the cursors are its to-do queue: a
+/// conclusion is tested for being new before it is queued, and every pair of premises meets once.
 struct Context {
-  ExprId root{};
+  ExprId root{};                 ///< F where it is of some atoms together
+  std::vector<ExprId> together;  ///< the atoms that it is of, ascending, where they are several
   bool is_unsatisfiable = false;
   bool is_nonempty = false;  ///< it has an instance in every model; followed only where there are nominals
   bool is_queued = false;
@@ -47,6 +56,7 @@ struct Context {
   std::vector<Link> forward;            ///< links that begin here, where something wants to know them
   std::vector<ExistentialRule> propagations;
   std::vector<RoleId> selfs;
+  std::vector<FunctionalGroup> groups;
   std::vector<ExprId> derived;          ///< atoms above that no told axiom puts there
   std::vector<std::uint32_t> nominals;  ///< contexts of the nominals above, itself not
   std::vector<std::uint32_t> members;   ///< of a nominal's context: the contexts below it
@@ -89,6 +99,12 @@ class Saturation {
   void add_bottom(std::uint32_t context);
   void add_disjointness(std::uint32_t context, std::uint32_t axiom);
   void compose(std::uint32_t from, RoleId first, RoleId second, std::uint32_t to);
+  std::uint32_t require_together(const std::vector<ExprId>& atoms);
+  void start(std::uint32_t context, std::span<const ExprId> atoms);
+  [[nodiscard]] std::vector<ExprId> atoms_of(std::uint32_t context) const;
+  void group_successor(std::uint32_t context, RoleId functional, Link link);
+  void process_functional(std::uint32_t context, Link link);
+  void process_functional_self(std::uint32_t context, RoleId functional);
   void process_nominal(std::uint32_t context, ExprId nominal);
   void merge_into_nominal(std::uint32_t context, std::uint32_t nominal);
   void find_selfs(std::uint32_t context, std::uint32_t nominal);
@@ -102,6 +118,7 @@ class Saturation {
   bool keeps_forward_;  ///< all forward links, not only those that chains want
   std::deque<Context> contexts_;
   std::vector<std::uint32_t> context_of_;  ///< by atom
+  std::map<std::vector<ExprId>, std::uint32_t> context_of_some_;
   std::vector<std::uint32_t> queue_;
 };
 

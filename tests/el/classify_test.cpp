@@ -260,6 +260,61 @@ const Case individuals[] = {
      {"inconsistent"}},
 };
 
+const Case functional[] = {
+    {"Functional",
+     "FunctionalObjectProperty(r)\nSubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(A ObjectSomeValuesFrom(r C))\n"
+     "SubClassOf(ObjectSomeValuesFrom(r ObjectIntersectionOf(B C)) D)",
+     {"A < D"}},
+    {"FunctionalClash",
+     "FunctionalObjectProperty(r)\nSubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(A ObjectSomeValuesFrom(r C))\n"
+     "DisjointClasses(B C)",
+     {"A < Nothing"}},
+    {"NotFunctional",
+     "SubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(A ObjectSomeValuesFrom(r C))\nDisjointClasses(B C)",
+     {}},
+    {"FunctionalSuperRole",
+     "FunctionalObjectProperty(f)\nSubObjectPropertyOf(r f)\nSubObjectPropertyOf(s f)\n"
+     "SubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(A ObjectSomeValuesFrom(s C))\n"
+     "SubClassOf(ObjectSomeValuesFrom(r C) D)",
+     {"A < D"}},
+    {"FunctionalThreeSuccessors",
+     "FunctionalObjectProperty(r)\nSubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(A ObjectSomeValuesFrom(r C))\n"
+     "SubClassOf(A ObjectSomeValuesFrom(r D))\nSubClassOf(ObjectSomeValuesFrom(r ObjectIntersectionOf(B C D)) E)",
+     {"A < E"}},
+    {"FunctionalInheritsWhatFollowsTogether",
+     "FunctionalObjectProperty(r)\nSubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(A ObjectSomeValuesFrom(r C))\n"
+     "SubClassOf(ObjectIntersectionOf(B C) ObjectSomeValuesFrom(r D))\n"
+     "SubClassOf(ObjectSomeValuesFrom(r ObjectSomeValuesFrom(r D)) E)",
+     {"A < E"}},
+    {"FunctionalSelf",
+     "FunctionalObjectProperty(r)\nSubClassOf(A ObjectHasSelf(r))\nSubClassOf(A ObjectSomeValuesFrom(r B))",
+     {"A < B"}},
+    {"FunctionalFacts",
+     "FunctionalObjectProperty(r)\nObjectPropertyAssertion(r i:a i:b)\nObjectPropertyAssertion(r i:a i:c)\n"
+     "DifferentIndividuals(i:b i:c)",
+     {"inconsistent"}},
+    {"AtMostOneHere",
+     "SubClassOf(A ObjectMaxCardinality(1 r))\nSubClassOf(A ObjectSomeValuesFrom(r B))\n"
+     "SubClassOf(A ObjectSomeValuesFrom(r C))\nSubClassOf(E ObjectSomeValuesFrom(r B))\n"
+     "SubClassOf(E ObjectSomeValuesFrom(r C))\nSubClassOf(ObjectSomeValuesFrom(r ObjectIntersectionOf(B C)) D)",
+     {"A < D"}},
+    {"ExactlyOneUnqualified",
+     "SubClassOf(A ObjectExactCardinality(1 r))\nSubClassOf(A ObjectSomeValuesFrom(r B))\n"
+     "SubClassOf(A ObjectSomeValuesFrom(r C))\nDisjointClasses(B C)",
+     {"A < Nothing"}},
+    {"AtMostOneQualifiedIsLeftOut", "SubClassOf(A ObjectMaxCardinality(1 r B))", {}, false},
+    {"InverseFunctionalIsLeftOut", "InverseFunctionalObjectProperty(r)", {}, false},
+    {"DataFunctional",
+     "FunctionalDataProperty(d:p)\nSubClassOf(A DataHasValue(d:p \"5\"^x:integer))\n"
+     "SubClassOf(A DataHasValue(d:p \"6\"^x:integer))\nSubClassOf(B DataHasValue(d:p \"5\"^x:integer))\n"
+     "SubClassOf(B DataHasValue(d:p \"5.0\"^x:decimal))",
+     {"A < Nothing"}},
+    {"DataFunctionalValueIsOfBothTypes",
+     "FunctionalDataProperty(d:p)\nSubClassOf(A DataSomeValuesFrom(d:p x:integer))\n"
+     "SubClassOf(A DataSomeValuesFrom(d:p x:string))",
+     {"A < Nothing"}},
+};
+
 const Case data[] = {
     {"DataExistential",
      "SubClassOf(A DataSomeValuesFrom(d:p x:integer))\nSubClassOf(DataSomeValuesFrom(d:p x:decimal) B)",
@@ -320,6 +375,7 @@ auto name_of = [](const auto& one) { return std::string(one.param.name); };
 INSTANTIATE_TEST_SUITE_P(Hierarchy, Classify, testing::ValuesIn(hierarchy), name_of);
 INSTANTIATE_TEST_SUITE_P(Bottom, Classify, testing::ValuesIn(bottom), name_of);
 INSTANTIATE_TEST_SUITE_P(Existential, Classify, testing::ValuesIn(existential), name_of);
+INSTANTIATE_TEST_SUITE_P(Functional, Classify, testing::ValuesIn(functional), name_of);
 INSTANTIATE_TEST_SUITE_P(Data, Classify, testing::ValuesIn(data), name_of);
 INSTANTIATE_TEST_SUITE_P(Individuals, Classify, testing::ValuesIn(individuals), name_of);
 
