@@ -16,8 +16,9 @@ namespace geminga::participant {
 struct Limits {
   /// Connected clients. One more is told 429 and closed; the others do not notice.
   std::size_t peers = 128;
-  /// Publications, and as many subscriptions, of one peer; one more is 429.
-  std::size_t services_per_peer = 1024;
+  /// Publications, and as many subscriptions, of one peer; one more is 429. Well below `services`, so that no one peer
+  /// can take the share of the others.
+  std::size_t services_per_peer = 256;
   /// Publications and subscriptions of all peers together; one more is 429. Never more than can be announced.
   std::size_t services = beacon::max_services_per_participant;
   /// Lines of one peer in one second; a line over it is answered by 429 and not handled.

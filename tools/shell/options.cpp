@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "shell/report.hpp"
+#include "shell/terminal.hpp"
 
 namespace geminga::shell {
 namespace {
@@ -93,7 +94,10 @@ std::optional<ExitStatus> parse(CLI::App& app, int argc, char** argv) {
       app.exit(error, std::cout, std::cerr);  // --help and --version
       return ExitStatus::found;
     }
-    complain(app.get_name(), std::string(error.what()) + ": see " + app.get_name() + " --help");
+    const auto words = app.remaining();
+    const bool is_no_command = !words.empty() && error.get_name() == "RequiredError" && app.get_subcommands().empty();
+    const std::string wrong = is_no_command ? "'" + printable(words.front()) + "' is no command" : error.what();
+    complain(app.get_name(), wrong + ": see " + app.get_name() + " --help");
     return ExitStatus::wrong_use;
   }
 }
