@@ -26,6 +26,7 @@ Graph::Graph() {
 }
 
 const char* Graph::store(std::string_view text) {
+  if (text.empty()) return "";
   if (text.size() > chunk_left_) {
     const std::size_t size = std::max(chunk_bytes, text.size());
     chunks_.push_back(std::make_unique_for_overwrite<char[]>(size));
@@ -44,7 +45,7 @@ NodeId Graph::intern(NodeKind kind, std::string_view text, NodeId datatype, Node
   const std::uint32_t found = table_.find(hash, [&](std::uint32_t number) {
     const Record& record = nodes_[number];
     return record.size == text.size() && record.kind == kind && record.datatype == datatype &&
-           record.language == language && std::memcmp(record.text, text.data(), text.size()) == 0;
+           record.language == language && std::string_view(record.text, record.size) == text;
   });
   if (found != el::NumberTable::none) return NodeId{found};
   const auto number = static_cast<std::uint32_t>(nodes_.size());

@@ -89,9 +89,12 @@ TEST(Compile, WithTooLittleMemoryFailsAsAWhole) {
                std::to_string(i / 3) + "> .\n";
   program.write("large.nt", triples);
   const Outcome outcome = program.run({"compile", "large.nt", "-o", "out.gmo", "--memory-limit", "96"});
-  EXPECT_EQ(outcome.status, 2) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("memory"));
+  EXPECT_NE(outcome.status, 0);
   EXPECT_THAT(files_in(program), testing::ElementsAre("large.nt"));
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose shadow memory is beyond any such limit
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("memory"));
+#endif
 }
 
 }  // namespace
