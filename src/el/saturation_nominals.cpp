@@ -1,0 +1,83 @@
+// The rules for nominals, and for what must have an instance; the legend is in saturation.hpp.
+#include <algorithm>
+
+#include "el/saturation.hpp"
+
+namespace geminga::el {
+
+void Saturation::require_nonempty(std::uint32_t context) {
+  std::vector<std::uint32_t> stack = {context};
+  while (!stack.empty()) {
+    const std::uint32_t at = stack.back();
+    stack.pop_back();
+    Context& self = contexts_[at];
+    if (self.is_nonempty) continue;
+    self.is_nonempty = true;
+    if (self.is_unsatisfiable) is_consistent_ = false;
+    // What is still to be processed will see the flag.
+    for (std::uint32_t done = 0; done < self.forward_done; ++done) stack.push_back(self.forward[done].context);
+    for (const std::uint32_t nominal : self.nominals) merge_into_nominal(at, nominal);
+  }
+}
+
+//  C < {a}   {a} < D     C < {a}   C < D
+//  -----------------     --------------- [C is not empty]
+//  C < D                 {a} < D
+void Saturation::process_nominal(std::uint32_t context, ExprId subsumer) {
+  Context& self = contexts_[context];
+  // What is new here is passed on to what is below this nominal, and to the nominals that this is equal to.
+  for (std::size_t at = 0; at < self.members.size(); ++at) add_subsumer(self.members[at], subsumer);
+  if (self.is_nonempty) {
+    for (const std::uint32_t nominal : self.nominals) add_subsumer(nominal, subsumer);
+  }
+  if (!index_.is_nominal(subsumer)) return;
+  const std::uint32_t nominal = require(subsumer);
+  if (nominal == context) return;
+  self.nominals.push_back(nominal);
+  contexts_[nominal].members.push_back(context);
+  const GrowingSet<std::uint32_t>& known = contexts_[nominal].subsumers;
+  for (std::size_t at = 0; at < known.size(); ++at) {
+    if (known[at] < index_.size()) add_subsumer(context, ExprId{known[at]});
+  }
+  if (self.is_nonempty) merge_into_nominal(context, nominal);
+  if (index_.has_negative_self()) find_selfs(context, nominal);
+}
+
+void Saturation::merge_into_nominal(std::uint32_t context, std::uint32_t nominal) {
+  for (const ExprId atom : atoms_of(context)) add_derived_atom(nominal, atom);
+  const GrowingSet<std::uint32_t>& known = contexts_[context].subsumers;
+  for (std::size_t at = 0; at < known.size(); ++at) {
+    if (known[at] < index_.size()) add_subsumer(nominal, ExprId{known[at]});
+  }
+}
+
+//  C < {a}   D < {a}   C -R-> D
+//  ----------------------------
+//  C < R Self
+void Saturation::find_selfs(std::uint32_t context, std::uint32_t nominal) {
+  const auto is_same = [&](std::uint32_t other) {
+    return other == nominal || std::ranges::find(contexts_[other].nominals, nominal) != contexts_[other].nominals.end();
+  };
+  for (std::size_t at = 0; at < contexts_[context].backward.size(); ++at) {
+    const Link link = contexts_[context].backward[at];
+    if (is_same(link.context)) add_self(link.context, link.role);
+  }
+  for (std::size_t at = 0; at < contexts_[context].forward.size(); ++at) {
+    const Link link = contexts_[context].forward[at];
+    if (is_same(link.context)) add_self(context, link.role);
+  }
+}
+
+void Saturation::find_self_of_link(std::uint32_t from, RoleId role, std::uint32_t to) {
+  const auto nominals_of = [&](std::uint32_t context) {
+    std::vector<std::uint32_t> nominals = contexts_[context].nominals;
+    if (index_.is_nominal(contexts_[context].root)) nominals.push_back(context);
+    return nominals;
+  };
+  const std::vector<std::uint32_t> ends = nominals_of(to);
+  for (const std::uint32_t nominal : nominals_of(from)) {
+    if (std::ranges::find(ends, nominal) != ends.end()) return add_self(from, role);
+  }
+}
+
+}  // namespace geminga::el
