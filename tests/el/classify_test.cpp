@@ -1,7 +1,6 @@
 // What follows from each construct, and what does not, in ontologies of a few lines.
 #include "el/classify.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "entailed.hpp"
@@ -9,11 +8,6 @@
 
 namespace geminga::el {
 namespace {
-
-using testing::Contains;
-using testing::ElementsAre;
-using testing::IsEmpty;
-using testing::Not;
 
 class Classify : public testing::TestWithParam<Entailed> {};
 TEST_P(Classify, FindsExactlyWhatFollows) { expect_exactly(GetParam()); }
