@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
@@ -18,6 +19,7 @@
 #include <csignal>
 #include <cstddef>
 #include <system_error>
+#include <utility>
 
 namespace geminga::daemon {
 namespace {
@@ -26,6 +28,8 @@ namespace net = boost::asio;
 
 /// The status of a child that could not become the program; as the shell has it.
 constexpr int cannot_execute = 127;
+/// Reads of 4 KiB in one turn of the event loop: twice what a pipe holds, and no more for a child that never stops.
+constexpr int reads_per_turn = 32;
 
 std::string reason() { return std::generic_category().message(errno); }
 
@@ -107,6 +111,7 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
       return std::unexpected(std::generic_category().message(fork_error));
     }
     words_.assign(ends[0]);
+    words_.native_non_blocking(true);
     // By its number, because glibc 2.36 declares pidfd_open() without C linkage.
     const int process = static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0));
     if (process < 0) {
@@ -121,7 +126,7 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
     timer_.async_wait([self = shared_from_this()](const boost::system::error_code& error) {
       if (error || self->pid_ <= 0) return;
       self->is_late_ = true;
-      ::kill(-self->pid_, SIGKILL);
+      self->signal_all();
     });
     return {};
   }
@@ -134,22 +139,37 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
     words_.close(ignored);
     process_.close(ignored);
     if (pid_ <= 0) return;
-    ::kill(-pid_, SIGKILL);
-    ::kill(pid_, SIGKILL);  // where it has not yet made its group
+    signal_all();
     while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
     }
     pid_ = -1;
   }
 
  private:
+  void signal_all() const {
+    ::kill(-pid_, SIGKILL);
+    ::kill(pid_, SIGKILL);  // where it has not yet made its group
+  }
+
+  /// Waits and then reads itself: what the event loop had read into a buffer of ours could be overtaken by finish().
   void read_words() {
-    words_.async_read_some(net::buffer(chunk_),
-                           [self = shared_from_this()](const boost::system::error_code& error, std::size_t size) {
-                             if (error) return;
-                             const std::size_t room = self->limits_.words_bytes - self->end_.words.size();
-                             self->end_.words.append(self->chunk_.data(), std::min(size, room));
-                             self->read_words();
-                           });
+    words_.async_wait(net::posix::stream_descriptor::wait_read,
+                      [self = shared_from_this()](const boost::system::error_code& error) {
+                        if (!error && self->take_words()) self->read_words();
+                      });
+  }
+
+  /// Takes what it has said until now; what is over the bound is read and dropped. False at the end of its words.
+  bool take_words() {
+    std::array<char, 4096> chunk;
+    for (int turn = 0; turn < reads_per_turn; ++turn) {
+      const ssize_t size = ::read(words_.native_handle(), chunk.data(), chunk.size());
+      if (size < 0 && errno == EINTR) continue;
+      if (size <= 0) return size < 0;
+      const std::size_t room = limits_.words_bytes - end_.words.size();
+      end_.words.append(chunk.data(), std::min(static_cast<std::size_t>(size), room));
+    }
+    return true;
   }
 
   void await_end() {
@@ -164,7 +184,7 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
     if (::waitpid(pid_, &status, WNOHANG) != pid_) return;
     pid_ = -1;
     timer_.cancel();
-    drain();
+    take_words();  // what it wrote just before its end
     end_.has_succeeded = WIFEXITED(status) && WEXITSTATUS(status) == 0 && !is_late_;
     if (is_late_) {
       end_.how = "stopped after " + std::to_string(limits_.time.count()) + " s";
@@ -181,23 +201,11 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
     if (done_) std::exchange(done_, nullptr)(end_);
   }
 
-  /// What it wrote just before its end.
-  void drain() {
-    words_.native_non_blocking(true);
-    for (;;) {
-      const std::size_t room = limits_.words_bytes - end_.words.size();
-      const ssize_t size = ::read(words_.native_handle(), chunk_.data(), std::min(chunk_.size(), room));
-      if (size <= 0) return;
-      end_.words.append(chunk_.data(), static_cast<std::size_t>(size));
-    }
-  }
-
   ChildLimits limits_;
   Done done_;
   net::posix::stream_descriptor words_;
   net::posix::stream_descriptor process_;
   net::steady_timer timer_;
-  std::array<char, 4096> chunk_{};
   ChildEnd end_;
   pid_t pid_ = -1;
   bool is_late_ = false;

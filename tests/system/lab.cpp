@@ -2,7 +2,6 @@
 
 #include <arpa/inet.h>
 #include <fcntl.h>
-#include <poll.h>
 #include <sched.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
@@ -182,13 +181,7 @@ Talk Lab::talk(std::size_t host, const std::string& address) {
 }
 
 bool Lab::wait_for_participants(std::size_t host, std::size_t count) {
-  Talk talk = this->talk(host);
-  const auto until = std::chrono::steady_clock::now() + patience;
-  while (talk.query("participants").size() != count) {
-    if (std::chrono::steady_clock::now() > until) return false;
-    ::poll(nullptr, 0, 5);  // asked again a moment later: there is no event for it
-  }
-  return true;
+  return talk(host).wait_until("participants", [&](const auto& lines) { return lines.size() == count; });
 }
 
 void Lab::cut(std::size_t host) {

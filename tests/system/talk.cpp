@@ -118,6 +118,16 @@ std::vector<std::string> Talk::query(const std::string& words) {
   return lines;
 }
 
+bool Talk::wait_until(const std::string& words, const std::function<bool(const std::vector<std::string>&)>& holds) {
+  constexpr int moment = 5;  // milliseconds; without it the daemon would answer 429
+  const auto until = std::chrono::steady_clock::now() + patience;
+  while (!holds(query(words))) {
+    if (std::chrono::steady_clock::now() > until) return false;
+    ::poll(nullptr, 0, moment);
+  }
+  return true;
+}
+
 bool Talk::is_closed_by_daemon() {
   while (read_more()) {
   }

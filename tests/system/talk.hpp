@@ -3,7 +3,7 @@
 #define GEMINGA_TESTS_SYSTEM_TALK_HPP
 
 #include <cstdint>
-#include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,6 +34,10 @@ class Talk {
   [[nodiscard]] std::vector<std::string> lines_until_pong();
   /// Asks `ID query WORDS` and gives the answer's lines without the end.
   [[nodiscard]] std::vector<std::string> query(const std::string& words);
+  /// Asks again and again, a moment apart, until the answer's lines satisfy `holds`; for what no event tells. False
+  /// when patience ended first.
+  [[nodiscard]] bool wait_until(const std::string& words,
+                                const std::function<bool(const std::vector<std::string>&)>& holds);
   /// Whether the daemon closes the connection, whatever it says before.
   [[nodiscard]] bool is_closed_by_daemon();
 

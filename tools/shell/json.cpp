@@ -38,16 +38,14 @@ constexpr auto words_of_status =
 
 /// The number that the whole text is in decimal, or nothing.
 std::optional<json::value> number(std::string_view text) {
-  const char* const end = text.data() + text.size();
-  std::int64_t whole = 0;
-  if (const auto read = std::from_chars(text.data(), end, whole); read.ec == std::errc() && read.ptr == end) {
-    return json::value(whole);
-  }
+  const auto is_whole = [&](const std::from_chars_result& read) {
+    return read.ec == std::errc() && read.ptr == text.data() + text.size();
+  };
+  std::int64_t integer = 0;
+  if (is_whole(std::from_chars(text.data(), text.data() + text.size(), integer))) return json::value(integer);
   double real = 0;
   if (text.find_first_not_of("0123456789.-") != std::string_view::npos) return std::nullopt;
-  if (const auto read = std::from_chars(text.data(), end, real); read.ec == std::errc() && read.ptr == end) {
-    return json::value(real);
-  }
+  if (is_whole(std::from_chars(text.data(), text.data() + text.size(), real))) return json::value(real);
   return std::nullopt;
 }
 
