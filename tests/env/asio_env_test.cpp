@@ -157,7 +157,9 @@ TEST(AsioEnvUnicast, ReachesANamedPeerAndTakesOnlyNamedPeers) {
   Station a(context);
   Station b(context);
   a.open(port_a, {}, {{"127.0.0.1", port_b}});
-  b.open(port_b, {}, {{"localhost", port_a}, {"127.0.0.1", port_b}});  // a list may name oneself
+  // 127.1 is no address in numbers to us, so it goes the way of a name, and needs no hosts file, which a fresh system
+  // has not.
+  b.open(port_b, {}, {{"127.1", port_a}, {"127.0.0.1", port_b}});  // a list may name oneself
   net::ip::udp::socket stranger(context, {net::ip::make_address("127.0.0.2"), 0});
   stranger.send_to(net::buffer("from a stranger", 15), {net::ip::address_v4::loopback(), port_b});
   a.send("hello b");
