@@ -1,0 +1,148 @@
+// The clausal form of an ontology: what both engines beyond EL work on.
+//
+// A clause  L1 and ... and Lm -> R1 or ... or Rn  holds for every x and every y1..yk around it (Motik, Shearer,
+// Horrocks: Hypertableau Reasoning for Description Logics, 2009, section 4; Bate et al.: Consequence-Based Reasoning
+// for SRIQ, 2018, section 3). An empty body is true, an empty head is false. Inverse properties are written by turning
+// the arguments round: R-(x, y) is R(y, x).
+//
+// Legend: A B concepts, R S object properties, U data properties, D data ranges, x the centre, y y1 y2 its neighbours,
+// v v1 v2 values, >= n R.B "at least n R neighbours in B".
+#ifndef GEMINGA_CLAUSES_CLAUSE_HPP
+#define GEMINGA_CLAUSES_CLAUSE_HPP
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "el/source.hpp"
+
+namespace geminga::clauses {
+
+/// A unary predicate over things: a named class, a nominal {a}, or a name for a class expression. Dense.
+enum class ConceptId : std::uint32_t {};
+inline constexpr ConceptId thing{0};
+inline constexpr ConceptId nothing{1};
+/// An object property. Dense.
+enum class PropertyId : std::uint32_t {};
+/// A data property. Dense.
+enum class DataPropertyId : std::uint32_t {};
+/// A unary predicate over values: a data range, whose meaning is its term. Dense.
+enum class DataRangeId : std::uint32_t {};
+/// An individual, named or anonymous. Dense.
+enum class IndividualId : std::uint32_t {};
+
+template <typename Id>
+[[nodiscard]] constexpr std::uint32_t number(Id id) {
+  return static_cast<std::uint32_t>(id);
+}
+
+/// An object property or its inverse.
+struct Role {
+  PropertyId property{};
+  bool is_inverse = false;
+  friend auto operator<=>(const Role&, const Role&) = default;
+};
+
+/// The variables of a clause: 0 is the centre x, others are its neighbours y1, y2, ... (or values v1, v2, ...).
+using Variable = std::uint8_t;
+inline constexpr Variable centre = 0;
+
+enum class AtomKind : std::uint8_t {
+  concept_of,     ///< B(first)
+  role,           ///< R(first, second): one of them is the centre, or both are
+  equal,          ///< first = second; heads only
+  at_least,       ///< (>= n R.B)(x), predicate is an index of ClauseSet::at_leasts; heads only
+  data_role,      ///< U(x, second)
+  data_range,     ///< D(first), about a value; heads only (a range in a body stands as its complement in the head)
+  data_equal,     ///< values first = second; heads only
+  data_at_least,  ///< (>= n U.D)(x), an index of ClauseSet::data_at_leasts; heads only
+};
+
+struct Atom {
+  AtomKind kind = AtomKind::concept_of;
+  Variable first = centre;
+  Variable second = centre;
+  std::uint32_t predicate = 0;  ///< number of a ConceptId, PropertyId, DataPropertyId, DataRangeId, or an index
+  friend auto operator<=>(const Atom&, const Atom&) = default;
+};
+
+struct Clause {
+  std::vector<Atom> body;
+  std::vector<Atom> head;
+  friend auto operator<=>(const Clause&, const Clause&) = default;
+};
+
+/// >= count role.filler
+struct AtLeast {
+  std::uint32_t count = 1;
+  Role role;
+  ConceptId filler = thing;
+  friend auto operator<=>(const AtLeast&, const AtLeast&) = default;
+};
+struct DataAtLeast {
+  std::uint32_t count = 1;
+  DataPropertyId property{};
+  DataRangeId range{};  ///< 0 is rdfs:Literal, every value
+  friend auto operator<=>(const DataAtLeast&, const DataAtLeast&) = default;
+};
+
+enum class ConceptKind : std::uint8_t {
+  named,     ///< term: the named class
+  nominal,   ///< the one instance is `individual`; term: the individual
+  auxiliary  ///< stands for a class expression or a state of a property's automaton
+};
+struct Concept {
+  ConceptKind kind = ConceptKind::named;
+  el::TermId term{};
+  IndividualId individual{};
+};
+
+/// The facts. Negative ones are clauses over nominals.
+struct ConceptFact {
+  ConceptId of{};
+  IndividualId individual{};
+};
+struct RoleFact {
+  PropertyId property{};
+  IndividualId first{};
+  IndividualId second{};
+};
+/// `value` is a literal term of the source.
+struct DataFact {
+  DataPropertyId property{};
+  IndividualId individual{};
+  el::TermId value{};
+};
+struct Equality {
+  IndividualId first{};
+  IndividualId second{};
+  bool is_negated = false;  ///< they are different
+};
+
+/// An axiom of the source that is not, or not wholly, in the clauses.
+struct Unused {
+  std::uint32_t axiom = 0;
+  std::string_view construct;  ///< the words of el::to_string(el::Construct), or others as short
+};
+
+/// The whole ontology. Tables are indexed by the numbers of the ids.
+struct ClauseSet {
+  std::vector<Concept> concepts;       ///< [0] is owl:Thing, [1] owl:Nothing
+  std::vector<el::TermId> properties;  ///< the object property
+  std::vector<el::TermId> data_properties;
+  std::vector<el::TermId> data_ranges;  ///< datatype or data range expression; [0] is rdfs:Literal
+  std::vector<el::TermId> individuals;
+  std::vector<AtLeast> at_leasts;
+  std::vector<DataAtLeast> data_at_leasts;
+  std::vector<Clause> clauses;  ///< sorted, without doubles
+  std::vector<ConceptFact> concept_facts;
+  std::vector<RoleFact> role_facts;
+  std::vector<DataFact> data_facts;
+  std::vector<Equality> equalities;
+  std::vector<ConceptId> queries;  ///< of each expression asked for: a concept whose instances are in it
+  std::vector<Unused> unused;      ///< ascending by axiom
+};
+
+}  // namespace geminga::clauses
+
+#endif

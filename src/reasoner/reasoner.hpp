@@ -1,0 +1,49 @@
+// The reasoner as its users see it: classifies, decides and completes with whichever engine the question needs.
+//
+// el saturates what is EL (and functional properties) and is the fastest; consequence derives what follows with
+// inverses, universals, unions and cardinalities; tableau builds models, which shows what does not follow. Every answer
+// is sound. It is complete where el used all, or where consequence has no gap, or where a model was found for every
+// subsumption that was not derived.
+#ifndef GEMINGA_REASONER_REASONER_HPP
+#define GEMINGA_REASONER_REASONER_HPP
+
+#include <cstdint>
+#include <expected>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "el/classify.hpp"
+#include "el/source.hpp"
+#include "tableau/tableau.hpp"
+
+namespace geminga::reasoner {
+
+using tableau::Answer;
+using tableau::Verdict;
+
+struct Options {
+  unsigned threads = 1;
+  /// Called now and then with what is being done and how far it is, in [0, 1]; on the caller's thread.
+  std::function<void(std::string_view phase, double done)> progress;
+};
+
+/// Classifies with all engines. `unused` of the result lists what no engine could use, axiom by axiom; it is empty
+/// where the taxonomy is proven complete.
+[[nodiscard]] std::expected<el::Classification, el::ClassifyError> classify(const el::OntologySource& source,
+                                                                            const Options& options = {});
+
+/// Whether the axioms of the source have a model.
+[[nodiscard]] Answer is_consistent(const el::OntologySource& source);
+
+/// Whether these axioms (numbers in the source; nothing: all) entail that every instance of class expression `sub` is
+/// one of `super`. Both are terms of the source.
+[[nodiscard]] Answer entails(const el::OntologySource& source, std::optional<std::span<const std::uint32_t>> axioms,
+                             el::TermId sub, el::TermId super);
+
+}  // namespace geminga::reasoner
+
+#endif
