@@ -26,11 +26,13 @@ struct ClausifyError {
 /// Translates the axioms with these numbers (nothing: all). Every construct of OWL 2 DL has a translation; what OWL 2
 /// DL forbids (irregular chains, cardinalities of properties that are not simple) is left out and named in `unused`, so
 /// the clauses never say more than the axioms. `queries` are class expressions of the source: each gets a concept Q
-/// with Q SubClassOf expression, so that Q is satisfiable exactly if the expression is.
+/// with Q SubClassOf expression, so that Q is satisfiable exactly if the expression is; each of `complements` one with
+/// Q SubClassOf not expression.
 /// Depends on the set of axioms, not on their order.
 [[nodiscard]] std::expected<ClauseSet, ClausifyError> clausify(const el::OntologySource& source,
                                                                std::optional<std::span<const std::uint32_t>> axioms,
                                                                std::span<const el::TermId> queries,
+                                                               std::span<const el::TermId> complements = {},
                                                                const ClausifyLimits& limits = {});
 
 }  // namespace geminga::clauses
