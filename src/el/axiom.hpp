@@ -140,6 +140,10 @@ struct Axiom {
 
 inline constexpr std::string_view owl_thing = "http://www.w3.org/2002/07/owl#Thing";
 inline constexpr std::string_view owl_nothing = "http://www.w3.org/2002/07/owl#Nothing";
+inline constexpr std::string_view owl_top_object_property = "http://www.w3.org/2002/07/owl#topObjectProperty";
+inline constexpr std::string_view owl_bottom_object_property = "http://www.w3.org/2002/07/owl#bottomObjectProperty";
+inline constexpr std::string_view owl_top_data_property = "http://www.w3.org/2002/07/owl#topDataProperty";
+inline constexpr std::string_view owl_bottom_data_property = "http://www.w3.org/2002/07/owl#bottomDataProperty";
 
 }  // namespace geminga::el
 

@@ -40,6 +40,8 @@ class Classifier {
     }
     count(saturation);
     reduce(saturation);
+    result_.object_properties = classify_properties(source_, PropertyKind::object, result_.is_consistent);
+    result_.data_properties = classify_properties(source_, PropertyKind::data, result_.is_consistent);
     return std::move(result_);
   }
 

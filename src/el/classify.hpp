@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "el/ontology.hpp"
+#include "el/property_taxonomy.hpp"
 #include "el/source.hpp"
 
 namespace geminga::el {
@@ -53,6 +54,8 @@ struct Classification {
   /// parent_begin[c + 1]). Empty for others, for owl:Thing, and for owl:Nothing's (which lies below every leaf).
   std::vector<std::uint32_t> parent_begin;
   std::vector<ClassNumber> parents;
+  PropertyTaxonomy object_properties;
+  PropertyTaxonomy data_properties;
   bool is_consistent = true;        ///< false: an individual must be in owl:Nothing, and everything follows
   std::vector<UnusedAxiom> unused;  ///< ascending by axiom
   ClassifyCounts counts;

@@ -143,9 +143,12 @@ void Compiler::write_names(compiled::OntologyT& out) const {
     out.prefix_iri.push_back(pool_.number_of(iri));
   }
   for (const FileId id : order_.files) {
+    const LoadedFile& loaded = source_.files()[static_cast<std::size_t>(id)];
     auto file = std::make_unique<compiled::FileT>();
-    file->path = source_.files()[static_cast<std::size_t>(id)].path;
-    file->ontology_iri = source_.files()[static_cast<std::size_t>(id)].ontology_iri;
+    file->path = loaded.path;
+    file->ontology_iri = loaded.ontology_iri;
+    file->size = loaded.content.size;
+    file->hash = loaded.content.hash;
     out.files.push_back(std::move(file));
   }
   for (const LeftOut& left : left_out_) {

@@ -198,7 +198,7 @@ std::expected<CompiledView, CompiledError> view_compiled(std::span<const std::by
 std::vector<LoadedFile> files_of(const CompiledView& view) {
   std::vector<LoadedFile> files;
   for (const compiled::File* file : *view.root->files())
-    files.push_back({file->path()->str(), file->ontology_iri()->str()});
+    files.push_back({file->path()->str(), file->ontology_iri()->str(), {file->size(), file->hash()}});
   return files;
 }
 

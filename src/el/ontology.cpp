@@ -136,6 +136,14 @@ Ontology::~Ontology() = default;
 std::uint64_t Ontology::digest() const { return mapped_->view.digest; }
 std::uint32_t Ontology::class_count() const { return mapped_->view.class_count(); }
 std::vector<LoadedFile> Ontology::files() const { return files_of(mapped_->view); }
+std::optional<std::string> Ontology::stale_source() const {
+  for (const LoadedFile& file : files()) {
+    if (!has_changed(file.path, file.content)) continue;
+    return base::printable(file.path, 4096) + " has changed since this was compiled: compile it again";
+  }
+  return std::nullopt;
+}
+
 std::vector<LeftOut> Ontology::left_out() const { return left_out_of(mapped_->view); }
 bool Ontology::is_consistent() const { return mapped_->view.is_consistent; }
 

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "el/fingerprint.hpp"
+
 namespace geminga::el {
 
 /// The dense number of a named class in one ontology, [0, class_count). Numbers of different ontologies have nothing in
@@ -33,6 +35,7 @@ struct CompiledError {
 struct LoadedFile {
   std::string path;
   std::string ontology_iri;  ///< empty: the file names none
+  Fingerprint content{};     ///< of what was read; not known where the reader did not say
 };
 
 /// Axioms of one kind that the reasoner did not use, e.g. {"owl:inverseOf", 12, "soma.owl:17"}.
@@ -68,6 +71,10 @@ class Ontology {
   [[nodiscard]] std::uint64_t digest() const;
   [[nodiscard]] std::uint32_t class_count() const;
   [[nodiscard]] std::vector<LoadedFile> files() const;
+  /// One line for a user where a file that this was compiled from has changed since: "soma.owl has changed since this
+  /// was compiled: compile it again". Files that are gone are not asked for; paths are as they were given. Reads the
+  /// files, so that a copy or a checkout of the same content is no change.
+  [[nodiscard]] std::optional<std::string> stale_source() const;
   [[nodiscard]] std::vector<LeftOut> left_out() const;
   /// False: some individual cannot exist, and every class is below every other.
   [[nodiscard]] bool is_consistent() const;

@@ -31,6 +31,11 @@ OntologySource::OntologySource(const SourceLimits& limits) : limits_(limits) {
   intern("", 0);
   intern_term(TermKind::named_class, intern(owl_thing, owl_thing.size()), 0, {});
   intern_term(TermKind::named_class, intern(owl_nothing, owl_nothing.size()), 0, {});
+  // Every taxonomy of properties has these.
+  for (const std::string_view property :
+       {owl_top_object_property, owl_bottom_object_property, owl_top_data_property, owl_bottom_data_property}) {
+    intern(property, property.size());
+  }
   problem_.reset();
 }
 
@@ -180,12 +185,16 @@ FileId OntologySource::add_file(std::string_view path, std::string_view ontology
     fail("more than " + std::to_string(limits_.files) + " files");
     if (!files_.empty()) return FileId{0};
   }
-  files_.push_back({std::string(path), std::string(ontology_iri)});
+  files_.push_back({std::string(path), std::string(ontology_iri), {}});
   return FileId{static_cast<std::uint32_t>(files_.size() - 1)};
 }
 
 void OntologySource::set_ontology_iri(FileId file, std::string_view ontology_iri) {
   files_[static_cast<std::size_t>(file)].ontology_iri = ontology_iri;
+}
+
+void OntologySource::set_content(FileId file, const Fingerprint& content) {
+  files_[static_cast<std::size_t>(file)].content = content;
 }
 
 void OntologySource::add_label(std::string_view entity_iri, std::string_view text, std::string_view language) {

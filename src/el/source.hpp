@@ -59,6 +59,8 @@ class OntologySource {
   /// Files are numbered in the order in which they are added. `ontology_iri` may be given later, when it has been read.
   FileId add_file(std::string_view path, std::string_view ontology_iri = {});
   void set_ontology_iri(FileId file, std::string_view ontology_iri);
+  /// What the file held when it was read; a compiled form can then be told from one of other content.
+  void set_content(FileId file, const Fingerprint& content);
 
   // Entities. They are not declared by that: a class of no axiom is not in the ontology.
   TermId named_class(std::string_view iri) { return entity(TermKind::named_class, iri); }

@@ -155,6 +155,7 @@ class Loading {
     const el::FileId file = loaded_.source.add_file(path);
     auto bytes = FileBytes::read(path, limits_);
     if (!bytes) return std::move(bytes.error());
+    loaded_.source.set_content(file, el::fingerprint_of(bytes->view()));
     const auto syntax = detect_syntax(path, bytes->view());
     if (!syntax) return LoadError{base::printable(path, 4096), 0, syntax.error()};
     if (*syntax == Syntax::functional) return read_other(number, file, bytes->view());
