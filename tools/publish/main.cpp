@@ -7,6 +7,7 @@
 
 #include "geminga/client.hpp"
 #include "shell/describe.hpp"
+#include "shell/event_printer.hpp"
 #include "shell/json.hpp"
 #include "shell/options.hpp"
 #include "shell/report.hpp"
@@ -90,21 +91,6 @@ std::expected<void, ClientError> begin(const Options& options, Client& client) {
   return {};
 }
 
-bool print(const Options& options, const Event& event) {
-  if (const auto* error = std::get_if<Error>(&event.what)) {
-    shell::complain(program, error->text);
-    return false;
-  }
-  const auto* consumer = std::get_if<ConsumerEvent>(&event.what);
-  if (consumer == nullptr) return false;
-  if (options.common.is_json) {
-    shell::print(std::cout, shell::to_json(*consumer));
-  } else {
-    std::cout << shell::printable(shell::line_of(*consumer)) << std::endl;
-  }
-  return true;
-}
-
 int run(int argc, char** argv) {
   CLI::App app("Offers one service until it is ended, and prints who consumes it.", std::string(program));
   app.footer(examples);
@@ -113,6 +99,7 @@ int run(int argc, char** argv) {
   app.callback([&options] { complete(options); });
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
 
+  shell::EventPrinter<ConsumerEvent> printer(program, options.common.is_json);
   shell::Stream stream;
   stream.program = program;
   stream.connection.connect = options.common.connect;
@@ -120,7 +107,7 @@ int run(int argc, char** argv) {
   stream.connection.timeout = options.common.timeout_or(stream.connection.timeout);
   stream.is_kept = options.is_kept;
   stream.begin = [&options](Client& client) { return begin(options, client); };
-  stream.print = [&options](const Event& event) { return print(options, event); };
+  stream.print = [&printer](const Event& event) { return printer.print(event); };
   return static_cast<int>(shell::run(stream));
 }
 

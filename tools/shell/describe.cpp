@@ -103,14 +103,30 @@ std::string duration_words(std::string_view seconds) {
   return number_words(value / 86400, "d");
 }
 
+std::string name_of(const ServiceEvent& event) {
+  return who(peer_word(event.service), event.peer_name, event.participant_name) + "  " +
+         identity_words(event.publication.identity);
+}
+
+std::string name_of(const ConsumerEvent& event) {
+  return who(peer_word(event.subscription), event.peer_name, event.participant_name) + "  " +
+         identity_words(event.subscribed.identity);
+}
+
+std::string gone_line(std::string_view name, const ServiceKey& key, std::string_view reason) {
+  std::string line = sign(Change::del);
+  if (!name.empty()) line += std::string(name) + "  ";
+  return line + to_string(key) + "  " + std::string(reason);
+}
+
 std::string line_of(const ServiceEvent& event) {
-  if (event.change == Change::del) return sign(event.change) + to_string(event.service) + "  " + event.reason;
+  if (event.change == Change::del) return gone_line("", event.service, event.reason);
   return sign(event.change) + who(peer_word(event.service), event.peer_name, event.participant_name) +
          details(event, event.publication) + "  " + to_string(event.service);
 }
 
 std::string line_of(const ConsumerEvent& event) {
-  if (event.change == Change::del) return sign(event.change) + to_string(event.subscription) + "  " + event.reason;
+  if (event.change == Change::del) return gone_line("", event.subscription, event.reason);
   return sign(event.change) + who(peer_word(event.subscription), event.peer_name, event.participant_name) +
          details(event, event.subscribed) + "  " + to_string(event.subscription);
 }

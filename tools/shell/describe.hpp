@@ -32,6 +32,11 @@ namespace geminga::shell {
 /// One line of an event, e.g. `+ vision@robot2  soccer:BallInfo  narrower 1  otm/stream  10.0.0.2:5000`.
 [[nodiscard]] std::string line_of(const ServiceEvent& event);
 [[nodiscard]] std::string line_of(const ConsumerEvent& event);
+/// Who it is about and what, e.g. `vision@robot2  soccer:BallInfo`; not after `del`, which carries neither.
+[[nodiscard]] std::string name_of(const ServiceEvent& event);
+[[nodiscard]] std::string name_of(const ConsumerEvent& event);
+/// The line of what is gone: `- NAME  PARTICIPANT/PEER/NUMBER  reason`; without a name where none is known.
+[[nodiscard]] std::string gone_line(std::string_view name, const ServiceKey& key, std::string_view reason);
 
 }  // namespace geminga::shell
 

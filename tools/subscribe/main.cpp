@@ -1,17 +1,13 @@
 // geminga-subscribe: asks for services from a shell and prints the events.
 #include <CLI/CLI.hpp>
-#include <iostream>
-#include <map>
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "geminga/client.hpp"
-#include "shell/describe.hpp"
-#include "shell/json.hpp"
+#include "shell/event_printer.hpp"
 #include "shell/options.hpp"
-#include "shell/report.hpp"
 #include "shell/stream.hpp"
-#include "shell/terminal.hpp"
 
 namespace geminga::subscribe {
 namespace {
@@ -97,21 +93,6 @@ std::expected<void, ClientError> begin(const Options& options, Client& client) {
   return {};
 }
 
-bool print(const Options& options, const Event& event) {
-  if (const auto* error = std::get_if<Error>(&event.what)) {
-    shell::complain(program, error->text);
-    return false;
-  }
-  const auto* service = std::get_if<ServiceEvent>(&event.what);
-  if (service == nullptr) return false;
-  if (options.common.is_json) {
-    shell::print(std::cout, shell::to_json(*service));
-  } else {
-    std::cout << shell::printable(shell::line_of(*service)) << std::endl;
-  }
-  return true;
-}
-
 int run(int argc, char** argv) {
   CLI::App app("Asks for services and prints the events: what is there, what changes, what is gone.",
                std::string(program));
@@ -121,15 +102,20 @@ int run(int argc, char** argv) {
   app.callback([&options] { complete(options); });
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
 
+  shell::EventPrinter<ServiceEvent> printer(program, options.common.is_json);
   shell::Stream stream;
   stream.program = program;
   stream.connection.connect = options.common.connect;
   stream.connection.name = options.name;
-  if (options.common.timeout_seconds) stream.timeout = options.common.timeout_or({});
+  if (options.common.timeout_seconds) {
+    stream.timeout = options.common.timeout_or({});
+    // A daemon that accepts and says nothing is not waited for longer than the program may run.
+    stream.connection.timeout = std::min(stream.connection.timeout, *stream.timeout);
+  }
   stream.count = options.count;
   stream.is_kept = options.is_kept;
   stream.begin = [&options](Client& client) { return begin(options, client); };
-  stream.print = [&options](const Event& event) { return print(options, event); };
+  stream.print = [&printer](const Event& event) { return printer.print(event); };
   return static_cast<int>(shell::run(stream));
 }
 

@@ -10,6 +10,7 @@
 namespace geminga::tools {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
@@ -43,6 +44,7 @@ TEST(Subscribe, PrintsWhatChangesAndWhatIsGone) {
   ASSERT_TRUE(subscribe->wait_for("~ ")) << subscribe->said();
   provider.say("1 pub remove");
   ASSERT_TRUE(subscribe->wait_for("  withdrawn\n")) << subscribe->said();
+  EXPECT_THAT(subscribe->said(), ContainsRegex("\n- [^\n]*  soccer:BallInfo  [0-9a-f]+/[0-9]+/1  withdrawn\n"));
   provider.say("2 pub create mode=otm/stream concept=soccer:GoalInfo port=5002");
   ASSERT_TRUE(subscribe->wait_for("soccer:GoalInfo")) << subscribe->said();
   subscribe->signal(SIGINT);
@@ -57,8 +59,8 @@ TEST(Subscribe, EndsWithFourWhenItsTimeIsOverWithNothing) {
   Talk provider = bench.talk();
   provider.say("1 pub create mode=otm/stream text=camera port=5000");
   EXPECT_THAT(provider.lines_until_pong(), IsEmpty());
-  EXPECT_EQ(bench.run("geminga-subscribe", {"--text", "camera", "--timeout", "0.3"}).status, 0) << "something was told";
-  EXPECT_EQ(bench.run("geminga-subscribe", {"--text", "camera", "--timeout", "0.3", "--count", "2"}).status, 4)
+  EXPECT_EQ(bench.run("geminga-subscribe", {"--text", "camera", "--timeout", "1"}).status, 0) << "something was told";
+  EXPECT_EQ(bench.run("geminga-subscribe", {"--text", "camera", "--timeout", "1", "--count", "2"}).status, 4)
       << "less than was asked for";
 }
 
@@ -70,7 +72,7 @@ TEST(Subscribe, AsksForProvidersDegreeWhereAndLimit) {
   provider.say("1 pub create mode=otm/stream concept=soccer:SharedBallInfo port=5000 rate=30");
   EXPECT_THAT(provider.lines_until_pong(), IsEmpty());
   const auto status = [&](std::vector<std::string> words) {
-    words.insert(words.begin(), {"soccer:BallInfo", "--count", "1", "--timeout", "0.3"});
+    words.insert(words.begin(), {"soccer:BallInfo", "--count", "1", "--timeout", "1"});
     return bench.run("geminga-subscribe", words).status;
   };
   EXPECT_EQ(status({}), 0);
