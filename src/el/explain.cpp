@@ -2,6 +2,7 @@
 #include "el/explain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "el/entailment.hpp"
@@ -54,19 +55,6 @@ class Copier {
   OntologySource& source_;
 };
 
-/// The terms of two classes, where axioms use them.
-Numbers find_terms(const CompiledView& view, std::span<const std::uint32_t> classes) {
-  Numbers terms;
-  for (std::uint32_t term = 0; term < view.term_count(); ++term) {
-    const bool is_one =
-        view.kind_of_term(term) == TermKind::named_class && std::ranges::any_of(classes, [&](std::uint32_t number) {
-          return view.class_name[number] == view.term_name[term];
-        });
-    if (is_one) terms.push_back(term);
-  }
-  return terms;
-}
-
 void collect_entities(const OntologySource& source, TermId id, std::vector<TermId>& entities) {
   const Term term = source.term(id);
   if (term.arguments.empty() && term.kind != TermKind::datatype) entities.push_back(id);
@@ -117,9 +105,10 @@ std::vector<std::uint32_t> find_minimal(std::vector<std::uint32_t> candidates, c
   return minimal;
 }
 
-std::optional<Excerpt> explain(const CompiledView& view, std::uint32_t sub, std::uint32_t super) {
-  const Numbers classes = {sub, super};
-  Numbers module = extract_module(view, find_terms(view, classes));
+std::optional<Excerpt> explain(const ModuleIndex& index, std::uint32_t sub, std::uint32_t super) {
+  const CompiledView& view = index.view();
+  Numbers module = extract_module(index, std::array{ClassNumber{sub}, ClassNumber{super}});
+  std::ranges::sort(module);
   for (const bool is_retry : {false, true}) {
     Excerpt excerpt;
     Copier copier(view, excerpt.source);

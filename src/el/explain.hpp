@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "el/compiled_view.hpp"
+#include "el/module.hpp"
 #include "el/source.hpp"
 
 namespace geminga::el {
@@ -27,7 +27,7 @@ struct Excerpt {
 };
 
 /// Nothing where the axioms do not entail that class `sub` is below class `super`.
-[[nodiscard]] std::optional<Excerpt> explain(const CompiledView& view, std::uint32_t sub, std::uint32_t super);
+[[nodiscard]] std::optional<Excerpt> explain(const ModuleIndex& index, std::uint32_t sub, std::uint32_t super);
 
 }  // namespace geminga::el
 

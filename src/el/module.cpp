@@ -1,188 +1,169 @@
-// Locality: what an axiom says where every name outside the signature is empty.
+// The walk: a name that comes into the signature wakes the axioms that wait for it.
 #include "el/module.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace geminga::el {
 namespace {
 
-/// Decides locality against a growing signature. Recursion is bounded by the nesting of terms.
-class Locality {
- public:
-  explicit Locality(const CompiledView& view) : view_(view), is_in_signature_(view.term_count(), false) {}
-
-  /// Adds a term's entities; whether one of them was new.
-  bool add(std::uint32_t term) {
-    if (is_in_signature_[term]) return false;
-    is_in_signature_[term] = true;
-    for (const std::uint32_t argument : view_.arguments_of_term(term)) add(argument);
-    return true;
+/// The number of a name, or CompiledView::none.
+std::uint32_t find_name(const CompiledView& view, std::string_view name) {
+  std::uint32_t first = 0;
+  std::uint32_t last = static_cast<std::uint32_t>(view.name_end.size());
+  while (first < last) {
+    const std::uint32_t middle = first + (last - first) / 2;
+    if (view.name(middle) < name) {
+      first = middle + 1;
+    } else {
+      last = middle;
+    }
   }
+  return first < view.name_end.size() && view.name(first) == name ? first : CompiledView::none;
+}
 
-  [[nodiscard]] bool is_local(std::uint32_t axiom) const;
+BuiltIn find_built_in(const CompiledView& view) {
+  const std::uint32_t thing = find_name(view, owl_thing);
+  const std::uint32_t nothing = find_name(view, owl_nothing);
+  const std::uint32_t top_object = find_name(view, "http://www.w3.org/2002/07/owl#topObjectProperty");
+  const std::uint32_t top_data = find_name(view, "http://www.w3.org/2002/07/owl#topDataProperty");
+  const std::uint32_t bottom_object = find_name(view, "http://www.w3.org/2002/07/owl#bottomObjectProperty");
+  const std::uint32_t bottom_data = find_name(view, "http://www.w3.org/2002/07/owl#bottomDataProperty");
+  BuiltIn found;
+  for (std::uint32_t term = 0; term < view.term_count(); ++term) {
+    const std::uint32_t name = view.term_name[term];
+    switch (view.kind_of_term(term)) {
+      case TermKind::named_class:
+        if (name == thing) found.thing = term;
+        if (name == nothing) found.nothing = term;
+        break;
+      case TermKind::object_property:
+        if (name == top_object) found.top_object_property = term;
+        if (name == bottom_object) found.bottom_object_property = term;
+        break;
+      case TermKind::data_property:
+        if (name == top_data) found.top_data_property = term;
+        if (name == bottom_data) found.bottom_data_property = term;
+        break;
+      default:
+        break;
+    }
+  }
+  return found;
+}
+
+bool is_name(TermKind kind) { return kind <= TermKind::anonymous_individual && kind != TermKind::datatype; }
+
+/// Walks from names to axioms and from axioms to names.
+class Walk {
+ public:
+  explicit Walk(const ModuleIndex& index)
+      : index_(index),
+        view_(index.view()),
+        is_in_signature_(view_.term_count(), false),
+        is_taken_(view_.axiom_count(), false),
+        test_(view_, index.built_in(), is_in_signature_, index.uses()) {}
+
+  std::vector<std::uint32_t> run(std::span<const std::uint32_t> terms) {
+    for (const std::uint32_t term : terms) enter(term);
+    follow();
+    for (const std::uint32_t axiom : index_.unconditional()) {
+      look_at(axiom);
+      follow();
+    }
+    return std::move(module_);
+  }
 
  private:
-  using Numbers = CompiledView::Numbers;
-
-  [[nodiscard]] bool is_empty_role(std::uint32_t term) const;
-  [[nodiscard]] bool is_bottom(std::uint32_t term) const;
-  [[nodiscard]] bool is_top(std::uint32_t term) const;
-  [[nodiscard]] bool is_empty_filler(Numbers arguments) const {
-    return arguments.size() == 2 && is_bottom(arguments[1]);
-  }
-  [[nodiscard]] std::size_t count_not_bottom(Numbers terms) const {
-    return static_cast<std::size_t>(std::ranges::count_if(terms, [&](std::uint32_t term) { return !is_bottom(term); }));
-  }
-  [[nodiscard]] std::size_t count_not_empty_roles(Numbers terms) const {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(terms, [&](std::uint32_t term) { return !is_empty_role(term); }));
+  /// Takes a term's names into the signature. Recursion is bounded by the nesting of terms.
+  void enter(std::uint32_t term) {
+    if (is_in_signature_[term]) return;
+    is_in_signature_[term] = true;
+    if (is_name(view_.kind_of_term(term))) names_.push_back(term);
+    for (const std::uint32_t argument : view_.arguments_of_term(term)) enter(argument);
   }
 
+  void follow() {
+    while (next_ < names_.size()) {
+      const std::uint32_t name = names_[next_++];
+      for (const std::uint32_t axiom : index_.axioms_of(name)) look_at(axiom);
+      const auto woken = waiting_.find(name);
+      if (woken == waiting_.end()) continue;
+      const std::vector<std::uint32_t> axioms = std::move(woken->second);
+      for (const std::uint32_t axiom : axioms) look_at(axiom);
+    }
+  }
+
+  void look_at(std::uint32_t axiom) {
+    if (is_taken_[axiom]) return;
+    switch (test_.of(axiom)) {
+      case Locality::always:
+        return;
+      case Locality::waiting:
+        for (const std::uint32_t name : test_.names()) waiting_[name].push_back(axiom);
+        return;
+      case Locality::not_local:
+        is_taken_[axiom] = true;
+        module_.push_back(axiom);
+        for (const std::uint32_t argument : view_.arguments_of_axiom(axiom)) enter(argument);
+    }
+  }
+
+  const ModuleIndex& index_;
   const CompiledView& view_;
   std::vector<bool> is_in_signature_;
+  std::vector<bool> is_taken_;
+  LocalityTest test_;
+  std::vector<std::uint32_t> names_;  ///< of the signature, in the order in which they came
+  std::size_t next_ = 0;              ///< of them, the first whose axioms have not been looked at
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> waiting_;  ///< beside what the index says
+  std::vector<std::uint32_t> module_;
 };
-
-bool Locality::is_empty_role(std::uint32_t term) const {
-  const Numbers arguments = view_.arguments_of_term(term);
-  if (view_.kind_of_term(term) == TermKind::object_inverse_of) return is_empty_role(arguments[0]);
-  if (view_.kind_of_term(term) == TermKind::object_property_chain) {
-    return std::ranges::any_of(arguments, [&](std::uint32_t role) { return is_empty_role(role); });
-  }
-  const std::string_view iri = view_.name(view_.term_name[term]);
-  return !is_in_signature_[term] && iri != "http://www.w3.org/2002/07/owl#topObjectProperty" &&
-         iri != "http://www.w3.org/2002/07/owl#topDataProperty";
-}
-
-bool Locality::is_bottom(std::uint32_t term) const {
-  const Numbers arguments = view_.arguments_of_term(term);
-  const auto is_bottom_one = [&](std::uint32_t part) { return is_bottom(part); };
-  switch (view_.kind_of_term(term)) {
-    case TermKind::named_class: {
-      const std::string_view iri = view_.name(view_.term_name[term]);
-      return iri == owl_nothing || (iri != owl_thing && !is_in_signature_[term]);
-    }
-    case TermKind::object_intersection_of:
-    case TermKind::data_intersection_of:
-      return std::ranges::any_of(arguments, is_bottom_one);
-    case TermKind::object_union_of:
-    case TermKind::data_union_of:
-    case TermKind::object_one_of:
-    case TermKind::data_one_of:
-      return std::ranges::all_of(arguments, is_bottom_one);
-    case TermKind::object_complement_of:
-      return is_top(arguments[0]);
-    case TermKind::object_some_values_from:
-    case TermKind::data_some_values_from:
-    case TermKind::object_has_value:
-    case TermKind::data_has_value:
-    case TermKind::object_has_self:
-      return is_empty_role(arguments[0]) || is_empty_filler(arguments);
-    case TermKind::object_min_cardinality:
-    case TermKind::data_min_cardinality:
-    case TermKind::object_exact_cardinality:
-    case TermKind::data_exact_cardinality:
-      return view_.term_number[term] > 0 && (is_empty_role(arguments[0]) || is_empty_filler(arguments));
-    default:
-      return false;
-  }
-}
-
-bool Locality::is_top(std::uint32_t term) const {
-  const Numbers arguments = view_.arguments_of_term(term);
-  const auto is_top_one = [&](std::uint32_t part) { return is_top(part); };
-  switch (view_.kind_of_term(term)) {
-    case TermKind::named_class:
-      return view_.name(view_.term_name[term]) == owl_thing;
-    case TermKind::object_intersection_of:
-      return std::ranges::all_of(arguments, is_top_one);
-    case TermKind::object_union_of:
-      return std::ranges::any_of(arguments, is_top_one);
-    case TermKind::object_complement_of:
-      return is_bottom(arguments[0]);
-    case TermKind::object_all_values_from:
-      return is_empty_role(arguments[0]) || is_top(arguments[1]);
-    case TermKind::data_all_values_from:
-      return is_empty_role(arguments[0]);
-    case TermKind::object_min_cardinality:
-    case TermKind::data_min_cardinality:
-      return view_.term_number[term] == 0;
-    case TermKind::object_max_cardinality:
-    case TermKind::data_max_cardinality:
-      return is_empty_role(arguments[0]) || is_empty_filler(arguments);
-    case TermKind::object_exact_cardinality:
-    case TermKind::data_exact_cardinality:
-      return view_.term_number[term] == 0 && (is_empty_role(arguments[0]) || is_empty_filler(arguments));
-    default:
-      return false;
-  }
-}
-
-bool Locality::is_local(std::uint32_t axiom) const {
-  const Numbers arguments = view_.arguments_of_axiom(axiom);
-  switch (view_.kind_of_axiom(axiom)) {
-    case AxiomKind::declaration:
-      return true;
-    case AxiomKind::sub_class_of:
-      return is_bottom(arguments[0]) || is_top(arguments[1]);
-    case AxiomKind::equivalent_classes:
-      return count_not_bottom(arguments) == 0 ||
-             std::ranges::all_of(arguments, [&](std::uint32_t part) { return is_top(part); });
-    case AxiomKind::disjoint_union:
-      return count_not_bottom(arguments) == 0;
-    case AxiomKind::disjoint_classes:
-      return count_not_bottom(arguments) <= 1;
-    case AxiomKind::sub_object_property_of:
-    case AxiomKind::sub_data_property_of:
-    case AxiomKind::functional_object_property:
-    case AxiomKind::inverse_functional_object_property:
-    case AxiomKind::irreflexive_object_property:
-    case AxiomKind::symmetric_object_property:
-    case AxiomKind::asymmetric_object_property:
-    case AxiomKind::transitive_object_property:
-    case AxiomKind::functional_data_property:
-    case AxiomKind::negative_object_property_assertion:
-    case AxiomKind::negative_data_property_assertion:
-    case AxiomKind::data_property_range:
-      return is_empty_role(arguments[0]);
-    case AxiomKind::equivalent_object_properties:
-    case AxiomKind::equivalent_data_properties:
-    case AxiomKind::inverse_object_properties:
-      return count_not_empty_roles(arguments) == 0;
-    case AxiomKind::disjoint_object_properties:
-    case AxiomKind::disjoint_data_properties:
-      return count_not_empty_roles(arguments) <= 1;
-    case AxiomKind::object_property_domain:
-    case AxiomKind::object_property_range:
-    case AxiomKind::data_property_domain:
-      return is_empty_role(arguments[0]) || is_top(arguments[1]);
-    case AxiomKind::has_key:
-      return is_bottom(arguments[0]);
-    case AxiomKind::class_assertion:
-      return is_top(arguments[0]);
-    default:
-      return false;  // reflexivity, facts, equality: they always say something
-  }
-}
 
 }  // namespace
 
-std::vector<std::uint32_t> extract_module(const CompiledView& view, std::span<const std::uint32_t> terms) {
-  Locality locality(view);
-  for (const std::uint32_t term : terms) locality.add(term);
-  std::vector<bool> is_taken(view.axiom_count(), false);
-  for (bool has_grown = true; has_grown;) {
-    has_grown = false;
-    for (std::uint32_t axiom = 0; axiom < view.axiom_count(); ++axiom) {
-      if (is_taken[axiom] || locality.is_local(axiom)) continue;
-      is_taken[axiom] = true;
-      for (const std::uint32_t argument : view.arguments_of_axiom(axiom)) has_grown |= locality.add(argument);
+ModuleIndex::ModuleIndex(const CompiledView& view)
+    : view_(view),
+      built_in_(find_built_in(view)),
+      uses_(view.term_count(), 0),
+      class_terms_(view.class_count(), CompiledView::none) {
+  for (const std::uint32_t argument : view.term_arguments) ++uses_[argument];
+  for (const std::uint32_t argument : view.axiom_arguments) ++uses_[argument];
+  std::vector<std::uint32_t> class_of_name(view.name_end.size(), CompiledView::none);
+  for (std::uint32_t number = 0; number < view.class_count(); ++number) class_of_name[view.class_name[number]] = number;
+  for (std::uint32_t term = 0; term < view.term_count(); ++term) {
+    const std::uint32_t number = class_of_name[view.term_name[term]];
+    if (view.kind_of_term(term) == TermKind::named_class && number != CompiledView::none) class_terms_[number] = term;
+  }
+  const std::vector<bool> nothing_yet(view.term_count(), false);
+  LocalityTest test(view, built_in_, nothing_yet, uses_);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> waiting;
+  waiting.reserve(view.axiom_count());
+  for (std::uint32_t axiom = 0; axiom < view.axiom_count(); ++axiom) {
+    const Locality locality = test.of(axiom);
+    for (const std::uint32_t name : test.names()) waiting.emplace_back(name, axiom);
+    if (locality != Locality::not_local) continue;
+    unconditional_.push_back(axiom);
+    // It is in every module; where a name of it is met, it comes early.
+    for (const std::uint32_t argument : view.arguments_of_axiom(axiom)) {
+      if (is_name(view.kind_of_term(argument))) waiting.emplace_back(argument, axiom);
     }
   }
-  std::vector<std::uint32_t> module;
-  for (std::uint32_t axiom = 0; axiom < view.axiom_count(); ++axiom) {
-    if (is_taken[axiom]) module.push_back(axiom);
+  axioms_of_ = Rows<std::uint32_t>(view.term_count(), waiting);
+}
+
+std::optional<std::uint32_t> ModuleIndex::term_of(ClassNumber number) const {
+  const std::uint32_t term = class_terms_[static_cast<std::size_t>(number)];
+  if (term == CompiledView::none) return std::nullopt;
+  return term;
+}
+
+std::vector<std::uint32_t> extract_module(const ModuleIndex& index, std::span<const ClassNumber> classes) {
+  std::vector<std::uint32_t> terms;
+  for (const ClassNumber number : classes) {
+    if (const auto term = index.term_of(number)) terms.push_back(*term);
   }
-  return module;
+  return Walk(index).run(terms);
 }
 
 }  // namespace geminga::el

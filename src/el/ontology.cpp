@@ -2,12 +2,14 @@
 #include "el/ontology.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <utility>
 
 #include "base/text.hpp"
 #include "el/compiled_view.hpp"
 #include "el/explain.hpp"
 #include "el/mapped_file.hpp"
+#include "el/module.hpp"
 #include "el/print.hpp"
 
 namespace geminga::el {
@@ -18,6 +20,8 @@ struct Ontology::Mapped {
   CompiledView view;
   std::vector<std::pair<std::string_view, std::string_view>> prefixes;  ///< sorted
   std::vector<std::pair<std::uint32_t, std::uint32_t>> equivalents;     ///< representative, another member; sorted
+  mutable std::once_flag module_index_once;
+  mutable std::optional<ModuleIndex> module_index;
 
   [[nodiscard]] std::expected<std::unique_ptr<const Mapped>, CompiledError> static finish(
       std::unique_ptr<Mapped> mapped, std::span<const std::byte> all);
@@ -268,9 +272,16 @@ std::vector<ClassNumber> Ontology::children(ClassNumber number) const {
   return to_classes(mapped_->view.children_of(mapped_->node(number)));
 }
 
+const CompiledView& Ontology::view() const { return mapped_->view; }
+
+const ModuleIndex& Ontology::module_index() const {
+  std::call_once(mapped_->module_index_once, [this] { mapped_->module_index.emplace(mapped_->view); });
+  return *mapped_->module_index;
+}
+
 std::optional<std::vector<ExplainedAxiom>> Ontology::explain(ClassNumber sub, ClassNumber super) const {
   if (!is_subsumed(sub, super)) return std::nullopt;
-  const auto excerpt = el::explain(mapped_->view, static_cast<std::uint32_t>(sub), static_cast<std::uint32_t>(super));
+  const auto excerpt = el::explain(module_index(), static_cast<std::uint32_t>(sub), static_cast<std::uint32_t>(super));
   if (!excerpt) return std::nullopt;
   std::vector<ExplainedAxiom> explained;
   for (const std::uint32_t number : excerpt->axioms) {

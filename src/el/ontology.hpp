@@ -45,6 +45,9 @@ struct LeftOut {
   std::string first;  ///< file:line of the first
 };
 
+struct CompiledView;
+class ModuleIndex;
+
 /// One step of an explanation: an axiom in readable syntax and where it stands, e.g. "soccer:SharedBallInfo SubClassOf
 /// soccer:BallInfo".
 struct ExplainedAxiom {
@@ -110,6 +113,11 @@ class Ontology {
   /// A minimal set of axioms that entails sub SubClassOf super, in the order of the argument; nothing where it is not
   /// entailed.
   [[nodiscard]] std::optional<std::vector<ExplainedAxiom>> explain(ClassNumber sub, ClassNumber super) const;
+
+  /// The axioms and everything else, as numbers, for who reasons over them.
+  [[nodiscard]] const CompiledView& view() const;
+  /// From names to axioms. Built when it is asked for first, once; the cost of that is a pass over all axioms.
+  [[nodiscard]] const ModuleIndex& module_index() const;
 
  private:
   struct Mapped;
