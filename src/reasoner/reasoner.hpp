@@ -31,18 +31,31 @@ struct Options {
   std::function<void(std::string_view phase, double done)> progress;
 };
 
-/// Classifies with all engines. `unused` of the result lists what no engine could use, axiom by axiom; it is empty
-/// where the taxonomy is proven complete.
-[[nodiscard]] std::expected<el::Classification, el::ClassifyError> classify(const el::OntologySource& source,
-                                                                            const Options& options = {});
+/// The taxonomy as the engines together know it.
+struct Classified : el::Classification {
+  /// Why something may be missing although its axioms were used, one line each: sorted, without doubles. Where this and
+  /// `unused` are empty, the taxonomy is proven complete.
+  std::vector<std::string> gaps;
+};
 
-/// Whether the axioms of the source have a model.
+/// Classifies with all engines. `unused` of the result lists what may have more to say than was understood, axiom by
+/// axiom; it is empty where the taxonomy is proven complete. An ontology that is EL costs what el::classify() costs.
+[[nodiscard]] std::expected<Classified, el::ClassifyError> classify(const el::OntologySource& source,
+                                                                    const Options& options = {});
+
+/// Whether the axioms of the source have a model. What the reader left out is not looked at.
 [[nodiscard]] Answer is_consistent(const el::OntologySource& source);
 
 /// Whether these axioms (numbers in the source; nothing: all) entail that every instance of class expression `sub` is
 /// one of `super`. Both are terms of the source.
 [[nodiscard]] Answer entails(const el::OntologySource& source, std::optional<std::span<const std::uint32_t>> axioms,
                              el::TermId sub, el::TermId super);
+
+/// Of each of the axioms `conclusion`, whether it follows from the axioms `premise`; both are numbers in the source.
+/// Every kind of axiom may stand on either side. Anonymous individuals of the conclusion mean "something"; facts that
+/// share one stand or fall together. Everything follows from a contradiction.
+[[nodiscard]] std::vector<Answer> entails_each(const el::OntologySource& source, std::span<const std::uint32_t> premise,
+                                               std::span<const std::uint32_t> conclusion);
 
 }  // namespace geminga::reasoner
 

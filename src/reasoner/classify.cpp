@@ -1,0 +1,132 @@
+// Classification: the fast engine, then the one that knows more, then models for what both leave open.
+#include <algorithm>
+#include <iterator>
+#include <new>
+#include <utility>
+
+#include "clauses/clausify.hpp"
+#include "consequence/closure.hpp"
+#include "reasoner/completion.hpp"
+#include "reasoner/named_concepts.hpp"
+#include "reasoner/reasoner.hpp"
+#include "reasoner/taxonomy.hpp"
+
+namespace geminga::reasoner {
+namespace {
+
+constexpr std::size_t max_derived_clauses = 5'000'000;
+
+/// Adds what the clauses have as consequences.
+class Deepening {
+ public:
+  Deepening(const el::OntologySource& source, const Options& options, Classified& result)
+      : source_(source), options_(options), result_(result) {}
+
+  void run() {
+    report("translating to clauses", 0);
+    auto clauses = clauses::clausify(source_, std::nullopt, {});
+    if (!clauses) {
+      result_.gaps.push_back(clauses.error().text);
+      return;
+    }
+    derive(*clauses);
+    std::vector<clauses::Unused> unused = std::move(clauses->unused);
+    clauses = std::unexpected(clauses::ClausifyError{});  // the completion has its own, with questions in it
+    if (result_.is_consistent && !result_.gaps.empty()) search();
+    settle(unused);
+  }
+
+ private:
+  void report(std::string_view phase, double done) const {
+    if (options_.progress) options_.progress(phase, done);
+  }
+
+  void derive(const clauses::ClauseSet& clauses) {
+    report("deriving consequences", 0.1);
+    const NamedConcepts concepts(source_, result_, clauses);
+    std::vector<clauses::ConceptId> wanted;
+    std::vector<std::uint32_t> classes;
+    for (std::uint32_t of = 0; of < result_.class_count(); ++of) {
+      const auto found = concepts.concept_of(of);
+      if (!found || result_.representative[of] == result_.representative[static_cast<std::size_t>(result_.nothing)])
+        continue;
+      wanted.push_back(*found);
+      classes.push_back(of);
+    }
+    const consequence::Closure closure =
+        consequence::saturate(source_, clauses, wanted, {.threads = options_.threads, .clauses = max_derived_clauses});
+    if (!closure.is_consistent) return contradict(result_, source_);
+    Subsumptions more;
+    for (std::size_t at = 0; at < classes.size(); ++at) {
+      for (const clauses::ConceptId above : closure.subsumers[at]) {
+        const auto super = concepts.class_of(above);
+        if (super && *super != classes[at]) more.emplace_back(classes[at], *super);
+      }
+    }
+    extend(result_, more);
+    result_.gaps = closure.gaps;
+  }
+
+  void search() {
+    Completion completion = complete(source_, result_, options_);
+    if (!completion.is_consistent) return contradict(result_, source_);
+    extend(result_, completion.found);
+    if (completion.gaps.empty()) {
+      result_.gaps.clear();
+    } else {
+      std::ranges::move(completion.gaps, std::back_inserter(result_.gaps));
+      std::ranges::sort(result_.gaps);
+      result_.gaps.erase(std::ranges::unique(result_.gaps).begin(), result_.gaps.end());
+    }
+  }
+
+  /// Where the clauses were exhausted only what is not in them can be missing. Otherwise everything that the fast
+  /// engine could not use may have more to say, too.
+  void settle(const std::vector<clauses::Unused>& unused) {
+    if (!result_.is_consistent) {
+      result_.unused.clear();
+      result_.gaps.clear();
+    } else {
+      if (result_.gaps.empty()) result_.unused.clear();
+      for (const clauses::Unused& entry : unused) result_.unused.push_back({entry.axiom, entry.construct});
+      std::ranges::stable_sort(result_.unused, {}, &el::UnusedAxiom::axiom);
+      result_.unused.erase(std::ranges::unique(result_.unused, {}, &el::UnusedAxiom::axiom).begin(),
+                           result_.unused.end());
+    }
+    const auto is_declared = [&](const el::UnusedAxiom& entry) {
+      return source_.axiom(entry.axiom).kind == el::AxiomKind::declaration;
+    };
+    result_.counts.used_axioms =
+        result_.counts.axioms -
+        (result_.unused.size() - static_cast<std::size_t>(std::ranges::count_if(result_.unused, is_declared)));
+  }
+
+  const el::OntologySource& source_;
+  const Options& options_;
+  Classified& result_;
+};
+
+}  // namespace
+
+std::expected<Classified, el::ClassifyError> classify(const el::OntologySource& source, const Options& options) {
+  if (options.progress) options.progress("classifying", 0);
+  auto found = el::classify(source, {.threads = options.threads});
+  if (!found) return std::unexpected(std::move(found.error()));
+  Classified result{std::move(*found), {}};
+  if (!result.is_consistent) {
+    result.unused.clear();  // nothing can be missing where everything follows
+    return result;
+  }
+  if (result.unused.empty()) return result;
+  // What the engines beyond EL need more memory for than there is remains as EL has found it.
+  Classified deepened = result;
+  try {
+    Deepening(source, options, deepened).run();
+  } catch (const std::bad_alloc&) {
+    result.gaps.emplace_back("there is not enough memory for more than the EL part");
+    return result;
+  }
+  return deepened;
+}
+
+}  // namespace geminga::reasoner

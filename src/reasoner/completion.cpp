@@ -1,0 +1,233 @@
+// First a model for every class, then the pairs that all models leave open.
+#include "reasoner/completion.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "clauses/clausify.hpp"
+#include "reasoner/named_concepts.hpp"
+#include "tableau/tableau.hpp"
+
+namespace geminga::reasoner {
+namespace {
+
+using Numbers = std::vector<std::uint32_t>;
+
+bool contains(const Numbers& sorted, std::uint32_t wanted) { return std::ranges::binary_search(sorted, wanted); }
+
+void insert(Numbers& sorted, std::uint32_t added) {
+  const auto place = std::ranges::lower_bound(sorted, added);
+  if (place == sorted.end() || *place != added) sorted.insert(place, added);
+}
+
+class Completing {
+ public:
+  Completing(const el::OntologySource& source, const el::Classification& known, const Options& options,
+             const CompletionLimits& limits)
+      : source_(source),
+        classification_(known),
+        options_(options),
+        limits_(limits),
+        top_(representative(static_cast<std::uint32_t>(known.thing))),
+        bottom_(representative(static_cast<std::uint32_t>(known.nothing))) {}
+
+  Completion run() {
+    if (classification_.class_count() > limits_.classes) {
+      gaps_.insert("more than " + std::to_string(limits_.classes) + " classes are too many to look for models");
+      return finish();
+    }
+    const auto clauses = clauses::clausify(source_, std::nullopt, {});
+    if (!clauses) {
+      gaps_.insert(clauses.error().text);
+      return finish();
+    }
+    known_ = find_ancestors(classification_);
+    possible_.resize(known_.size());
+    is_empty_.assign(known_.size(), false);
+    find_models(*clauses);
+    if (result_.is_consistent) ask_pairs();
+    return finish();
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t representative(std::uint32_t of) const {
+    return static_cast<std::uint32_t>(classification_.representative[of]);
+  }
+  [[nodiscard]] bool is_asked(std::uint32_t of) const {
+    return representative(of) == of && of != top_ && of != bottom_;
+  }
+  [[nodiscard]] el::TermId term_of(std::uint32_t of) const { return terms_[of]; }
+
+  Completion finish() {
+    result_.gaps.assign(gaps_.begin(), gaps_.end());
+    return std::move(result_);
+  }
+
+  /// False where no more questions are allowed.
+  bool may_ask(double done) {
+    if (options_.progress) options_.progress("looking for models", done);
+    if (questions_ < limits_.questions && unanswered_ < limits_.unanswered) return true;
+    gaps_.insert(unanswered_ < limits_.unanswered
+                     ? "more than " + std::to_string(limits_.questions) + " questions to the tableau"
+                     : std::to_string(limits_.unanswered) + " questions were too hard for the tableau");
+    return false;
+  }
+
+  Verdict note(const Answer& answer) {
+    ++questions_;
+    if (answer.verdict == Verdict::unknown) {
+      ++unanswered_;
+      gaps_.insert(answer.reason);
+    }
+    return answer.verdict;
+  }
+
+  /// Every instance in a model bounds what is above the classes that it is in.
+  void learn(const tableau::Model& model, const NamedConcepts& concepts) {
+    std::vector<Numbers> labels;
+    for (const auto& label : model.labels) labels.push_back(classes_of(label, concepts));
+    std::ranges::sort(labels);
+    labels.erase(std::ranges::unique(labels).begin(), labels.end());
+    for (const Numbers& label : labels) {
+      for (const std::uint32_t of : label) {
+        if (!possible_[of]) {
+          possible_[of] = label;
+        } else if (possible_[of]->size() > known_[of].size() + 1) {
+          std::erase_if(*possible_[of], [&](std::uint32_t above) { return !contains(label, above); });
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] Numbers classes_of(const std::vector<clauses::ConceptId>& label, const NamedConcepts& concepts) const {
+    Numbers classes;
+    for (const clauses::ConceptId concept_id : label) {
+      const auto named = concepts.class_of(concept_id);
+      if (named && representative(*named) != top_) classes.push_back(representative(*named));
+    }
+    std::ranges::sort(classes);
+    classes.erase(std::ranges::unique(classes).begin(), classes.end());
+    return classes;
+  }
+
+  void add(std::uint32_t sub, std::uint32_t super) {
+    result_.found.emplace_back(sub, super);
+    insert(known_[sub], super);
+    const Numbers above = known_[super];
+    for (const std::uint32_t higher : above) {
+      if (higher != sub) insert(known_[sub], higher);
+    }
+  }
+
+  void set_empty(std::uint32_t of) {
+    is_empty_[of] = true;
+    result_.found.emplace_back(of, static_cast<std::uint32_t>(classification_.nothing));
+  }
+
+  /// Classes with the most above them first: their models are those of all above, too.
+  [[nodiscard]] Numbers lowest_first() const {
+    Numbers order;
+    for (std::uint32_t of = 0; of < known_.size(); ++of) {
+      if (is_asked(of)) order.push_back(of);
+    }
+    std::ranges::stable_sort(order,
+                             [&](std::uint32_t a, std::uint32_t b) { return known_[a].size() > known_[b].size(); });
+    return order;
+  }
+
+  void find_models(const clauses::ClauseSet& clauses) {
+    const NamedConcepts concepts(source_, classification_, clauses);
+    terms_ = concepts.terms();
+    tableau::Tableau tableau(source_, clauses, limits_.question);
+    const Verdict world = note(tableau.is_consistent());
+    if (world == Verdict::no) result_.is_consistent = false;
+    if (world == Verdict::yes) learn(tableau.model(), concepts);
+    if (world == Verdict::no) return;
+    const Numbers order = lowest_first();
+    for (std::size_t at = 0; at < order.size(); ++at) {
+      const std::uint32_t of = order[at];
+      const auto asked = concepts.concept_of(of);
+      // What no clause speaks of has nothing above it.
+      if (!asked) possible_[of] = known_[of];
+      if (possible_[of]) continue;
+      if (!may_ask(0.5 * static_cast<double>(at) / static_cast<double>(order.size()))) return;
+      const Verdict verdict = note(tableau.is_satisfiable({*asked}));
+      if (verdict == Verdict::no) set_empty(of);
+      if (verdict != Verdict::yes) continue;
+      for (const std::uint32_t above : classes_of(tableau.model().certain, concepts)) {
+        if (above != of && !contains(known_[of], above)) add(of, above);
+      }
+      learn(tableau.model(), concepts);
+    }
+  }
+
+  [[nodiscard]] Numbers open_above(std::uint32_t of) const {
+    Numbers open;
+    if (!possible_[of] || is_empty_[of]) return open;
+    for (const std::uint32_t above : *possible_[of]) {
+      if (above != of && !is_empty_[above] && !contains(known_[of], above)) open.push_back(above);
+    }
+    // The most specific first: with it goes all above it.
+    std::ranges::stable_sort(open,
+                             [&](std::uint32_t a, std::uint32_t b) { return known_[a].size() > known_[b].size(); });
+    return open;
+  }
+
+  void ask_pairs() {
+    const Numbers order = lowest_first();
+    std::set<std::uint32_t> supers;
+    for (const std::uint32_t of : order) {
+      for (const std::uint32_t above : open_above(of)) supers.insert(above);
+    }
+    if (supers.empty()) return;
+    const Numbers asked(supers.begin(), supers.end());
+    std::vector<el::TermId> complements;
+    for (const std::uint32_t above : asked) complements.push_back(term_of(above));
+    const auto clauses = clauses::clausify(source_, std::nullopt, {}, complements);
+    if (!clauses) {
+      gaps_.insert(clauses.error().text);
+      return;
+    }
+    const NamedConcepts concepts(source_, classification_, *clauses);
+    tableau::Tableau tableau(source_, *clauses, limits_.question);
+    for (std::size_t at = 0; at < order.size(); ++at) {
+      const std::uint32_t of = order[at];
+      const auto sub = concepts.concept_of(of);
+      for (const std::uint32_t above : open_above(of)) {
+        if (!sub || contains(known_[of], above) || !contains(*possible_[of], above)) continue;
+        if (!may_ask(0.5 + 0.5 * static_cast<double>(at) / static_cast<double>(order.size()))) return;
+        const auto place = static_cast<std::size_t>(std::ranges::lower_bound(asked, above) - asked.begin());
+        const Verdict verdict = note(tableau.is_satisfiable({*sub, clauses->complements[place]}));
+        if (verdict == Verdict::no) add(of, above);
+        if (verdict == Verdict::yes) learn(tableau.model(), concepts);
+      }
+    }
+  }
+
+  const el::OntologySource& source_;
+  const el::Classification& classification_;
+  const Options& options_;
+  const CompletionLimits& limits_;
+  std::uint32_t top_;
+  std::uint32_t bottom_;
+  Completion result_;
+  std::set<std::string> gaps_;
+  std::size_t questions_ = 0;
+  std::size_t unanswered_ = 0;
+  std::vector<el::TermId> terms_;                 ///< by class
+  std::vector<Numbers> known_;                    ///< by representative: what is strictly above it, ascending
+  std::vector<std::optional<Numbers>> possible_;  ///< by representative: what may be above it, itself included
+  std::vector<bool> is_empty_;                    ///< by representative: found to be below owl:Nothing
+};
+
+}  // namespace
+
+Completion complete(const el::OntologySource& source, const el::Classification& known, const Options& options,
+                    const CompletionLimits& limits) {
+  return Completing(source, known, options, limits).run();
+}
+
+}  // namespace geminga::reasoner

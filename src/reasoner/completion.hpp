@@ -1,0 +1,38 @@
+// Completes a taxonomy by models: what no model refutes and no engine derived is asked, pair by pair.
+//
+// A model that has an instance of A shows that A can have one, and that nothing is above A but what holds of that
+// instance. So most classes are settled by the models of others, and what is left are few questions (Glimm, Horrocks,
+// Motik, Shearer, Stoilos: A novel approach to ontology classification, 2012).
+#ifndef GEMINGA_REASONER_COMPLETION_HPP
+#define GEMINGA_REASONER_COMPLETION_HPP
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "reasoner/reasoner.hpp"
+#include "reasoner/taxonomy.hpp"
+
+namespace geminga::reasoner {
+
+/// Counted, so that the same ontology has the same taxonomy everywhere.
+struct CompletionLimits {
+  std::size_t classes = 20'000;    ///< of an ontology; beyond it no model is looked for
+  std::size_t questions = 20'000;  ///< to the tableau, of all kinds
+  std::size_t unanswered = 20;     ///< questions that were too hard
+  tableau::Limits question{.nodes = 20'000, .steps = 500'000};
+};
+
+struct Completion {
+  bool is_consistent = true;
+  Subsumptions found;             ///< all of them follow
+  std::vector<std::string> gaps;  ///< why something may still be missing: sorted, each once; empty: nothing is
+};
+
+/// Looks for what follows from the source beyond the taxonomy given.
+[[nodiscard]] Completion complete(const el::OntologySource& source, const el::Classification& known,
+                                  const Options& options, const CompletionLimits& limits = {});
+
+}  // namespace geminga::reasoner
+
+#endif
