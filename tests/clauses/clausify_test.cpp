@@ -1,0 +1,119 @@
+// Which clauses each construct becomes.
+#include "clauses/clausify.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "clauses/print.hpp"
+#include "el/written.hpp"
+
+namespace geminga::clauses {
+namespace {
+
+std::string local_name(std::string_view iri) { return std::string(iri.substr(iri.find('#') + 1)); }
+
+/// The clauses and facts, as lines.
+std::vector<std::string> lines_of(const el::OntologySource& source) {
+  const auto set = clausify(source, std::nullopt, {});
+  if (!set) return {set.error().text};
+  std::vector<std::string> lines;
+  for (const Clause& clause : set->clauses) lines.push_back(print(source, *set, clause, local_name));
+  for (const ConceptFact& fact : set->concept_facts) {
+    lines.push_back(print(source, *set, fact.of, local_name) + " of " +
+                    local_name(source.name_of(set->individuals[number(fact.individual)])));
+  }
+  for (const Unused& unused : set->unused) lines.push_back("unused: " + std::string(unused.construct));
+  std::ranges::sort(lines);
+  return lines;
+}
+std::vector<std::string> lines_of(std::string_view text) { return lines_of(el::written(text)); }
+
+struct Translated {
+  const char* name;
+  const char* axioms;
+  std::vector<std::string> clauses;
+};
+void PrintTo(const Translated& one, std::ostream* out) { *out << one.name; }
+
+class Clausification : public testing::TestWithParam<Translated> {};
+
+TEST_P(Clausification, IsAsExpected) {
+  EXPECT_EQ(lines_of(GetParam().axioms), GetParam().clauses) << GetParam().axioms;
+}
+
+const std::vector<Translated> cases = {
+    {"Subclass", "SubClassOf(A B)", {"A(x) -> B(x)"}},
+    {"Definition",
+     "EquivalentClasses(A ObjectIntersectionOf(B ObjectSomeValuesFrom(r C)))",
+     {"A(x) -> >=1 r.C(x)", "A(x) -> B(x)", "B(x), C(y1), r(x,y1) -> A(x)"}},
+    {"UnionOnTheLeft", "SubClassOf(ObjectUnionOf(A B) C)", {"A(x) -> C(x)", "B(x) -> C(x)"}},
+    {"UnionOnTheRight", "SubClassOf(A ObjectUnionOf(B C))", {"A(x) -> B(x) or C(x)"}},
+    {"ComplementOnTheLeft", "SubClassOf(ObjectComplementOf(A) B)", {"true -> A(x) or B(x)"}},
+    {"Disjoint", "DisjointClasses(A B)", {"A(x), B(x) -> false"}},
+    {"Universal", "SubClassOf(A ObjectAllValuesFrom(r B))", {"A(x), r(x,y1) -> B(y1)"}},
+    {"UniversalOverComplement",
+     "SubClassOf(A ObjectAllValuesFrom(r ObjectComplementOf(B)))",
+     {"A(x), B(y1), r(x,y1) -> false"}},
+    {"UniversalOverInverse", "SubClassOf(A ObjectAllValuesFrom(ObjectInverseOf(r) B))", {"A(x), r(y1,x) -> B(y1)"}},
+    {"DomainAndRange", "ObjectPropertyDomain(r A)\nObjectPropertyRange(r B)", {"r(x,y1) -> A(x)", "r(y1,x) -> B(x)"}},
+    {"Functional", "FunctionalObjectProperty(r)", {"r(x,y1), r(x,y2) -> y1=y2"}},
+    {"AtMost", "SubClassOf(A ObjectMaxCardinality(1 r B))", {"A(x), B(y1), B(y2), r(x,y1), r(x,y2) -> y1=y2"}},
+    {"AtMostOfAComplement",
+     "SubClassOf(A ObjectMaxCardinality(1 r ObjectComplementOf(B)))",
+     {"A(x), r(x,y1), r(x,y2) -> B(y1) or B(y2) or y1=y2"}},
+    {"LargeAtMost", "SubClassOf(A ObjectMaxCardinality(9 r B))", {"A(x) -> <=9 r.B(x)"}},
+    {"AtLeastOnTheLeft", "SubClassOf(ObjectMinCardinality(2 r) A)", {"r(x,y1), r(x,y2) -> A(x) or y1=y2"}},
+    {"Exactly",
+     "SubClassOf(A ObjectExactCardinality(1 r B))",
+     {"A(x) -> >=1 r.B(x)", "A(x), B(y1), B(y2), r(x,y1), r(x,y2) -> y1=y2"}},
+    {"ExactlyNone", "SubClassOf(A ObjectExactCardinality(0 r B))", {"A(x), B(y1), r(x,y1) -> false"}},
+    {"NestedExistentials",
+     "SubClassOf(ObjectSomeValuesFrom(r ObjectSomeValuesFrom(s A)) B)",
+     {"A(y1), s(x,y1) -> Q4(x)", "Q4(y1), r(x,y1) -> B(x)"}},
+    {"TwoExistentials",
+     "SubClassOf(ObjectIntersectionOf(ObjectSomeValuesFrom(r A) ObjectSomeValuesFrom(s B)) C)",
+     {"A(y1), r(x,y1) -> Q3(x)", "B(y1), s(x,y1) -> Q5(x)", "Q3(x), Q5(x) -> C(x)"}},
+    {"Nominals",
+     "SubClassOf(A ObjectOneOf(i:a i:b))\nSubClassOf(ObjectHasValue(r i:a) B)",
+     {"A(x) -> {a}(x) or {b}(x)", "{a}(y1), r(x,y1) -> B(x)"}},
+    {"Self", "SubClassOf(A ObjectHasSelf(r))\nIrreflexiveObjectProperty(s)", {"A(x) -> r(x,x)", "s(x,x) -> false"}},
+    {"Reflexive", "ReflexiveObjectProperty(r)", {"true -> r(x,x)"}},
+    {"Asymmetric", "AsymmetricObjectProperty(r)", {"r(x,y1), r(y1,x) -> false"}},
+    {"Symmetric", "SymmetricObjectProperty(r)", {"r(x,y1) -> r(y1,x)"}},
+    {"InversesAreOne",
+     "InverseObjectProperties(r s)\nSubClassOf(A ObjectSomeValuesFrom(s B))\nSubClassOf(ObjectSomeValuesFrom(r B) A)",
+     {"A(x) -> >=1 r-.B(x)", "B(y1), r(x,y1) -> A(x)"}},
+    {"TransitiveOnTheRight",
+     "TransitiveObjectProperty(r)\nSubClassOf(A ObjectAllValuesFrom(r B))",
+     {"A(x) -> Q4(x)", "Q4(x), r(x,y1) -> B(y1)", "Q4(x), r(x,y1) -> Q4(y1)"}},
+    {"TransitiveOnTheLeft",
+     "TransitiveObjectProperty(r)\nSubClassOf(ObjectSomeValuesFrom(r A) B)",
+     {"A(y1), r(x,y1) -> Q3(x)", "Q3(x) -> B(x)", "Q3(y1), r(x,y1) -> Q3(x)"}},
+    {"IrregularChain",
+     "SubObjectPropertyOf(ObjectPropertyChain(r s r) r)\nSubClassOf(A ObjectAllValuesFrom(r B))",
+     {"A(x), r(x,y1) -> B(y1)", "unused: an irregular property chain"}},
+    {"NumberOfATransitiveProperty",
+     "TransitiveObjectProperty(r)\nSubClassOf(A ObjectMaxCardinality(1 r))",
+     {"unused: owl:maxCardinality of a property that is not simple"}},
+    {"NegativeFact",
+     "NegativeObjectPropertyAssertion(r i:a i:b)\nClassAssertion(A i:a)",
+     {"A of a", "{a}(x), {b}(y1), r(x,y1) -> false"}},
+    {"DataRanges",
+     "SubClassOf(A DataSomeValuesFrom(d:u x:integer))\nSubClassOf(DataHasValue(d:u \"1\"^x:integer) B)",
+     {"A(x) -> >=1 u.integer(x)", "u(x,y1) -> B(x) or not \"1\"^^integer(y1)"}},
+    {"ConjunctionInADisjunction",
+     "SubClassOf(A ObjectUnionOf(B ObjectIntersectionOf(C D)))",
+     {"A(x) -> B(x) or Q4(x)", "Q4(x) -> C(x)", "Q4(x) -> D(x)"}},
+    {"TopObjectProperty",
+     "SubClassOf(A ObjectAllValuesFrom(owl:topObjectProperty B))",
+     {"A(x) -> Q5(x)", "Q5(x), topObjectProperty(x,y1) -> B(y1)", "Q5(x), topObjectProperty(x,y1) -> Q5(y1)",
+      "topObjectProperty(x,y1) -> topObjectProperty(y1,x)", "true -> >=1 topObjectProperty.{?}(x)"}},
+};
+
+INSTANTIATE_TEST_SUITE_P(Each, Clausification, testing::ValuesIn(cases),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+}  // namespace
+}  // namespace geminga::clauses
