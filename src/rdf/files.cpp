@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 5> extensions{".ttl", ".nt", ".rdf", ".owl", ".xml"};
+constexpr std::array<std::string_view, 7> extensions{".ttl", ".nt", ".rdf", ".owl", ".xml", ".ofn", ".fss"};
 
 std::unexpected<LoadError> refuse(std::string file, std::string text) {
   return std::unexpected(LoadError{base::printable(file, 4096), 0, std::move(text), true});
@@ -67,7 +67,7 @@ std::expected<std::vector<std::string>, LoadError> list_folder(const std::string
     files.push_back(path.string());
   }
   if (files.empty())
-    return refuse(folder, "holds no ontology file: put files named .ttl, .nt, .rdf, .owl or .xml there");
+    return refuse(folder, "holds no ontology file: put files named .ttl, .nt, .rdf, .owl, .xml or .ofn there");
   return files;
 }
 
@@ -116,8 +116,14 @@ std::expected<FileBytes, LoadError> FileBytes::read(const std::string& path, con
   if (size > limits.file_bytes)
     return refuse(path, "is larger than " + std::to_string(limits.file_bytes) + " bytes: split it");
 
+  // A file that is being written is not read by halves. Files of /proc, too, hold more than they say.
+  const auto has_more = [&] {
+    char next = 0;
+    return ::read(file, &next, 1) > 0;
+  };
+  const std::string grew = "became longer while it was read: try again";
   FileBytes bytes;
-  if (size == 0) return bytes;
+  if (size == 0) return has_more() ? refuse(path, grew) : std::expected<FileBytes, LoadError>(std::move(bytes));
   void* memory = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) return refuse(path, "is too large for the memory: " + kernel_words(errno));
   bytes.data_ = static_cast<char*>(memory);
@@ -129,6 +135,7 @@ std::expected<FileBytes, LoadError> FileBytes::read(const std::string& path, con
     if (count == 0) return refuse(path, "became shorter while it was read: try again");
     bytes.size_ += static_cast<std::size_t>(count);
   }
+  if (has_more()) return refuse(path, grew);
   return bytes;
 }
 

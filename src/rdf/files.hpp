@@ -37,9 +37,9 @@ class FileBytes {
 };
 
 /// The files that the arguments mean: a file is itself; a folder is every ontology file in it (.ttl .nt .rdf .owl
-/// .xml), sorted by name, not those in folders below, not hidden ones and not a Protégé catalogue. What is named twice
-/// is taken once. A folder without any is an error, and so is one that holds a link that leads out of it, a FIFO or a
-/// device.
+/// .xml .ofn .fss), sorted by name, not those in folders below, not hidden ones and not a Protégé catalogue. What is
+/// named twice is taken once. A folder without any is an error, and so is one that holds a link that leads out of it, a
+/// FIFO or a device.
 [[nodiscard]] std::expected<std::vector<std::string>, LoadError> list_files(std::span<const std::string> arguments,
                                                                             const Limits& limits);
 

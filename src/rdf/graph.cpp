@@ -91,7 +91,6 @@ void Graph::index() {
     if (last - first > 1) {
       std::sort(first, last, by_content);
       last = std::unique(first, last, is_same);
-      std::sort(first, last);
     }
     begins[node] = static_cast<std::uint32_t>(kept);
     kept = static_cast<std::size_t>(std::copy(first, last, order_.begin() + static_cast<std::ptrdiff_t>(kept)) -
@@ -105,6 +104,19 @@ void Graph::index() {
 std::span<const std::uint32_t> Graph::about(NodeId subject) const {
   const auto node = static_cast<std::size_t>(subject);
   return std::span(order_).subspan(begins_[node], begins_[node + 1] - begins_[node]);
+}
+
+std::span<const std::uint32_t> Graph::about(NodeId subject, Word predicate) const {
+  const auto predicate_of = [&](std::uint32_t number) { return triples_[number].predicate; };
+  const auto found = std::ranges::equal_range(about(subject), node_of(predicate), {}, predicate_of);
+  return {found.begin(), found.end()};
+}
+
+bool Graph::has(NodeId subject, NodeId predicate, NodeId object) const {
+  const auto content_of = [&](std::uint32_t number) {
+    return std::pair(triples_[number].predicate, triples_[number].object);
+  };
+  return std::ranges::binary_search(about(subject), std::pair(predicate, object), {}, content_of);
 }
 
 }  // namespace geminga::rdf

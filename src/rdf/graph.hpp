@@ -50,7 +50,7 @@ class Graph {
   /// What is added from now on is of the next file; the first call begins file 0.
   void begin_file() { file_begins_.push_back(triples_.size()); }
 
-  /// Sorts by subject and drops repeated triples but the first. Adding ends here.
+  /// Sorts by subject, predicate and object, and drops repeated triples but the first. Adding ends here.
   void index();
 
   [[nodiscard]] Node node(NodeId id) const;
@@ -68,8 +68,12 @@ class Graph {
   [[nodiscard]] std::uint32_t file_of(std::uint32_t triple) const;
   [[nodiscard]] std::size_t file_count() const { return file_begins_.size(); }
 
-  /// The numbers of a subject's triples, ascending. Requires index().
+  /// The numbers of a subject's triples, by predicate and object; nodes are ordered by their numbers, so that the
+  /// vocabulary comes first. Requires index().
   [[nodiscard]] std::span<const std::uint32_t> about(NodeId subject) const;
+  /// Those of them with this predicate. O(log n): a subject may have as many triples as its file.
+  [[nodiscard]] std::span<const std::uint32_t> about(NodeId subject, Word predicate) const;
+  [[nodiscard]] bool has(NodeId subject, NodeId predicate, NodeId object) const;
 
  private:
   struct Record {

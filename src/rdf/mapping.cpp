@@ -4,6 +4,12 @@
 #include <utility>
 
 namespace geminga::rdf {
+namespace {
+
+/// Different constructs that are left out by name. A file can make up as many names of OWL's as it likes.
+constexpr std::size_t max_constructs = 250;
+
+}  // namespace
 
 Mapping::Mapping(const Graph& graph, el::OntologySource& source, std::vector<el::FileId> files)
     : graph_(graph),
@@ -13,6 +19,7 @@ Mapping::Mapping(const Graph& graph, el::OntologySource& source, std::vector<el:
       used_(graph.triple_count(), true),
       declared_(graph.node_count() * 6, false),
       classes_(graph.node_count()),
+      range_marks_(graph.node_count(), 0),
       list_steps_left_(graph.triple_count() * 4 + 1024) {}
 
 void Mapping::run() {
@@ -41,11 +48,9 @@ bool Mapping::use(std::uint32_t triple) {
 
 NodeId Mapping::object_of(NodeId subject, Word predicate) {
   NodeId found{};
-  for (const std::uint32_t number : graph_.about(subject)) {
-    const Triple& triple = graph_.triple(number);
-    if (word(triple.predicate) != predicate) continue;
+  for (const std::uint32_t number : graph_.about(subject, predicate)) {
     if (found != NodeId{}) return NodeId{};
-    found = triple.object;
+    found = graph_.triple(number).object;
     used_[number] = true;
   }
   return found;
@@ -84,6 +89,11 @@ std::expected<std::vector<el::TermId>, const char*> Mapping::terms(NodeId head, 
 el::FileId Mapping::file_of(std::uint32_t triple) const { return files_[graph_.file_of(triple)]; }
 
 void Mapping::leave_out(std::uint32_t triple, std::string_view construct) {
+  if (constructs_.size() < max_constructs) {
+    constructs_.emplace(construct);
+  } else if (!constructs_.contains(construct)) {
+    construct = "other names that OWL 2 does not have";
+  }
   source_.leave_out(construct, file_of(triple), graph_.triple(triple).line);
 }
 

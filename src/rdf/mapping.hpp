@@ -8,10 +8,13 @@
 
 #include <cstdint>
 #include <expected>
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "el/source.hpp"
@@ -53,7 +56,8 @@ class Mapping {
   void find_roles();
   void role_of_type(const Triple& triple);
   void role_of_use(const Triple& triple, std::vector<std::uint16_t>& uses);
-  [[nodiscard]] std::uint16_t use_of_restricted(NodeId restriction) const;
+  std::uint16_t use_of_restricted(NodeId restriction);
+  std::uint16_t use_of_asserted(NodeId assertion) const;
   void spread_property_kinds();
   void settle_properties();
 
@@ -71,7 +75,9 @@ class Mapping {
   Mapped data_property(NodeId node);
   Mapped individual(NodeId node);
   Mapped literal(NodeId node);
+  /// Whether a node is a data range. What is declared must have been looked at.
   [[nodiscard]] bool is_range(NodeId node, int depth = 0) const;
+  [[nodiscard]] bool is_described_range(NodeId node, int depth) const;
   [[nodiscard]] bool is_data(NodeId property) const;
   [[nodiscard]] bool is_object(NodeId property) const;
 
@@ -95,6 +101,8 @@ class Mapping {
   void map_all_different(std::uint32_t number);
   void map_negative_assertion(std::uint32_t number);
   void map_reified(std::uint32_t number);
+  /// Whether a subject has this property with a blank node that describes this class.
+  bool has_described(NodeId subject, NodeId property, el::TermId described);
   void map_identity(std::uint32_t number, el::AxiomKind kind);
   void map_assertion(std::uint32_t number);
   void map_labels();
@@ -125,9 +133,14 @@ class Mapping {
   el::OntologySource& source_;
   std::vector<el::FileId> files_;
   std::vector<std::uint16_t> roles_;
-  std::vector<bool> used_;      ///< triples
-  std::vector<bool> declared_;  ///< by node and kind of entity
+  std::vector<bool> used_;                         ///< triples
+  std::vector<bool> declared_;                     ///< by node and kind of entity
+  std::set<std::string, std::less<>> constructs_;  ///< that were left out
   std::vector<Memo> classes_;
+  mutable std::vector<std::uint8_t> range_marks_;  ///< of blank nodes: 0 not asked yet, 1 no data range, 2 a data range
+  std::unordered_map<std::uint32_t, std::uint16_t> restricted_uses_;        ///< by subject of owl:onProperty
+  std::unordered_set<std::uint32_t> named_restrictions_;                    ///< IRIs with owl:onProperty
+  std::unordered_map<std::uint32_t, std::set<std::uint64_t>> repeated_by_;  ///< by source of owl:Axiom: has_described()
   std::unordered_map<std::uint32_t, Memo> ranges_;
   std::vector<std::uint32_t> list_marks_;  ///< the walk that last came by a node
   std::uint32_t list_walk_ = 0;

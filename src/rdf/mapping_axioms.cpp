@@ -76,6 +76,9 @@ void Mapping::map_definition(std::uint32_t number) {
   }
   if (is_equivalence)
     return add(number, Kind::equivalent_classes, {class_expression(triple.subject), class_expression(triple.object)});
+  if (predicate == Word::owl_on_property &&
+      !named_restrictions_.insert(static_cast<std::uint32_t>(triple.subject)).second)
+    return leave_out(number, "an owl:Restriction with several constraints");
   // OWL 1 described a named class without owl:equivalentClass (mapping, table 18).
   const Mapped description = predicate == Word::owl_on_property
                                  ? restriction(triple.subject)

@@ -60,11 +60,6 @@ Mapping::Mapped Mapping::described_class(NodeId node) {
         object = triple.object;
         used_[number] = true;
         break;
-      case Word::rdf_type:
-        if (word(triple.object) == Word::owl_class || word(triple.object) == Word::owl_restriction ||
-            word(triple.object) == Word::rdfs_class)
-          used_[number] = true;
-        break;
       default:
         break;
     }
@@ -97,9 +92,10 @@ Mapping::Mapped Mapping::object_property(NodeId node) {
   if (graph_.is_iri(node)) return source_.object_property(graph_.text(node));
   if (graph_.is_literal(node)) return std::unexpected("a literal in place of a property");
   const NodeId inverse = object_of(node, Word::owl_inverse_of);
-  if (inverse == NodeId{} || !graph_.is_iri(inverse)) return std::unexpected("a blank property without owl:inverseOf");
-  for (const std::uint32_t number : graph_.about(node)) {
-    if (word(graph_.triple(number).predicate) == Word::rdf_type) used_[number] = true;
+  if (inverse == NodeId{} || !graph_.is_iri(inverse)) {
+    if (!graph_.about(node, Word::owl_union_of).empty()) return std::unexpected("a union of properties");
+    if (!graph_.about(node, Word::owl_intersection_of).empty()) return std::unexpected("an intersection of properties");
+    return std::unexpected("a blank property without owl:inverseOf");
   }
   return source_.term(el::TermKind::object_inverse_of, {source_.object_property(graph_.text(inverse))});
 }
@@ -126,6 +122,14 @@ Mapping::Mapped Mapping::literal(NodeId id) {
   if (node.kind != NodeKind::literal) return std::unexpected("an individual in place of a literal");
   const std::string_view datatype = node.datatype == NodeId{} ? std::string_view() : graph_.text(node.datatype);
   const std::string_view language = node.language == NodeId{} ? std::string_view() : graph_.text(node.language);
+  // "text@en"^^rdf:PlainLiteral is "text"@en, and "text@"^^rdf:PlainLiteral is "text" (OWL 2, section 5.7).
+  if (word(node.datatype) == Word::rdf_plain_literal) {
+    const std::size_t at = node.text.rfind('@');
+    if (at == std::string_view::npos) return source_.literal(node.text, {});
+    std::string tag(node.text.substr(at + 1));
+    for (char& c : tag) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
+    return source_.literal(node.text.substr(0, at), {}, tag);
+  }
   return source_.literal(node.text, datatype, language);
 }
 

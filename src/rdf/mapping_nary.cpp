@@ -8,6 +8,16 @@ namespace geminga::rdf {
 
 using Kind = el::AxiomKind;
 
+namespace {
+
+/// Whether the triples of this predicate have a class as their object.
+bool is_class_valued(Word predicate) {
+  return predicate == Word::rdfs_sub_class_of || predicate == Word::owl_equivalent_class ||
+         predicate == Word::owl_disjoint_with || predicate == Word::rdfs_domain || predicate == Word::rdfs_range;
+}
+
+}  // namespace
+
 void Mapping::map_type(std::uint32_t number) {
   const Triple& triple = graph_.triple(number);
   const NodeId node = triple.subject;
@@ -128,22 +138,31 @@ void Mapping::map_reified(std::uint32_t number) {
   if (has_role(property, is_annotation_property) ||
       (word(property) == Word::none && !has_role(property, property_kinds)))
     return;
-  const bool is_class_valued = word(property) == Word::rdfs_sub_class_of ||
-                               word(property) == Word::owl_equivalent_class ||
-                               word(property) == Word::owl_disjoint_with || word(property) == Word::rdfs_domain ||
-                               word(property) == Word::rdfs_range;
   // Writers repeat a blank node's description instead of its name. Lists and the like are taken on trust.
-  if (graph_.is_blank(source) || (graph_.is_blank(target) && !is_class_valued)) return;
-  const Mapped described =
-      graph_.is_blank(target) && !is_range(target) ? class_expression(target) : Mapped(el::TermId{});
-  for (const std::uint32_t other : graph_.about(source)) {
-    const Triple& triple = graph_.triple(other);
-    if (triple.predicate != property) continue;
-    if (triple.object == target || is_range(target)) return;
-    if (!graph_.is_blank(target) || !graph_.is_blank(triple.object)) continue;
-    if (const Mapped same = class_expression(triple.object); same && described && *same == *described) return;
+  if (graph_.is_blank(source) || (graph_.is_blank(target) && !is_class_valued(word(property)))) return;
+  if (graph_.has(source, property, target)) return;
+  if (graph_.is_blank(target)) {
+    if (is_range(target)) return;
+    if (const Mapped described = class_expression(target); described && has_described(source, property, *described))
+      return;
   }
   leave_out(number, "an owl:Axiom whose own triple is missing");
+}
+
+bool Mapping::has_described(NodeId subject, NodeId property, el::TermId described) {
+  const auto key_of = [](NodeId predicate, el::TermId term) {
+    return std::uint64_t{static_cast<std::uint32_t>(predicate)} << 32U | static_cast<std::uint32_t>(term);
+  };
+  const auto [place, is_new] = repeated_by_.try_emplace(static_cast<std::uint32_t>(subject));
+  if (is_new) {
+    for (const std::uint32_t number : graph_.about(subject)) {
+      const Triple& triple = graph_.triple(number);
+      if (!graph_.is_blank(triple.object) || !is_class_valued(word(triple.predicate)) || is_range(triple.object))
+        continue;
+      if (const Mapped same = class_expression(triple.object)) place->second.insert(key_of(triple.predicate, *same));
+    }
+  }
+  return place->second.contains(key_of(property, described));
 }
 
 void Mapping::map_labels() {

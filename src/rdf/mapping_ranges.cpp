@@ -11,35 +11,26 @@ constexpr int max_depth = 100;
 bool Mapping::is_range(NodeId node, int depth) const {
   if (depth > max_depth || graph_.is_literal(node)) return false;
   if (graph_.is_iri(node)) return has_role(node, is_datatype) && !has_role(node, is_class);
-  if (has_role(node, is_datatype)) return true;
-  for (const std::uint32_t number : graph_.about(node)) {
-    const Triple& triple = graph_.triple(number);
-    const auto first_of = [&](NodeId list) {
-      for (const std::uint32_t part : graph_.about(list)) {
-        if (word(graph_.triple(part).predicate) == Word::rdf_first) return graph_.triple(part).object;
-      }
-      return NodeId{};
-    };
-    switch (word(triple.predicate)) {
-      case Word::owl_on_datatype:
-      case Word::owl_datatype_complement_of:
-        return true;
-      case Word::owl_on_property:
-      case Word::owl_complement_of:
-        return false;
-      case Word::owl_one_of: {
-        const NodeId first = first_of(triple.object);
-        return first != NodeId{} && graph_.is_literal(first);
-      }
-      case Word::owl_intersection_of:
-      case Word::owl_union_of: {
-        if (has_role(node, is_class)) break;
-        const NodeId first = first_of(triple.object);
-        return first != NodeId{} && is_range(first, depth + 1);
-      }
-      default:
-        break;
+  std::uint8_t& mark = range_marks_[static_cast<std::size_t>(node)];
+  if (mark == 0) mark = has_role(node, is_datatype) || is_described_range(node, depth) ? 2 : 1;
+  return mark == 2;
+}
+
+bool Mapping::is_described_range(NodeId node, int depth) const {
+  const auto has = [&](Word predicate) { return !graph_.about(node, predicate).empty(); };
+  if (has(Word::owl_on_datatype) || has(Word::owl_datatype_complement_of)) return true;
+  if (has(Word::owl_on_property) || has(Word::owl_complement_of)) return false;
+  const auto first_of = [&](Word constructor) {
+    for (const std::uint32_t number : graph_.about(node, constructor)) {
+      for (const std::uint32_t part : graph_.about(graph_.triple(number).object, Word::rdf_first))
+        return graph_.triple(part).object;
     }
+    return NodeId{};
+  };
+  if (const NodeId first = first_of(Word::owl_one_of); first != NodeId{}) return graph_.is_literal(first);
+  if (has_role(node, is_class)) return false;
+  for (const Word constructor : {Word::owl_intersection_of, Word::owl_union_of}) {
+    if (const NodeId first = first_of(constructor); first != NodeId{}) return is_range(first, depth + 1);
   }
   return false;
 }
@@ -88,9 +79,6 @@ Mapping::Mapped Mapping::described_range(NodeId node) {
         break;
       case Word::owl_with_restrictions:
         restrictions = triple.object;
-        used_[number] = true;
-        break;
-      case Word::rdf_type:
         used_[number] = true;
         break;
       default:

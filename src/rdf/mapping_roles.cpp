@@ -13,7 +13,8 @@ void Mapping::find_roles() {
   for (const Word word : {Word::owl_top_data_property, Word::owl_bottom_data_property})
     add_role(node_of(word), is_data_property);
   for (const Word word : {Word::rdfs_label, Word::rdfs_comment, Word::rdfs_see_also, Word::rdfs_is_defined_by,
-                          Word::skos_pref_label, Word::owl_version_info, Word::owl_deprecated})
+                          Word::skos_pref_label, Word::owl_version_info, Word::owl_deprecated, Word::owl_prior_version,
+                          Word::owl_backward_compatible_with, Word::owl_incompatible_with})
     add_role(node_of(word), is_annotation_property);
   for (std::uint32_t node = 0; node < graph_.node_count(); ++node) {
     if (graph_.is_iri(NodeId{node}) && graph_.text(NodeId{node}).starts_with(xsd_namespace))
@@ -109,18 +110,24 @@ void Mapping::role_of_use(const Triple& triple, std::vector<std::uint16_t>& uses
       use(triple.object, is_some_property);
       break;
     case Word::owl_assertion_property:
-      for (const std::uint32_t number : graph_.about(triple.subject)) {
-        const Word part = word(graph_.triple(number).predicate);
-        if (part == Word::owl_target_individual) use(triple.object, is_object_property);
-        if (part == Word::owl_target_value) use(triple.object, is_data_property);
-      }
+      use(triple.object, use_of_asserted(triple.subject));
       break;
     default:
       break;
   }
 }
 
-std::uint16_t Mapping::use_of_restricted(NodeId restriction) const {
+std::uint16_t Mapping::use_of_asserted(NodeId assertion) const {
+  const bool has_target = !graph_.about(assertion, Word::owl_target_individual).empty();
+  const bool has_value = !graph_.about(assertion, Word::owl_target_value).empty();
+  return static_cast<std::uint16_t>((has_target ? is_object_property : 0) | (has_value ? is_data_property : 0));
+}
+
+std::uint16_t Mapping::use_of_restricted(NodeId restriction) {
+  // A restriction on several properties is none, but costs the square of the file where each looks at all of it.
+  const bool is_small = graph_.about(restriction).size() < 16;
+  const auto key = static_cast<std::uint32_t>(restriction);
+  if (const auto known = restricted_uses_.find(key); !is_small && known != restricted_uses_.end()) return known->second;
   std::uint16_t roles = 0;
   for (const std::uint32_t number : graph_.about(restriction)) {
     const Triple& part = graph_.triple(number);
@@ -143,6 +150,7 @@ std::uint16_t Mapping::use_of_restricted(NodeId restriction) const {
         break;
     }
   }
+  if (!is_small) restricted_uses_.emplace(key, roles);
   return roles;
 }
 

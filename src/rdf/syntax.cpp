@@ -7,7 +7,7 @@
 namespace geminga::rdf {
 namespace {
 
-enum class Content { empty, xml, owl_xml, turtle, functional, manchester, utf16 };
+enum class Content { empty, xml, owl_xml, html, turtle, functional, manchester, wide };
 
 bool is_name_byte(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.' ||
@@ -36,8 +36,9 @@ bool is_xml_tag(std::string_view text) {
          std::ranges::all_of(name, [](char c) { return c == ':' || is_name_byte(c); });
 }
 
-/// The name of the first element behind declaration, comments and DOCTYPE; good enough to tell OWL/XML from RDF/XML.
-std::string_view root_name(std::string_view text) {
+/// The tag of the first element behind declaration, comments and DOCTYPE, without its brackets; good enough to tell
+/// what is no RDF/XML.
+std::string_view root_tag(std::string_view text) {
   std::size_t at = 0;
   while ((at = text.find('<', at)) != std::string_view::npos) {
     const std::string_view rest = text.substr(at);
@@ -50,7 +51,7 @@ std::string_view root_name(std::string_view text) {
       const std::size_t open = rest.find_first_of("[>");
       end = open != std::string_view::npos && rest[open] == '[' ? rest.find("]", open) : open;
     } else {
-      return rest.substr(1, std::min(rest.find_first_of(" \t\r\n/>", 1), rest.size()) - 1);
+      return rest.substr(1, std::min(rest.find('>', 1), rest.size()) - 1);
     }
     if (end == std::string_view::npos) return {};
     at += end + 1;
@@ -58,13 +59,35 @@ std::string_view root_name(std::string_view text) {
   return {};
 }
 
+bool starts_ignoring_case(std::string_view text, std::string_view lower) {
+  return std::ranges::equal(text.substr(0, lower.size()), lower,
+                            [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+}
+
+/// UTF-16 or UTF-32: a mark at the begin, or NULs between the octets of the first characters.
+bool is_wide(std::string_view content) {
+  if (content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff")) return true;
+  return std::ranges::count(content.substr(0, 4), '\0') >= 2;
+}
+
+Content look_at_xml(std::string_view text) {
+  const std::string_view tag = root_tag(text);
+  const std::string_view name = tag.substr(0, std::min(tag.find_first_of(" \t\r\n/"), tag.size()));
+  if (starts_ignoring_case(text, "<!doctype html") || (starts_ignoring_case(name, "html") && name.size() == 4))
+    return Content::html;
+  // RDF/XML may begin with <owl:Ontology, and then says rdf:about where OWL/XML says ontologyIRI.
+  if (name == "Ontology" || (name.ends_with(":Ontology") && tag.find("ontologyIRI") != std::string_view::npos))
+    return Content::owl_xml;
+  return Content::xml;
+}
+
 Content look(std::string_view content) {
-  if (content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff")) return Content::utf16;
-  if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);
-  const std::string_view text = without_comments(content);
+  if (is_wide(content)) return Content::wide;
+  const std::string_view text = without_comments(without_mark(content));
   if (text.empty()) return Content::empty;
-  if (text.starts_with("<?xml") || text.starts_with("<!DOCTYPE") || text.starts_with("<!--") || is_xml_tag(text))
-    return root_name(text) == "Ontology" ? Content::owl_xml : Content::xml;
+  if (text.starts_with("<?xml") || starts_ignoring_case(text, "<!doctype") || text.starts_with("<!--") ||
+      is_xml_tag(text))
+    return look_at_xml(text);
   if (text.starts_with("Prefix:") || text.starts_with("Ontology:")) return Content::manchester;
   for (const std::string_view word : {"Prefix", "Ontology"}) {
     if (text.starts_with(word) && without_comments(text.substr(word.size())).starts_with('('))
@@ -75,11 +98,18 @@ Content look(std::string_view content) {
 
 }  // namespace
 
+std::string_view without_mark(std::string_view content) {
+  if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);
+  return content;
+}
+
 std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::string_view content) {
   const Content found = look(content);
   switch (found) {
-    case Content::utf16:
+    case Content::wide:
       return std::unexpected("is in UTF-16, which is not read: convert it to UTF-8");
+    case Content::html:
+      return std::unexpected("is an HTML page, not an ontology: download the ontology itself");
     case Content::functional:
       return Syntax::functional;
     case Content::manchester:
@@ -95,10 +125,12 @@ std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::str
     if (found == Content::xml) return std::unexpected("is XML by its content: name it .rdf or .owl");
     return says_turtle ? Syntax::turtle : Syntax::n_triples;
   }
-  const bool says_xml = path.ends_with(".rdf") || path.ends_with(".owl") || path.ends_with(".xml");
   if (found == Content::xml) return Syntax::rdf_xml;
-  if (!says_xml) return std::unexpected("has no known extension: name it .ttl, .nt, .rdf, .owl or .xml");
   if (found == Content::empty) return std::unexpected("is empty");
+  if (path.ends_with(".ofn") || path.ends_with(".fss"))
+    return std::unexpected("is not in OWL functional syntax: name it .ttl, .nt, .rdf or .owl, as it is");
+  const bool says_xml = path.ends_with(".rdf") || path.ends_with(".owl") || path.ends_with(".xml");
+  if (!says_xml) return std::unexpected("has no known extension: name it .ttl, .nt, .rdf, .owl, .xml or .ofn");
   return Syntax::turtle;
 }
 

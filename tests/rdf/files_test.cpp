@@ -27,11 +27,11 @@ std::vector<std::string> names(const std::expected<std::vector<std::string>, Loa
 
 TEST(Files, AFolderMeansItsOntologyFilesSortedByName) {
   const Scratch scratch;
-  for (const char* name : {"z.owl", "b.ttl", "a.nt", "c.rdf", "d.xml", "notes.txt", ".#b.ttl", "catalog-v001.xml",
-                           "below/e.ttl", "folder.ttl/f.ttl"})
+  for (const char* name : {"z.owl", "b.ttl", "a.nt", "c.rdf", "d.xml", "e.ofn", "f.fss", "notes.txt", ".#b.ttl",
+                           "catalog-v001.xml", "below/e.ttl", "folder.ttl/f.ttl"})
     scratch.write(name, "");
   EXPECT_THAT(names(list_files(std::vector{scratch.path().string()}, {})),
-              ElementsAre("a.nt", "b.ttl", "c.rdf", "d.xml", "z.owl"));
+              ElementsAre("a.nt", "b.ttl", "c.rdf", "d.xml", "e.ofn", "f.fss", "z.owl"));
 }
 
 TEST(Files, WhatIsNamedTwiceIsTakenOnce) {
@@ -87,6 +87,33 @@ TEST(Files, FifosDevicesAndSocketsAreNeverOpened) {
   const auto missing = FileBytes::read((scratch.path() / "missing.ttl").string(), {});
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().text, "cannot be opened: No such file or directory");
+}
+
+TEST(Files, AFileThatGrowsWhileItIsReadIsRefused) {
+  // A file of /proc says that it has no bytes, and then has some: like one that grew between the two questions.
+  const auto bytes = FileBytes::read("/proc/self/status", {});
+  ASSERT_FALSE(bytes);
+  EXPECT_EQ(bytes.error().text, "became longer while it was read: try again");
+}
+
+TEST(Files, WhatMayNotBeReadIsUnreadable) {
+  const Scratch scratch;
+  const std::string path = scratch.write("a.ttl", "");
+  ASSERT_EQ(chmod(path.c_str(), 0), 0);
+  const auto bytes = FileBytes::read(path, {});
+  if (geteuid() == 0) {  // root may read everything
+    EXPECT_TRUE(bytes);
+    return;
+  }
+  ASSERT_FALSE(bytes);
+  EXPECT_EQ(bytes.error().text, "cannot be opened: Permission denied");
+  EXPECT_TRUE(bytes.error().is_unreadable);
+}
+
+TEST(Files, AFolderNamedLikeAFileIsReadAsTheFolderThatItIs) {
+  const Scratch scratch;
+  scratch.write("x.ttl/a.ttl", "");
+  EXPECT_THAT(names(list_files(std::vector{(scratch.path() / "x.ttl").string()}, {})), ElementsAre("a.ttl"));
 }
 
 TEST(Files, ReleasedBytesAreGoneAndTheRestIsThere) {

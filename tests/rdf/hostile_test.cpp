@@ -145,6 +145,38 @@ TEST(Hostile, ListsThatShareTheirTailsCostNoMoreThanTheFile) {
   EXPECT_EQ(loaded->source.omissions()[0].count, 5000U);
 }
 
+TEST(Hostile, OneSubjectOfAllTriplesCostsNoMoreThanTheFile) {
+  // Each of these made somebody look at all triples of a subject once for each of them.
+  constexpr int count = 20'000;
+  const std::string owl = "<http://www.w3.org/2002/07/owl#";
+  const std::string type = " <http://www.w3.org/1999/02/22-rdf-syntax-ns#type> ";
+  const std::string sub_class = " <http://www.w3.org/2000/01/rdf-schema#subClassOf> ";
+  std::string triples;
+  for (int i = 0; i < count; ++i) {
+    const std::string n = std::to_string(i);
+    triples += "_:r " + owl + "onProperty> <http://e/p" + n + "> .\n";
+    triples += "<http://e/R> " + owl + "onProperty> <http://e/p" + n + "> .\n";
+    triples += "<http://e/p" + n + "> <http://www.w3.org/2000/01/rdf-schema#range> _:r .\n";
+    triples +=
+        "<http://e/A>" + sub_class + "_:c" + n + " .\n_:c" + n + ' ' + owl + "complementOf> <http://e/B" + n + "> .\n";
+    triples += "_:x" + n + type + owl + "Axiom> .\n_:x" + n + ' ' + owl + "annotatedSource> <http://e/A> .\n_:x" + n +
+               ' ' + owl + "annotatedProperty>" + sub_class + ".\n_:x" + n + ' ' + owl + "annotatedTarget> _:y" + n +
+               " .\n_:y" + n + ' ' + owl + "complementOf> <http://e/B" + std::to_string(i + 1) + "> .\n";
+    triples += "_:i" + type + "<http://e/T" + n + "> .\n<http://e/q" + n + "> " + owl + "inverseOf> _:i .\n";
+    triples += "<http://e/z> " + owl + "new" + n + "> <http://e/z> .\n";
+  }
+  triples += "_:i " + owl + "inverseOf> <http://e/p> .\n";
+  const auto loaded = load_text("star.nt", triples);
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  std::vector<std::string> constructs;
+  for (const auto& omission : loaded->source.omissions())
+    constructs.emplace_back(loaded->source.name(omission.construct));
+  EXPECT_THAT(constructs, testing::IsSupersetOf({"an owl:Restriction with several constraints",
+                                                 "an owl:Axiom whose own triple is missing", "owl:new0",
+                                                 "other names that OWL 2 does not have"}));
+  EXPECT_EQ(constructs.size(), 251U);
+}
+
 TEST(Hostile, ExpressionsNestedByBlankNodesDoNotExhaustTheStack) {
   std::string triples = "<http://e/A> <http://www.w3.org/2000/01/rdf-schema#subClassOf> _:l0 .\n";
   for (int i = 0; i < 100'000; ++i)

@@ -49,6 +49,15 @@ TEST(Imports, MayBeCircular) {
   EXPECT_THAT(loaded->unresolved, IsEmpty());
 }
 
+TEST(Imports, MayDifferInCaseFromTheNameOfTheOntology) {
+  const Scratch scratch;
+  const std::string a = scratch.write("a.ttl", ontology("http://e/a", "; owl:imports <http://E/Core-ALL>"));
+  const std::string b = scratch.write("b.ttl", ontology("http://e/core-All", ""));
+  const auto loaded = load(std::vector{a, b});
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  EXPECT_THAT(loaded->unresolved, IsEmpty());
+}
+
 TEST(Imports, AreResolvedThroughTheCatalogueOfAFolder) {
   const Scratch scratch;
   scratch.write("team.ttl",
@@ -137,6 +146,41 @@ TEST(Load, ReadsIso88591WhereXmlSaysSo) {
   ASSERT_TRUE(loaded) << to_string(loaded.error());
   ASSERT_THAT(loaded->source.labels(), SizeIs(1));
   EXPECT_EQ(loaded->source.name(loaded->source.labels()[0].text), "Ölstand");
+}
+
+TEST(Load, ReadsAByteOrderMarkInEverySyntax) {
+  const std::string mark = "\xef\xbb\xbf";
+  const std::string triple = "<http://e/A> <http://www.w3.org/2000/01/rdf-schema#subClassOf> <http://e/B> .\n";
+  const std::string element =
+      "<rdf:Description rdf:about=\"http://e/A\"><rdfs:subClassOf rdf:resource=\"http://e/B\"/>"
+      "</rdf:Description>\n";
+  for (const auto& [name, text] : {std::pair{"a.ttl", triple},
+                                   {"a.ttl", std::string(turtle_prefixes) + triple},
+                                   {"a.nt", triple},
+                                   {"a.owl", xml(element)},
+                                   {"a.owl", triple}}) {
+    const auto loaded = load_text(name, mark + text);
+    ASSERT_TRUE(loaded) << name << to_string(loaded.error());
+    EXPECT_THAT(functional(loaded->source), ElementsAre("SubClassOf(:A :B)")) << name;
+  }
+  EXPECT_EQ(refusal("a.owl", mark + "<?xml version='1.0' encoding='ISO-8859-1'?><e:A xmlns:e='http://e/'/>"),
+            "a.owl:1: begins as UTF-8 and declares ISO-8859-1: correct its declaration");
+}
+
+TEST(Load, TakesLanguageTagsInLowerCaseInEverySyntax) {
+  const std::string value = "DataPropertyAssertion(:p :a \"x\"@en-gb)";
+  const std::string declared = ":p a owl:DatatypeProperty .\n";
+  const auto turtle = load_text("a.ttl", std::string(turtle_prefixes) + declared + ":a :p \"x\"@en-GB .\n");
+  const auto element = load_text(
+      "a.owl", xml("<rdf:Description rdf:about='http://e/a'><e:p xml:lang='EN-gb'>x</e:p></rdf:Description>"
+                   "<owl:DatatypeProperty xmlns:owl='http://www.w3.org/2002/07/owl#' rdf:about='http://e/p'/>"));
+  const auto plain =
+      load_text("a.ttl", std::string(turtle_prefixes) + declared +
+                             ":a :p \"x@EN-GB\"^^<http://www.w3.org/1999/02/22-rdf-syntax-ns#PlainLiteral> .\n");
+  ASSERT_TRUE(turtle && element && plain);
+  EXPECT_THAT(functional(turtle->source), ElementsAre(value));
+  EXPECT_THAT(functional(element->source), ElementsAre(value));
+  EXPECT_THAT(functional(plain->source), ElementsAre(value));
 }
 
 TEST(Load, TakesRelativeIrisRelativeToTheFileNameAndNotToItsPlace) {

@@ -24,6 +24,7 @@ TEST(Syntax, IsDecidedByTheNameOfTurtleAndTriplesAndByTheContentOfOthers) {
     EXPECT_EQ(detect_syntax(name, "<!-- x -->\n<owl:Ontology rdf:about=''/>"), Syntax::rdf_xml) << name;
     EXPECT_EQ(detect_syntax(name, "# SOMA\nPrefix(:=<http://e/>)\nOntology()"), Syntax::functional) << name;
     EXPECT_EQ(detect_syntax(name, "Ontology ( <http://e/> )"), Syntax::functional) << name;
+    EXPECT_EQ(detect_syntax(name, "\xef\xbb\xbfOntology(<http://e/>)"), Syntax::functional) << name;
   }
   EXPECT_EQ(detect_syntax("noname", xml), Syntax::rdf_xml);
 }
@@ -38,8 +39,35 @@ TEST(Syntax, IsRefusedWithWhatToDo) {
             "is in OWL/XML, which is not read: convert it to RDF/XML or Turtle");
   EXPECT_EQ(words("a.owl", "Prefix: : <http://e/>\nOntology: <http://e/>"),
             "is in OWL Manchester syntax, which is not read: convert it to RDF/XML or Turtle");
-  EXPECT_EQ(words("a.txt", "hello"), "has no known extension: name it .ttl, .nt, .rdf, .owl or .xml");
+  EXPECT_EQ(words("a.txt", "hello"), "has no known extension: name it .ttl, .nt, .rdf, .owl, .xml or .ofn");
+  EXPECT_EQ(words("a.owl", "<owl:Ontology xmlns:owl=\"http://www.w3.org/2002/07/owl#\" ontologyIRI=\"http://e/\">"),
+            "is in OWL/XML, which is not read: convert it to RDF/XML or Turtle");
   EXPECT_EQ(words("a.owl", " \n"), "is empty");
+  EXPECT_EQ(words("a.ofn", ""), "is empty");
+  EXPECT_EQ(words("a.ofn", "<http://e/a> a <http://e/B> ."),
+            "is not in OWL functional syntax: name it .ttl, .nt, .rdf or .owl, as it is");
+}
+
+TEST(Syntax, OfAPageThatCameInsteadOfTheOntologyIsHtml) {
+  for (const char* page :
+       {"<!DOCTYPE html>\n<html lang=\"en\">", "<!doctype HTML PUBLIC \"-//W3C//DTD HTML 4.01//EN\">", "\n<html><head>",
+        "<HTML>", "<!-- saved --><html xmlns=\"http://www.w3.org/1999/xhtml\">", "<?xml version=\"1.0\"?>\n<html>"}) {
+    for (const char* name : {"a.owl", "a.rdf", "a.ttl", "a.nt", "a.ofn", "a"}) {
+      const auto syntax = detect_syntax(name, page);
+      ASSERT_FALSE(syntax) << name << ' ' << page;
+      EXPECT_EQ(syntax.error(), "is an HTML page, not an ontology: download the ontology itself");
+    }
+  }
+}
+
+TEST(Syntax, OfWideCharactersIsRefusedWithOrWithoutTheirMark) {
+  using std::string_view_literals::operator""sv;
+  for (const std::string_view text :
+       {"\xff\xfe<\0?\0"sv, "\xfe\xff\0<\0?"sv, "<\0?\0x\0"sv, "\0<\0?"sv, "\0\0\0<"sv, "\xff\xfe\0\0"sv, "@\0p\0"sv}) {
+    const auto syntax = detect_syntax("a.ttl", text);
+    ASSERT_FALSE(syntax);
+    EXPECT_EQ(syntax.error(), "is in UTF-16, which is not read: convert it to UTF-8");
+  }
 }
 
 }  // namespace
