@@ -78,7 +78,7 @@ const Hierarchy hierarchies[] = {
      "SubObjectPropertyOf(ObjectPropertyChain(p ObjectInverseOf(p)) r)\nReflexiveObjectProperty(p)\n"
      "SubObjectPropertyOf(ObjectPropertyChain(q r) s)",
      {"p < r", "q < s"}},
-    {"Top", "SubObjectPropertyOf(owl:topObjectProperty p)\nSubObjectPropertyOf(q p)", {"p = top"}},
+    {"Top", "SubObjectPropertyOf(owl:topObjectProperty p)\nSubObjectPropertyOf(q p)", {"top = p"}},
     {"Bottom",
      "SubObjectPropertyOf(p owl:bottomObjectProperty)\nSubObjectPropertyOf(q p)",
      {"bottom = p", "bottom = q"}},

@@ -109,7 +109,9 @@ TEST(OntologySource, TakesAsMuchAsItsLimitsAndSaysWhatIsOver) {
          for (std::size_t at = 0; at < n; ++at) s.add_file("f" + std::to_string(at));
        }},
       {"bytes together",
-       {.all_name_bytes = owl_thing.size() + owl_nothing.size() + 100},
+       {.all_name_bytes = owl_thing.size() + owl_nothing.size() + owl_top_object_property.size() +
+                          owl_bottom_object_property.size() + owl_top_data_property.size() +
+                          owl_bottom_data_property.size() + 100},
        100,  // beside the two names of OWL
        [](OntologySource& s, std::size_t n) { s.named_class(std::string(n, 'x')); }},
   };
