@@ -1,0 +1,68 @@
+#include "consequence/closure.hpp"
+
+#include <algorithm>
+
+#include "consequence/saturation.hpp"
+
+namespace geminga::consequence {
+namespace {
+
+using clauses::ConceptId;
+using clauses::number;
+
+[[nodiscard]] ContextKey key_of(const CentredRules& vocabulary, ConceptId wanted) {
+  ContextKey key;
+  if (wanted != clauses::thing) key.core.push_back(unary(vocabulary.predicate_of[number(wanted)], x_term));
+  return key;
+}
+
+[[nodiscard]] std::vector<ConceptId> subsumers_of(const CentredRules& vocabulary, const Context& context,
+                                                  ConceptId wanted) {
+  if (context.is_unsatisfiable) return {clauses::nothing};
+  std::vector<ConceptId> found{clauses::thing, wanted};
+  context.store.for_each_unit([&](Literal literal) {
+    if (literal.term() != x_term || literal.kind() != LiteralKind::unary) return;
+    if (literal.predicate() < vocabulary.query_count) found.push_back(vocabulary.query_concepts[literal.predicate()]);
+  });
+  std::ranges::sort(found);
+  found.erase(std::ranges::unique(found).begin(), found.end());
+  return found;
+}
+
+}  // namespace
+
+Closure saturate(const el::OntologySource& source, const clauses::ClauseSet& clauses,
+                 std::span<const ConceptId> wanted, const Options& options) {
+  static_cast<void>(source);
+  const Rules rules(Centring(clauses).run());
+  const CentredRules& vocabulary = rules.vocabulary();
+  std::vector<std::uint32_t> wanted_predicates;
+  for (const ConceptId asked : wanted) wanted_predicates.push_back(vocabulary.predicate_of[number(asked)]);
+  Saturation saturation(rules, wanted_predicates, options.clauses);
+  const Context& everything = saturation.context_for({}, 0);
+  for (const ConceptId asked : wanted) {
+    if (asked != clauses::nothing) static_cast<void>(saturation.context_for(key_of(vocabulary, asked), 0));
+  }
+  saturation.run(std::max(1U, options.threads));
+
+  Closure closure;
+  closure.gaps = vocabulary.gaps;
+  if (saturation.is_cut_off()) {
+    closure.gaps.push_back("more than " + std::to_string(options.clauses) + " clauses were derived");
+  }
+  std::ranges::sort(closure.gaps);
+  closure.gaps.erase(std::ranges::unique(closure.gaps).begin(), closure.gaps.end());
+  closure.contexts = saturation.context_count();
+  closure.derived = saturation.clause_count();
+  closure.is_consistent = !everything.is_unsatisfiable;
+  for (const ConceptId asked : wanted) {
+    if (!closure.is_consistent || asked == clauses::nothing) {
+      closure.subsumers.push_back({clauses::nothing});
+      continue;
+    }
+    closure.subsumers.push_back(subsumers_of(vocabulary, *saturation.find(key_of(vocabulary, asked)), asked));
+  }
+  return closure;
+}
+
+}  // namespace geminga::consequence

@@ -1,0 +1,107 @@
+// One context: what is known about all things of which its core holds, and who its successors and predecessors are.
+//
+// A context is worked by one thread at a time. Others only post messages into its inbox.
+#ifndef GEMINGA_CONSEQUENCE_CONTEXT_HPP
+#define GEMINGA_CONSEQUENCE_CONTEXT_HPP
+
+#include <atomic>
+#include <cstdint>
+#include <limits>
+#include <mutex>
+#include <vector>
+
+#include "consequence/clause_store.hpp"
+
+namespace geminga::consequence {
+
+/// A lock for a few instructions, one octet small: there is one in each context.
+class SpinLock {
+ public:
+  void lock() {
+    while (flag_.test_and_set(std::memory_order_acquire)) flag_.wait(true, std::memory_order_relaxed);
+  }
+  void unlock() {
+    flag_.clear(std::memory_order_release);
+    flag_.notify_one();
+  }
+
+ private:
+  std::atomic_flag flag_;
+};
+
+struct Context;
+
+/// What a context says to another.
+enum class MessageKind : std::uint8_t {
+  start,    ///< the context is new
+  edge,     ///< the things f(x) of the sender are there; the body's literals may hold of them
+  no_edge,  ///< they have moved to another context
+  clause,   ///< of the successor f(x), in the successor's names
+};
+struct Message {
+  MessageKind kind = MessageKind::start;
+  Term f{};
+  Context* from = nullptr;
+  std::uint32_t body = 0;  ///< literals, which follow those of the messages before
+  std::uint32_t head = 0;
+};
+
+/// What a context is found by. The private ones are for one function symbol, whose things are not certain to exist.
+struct ContextKey {
+  std::vector<Literal> core;  ///< ascending
+  std::uint32_t function = std::numeric_limits<std::uint32_t>::max();
+  friend bool operator==(const ContextKey&, const ContextKey&) = default;
+};
+
+/// The things of `from` that are f(x) there are in this context, as far as the hypotheses hold of them.
+struct Edge {
+  Context* from = nullptr;
+  Term f{};
+  bool is_live = true;
+  std::vector<Literal> hypotheses;  ///< ascending
+};
+
+/// A successor f(x), as the context of x knows it. Literals are as the successor's context names them.
+struct Successor {
+  Term f{};
+  Term replaced_by{};             ///< where true -> f(x) = t is known; f itself where not
+  bool is_certain = false;        ///< something about it has an empty body
+  bool is_changed = false;        ///< since Succ has seen it
+  std::vector<Literal> literals;  ///< maximal literals about it, as this context names them
+  std::vector<Literal> certain;   ///< A(x) that certainly hold of it
+  std::vector<Literal> possible;  ///< whatever else may
+  Context* target = nullptr;
+  std::size_t told = 0;  ///< how many hypotheses the target has been told
+};
+
+/// A clause of a successor that waits for what is in its body; in the names of the context that has it.
+struct ForeignClause {
+  std::vector<Literal> body;
+  std::vector<Literal> head;
+};
+
+struct Context {
+  std::uint32_t number = 0;
+  ContextKey key;
+  /// Whether its units answer questions, see Rules::is_query().
+  bool answers_queries = false;
+  bool is_unsatisfiable = false;
+  ClauseStore store;
+  std::vector<Literal> unit_queue;
+  std::vector<ClauseNumber> clause_queue;
+  std::vector<Successor> successors;
+  std::vector<std::uint32_t> changed_successors;
+  std::vector<Edge> edges;
+  std::vector<ClauseNumber> for_all_edges;  ///< clauses with an empty body that every predecessor gets
+  std::vector<Literal> units_for_edges;
+  std::vector<ForeignClause> foreign;
+
+  SpinLock lock;  ///< guards what follows
+  std::vector<Message> inbox;
+  std::vector<Literal> inbox_literals;
+  bool is_scheduled = false;
+};
+
+}  // namespace geminga::consequence
+
+#endif

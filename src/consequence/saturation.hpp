@@ -1,0 +1,74 @@
+// The contexts of one closure and the threads that work them.
+//
+// A context that has messages is scheduled: it is in the stack of one worker, and whoever takes it out works it until
+// its inbox is empty. No lock is held but that of an inbox, of one stack or of one of the parts of the table of
+// contexts, and each for a few instructions only. The run ends when no context is scheduled.
+#ifndef GEMINGA_CONSEQUENCE_SATURATION_HPP
+#define GEMINGA_CONSEQUENCE_SATURATION_HPP
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "consequence/context.hpp"
+#include "consequence/rules.hpp"
+
+namespace geminga::consequence {
+
+class Saturation {
+ public:
+  /// Each of `wanted` (predicates) answers queries. `max_clauses` bounds what all contexts derive together.
+  Saturation(const Rules& rules, std::span<const std::uint32_t> wanted, std::size_t max_clauses);
+
+  /// The context with this key; made where there is none.
+  [[nodiscard]] Context& context_for(ContextKey&& key, unsigned worker);
+  [[nodiscard]] const Context* find(const ContextKey& key) const;
+  void post(Context& to, MessageKind kind, const Context* from, Term f, std::span<const Literal> body,
+            std::span<const Literal> head, unsigned worker);
+  /// Works until nothing is left to do, or the bound is reached.
+  void run(unsigned threads);
+
+  /// Counts clauses; false: there were too many, all stop.
+  bool count(std::size_t clauses);
+  void give_up() { is_cut_off_.store(true, std::memory_order_relaxed); }
+  [[nodiscard]] bool is_cut_off() const { return is_cut_off_.load(std::memory_order_relaxed); }
+  [[nodiscard]] std::size_t clause_count() const { return clauses_.load(std::memory_order_relaxed); }
+  [[nodiscard]] std::size_t context_count() const { return context_count_.load(std::memory_order_relaxed); }
+  [[nodiscard]] const Rules& rules() const { return rules_; }
+
+ private:
+  static constexpr std::size_t parts = 64;
+  struct Part {
+    mutable SpinLock lock;
+    std::vector<std::unique_ptr<Context>> contexts;
+    std::vector<std::uint32_t> slots;  ///< positions from 1, by hash of the key; 0: free
+  };
+  struct Stack {
+    SpinLock lock;
+    std::vector<Context*> contexts;
+  };
+
+  void schedule(Context& context, unsigned worker);
+  [[nodiscard]] Context* take(unsigned worker);
+  void work(unsigned worker);
+
+  const Rules& rules_;
+  std::vector<bool> is_wanted_;
+  std::size_t max_clauses_;
+  std::array<Part, parts> parts_;
+  std::deque<Stack> stacks_;
+  std::atomic<std::size_t> scheduled_{0};
+  std::atomic<std::uint32_t> epoch_{0};
+  std::atomic<std::uint32_t> sleepers_{0};
+  std::atomic<std::size_t> clauses_{0};
+  std::atomic<std::size_t> context_count_{0};
+  std::atomic<bool> is_cut_off_{false};
+};
+
+}  // namespace geminga::consequence
+
+#endif
