@@ -29,8 +29,8 @@ struct ExpressionPlace {
 /// Whether every instance of the class is one of the expression, as far as its place says.
 [[nodiscard]] bool is_above(const ExpressionPlace& place, ClassNumber sub, const Ontology& ontology);
 
-/// Edges between them were the expression a class of the taxonomy, by the shortest way: 0 for an equivalent class, 1 for
-/// a parent, 1 more for each edge beyond. Nothing where the class is not above (below) it.
+/// Edges between them were the expression a class of the taxonomy, by the shortest way: 0 for an equivalent class, 1
+/// for a parent, 1 more for each edge beyond. Nothing where the class is not above (below) it.
 [[nodiscard]] std::optional<std::uint32_t> distance_up(const ExpressionPlace& place, ClassNumber super,
                                                        const Ontology& ontology);
 [[nodiscard]] std::optional<std::uint32_t> distance_down(const ExpressionPlace& place, ClassNumber sub,

@@ -32,7 +32,9 @@ struct ExpressionLimits {
   std::size_t axioms = 200'000;
   std::size_t conclusions = 20'000'000;  ///< of the base
   std::size_t work = 200'000;            ///< conclusions for one expression; over it the answer has a gap
-  std::size_t parts = 64;                ///< alternatives that one expression is taken apart into at its unions
+  /// Axioms that are classified anew for one expression where individuals decide; over it the answer has a gap.
+  std::size_t scratch_axioms = 20'000;
+  std::size_t parts = 64;  ///< alternatives that one expression is taken apart into at its unions
 };
 
 /// Why no expression can be classified. `text` is one line for a user.

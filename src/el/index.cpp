@@ -333,7 +333,8 @@ bool Index::find_frontiers(std::size_t max_items) {
 ExprId Index::link_root(ExprId target) const {
   // What has no rules of its own and at most one thing above it with rules has no other subsumers than that thing, so
   // that it needs no context. Not with nominals: there a class that is not empty may turn out to be a nominal's equal.
-  if (has_nominals_ || !is_atom(target) || is_active(target) || frontier(target).size() > 1) return target;
+  if (has_nominals_ || keeps_link_targets_ || !is_atom(target) || is_active(target) || frontier(target).size() > 1)
+    return target;
   return frontier(target).empty() ? top_expr : frontier(target).front();
 }
 

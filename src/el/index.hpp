@@ -81,6 +81,10 @@ class Index {
   void add_functional(ExprId id, RoleId role);
   Roles& roles() { return roles_; }
 
+  /// Every link ends in the context of its own target, so that whoever looks for what a link leads to finds it
+  /// (expression_base.hpp); otherwise a link ends in the nearest context that has rules.
+  void keep_link_targets() { keeps_link_targets_ = true; }
+
   /// Closes roles, finds told equivalents, sorts rules to their expressions. False where a closure has more than
   /// `max_pairs` pairs; then the index is of no use.
   [[nodiscard]] bool finish(std::size_t max_pairs);
@@ -156,6 +160,7 @@ class Index {
   std::size_t disjointness_count_ = 0;
   std::vector<ExprId> range_atoms_;  ///< by role; T: none
   bool has_nominals_ = false;
+  bool keeps_link_targets_ = false;
   bool has_negative_self_ = false;
 
   std::vector<ExprId> target_atoms_;  ///< by complex expression: the atom that stands for it at the end of links

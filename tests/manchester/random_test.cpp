@@ -1,0 +1,120 @@
+// Random ontologies and random expressions: the overlay against the classification from scratch of the ontology with a
+// class that is equivalent to the expression.
+#include "base/random.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "../el/reference.hpp"
+#include "../el/written.hpp"
+#include "el/expression.hpp"
+#include "manchester/print.hpp"
+#include "place.hpp"
+
+namespace geminga::manchester {
+namespace {
+
+using el::ClassNumber;
+
+/// Random expressions in Manchester syntax over the names of el::random_ontology().
+class Expressions {
+ public:
+  Expressions(base::Random& random, std::uint64_t classes) : random_(random), classes_(classes) {}
+
+  std::string write(int depth) {
+    const std::uint64_t choice = random_.below(depth == 0 ? 5 : 12);
+    if (choice < 5) return random_.chance(0.04) ? "owl:Thing" : "t:C" + std::to_string(random_.below(classes_));
+    if (choice < 8) return "(" + write(depth - 1) + " and " + write(depth - 1) + ")";
+    if (choice == 8 && random_.chance(0.3)) return "t:r" + std::to_string(random_.below(4)) + " Self";
+    return "(t:r" + std::to_string(random_.below(4)) + " some " + write(depth - 1) + ")";
+  }
+
+ private:
+  base::Random& random_;
+  std::uint64_t classes_;
+};
+
+/// Names that every random ontology uses, so that every expression can be read.
+std::string with_all_names(const std::string& text, std::uint64_t classes) {
+  std::string all = text;
+  for (std::uint64_t at = 0; at < classes; ++at) all += "Declaration(C" + std::to_string(at) + ")\n";
+  for (std::uint64_t at = 0; at < 4; ++at) {
+    all += "SubObjectPropertyOf(r" + std::to_string(at) + " r" + std::to_string(at) + ")\n";
+  }
+  return all;
+}
+
+el::TermId copied(const el::OntologySource& from, el::TermId id, el::OntologySource& to) {
+  const el::Term term = from.term(id);
+  std::vector<el::TermId> arguments;
+  for (const el::TermId argument : term.arguments) arguments.push_back(copied(from, argument, to));
+  return to.copy(term.kind, from.name(term.name), term.number, arguments);
+}
+
+/// The names above and below a class in an ontology, itself left out: `above A`, `below B`.
+std::set<std::string> from_scratch(const std::string& text, const Expression& expression) {
+  el::OntologySource source = el::written(text);
+  const el::TermId own = source.named_class("https://t.example/#TheExpression");
+  source.add(el::AxiomKind::equivalent_classes, {own, copied(expression.source, expression.term, source)},
+             el::FileId{0}, 0);
+  const el::Ontology ontology = el::loaded(source);
+  const ClassNumber number = *ontology.find_iri("https://t.example/#TheExpression");
+  std::set<std::string> found;
+  if (!ontology.is_consistent()) return {"inconsistent"};
+  if (!ontology.is_satisfiable(number)) return {"nothing"};
+  for (std::uint32_t other = 0; other < ontology.class_count(); ++other) {
+    if (ClassNumber{other} == number) continue;
+    const std::string iri(ontology.iri(ClassNumber{other}));
+    if (ontology.is_subsumed(number, ClassNumber{other})) found.insert("above " + iri);
+    if (ontology.is_subsumed(ClassNumber{other}, number)) found.insert("below " + iri);
+  }
+  return found;
+}
+
+std::set<std::string> by_overlay(const Asked& asked, const Expression& expression) {
+  const el::ExpressionPlace place = asked.classifier().classify(expression.source, expression.term);
+  if (!place.is_satisfiable) return {"nothing"};
+  std::set<std::string> found;
+  for (std::uint32_t other = 0; other < asked.ontology().class_count(); ++other) {
+    const std::string iri(asked.ontology().iri(ClassNumber{other}));
+    if (el::is_below(place, ClassNumber{other}, asked.ontology())) found.insert("above " + iri);
+    if (el::is_above(place, ClassNumber{other}, asked.ontology())) found.insert("below " + iri);
+  }
+  return found;
+}
+
+TEST(RandomExpressions, StandWhereAClassOfTheirOwnWouldStand) {
+  int compared = 0;
+  for (std::uint64_t seed = 1; seed <= 250; ++seed) {
+    base::Random random(seed);
+    const std::uint64_t size = 4 + random.below(16);
+    const std::uint64_t classes = size / 2 + 3;
+    const std::string text = with_all_names(el::random_ontology(random, size), classes);
+    if (!el::loaded(text).is_consistent()) continue;
+    const Asked asked(text);
+    const bool is_complete = el::classified(el::written(text)).unused.empty();
+    Expressions expressions(random, classes);
+    for (int turn = 0; turn < 12; ++turn) {
+      const std::string written = expressions.write(3);
+      SCOPED_TRACE("seed " + std::to_string(seed) + " " + written + "\n" + text);
+      const auto expression = parse(written, asked.names());
+      ASSERT_TRUE(expression) << to_string(expression.error());
+      const std::set<std::string> found = by_overlay(asked, *expression);
+      const std::set<std::string> expected = from_scratch(text, *expression);
+      if (is_complete) {
+        ASSERT_EQ(found, expected);
+        ++compared;
+      } else if (expected != std::set<std::string>{"nothing"}) {
+        ASSERT_TRUE(std::ranges::includes(expected, found));
+      }
+      // Both at once as well: what is found for one expression holds of the two.
+      ASSERT_EQ(asked.is_subsumed(written, written), "yes");
+    }
+  }
+  EXPECT_GT(compared, 1000);
+}
+
+}  // namespace
+}  // namespace geminga::manchester
