@@ -35,9 +35,9 @@ class Graph {
     return seen;
   }
 
-  Closure closure(const std::string& thing_name, const std::string& nothing_name) {
-    const std::size_t thing = node(thing_name);
-    const std::size_t nothing = node(nothing_name);
+  Closure closure() {
+    const std::size_t thing = node("Thing");
+    const std::size_t nothing = node("Nothing");
     const std::set<std::size_t> everywhere = all_above(thing);
     if (everywhere.contains(nothing)) return {"inconsistent"};
     Closure lines;
@@ -121,7 +121,7 @@ std::expected<Closure, std::string> read_tree(std::string_view text) {
     if (!ancestors.empty()) graph.link(nodes.front(), ancestors.back());
     ancestors.push_back(nodes.front());
   }
-  return graph.closure("Thing", "Nothing");
+  return graph.closure();
 }
 
 Closure closure_of(const el::OntologySource& source, const el::Classification& classification, bool are_short) {
@@ -166,6 +166,12 @@ std::vector<std::string> superfluous_edges(const el::OntologySource& source, con
     }
   }
   return found;
+}
+
+Closure closure_of_pairs(const std::vector<std::pair<std::string, std::string>>& pairs) {
+  Graph graph;
+  for (const auto& [sub, super] : pairs) graph.link(graph.node(sub), graph.node(super));
+  return graph.closure();
 }
 
 Closure without(const Closure& lines, const Closure& others) {

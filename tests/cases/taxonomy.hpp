@@ -6,6 +6,7 @@
 #include <expected>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "el/classify.hpp"
@@ -30,6 +31,9 @@ using Closure = std::vector<std::string>;
 /// Edges of the taxonomy that another way round it makes superfluous, as `SUB < SUPER` lines: none in a reduced one.
 [[nodiscard]] std::vector<std::string> superfluous_edges(const el::OntologySource& source,
                                                          const el::Classification& classification);
+
+/// The closure of `sub, super` pairs of names, in which owl:Thing and owl:Nothing are `Thing` and `Nothing`.
+[[nodiscard]] Closure closure_of_pairs(const std::vector<std::pair<std::string, std::string>>& pairs);
 
 /// Lines of the first that are not in the second; both are sorted.
 [[nodiscard]] Closure without(const Closure& lines, const Closure& others);

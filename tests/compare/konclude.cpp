@@ -1,0 +1,126 @@
+#include "compare/konclude.hpp"
+
+#include <libxml/parser.h>
+#include <libxml/tree.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <sstream>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "el/axiom.hpp"
+
+namespace geminga::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FreeDocument {
+  void operator()(xmlDoc* document) const { xmlFreeDoc(document); }
+};
+
+std::string_view view(const xmlChar* text) {
+  return text == nullptr ? std::string_view() : reinterpret_cast<const char*>(text);
+}
+
+std::string attribute(const xmlNode* node, const char* name) {
+  xmlChar* value = xmlGetProp(node, reinterpret_cast<const xmlChar*>(name));
+  std::string text(view(value));
+  xmlFree(value);
+  return text;
+}
+
+std::string in_quotes(const fs::path& path) {
+  std::string text = "'";
+  for (const char c : path.string()) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + '\'';
+}
+
+std::string name_of(const xmlNode* node) {
+  const std::string iri = attribute(node, "IRI");
+  if (iri == el::owl_thing || attribute(node, "abbreviatedIRI") == "owl:Thing") return "Thing";
+  if (iri == el::owl_nothing || attribute(node, "abbreviatedIRI") == "owl:Nothing") return "Nothing";
+  return iri;
+}
+
+/// Runs `Konclude TASK`; its exit status, and what it said.
+std::pair<int, std::string> run(std::string_view task, const fs::path& input, const fs::path& output,
+                                const fs::path& log, unsigned seconds) {
+  std::string command =
+      "timeout " + std::to_string(seconds) + " Konclude " + std::string(task) + " -w 2 -i " + in_quotes(input);
+  if (!output.empty()) command += " -o " + in_quotes(output);
+  const int status = std::system((command + " > " + in_quotes(log) + " 2>&1").c_str());
+  std::ifstream file(log);
+  std::ostringstream said;
+  said << file.rdbuf();
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said.str()};
+}
+
+/// A folder that is gone afterwards.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "geminga-konclude-XXXXXX").string();
+    path_ = ::mkdtemp(name.data());
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() {
+    std::error_code error;
+    fs::remove_all(path_, error);
+  }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+bool is_konclude_installed() { return std::system("command -v Konclude > /dev/null 2>&1") == 0; }
+
+std::expected<cases::Closure, std::string> closure_of_owl_xml(const fs::path& file) {
+  // From memory: where our RDF reader is linked, libxml2 opens no file any more.
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const std::unique_ptr<xmlDoc, FreeDocument> document(
+      xmlReadMemory(text.data(), static_cast<int>(text.size()), nullptr, nullptr, XML_PARSE_NONET | XML_PARSE_HUGE));
+  const xmlNode* root = document == nullptr ? nullptr : xmlDocGetRootElement(document.get());
+  if (root == nullptr) return std::unexpected("it wrote no OWL/XML");
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const xmlNode* axiom = root->children; axiom != nullptr; axiom = axiom->next) {
+    if (axiom->type != XML_ELEMENT_NODE) continue;
+    std::vector<std::string> names;
+    for (const xmlNode* part = axiom->children; part != nullptr; part = part->next) {
+      if (part->type == XML_ELEMENT_NODE && view(part->name) == "Class") names.push_back(name_of(part));
+    }
+    if (view(axiom->name) == "SubClassOf" && names.size() == 2) pairs.emplace_back(names[0], names[1]);
+    if (view(axiom->name) != "EquivalentClasses") continue;
+    for (const std::string& name : names) {
+      pairs.emplace_back(name, names.front());
+      pairs.emplace_back(names.front(), name);
+    }
+  }
+  return cases::closure_of_pairs(pairs);
+}
+
+std::expected<cases::Closure, std::string> konclude_closure(const fs::path& file, unsigned seconds) {
+  const Scratch scratch;
+  const fs::path output = scratch.path() / "taxonomy.owx";
+  const fs::path log = scratch.path() / "log";
+  const auto [asked, answer] = run("consistency", file, {}, log, seconds);
+  if (answer.find("is inconsistent") != std::string::npos) return cases::Closure{"inconsistent"};
+  if (answer.find("is consistent") == std::string::npos)
+    return std::unexpected("Konclude does not say whether it is consistent (status " + std::to_string(asked) + ")");
+  const auto [status, said] = run("classification", file, output, log, seconds);
+  if (status != 0) return std::unexpected("Konclude ended with status " + std::to_string(status));
+  return closure_of_owl_xml(output);
+}
+
+}  // namespace geminga::compare

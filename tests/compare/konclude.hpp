@@ -1,0 +1,27 @@
+// Konclude as a second opinion: runs it on a document, and reads the taxonomy that it writes.
+#ifndef GEMINGA_TESTS_COMPARE_KONCLUDE_HPP
+#define GEMINGA_TESTS_COMPARE_KONCLUDE_HPP
+
+#include <expected>
+#include <filesystem>
+#include <string>
+
+#include "cases/taxonomy.hpp"
+
+namespace geminga::compare {
+
+/// Whether there is a program of that name on the PATH.
+[[nodiscard]] bool is_konclude_installed();
+
+/// The closure as cases::closure_of() gives it, with whole IRIs. `file` is in functional-style syntax or RDF/XML. The
+/// error says what happened: it did not end within `seconds`, or said no word that is understood.
+/// Konclude 0.7 hangs with one thread (`-w 1`), so it gets two.
+[[nodiscard]] std::expected<cases::Closure, std::string> konclude_closure(const std::filesystem::path& file,
+                                                                          unsigned seconds = 60);
+
+/// Reads the OWL/XML that Konclude writes for a taxonomy.
+[[nodiscard]] std::expected<cases::Closure, std::string> closure_of_owl_xml(const std::filesystem::path& file);
+
+}  // namespace geminga::compare
+
+#endif
