@@ -10,18 +10,22 @@
 
 namespace geminga::el {
 
-bool entails(const OntologySource& source, std::span<const std::uint32_t> axioms, TermId sub, TermId super) {
+Entailed find_entailed(const OntologySource& source, std::span<const std::uint32_t> axioms, TermId sub, TermId super) {
   constexpr std::size_t max_pairs = std::size_t{1} << 26;
   Index index;
   Normaliser normaliser(source, index);
-  for (const std::uint32_t axiom : axioms) normaliser.add(axiom);
+  bool is_complete = true;
+  for (const std::uint32_t axiom : axioms) is_complete &= normaliser.add(axiom) == Construct::none;
   const ExprId from = normaliser.expression(sub);
   const ExprId to = normaliser.expression(super);
-  (void)normaliser.finish();  // what is left out is classify()'s to say
-  if (!index.finish(max_pairs)) return false;
+  is_complete &= normaliser.finish().empty();
+  const Entailed otherwise = is_complete ? Entailed::no : Entailed::not_found;
+  if (!index.finish(max_pairs)) return Entailed::not_found;
   const std::optional<World> world = find_world(index, from, normaliser.individuals(), max_pairs);
-  if (!world) return false;
-  return !world->is_possible || std::ranges::find(world->above, index.representative(to)) != world->above.end();
+  if (!world) return Entailed::not_found;
+  if (!world->is_possible) return Entailed::yes;
+  const bool is_above = std::ranges::find(world->above, index.representative(to)) != world->above.end();
+  return is_above ? Entailed::yes : otherwise;
 }
 
 }  // namespace geminga::el

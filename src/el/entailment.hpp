@@ -9,10 +9,22 @@
 
 namespace geminga::el {
 
-/// Whether these axioms of the source entail `sub` SubClassOf `super`, two named classes, as far as classify() finds
-/// it. Cost: that of the axioms given and of what the sub class leads to; other classes are not looked at.
-[[nodiscard]] bool entails(const OntologySource& source, std::span<const std::uint32_t> axioms, TermId sub,
-                           TermId super);
+enum class Entailed : std::uint8_t {
+  yes,
+  no,        ///< all axioms were used, and it does not follow
+  not_found  ///< it was not derived, but an axiom was not used in full
+};
+
+/// Whether these axioms of the source entail `sub` SubClassOf `super`, two named classes. Cost: that of the axioms
+/// given and of what the sub class leads to; other classes are not looked at.
+[[nodiscard]] Entailed find_entailed(const OntologySource& source, std::span<const std::uint32_t> axioms, TermId sub,
+                                     TermId super);
+
+/// Whether it is found to be entailed.
+[[nodiscard]] inline bool entails(const OntologySource& source, std::span<const std::uint32_t> axioms, TermId sub,
+                                  TermId super) {
+  return find_entailed(source, axioms, sub, super) == Entailed::yes;
+}
 
 }  // namespace geminga::el
 

@@ -7,7 +7,6 @@
 
 #include "base/text.hpp"
 #include "el/compiled_view.hpp"
-#include "el/explain.hpp"
 #include "el/mapped_file.hpp"
 #include "el/module.hpp"
 #include "el/print.hpp"
@@ -277,20 +276,6 @@ const CompiledView& Ontology::view() const { return mapped_->view; }
 const ModuleIndex& Ontology::module_index() const {
   std::call_once(mapped_->module_index_once, [this] { mapped_->module_index.emplace(mapped_->view); });
   return *mapped_->module_index;
-}
-
-std::optional<std::vector<ExplainedAxiom>> Ontology::explain(ClassNumber sub, ClassNumber super) const {
-  if (!is_subsumed(sub, super)) return std::nullopt;
-  const auto excerpt = el::explain(module_index(), static_cast<std::uint32_t>(sub), static_cast<std::uint32_t>(super));
-  if (!excerpt) return std::nullopt;
-  std::vector<ExplainedAxiom> explained;
-  for (const std::uint32_t number : excerpt->axioms) {
-    const Axiom axiom = excerpt->source.axiom(number);
-    const auto shorten_iri = [&](std::string_view iri) { return short_name(iri); };
-    explained.push_back({print(excerpt->source, axiom, shorten_iri),
-                         excerpt->source.files()[static_cast<std::size_t>(axiom.file)].path, axiom.line});
-  }
-  return explained;
 }
 
 }  // namespace geminga::el

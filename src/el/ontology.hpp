@@ -1,4 +1,4 @@
-// A classified ontology as the daemon sees it: names, subsumption and explanations, read from its compiled form.
+// A classified ontology as the daemon sees it: names, subsumption and axioms, read from its compiled form.
 #ifndef GEMINGA_EL_ONTOLOGY_HPP
 #define GEMINGA_EL_ONTOLOGY_HPP
 
@@ -47,14 +47,6 @@ struct LeftOut {
 
 struct CompiledView;
 class ModuleIndex;
-
-/// One step of an explanation: an axiom in readable syntax and where it stands, e.g. "soccer:SharedBallInfo SubClassOf
-/// soccer:BallInfo".
-struct ExplainedAxiom {
-  std::string text;
-  std::string file;
-  std::uint32_t line = 0;
-};
 
 /// An immutable classified ontology over a compiled form. Movable, not copyable; safe to read from many threads.
 /// Every string_view and span points into the compiled form and lives as long as the ontology.
@@ -109,10 +101,6 @@ class Ontology {
   /// Unsatisfiable classes have neither, and are the children of none.
   [[nodiscard]] std::vector<ClassNumber> parents(ClassNumber number) const;
   [[nodiscard]] std::vector<ClassNumber> children(ClassNumber number) const;
-
-  /// A minimal set of axioms that entails sub SubClassOf super, in the order of the argument; nothing where it is not
-  /// entailed.
-  [[nodiscard]] std::optional<std::vector<ExplainedAxiom>> explain(ClassNumber sub, ClassNumber super) const;
 
   /// The axioms and everything else, as numbers, for who reasons over them.
   [[nodiscard]] const CompiledView& view() const;

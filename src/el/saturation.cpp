@@ -1,44 +1,82 @@
-// The rules, each in logic notation beside its code; the legend is in saturation.hpp.
+// The closure as its users see it, and how conclusions travel between contexts; the rules are in rules.cpp.
 #include "el/saturation.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <thread>
+
+#include "el/threads.hpp"
+#include "el/worker.hpp"
 
 namespace geminga::el {
-namespace {
 
-constexpr std::uint32_t no_context = std::numeric_limits<std::uint32_t>::max();
+Saturating::Saturating(const Index& of, const SaturationLimits& within)
+    : index(of), limits(within), keeps_forward(of.has_nominals()), context_of(of.size()) {}
 
-}  // namespace
-
-Saturation::Saturation(const Index& index, std::size_t max_conclusions)
-    : index_(index),
-      max_conclusions_(max_conclusions),
-      keeps_forward_(index.has_nominals()),
-      context_of_(index.size(), no_context) {
-  const std::uint32_t top = require(top_expr);
-  require_nonempty(top);
+Saturation::Saturation(const Index& index, const SaturationLimits& limits) : shared_(index, limits) {
+  workers_.push_back(std::make_unique<Worker>(shared_));
+  require_nonempty(require(top_expr));
 }
 
+Saturation::~Saturation() = default;
+
+std::uint32_t Saturation::require(ExprId root) { return workers_.front()->require(root); }
+
+void Saturation::require_nonempty(std::uint32_t context) { workers_.front()->require_nonempty(context); }
+
 const Context* Saturation::find(ExprId root) const {
-  const std::uint32_t context = context_of_[number(root)];
-  return context == no_context ? nullptr : &contexts_[context];
+  const std::uint32_t entry = shared_.context_of[number(root)];
+  return entry == Saturating::no_context ? nullptr : &shared_.contexts[entry - 2];
+}
+
+bool Saturation::run(unsigned threads) {
+  if (threads <= 1 || shared_.index.has_nominals()) {
+    workers_.front()->run_alone();
+  } else {
+    run_together(shared_, workers_, std::min(threads, max_threads));
+  }
+  return !shared_.is_over_limit;
+}
+
+std::size_t Saturation::conclusion_count() const {
+  std::size_t count = 0;
+  for (const auto& worker : workers_) count += worker->conclusion_count();
+  return count;
+}
+
+std::size_t Saturation::link_count() const {
+  std::size_t count = 0;
+  for (const auto& worker : workers_) count += worker->link_count();
+  return count;
 }
 
 //   ----- (init)   -----
 //   C < C          C < T
-std::uint32_t Saturation::require(ExprId root) {
-  std::uint32_t& context = context_of_[number(root)];
-  if (context != no_context) return context;
-  context = static_cast<std::uint32_t>(contexts_.size());
-  const std::uint32_t created = context;
-  contexts_.emplace_back().root = root;
-  start(created, {{root, top_expr}});
-  if (index_.is_nominal(root)) require_nonempty(created);
-  return created;
+std::uint32_t Worker::require(ExprId root) {
+  std::atomic<std::uint32_t>& entry = shared_.context_of[number(root)];
+  std::uint32_t known = entry.load(std::memory_order_acquire);
+  while (known <= Saturating::claimed_context) {
+    if (known == Saturating::claimed_context) {
+      std::this_thread::yield();  // another thread is making it
+      known = entry.load(std::memory_order_acquire);
+    } else if (entry.compare_exchange_weak(known, Saturating::claimed_context, std::memory_order_acq_rel)) {
+      const std::uint32_t created = contexts_.add();
+      contexts_[created].root = root;
+      start(created, {{root, top_expr}});
+      if (index_.is_nominal(root)) require_nonempty(created);
+      entry.store(created + 2, std::memory_order_release);
+      return created;
+    }
+  }
+  return known - 2;
 }
 
-void Saturation::start(std::uint32_t context, std::span<const ExprId> atoms) {
+void Worker::start(std::uint32_t context, std::span<const ExprId> atoms) {
+  // Nobody else knows this context yet.
+  const std::uint32_t outer = std::exchange(current_, context);
+  if (is_parallel_) {
+    contexts_[context].inbox.store(being_worked_on(), std::memory_order_relaxed);
+    queue_.push_back(context);
+  }
   for (const ExprId own : atoms) {
     if (index_.is_active(own)) {
       add_subsumer(context, own);
@@ -46,28 +84,69 @@ void Saturation::start(std::uint32_t context, std::span<const ExprId> atoms) {
       for (const ExprId above : index_.frontier(own)) add_subsumer(context, above);
     }
   }
+  current_ = outer;
 }
 
-bool Saturation::run() {
-  while (!queue_.empty() && is_consistent_) {
+void Worker::run_alone() {
+  while (!queue_.empty() && !shared_.has_ended()) {
     const std::uint32_t context = queue_.back();
     queue_.pop_back();
     contexts_[context].is_queued = false;
     process(context);
-    if (conclusions_ > max_conclusions_) return false;
   }
-  return true;
 }
 
-void Saturation::enqueue(std::uint32_t context) {
-  if (contexts_[context].is_queued) return;
+void Worker::work_on(std::uint32_t context) {
+  current_ = context;
+  std::atomic<Letter*>& inbox = contexts_[context].inbox;
+  for (;;) {
+    Letter* letter = inbox.exchange(being_worked_on(), std::memory_order_acq_rel);
+    if (letter == being_worked_on()) letter = nullptr;
+    while (letter != nullptr) {
+      Letter* next = letter->next;
+      receive(context, letter->message);
+      arena_.release(letter, sizeof(Letter));
+      letter = next;
+    }
+    process(context);
+    Letter* expected = being_worked_on();
+    if (shared_.has_ended() || inbox.compare_exchange_strong(expected, nullptr, std::memory_order_acq_rel)) break;
+  }
+  current_ = nowhere;
+}
+
+void Worker::post(std::uint32_t context, const Message& message) {
+  std::atomic<Letter*>& inbox = contexts_[context].inbox;
+  auto* letter = ::new (arena_.allocate(sizeof(Letter))) Letter{nullptr, message};
+  Letter* before = inbox.load(std::memory_order_relaxed);
+  do {
+    letter->next = before == being_worked_on() ? nullptr : before;
+  } while (!inbox.compare_exchange_weak(before, letter, std::memory_order_acq_rel, std::memory_order_relaxed));
+  if (before == nullptr) queue_.push_back(context);  // it was at rest
+}
+
+void Worker::receive(std::uint32_t context, const Message& message) {
+  switch (message.kind) {
+    case Message::Kind::subsumer:
+      return add_subsumer(context, ExprId{message.first});
+    case Message::Kind::backward:
+      return add_link(message.second, RoleId{message.first}, context);
+    case Message::Kind::forward:
+      return add_forward(context, {RoleId{message.first}, message.second});
+    case Message::Kind::bottom:
+      return add_bottom(context);
+  }
+}
+
+void Worker::enqueue(std::uint32_t context) {
+  if (is_parallel_ || contexts_[context].is_queued) return;
   contexts_[context].is_queued = true;
   queue_.push_back(context);
 }
 
-void Saturation::process(std::uint32_t context) {
-  Context& self = contexts_[context];  // a deque does not move its members
-  while (is_consistent_ && conclusions_ <= max_conclusions_) {
+void Worker::process(std::uint32_t context) {
+  Context& self = contexts_[context];
+  while (!shared_.has_ended()) {
     if (self.is_unsatisfiable) {
       if (self.backward_done == self.backward.size()) break;
       add_bottom(self.backward[self.backward_done++].context);
@@ -83,190 +162,7 @@ void Saturation::process(std::uint32_t context) {
     } else {
       break;
     }
-  }
-}
-
-void Saturation::add_subsumer(std::uint32_t context, ExprId subsumer) {
-  Context& self = contexts_[context];
-  if (self.is_unsatisfiable || !self.subsumers.insert(number(subsumer))) return;
-  ++conclusions_;
-  enqueue(context);
-}
-
-void Saturation::add_derived_atom(std::uint32_t context, ExprId atom) {
-  Context& self = contexts_[context];
-  if (self.is_unsatisfiable || atom == self.root) return;
-  if (index_.is_active(atom)) {
-    if (self.subsumers.contains(number(atom))) return;
-    self.derived.push_back(atom);
-    add_subsumer(context, atom);
-    return;
-  }
-  self.derived.push_back(atom);
-  for (const ExprId above : index_.frontier(atom)) add_subsumer(context, above);
-}
-
-void Saturation::process_subsumer(std::uint32_t context, ExprId subsumer) {
-  Context& self = contexts_[context];
-
-  //  C < D
-  //  ----- [D < F is told]
-  //  C < F
-  if (index_.is_told_bottom(subsumer)) return add_bottom(context);
-
-  //  C < D
-  //  ----- [D < E is told]; of an atom D the taxonomy knows it, of others it must be noted
-  //  C < E
-  if (index_.is_atom(subsumer)) {
-    for (const ExprId above : index_.frontier(subsumer)) add_subsumer(context, above);
-  } else {
-    for (const ExprId above : index_.told_atoms(subsumer)) add_derived_atom(context, above);
-  }
-
-  //  C < D
-  //  -------- [D < R some E is told]
-  //  C -R-> E
-  for (const LinkRule& link : index_.links(subsumer)) {
-    // By a functional role the successor may turn out to be this one itself, which then is in the target, too.
-    const bool may_be_itself = index_.may_be_functional(link.role);
-    add_link(context, link.role, require(may_be_itself ? link.target : index_.link_root(link.target)));
-  }
-
-  //  C < D
-  //  ---------- [D < R Self is told]
-  //  C < R Self
-  for (const RoleId role : index_.selfs(subsumer)) add_self(context, role);
-
-  //  C < D   C < E
-  //  ------------- [D and E occurs negatively]
-  //  C < D and E
-  apply_conjunctions(context, index_.conjunctions(subsumer));
-
-  //  C -R-> D   D < E
-  //  ---------------- [S some E occurs negatively, R <* S]; here the second premise is new
-  //  C < S some E
-  for (const ExistentialRule& rule : index_.existentials(subsumer)) {
-    self.propagations.push_back(rule);
-    for (std::uint32_t at = 0; at < self.backward_done; ++at) {
-      const Link link = self.backward[at];
-      if (index_.roles().is_sub_role(link.role, rule.role)) add_subsumer(link.context, rule.existential);
-    }
-  }
-
-  for (const std::uint32_t axiom : index_.disjointness(subsumer)) add_disjointness(context, axiom);
-
-  //  C < D   C -R-> E
-  //  ---------------- [D has at most one S, R <* S]; here the first premise is new
-  //  E is the one S successor, as below
-  for (const RoleId functional : index_.functional_roles(subsumer)) {
-    for (std::uint32_t at = 0; at < self.forward_done && !self.is_unsatisfiable; ++at) {
-      group_successor(context, functional, self.forward[at]);
-    }
-    process_functional_self(context, functional);
-  }
-  if (index_.has_nominals() && !self.is_unsatisfiable) process_nominal(context, subsumer);
-}
-
-void Saturation::apply_conjunctions(std::uint32_t context, std::span<const ConjunctionRule> rules) {
-  // Whichever is shorter is walked, and the other searched: names like "disease" are in thousands of conjunctions.
-  Context& self = contexts_[context];
-  if (rules.size() <= self.subsumers.size() * 2) {
-    for (const ConjunctionRule& rule : rules) {
-      if (self.subsumers.contains(number(rule.partner))) add_subsumer(context, rule.conjunction);
-    }
-    return;
-  }
-  for (std::size_t at = 0; at < self.subsumers.size(); ++at) {
-    const ExprId partner{self.subsumers[at]};
-    for (auto rule = std::ranges::lower_bound(rules, partner, {}, &ConjunctionRule::partner);
-         rule != rules.end() && rule->partner == partner; ++rule) {
-      add_subsumer(context, rule->conjunction);
-    }
-  }
-}
-
-//  C < D   C < E
-//  ------------- [D and E are different members of one disjointness axiom]
-//  C < F
-void Saturation::add_disjointness(std::uint32_t context, std::uint32_t axiom) {
-  // The axiom's mark in the set of subsumers says that one member was there before.
-  if (!contexts_[context].subsumers.insert(static_cast<std::uint32_t>(index_.size()) + axiom)) add_bottom(context);
-}
-
-//  C -R-> D   D < F
-//  ---------------- ; what is left to do for C < F itself
-//  C < F
-void Saturation::add_bottom(std::uint32_t context) {
-  Context& self = contexts_[context];
-  if (self.is_unsatisfiable) return;
-  self.is_unsatisfiable = true;
-  ++conclusions_;
-  if (self.is_nonempty) is_consistent_ = false;
-  self.backward_done = 0;
-  self.subsumers.clear();
-  self.forward = {};
-  self.propagations = {};
-  self.derived = {};
-  self.selfs = {};
-  self.groups = {};
-  self.nominals = {};
-  enqueue(context);
-}
-
-void Saturation::add_link(std::uint32_t from, RoleId role, std::uint32_t to) {
-  Context& target = contexts_[to];
-  if (contexts_[from].is_unsatisfiable || !target.backward.insert({role, from})) return;
-  ++conclusions_;
-  ++links_;
-  enqueue(to);
-  if (keeps_forward_ || index_.roles().is_second(role) || index_.may_be_functional(role)) {
-    contexts_[from].forward.push_back({role, to});
-    enqueue(from);
-  }
-}
-
-void Saturation::process_backward(std::uint32_t context, Link link) {
-  Context& self = contexts_[context];
-
-  //  C -R-> D   D < E
-  //  ---------------- [S some E occurs negatively, R <* S]; here the first premise is new
-  //  C < S some E
-  for (const ExistentialRule& rule : self.propagations) {
-    if (index_.roles().is_sub_role(link.role, rule.role)) add_subsumer(link.context, rule.existential);
-  }
-
-  //  C -R-> D   D -S-> E
-  //  ------------------- [R o S SubPropertyOf R']; here the first premise is new
-  //  C -R'-> E
-  if (!index_.roles().compositions(link.role).empty()) {
-    for (std::uint32_t at = 0; at < self.forward_done; ++at) {
-      const Link next = self.forward[at];
-      compose(link.context, link.role, next.role, next.context);
-    }
-  }
-}
-
-void Saturation::process_forward(std::uint32_t context, Link link) {
-  //  C -R-> D   D -S-> E
-  //  ------------------- [R o S SubPropertyOf R']; here the second premise is new
-  //  C -R'-> E
-  Context& self = contexts_[context];
-  if (index_.roles().is_second(link.role)) {
-    for (std::uint32_t at = 0; at < self.backward_done; ++at) {
-      const Link before = self.backward[at];
-      compose(before.context, before.role, link.role, link.context);
-    }
-  }
-  if (index_.may_be_functional(link.role)) process_functional(context, link);
-  if (self.is_nonempty) require_nonempty(link.context);
-  if (index_.has_nominals() && index_.has_negative_self()) find_self_of_link(context, link.role, link.context);
-}
-
-void Saturation::compose(std::uint32_t from, RoleId first, RoleId second, std::uint32_t to) {
-  const auto rules = index_.roles().compositions(first);
-  for (auto rule = std::ranges::lower_bound(rules, second, {}, &Composition::second);
-       rule != rules.end() && rule->second == second; ++rule) {
-    add_link(from, rule->result, to);
+    if (conclusions_ > shared_.limits.conclusions) shared_.is_over_limit = true;
   }
 }
 

@@ -1,11 +1,11 @@
 // The rules for nominals, and for what must have an instance; the legend is in saturation.hpp.
 #include <algorithm>
 
-#include "el/saturation.hpp"
+#include "el/worker.hpp"
 
 namespace geminga::el {
 
-void Saturation::require_nonempty(std::uint32_t context) {
+void Worker::require_nonempty(std::uint32_t context) {
   std::vector<std::uint32_t> stack = {context};
   while (!stack.empty()) {
     const std::uint32_t at = stack.back();
@@ -13,7 +13,7 @@ void Saturation::require_nonempty(std::uint32_t context) {
     Context& self = contexts_[at];
     if (self.is_nonempty) continue;
     self.is_nonempty = true;
-    if (self.is_unsatisfiable) is_consistent_ = false;
+    if (self.is_unsatisfiable) shared_.is_inconsistent = true;
     // What is still to be processed will see the flag.
     for (std::uint32_t done = 0; done < self.forward_done; ++done) stack.push_back(self.forward[done].context);
     for (const std::uint32_t nominal : self.nominals) merge_into_nominal(at, nominal);
@@ -23,7 +23,7 @@ void Saturation::require_nonempty(std::uint32_t context) {
 //  C < {a}   {a} < D     C < {a}   C < D
 //  -----------------     --------------- [C is not empty]
 //  C < D                 {a} < D
-void Saturation::process_nominal(std::uint32_t context, ExprId subsumer) {
+void Worker::process_nominal(std::uint32_t context, ExprId subsumer) {
   Context& self = contexts_[context];
   // What is new here is passed on to what is below this nominal, and to the nominals that this is equal to.
   for (std::size_t at = 0; at < self.members.size(); ++at) add_subsumer(self.members[at], subsumer);
@@ -33,9 +33,9 @@ void Saturation::process_nominal(std::uint32_t context, ExprId subsumer) {
   if (!index_.is_nominal(subsumer)) return;
   const std::uint32_t nominal = require(subsumer);
   if (nominal == context) return;
-  self.nominals.push_back(nominal);
-  contexts_[nominal].members.push_back(context);
-  const GrowingSet<std::uint32_t>& known = contexts_[nominal].subsumers;
+  self.nominals.own().push_back(nominal);
+  contexts_[nominal].members.own().push_back(context);
+  const ArenaSet<std::uint32_t>& known = contexts_[nominal].subsumers;
   for (std::size_t at = 0; at < known.size(); ++at) {
     if (known[at] < index_.size()) add_subsumer(context, ExprId{known[at]});
   }
@@ -43,9 +43,9 @@ void Saturation::process_nominal(std::uint32_t context, ExprId subsumer) {
   if (index_.has_negative_self()) find_selfs(context, nominal);
 }
 
-void Saturation::merge_into_nominal(std::uint32_t context, std::uint32_t nominal) {
+void Worker::merge_into_nominal(std::uint32_t context, std::uint32_t nominal) {
   for (const ExprId atom : atoms_of(context)) add_derived_atom(nominal, atom);
-  const GrowingSet<std::uint32_t>& known = contexts_[context].subsumers;
+  const ArenaSet<std::uint32_t>& known = contexts_[context].subsumers;
   for (std::size_t at = 0; at < known.size(); ++at) {
     if (known[at] < index_.size()) add_subsumer(nominal, ExprId{known[at]});
   }
@@ -54,9 +54,10 @@ void Saturation::merge_into_nominal(std::uint32_t context, std::uint32_t nominal
 //  C < {a}   D < {a}   C -R-> D
 //  ----------------------------
 //  C < R Self
-void Saturation::find_selfs(std::uint32_t context, std::uint32_t nominal) {
+void Worker::find_selfs(std::uint32_t context, std::uint32_t nominal) {
   const auto is_same = [&](std::uint32_t other) {
-    return other == nominal || std::ranges::find(contexts_[other].nominals, nominal) != contexts_[other].nominals.end();
+    return other == nominal ||
+           std::ranges::find(contexts_[other].nominals.get(), nominal) != contexts_[other].nominals.get().end();
   };
   for (std::size_t at = 0; at < contexts_[context].backward.size(); ++at) {
     const Link link = contexts_[context].backward[at];
@@ -68,7 +69,7 @@ void Saturation::find_selfs(std::uint32_t context, std::uint32_t nominal) {
   }
 }
 
-void Saturation::find_self_of_link(std::uint32_t from, RoleId role, std::uint32_t to) {
+void Worker::find_self_of_link(std::uint32_t from, RoleId role, std::uint32_t to) {
   const auto nominals_of = [&](std::uint32_t context) {
     std::vector<std::uint32_t> nominals = contexts_[context].nominals;
     if (index_.is_nominal(contexts_[context].root)) nominals.push_back(context);

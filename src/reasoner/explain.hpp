@@ -40,9 +40,9 @@ class Explainer {
   el::TermId super_;
 };
 
-/// A minimal set of axioms that entails `sub` SubClassOf `super`, in the order of the argument. Empty: it is so in every
-/// ontology. Nothing: it is not entailed, or (rarely) no engine finds it again within its limits; is_subsumed() of the
-/// ontology tells which.
+/// A minimal set of axioms that entails `sub` SubClassOf `super`, in the order of the argument. Empty: it is so in
+/// every ontology. Nothing: it is not entailed, or (rarely) no engine finds it again within its limits; is_subsumed()
+/// of the ontology tells which.
 [[nodiscard]] std::optional<std::vector<ExplainedAxiom>> explain(const el::Ontology& ontology, el::ClassNumber sub,
                                                                  el::ClassNumber super);
 

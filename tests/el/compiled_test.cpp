@@ -11,6 +11,7 @@
 #include "base/random.hpp"
 #include "el/compile.hpp"
 #include "el/container.hpp"
+#include "el/module.hpp"
 #include "written.hpp"
 
 namespace geminga::el {
@@ -59,7 +60,7 @@ void ask_everything(const Ontology& ontology) {
       (void)ontology.is_subsumed(first, ClassNumber{other});
       (void)ontology.distance(first, ClassNumber{other});
     }
-    (void)ontology.explain(first, ClassNumber{(one + 3) % count});
+    (void)extract_module(ontology.module_index(), {{first, ClassNumber{(one + 3) % count}}});
   }
 }
 

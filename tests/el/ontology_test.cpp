@@ -33,14 +33,6 @@ std::vector<std::string> short_names(const Ontology& ontology, const std::vector
   return names;
 }
 
-std::vector<std::string> texts(const std::optional<std::vector<ExplainedAxiom>>& steps) {
-  std::vector<std::string> result;
-  if (steps) {
-    for (const ExplainedAxiom& step : *steps) result.push_back(step.text);
-  }
-  return result;
-}
-
 TEST(Ontology, FindsAClassByEveryFormOfItsName) {
   OntologySource source = written(robots);
   source.add_label("https://t.example/#BallInfo", "ball information", "en");
@@ -156,60 +148,6 @@ TEST(Ontology, MeasuresTheShortestWayUp) {
   EXPECT_EQ(distance("Info", "BallInfo"), std::nullopt);
   EXPECT_EQ(distance("Impossible", "SharedBallInfo"), 1);
   EXPECT_EQ(distance("Impossible", "Info"), 3);  // it lies below every leaf, here SharedBallInfo
-}
-
-TEST(Ontology, ExplainsWithFileAndLineInTheOrderOfTheArgument) {
-  const Ontology ontology = loaded(robots);
-  const auto steps = ontology.explain(named(ontology, "SharedBallInfo"), named(ontology, "TrackedObject"));
-  EXPECT_THAT(texts(steps),
-              ElementsAre("t:SharedBallInfo SubClassOf t:BallInfo", "t:BallInfo SubClassOf t:TrackedObject"));
-  EXPECT_EQ(steps->at(0).line, 2);
-  EXPECT_EQ(steps->at(0).file, "written.ofn");
-  EXPECT_THAT(texts(ontology.explain(named(ontology, "Impossible"), *ontology.find("owl:Nothing"))),
-              ElementsAre("t:Impossible SubClassOf t:Shared", "t:Impossible SubClassOf t:Secret",
-                          "t:Secret DisjointWith t:Shared"));
-  EXPECT_EQ(ontology.explain(named(ontology, "Info"), named(ontology, "BallInfo")), std::nullopt);
-  // What holds without any axiom needs none.
-  EXPECT_THAT(texts(ontology.explain(named(ontology, "Info"), *ontology.find("owl:Thing"))), IsEmpty());
-  EXPECT_TRUE(ontology.explain(named(ontology, "Info"), named(ontology, "Info")).has_value());
-}
-
-TEST(Ontology, WritesAxiomsSoThatOneCanReadThem) {
-  const struct {
-    const char* axioms;
-    const char* sub;
-    const char* super;
-    std::vector<std::string> steps;
-  } cases[] = {
-      {"EquivalentClasses(A ObjectIntersectionOf(B ObjectSomeValuesFrom(r ObjectIntersectionOf(C D))))",
-       "A",
-       "B",
-       {"t:A EquivalentTo t:B and (t:r some (t:C and t:D))"}},
-      {"SubClassOf(A ObjectHasValue(r i:x))\nClassAssertion(B i:x)\nSubClassOf(ObjectSomeValuesFrom(r B) C)",
-       "A",
-       "C",
-       {"t:A SubClassOf t:r value t:x", "t:x Type t:B", "t:r some t:B SubClassOf t:C"}},
-      {"ObjectPropertyDomain(r C)\nSubObjectPropertyOf(ObjectPropertyChain(s s) r)\n"
-       "SubClassOf(A ObjectSomeValuesFrom(s ObjectSomeValuesFrom(s B)))",
-       "A",
-       "C",
-       {"t:A SubClassOf t:s some (t:s some t:B)", "t:s o t:s SubPropertyOf t:r", "t:r Domain t:C"}},
-      {"SubClassOf(A ObjectMinCardinality(1 r B))\nObjectPropertyDomain(r ObjectIntersectionOf(C D))",
-       "A",
-       "C",
-       {"t:A SubClassOf t:r min 1 t:B", "t:r Domain t:C and t:D"}},
-  };
-  for (const auto& one : cases) {
-    const Ontology ontology = loaded(one.axioms);
-    EXPECT_EQ(texts(ontology.explain(named(ontology, one.sub), named(ontology, one.super))), one.steps) << one.axioms;
-  }
-}
-
-TEST(Ontology, ExplainsAnInconsistency) {
-  const Ontology ontology = loaded("ClassAssertion(A i:a)\nSubClassOf(A Nothing)\nSubClassOf(B C)");
-  EXPECT_FALSE(ontology.is_consistent());
-  EXPECT_THAT(texts(ontology.explain(named(ontology, "C"), named(ontology, "B"))),
-              ElementsAre("t:A SubClassOf owl:Nothing", "t:a Type t:A"));
 }
 
 TEST(Digest, DependsOnAxiomsAndClassesOnly) {

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "el/compile.hpp"
-#include "el/entailment.hpp"
 #include "reference.hpp"
 #include "written.hpp"
 
@@ -80,45 +79,6 @@ TEST(RandomOntologies, GiveTheSameBytesInAnyOrder) {
     };
     const std::string other = shuffled(text, random);
     ASSERT_EQ(without_lines(written(text)), without_lines(written(other))) << "seed " << seed << "\n" << text;
-  }
-}
-
-TEST(RandomOntologies, AreExplainedByMinimalSetsThatEntail) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    base::Random random(seed);
-    const std::string text = random_ontology(random, 14);
-    SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
-    const OntologySource source = written(text);
-    const Ontology ontology = loaded(source);
-    const std::vector<std::string> lines = lines_of(text);
-    int explained = 0;
-    for (std::uint32_t sub = 0; sub < ontology.class_count(); ++sub) {
-      for (std::uint32_t super = 0; super < ontology.class_count(); ++super) {
-        const auto steps = ontology.explain(ClassNumber{sub}, ClassNumber{super});
-        ASSERT_EQ(steps.has_value(), ontology.is_subsumed(ClassNumber{sub}, ClassNumber{super}));
-        if (!steps || ++explained > 40) continue;
-        // Each step names its line; those lines alone must entail it, and no fewer.
-        std::vector<std::string> needed;
-        for (const ExplainedAxiom& step : *steps) needed.push_back(lines.at(step.line - 1));
-        const auto entails_it = [&](const std::vector<std::string>& axioms) {
-          std::string part;
-          for (const std::string& axiom : axioms) part += axiom + "\n";
-          const OntologySource small = written(part);
-          OntologySource with_names = written(part);
-          std::vector<std::uint32_t> all(small.axiom_count());
-          for (std::uint32_t at = 0; at < all.size(); ++at) all[at] = at;
-          return entails(with_names, all, with_names.named_class(ontology.iri(ClassNumber{sub})),
-                         with_names.named_class(ontology.iri(ClassNumber{super})));
-        };
-        ASSERT_TRUE(entails_it(needed)) << ontology.iri(ClassNumber{sub}) << " < " << ontology.iri(ClassNumber{super});
-        for (std::size_t left_out = 0; left_out < needed.size(); ++left_out) {
-          std::vector<std::string> fewer = needed;
-          fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(left_out));
-          ASSERT_FALSE(entails_it(fewer)) << needed[left_out] << " is not needed for " << ontology.iri(ClassNumber{sub})
-                                          << " < " << ontology.iri(ClassNumber{super});
-        }
-      }
-    }
   }
 }
 

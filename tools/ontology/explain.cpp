@@ -1,4 +1,6 @@
 // `geminga-ontology explain`: which axioms entail that one class is subsumed by another?
+#include "reasoner/explain.hpp"
+
 #include <CLI/CLI.hpp>
 #include <boost/json.hpp>
 #include <memory>
@@ -17,9 +19,9 @@ struct Request {
   bool as_json = false;
 };
 
-std::string as_text(const std::vector<el::ExplainedAxiom>& axioms) {
+std::string as_text(const std::vector<reasoner::ExplainedAxiom>& axioms) {
   std::string text;
-  for (const el::ExplainedAxiom& axiom : axioms) {
+  for (const reasoner::ExplainedAxiom& axiom : axioms) {
     text += axiom.text;
     if (!axiom.file.empty())
       text += "   [" + axiom.file + (axiom.line == 0 ? "" : ':' + std::to_string(axiom.line)) + ']';
@@ -29,12 +31,12 @@ std::string as_text(const std::vector<el::ExplainedAxiom>& axioms) {
 }
 
 std::string as_json(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super,
-                    const std::vector<el::ExplainedAxiom>* axioms) {
+                    const std::vector<reasoner::ExplainedAxiom>* axioms) {
   boost::json::object document{
       {"sub", ontology.iri(sub)}, {"super", ontology.iri(super)}, {"entailed", axioms != nullptr}};
   boost::json::array& list = document["axioms"].emplace_array();
   if (axioms != nullptr) {
-    for (const el::ExplainedAxiom& axiom : *axioms)
+    for (const reasoner::ExplainedAxiom& axiom : *axioms)
       list.push_back(boost::json::object{{"axiom", axiom.text}, {"file", axiom.file}, {"line", axiom.line}});
   }
   return boost::json::serialize(document) + '\n';
@@ -48,7 +50,7 @@ Exit explain(const Request& request) {
   const auto sub = find_or_say(*ontology, request.sub);
   const auto super = find_or_say(*ontology, request.super);
   if (!sub || !super) return Exit::usage;
-  const auto axioms = ontology->explain(*sub, *super);
+  const auto axioms = reasoner::explain(*ontology, *sub, *super);
   std::string text;
   if (request.as_json) {
     text = as_json(*ontology, *sub, *super, axioms ? &*axioms : nullptr);

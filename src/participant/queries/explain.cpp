@@ -1,4 +1,6 @@
 // `query explain`: whether one class is subsumed by another, and the axioms that say so.
+#include "reasoner/explain.hpp"
+
 #include "base/text.hpp"
 #include "el/ontology.hpp"
 #include "participant/queries/lines.hpp"
@@ -30,8 +32,8 @@ Answered answer(Core& core, const gcnp::QueryExplain& query) {
   if (!super) return std::unexpected(super.error());
   Answer answer{.kind = "explain", .lines = {}, .end = {}};
   answer.looked_through = explanation_work;
-  if (const auto axioms = ontology.explain(*sub, *super)) {
-    for (const el::ExplainedAxiom& axiom : *axioms) {
+  if (const auto axioms = reasoner::explain(ontology, *sub, *super)) {
+    for (const reasoner::ExplainedAxiom& axiom : *axioms) {
       Line line;
       append(line, "axiom", axiom.text);
       append_known(line, "file", base::printable(axiom.file, 4096));
