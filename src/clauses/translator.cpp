@@ -2,6 +2,7 @@
 #include "clauses/translator.hpp"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 namespace geminga::clauses {
@@ -22,7 +23,7 @@ constexpr Atom concept_atom(ConceptId id, Variable at) { return {AtomKind::conce
 
 void Translator::add(std::vector<Literal> disjunction) {
   Draft draft;
-  for (const Literal literal : disjunction) draft.waiting.push_back({literal, centre});
+  for (const Literal literal : std::views::reverse(disjunction)) draft.waiting.push_back({literal, centre});
   add(std::move(draft));
 }
 
@@ -81,7 +82,7 @@ void Translator::place(Draft& draft, Placed placed) {
         return;
       }
       draft.spread += shape.operands.size();
-      for (const Literal operand : shape.operands) draft.waiting.push_back({operand, placed.at});
+      for (const Literal operand : std::views::reverse(shape.operands)) draft.waiting.push_back({operand, placed.at});
       return;
     case ShapeKind::all_of:
       draft.conjunctions.push_back(placed);
