@@ -19,6 +19,7 @@ struct Request {
   std::vector<std::string> files;
   bool as_closure = false;
   bool as_json = false;
+  bool are_properties = false;
   unsigned threads = 1;
   std::string stats;
 };
@@ -45,44 +46,61 @@ bool write_stats(const Knowledge& knowledge, unsigned threads, const std::string
   return file.good();
 }
 
-/// One object a node of equivalent classes: {"classes": [...], "parents": [...]}, a parent by its first class.
-bool write_json(const Knowledge& knowledge) {
-  const el::Classification& classification = knowledge.classification;
-  const auto iri = [&](el::ClassNumber number) {
-    return knowledge.loaded.source.name(classification.classes[static_cast<std::size_t>(number)]);
-  };
+/// One object a node of equivalents: {"classes": [...], "parents": [...]}, a parent by its first name.
+boost::json::array nodes_of(const Hierarchy& hierarchy, std::string_view members_key) {
   boost::json::array nodes;
-  const auto members = equivalents(classification);
-  for (std::size_t node = 0; node < members.size(); ++node) {
-    if (members[node].empty()) continue;
-    boost::json::array classes;
-    for (const el::ClassNumber member : members[node]) classes.emplace_back(iri(member));
+  for (std::uint32_t node = 0; node < hierarchy.members.size(); ++node) {
+    if (hierarchy.members[node].empty()) continue;
+    boost::json::array members;
+    for (const std::uint32_t member : hierarchy.members[node]) members.emplace_back(hierarchy.iris[member]);
     boost::json::array parents;
-    for (const el::ClassNumber parent : classification.parents_of(el::ClassNumber{static_cast<std::uint32_t>(node)}))
-      parents.emplace_back(iri(parent));
-    nodes.push_back(boost::json::object{{"classes", std::move(classes)}, {"parents", std::move(parents)}});
+    for (const std::uint32_t parent : hierarchy.parents_of(node)) parents.emplace_back(hierarchy.iris[parent]);
+    nodes.push_back(boost::json::object{{members_key, std::move(members)}, {"parents", std::move(parents)}});
   }
-  return to_output(boost::json::serialize(
-                       boost::json::object{{"consistent", classification.is_consistent}, {"nodes", std::move(nodes)}}) +
-                   "\n");
+  return nodes;
+}
+
+/// What is written: the classes, or the object and the data properties.
+struct Taxonomies {
+  Hierarchy classes;
+  Hierarchy object_properties;
+  Hierarchy data_properties;
+};
+
+bool write_json(const Taxonomies& written, bool are_properties) {
+  boost::json::object document{{"consistent", written.classes.is_consistent}};
+  document["nodes"] = nodes_of(written.classes, "classes");
+  if (are_properties) {
+    document["object_properties"] = nodes_of(written.object_properties, "properties");
+    document["data_properties"] = nodes_of(written.data_properties, "properties");
+  }
+  return to_output(boost::json::serialize(document) + '\n');
+}
+
+bool write(const Knowledge& knowledge, const Request& request) {
+  const el::OntologySource& source = knowledge.loaded.source;
+  const el::Classification& classification = knowledge.classification;
+  Taxonomies written;
+  written.classes = class_hierarchy(source, classification);
+  if (request.are_properties) {
+    written.object_properties =
+        property_hierarchy(source, classification.object_properties, classification.is_consistent);
+    written.data_properties = property_hierarchy(source, classification.data_properties, classification.is_consistent);
+  }
+  if (request.as_json) return write_json(written, request.are_properties);
+  const auto write_one = [&, short_name = short_names(source)](const Hierarchy& hierarchy) {
+    return request.as_closure ? write_closure(hierarchy, to_output) : write_tree(hierarchy, short_name, to_output);
+  };
+  if (!request.as_closure && !classification.is_consistent)
+    say_error("the ontology contradicts itself, so that everything follows from it: see geminga-ontology check");
+  if (!request.are_properties) return write_one(written.classes);
+  return write_one(written.object_properties) && write_one(written.data_properties);
 }
 
 Exit classify(const Request& request) {
-  const auto knowledge = learn_or_say(request.files, request.threads);
+  const auto knowledge = learn_or_say(request.files, {.threads = request.threads, .as_json = request.as_json});
   if (!knowledge) return Exit::usage;
-  bool is_written = false;
-  if (request.as_closure) {
-    is_written = write_closure(knowledge->loaded.source, knowledge->classification, to_output);
-  } else if (request.as_json) {
-    is_written = write_json(*knowledge);
-  } else {
-    const auto ontology = open_or_say(*knowledge);
-    if (!ontology) return Exit::usage;
-    if (!knowledge->classification.is_consistent)
-      say_error("the ontology contradicts itself, so that everything follows from it: see geminga-ontology check");
-    is_written = write_tree(*ontology, knowledge->classification, to_output);
-  }
-  if (!is_written || std::fflush(stdout) != 0) return say_error("standard output cannot be written");
+  if (!write(*knowledge, request) || std::fflush(stdout) != 0) return say_error("standard output cannot be written");
   if (!request.stats.empty() && !write_stats(*knowledge, request.threads, request.stats))
     return say_error(request.stats + " cannot be written: name another file behind --stats");
   return Exit::yes;
@@ -100,7 +118,13 @@ void add_classify(CLI::App& program, Choice& choice) {
   add_number(*command, "--threads", request->threads, 1, 256, "how many threads saturate; the result is the same");
   command->add_option("--stats", request->stats, "write counts, times and memory of the run as JSON")
       ->type_name("FILE");
-  command->footer("\nExample:\n  geminga-ontology classify team/ --closure --stats run.json");
+  command->add_flag("--properties", request->are_properties,
+                    "print the taxonomies of object and of data properties instead (with --json: too)");
+  command->footer(
+      "\nThe closure has equivalents in both directions, owl:Thing never as SUPER, and as SUB only where a class is\n"
+      "everything; a class that can have no instance has the one line CLASS<TAB>owl:Nothing.\n"
+      "\nExamples:\n  geminga-ontology classify team/ --closure --stats run.json\n"
+      "  geminga-ontology classify team/ --properties");
   command->callback([request, &choice] { choice.run = [request] { return classify(*request); }; });
 }
 

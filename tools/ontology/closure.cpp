@@ -2,17 +2,11 @@
 #include "closure.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <string>
+#include <cstddef>
 #include <utility>
-#include <vector>
-
-#include "knowledge.hpp"
 
 namespace geminga::ontology {
 namespace {
-
-std::size_t index_of(el::ClassNumber number) { return static_cast<std::size_t>(number); }
 
 /// Collects text into large pieces.
 class Writer {
@@ -33,82 +27,117 @@ class Writer {
   std::string buffer_;
 };
 
+template <typename Number>
+std::vector<std::uint32_t> plain(const std::vector<Number>& numbers) {
+  std::vector<std::uint32_t> result;
+  result.reserve(numbers.size());
+  for (const Number number : numbers) result.push_back(static_cast<std::uint32_t>(number));
+  return result;
+}
+
+void find_members(Hierarchy& hierarchy) {
+  hierarchy.members.resize(hierarchy.iris.size());
+  for (std::uint32_t number = 0; number < hierarchy.iris.size(); ++number)
+    hierarchy.members[hierarchy.representative[number]].push_back(number);
+}
+
 }  // namespace
+
+Hierarchy class_hierarchy(const el::OntologySource& source, const el::Classification& classification) {
+  Hierarchy hierarchy;
+  for (const el::NameId name : classification.classes) hierarchy.iris.push_back(source.name(name));
+  hierarchy.representative = plain(classification.representative);
+  hierarchy.parent_begin = classification.parent_begin;
+  hierarchy.parents = plain(classification.parents);
+  hierarchy.top = static_cast<std::uint32_t>(classification.thing);
+  hierarchy.bottom = static_cast<std::uint32_t>(classification.nothing);
+  hierarchy.is_consistent = classification.is_consistent;
+  find_members(hierarchy);
+  return hierarchy;
+}
+
+Hierarchy property_hierarchy(const el::OntologySource& source, const el::PropertyTaxonomy& taxonomy,
+                             bool is_consistent) {
+  Hierarchy hierarchy;
+  for (const el::NameId name : taxonomy.properties) hierarchy.iris.push_back(source.name(name));
+  hierarchy.representative = plain(taxonomy.representative);
+  hierarchy.parent_begin = taxonomy.parent_begin;
+  hierarchy.parents = plain(taxonomy.parents);
+  hierarchy.top = static_cast<std::uint32_t>(taxonomy.top);
+  hierarchy.bottom = static_cast<std::uint32_t>(taxonomy.bottom);
+  hierarchy.is_consistent = is_consistent;
+  find_members(hierarchy);
+  return hierarchy;
+}
 
 std::vector<std::vector<el::ClassNumber>> equivalents(const el::Classification& classification) {
   std::vector<std::vector<el::ClassNumber>> members(classification.class_count());
   for (std::uint32_t number = 0; number < classification.class_count(); ++number)
-    members[index_of(classification.representative[number])].push_back(el::ClassNumber{number});
+    members[static_cast<std::size_t>(classification.representative[number])].push_back(el::ClassNumber{number});
   return members;
 }
 
-bool write_closure(const el::OntologySource& source, const el::Classification& classification, const Sink& sink) {
+bool write_closure(const Hierarchy& hierarchy, const Sink& sink) {
   Writer writer(sink);
-  const auto members = equivalents(classification);
-  const auto iri = [&](el::ClassNumber number) { return source.name(classification.classes[index_of(number)]); };
-  std::vector<std::uint32_t> seen(classification.class_count(), 0);
-  std::vector<el::ClassNumber> stack;
-  std::vector<el::ClassNumber> supers;
-  for (std::uint32_t sub = 0; sub < classification.class_count(); ++sub) {
-    const el::ClassNumber number{sub};
-    if (number == classification.nothing) continue;
-    if (is_unsatisfiable(classification, number)) {
-      if (!writer.line(iri(number), "\t", el::owl_nothing)) return false;
+  std::vector<std::uint32_t> seen(hierarchy.iris.size(), 0);
+  std::vector<std::uint32_t> stack;
+  std::vector<std::uint32_t> supers;
+  for (std::uint32_t sub = 0; sub < hierarchy.iris.size(); ++sub) {
+    if (sub == hierarchy.bottom) continue;
+    if (hierarchy.is_empty(sub)) {
+      if (!writer.line(hierarchy.iris[sub], "\t", hierarchy.iris[hierarchy.bottom])) return false;
       continue;
     }
     supers.clear();
-    const auto visit = [&](el::ClassNumber node) {
-      if (std::exchange(seen[index_of(node)], sub + 1) != sub + 1) stack.push_back(node);
+    const auto visit = [&](std::uint32_t node) {
+      if (std::exchange(seen[node], sub + 1) != sub + 1) stack.push_back(node);
     };
-    visit(classification.representative[sub]);
-    visit(classification.representative[index_of(classification.thing)]);
+    visit(hierarchy.representative[sub]);
+    visit(hierarchy.representative[hierarchy.top]);
     while (!stack.empty()) {
-      const el::ClassNumber node = stack.back();
+      const std::uint32_t node = stack.back();
       stack.pop_back();
-      for (const el::ClassNumber member : members[index_of(node)]) {
-        if (member != number && member != classification.thing) supers.push_back(member);
+      for (const std::uint32_t member : hierarchy.members[node]) {
+        if (member != sub && member != hierarchy.top) supers.push_back(member);
       }
-      for (const el::ClassNumber parent : classification.parents_of(node)) visit(parent);
+      for (const std::uint32_t parent : hierarchy.parents_of(node)) visit(parent);
     }
     std::ranges::sort(supers);  // numbers ascend with the IRIs
-    for (const el::ClassNumber super : supers) {
-      if (!writer.line(iri(number), "\t", iri(super))) return false;
+    for (const std::uint32_t super : supers) {
+      if (!writer.line(hierarchy.iris[sub], "\t", hierarchy.iris[super])) return false;
     }
   }
   return writer.flush();
 }
 
-bool write_tree(const el::Ontology& ontology, const el::Classification& classification, const Sink& sink) {
+bool write_tree(const Hierarchy& hierarchy, const std::function<std::string(std::string_view)>& short_name,
+                const Sink& sink) {
   Writer writer(sink);
-  const auto members = equivalents(classification);
-  std::vector<std::vector<el::ClassNumber>> children(classification.class_count());
-  for (std::uint32_t number = 0; number < classification.class_count(); ++number) {
-    for (const el::ClassNumber parent : classification.parents_of(el::ClassNumber{number}))
-      children[index_of(parent)].push_back(el::ClassNumber{number});
+  std::vector<std::vector<std::uint32_t>> children(hierarchy.iris.size());
+  for (std::uint32_t number = 0; number < hierarchy.iris.size(); ++number) {
+    for (const std::uint32_t parent : hierarchy.parents_of(number)) children[parent].push_back(number);
   }
-  const auto name_of = [&](el::ClassNumber node) {
+  const auto name_of = [&](std::uint32_t node) {
     std::string name;
-    for (const el::ClassNumber member : members[index_of(node)])
-      name += (name.empty() ? "" : " = ") + ontology.short_name(member);
+    for (const std::uint32_t member : hierarchy.members[node])
+      name += (name.empty() ? "" : " = ") + short_name(hierarchy.iris[member]);
     return name;
   };
-  const el::ClassNumber nothing = classification.representative[index_of(classification.nothing)];
-  std::vector<bool> is_written(classification.class_count(), false);
-  std::vector<std::pair<el::ClassNumber, std::size_t>> stack{
-      {classification.representative[index_of(classification.thing)], 0}};
+  const std::uint32_t bottom = hierarchy.representative[hierarchy.bottom];
+  std::vector<bool> is_written(hierarchy.iris.size(), false);
+  std::vector<std::pair<std::uint32_t, std::size_t>> stack{{hierarchy.representative[hierarchy.top], 0}};
   while (!stack.empty()) {
     const auto [node, level] = stack.back();
     stack.pop_back();
-    const bool is_repeated = is_written[index_of(node)] && !children[index_of(node)].empty();
-    is_written[index_of(node)] = true;
+    const bool is_repeated = is_written[node] && !children[node].empty();
+    is_written[node] = true;
     if (!writer.line(std::string(level * 2, ' ') + name_of(node), is_repeated ? " ..." : "", "")) return false;
     if (is_repeated) continue;
-    const auto& below = children[index_of(node)];
-    for (auto child = below.rbegin(); child != below.rend(); ++child) {
-      if (*child != nothing) stack.emplace_back(*child, level + 1);
+    for (auto child = children[node].rbegin(); child != children[node].rend(); ++child) {
+      if (*child != bottom) stack.emplace_back(*child, level + 1);
     }
   }
-  if (members[index_of(nothing)].size() > 1 && !writer.line(name_of(nothing), "", "")) return false;
+  if (hierarchy.members[bottom].size() > 1 && !writer.line(name_of(bottom), "", "")) return false;
   return writer.flush();
 }
 

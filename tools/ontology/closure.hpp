@@ -1,9 +1,13 @@
-// The taxonomy written out: every entailed subsumption between named classes, or an indented tree.
+// A taxonomy written out: every entailed inclusion between named entities, an indented tree, or nodes as JSON.
 #ifndef GEMINGA_ONTOLOGY_CLOSURE_HPP
 #define GEMINGA_ONTOLOGY_CLOSURE_HPP
 
+#include <cstdint>
 #include <functional>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "el/classify.hpp"
 #include "el/ontology.hpp"
@@ -13,15 +17,38 @@ namespace geminga::ontology {
 /// Takes text piece by piece; false stops the writing.
 using Sink = std::function<bool(std::string_view)>;
 
-/// One `SUB<TAB>SUPER` line of full IRIs for every entailed subsumption between different named classes, equivalents in
-/// both directions, without owl:Thing as super; the one line `CLASS<TAB>owl:Nothing` for an unsatisfiable class. Sorted
-/// by octets.
-[[nodiscard]] bool write_closure(const el::OntologySource& source, const el::Classification& classification,
-                                 const Sink& sink);
+/// A taxonomy of classes or of properties, as its writers see it. It borrows from the source and the classification.
+struct Hierarchy {
+  std::vector<std::string_view> iris;               ///< ascending
+  std::vector<std::uint32_t> representative;        ///< of each
+  std::vector<std::vector<std::uint32_t>> members;  ///< of each representative, ascending; empty for others
+  std::span<const std::uint32_t> parent_begin;
+  std::vector<std::uint32_t> parents;
+  std::uint32_t top = 0;
+  std::uint32_t bottom = 0;
+  bool is_consistent = true;
 
-/// One line a node of equivalent classes, indented by two blanks a level, below every parent that it has; what stands
-/// below a class that was written before is not written again and shown by `...`.
-[[nodiscard]] bool write_tree(const el::Ontology& ontology, const el::Classification& classification, const Sink& sink);
+  [[nodiscard]] std::span<const std::uint32_t> parents_of(std::uint32_t node) const {
+    return std::span(parents).subspan(parent_begin[node], parent_begin[node + 1] - parent_begin[node]);
+  }
+  [[nodiscard]] bool is_empty(std::uint32_t number) const {
+    return !is_consistent || representative[number] == representative[bottom];
+  }
+};
+
+[[nodiscard]] Hierarchy class_hierarchy(const el::OntologySource& source, const el::Classification& classification);
+[[nodiscard]] Hierarchy property_hierarchy(const el::OntologySource& source, const el::PropertyTaxonomy& taxonomy,
+                                           bool is_consistent);
+
+/// One `SUB<TAB>SUPER` line of full IRIs for every entailed inclusion between different named entities, equivalents in
+/// both directions, without the top one as super; the one line `NAME<TAB>BOTTOM` for one that can have no instance.
+/// Sorted by octets.
+[[nodiscard]] bool write_closure(const Hierarchy& hierarchy, const Sink& sink);
+
+/// One line a node of equivalents, indented by two blanks a level, below every parent that it has; what stands below a
+/// node that was written before is not written again and shown by `...`.
+[[nodiscard]] bool write_tree(const Hierarchy& hierarchy,
+                              const std::function<std::string(std::string_view)>& short_name, const Sink& sink);
 
 /// The classes of each representative, ascending; empty for others.
 [[nodiscard]] std::vector<std::vector<el::ClassNumber>> equivalents(const el::Classification& classification);

@@ -30,6 +30,8 @@ struct Choice {
 void add_check(CLI::App& program, Choice& choice);
 void add_classify(CLI::App& program, Choice& choice);
 void add_subsumes(CLI::App& program, Choice& choice);
+void add_entails(CLI::App& program, Choice& choice);
+void add_consistent(CLI::App& program, Choice& choice);
 void add_explain(CLI::App& program, Choice& choice);
 void add_id(CLI::App& program, Choice& choice);
 void add_compile(CLI::App& program, Choice& choice);

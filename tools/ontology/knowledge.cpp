@@ -1,15 +1,25 @@
 // Loads and classifies, with the clock running.
 #include "knowledge.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <system_error>
+#include <utility>
 
+#include "base/text.hpp"
 #include "el/compile.hpp"
+#include "el/print.hpp"
 #include "functional/read.hpp"
+#include "similar.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {
 namespace {
+
+/// From these on it is said at once what is being done; what is smaller is done in a moment.
+constexpr std::uintmax_t large_octets = std::uintmax_t{8} << 20U;
+constexpr std::size_t large_axioms = 50'000;
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -29,23 +39,53 @@ std::expected<rdf::OtherDocument, rdf::LoadError> read_functional(std::string_vi
   return other;
 }
 
+/// Of the files, and of those in the folders.
+std::uintmax_t size_of(const std::vector<std::string>& files) {
+  std::uintmax_t octets = 0;
+  std::error_code error;
+  const auto add = [&](const std::filesystem::path& path) {
+    const std::uintmax_t size =
+        std::filesystem::is_regular_file(path, error) ? std::filesystem::file_size(path, error) : 0;
+    if (!error) octets += size;
+  };
+  for (const std::string& file : files) {
+    add(file);
+    if (!std::filesystem::is_directory(file, error)) continue;
+    for (auto entry = std::filesystem::directory_iterator(file, error); !error && entry != decltype(entry){};
+         entry.increment(error))
+      add(entry->path());
+  }
+  return octets;
+}
+
 }  // namespace
 
-std::expected<Knowledge, NoKnowledge> learn(const std::vector<std::string>& files, unsigned threads) {
-  const auto start = std::chrono::steady_clock::now();
+std::expected<rdf::Loaded, NoKnowledge> load(const std::vector<std::string>& files, Progress& progress) {
+  if (const std::uintmax_t octets = size_of(files); octets >= large_octets)
+    progress.show("reading " + std::to_string(octets >> 20U) + " MiB", 0, true);
   auto loaded = rdf::load(files, {}, read_functional);
-  if (!loaded) return std::unexpected(NoKnowledge{rdf::to_string(loaded.error()), loaded.error().is_unreadable});
+  if (loaded) return std::move(*loaded);
+  return std::unexpected(NoKnowledge{rdf::to_string(loaded.error()), loaded.error().is_unreadable});
+}
+
+std::expected<Knowledge, NoKnowledge> learn(const std::vector<std::string>& files, const Learning& how) {
+  Progress progress(!how.as_json);
+  const auto start = std::chrono::steady_clock::now();
+  auto loaded = load(files, progress);
+  if (!loaded) return std::unexpected(std::move(loaded.error()));
   const double load_ms = milliseconds_since(start);
   const auto read = std::chrono::steady_clock::now();
-  auto classification = el::classify(loaded->source, {.threads = threads});
+  const bool is_long = loaded->source.axiom_count() >= large_axioms;
+  const auto show = [&](std::string_view phase, double done) { progress.show(phase, done, is_long && done == 0); };
+  auto classification = reasoner::classify(loaded->source, {.threads = how.threads, .progress = show});
   if (!classification) return std::unexpected(NoKnowledge{classification.error().text, false});
   return Knowledge{std::move(*loaded), std::move(*classification), load_ms, milliseconds_since(read)};
 }
 
-std::optional<Knowledge> learn_or_say(const std::vector<std::string>& files, unsigned threads) {
-  auto knowledge = learn(files, threads);
+std::optional<Knowledge> learn_or_say(const std::vector<std::string>& files, const Learning& how) {
+  auto knowledge = learn(files, how);
   if (knowledge) return std::move(*knowledge);
-  say_error(knowledge.error().text);
+  say_failure(knowledge.error().text, how.as_json);
   return std::nullopt;
 }
 
@@ -56,11 +96,31 @@ std::optional<el::Ontology> open_or_say(const Knowledge& knowledge) {
   return std::nullopt;
 }
 
-std::optional<el::ClassNumber> find_or_say(const el::Ontology& ontology, const std::string& name) {
+std::string describe(const el::Ontology& ontology, const std::string& name, const el::NameError& error) {
+  std::string text = error.text;
+  if (error.kind != el::NameError::Kind::unknown) return text;
+  const std::vector<std::string> similar = find_similar(ontology, name);
+  for (std::size_t at = 0; at < similar.size(); ++at) {
+    text += at == 0 ? ": did you mean " : at + 1 == similar.size() ? " or " : ", ";
+    text += base::printable(similar[at], 400);
+  }
+  if (!similar.empty()) text += '?';
+  return text;
+}
+
+std::optional<el::ClassNumber> find_or_say(const el::Ontology& ontology, const std::string& name, bool as_json) {
   const auto number = ontology.find(name);
   if (number) return *number;
-  say_error(number.error().text);
+  say_failure(describe(ontology, name, number.error()), as_json);
   return std::nullopt;
+}
+
+std::function<std::string(std::string_view)> short_names(const el::OntologySource& source) {
+  std::vector<std::pair<std::string_view, std::string_view>> prefixes;
+  for (const el::OntologySource::Prefix& prefix : source.prefixes())
+    prefixes.emplace_back(source.name(prefix.prefix), source.name(prefix.iri));
+  std::ranges::sort(prefixes);
+  return [prefixes = std::move(prefixes)](std::string_view iri) { return el::shorten(iri, prefixes); };
 }
 
 std::size_t class_count(const Knowledge& knowledge) { return knowledge.classification.class_count() - 2; }

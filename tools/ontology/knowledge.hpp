@@ -5,21 +5,25 @@
 #include <cstddef>
 #include <expected>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "command.hpp"
 #include "el/classify.hpp"
 #include "el/ontology.hpp"
+#include "progress.hpp"
 #include "rdf/load.hpp"
+#include "reasoner/reasoner.hpp"
 
 namespace geminga::ontology {
 
 /// Loaded and classified files.
 struct Knowledge {
   rdf::Loaded loaded;
-  el::Classification classification;
+  reasoner::Classified classification;
   double load_ms = 0;
   double classify_ms = 0;
 };
@@ -30,14 +34,30 @@ struct NoKnowledge {
   bool is_unreadable = false;
 };
 
-[[nodiscard]] std::expected<Knowledge, NoKnowledge> learn(const std::vector<std::string>& files, unsigned threads = 1);
+/// How to learn. Where the output is JSON no progress is shown, and what is wrong is said as JSON, too.
+struct Learning {
+  unsigned threads = 1;
+  bool as_json = false;
+};
+
+/// Reads files and folders without classifying them. Says on a terminal that it does where they are large.
+[[nodiscard]] std::expected<rdf::Loaded, NoKnowledge> load(const std::vector<std::string>& files, Progress& progress);
+
+[[nodiscard]] std::expected<Knowledge, NoKnowledge> learn(const std::vector<std::string>& files,
+                                                          const Learning& how = {});
 /// The same, and what is wrong has been said on standard error when there is nothing.
-[[nodiscard]] std::optional<Knowledge> learn_or_say(const std::vector<std::string>& files, unsigned threads = 1);
+[[nodiscard]] std::optional<Knowledge> learn_or_say(const std::vector<std::string>& files, const Learning& how = {});
 
 /// The compiled form and an ontology over it, for names and explanations; nothing after saying what is wrong.
 [[nodiscard]] std::optional<el::Ontology> open_or_say(const Knowledge& knowledge);
-/// The class of a name; nothing after saying what is wrong.
-[[nodiscard]] std::optional<el::ClassNumber> find_or_say(const el::Ontology& ontology, const std::string& name);
+/// The class of a name; nothing after saying what is wrong, and which names are like it.
+[[nodiscard]] std::optional<el::ClassNumber> find_or_say(const el::Ontology& ontology, const std::string& name,
+                                                         bool as_json = false);
+/// What is wrong with a name, and which names are like it.
+[[nodiscard]] std::string describe(const el::Ontology& ontology, const std::string& name, const el::NameError& error);
+
+/// How IRIs are written by the prefixes of the files, for those who need no taxonomy.
+[[nodiscard]] std::function<std::string(std::string_view)> short_names(const el::OntologySource& source);
 
 /// Named classes without owl:Thing and owl:Nothing.
 [[nodiscard]] std::size_t class_count(const Knowledge& knowledge);

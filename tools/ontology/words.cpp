@@ -2,6 +2,7 @@
 #include "words.hpp"
 
 #include <CLI/CLI.hpp>
+#include <boost/json.hpp>
 #include <cstdio>
 
 #include "base/text.hpp"
@@ -12,6 +13,12 @@ Exit say_error(std::string_view words, Exit exit) {
   const std::string line = "geminga-ontology: " + std::string(words) + '\n';
   std::fwrite(line.data(), 1, line.size(), stderr);
   return exit;
+}
+
+Exit say_failure(std::string_view words, bool as_json, Exit exit) {
+  // Standard error has the words as well, so that nothing is lost where this cannot be written.
+  if (as_json) (void)print(boost::json::serialize(boost::json::object{{"error", words}}) + '\n');
+  return say_error(words, exit);
 }
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {

@@ -19,6 +19,9 @@ namespace geminga::ontology {
 /// `geminga-ontology: WORDS` on standard error. The words say what is wrong and, behind a colon, what to do.
 Exit say_error(std::string_view words, Exit exit = Exit::usage);
 
+/// The same; and where a program reads standard output as JSON, one document {"error": WORDS} there, too.
+Exit say_failure(std::string_view words, bool as_json, Exit exit = Exit::usage);
+
 /// "1 class", "2 classes".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view one, std::string_view many);
 

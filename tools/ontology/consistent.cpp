@@ -1,0 +1,72 @@
+// `geminga-ontology consistent`: can there be a world as these files say?
+#include <CLI/CLI.hpp>
+#include <boost/json.hpp>
+#include <memory>
+
+#include "command.hpp"
+#include "conclusion.hpp"
+#include "reasoner/reasoner.hpp"
+#include "words.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+using reasoner::Answer;
+using reasoner::Verdict;
+
+struct Request {
+  std::vector<std::string> files;
+  bool as_json = false;
+};
+
+std::string as_json(const Answer& answer) {
+  boost::json::object document{{"consistent", nullptr}};
+  if (answer.verdict != Verdict::unknown) document["consistent"] = answer.verdict == Verdict::yes;
+  if (!answer.reason.empty()) document["reason"] = answer.reason;
+  return boost::json::serialize(document) + '\n';
+}
+
+std::string as_text(const Answer& answer) {
+  if (answer.verdict == Verdict::yes) return "Consistent: there can be a world as these files say.\n";
+  if (answer.verdict == Verdict::no)
+    return "Contradiction: no world can be as these files say; geminga-ontology explain shows why with owl:Thing below "
+           "owl:Nothing.\n";
+  return {};
+}
+
+Exit consistent(const Request& request) {
+  Progress progress(!request.as_json);
+  const auto loaded = load(request.files, progress);
+  if (!loaded) return say_failure(loaded.error().text, request.as_json);
+  progress.show("deciding", 0, loaded->source.axiom_count() > 10'000);
+  Answer answer = reasoner::is_consistent(loaded->source);
+  // What was not understood can only make a contradiction, never undo one.
+  if (answer.verdict == Verdict::yes) {
+    if (auto unread = find_unread(loaded->source, {})) answer = {Verdict::unknown, std::move(*unread)};
+  }
+  progress.clear();
+  say_unresolved(*loaded);
+  if (!print(request.as_json ? as_json(answer) : as_text(answer)))
+    return say_error("standard output cannot be written");
+  if (answer.verdict == Verdict::unknown)
+    return say_error("it cannot be decided whether there is a contradiction: " + answer.reason);
+  return answer.verdict == Verdict::yes ? Exit::yes : Exit::no;
+}
+
+}  // namespace
+
+void add_consistent(CLI::App& program, Choice& choice) {
+  auto request = std::make_shared<Request>();
+  CLI::App* command = program.add_subcommand("consistent", "Tell whether the files contradict themselves");
+  add_files(*command, request->files);
+  command->add_flag("--json", request->as_json, "print one JSON document");
+  add_number(*command, "--time-limit", choice.time_limit_s, 1, 1'000'000,
+             "most processor time to use, in seconds; then exit 4");
+  command->footer(
+      "\nExit status: 0 they do not, 1 they do, 2 it cannot be decided (the reason is printed), or a file cannot be\n"
+      "loaded. Imports that no given file answers are left aside.\n"
+      "\nExample:\n  geminga-ontology consistent team/");
+  command->callback([request, &choice] { choice.run = [request] { return consistent(*request); }; });
+}
+
+}  // namespace geminga::ontology

@@ -1,0 +1,133 @@
+// `geminga-ontology entails`: does everything that one ontology says follow from another?
+#include <CLI/CLI.hpp>
+#include <boost/json.hpp>
+#include <memory>
+
+#include "command.hpp"
+#include "conclusion.hpp"
+#include "el/print.hpp"
+#include "reasoner/reasoner.hpp"
+#include "words.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+using reasoner::Answer;
+using reasoner::Verdict;
+
+struct Request {
+  std::string premise;
+  std::string conclusion;
+  bool as_json = false;
+};
+
+/// One axiom of the conclusion.
+struct Finding {
+  std::string axiom;
+  std::string place;
+  std::string file;
+  std::uint32_t line = 0;
+  Answer answer;
+};
+
+/// Of all axioms together: no where one does not follow, unknown where one is not known to.
+Answer join(const std::vector<Finding>& findings, const Argument& argument) {
+  Answer all{Verdict::yes, {}};
+  for (const Finding& finding : findings) {
+    if (finding.answer.verdict == Verdict::no) return finding.answer;
+    if (finding.answer.verdict == Verdict::unknown && all.verdict == Verdict::yes) all = finding.answer;
+  }
+  if (all.verdict == Verdict::yes && argument.unread_conclusion) return {Verdict::unknown, *argument.unread_conclusion};
+  return all;
+}
+
+std::vector<Finding> decide(const Argument& argument) {
+  const el::OntologySource& source = argument.loaded.source;
+  const auto answers = reasoner::entails_each(source, argument.premise, argument.conclusion);
+  const auto short_name = short_names(source);
+  std::vector<Finding> findings;
+  for (std::size_t at = 0; at < answers.size(); ++at) {
+    const el::Axiom axiom = source.axiom(argument.conclusion[at]);
+    const std::string& file = source.files()[static_cast<std::size_t>(axiom.file)].path;
+    Finding finding{el::print(source, axiom, short_name), file, file, axiom.line, answers[at]};
+    if (axiom.line != 0) finding.place += ':' + std::to_string(axiom.line);
+    // What was not understood of the premise might be what is missing.
+    if (finding.answer.verdict == Verdict::no && argument.unread_premise)
+      finding.answer = {Verdict::unknown, *argument.unread_premise};
+    findings.push_back(std::move(finding));
+  }
+  return findings;
+}
+
+boost::json::value as_json(Verdict verdict) {
+  if (verdict == Verdict::unknown) return nullptr;
+  return verdict == Verdict::yes;
+}
+
+std::string as_json(const std::vector<Finding>& findings, const Answer& all) {
+  boost::json::object document{{"entailed", as_json(all.verdict)}};
+  if (!all.reason.empty()) document["reason"] = all.reason;
+  boost::json::array& axioms = document["axioms"].emplace_array();
+  for (const Finding& finding : findings) {
+    boost::json::object entry{{"axiom", finding.axiom},
+                              {"file", finding.file},
+                              {"line", finding.line},
+                              {"entailed", as_json(finding.answer.verdict)}};
+    if (!finding.answer.reason.empty()) entry["reason"] = finding.answer.reason;
+    axioms.push_back(std::move(entry));
+  }
+  return boost::json::serialize(document) + '\n';
+}
+
+std::string as_text(const std::vector<Finding>& findings, const Answer& all) {
+  std::string text;
+  for (const Finding& finding : findings) {
+    if (finding.answer.verdict == Verdict::yes) continue;
+    text += finding.answer.verdict == Verdict::no ? "does not follow: " : "is not decided:  ";
+    text += finding.axiom + "   [" + finding.place + "]\n";
+    if (!finding.answer.reason.empty()) text += "  because " + finding.answer.reason + '\n';
+  }
+  if (all.verdict == Verdict::yes)
+    text += findings.size() == 1 ? "The axiom follows.\n"
+                                 : "All " + counted(findings.size(), "axiom", "axioms") + " follow.\n";
+  return text;
+}
+
+Exit entails(const Request& request) {
+  Progress progress(!request.as_json);
+  const auto argument = load_argument(request.premise, request.conclusion, progress);
+  if (!argument) return say_failure(argument.error().text, request.as_json);
+  progress.show("deciding", 0, argument->premise.size() > 10'000);
+  const std::vector<Finding> findings = decide(*argument);
+  const Answer all = join(findings, *argument);
+  progress.clear();
+  say_unresolved(argument->loaded);
+  if (!print(request.as_json ? as_json(findings, all) : as_text(findings, all)))
+    return say_error("standard output cannot be written");
+  if (all.verdict == Verdict::unknown)
+    return say_error("it cannot be decided whether all of it follows: " + all.reason);
+  return all.verdict == Verdict::yes ? Exit::yes : Exit::no;
+}
+
+}  // namespace
+
+void add_entails(CLI::App& program, Choice& choice) {
+  auto request = std::make_shared<Request>();
+  CLI::App* command = program.add_subcommand("entails", "Tell whether every axiom of CONCLUSION follows from PREMISE");
+  command->add_option("PREMISE", request->premise, "an ontology file, or a folder of them")->required()->type_name("");
+  command->add_option("CONCLUSION", request->conclusion, "another; its anonymous individuals mean \"something\"")
+      ->required()
+      ->type_name("");
+  command->add_flag("--json", request->as_json, "print one JSON document, with every axiom");
+  add_number(*command, "--time-limit", choice.time_limit_s, 1, 1'000'000,
+             "most processor time to use, in seconds; then exit 4");
+  command->footer(
+      "\nExit status: 0 all of it follows, 1 an axiom does not, 2 it cannot be decided (the reason is printed), or a "
+      "file\n"
+      "cannot be loaded. Imports are answered by files in the folders that are named; what is not there is left "
+      "aside.\n"
+      "\nExample:\n  geminga-ontology entails team/ expected.ttl");
+  command->callback([request, &choice] { choice.run = [request] { return entails(*request); }; });
+}
+
+}  // namespace geminga::ontology

@@ -1,0 +1,58 @@
+// What check finds: how complete the answers are, what was left out, which classes are empty, which names collide.
+#ifndef GEMINGA_ONTOLOGY_FINDINGS_HPP
+#define GEMINGA_ONTOLOGY_FINDINGS_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collisions.hpp"
+#include "knowledge.hpp"
+#include "reasoner/explain.hpp"
+
+namespace geminga::ontology {
+
+/// One axiom that may have more to say than was understood.
+struct LeftOutAxiom {
+  std::string axiom;  ///< in readable syntax
+  std::string file;
+  std::uint32_t line = 0;
+};
+
+/// Everything that was left out because of one construct, by the reader or by the reasoner.
+struct LeftOutGroup {
+  el::LeftOut summary;
+  std::vector<LeftOutAxiom> axioms;  ///< by file and line; none of what the reader could not even make an axiom of
+};
+
+struct Unsatisfiable {
+  std::string name;
+  std::vector<reasoner::ExplainedAxiom> reason;
+};
+
+struct Findings {
+  std::vector<LeftOutGroup> left_out;  ///< by construct
+  std::vector<std::string> gaps;       ///< why something may be missing although every axiom was used
+  bool is_consistent = true;
+  std::vector<Unsatisfiable> unsatisfiable;
+  Collisions collisions;
+
+  [[nodiscard]] bool is_complete() const { return left_out.empty() && gaps.empty(); }
+  [[nodiscard]] bool has_problem() const {
+    return !unsatisfiable.empty() || !collisions.found.empty() || !is_consistent;
+  }
+};
+
+[[nodiscard]] Findings find(const Knowledge& knowledge, const el::Ontology& ontology);
+
+/// One line: whether every answer is there, and why not.
+[[nodiscard]] std::string verdict(const Findings& findings);
+
+/// One JSON document.
+[[nodiscard]] std::string as_json(const Knowledge& knowledge, const Findings& findings);
+
+}  // namespace geminga::ontology
+
+#endif

@@ -1,0 +1,26 @@
+// "Did you mean": the names of an ontology that are nearest to one that it does not know.
+#ifndef GEMINGA_ONTOLOGY_SIMILAR_HPP
+#define GEMINGA_ONTOLOGY_SIMILAR_HPP
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "el/ontology.hpp"
+
+namespace geminga::ontology {
+
+/// Short names of classes that are a few letters away from `name`, or whose local name or label is: nearest first, then
+/// by name, at most `count`. Letters may be wrong, missing, too many, swapped, or of the other case. Linear in the
+/// classes.
+[[nodiscard]] std::vector<std::string> find_similar(const el::Ontology& ontology, std::string_view name,
+                                                    std::size_t count = 3);
+
+/// Letters to be changed, added, left out or swapped with their neighbour, or `limit` + 1 where these are more than
+/// `limit` (Damerau 1964, optimal string alignment). Case counts less than a letter: not at all here.
+[[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit);
+
+}  // namespace geminga::ontology
+
+#endif
