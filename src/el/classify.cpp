@@ -2,7 +2,9 @@
 #include "el/classify.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -15,14 +17,14 @@
 namespace geminga::el {
 namespace {
 
-constexpr std::size_t max_pairs = std::size_t{1} << 28;        // of one closure before saturation
-constexpr std::size_t max_conclusions = std::size_t{1} << 31;  // of one saturation
-constexpr std::size_t max_conditional_roots = 20'000;          // saturations for nominals
+constexpr std::size_t max_pairs = std::size_t{1} << 28;  // of one closure before saturation
+constexpr std::size_t max_conditional_roots = 20'000;    // saturations for nominals
 
 /// The work of one classification, step by step.
 class Classifier {
  public:
-  explicit Classifier(const OntologySource& source) : source_(source), normaliser_(source, index_) {}
+  Classifier(const OntologySource& source, const ClassifyOptions& options)
+      : source_(source), options_(options), normaliser_(source, index_) {}
 
   std::expected<Classification, ClassifyError> run() {
     if (source_.problem()) return std::unexpected(ClassifyError{*source_.problem()});
@@ -32,14 +34,19 @@ class Classifier {
       return std::unexpected(ClassifyError{"the closure of the properties or of the told classes has more than " +
                                            std::to_string(max_pairs) + " pairs"});
     }
-    Saturation saturation(index_, max_conclusions);
-    require_contexts(saturation);
-    if (!saturation.run()) {
-      return std::unexpected(ClassifyError{"more than " + std::to_string(max_conclusions) +
+    find_roots();
+    auto saturation = saturate();
+    if (saturation->is_over_merged()) {
+      leave_out_functional();
+      saturation.reset();  // before there are two
+      saturation = saturate();
+    }
+    if (saturation->is_over_limit()) {
+      return std::unexpected(ClassifyError{"more than " + std::to_string(SaturationLimits{}.conclusions) +
                                            " conclusions follow: the ontology is too large"});
     }
-    count(saturation);
-    reduce(saturation);
+    count(*saturation);
+    reduce(*saturation);
     result_.object_properties = classify_properties(source_, PropertyKind::object, result_.is_consistent);
     result_.data_properties = classify_properties(source_, PropertyKind::data, result_.is_consistent);
     return std::move(result_);
@@ -76,13 +83,10 @@ class Classifier {
     }
     for (const TermId term : classes_) exprs_.push_back(normaliser_.expression(term));
     for (const auto& [axiom, construct] : normaliser_.finish()) result_.unused.push_back({axiom, to_string(construct)});
-    std::ranges::sort(result_.unused, {}, &UnusedAxiom::axiom);
-    const auto repeated = std::ranges::unique(result_.unused, {}, &UnusedAxiom::axiom);
-    result_.unused.erase(repeated.begin(), repeated.end());
-    result_.counts.used_axioms = result_.counts.axioms - result_.unused.size();
+    sort_unused();
   }
 
-  void require_contexts(Saturation& saturation) {
+  void find_roots() {
     for (ExprId& expr : exprs_) {
       expr = index_.representative(expr);
       // Where a class has nothing but one expression with rules above it, that one's context says all.
@@ -94,8 +98,14 @@ class Classifier {
     }
     std::ranges::sort(asked_);
     asked_.erase(std::unique(asked_.begin(), asked_.end()), asked_.end());
-    for (const ExprId root : asked_) saturation.require(root);
-    for (const ExprId individual : normaliser_.individuals()) saturation.require(index_.representative(individual));
+  }
+
+  [[nodiscard]] std::unique_ptr<Saturation> saturate() const {
+    auto saturation = std::make_unique<Saturation>(index_, SaturationLimits{});
+    for (const ExprId root : asked_) saturation->require(root);
+    for (const ExprId individual : normaliser_.individuals()) saturation->require(index_.representative(individual));
+    saturation->run(options_.threads);
+    return saturation;
   }
 
   void count(const Saturation& saturation) {
@@ -116,7 +126,7 @@ class Classifier {
     const std::vector<ExprId> conditional = find_conditional_roots(index_, saturation, asked_);
     // Over the limit the rest keeps what holds without an instance, and the axioms with nominals count as unused.
     for (std::size_t at = 0; at < std::min(conditional.size(), max_conditional_roots); ++at) {
-      const auto world = find_world(index_, conditional[at], normaliser_.individuals(), max_conclusions);
+      const auto world = find_world(index_, conditional[at], normaliser_.individuals(), SaturationLimits{}.conclusions);
       if (!world) continue;
       if (!world->is_possible) graph.set_unsatisfiable(conditional[at]);
       for (const ExprId above : world->above) graph.add_edge(conditional[at], above);
@@ -126,19 +136,49 @@ class Classifier {
     std::move(graph).reduce(exprs_, result_);
   }
 
-  void leave_out_nominals() {
-    for (std::uint32_t axiom = 0; axiom < source_.axiom_count(); ++axiom) {
-      const Axiom added = source_.axiom(axiom);
-      if (added.kind == AxiomKind::sub_class_of || added.kind == AxiomKind::equivalent_classes) {
-        const auto is_nominal = [&](TermId term) {
-          return source_.kind(term) == TermKind::object_has_value || source_.kind(term) == TermKind::object_one_of;
-        };
-        if (std::ranges::any_of(added.arguments, is_nominal)) {
-          result_.unused.push_back({axiom, to_string(Construct::too_many_nominals)});
-        }
-      }
+  /// Names the axioms in which a term of one of these kinds occurs, or that are of these kinds themselves.
+  template <typename IsConcerned>
+  void leave_out(Construct construct, std::initializer_list<AxiomKind> axioms, IsConcerned&& is_concerned) {
+    std::vector<bool> has_it(source_.term_count(), false);
+    for (std::uint32_t id = 0; id < source_.term_count(); ++id) {
+      const Term term = source_.term(TermId{id});
+      has_it[id] = is_concerned(term.kind) || std::ranges::any_of(term.arguments, [&](TermId argument) {
+                     return has_it[static_cast<std::size_t>(argument)];
+                   });
     }
-    std::ranges::stable_sort(result_.unused, {}, &UnusedAxiom::axiom);
+    for (std::uint32_t number = 0; number < source_.axiom_count(); ++number) {
+      const Axiom axiom = source_.axiom(number);
+      const bool is_here = std::ranges::find(axioms, axiom.kind) != axioms.end() ||
+                           std::ranges::any_of(axiom.arguments, [&](TermId argument) {
+                             return has_it[static_cast<std::size_t>(argument)];
+                           });
+      if (is_here) result_.unused.push_back({number, to_string(construct)});
+    }
+    sort_unused();
+  }
+
+  void leave_out_functional() {
+    index_.forget_functional();
+    leave_out(Construct::too_many_merged,
+              {AxiomKind::functional_object_property, AxiomKind::inverse_functional_object_property,
+               AxiomKind::functional_data_property},
+              [](TermKind kind) {
+                return kind == TermKind::object_max_cardinality || kind == TermKind::object_exact_cardinality ||
+                       kind == TermKind::data_max_cardinality || kind == TermKind::data_exact_cardinality;
+              });
+  }
+
+  void leave_out_nominals() {
+    leave_out(Construct::too_many_nominals, {},
+              [](TermKind kind) { return kind == TermKind::object_has_value || kind == TermKind::object_one_of; });
+  }
+
+  /// By axiom, the first reason of each.
+  void sort_unused() {
+    std::ranges::stable_sort(result_.unused, std::ranges::less{}, &UnusedAxiom::axiom);
+    const auto repeated = std::ranges::unique(result_.unused, {}, &UnusedAxiom::axiom);
+    result_.unused.erase(repeated.begin(), repeated.end());
+    result_.counts.used_axioms = result_.counts.axioms - result_.unused.size();
   }
 
   void name_classes() {
@@ -153,6 +193,7 @@ class Classifier {
   }
 
   const OntologySource& source_;
+  const ClassifyOptions& options_;
   Index index_;
   Normaliser normaliser_;
   std::vector<TermId> classes_;
@@ -163,8 +204,8 @@ class Classifier {
 
 }  // namespace
 
-std::expected<Classification, ClassifyError> classify(const OntologySource& source, const ClassifyOptions&) {
-  return Classifier(source).run();
+std::expected<Classification, ClassifyError> classify(const OntologySource& source, const ClassifyOptions& options) {
+  return Classifier(source, options).run();
 }
 
 std::vector<LeftOut> left_out(const OntologySource& source, const Classification& classification) {

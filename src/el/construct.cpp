@@ -6,7 +6,7 @@
 namespace geminga::el {
 
 std::string_view to_string(Construct construct) {
-  static constexpr std::array<std::string_view, 23> words = {
+  static constexpr std::array<std::string_view, 24> words = {
       "",
       "owl:unionOf",
       "owl:complementOf",
@@ -30,6 +30,7 @@ std::string_view to_string(Construct construct) {
       "nominals in too many classes",
       "datatypes with finitely many values",
       "literals that are not of their datatype",
+      "functional properties with too many successors",
   };
   return words[static_cast<std::size_t>(construct)];
 }

@@ -32,6 +32,7 @@ enum class Construct : std::uint8_t {
   too_many_nominals,
   finite_datatype,
   ill_formed_literal,
+  too_many_merged,
 };
 
 [[nodiscard]] std::string_view to_string(Construct construct);

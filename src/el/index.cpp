@@ -284,6 +284,13 @@ void Index::find_functional() {
   }
 }
 
+void Index::forget_functional() {
+  may_be_functional_.clear();
+  is_functional_.assign(roles_.count(), false);
+  functional_in_ = {};
+  functional_roles_ = {};
+}
+
 void Index::find_nominals() {
   // Individuals that nothing leads to need none of the rules for nominals: each is a class that must not be empty.
   for (std::uint32_t id = 0; id < exprs_.size() && !has_nominals_; ++id) {

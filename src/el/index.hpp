@@ -89,6 +89,9 @@ class Index {
   /// `max_pairs` pairs; then the index is of no use.
   [[nodiscard]] bool finish(std::size_t max_pairs);
 
+  /// Lets functional properties be as others: for a saturation that they would take over its limits.
+  void forget_functional();
+
   // Reading, after finish().
   [[nodiscard]] std::size_t size() const { return exprs_.size(); }
   [[nodiscard]] const Expr& expr(ExprId id) const { return exprs_[number(id)]; }

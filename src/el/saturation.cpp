@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 #include "el/threads.hpp"
 #include "el/worker.hpp"

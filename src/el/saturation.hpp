@@ -75,9 +75,10 @@ class Saturation {
   /// Applies rules until none is left to fire, or the ontology is found inconsistent. False over a limit. What is
   /// derived does not depend on the number of threads, but for what an unsatisfiable context had derived before it was
   /// known to be one, and the numbers of contexts. Where there are nominals, one thread does it.
-  [[nodiscard]] bool run(unsigned threads = 1);
+  bool run(unsigned threads = 1);
 
   [[nodiscard]] bool is_consistent() const { return !shared_.is_inconsistent; }
+  [[nodiscard]] bool is_over_limit() const { return shared_.is_over_limit; }
   /// Whether run() ended because too many successors of functional properties had to be merged.
   [[nodiscard]] bool is_over_merged() const { return shared_.is_over_merged; }
   [[nodiscard]] const ContextStore& contexts() const { return shared_.contexts; }

@@ -1,0 +1,204 @@
+// What is known of one concept while the rules run, and the store of all of these.
+#ifndef GEMINGA_EL_CONTEXT_HPP
+#define GEMINGA_EL_CONTEXT_HPP
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "el/arena_containers.hpp"
+#include "el/growing_set.hpp"
+#include "el/index.hpp"
+
+namespace geminga::el {
+
+/// One link of a context: the role and the context at the other end.
+struct Link {
+  RoleId role{};
+  std::uint32_t context = 0;
+  friend bool operator==(const Link&, const Link&) = default;
+};
+[[nodiscard]] inline std::uint64_t hash_of_key(Link link) {
+  return ((static_cast<std::uint64_t>(link.role) << 32 | link.context) * 0x9e3779b97f4a7c15ULL) >> 20;
+}
+
+/// The successors of a context by a functional role and its sub-roles: they are one.
+struct FunctionalGroup {
+  RoleId functional{};
+  std::uint32_t successor = 0;  ///< the context of all of them together
+  std::vector<RoleId> roles;    ///< by which it is a successor
+};
+
+/// A vector that most do not have: a pointer until something is in it.
+template <typename T>
+class RareList {
+ public:
+  operator const std::vector<T>&() const {  // NOLINT(google-explicit-constructor): it is one, for who reads
+    static const std::vector<T> nothing;
+    return items_ == nullptr ? nothing : *items_;
+  }
+  [[nodiscard]] const std::vector<T>& get() const { return *this; }
+  [[nodiscard]] std::vector<T>& own() {
+    if (items_ == nullptr) items_ = std::make_unique<std::vector<T>>();
+    return *items_;
+  }
+  void clear() { items_.reset(); }
+  [[nodiscard]] bool empty() const { return items_ == nullptr || items_->empty(); }
+  [[nodiscard]] std::size_t size() const { return items_ == nullptr ? 0 : items_->size(); }
+  [[nodiscard]] const T& operator[](std::size_t at) const { return (*items_)[at]; }
+  [[nodiscard]] auto begin() const { return get().begin(); }
+  [[nodiscard]] auto end() const { return get().end(); }
+
+ private:
+  std::unique_ptr<std::vector<T>> items_;
+};
+
+/// The existential rules of a context; those of one role stand together, but for the last few. A hub of a large
+/// ontology has thousands, of which one link concerns a handful.
+class Propagations {
+ public:
+  using value_type = ExistentialRule;
+  void add(const ExistentialRule& rule, Arena& arena) { rules_.push_back(rule, arena); }
+  /// Calls `apply(existential)` for each rule of a role that the link's role is below.
+  template <typename Apply>
+  void visit(const Roles& roles, RoleId link_role, Apply&& apply) {
+    settle();
+    for (const ExistentialRule& rule : std::span(rules_.begin() + sorted_, rules_.end())) {
+      if (roles.is_sub_role(link_role, rule.role)) apply(rule.existential);
+    }
+    if (sorted_ == 0) return;
+    for (const RoleId super : roles.supers(link_role)) {
+      const ExistentialRule* rule =
+          std::ranges::lower_bound(rules_.begin(), rules_.begin() + sorted_, super, {}, &ExistentialRule::role);
+      for (; rule != rules_.begin() + sorted_ && rule->role == super; ++rule) apply(rule->existential);
+    }
+  }
+  void clear(Arena& arena) {
+    rules_.clear(arena);
+    sorted_ = 0;
+  }
+  [[nodiscard]] std::uint32_t size() const { return rules_.size(); }
+  [[nodiscard]] const ExistentialRule* data() const { return rules_.data(); }
+  [[nodiscard]] const ExistentialRule* begin() const { return rules_.begin(); }
+  [[nodiscard]] const ExistentialRule* end() const { return rules_.end(); }
+
+ private:
+  /// Sorts what came since, when it is worth it.
+  void settle() {
+    const std::uint32_t tail = rules_.size() - sorted_;
+    if (tail <= 16 + sorted_ / 16) return;
+    const auto by_role = [](const ExistentialRule& a, const ExistentialRule& b) { return a.role < b.role; };
+    std::sort(rules_.begin() + sorted_, rules_.end(), by_role);
+    std::inplace_merge(rules_.begin(), rules_.begin() + sorted_, rules_.end(), by_role);
+    sorted_ = rules_.size();
+  }
+
+  ArenaList<ExistentialRule> rules_;
+  std::uint32_t sorted_ = 0;
+};
+
+/// What one context tells another.
+struct Message {
+  enum class Kind : std::uint8_t {
+    subsumer,  ///< it is below an expression, `first`
+    backward,  ///< a link of the role `first` from the context `second` ends in it
+    forward,   ///< a link of the role `first` from it ends in the context `second`
+    bottom,    ///< it is unsatisfiable
+  };
+  Kind kind = Kind::subsumer;
+  std::uint32_t first = 0;
+  std::uint32_t second = 0;
+};
+
+/// A message that waits for the thread that will work on the context.
+struct Letter {
+  Letter* next = nullptr;
+  Message message;
+};
+
+/// What is known of one atom, or of some together. The tails of its lists behind the cursors are its to-do queue: a
+/// conclusion is tested for being new before it is queued, and every pair of premises meets once.
+struct alignas(64) Context {
+  ArenaSet<std::uint32_t> subsumers;  ///< active expressions, and marks of disjointness axioms behind them
+  std::uint32_t subsumers_done = 0;
+  ExprId root{};  ///< F where it is of some atoms together
+  bool is_unsatisfiable = false;
+  bool is_nonempty = false;  ///< it has an instance in every model; followed only where there are nominals
+  bool is_queued = false;
+  /// Letters from other threads, the last first; at_rest where nobody works on it and no letter waits (threads.hpp).
+  std::atomic<Letter*> inbox = nullptr;
+  ArenaSet<Link> backward;  ///< links that end here
+  std::uint32_t backward_done = 0;
+  std::uint32_t forward_done = 0;
+  std::uint32_t selfs_done = 0;
+  ArenaList<Link> forward;  ///< links that begin here, where something wants to know them
+  Propagations propagations;
+  ArenaList<ExprId> derived;  ///< atoms above that no told axiom puts there
+  RareList<ExprId> together;  ///< the atoms that it is of, ascending, where they are several
+  RareList<RoleId> selfs;
+  RareList<FunctionalGroup> groups;
+  RareList<std::uint32_t> nominals;  ///< contexts of the nominals above, itself not
+  RareList<std::uint32_t> members;   ///< of a nominal's context: the contexts below it
+};
+
+/// Contexts by number. They never move; threads may add and read at once.
+class ContextStore {
+ public:
+  ContextStore() = default;
+  ContextStore(const ContextStore&) = delete;
+  ContextStore& operator=(const ContextStore&) = delete;
+  ~ContextStore();
+
+  /// The number of a new context. Who gets it is alone with it until it tells others.
+  std::uint32_t add();
+  [[nodiscard]] std::size_t size() const { return count_.load(std::memory_order_relaxed); }
+  [[nodiscard]] Context& operator[](std::size_t number) { return *at(number); }
+  [[nodiscard]] const Context& operator[](std::size_t number) const { return *at(number); }
+
+  class Iterator {
+   public:
+    using value_type = Context;
+    using difference_type = std::ptrdiff_t;
+    Iterator() = default;
+    Iterator(const ContextStore* store, std::size_t number) : store_(store), number_(number) {}
+    const Context& operator*() const { return (*store_)[number_]; }
+    Iterator& operator++() {
+      ++number_;
+      return *this;
+    }
+    Iterator operator++(int) { return {store_, number_++}; }
+    friend bool operator==(const Iterator&, const Iterator&) = default;
+
+   private:
+    const ContextStore* store_ = nullptr;
+    std::size_t number_ = 0;
+  };
+  [[nodiscard]] Iterator begin() const { return {this, 0}; }
+  [[nodiscard]] Iterator end() const { return {this, size()}; }
+
+ private:
+  // Block b holds the contexts first_block << b, as many as all blocks before it and first_block more.
+  static constexpr std::size_t first_block = 64;
+  static constexpr std::size_t first_block_bits = 6;
+  [[nodiscard]] static std::size_t block_of(std::size_t number) {
+    return static_cast<std::size_t>(std::bit_width(number + first_block)) - 1 - first_block_bits;
+  }
+  [[nodiscard]] Context* at(std::size_t number) const {
+    const std::size_t block = block_of(number);
+    return blocks_[block].load(std::memory_order_acquire) + (number + first_block - (first_block << block));
+  }
+
+  std::array<std::atomic<Context*>, 27> blocks_{};
+  std::atomic<std::uint32_t> count_ = 0;
+};
+
+}  // namespace geminga::el
+
+#endif

@@ -1,0 +1,249 @@
+// The rules, each in logic notation beside its code; the legend is in saturation.hpp.
+#include <algorithm>
+
+#include "el/worker.hpp"
+
+namespace geminga::el {
+
+void Worker::add_subsumer(std::uint32_t context, ExprId subsumer) {
+  if (is_elsewhere(context)) return post(context, {Message::Kind::subsumer, number(subsumer), 0});
+  Context& self = contexts_[context];
+  if (self.is_unsatisfiable || !self.subsumers.insert(number(subsumer), arena_)) return;
+  ++conclusions_;
+  enqueue(context);
+}
+
+void Worker::add_derived_atom(std::uint32_t context, ExprId atom) {
+  Context& self = contexts_[context];
+  if (self.is_unsatisfiable || atom == self.root) return;
+  if (index_.is_active(atom)) {
+    if (self.subsumers.contains(number(atom))) return;
+    self.derived.push_back(atom, arena_);
+    add_subsumer(context, atom);
+    return;
+  }
+  self.derived.push_back(atom, arena_);
+  for (const ExprId above : index_.frontier(atom)) add_subsumer(context, above);
+}
+
+void Worker::process_subsumer(std::uint32_t context, ExprId subsumer) {
+  Context& self = contexts_[context];
+
+  //  C < D
+  //  ----- [D < F is told]
+  //  C < F
+  if (index_.is_told_bottom(subsumer)) return add_bottom(context);
+
+  //  C < D
+  //  ----- [D < E is told]; of an atom D the taxonomy knows it, of others it must be noted
+  //  C < E
+  if (index_.is_atom(subsumer)) {
+    for (const ExprId above : index_.frontier(subsumer)) add_subsumer(context, above);
+  } else {
+    for (const ExprId above : index_.told_atoms(subsumer)) add_derived_atom(context, above);
+  }
+
+  //  C < D
+  //  -------- [D < R some E is told]
+  //  C -R-> E
+  for (const LinkRule& link : index_.links(subsumer)) {
+    // By a functional role the successor may turn out to be this one itself, which then is in the target, too.
+    const bool may_be_itself = index_.may_be_functional(link.role);
+    add_link(context, link.role, require(may_be_itself ? link.target : index_.link_root(link.target)));
+  }
+
+  //  C < D
+  //  ---------- [D < R Self is told]
+  //  C < R Self
+  for (const RoleId role : index_.selfs(subsumer)) add_self(context, role);
+
+  //  C < D   C < E
+  //  ------------- [D and E occurs negatively]
+  //  C < D and E
+  apply_conjunctions(context, index_.conjunctions(subsumer));
+
+  //  C -R-> D   D < E
+  //  ---------------- [S some E occurs negatively, R <* S]; here the second premise is new
+  //  C < S some E
+  for (const ExistentialRule& rule : index_.existentials(subsumer)) {
+    self.propagations.add(rule, arena_);
+    for (std::uint32_t at = 0; at < self.backward_done; ++at) {
+      const Link link = self.backward[at];
+      if (index_.roles().is_sub_role(link.role, rule.role)) add_subsumer(link.context, rule.existential);
+    }
+  }
+
+  for (const std::uint32_t axiom : index_.disjointness(subsumer)) add_disjointness(context, axiom);
+  if (self.is_unsatisfiable) return;
+
+  //  C < D   C -R-> E
+  //  ---------------- [D has at most one S, R <* S]; here the first premise is new
+  //  E is the one S successor, as below
+  for (const RoleId functional : index_.functional_roles(subsumer)) {
+    for (std::uint32_t at = 0; at < self.forward_done && !self.is_unsatisfiable; ++at) {
+      group_successor(context, functional, self.forward[at]);
+    }
+    process_functional_self(context, functional);
+  }
+  if (index_.has_nominals() && !self.is_unsatisfiable) process_nominal(context, subsumer);
+}
+
+void Worker::apply_conjunctions(std::uint32_t context, std::span<const ConjunctionRule> rules) {
+  // Whichever is shorter is walked, and the other searched: names like "disease" are in thousands of conjunctions.
+  Context& self = contexts_[context];
+  if (rules.size() <= self.subsumers.size() * 2) {
+    for (const ConjunctionRule& rule : rules) {
+      if (self.subsumers.contains(number(rule.partner))) add_subsumer(context, rule.conjunction);
+    }
+    return;
+  }
+  for (std::size_t at = 0; at < self.subsumers.size(); ++at) {
+    const ExprId partner{self.subsumers[at]};
+    for (auto rule = std::ranges::lower_bound(rules, partner, {}, &ConjunctionRule::partner);
+         rule != rules.end() && rule->partner == partner; ++rule) {
+      add_subsumer(context, rule->conjunction);
+    }
+  }
+}
+
+//  C < D   C < E
+//  ------------- [D and E are different members of one disjointness axiom]
+//  C < F
+void Worker::add_disjointness(std::uint32_t context, std::uint32_t axiom) {
+  Context& self = contexts_[context];
+  if (self.is_unsatisfiable) return;
+  // The axiom's mark in the set of subsumers says that one member was there before.
+  if (!self.subsumers.insert(static_cast<std::uint32_t>(index_.size()) + axiom, arena_)) add_bottom(context);
+}
+
+//  C -R-> D   D < F
+//  ---------------- ; what is left to do for C < F itself
+//  C < F
+void Worker::add_bottom(std::uint32_t context) {
+  if (is_elsewhere(context)) return post(context, {Message::Kind::bottom, 0, 0});
+  Context& self = contexts_[context];
+  if (self.is_unsatisfiable) return;
+  self.is_unsatisfiable = true;
+  ++conclusions_;
+  if (self.is_nonempty) shared_.is_inconsistent = true;
+  self.backward_done = 0;
+  self.subsumers.clear(arena_);
+  self.forward.clear(arena_);
+  self.propagations.clear(arena_);
+  self.derived.clear(arena_);
+  self.selfs.clear();
+  self.groups.clear();
+  self.nominals.clear();
+  enqueue(context);
+}
+
+void Worker::add_link(std::uint32_t from, RoleId role, std::uint32_t to) {
+  // Of another thread's context it is not known whether it is still worth it; that one will see.
+  if (!is_elsewhere(from) && contexts_[from].is_unsatisfiable) return;
+  if (is_elsewhere(to)) return post(to, {Message::Kind::backward, static_cast<std::uint32_t>(role), from});
+  if (!contexts_[to].backward.insert({role, from}, arena_)) return;
+  ++conclusions_;
+  ++links_;
+  enqueue(to);
+  if (shared_.keeps_forward || index_.roles().is_second(role) || index_.may_be_functional(role)) {
+    add_forward(from, {role, to});
+  }
+}
+
+void Worker::add_forward(std::uint32_t from, Link link) {
+  if (is_elsewhere(from)) {
+    return post(from, {Message::Kind::forward, static_cast<std::uint32_t>(link.role), link.context});
+  }
+  Context& self = contexts_[from];
+  if (self.is_unsatisfiable) return;
+  self.forward.push_back(link, arena_);
+  enqueue(from);
+}
+
+void Worker::process_backward(std::uint32_t context, Link link) {
+  Context& self = contexts_[context];
+
+  //  C -R-> D   D < E
+  //  ---------------- [S some E occurs negatively, R <* S]; here the first premise is new
+  //  C < S some E
+  self.propagations.visit(index_.roles(), link.role,
+                          [&](ExprId existential) { add_subsumer(link.context, existential); });
+
+  //  C -R-> D   D -S-> E
+  //  ------------------- [R o S SubPropertyOf R']; here the first premise is new
+  //  C -R'-> E
+  if (!index_.roles().compositions(link.role).empty()) {
+    for (std::uint32_t at = 0; at < self.forward_done; ++at) {
+      const Link next = self.forward[at];
+      compose(link.context, link.role, next.role, next.context);
+    }
+  }
+}
+
+void Worker::process_forward(std::uint32_t context, Link link) {
+  //  C -R-> D   D -S-> E
+  //  ------------------- [R o S SubPropertyOf R']; here the second premise is new
+  //  C -R'-> E
+  Context& self = contexts_[context];
+  if (index_.roles().is_second(link.role)) {
+    for (std::uint32_t at = 0; at < self.backward_done; ++at) {
+      const Link before = self.backward[at];
+      compose(before.context, before.role, link.role, link.context);
+    }
+  }
+  if (index_.may_be_functional(link.role)) process_functional(context, link);
+  if (self.is_nonempty && index_.has_nominals()) require_nonempty(link.context);
+  if (index_.has_nominals() && index_.has_negative_self()) find_self_of_link(context, link.role, link.context);
+}
+
+void Worker::compose(std::uint32_t from, RoleId first, RoleId second, std::uint32_t to) {
+  const auto rules = index_.roles().compositions(first);
+  for (auto rule = std::ranges::lower_bound(rules, second, {}, &Composition::second);
+       rule != rules.end() && rule->second == second; ++rule) {
+    add_link(from, rule->result, to);
+  }
+}
+
+void Worker::add_self(std::uint32_t context, RoleId role) {
+  Context& self = contexts_[context];
+  if (self.is_unsatisfiable || std::ranges::find(self.selfs, role) != self.selfs.end()) return;
+  self.selfs.own().push_back(role);
+  ++conclusions_;
+  enqueue(context);
+}
+
+void Worker::process_self(std::uint32_t context, RoleId role) {
+  //  C < R Self
+  //  ---------- [R <* S, S Self occurs negatively]
+  //  C < S Self
+  for (const RoleId super : index_.roles().supers(role)) {
+    const ExprId negative = index_.negative_self(super);
+    if (negative != bottom_expr) add_subsumer(context, negative);
+  }
+
+  //  C < R Self    C < R Self
+  //  ----------    ---------- [E is the range of R]
+  //  C -R-> C      C < E
+  add_link(context, role, context);
+  for (const RoleId super : index_.roles().supers(role)) {
+    if (index_.may_be_functional(super)) process_functional_self(context, super);
+  }
+  if (index_.range_of(role) != top_expr) add_derived_atom(context, index_.representative(index_.range_of(role)));
+
+  //  C < R Self   C < S Self
+  //  ----------------------- [R o S SubPropertyOf R']
+  //  C < R' Self
+  const auto compose_selfs = [&](RoleId first, RoleId second) {
+    for (const Composition& rule : index_.roles().compositions(first)) {
+      if (rule.second == second) add_self(context, rule.result);
+    }
+  };
+  const std::uint32_t done = contexts_[context].selfs_done;
+  for (std::uint32_t at = 0; at < done; ++at) {
+    const RoleId other = contexts_[context].selfs[at];
+    compose_selfs(role, other);
+    if (other != role) compose_selfs(other, role);
+  }
+}
+
+}  // namespace geminga::el

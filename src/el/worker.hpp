@@ -1,0 +1,100 @@
+// One thread's part of a saturation: applies the rules to one context after the other.
+//
+// A context is worked on by one thread at a time, which alone touches what is in it. What a rule concludes about
+// another context goes there at once where one thread does everything; among many it is posted to the context's inbox,
+// and the thread that finds the inbox at rest puts the context on its own queue. So there is no lock around the closure
+// (threads.hpp says how queues are shared).
+#ifndef GEMINGA_EL_WORKER_HPP
+#define GEMINGA_EL_WORKER_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "el/arena.hpp"
+#include "el/context.hpp"
+#include "el/saturation.hpp"
+
+namespace geminga::el {
+
+class Worker {
+ public:
+  explicit Worker(Saturating& shared)
+      : shared_(shared), index_(shared.index), contexts_(shared.contexts), is_parallel_(shared.is_parallel) {}
+
+  std::uint32_t require(ExprId root);
+  void require_nonempty(std::uint32_t context);
+
+  /// Works through its queue, alone.
+  void run_alone();
+  /// Reads the letters of a context of its queue and works on it until no more come. For one of many.
+  void work_on(std::uint32_t context);
+  void set_parallel(bool is_parallel) { is_parallel_ = is_parallel; }
+  /// The contexts to be worked on, the next one last.
+  [[nodiscard]] std::vector<std::uint32_t>& queue() { return queue_; }
+  [[nodiscard]] std::size_t conclusion_count() const { return conclusions_; }
+  [[nodiscard]] std::size_t link_count() const { return links_; }
+
+ private:
+  static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+
+  // How conclusions travel.
+  [[nodiscard]] bool is_elsewhere(std::uint32_t context) const { return is_parallel_ && context != current_; }
+  void post(std::uint32_t context, const Message& message);
+  void receive(std::uint32_t context, const Message& message);
+  void enqueue(std::uint32_t context);
+  void process(std::uint32_t context);
+
+  // Conclusions: each is noted where it is new.
+  void add_subsumer(std::uint32_t context, ExprId subsumer);
+  void add_link(std::uint32_t from, RoleId role, std::uint32_t to);
+  void add_forward(std::uint32_t from, Link link);
+  void add_bottom(std::uint32_t context);
+  void add_derived_atom(std::uint32_t context, ExprId atom);
+  void add_self(std::uint32_t context, RoleId role);
+  void add_disjointness(std::uint32_t context, std::uint32_t axiom);
+
+  // Rules, by the premise that is new.
+  void process_subsumer(std::uint32_t context, ExprId subsumer);
+  void process_backward(std::uint32_t context, Link link);
+  void process_forward(std::uint32_t context, Link link);
+  void process_self(std::uint32_t context, RoleId role);
+  void apply_conjunctions(std::uint32_t context, std::span<const ConjunctionRule> rules);
+  void compose(std::uint32_t from, RoleId first, RoleId second, std::uint32_t to);
+  void start(std::uint32_t context, std::span<const ExprId> atoms);
+
+  // Functional properties (saturation_functional.cpp).
+  std::uint32_t require_together(const std::vector<ExprId>& atoms);
+  [[nodiscard]] std::vector<ExprId> atoms_of(std::uint32_t context) const;
+  void group_successor(std::uint32_t context, RoleId functional, Link link);
+  void process_functional(std::uint32_t context, Link link);
+  void process_functional_self(std::uint32_t context, RoleId functional);
+
+  // Nominals (saturation_nominals.cpp); one thread only, for they reach into other contexts.
+  void process_nominal(std::uint32_t context, ExprId nominal);
+  void merge_into_nominal(std::uint32_t context, std::uint32_t nominal);
+  void find_selfs(std::uint32_t context, std::uint32_t nominal);
+  void find_self_of_link(std::uint32_t from, RoleId role, std::uint32_t to);
+
+  Saturating& shared_;
+  const Index& index_;
+  ContextStore& contexts_;
+  bool is_parallel_;
+  std::uint32_t current_ = nowhere;
+  std::size_t conclusions_ = 0;
+  std::size_t links_ = 0;
+  std::vector<std::uint32_t> queue_;
+  Arena arena_;
+};
+
+/// The inbox of a context that somebody works on, or has on a queue, while no letter waits.
+[[nodiscard]] inline Letter* being_worked_on() {
+  static const Letter mark;  // only its address is used
+  return const_cast<Letter*>(&mark);
+}
+
+}  // namespace geminga::el
+
+#endif
