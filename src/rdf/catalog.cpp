@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "base/text.hpp"
+#include "rdf/pieces.hpp"
 #include "rdf/scan.hpp"
 
 namespace geminga::rdf {
@@ -32,7 +33,8 @@ std::expected<std::vector<CatalogEntry>, LoadError> read_catalog(const std::stri
   const auto refuse = [&](std::uint32_t line, std::string text) {
     return std::unexpected(LoadError{base::printable(path, 4096), line, std::move(text)});
   };
-  if (auto problem = scan_xml(bytes, limits)) return refuse(problem->line, std::move(problem->text));
+  Pieces pieces(bytes.size());
+  if (auto problem = scan_xml(bytes, limits, pieces)) return refuse(problem->line, std::move(problem->text));
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return refuse(0, "is too large");
   const std::unique_ptr<xmlTextReader, decltype(&xmlFreeTextReader)> reader(
       xmlReaderForMemory(bytes.data(), static_cast<int>(bytes.size()), nullptr, nullptr,

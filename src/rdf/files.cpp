@@ -76,14 +76,12 @@ std::expected<std::vector<std::string>, LoadError> list_folder(const std::string
 FileBytes::FileBytes(FileBytes&& other) noexcept
     : data_(std::exchange(other.data_, nullptr)),
       size_(std::exchange(other.size_, 0)),
-      mapped_(std::exchange(other.mapped_, 0)),
-      released_(std::exchange(other.released_, 0)) {}
+      mapped_(std::exchange(other.mapped_, 0)) {}
 
 FileBytes& FileBytes::operator=(FileBytes&& other) noexcept {
   std::swap(data_, other.data_);
   std::swap(size_, other.size_);
   std::swap(mapped_, other.mapped_);
-  std::swap(released_, other.released_);
   return *this;
 }
 
@@ -91,12 +89,13 @@ FileBytes::~FileBytes() {
   if (mapped_ != 0) munmap(data_, mapped_);
 }
 
-void FileBytes::release(std::size_t bytes) {
+std::size_t FileBytes::release(std::size_t begin, std::size_t end) {
   constexpr std::size_t page = std::size_t{1} << 16;  // coarser than any page that Linux uses for this
-  const std::size_t end = std::min(bytes, size_) / page * page;
-  if (end <= released_) return;
-  madvise(data_ + released_, end - released_, MADV_DONTNEED);
-  released_ = end;
+  begin = (begin + page - 1) / page * page;
+  end = std::min(end, size_) / page * page;
+  if (end <= begin) return begin;
+  madvise(data_ + begin, end - begin, MADV_DONTNEED);
+  return end;
 }
 
 std::expected<FileBytes, LoadError> FileBytes::read(const std::string& path, const Limits& limits) {

@@ -26,14 +26,14 @@ class FileBytes {
   [[nodiscard]] static std::expected<FileBytes, LoadError> read(const std::string& path, const Limits& limits);
 
   [[nodiscard]] std::string_view view() const { return {data_, size_}; }
-  /// The first `bytes` will not be read again: their memory is released, and reads as zero.
-  void release(std::size_t bytes);
+  /// What stands between two places will not be read again: its memory is released as far as it is whole pages, and
+  /// reads as zero. Gives the end of what was released. Several threads may release what only they read.
+  std::size_t release(std::size_t begin, std::size_t end);
 
  private:
   char* data_ = nullptr;
   std::size_t size_ = 0;
   std::size_t mapped_ = 0;
-  std::size_t released_ = 0;
 };
 
 /// The files that the arguments mean: a file is itself; a folder is every ontology file in it (.ttl .nt .rdf .owl

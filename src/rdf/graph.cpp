@@ -41,20 +41,32 @@ const char* Graph::store(std::string_view text) {
 }
 
 NodeId Graph::intern(NodeKind kind, std::string_view text, NodeId datatype, NodeId language) {
-  const std::uint64_t hash = hash_of(kind, text, datatype, language);
-  const std::uint32_t found = table_.find(hash, [&](std::uint32_t number) {
-    const Record& record = nodes_[number];
-    return record.size == text.size() && record.kind == kind && record.datatype == datatype &&
-           record.language == language && std::string_view(record.text, record.size) == text;
-  });
-  if (found != el::NumberTable::none) return NodeId{found};
   const auto number = static_cast<std::uint32_t>(nodes_.size());
+  const std::uint32_t found =
+      table_.find_or_insert(hash_of(kind, text, datatype, language), number, [&](std::uint32_t filed) {
+        const Record& record = nodes_[filed];
+        return record.size == text.size() && record.kind == kind && record.datatype == datatype &&
+               record.language == language && std::string_view(record.text, record.size) == text;
+      });
+  if (found != NodeTable::none) return NodeId{found};
   nodes_.push_back({store(text), static_cast<std::uint32_t>(text.size()), kind, datatype, language});
-  table_.insert(hash, number, [&](std::uint32_t filed) {
-    const Record& record = nodes_[filed];
-    return hash_of(record.kind, {record.text, record.size}, record.datatype, record.language);
-  });
   return NodeId{number};
+}
+
+void Graph::append(const Graph& other) {
+  constexpr auto words = static_cast<std::size_t>(Word::count);
+  std::vector<NodeId> here(other.nodes_.size());
+  for (std::size_t number = 0; number < other.nodes_.size(); ++number) {
+    const Record& record = other.nodes_[number];
+    // A literal comes behind its datatype and language.
+    here[number] = number < words ? NodeId{static_cast<std::uint32_t>(number)}
+                                  : intern(record.kind, {record.text, record.size},
+                                           here[static_cast<std::size_t>(record.datatype)],
+                                           here[static_cast<std::size_t>(record.language)]);
+  }
+  const auto node_here = [&](NodeId node) { return here[static_cast<std::size_t>(node)]; };
+  for (const Triple& triple : other.triples_)
+    triples_.push_back({node_here(triple.subject), node_here(triple.predicate), node_here(triple.object), triple.line});
 }
 
 Node Graph::node(NodeId id) const {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "el/interner.hpp"
+#include "rdf/node_table.hpp"
 #include "rdf/vocabulary.hpp"
 
 namespace geminga::rdf {
@@ -47,6 +47,8 @@ class Graph {
     return intern(NodeKind::literal, lexical, datatype, language);
   }
   void add(const Triple& triple) { triples_.push_back(triple); }
+  /// Adds all triples of another graph, as if they had been read here.
+  void append(const Graph& other);
   /// What is added from now on is of the next file; the first call begins file 0.
   void begin_file() { file_begins_.push_back(triples_.size()); }
 
@@ -88,7 +90,7 @@ class Graph {
   const char* store(std::string_view text);
 
   std::vector<Record> nodes_;
-  el::NumberTable table_;
+  NodeTable table_;
   std::vector<std::unique_ptr<char[]>> chunks_;
   std::size_t chunk_left_ = 0;
   char* chunk_end_ = nullptr;

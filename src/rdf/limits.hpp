@@ -12,6 +12,8 @@ namespace geminga::rdf {
 struct Limits {
   std::size_t files = 10'000;
   std::size_t file_bytes = std::size_t{1} << 30;
+  /// No limit, but where large files are cut to be read by several threads; smaller ones are read whole.
+  std::size_t piece_bytes = std::size_t{2} << 20;
   std::size_t triples = 100'000'000;  ///< of all files together
   /// Of one text: raptor's N-Triples reader is quadratic in it.
   std::size_t literal_bytes = std::size_t{1} << 20;

@@ -156,8 +156,8 @@ std::vector<PrefixConflict> settle_prefixes(const std::vector<DeclaredPrefix>& d
 /// One load, file by file.
 class Loading {
  public:
-  Loading(const std::vector<std::string>& paths, const Limits& limits, const OtherReader& other)
-      : paths_(paths), limits_(limits), other_(other), redland_(limits), headers_(paths) {}
+  Loading(const std::vector<std::string>& paths, const Limits& limits, const OtherReader& other, unsigned threads)
+      : paths_(paths), limits_(limits), other_(other), redland_(limits, threads), headers_(paths) {}
 
   std::optional<LoadError> read(std::size_t number) {
     const std::string& path = paths_[number];
@@ -169,9 +169,10 @@ class Loading {
     if (!syntax) return LoadError{base::printable(path, 4096), 0, syntax.error()};
     if (*syntax == Syntax::functional) return read_other(number, file, bytes->view());
     TurtleLines lines;
-    if (auto problem = scan(*syntax, bytes->view(), limits_, lines))
+    Pieces pieces(limits_.piece_bytes);
+    if (auto problem = scan(*syntax, bytes->view(), limits_, lines, pieces))
       return LoadError{base::printable(path, 4096), problem->line, std::move(problem->text)};
-    return redland_.read(path, *syntax, *bytes, base_iri(path), lines.take(), graph_);
+    return redland_.read(path, *syntax, *bytes, base_iri(path), lines.take(), pieces, graph_);
   }
 
   /// Takes the catalogue of a folder, where there is one: an import that it gives to one of our files is answered.
@@ -243,10 +244,10 @@ class Loading {
 }  // namespace
 
 std::expected<Loaded, LoadError> load(std::span<const std::string> arguments, const Limits& limits,
-                                      const OtherReader& other) {
+                                      const OtherReader& other, unsigned threads) {
   const auto paths = list_files(arguments, limits);
   if (!paths) return std::unexpected(paths.error());
-  Loading loading(*paths, limits, other);
+  Loading loading(*paths, limits, other, threads);
   for (std::size_t number = 0; number < paths->size(); ++number) {
     if (auto error = loading.read(number)) return std::unexpected(std::move(*error));
   }

@@ -58,9 +58,10 @@ struct Loaded {
 /// Reads RDF/XML, Turtle and N-Triples files, and every such file in the folders named. Opens nothing else, whatever
 /// the files say. The first file that is broken, hostile or beyond a limit refuses everything, with its line. The
 /// result does not depend on the order of triples; what is reported first depends on the order of files.
+/// A large file is parsed by as many threads as are given; the result does not depend on them.
 /// Files in OWL functional syntax go to `other`, and are refused where there is none.
 [[nodiscard]] std::expected<Loaded, LoadError> load(std::span<const std::string> arguments, const Limits& limits = {},
-                                                    const OtherReader& other = {});
+                                                    const OtherReader& other = {}, unsigned threads = 1);
 
 }  // namespace geminga::rdf
 

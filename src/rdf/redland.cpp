@@ -1,288 +1,163 @@
-// Callbacks of raptor's parsers. No exception passes through its C frames: a callback that fails stops the parser.
+// Pieces are parsed into graphs of their own and joined in the order of the file.
 #include "rdf/redland.hpp"
 
-#include <libxml/parser.h>
-#include <raptor2.h>
 #include <xxhash.h>
 
 #include <algorithm>
-#include <cstring>
-#include <exception>
-#include <string_view>
-#include <unordered_set>
+#include <condition_variable>
+#include <mutex>
+#include <new>
+#include <system_error>
+#include <thread>
+#include <utility>
 
 #include "base/text.hpp"
-
-#ifdef __SANITIZE_ADDRESS__
-// Raptor's Turtle grammar forgets the terms on its stack at a syntax error. We make no terms ourselves, so that nothing
-// of ours hides behind this.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:raptor_new_term\n"; }
-#endif
 
 namespace geminga::rdf {
 namespace {
 
-/// libxml2 goes on to the end of a chunk after an error, and reports every other one in it.
-constexpr std::size_t chunk_bytes = std::size_t{1} << 16;
+/// More parsers than this would wait for the one that joins their triples.
+constexpr unsigned max_threads = 8;
 
-/// Declared external entities are empty: libxml2 opens nothing.
-xmlParserInputPtr no_external_entity(const char*, const char*, xmlParserCtxtPtr) { return nullptr; }
+/// What one piece became.
+struct ReadPiece {
+  Graph graph;
+  std::vector<std::pair<std::string, std::string>> prefixes;
+  std::uint64_t triples = 0;
+  std::optional<LoadError> error;
+};
 
-const char* parser_name(Syntax syntax) {
-  switch (syntax) {
-    case Syntax::rdf_xml:
-      return "rdfxml";
-    case Syntax::turtle:
-      return "turtle";
-    case Syntax::n_triples:
-      return "ntriples";
-    case Syntax::functional:
-      break;
+/// Hands out the pieces in their order, and takes them back in any.
+class PieceQueue {
+ public:
+  explicit PieceQueue(std::size_t count, unsigned ahead) : done_(count), ahead_(ahead) {}
+
+  /// The next piece to be parsed. Waits while too many are parsed and not joined, since each takes memory.
+  std::optional<std::size_t> next() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return is_stopped_ || given_ == done_.size() || given_ < joined_ + ahead_; });
+    if (is_stopped_ || given_ == done_.size()) return std::nullopt;
+    return given_++;
   }
-  return "";
-}
+  void give_back(std::size_t number, std::unique_ptr<ReadPiece> piece) {
+    const std::lock_guard lock(mutex_);
+    done_[number] = std::move(piece);
+    changed_.notify_all();
+  }
+  /// Waits for a piece; none where memory was short.
+  std::unique_ptr<ReadPiece> take(std::size_t number) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return is_stopped_ || done_[number] != nullptr; });
+    joined_ = number + 1;
+    changed_.notify_all();
+    return std::move(done_[number]);
+  }
+  void stop() {
+    const std::lock_guard lock(mutex_);
+    is_stopped_ = true;
+    changed_.notify_all();
+  }
 
-std::string_view view_of(raptor_uri* uri) {
-  std::size_t size = 0;
-  const auto* text = reinterpret_cast<const char*>(raptor_uri_as_counted_string(uri, &size));
-  return {text, size};
-}
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<std::unique_ptr<ReadPiece>> done_;
+  std::size_t given_ = 0;
+  std::size_t joined_ = 0;
+  std::size_t ahead_;
+  bool is_stopped_ = false;
+};
 
-std::string_view view_of(const unsigned char* text, std::size_t size) {
-  return {reinterpret_cast<const char*>(text), text == nullptr ? 0 : size};
-}
+const LoadError out_of_memory{{}, 0, "needs more memory than there is"};
 
-/// Whether an IRI can be written between angle brackets on one line. What else is odd about it is not our business.
-bool is_writable(std::string_view iri) {
-  return std::ranges::none_of(iri, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '<' || c == '>'; });
-}
+/// Stops at the end of a scope, however it is left.
+struct Stop {
+  PieceQueue& queue;
+  ~Stop() { queue.stop(); }
+};
 
-bool is_comment(NodeId predicate) {
-  switch (static_cast<Word>(predicate)) {
-    case Word::rdfs_comment:
-    case Word::rdfs_see_also:
-    case Word::rdfs_is_defined_by:
-    case Word::owl_version_info:
-      return true;
-    default:
-      return false;
+void parse_pieces(RaptorParser& parser, const FileText& text, PieceQueue& queue) {
+  try {
+    while (const auto number = queue.next()) {
+      auto piece = std::make_unique<ReadPiece>();
+      piece->error = parser.read(text, *number, piece->graph);
+      piece->prefixes = parser.prefixes();
+      piece->triples = parser.triple_count();
+      queue.give_back(*number, std::move(piece));
+    }
+  } catch (const std::exception&) {
+    queue.stop();
   }
 }
 
 }  // namespace
 
-struct Redland::World {
-  explicit World(const Limits& named_limits) : limits(named_limits) {}
-
-  const Limits& limits;
-  raptor_world* world = nullptr;
-  std::vector<DeclaredPrefix> prefixes;
-  std::unordered_set<std::string> known_prefixes;  ///< of the file that is being read
-  std::uint64_t triples = 0;
-
-  // Of the file that is being read.
-  raptor_parser* parser = nullptr;
-  Graph* graph = nullptr;
-  std::uint32_t file = 0;
-  std::string blank_prefix;  ///< the same for the same file on every host: made of its content
-  std::string label;
-  std::string language;
-  std::uint32_t generated = 0;
-  std::vector<std::uint32_t> lines;
-  std::size_t taken = 0;  ///< triples of this file
-  std::optional<LoadError> error;
-  bool out_of_memory = false;
-
-  [[nodiscard]] std::uint32_t line() const {
-    raptor_locator* locator = parser == nullptr ? nullptr : raptor_parser_get_locator(parser);
-    const int number = locator == nullptr ? 0 : raptor_locator_line(locator);
-    return number > 0 ? static_cast<std::uint32_t>(number) : 0;
-  }
-
-  void fail(std::string text) {
-    if (!error) error = LoadError{{}, line(), std::move(text)};
-    if (parser != nullptr) raptor_parser_parse_abort(parser);
-  }
-
-  [[nodiscard]] bool has_failed() const { return error.has_value() || out_of_memory; }
-
-  /// Says nothing that would itself need memory.
-  void stop_for_memory() {
-    out_of_memory = true;
-    if (parser != nullptr) raptor_parser_parse_abort(parser);
-  }
-
-  NodeId node(raptor_term* term) {
-    switch (term->type) {
-      case RAPTOR_TERM_TYPE_URI: {
-        const std::string_view iri = view_of(term->value.uri);
-        if (iri.size() > limits.iri_bytes)
-          fail("has an IRI of more than " + std::to_string(limits.iri_bytes) + " bytes");
-        if (!is_writable(iri)) fail("has an IRI with a control character or an angle bracket in it");
-        return graph->iri(iri);
-      }
-      case RAPTOR_TERM_TYPE_BLANK:
-        label = blank_prefix;
-        label += view_of(term->value.blank.string, term->value.blank.string_len);
-        return graph->blank(label);
-      case RAPTOR_TERM_TYPE_LITERAL:
-        return literal(term->value.literal);
-      default:
-        fail("has a node that is neither IRI, blank node nor literal");
-        return NodeId{};
-    }
-  }
-
-  NodeId literal(const raptor_term_literal_value& value) {
-    const std::string_view lexical = view_of(value.string, value.string_len);
-    if (lexical.size() > limits.literal_bytes)
-      fail("has a literal of more than " + std::to_string(limits.literal_bytes) + " bytes");
-    if (lexical.find('\0') != std::string_view::npos) fail("has a literal with a NUL in it");
-    const NodeId datatype = value.datatype == nullptr ? NodeId{} : graph->iri(view_of(value.datatype));
-    if (value.language == nullptr) return graph->literal(lexical, datatype, NodeId{});
-    // Raptor does this for RDF/XML and not for Turtle. Tags are compared without regard to case (RDF 1.1, section 3.3).
-    language.assign(view_of(value.language, value.language_len));
-    for (char& c : language) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
-    return graph->literal(lexical, datatype, graph->literal(language, NodeId{}, NodeId{}));
-  }
-
-  void take(raptor_statement* statement) {
-    if (error || out_of_memory) return;
-    if (++triples > limits.triples)
-      return fail("is beyond " + std::to_string(limits.triples) + " triples in all files");
-    const std::size_t place = taken++;
-    const NodeId predicate = node(statement->predicate);
-    if (is_comment(predicate)) return;
-    const Triple triple{node(statement->subject), predicate, node(statement->object),
-                        place < lines.size() ? lines[place] : line()};
-    if (!error) graph->add(triple);
-  }
-
-  static void on_statement(void* self, raptor_statement* statement) {
-    auto* world = static_cast<World*>(self);
-    try {
-      world->take(statement);
-    } catch (const std::exception&) {
-      world->stop_for_memory();
-    }
-  }
-
-  static void on_namespace(void* self, raptor_namespace* name) {
-    auto* world = static_cast<World*>(self);
-    raptor_uri* uri = raptor_namespace_get_uri(name);
-    if (uri == nullptr) return;
-    const auto* prefix = reinterpret_cast<const char*>(raptor_namespace_get_prefix(name));
-    try {
-      DeclaredPrefix declared{prefix == nullptr ? "" : prefix, std::string(view_of(uri)), world->file};
-      // The same declaration on every element is common, and has nothing to say.
-      if (!world->known_prefixes.insert(declared.prefix + ' ' + declared.iri).second) return;
-      world->prefixes.push_back(std::move(declared));
-      if (world->prefixes.size() > world->limits.prefixes)
-        world->fail("is beyond " + std::to_string(world->limits.prefixes) + " prefixes in all files");
-    } catch (const std::exception&) {
-      world->stop_for_memory();
-    }
-  }
-
-  static void on_log(void* self, raptor_log_message* message) {
-    auto* world = static_cast<World*>(self);
-    if (message->level < RAPTOR_LOG_LEVEL_ERROR || world->error) return;
-    try {
-      std::string_view text = message->text == nullptr ? "cannot be parsed" : message->text;
-      constexpr std::string_view chatter = "XML parser error: ";
-      if (text.starts_with(chatter)) text.remove_prefix(chatter.size());
-      world->fail(base::printable(text, 300));
-    } catch (const std::exception&) {
-      world->stop_for_memory();
-    }
-  }
-
-  /// Blank nodes that a file names and those that raptor makes up get different first letters, so that `_:genid1` in a
-  /// file is never one that raptor made up.
-  static unsigned char* on_blank(void* self, unsigned char* given) {
-    auto* world = static_cast<World*>(self);
-    const std::size_t given_size = given == nullptr ? 16 : std::strlen(reinterpret_cast<const char*>(given));
-    auto* name = static_cast<char*>(raptor_alloc_memory(given_size + 2));
-    if (name == nullptr) return nullptr;
-    if (given == nullptr) {
-      const std::string number = 'g' + std::to_string(++world->generated);  // short: never allocates
-      std::memcpy(name, number.c_str(), number.size() + 1);
-    } else {
-      name[0] = 'u';
-      std::memcpy(name + 1, given, given_size + 1);
-      raptor_free_memory(given);
-    }
-    return reinterpret_cast<unsigned char*>(name);
-  }
-};
-
-Redland::Redland(const Limits& limits) : world_(std::make_unique<World>(limits)) {
-  xmlSetExternalEntityLoader(no_external_entity);
-  raptor_world* world = raptor_new_world();
-  if (world == nullptr) return;
-  raptor_world_set_flag(world, RAPTOR_WORLD_FLAG_WWW_SKIP_INIT_FINISH, 1);
-  // We intern for ourselves; raptor's tree of all URIs costs a sixth of its time.
-  raptor_world_set_flag(world, RAPTOR_WORLD_FLAG_URI_INTERNING, 0);
-  raptor_world_set_log_handler(world, world_.get(), World::on_log);
-  raptor_world_set_generate_bnodeid_handler(world, world_.get(), World::on_blank);
-  if (raptor_world_open(world) != 0) {
-    raptor_free_world(world);
-    return;
-  }
-  // Opening libxml2 may have put its own loader back.
-  xmlSetExternalEntityLoader(no_external_entity);
-  world_->world = world;
+Redland::Redland(const Limits& limits, unsigned threads)
+    : limits_(limits), threads_(std::clamp(threads, 1U, max_threads)) {
+  parsers_.push_back(std::make_unique<RaptorParser>(limits_));
 }
-
-Redland::~Redland() {
-  if (world_->world != nullptr) raptor_free_world(world_->world);
-}
-
-const std::vector<DeclaredPrefix>& Redland::prefixes() const { return world_->prefixes; }
-std::uint64_t Redland::triple_count() const { return world_->triples; }
 
 std::optional<LoadError> Redland::read(const std::string& path, Syntax syntax, FileBytes& bytes,
-                                       const std::string& base_iri, std::vector<std::uint32_t> lines, Graph& graph) {
-  World& state = *world_;
-  if (state.world == nullptr) return LoadError{path, 0, "cannot be read: Redland does not start, memory is short"};
-  const std::string_view view = without_mark(bytes.view());
-  state.graph = &graph;
-  state.file = static_cast<std::uint32_t>(graph.file_count());
-  state.blank_prefix = "_:" + base::to_hex(XXH3_64bits(view.data(), view.size()), 16) + '.';
-  state.generated = 0;
-  state.lines = std::move(lines);
-  state.taken = 0;
-  state.known_prefixes.clear();
-  state.error.reset();
+                                       const std::string& base_iri, const std::vector<std::uint32_t>& lines,
+                                       const Pieces& pieces, Graph& graph) {
+  const std::string_view view = bytes.view();
+  const std::string blank_prefix = "_:" + base::to_hex(XXH3_64bits(view.data(), view.size()), 16) + '.';
+  const FileText text{bytes, syntax, base_iri, blank_prefix, lines, pieces};
+  known_prefixes_.clear();
   graph.begin_file();
+  auto error = threads_ == 1 || pieces.parts().size() == 1 ? read_in_turn(text, graph) : read_at_once(text, graph);
+  if (error) error->file = base::printable(path, 4096);
+  return error;
+}
 
-  state.parser = raptor_new_parser(state.world, parser_name(syntax));
-  raptor_uri* base = raptor_new_uri(state.world, reinterpret_cast<const unsigned char*>(base_iri.c_str()));
-  if (state.parser == nullptr || base == nullptr) {
-    state.fail("cannot be read: Redland does not start, memory is short");
-  } else {
-    raptor_parser_set_statement_handler(state.parser, &state, World::on_statement);
-    raptor_parser_set_namespace_handler(state.parser, &state, World::on_namespace);
-    raptor_parser_set_option(state.parser, RAPTOR_OPTION_NO_NET, nullptr, 1);
-    raptor_parser_set_option(state.parser, RAPTOR_OPTION_NO_FILE, nullptr, 1);
-    raptor_parser_set_option(state.parser, RAPTOR_OPTION_LOAD_EXTERNAL_ENTITIES, nullptr, 0);
-    int failed = raptor_parser_parse_start(state.parser, base);
-    for (std::size_t place = 0; failed == 0 && !state.has_failed() && place < view.size(); place += chunk_bytes) {
-      const std::string_view chunk = view.substr(place, chunk_bytes);
-      failed = raptor_parser_parse_chunk(state.parser, reinterpret_cast<const unsigned char*>(chunk.data()),
-                                         chunk.size(), 0);
-      bytes.release(place);
-    }
-    if (failed == 0 && !state.has_failed()) failed = raptor_parser_parse_chunk(state.parser, nullptr, 0, 1);
-    if (state.out_of_memory) state.fail("needs more memory than there is");
-    if (failed != 0 && !state.error) state.fail("cannot be parsed");
+std::optional<LoadError> Redland::take_over(const std::vector<std::pair<std::string, std::string>>& prefixes,
+                                            std::uint64_t triples, std::uint32_t file) {
+  for (const auto& [prefix, iri] : prefixes) {
+    if (known_prefixes_.insert(prefix + ' ' + iri).second) prefixes_.push_back({prefix, iri, file});
   }
-  if (base != nullptr) raptor_free_uri(base);
-  if (state.parser != nullptr) raptor_free_parser(state.parser);
-  state.parser = nullptr;
-  if (state.error) state.error->file = base::printable(path, 4096);
-  return std::move(state.error);
+  triples_ += triples;
+  if (prefixes_.size() > limits_.prefixes)
+    return LoadError{{}, 0, "is beyond " + std::to_string(limits_.prefixes) + " prefixes in all files"};
+  if (triples_ > limits_.triples)
+    return LoadError{{}, 0, "is beyond " + std::to_string(limits_.triples) + " triples in all files"};
+  return std::nullopt;
+}
+
+std::optional<LoadError> Redland::read_in_turn(const FileText& text, Graph& graph) {
+  RaptorParser& parser = *parsers_.front();
+  const auto file = static_cast<std::uint32_t>(graph.file_count() - 1);
+  for (std::size_t number = 0; number < text.pieces.parts().size(); ++number) {
+    if (auto error = parser.read(text, number, graph)) return error;
+    if (auto error = take_over(parser.prefixes(), parser.triple_count(), file)) return error;
+  }
+  return std::nullopt;
+}
+
+std::optional<LoadError> Redland::read_at_once(const FileText& text, Graph& graph) {
+  const std::size_t count = text.pieces.parts().size();
+  while (parsers_.size() < std::min<std::size_t>(threads_, count))
+    parsers_.push_back(std::make_unique<RaptorParser>(limits_));
+  PieceQueue queue(count, 2 * static_cast<unsigned>(parsers_.size()));
+  std::vector<std::jthread> workers;
+  const Stop stop{queue};  // before the threads are waited for
+  try {
+    for (const auto& parser : parsers_) workers.emplace_back([&] { parse_pieces(*parser, text, queue); });
+  } catch (const std::system_error&) {
+    if (workers.empty()) return read_in_turn(text, graph);  // fewer are enough
+  }
+  const auto file = static_cast<std::uint32_t>(graph.file_count() - 1);
+  try {
+    for (std::size_t number = 0; number < count; ++number) {
+      const auto piece = queue.take(number);
+      if (piece == nullptr) return out_of_memory;
+      if (piece->error) return std::move(piece->error);
+      graph.append(piece->graph);
+      if (auto error = take_over(piece->prefixes, piece->triples, file)) return error;
+    }
+  } catch (const std::bad_alloc&) {
+    return out_of_memory;
+  }
+  return std::nullopt;
 }
 
 }  // namespace geminga::rdf

@@ -1,7 +1,4 @@
-// The one place that names Redland: a file's bytes go through its raptor parsers as a stream, triples come out.
-//
-// Only raptor is used. librdf's own world would load every storage plug-in that it finds in a system folder, and its
-// storages cost 500 bytes a triple and more; a stream needs neither.
+// From the bytes of a scanned file to triples in a graph, by as many of Redland's parsers at once as there are threads.
 #ifndef GEMINGA_RDF_REDLAND_HPP
 #define GEMINGA_RDF_REDLAND_HPP
 
@@ -9,12 +6,15 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "rdf/error.hpp"
 #include "rdf/files.hpp"
 #include "rdf/graph.hpp"
 #include "rdf/limits.hpp"
+#include "rdf/pieces.hpp"
+#include "rdf/raptor_parser.hpp"
 #include "rdf/syntax.hpp"
 
 namespace geminga::rdf {
@@ -29,27 +29,34 @@ struct DeclaredPrefix {
 /// Redland, opened once for all files of a load. It opens no file and no connection of its own, whatever a file asks.
 class Redland {
  public:
-  explicit Redland(const Limits& limits);
-  Redland(const Redland&) = delete;
-  Redland& operator=(const Redland&) = delete;
-  ~Redland();
+  Redland(const Limits& limits, unsigned threads);
 
   /// Parses one file that was scanned (rdf/scan.hpp) into the graph. `base_iri` is what relative IRIs are relative to.
   /// `lines` are those of the file's triples in their order (rdf/turtle_lines.hpp); beyond them
   /// raptor's own are taken. Stops at the first error. Triples whose predicate can only be a comment are counted and
-  /// not kept.
+  /// not kept. Neither the triples nor an error depend on the number of threads.
   [[nodiscard]] std::optional<LoadError> read(const std::string& path, Syntax syntax, FileBytes& bytes,
-                                              const std::string& base_iri, std::vector<std::uint32_t> lines,
-                                              Graph& graph);
+                                              const std::string& base_iri, const std::vector<std::uint32_t>& lines,
+                                              const Pieces& pieces, Graph& graph);
 
   /// The prefixes of all files so far, in the order of reading.
-  [[nodiscard]] const std::vector<DeclaredPrefix>& prefixes() const;
+  [[nodiscard]] const std::vector<DeclaredPrefix>& prefixes() const { return prefixes_; }
   /// Triples of all files so far, kept or not.
-  [[nodiscard]] std::uint64_t triple_count() const;
+  [[nodiscard]] std::uint64_t triple_count() const { return triples_; }
 
  private:
-  struct World;
-  std::unique_ptr<World> world_;
+  std::optional<LoadError> read_in_turn(const FileText& text, Graph& graph);
+  std::optional<LoadError> read_at_once(const FileText& text, Graph& graph);
+  /// Counts what a piece held, against the limits of all files.
+  std::optional<LoadError> take_over(const std::vector<std::pair<std::string, std::string>>& prefixes,
+                                     std::uint64_t triples, std::uint32_t file);
+
+  const Limits& limits_;
+  std::vector<std::unique_ptr<RaptorParser>> parsers_;  ///< one a thread, opened when it is first needed
+  unsigned threads_;
+  std::vector<DeclaredPrefix> prefixes_;
+  std::unordered_set<std::string> known_prefixes_;  ///< of the file that is being read
+  std::uint64_t triples_ = 0;
 };
 
 }  // namespace geminga::rdf

@@ -46,11 +46,12 @@ std::optional<ScanProblem> scan_text(std::string_view bytes, bool is_utf8) {
   return std::nullopt;
 }
 
-std::optional<ScanProblem> scan(Syntax syntax, std::string_view bytes, const Limits& limits, TurtleLines& lines) {
+std::optional<ScanProblem> scan(Syntax syntax, std::string_view bytes, const Limits& limits, TurtleLines& lines,
+                                Pieces& pieces) {
   if (syntax == Syntax::functional) return std::nullopt;  // its reader looks for itself
-  if (syntax == Syntax::rdf_xml) return scan_xml(bytes, limits);
+  if (syntax == Syntax::rdf_xml) return scan_xml(bytes, limits, pieces);
   if (auto problem = scan_text(bytes, true)) return problem;
-  return scan_turtle(bytes, limits, lines);
+  return scan_turtle(bytes, limits, lines, pieces);
 }
 
 }  // namespace geminga::rdf

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "rdf/pieces.hpp"
 #include "rdf/scan.hpp"
 #include "rdf/turtle_lines.hpp"
 
@@ -11,13 +12,15 @@ namespace {
 
 class TurtleScan {
  public:
-  TurtleScan(std::string_view bytes, const Limits& limits, TurtleLines& lines)
-      : bytes_(bytes), limits_(limits), lines_(lines) {}
+  TurtleScan(std::string_view bytes, const Limits& limits, TurtleLines& lines, Pieces& pieces)
+      : bytes_(bytes), limits_(limits), lines_(lines), pieces_(pieces) {}
 
   std::optional<ScanProblem> run() {
     if (bytes_.starts_with("\xef\xbb\xbf")) place_ = 3;
     while (place_ < bytes_.size() && !problem_) {
+      const std::size_t before = place_;
       step();
+      watch_for_cuts(before);
       if (lines_.statement_triples() > limits_.statement_triples)
         fail(place_,
              "has a statement of more than " + std::to_string(limits_.statement_triples) + " triples: split it");
@@ -68,6 +71,19 @@ class TurtleScan {
       default:
         name();
     }
+  }
+
+  /// Statements can be read one by one behind the directives at the begin of the file, where there are no later ones.
+  void watch_for_cuts(std::size_t before) {
+    if (lines_.is_in_statement()) {
+      if (!has_begun_) pieces_.begin_at(before, line_at(before) - 1);
+      has_begun_ = true;
+    } else if (has_begun_ && lines_.directive_count() != directives_) {
+      pieces_.forbid();
+    } else if (has_begun_ && pieces_.wants(place_)) {
+      pieces_.cut({place_, line_here(), lines_.triple_count()});
+    }
+    if (!has_begun_) directives_ = lines_.directive_count();
   }
 
   /// A run of characters without a break is a name, a number or a keyword; a name may escape what would end it.
@@ -164,6 +180,9 @@ class TurtleScan {
   std::string_view bytes_;
   const Limits& limits_;
   TurtleLines& lines_;
+  Pieces& pieces_;
+  bool has_begun_ = false;      ///< the first statement
+  std::size_t directives_ = 0;  ///< before it
   std::size_t place_ = 0;
   std::size_t counted_ = 0;
   std::uint32_t line_ = 1;
@@ -173,8 +192,9 @@ class TurtleScan {
 
 }  // namespace
 
-std::optional<ScanProblem> scan_turtle(std::string_view bytes, const Limits& limits, TurtleLines& lines) {
-  return TurtleScan(bytes, limits, lines).run();
+std::optional<ScanProblem> scan_turtle(std::string_view bytes, const Limits& limits, TurtleLines& lines,
+                                       Pieces& pieces) {
+  return TurtleScan(bytes, limits, lines, pieces).run();
 }
 
 }  // namespace geminga::rdf

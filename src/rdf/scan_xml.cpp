@@ -4,6 +4,7 @@
 #include <string>
 
 #include "rdf/doctype.hpp"
+#include "rdf/pieces.hpp"
 #include "rdf/scan.hpp"
 
 namespace geminga::rdf {
@@ -28,7 +29,8 @@ bool equals_ignoring_case(std::string_view a, std::string_view b) {
 
 class XmlScan {
  public:
-  XmlScan(std::string_view bytes, const Limits& limits) : bytes_(bytes), limits_(limits) {}
+  XmlScan(std::string_view bytes, const Limits& limits, Pieces& pieces)
+      : bytes_(bytes), limits_(limits), pieces_(pieces) {}
 
   std::optional<ScanProblem> run() {
     while (place_ < bytes_.size() && !problem_) step();
@@ -57,6 +59,7 @@ class XmlScan {
       if (depth_ < literal_depth_) literal_depth_ = 0;
       skip_behind(">", 2, "a tag");
       end_of_tag(begin);
+      if (depth_ == 1 && pieces_.wants(place_)) pieces_.cut({place_, line_here(), 0});
     } else if (!rest.empty()) {
       start_tag();
     }
@@ -148,8 +151,31 @@ class XmlScan {
       return fail("nests elements more than " + std::to_string(limits_.nesting) + " deep");
     ++place_;
     end_of_tag(begin);
-    if (!is_empty_element && literal_depth_ == 0 && makes_literal(bytes_.substr(begin, place_ - begin)))
-      literal_depth_ = depth_;
+    const std::string_view tag = bytes_.substr(begin, place_ - begin);
+    if (!is_empty_element && literal_depth_ == 0 && makes_literal(tag)) literal_depth_ = depth_;
+    if (depth_ == 1 && !is_empty_element) root(tag);
+    if (names_by_id(tag)) pieces_.forbid();  // raptor refuses a name that is given twice in what it reads
+  }
+
+  /// Only what stands directly below rdf:RDF can be read by itself.
+  void root(std::string_view tag) {
+    const std::string_view name = tag.substr(1, tag.find_first_of(" \t\r\n/>") - 1);
+    if (name != "RDF" && !name.ends_with(":RDF")) return pieces_.forbid();
+    pieces_.begin_at(place_, line_here() - 1, "</" + std::string(name) + ">");
+  }
+
+  [[nodiscard]] static bool names_by_id(std::string_view tag) {
+    for (std::size_t at = tag.find(":ID"); at != std::string_view::npos; at = tag.find(":ID", at + 1)) {
+      if (tag.substr(at + 3, 1).find_first_of("= \t\r\n") == 0) return true;
+    }
+    return false;
+  }
+
+  /// The line of the place, which only grows.
+  std::uint32_t line_here() {
+    line_ += line_of(bytes_.substr(counted_), place_ - counted_) - 1;
+    counted_ = place_;
+    return line_;
   }
 
   void doctype() {
@@ -169,7 +195,10 @@ class XmlScan {
 
   std::string_view bytes_;
   const Limits& limits_;
+  Pieces& pieces_;
   std::size_t place_ = 0;
+  std::size_t counted_ = 0;  ///< lines were counted up to here
+  std::uint32_t line_ = 1;
   std::size_t depth_ = 0;
   std::size_t literal_depth_ = 0;  ///< of the element whose content is an XML literal; 0: none is open
   std::size_t text_bytes_ = 0;     ///< character data since the last tag
@@ -180,7 +209,7 @@ class XmlScan {
 
 }  // namespace
 
-std::optional<ScanProblem> scan_xml(std::string_view bytes, const Limits& limits) {
+std::optional<ScanProblem> scan_xml(std::string_view bytes, const Limits& limits, Pieces& pieces) {
   constexpr std::array<std::string_view, 4> utf8_names{"utf-8", "utf8", "us-ascii", "ascii"};
   constexpr std::array<std::string_view, 3> latin1_names{"iso-8859-1", "latin1", "iso_8859-1"};
   const std::string_view encoding = declared_encoding(bytes);
@@ -191,7 +220,7 @@ std::optional<ScanProblem> scan_xml(std::string_view bytes, const Limits& limits
   if (is_latin1 && without_mark(bytes).size() != bytes.size())
     return ScanProblem{1, "begins as UTF-8 and declares ISO-8859-1: correct its declaration"};
   if (auto problem = scan_text(bytes, !is_latin1)) return problem;
-  return XmlScan(bytes, limits).run();
+  return XmlScan(bytes, limits, pieces).run();
 }
 
 }  // namespace geminga::rdf

@@ -19,13 +19,15 @@ void TurtleLines::word(std::string_view text, std::uint32_t line) {
   if (is_statement_start && (text == "@prefix" || is_keyword(text, "prefix"))) {
     directive_left_ = 2;
     ++prefix_count_;
+    ++directive_count_;
   } else if (is_statement_start && (text == "@base" || is_keyword(text, "base"))) {
     directive_left_ = 1;
+    ++directive_count_;
   } else if (text.starts_with('@')) {
     if (text.ends_with('.')) end_statement();  // the language of the literal before it
   } else {
     // A dot at the end of a word ends the statement; a dot alone is punctuation.
-    const bool is_end = text.ends_with('.');
+    const bool is_end = text.ends_with('.') && !text.ends_with("\\.");
     if (text != ".") term(line);
     if (is_end) end_statement();
   }

@@ -29,6 +29,11 @@ class TurtleLines {
   /// Triples of the statement that is open, brackets that were closed included.
   [[nodiscard]] std::size_t statement_triples() const { return statement_triples_; }
   [[nodiscard]] std::size_t prefix_count() const { return prefix_count_; }
+  /// @prefix and @base, and how SPARQL writes them.
+  [[nodiscard]] std::size_t directive_count() const { return directive_count_; }
+  [[nodiscard]] bool is_in_statement() const { return frames_.size() > 1 || frames_.front().next != Place::subject; }
+  /// Triples of the statements that have ended.
+  [[nodiscard]] std::size_t triple_count() const { return lines_.size(); }
   [[nodiscard]] std::vector<std::uint32_t> take() { return std::move(lines_); }
 
  private:
@@ -47,6 +52,7 @@ class TurtleLines {
   std::vector<std::uint32_t> lines_;
   std::size_t statement_triples_ = 0;
   std::size_t prefix_count_ = 0;
+  std::size_t directive_count_ = 0;
   bool is_datatype_next_ = false;
   int directive_left_ = 0;  ///< terms of a directive that are still to come
 };
