@@ -63,7 +63,7 @@ std::uintmax_t size_of(const std::vector<std::string>& files) {
 std::expected<rdf::Loaded, NoKnowledge> load(const std::vector<std::string>& files, Progress& progress) {
   if (const std::uintmax_t octets = size_of(files); octets >= large_octets)
     progress.show("reading " + std::to_string(octets >> 20U) + " MiB", 0, true);
-  auto loaded = rdf::load(files, {}, read_functional);
+  auto loaded = rdf::load(files, {}, read_functional, threads);
   if (loaded) return std::move(*loaded);
   return std::unexpected(NoKnowledge{rdf::to_string(loaded.error()), loaded.error().is_unreadable});
 }
