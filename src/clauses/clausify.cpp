@@ -2,6 +2,7 @@
 #include "clauses/clausify.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "clauses/clausifier.hpp"
 
@@ -21,7 +22,6 @@ void Clausifier::order(std::optional<std::span<const std::uint32_t>> axioms) {
     AxiomKind kind;
     el::ContentHashes::Hash hash;
     std::uint32_t axiom;
-    auto operator<=>(const Entry&) const = default;
   };
   std::vector<Entry> entries;
   const auto add = [&](std::uint32_t number) {
@@ -33,7 +33,10 @@ void Clausifier::order(std::optional<std::span<const std::uint32_t>> axioms) {
   } else {
     for (std::uint32_t number = 0; number < source_.axiom_count(); ++number) add(number);
   }
-  std::ranges::sort(entries);
+  // No defaulted <=>: GCC 12 loses that of the pair in a hash when it optimises.
+  std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
+    return std::tie(a.kind, a.hash, a.axiom) < std::tie(b.kind, b.hash, b.axiom);
+  });
   for (const Entry& entry : entries) {
     const auto arguments = source_.axiom(entry.axiom).arguments;
     axioms_.push_back(

@@ -1,0 +1,180 @@
+// The order of the search, branching and going back.
+#include "tableau/search.hpp"
+
+#include <algorithm>
+
+namespace geminga::tableau {
+
+Tableau::Search::Search(const el::OntologySource& source, const clauses::ClauseSet& set, const Limits& limits)
+    : source_(source), set_(set), limits_(limits), program_(set), values_(source, set) {
+  variables_.assign(256, 0);
+}
+
+void Tableau::Search::clash(DependencySet dependency) {
+  if (has_clash_) return;
+  has_clash_ = true;
+  clash_ = dependency;
+}
+
+bool Tableau::Search::is_over_limit() {
+  if (graph_.node_count() > limits_.nodes) {
+    reason_ = "more than " + std::to_string(limits_.nodes) + " nodes were needed";
+  } else if (steps_ > limits_.steps) {
+    reason_ = "more than " + std::to_string(limits_.steps) + " steps were needed";
+  } else {
+    return false;
+  }
+  return true;
+}
+
+Tableau::Search::Outcome Tableau::Search::run() {
+  while (true) {
+    if (has_clash_) {
+      if (!go_back()) return Outcome::no_model;
+      continue;
+    }
+    if (is_over_limit()) return Outcome::unknown;
+    if (!saturate() || choose() || expand()) continue;
+    check_keys();
+    if (has_clash_ || !merges_.empty()) continue;
+    // A model with values of which not all is known is none.
+    unknown_value_.clear();
+    check_values();
+    if (has_clash_) continue;
+    if (reason_.empty()) reason_ = unknown_value_;
+    return reason_.empty() ? Outcome::model : Outcome::unknown;
+  }
+}
+
+/// Whether no clash came.
+bool Tableau::Search::saturate() {
+  while (!has_clash_) {
+    if (!merges_.empty()) {
+      // In the order in which they came; new ones come behind.
+      for (std::size_t at = 0; at < merges_.size() && !has_clash_; ++at) merge(Merge(merges_[at]));
+      merges_.clear();
+    } else if (processed_ < graph_.facts().size()) {
+      process(processed_++);
+      if (is_over_limit()) return true;
+    } else if (!suspects_.empty()) {
+      const Suspect suspect = suspects_.back();
+      suspects_.pop_back();
+      check(suspect);
+    } else if (values_changed_) {
+      values_changed_ = false;
+      check_values();
+    } else {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether something was done: a branch, a fact without alternatives, or a clash.
+bool Tableau::Search::choose() {
+  while (next_disjunction_ < disjunctions_.size()) {
+    const Disjunction disjunction = disjunctions_[next_disjunction_++];
+    if (disjunction.bound != none) {
+      DependencySet dependency = disjunction.dependency;
+      const Suspect suspect{graph_.current(disjunction.node, sets_, dependency), disjunction.bound};
+      if (!graph_.is_active(suspect.node)) continue;
+      enforce(suspect, dependency);
+      if (has_clash_ || !merges_.empty() || processed_ < graph_.facts().size()) return true;
+      continue;
+    }
+    DependencySet dependency = disjunction.dependency;
+    std::vector<Choice> alternatives;
+    bool is_done = false;
+    for (std::uint32_t at = disjunction.begin; at < disjunction.end; ++at) {
+      Choice choice = choices_[at];
+      choice.a = graph_.current(choice.a, sets_, dependency);
+      choice.b = graph_.current(choice.b, sets_, dependency);
+      is_done = is_done || !graph_.is_active(choice.a) || !graph_.is_active(choice.b) || holds(choice);
+      if (!is_done && !is_impossible(choice)) alternatives.push_back(choice);
+    }
+    if (is_done) continue;
+    if (alternatives.empty()) {
+      clash(dependency);
+    } else if (alternatives.size() == 1) {
+      apply(alternatives.front(), dependency);
+    } else {
+      branch(std::move(alternatives), dependency, {none, none});
+    }
+    return true;
+  }
+  return false;
+}
+
+void Tableau::Search::branch(std::vector<Choice> alternatives, DependencySet dependency, Suspect suspect) {
+  const auto number = static_cast<std::uint32_t>(branches_.size());
+  const Choice first = alternatives.front();
+  branches_.push_back({state(), std::move(alternatives), 0, dependency, no_dependency, suspect});
+  apply(first, unite(dependency, sets_.single(number)));
+  if (suspect.node != none) suspects_.push_back(suspect);
+}
+
+/// Takes the next alternative of the branch that is to blame. False: there is none, and no model.
+bool Tableau::Search::go_back() {
+  if (clash_ == no_dependency) return false;
+  const std::uint32_t number = sets_.last(clash_);
+  branches_.resize(number + 1);
+  Branch& branch = branches_.back();
+  restore(branch.state);
+  branch.failed = unite(branch.failed, sets_.without_last(clash_));
+  has_clash_ = false;
+  if (number < base_branches_) {
+    base_.reset();
+    base_branches_ = 0;
+  }
+  const Choice choice = branch.alternatives[++branch.next];
+  const Suspect suspect = branch.suspect;
+  if (branch.next + 1 < branch.alternatives.size()) {
+    apply(choice, unite(branch.dependency, sets_.single(number)));
+  } else {
+    // The last one does not depend on the choice, but on what made the others fail.
+    const DependencySet dependency = unite(branch.dependency, branch.failed);
+    branches_.pop_back();
+    apply(choice, dependency);
+  }
+  if (suspect.node != none) suspects_.push_back(suspect);
+  if (has_question_ && graph_.mark().facts <= question_mark_) ask();
+  return true;
+}
+
+void Tableau::Search::check_values() {
+  if (const auto dependency = values_.clash(graph_, sets_, unknown_value_)) clash(*dependency);
+}
+
+Tableau::Search::State Tableau::Search::state() const {
+  return {graph_.mark(),   processed_,           disjunctions_.size(), next_disjunction_,
+          choices_.size(), existentials_.size(), done_.size(),         introduced_.size()};
+}
+
+void Tableau::Search::restore(const State& state) {
+  graph_.cut(state.mark);
+  processed_ = state.processed;
+  disjunctions_.resize(state.disjunctions);
+  next_disjunction_ = state.next_disjunction;
+  choices_.resize(state.choices);
+  while (done_.size() > state.done) {
+    existentials_[done_.back()].is_done = false;
+    done_.pop_back();
+  }
+  existentials_.resize(state.existentials);
+  introduced_.resize(state.introduced);
+  merges_.clear();
+  suspects_.clear();
+  values_changed_ = false;
+}
+
+void Tableau::Search::reset() {
+  restore({});
+  branches_.clear();
+  sets_.clear();
+  base_.reset();
+  base_branches_ = 0;
+  has_clash_ = false;
+  individuals_.clear();
+}
+
+}  // namespace geminga::tableau

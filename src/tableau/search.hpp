@@ -1,0 +1,217 @@
+// The search for a model: derive what must hold, choose where there is a choice, go back to the choice that is to
+// blame.
+//
+// Everything that a branch adds lies above its mark on stacks, so that going back cuts and never copies. A fact that
+// comes twice keeps its first dependency set. Facts are looked at in the order in which they came; a clause is matched
+// when the last of its body atoms is, so each match is found once.
+#ifndef GEMINGA_TABLEAU_SEARCH_HPP
+#define GEMINGA_TABLEAU_SEARCH_HPP
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tableau/graph.hpp"
+#include "tableau/program.hpp"
+#include "tableau/tableau.hpp"
+#include "tableau/value_check.hpp"
+
+namespace geminga::tableau {
+
+/// One thing that may be made true.
+enum class ChoiceKind : std::uint8_t {
+  concept_of,
+  role,
+  data_role,
+  equal,
+  at_least,
+  at_most,
+  data_range,
+  data_at_least,
+  introduce,  ///< NI rule: a is the individual number `predicate` of those that bound `bound` allows b
+};
+struct Choice {
+  ChoiceKind kind = ChoiceKind::concept_of;
+  std::uint32_t predicate = 0;
+  NodeId a = 0;
+  NodeId b = 0;
+  std::uint32_t bound = 0;
+};
+
+class Tableau::Search {
+ public:
+  Search(const el::OntologySource& source, const clauses::ClauseSet& set, const Limits& limits);
+
+  Answer is_consistent();
+  Answer is_satisfiable(std::vector<clauses::ConceptId> together);
+  [[nodiscard]] const Model& model() const { return model_; }
+
+ private:
+  struct Merge {
+    NodeId a = 0;
+    NodeId b = 0;
+    DependencySet dependency = no_dependency;
+  };
+  /// A bound that a node may exceed.
+  struct Suspect {
+    NodeId node = 0;
+    std::uint32_t bound = 0;
+  };
+  /// Alternatives of which one must hold, or a bound that must be enforced by a choice (`bound`).
+  struct Disjunction {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+    DependencySet dependency = no_dependency;
+    NodeId node = none;
+    std::uint32_t bound = none;
+  };
+  struct Existential {
+    FactId fact = 0;
+    bool is_done = false;
+  };
+  struct Introduced {
+    NodeId node = 0;
+    std::uint32_t bound = 0;
+    std::uint32_t number = 0;
+    NodeId root = 0;
+  };
+  /// Sizes of all stacks.
+  struct State {
+    Mark mark;
+    FactId processed = 0;
+    std::size_t disjunctions = 0;
+    std::size_t next_disjunction = 0;
+    std::size_t choices = 0;
+    std::size_t existentials = 0;
+    std::size_t done = 0;
+    std::size_t introduced = 0;
+  };
+  struct Branch {
+    State state;
+    std::vector<Choice> alternatives;
+    std::size_t next = 0;
+    DependencySet dependency = no_dependency;  ///< of the disjunction
+    DependencySet failed = no_dependency;      ///< of the alternatives that failed, without this branch
+    Suspect suspect{none, none};               ///< to be looked at again whatever is chosen
+  };
+  struct Neighbour {
+    NodeId node = 0;
+    DependencySet dependency = no_dependency;
+  };
+  enum class Outcome : std::uint8_t { model, no_model, unknown };
+
+  // search.cpp: the order of things
+  Outcome run();
+  bool saturate();
+  bool choose();
+  void branch(std::vector<Choice> alternatives, DependencySet dependency, Suspect suspect);
+  bool go_back();
+  [[nodiscard]] State state() const;
+  void restore(const State& state);
+  void reset();
+  bool is_over_limit();
+  void clash(DependencySet dependency);
+
+  // questions.cpp
+  void load_individuals();
+  void load_facts();
+  void ask();
+  Answer answer(Outcome outcome);
+  void write_model();
+  void check_keys();
+  bool agree(const clauses::Key& key, NodeId first, NodeId second, DependencySet& dependency);
+  DependencySet unite(DependencySet first, DependencySet second) { return sets_.unite(first, second); }
+
+  // derive.cpp: facts and clauses
+  void process(FactId id);
+  void process_concept(const Fact& fact, FactId id);
+  void fire(const Plan& plan, FactId id);
+  void match(const Plan& plan, std::span<const Step> steps, FactId limit, DependencySet dependency);
+  void match_each(const Plan& plan, std::span<const Step> steps, FactId limit, DependencySet dependency);
+  void conclude(const Plan& plan, DependencySet dependency);
+  void add_disjunction(std::vector<Choice>& alternatives, DependencySet dependency);
+  [[nodiscard]] Choice choice_of(const clauses::Atom& atom, NodeId a, NodeId b) const;
+  [[nodiscard]] bool holds(const Choice& choice);
+  [[nodiscard]] bool is_impossible(const Choice& choice);
+  void apply(Choice choice, DependencySet dependency);
+  void add_fact(FactKind kind, std::uint32_t predicate, NodeId a, NodeId b, DependencySet dependency);
+  void add_unequal(NodeId a, NodeId b, DependencySet dependency);
+  NodeId add_node(NodeKind kind, NodeId parent, DependencySet dependency);
+
+  // bounds.cpp: at-most
+  void suspect_role(std::uint32_t property, NodeId from, NodeId to, bool is_data);
+  void suspect_filler(std::uint32_t id, NodeId node);
+  void suspect(NodeId node, std::uint32_t bound) { suspects_.push_back({node, bound}); }
+  void check(const Suspect& suspect);
+  void check_conditional(const Suspect& suspect, DependencySet dependency);
+  [[nodiscard]] bool is_bound(const Suspect& suspect, DependencySet& dependency) const;
+  std::vector<Neighbour> counted(const Suspect& suspect);
+  bool counts(const Bound& bound, NodeId node, DependencySet& dependency);
+  bool introduce(const Suspect& suspect, std::span<const Neighbour> neighbours, DependencySet dependency);
+  void enforce(const Suspect& suspect, DependencySet dependency);
+  NodeId introduced(NodeId node, std::uint32_t bound, std::uint32_t number);
+
+  // merge.cpp
+  void merge(const Merge& merge);
+  [[nodiscard]] bool is_kept(NodeId node, NodeId other) const;
+  void copy_facts(NodeId from, NodeId to, DependencySet dependency);
+
+  // expand.cpp: at-least and blocking
+  bool expand();
+  void expand_object(const Fact& fact);
+  void expand_data(const Fact& fact);
+  [[nodiscard]] bool is_satisfied(const Fact& fact);
+  bool give_to_neighbour(const Fact& fact);
+  void find_blocked();
+  [[nodiscard]] bool blocks(NodeId blocker, NodeId node) const;
+  [[nodiscard]] bool has_same_edges(NodeId node, NodeId other) const;
+
+  // Values.
+  void check_values();
+  [[nodiscard]] std::optional<bool> is_constant_in(NodeId node, std::uint32_t range);
+
+  const el::OntologySource& source_;
+  const clauses::ClauseSet& set_;
+  Limits limits_;
+  Program program_;
+  ValueCheck values_;
+  DependencySets sets_;
+  Graph graph_;
+
+  FactId processed_ = 0;
+  bool has_clash_ = false;
+  DependencySet clash_ = no_dependency;
+  bool values_changed_ = false;
+  std::vector<Merge> merges_;
+  std::vector<Suspect> suspects_;
+  std::vector<Choice> choices_;
+  std::vector<Disjunction> disjunctions_;
+  std::size_t next_disjunction_ = 0;
+  std::vector<Existential> existentials_;
+  std::vector<std::uint32_t> done_;
+  std::vector<Introduced> introduced_;
+  std::vector<Branch> branches_;
+  std::vector<NodeId> variables_;  ///< of the clause that is matched
+  std::vector<NodeId> individuals_;
+  std::vector<bool> is_named_;  ///< by node, for keys
+  std::size_t steps_ = 0;
+  std::string reason_;
+  std::string unknown_value_;
+
+  std::vector<clauses::ConceptId> question_;
+  bool has_question_ = false;
+  std::size_t question_mark_ = 0;
+  NodeId question_node_ = none;
+  std::optional<Outcome> consistency_;
+  std::string consistency_reason_;
+  Model consistent_model_;
+  std::optional<State> base_;  ///< a model of the facts, onto which questions are put
+  std::size_t base_branches_ = 0;
+  Model model_;
+};
+
+}  // namespace geminga::tableau
+
+#endif

@@ -1,0 +1,39 @@
+// Whether the values of a model under construction exist: constants, ranges, and which must differ.
+#ifndef GEMINGA_TABLEAU_VALUE_CHECK_HPP
+#define GEMINGA_TABLEAU_VALUE_CHECK_HPP
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clauses/clause.hpp"
+#include "tableau/graph.hpp"
+
+namespace geminga::tableau {
+
+/// Knows the value spaces of one ClauseSet.
+class ValueCheck {
+ public:
+  ValueCheck(const el::OntologySource& source, const clauses::ClauseSet& set);
+
+  /// Whether the lexical form is certainly not of its datatype.
+  [[nodiscard]] bool is_ill_formed(el::TermId literal) const;
+  /// Whether a literal is in a data range; nothing where it cannot be known.
+  [[nodiscard]] std::optional<bool> is_in(el::TermId literal, std::uint32_t range);
+  /// Whether two literals certainly have different values.
+  [[nodiscard]] bool are_different(el::TermId first, el::TermId second);
+  /// The first literal that was asked about with the same value.
+  [[nodiscard]] el::TermId representative(el::TermId literal);
+  /// The facts because of which the values that are active cannot all exist; nothing where they can. `unknown` is set
+  /// to a reason where that could not be found out.
+  [[nodiscard]] std::optional<DependencySet> clash(const Graph& graph, DependencySets& sets, std::string& unknown);
+
+ private:
+  const el::OntologySource& source_;
+  const clauses::ClauseSet& set_;
+};
+
+}  // namespace geminga::tableau
+
+#endif
