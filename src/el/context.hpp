@@ -70,6 +70,7 @@ class Propagations {
   template <typename Apply>
   void visit(const Roles& roles, RoleId link_role, Apply&& apply) {
     settle();
+    scanned_ += rules_.size() - sorted_;
     for (const ExistentialRule& rule : std::span(rules_.begin() + sorted_, rules_.end())) {
       if (roles.is_sub_role(link_role, rule.role)) apply(rule.existential);
     }
@@ -82,7 +83,7 @@ class Propagations {
   }
   void clear(Arena& arena) {
     rules_.clear(arena);
-    sorted_ = 0;
+    sorted_ = scanned_ = 0;
   }
   [[nodiscard]] std::uint32_t size() const { return rules_.size(); }
   [[nodiscard]] const ExistentialRule* data() const { return rules_.data(); }
@@ -90,10 +91,11 @@ class Propagations {
   [[nodiscard]] const ExistentialRule* end() const { return rules_.end(); }
 
  private:
-  /// Sorts what came since, when it is worth it.
+  /// Sorts what came since, when scanning it over and over has cost as much: most contexts have a link or two.
   void settle() {
     const std::uint32_t tail = rules_.size() - sorted_;
-    if (tail <= 16 + sorted_ / 16) return;
+    if (tail <= 16 + sorted_ / 16 || scanned_ < 8 * std::uint64_t{tail} + sorted_) return;
+    scanned_ = 0;
     const auto by_role = [](const ExistentialRule& a, const ExistentialRule& b) { return a.role < b.role; };
     std::sort(rules_.begin() + sorted_, rules_.end(), by_role);
     std::inplace_merge(rules_.begin(), rules_.begin() + sorted_, rules_.end(), by_role);
@@ -102,6 +104,7 @@ class Propagations {
 
   ArenaList<ExistentialRule> rules_;
   std::uint32_t sorted_ = 0;
+  std::uint32_t scanned_ = 0;
 };
 
 /// What one context tells another.

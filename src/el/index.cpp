@@ -120,7 +120,10 @@ bool Index::finish(std::size_t max_pairs) {
   find_functional();
   find_nominals();
   find_active();
-  return find_frontiers(max_pairs);
+  if (!find_frontiers(max_pairs)) return false;
+  find_rule_bits();
+  find_link_roots();
+  return true;
 }
 
 void Index::inherit_ranges() {
@@ -170,7 +173,7 @@ void Index::flatten_one(ExprId sub, ExprId super) {
         break;
       case ExprKind::existential: {
         const RoleId role{expr.first};
-        link_pairs_.emplace_back(number(sub), LinkRule{role, link_target(role, ExprId{expr.second})});
+        link_pairs_.emplace_back(number(sub), LinkRule{role, link_target(role, ExprId{expr.second}), {}});
         break;
       }
       case ExprKind::self:
@@ -335,6 +338,27 @@ bool Index::find_frontiers(std::size_t max_items) {
     frontier_count_[id] = static_cast<std::uint32_t>(frontier_items_.size()) - frontier_begin_[id];
   }
   return true;
+}
+
+void Index::find_rule_bits() {
+  rule_bits_.assign(exprs_.size(), 0);
+  for (std::uint32_t id = 0; id < exprs_.size(); ++id) {
+    const bool is_atom = exprs_[id].kind <= ExprKind::nominal;
+    const bool has[] = {is_told_bottom_[id],        is_atom ? frontier_count_[id] != 0 : !told_atoms_[id].empty(),
+                        !links_[id].empty(),        !selfs_[id].empty(),
+                        !conjunctions_[id].empty(), !existentials_[id].empty(),
+                        !disjointness_[id].empty(), !functional_roles_[id].empty()};
+    for (std::size_t bit = 0; bit < std::size(has); ++bit) {
+      if (has[bit]) rule_bits_[id] = static_cast<std::uint8_t>(rule_bits_[id] | 1U << bit);
+    }
+  }
+}
+
+void Index::find_link_roots() {
+  for (LinkRule& link : links_.mutable_items()) {
+    // By a functional role the successor may turn out to be this one itself, which then is in the target, too.
+    link.root = may_be_functional(link.role) ? link.target : link_root(link.target);
+  }
 }
 
 ExprId Index::link_root(ExprId target) const {

@@ -54,7 +54,21 @@ struct ExistentialRule {
 struct LinkRule {
   RoleId role{};
   ExprId target{};
+  ExprId root{};  ///< the atom in whose context the link ends, which may be one above the target
   friend auto operator<=>(const LinkRule&, const LinkRule&) = default;
+};
+
+/// Which rules an expression has, as bits. Most have one or two: whoever asks this first reads one octet instead of a
+/// row of each table, which are as many misses of the cache.
+enum class RuleBits : std::uint8_t {
+  bottom = 1,
+  above = 2,
+  links = 4,
+  selfs = 8,
+  conjunctions = 16,
+  existentials = 32,
+  disjointness = 64,
+  functional = 128,
 };
 
 /// Built by the normaliser, finished once, then only read, by any number of threads.
@@ -107,6 +121,9 @@ class Index {
   [[nodiscard]] std::span<const ExprId> frontier(ExprId id) const {
     return std::span(frontier_items_).subspan(frontier_begin_[number(id)], frontier_count_[number(id)]);
   }
+  [[nodiscard]] bool has_rules(ExprId id, RuleBits kind) const {
+    return (rule_bits_[number(id)] & static_cast<std::uint8_t>(kind)) != 0;
+  }
   [[nodiscard]] bool is_told_bottom(ExprId id) const { return is_told_bottom_[number(id)]; }
   [[nodiscard]] std::span<const LinkRule> links(ExprId id) const { return links_[number(id)]; }
   [[nodiscard]] std::span<const RoleId> selfs(ExprId id) const { return selfs_[number(id)]; }
@@ -150,6 +167,8 @@ class Index {
   void find_functional();
   void find_nominals();
   void find_active();
+  void find_rule_bits();
+  void find_link_roots();
   [[nodiscard]] bool find_frontiers(std::size_t max_items);
   template <typename Item>
   Rows<Item> rows_of(std::vector<std::pair<std::uint32_t, Item>>& pairs) const;
@@ -190,6 +209,7 @@ class Index {
   std::vector<ExprId> frontier_items_;
   std::vector<std::uint32_t> frontier_begin_;
   std::vector<std::uint32_t> frontier_count_;
+  std::vector<std::uint8_t> rule_bits_;
 };
 
 }  // namespace geminga::el

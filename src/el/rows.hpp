@@ -34,6 +34,8 @@ class Rows {
     return std::span(items_).subspan(begin_[row], begin_[row + 1] - begin_[row]);
   }
 
+  [[nodiscard]] std::span<Item> mutable_items() { return items_; }
+
   /// Sorts each row and drops what is equal to its neighbour.
   void sort_unique() {
     std::uint32_t out = 0;

@@ -28,62 +28,71 @@ void Worker::add_derived_atom(std::uint32_t context, ExprId atom) {
 
 void Worker::process_subsumer(std::uint32_t context, ExprId subsumer) {
   Context& self = contexts_[context];
+  const auto has = [&](RuleBits rules) { return index_.has_rules(subsumer, rules); };
 
   //  C < D
   //  ----- [D < F is told]
   //  C < F
-  if (index_.is_told_bottom(subsumer)) return add_bottom(context);
+  if (has(RuleBits::bottom)) return add_bottom(context);
 
   //  C < D
   //  ----- [D < E is told]; of an atom D the taxonomy knows it, of others it must be noted
   //  C < E
-  if (index_.is_atom(subsumer)) {
-    for (const ExprId above : index_.frontier(subsumer)) add_subsumer(context, above);
-  } else {
-    for (const ExprId above : index_.told_atoms(subsumer)) add_derived_atom(context, above);
+  if (has(RuleBits::above)) {
+    if (index_.is_atom(subsumer)) {
+      for (const ExprId above : index_.frontier(subsumer)) add_subsumer(context, above);
+    } else {
+      for (const ExprId above : index_.told_atoms(subsumer)) add_derived_atom(context, above);
+    }
   }
 
   //  C < D
   //  -------- [D < R some E is told]
   //  C -R-> E
-  for (const LinkRule& link : index_.links(subsumer)) {
-    // By a functional role the successor may turn out to be this one itself, which then is in the target, too.
-    const bool may_be_itself = index_.may_be_functional(link.role);
-    add_link(context, link.role, require(may_be_itself ? link.target : index_.link_root(link.target)));
+  if (has(RuleBits::links)) {
+    for (const LinkRule& link : index_.links(subsumer)) add_link(context, link.role, require(link.root));
   }
 
   //  C < D
   //  ---------- [D < R Self is told]
   //  C < R Self
-  for (const RoleId role : index_.selfs(subsumer)) add_self(context, role);
+  if (has(RuleBits::selfs)) {
+    for (const RoleId role : index_.selfs(subsumer)) add_self(context, role);
+  }
 
   //  C < D   C < E
   //  ------------- [D and E occurs negatively]
   //  C < D and E
-  apply_conjunctions(context, index_.conjunctions(subsumer));
+  if (has(RuleBits::conjunctions)) apply_conjunctions(context, index_.conjunctions(subsumer));
 
   //  C -R-> D   D < E
   //  ---------------- [S some E occurs negatively, R <* S]; here the second premise is new
   //  C < S some E
-  for (const ExistentialRule& rule : index_.existentials(subsumer)) {
-    self.propagations.add(rule, arena_);
-    for (std::uint32_t at = 0; at < self.backward_done; ++at) {
-      const Link link = self.backward[at];
-      if (index_.roles().is_sub_role(link.role, rule.role)) add_subsumer(link.context, rule.existential);
+  if (has(RuleBits::existentials)) {
+    for (const ExistentialRule& rule : index_.existentials(subsumer)) {
+      self.propagations.add(rule, arena_);
+      for (std::uint32_t at = 0; at < self.backward_done; ++at) {
+        const Link link = self.backward[at];
+        if (index_.roles().is_sub_role(link.role, rule.role)) add_subsumer(link.context, rule.existential);
+      }
     }
   }
 
-  for (const std::uint32_t axiom : index_.disjointness(subsumer)) add_disjointness(context, axiom);
-  if (self.is_unsatisfiable) return;
+  if (has(RuleBits::disjointness)) {
+    for (const std::uint32_t axiom : index_.disjointness(subsumer)) add_disjointness(context, axiom);
+    if (self.is_unsatisfiable) return;
+  }
 
   //  C < D   C -R-> E
   //  ---------------- [D has at most one S, R <* S]; here the first premise is new
   //  E is the one S successor, as below
-  for (const RoleId functional : index_.functional_roles(subsumer)) {
-    for (std::uint32_t at = 0; at < self.forward_done && !self.is_unsatisfiable; ++at) {
-      group_successor(context, functional, self.forward[at]);
+  if (has(RuleBits::functional)) {
+    for (const RoleId functional : index_.functional_roles(subsumer)) {
+      for (std::uint32_t at = 0; at < self.forward_done && !self.is_unsatisfiable; ++at) {
+        group_successor(context, functional, self.forward[at]);
+      }
+      process_functional_self(context, functional);
     }
-    process_functional_self(context, functional);
   }
   if (index_.has_nominals() && !self.is_unsatisfiable) process_nominal(context, subsumer);
 }
