@@ -54,15 +54,19 @@ void recentre(std::vector<RuleAtom>& atoms) {
 
 }  // namespace
 
-Centring::Centring(const clauses::ClauseSet& clauses) : clauses_(clauses) {}
+Centring::Centring(const el::OntologySource& source, const clauses::ClauseSet& clauses, bool with_facts)
+    : source_(source), clauses_(clauses), with_facts_(with_facts) {}
 
 CentredRules Centring::run() {
+  if (with_facts_) gather_facts();
   number_predicates();
   make_expansions();
   for (const clauses::Clause& clause : clauses_.clauses) add_clause(clause);
-  add_facts();
+  if (with_facts_) add_facts();
+  add_values();
   std::ranges::sort(result_.rules);
   result_.rules.erase(std::ranges::unique(result_.rules).begin(), result_.rules.end());
+  find_gaps();
   return std::move(result_);
 }
 
@@ -79,53 +83,66 @@ void Centring::number_predicates() {
   }
   thing_ = result_.predicate_of[number(clauses::thing)];
   nothing_ = result_.predicate_of[number(clauses::nothing)];
+  constexpr std::uint32_t none = 0xffffffffU;
+  result_.nominal_of.assign(clauses_.individuals.size(), none);
+  for (std::size_t i = 0; i < clauses_.concepts.size(); ++i) {
+    if (clauses_.concepts[i].kind != clauses::ConceptKind::nominal) continue;
+    result_.nominal_of[number(clauses_.concepts[i].individual)] = result_.predicate_of[i];
+  }
+  for (std::uint32_t& nominal : result_.nominal_of) {
+    if (nominal == none) nominal = next++;
+  }
   result_.first_marker = next;
-  next += static_cast<std::uint32_t>(clauses_.at_leasts.size() + clauses_.data_at_leasts.size());
+  next += static_cast<std::uint32_t>(clauses_.at_leasts.size() + clauses_.data_at_leasts.size() + links_.size() +
+                                     (with_facts_ ? clauses_.data_facts.size() : 0));
   at_most_base_ = next;
   next += static_cast<std::uint32_t>(clauses_.at_mosts.size() + clauses_.data_at_mosts.size());
-  range_base_ = next;
-  for (std::size_t i = 0; i < clauses_.data_ranges.size(); ++i) result_.range_predicate.push_back(next++);
+  const std::size_t ranges = clauses_.data_ranges.size() + fact_values_.size();
+  for (std::size_t i = 0; i < ranges; ++i) range_predicate_.push_back(next++);
   result_.predicate_count = next;
   data_role_base_ = static_cast<std::uint32_t>(clauses_.properties.size());
   result_.role_count = data_role_base_ + static_cast<std::uint32_t>(clauses_.data_properties.size());
 }
 
+std::uint32_t Centring::add_expansion(std::uint32_t count, Atoms atoms) {
+  Expansion& expansion = result_.expansions.emplace_back();
+  if (count > max_functions - functions_) {
+    result_.gaps.push_back("more than " + std::to_string(max_functions) + " successors are named");
+  } else {
+    expansion = {functions_, count, std::move(atoms)};
+    functions_ += count;
+  }
+  return result_.first_marker + static_cast<std::uint32_t>(result_.expansions.size() - 1);
+}
+
 void Centring::make_expansions() {
-  std::uint32_t functions = 0;
-  const auto expand = [&](std::uint32_t count, RuleAtom role, std::uint32_t filler, bool is_everything) {
-    Expansion& expansion = result_.expansions.emplace_back();
-    if (count > max_functions - functions) {
-      result_.gaps.emplace_back("more than " + std::to_string(max_functions) + " successors are named");
-      return;
-    }
-    expansion.first_function = functions;
-    expansion.count = count;
-    functions += count;
-    expansion.atoms.push_back(role);
-    if (!is_everything) expansion.atoms.push_back({LiteralKind::unary, 1, 0, filler});
+  const auto role_of = [](const clauses::Role& role) {
+    return RuleAtom{role.is_inverse ? LiteralKind::incoming : LiteralKind::outgoing, 1, 0, number(role.property)};
+  };
+  const auto data_role_of = [this](clauses::DataPropertyId property) {
+    return RuleAtom{LiteralKind::outgoing, 1, 0, data_role_base_ + number(property)};
   };
   for (const clauses::AtLeast& at_least : clauses_.at_leasts) {
-    const auto kind = at_least.role.is_inverse ? LiteralKind::incoming : LiteralKind::outgoing;
-    const RuleAtom filler = concept_atom(at_least.filler, 1);
-    expand(at_least.count, {kind, 1, 0, number(at_least.role.property)}, filler.predicate, filler.predicate == thing_);
-    const auto marker = result_.first_marker + static_cast<std::uint32_t>(result_.expansions.size() - 1);
-    if (filler.predicate == nothing_) add({{LiteralKind::unary, 0, 0, marker}}, {});
+    Atoms atoms{role_of(at_least.role)};
+    if (at_least.filler != clauses::thing) atoms.push_back(concept_atom(at_least.filler, 1));
+    const std::uint32_t marker = add_expansion(at_least.count, std::move(atoms));
+    if (at_least.filler == clauses::nothing) add({{LiteralKind::unary, 0, 0, marker}}, {});
   }
   for (const clauses::DataAtLeast& at_least : clauses_.data_at_leasts) {
+    Atoms atoms{data_role_of(at_least.property)};
     const std::uint32_t range = number(at_least.range);
-    expand(at_least.count, {LiteralKind::outgoing, 1, 0, data_role_base_ + number(at_least.property)},
-           result_.range_predicate[range], range == 0);
+    if (range != 0) atoms.push_back({LiteralKind::unary, 1, 0, range_predicate_[range]});
+    static_cast<void>(add_expansion(at_least.count, std::move(atoms)));
   }
   std::uint32_t marker = at_most_base_;
   for (const clauses::AtMost& at_most : clauses_.at_mosts) {
-    const auto kind = at_most.role.is_inverse ? LiteralKind::incoming : LiteralKind::outgoing;
-    add_at_most(marker++, at_most.count, {kind, 1, 0, number(at_most.role.property)},
-                concept_atom(at_most.filler, 0).predicate);
+    add_at_most(marker++, at_most.count, role_of(at_most.role), concept_atom(at_most.filler, 0).predicate);
   }
   for (const clauses::DataAtMost& at_most : clauses_.data_at_mosts) {
-    const std::uint32_t filler = number(at_most.range) == 0 ? thing_ : result_.range_predicate[number(at_most.range)];
-    add_at_most(marker++, at_most.count, {LiteralKind::outgoing, 1, 0, data_role_base_ + number(at_most.property)},
-                filler);
+    const std::uint32_t range = number(at_most.range);
+    if (range != 1)
+      add_at_most(marker, at_most.count, data_role_of(at_most.property), range == 0 ? thing_ : range_predicate_[range]);
+    ++marker;
   }
 }
 
@@ -192,7 +209,7 @@ bool Centring::convert(const clauses::Atom& atom, bool is_head, Atoms& atoms, bo
     case AtomKind::data_range:
       if (atom.predicate == (is_head ? 0U : 1U)) is_redundant = true;
       if (atom.predicate > 1) {
-        atoms.push_back({LiteralKind::unary, atom.first, 0, result_.range_predicate[atom.predicate]});
+        atoms.push_back({LiteralKind::unary, atom.first, 0, range_predicate_[atom.predicate]});
       }
       return true;
     case AtomKind::at_most:
@@ -223,6 +240,13 @@ void Centring::add_clause(const clauses::Clause& clause) {
 
 void Centring::add(Atoms body, Atoms head) {
   const std::uint8_t last = std::max(greatest_variable(body), greatest_variable(head));
+  for (std::uint8_t variable = 1; variable <= last; ++variable) {
+    const auto is_guard = [&](const RuleAtom& atom) { return is_role_atom(atom) && atom.first == variable; };
+    if ((mentions(body, variable) || mentions(head, variable)) && std::ranges::none_of(body, is_guard)) {
+      result_.gaps.emplace_back("a clause about what is no neighbour");
+      return;
+    }
+  }
   bool speaks_of_centre = false;
   bool speaks_of_neighbours = false;
   for (const RuleAtom& atom : body) {
@@ -230,8 +254,8 @@ void Centring::add(Atoms body, Atoms head) {
     (atom.first == 0 ? speaks_of_centre : speaks_of_neighbours) = true;
   }
   // A range, R(x,y) -> B(y), is said at the neighbour, too: there its concepts are known already, most often B.
-  const bool is_range = last == 1 && !speaks_of_centre && !head.empty() && !mentions(head, 0) &&
-                        std::ranges::none_of(head, is_role_atom);
+  const bool is_range =
+      last == 1 && !speaks_of_centre && !head.empty() && !mentions(head, 0) && std::ranges::none_of(head, is_role_atom);
   if (last == 1 && !speaks_of_centre && (speaks_of_neighbours || is_range)) {
     recentre(body);
     recentre(head);
@@ -279,9 +303,25 @@ std::uint32_t Centring::name_for(const Atoms& about_neighbour, bool is_role) {
   return made;
 }
 
+void Centring::shorten(Atoms& body) {
+  constexpr std::size_t longest = 32;
+  while (static_cast<std::size_t>(std::ranges::count(body, std::uint8_t{0}, &RuleAtom::first)) > longest) {
+    Atoms taken;
+    Atoms left;
+    for (const RuleAtom& atom : body) {
+      (atom.first == 0 && taken.size() < longest ? taken : left).push_back(atom);
+    }
+    const std::uint32_t name = result_.predicate_count++;
+    add_centred(std::move(taken), {{LiteralKind::unary, 0, 0, name}});
+    left.push_back({LiteralKind::unary, 0, 0, name});
+    body = std::move(left);
+  }
+}
+
 void Centring::add_centred(Atoms body, Atoms head) {
   std::ranges::sort(body);
   body.erase(std::ranges::unique(body).begin(), body.end());
+  shorten(body);
   std::ranges::sort(head);
   head.erase(std::ranges::unique(head).begin(), head.end());
   // Neighbours are numbered without holes, so that a rule's variables are what its neighbours say.
@@ -302,10 +342,5 @@ void Centring::add_centred(Atoms body, Atoms head) {
   rule.is_ordered = is_symmetric(rule);
   result_.rules.push_back(std::move(rule));
 }
-
-//  B(a)    becomes  {a} < B
-//  R(a,b)  becomes  {a} < some R.{b}  and  {b} < some R-.{a}
-//  a = b   becomes  {a} < {b}  and  {b} < {a};  "a is not b" becomes  {a} and {b} < F
-void Centring::add_facts() {}
 
 }  // namespace geminga::consequence

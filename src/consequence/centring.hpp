@@ -16,6 +16,7 @@
 
 #include "clauses/clause.hpp"
 #include "consequence/literal.hpp"
+#include "el/source.hpp"
 
 namespace geminga::consequence {
 
@@ -54,7 +55,7 @@ struct CentredRules {
   std::uint32_t role_count = 0;
   std::vector<std::uint32_t> predicate_of;         ///< of each ConceptId
   std::vector<clauses::ConceptId> query_concepts;  ///< of each predicate below query_count
-  std::vector<std::uint32_t> range_predicate;      ///< of each DataRangeId
+  std::vector<std::uint32_t> nominal_of;           ///< of each IndividualId, the predicate {a}
   std::uint32_t first_marker = 0;                  ///< predicates from here on have an expansion, while there are any
   std::vector<Expansion> expansions;
   std::vector<std::string> gaps;
@@ -65,7 +66,8 @@ inline constexpr std::uint32_t max_at_most = 64;
 
 class Centring {
  public:
-  explicit Centring(const clauses::ClauseSet& clauses);
+  /// `with_facts`: what is said of individuals becomes rules, too.
+  Centring(const el::OntologySource& source, const clauses::ClauseSet& clauses, bool with_facts);
   /// Centres the clauses, and those that facts stand for. To be called once.
   [[nodiscard]] CentredRules run();
 
@@ -74,24 +76,39 @@ class Centring {
 
   void number_predicates();
   void make_expansions();
-  void add_clause(const clauses::Clause& clause);
+  [[nodiscard]] std::uint32_t add_expansion(std::uint32_t count, Atoms atoms);
   void add_at_most(std::uint32_t marker, std::uint32_t count, RuleAtom role, std::uint32_t filler);
-  void add_facts();
+  void add_clause(const clauses::Clause& clause);
   /// Adds a rule whose body may speak of neighbours' concepts.
   void add(Atoms body, Atoms head);
   void add_centred(Atoms body, Atoms head);
+  /// Replaces the centre's concepts in a long body by names for some of them.
+  void shorten(Atoms& body);
   [[nodiscard]] std::uint32_t name_for(const Atoms& about_neighbour, bool is_role);
   /// Appends what the atom is in this calculus; false: it is true where it stands in a body, false in a head.
   [[nodiscard]] bool convert(const clauses::Atom& atom, bool is_head, Atoms& atoms, bool& is_redundant) const;
   [[nodiscard]] RuleAtom concept_atom(clauses::ConceptId of, std::uint8_t variable) const;
 
+  // facts.cpp
+  void gather_facts();
+  void add_facts();
+  void add_values();
+  void find_gaps();
+
+  const el::OntologySource& source_;
   const clauses::ClauseSet& clauses_;
+  bool with_facts_;
   CentredRules result_;
-  std::uint32_t range_base_ = 0;
+  std::vector<std::uint32_t> range_predicate_;       ///< of each DataRangeId, then of the values of data facts
+  std::map<el::TermId, std::uint32_t> fact_values_;  ///< the position among them
+  /// What is known between two individuals, about variable 1 as a neighbour of the first.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Atoms> links_;
   std::uint32_t at_most_base_ = 0;
   std::uint32_t data_role_base_ = 0;
+  std::uint32_t functions_ = 0;
   std::uint32_t thing_ = 0;
   std::uint32_t nothing_ = 0;
+  bool is_finite_ = false;  ///< some data range is
   std::map<std::pair<Atoms, bool>, std::uint32_t> names_;
 };
 

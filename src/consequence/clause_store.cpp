@@ -96,8 +96,7 @@ bool ClauseStore::is_redundant(std::span<const Literal> body, std::span<const Li
 ClauseNumber ClauseStore::insert(std::span<const Literal> body, std::span<const Literal> head, std::size_t maximal) {
   const auto number = static_cast<ClauseNumber>(clauses_.size());
   clauses_.push_back({static_cast<std::uint32_t>(literals_.size()), static_cast<std::uint16_t>(body.size()),
-                      static_cast<std::uint16_t>(head.size()), State::waiting, signature_of(body),
-                      signature_of(head)});
+                      static_cast<std::uint16_t>(head.size()), State::waiting, signature_of(body), signature_of(head)});
   literals_.insert(literals_.end(), body.begin(), body.end());
   literals_.insert(literals_.end(), head.begin(), head.end());
   drop_implied(number);
@@ -118,8 +117,8 @@ void ClauseStore::drop_implied(ClauseNumber clause) {
   };
   if (by.head == 0) {
     if (by.body == 0) return;
-    const Lists* const filed = lists(in_body(*std::ranges::min_element(
-        body(clause), {}, [&](Literal literal) { return size_of(in_body(literal)); })));
+    const Lists* const filed = lists(in_body(
+        *std::ranges::min_element(body(clause), {}, [&](Literal literal) { return size_of(in_body(literal)); })));
     if (filed != nullptr) drop_implied(by, filed->others);
     return;
   }

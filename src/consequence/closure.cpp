@@ -31,15 +31,21 @@ using clauses::number;
 
 }  // namespace
 
-Closure saturate(const el::OntologySource& source, const clauses::ClauseSet& clauses,
-                 std::span<const ConceptId> wanted, const Options& options) {
-  static_cast<void>(source);
-  const Rules rules(Centring(clauses).run());
+Closure saturate(const el::OntologySource& source, const clauses::ClauseSet& clauses, std::span<const ConceptId> wanted,
+                 const Options& options) {
+  const Rules rules(Centring(source, clauses, options.facts).run());
   const CentredRules& vocabulary = rules.vocabulary();
   std::vector<std::uint32_t> wanted_predicates;
   for (const ConceptId asked : wanted) wanted_predicates.push_back(vocabulary.predicate_of[number(asked)]);
   Saturation saturation(rules, wanted_predicates, options.clauses);
-  const Context& everything = saturation.context_for({}, 0);
+  // Something exists, and each individual does.
+  const auto exists = [&](ContextKey&& key) {
+    saturation.post(saturation.context_for(std::move(key), 0), MessageKind::exists, nullptr, x_term, {}, {}, 0);
+  };
+  exists({});
+  if (options.facts) {
+    for (const std::uint32_t nominal : vocabulary.nominal_of) exists({{unary(nominal, x_term)}});
+  }
   for (const ConceptId asked : wanted) {
     if (asked != clauses::nothing) static_cast<void>(saturation.context_for(key_of(vocabulary, asked), 0));
   }
@@ -47,14 +53,14 @@ Closure saturate(const el::OntologySource& source, const clauses::ClauseSet& cla
 
   Closure closure;
   closure.gaps = vocabulary.gaps;
-  if (saturation.is_cut_off()) {
+  if (saturation.is_cut_off() && !saturation.is_contradictory()) {
     closure.gaps.push_back("more than " + std::to_string(options.clauses) + " clauses were derived");
   }
   std::ranges::sort(closure.gaps);
   closure.gaps.erase(std::ranges::unique(closure.gaps).begin(), closure.gaps.end());
   closure.contexts = saturation.context_count();
   closure.derived = saturation.clause_count();
-  closure.is_consistent = !everything.is_unsatisfiable;
+  closure.is_consistent = !saturation.is_contradictory();
   for (const ConceptId asked : wanted) {
     if (!closure.is_consistent || asked == clauses::nothing) {
       closure.subsumers.push_back({clauses::nothing});

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "clauses/clause.hpp"
@@ -17,8 +18,18 @@ namespace geminga::consequence {
 
 struct Options {
   unsigned threads = 1;
+  /// Whether to look at facts, too. Without them is_consistent is about the rest, and fact_gap and key_gap never stand.
+  bool facts = true;
   std::size_t clauses = 20'000'000;  ///< derived ones, of all contexts together; beyond it the closure is incomplete
 };
+
+/// Gaps. The first two are about facts alone: where there is no other, the subsumers of named classes are complete as
+/// long as the facts are consistent, which is then undecided unless is_consistent is false.
+inline constexpr std::string_view fact_gap = "facts about properties, together with alternatives";
+inline constexpr std::string_view key_gap = "owl:hasKey";
+inline constexpr std::string_view nominal_gap = "owl:oneOf, owl:hasValue";
+inline constexpr std::string_view range_gap = "data ranges that are more than datatypes and single values";
+inline constexpr std::string_view value_gap = "numbers of values of finite data ranges";
 
 /// What follows. Always sound; complete where `gaps` is empty.
 struct Closure {
@@ -32,7 +43,8 @@ struct Closure {
   std::size_t derived = 0;  ///< clauses
 };
 
-/// The result depends neither on the order of clauses nor on the number of threads.
+/// The result depends neither on the order of clauses nor on the number of threads, save for the counts, and save for a
+/// closure that was cut off. Builds only what the concepts asked for lead to (and, with `facts`, the individuals).
 [[nodiscard]] Closure saturate(const el::OntologySource& source, const clauses::ClauseSet& clauses,
                                std::span<const clauses::ConceptId> wanted, const Options& options = {});
 

@@ -37,6 +37,9 @@ enum class MessageKind : std::uint8_t {
   edge,     ///< the things f(x) of the sender are there; the body's literals may hold of them
   no_edge,  ///< they have moved to another context
   clause,   ///< of the successor f(x), in the successor's names
+  exists,   ///< some thing is in the context for certain
+  inherit,  ///< the sender's things are the nominal that the receiver is about
+  fact,     ///< the head's literal holds for certain
 };
 struct Message {
   MessageKind kind = MessageKind::start;
@@ -67,6 +70,7 @@ struct Successor {
   Term replaced_by{};             ///< where true -> f(x) = t is known; f itself where not
   bool is_certain = false;        ///< something about it has an empty body
   bool is_changed = false;        ///< since Succ has seen it
+  bool knows_existence = false;   ///< the target has been told that it exists
   std::vector<Literal> literals;  ///< maximal literals about it, as this context names them
   std::vector<Literal> certain;   ///< A(x) that certainly hold of it
   std::vector<Literal> possible;  ///< whatever else may
@@ -86,6 +90,7 @@ struct Context {
   /// Whether its units answer questions, see Rules::is_query().
   bool answers_queries = false;
   bool is_unsatisfiable = false;
+  bool is_nonempty = false;  ///< some thing is in it for certain; see nominals.cpp
   ClauseStore store;
   std::vector<Literal> unit_queue;
   std::vector<ClauseNumber> clause_queue;
@@ -95,6 +100,9 @@ struct Context {
   std::vector<ClauseNumber> for_all_edges;  ///< clauses with an empty body that every predecessor gets
   std::vector<Literal> units_for_edges;
   std::vector<ForeignClause> foreign;
+  std::vector<std::uint32_t> nominals;  ///< that x is
+  std::vector<Literal> facts;           ///< that were told
+  std::vector<Context*> inheritors;
 
   SpinLock lock;  ///< guards what follows
   std::vector<Message> inbox;

@@ -2,9 +2,9 @@
 //
 // A context speaks of one thing x, its predecessor y, and its successors f(x). The order of Bate et al. (section 4,
 // definition 3) wants: f(x) > x > y; a literal is above what is left when one of its terms is replaced by a smaller
-// one; and what may be passed to the predecessor, the literals over y and x alone, is below everything else. It is total
-// here, so that a head has one maximal literal - but for the query literals of contexts that answer questions, see
-// is_query() in rules.hpp.
+// one; and what may be passed to the predecessor, the literals over y and x alone, is below everything else. It is
+// total here, so that a head has one maximal literal - but for the query literals of contexts that answer questions,
+// see is_query() in rules.hpp.
 //
 // Legend: x y f(x) g(x) as above, s t any of them, A B concepts (numbers of predicates), R S roles.
 #ifndef GEMINGA_CONSEQUENCE_LITERAL_HPP
@@ -35,8 +35,8 @@ enum class LiteralKind : std::uint8_t {
   reflexive,  ///< R(t, t)
 };
 
-/// Bits 40 to 63 hold the greatest term - but y's number for all that has no term beyond x and y, save A(x) and R(x, x) -
-/// bits 36 to 39 the kind, bits 0 to 31 the predicate or the smaller term.
+/// Bits 40 to 63 hold the greatest term - but y's number for all that has no term beyond x and y, save A(x) and R(x, x)
+/// - bits 36 to 39 the kind, bits 0 to 31 the predicate or the smaller term.
 struct Literal {
   std::uint64_t bits = 0;
   friend auto operator<=>(const Literal&, const Literal&) = default;
@@ -78,6 +78,10 @@ inline constexpr Literal no_literal{~std::uint64_t{0}};
 [[nodiscard]] constexpr Literal successor_key(Term f) { return in_body(make_literal(LiteralKind::different, f, 0)); }
 [[nodiscard]] constexpr Literal edge_key(Term f, std::uint32_t context) {
   return in_body(make_literal(static_cast<LiteralKind>(6), f, context));
+}
+/// Which term is known to be a nominal's one thing.
+[[nodiscard]] constexpr Literal nominal_key(std::uint32_t predicate) {
+  return in_body(make_literal(static_cast<LiteralKind>(7), x_term, predicate));
 }
 /// All t with R(x, t) or, where `is_incoming`, R(t, x).
 [[nodiscard]] constexpr Literal neighbours(std::uint32_t role, bool is_incoming) {

@@ -62,7 +62,8 @@ void Worker::tell_predecessors(ClauseNumber clause) {
   const auto body = store.body(clause);
   const auto head = store.head(clause);
   // What merely says that what is so is so is of no use there.
-  if (std::ranges::any_of(body, [&](Literal literal) { return std::ranges::find(head, literal) != head.end(); })) return;
+  if (std::ranges::any_of(body, [&](Literal literal) { return std::ranges::find(head, literal) != head.end(); }))
+    return;
   if (body.empty()) {
     context_->for_all_edges.push_back(clause);
     for (const Edge& edge : context_->edges) {
@@ -79,7 +80,7 @@ void Worker::tell_predecessors(ClauseNumber clause) {
 
 void Worker::receive_clause(const Message& message, std::span<const Literal> body, std::span<const Literal> head) {
   Context& self = *context_;
-  if (self.is_unsatisfiable || is_replaced(message.f)) return;
+  if (self.is_unsatisfiable || (is_successor(message.f) && is_replaced(message.f))) return;
   ForeignClause clause;
   for (const Literal literal : head) {
     const Literal seen = seen_by_predecessor(literal, message.f);

@@ -22,6 +22,8 @@ Rules::Rules(CentredRules centred) : centred_(std::move(centred)) {
     marker_of_.insert(marker_of_.end(), expansion.count,
                       static_cast<std::uint32_t>(&expansion - centred_.expansions.data()));
   }
+  is_nominal_.resize(centred_.predicate_count);
+  for (const std::uint32_t nominal : centred_.nominal_of) is_nominal_[nominal] = true;
   take_out_inclusions();
   drop_pure();
   expand_heads();
@@ -80,9 +82,12 @@ const std::vector<RuleAtom>& Rules::supers(std::uint32_t role) {
 bool Rules::is_used(const RuleAtom& atom) {
   switch (atom.kind) {
     case LiteralKind::unary: {
-      if (atom.predicate < centred_.query_count || is_used_unary_[atom.predicate]) return true;
+      if (atom.predicate < centred_.query_count || is_used_unary_[atom.predicate] || is_nominal_[atom.predicate]) {
+        return true;
+      }
       const Expansion* const made = expansion(atom.predicate);
-      return made != nullptr && std::ranges::any_of(made->atoms, [this](const RuleAtom& part) { return is_used(part); });
+      return made != nullptr &&
+             std::ranges::any_of(made->atoms, [this](const RuleAtom& part) { return is_used(part); });
     }
     case LiteralKind::outgoing:
     case LiteralKind::incoming:
@@ -165,7 +170,6 @@ void Rules::index() {
   is_unary_trigger_.assign(centred_.predicate_count, false);
   for (std::uint32_t number = 0; number < centred_.rules.size(); ++number) {
     const Rule& rule = centred_.rules[number];
-    if (rule.head.size() > 1) is_horn_ = false;
     if (rule.body.empty()) always_.push_back(number);
     const bool is_told = rule.body.size() == 1 && rule.body[0].kind == LiteralKind::unary && rule.head.size() == 1 &&
                          rule.head[0].kind == LiteralKind::unary && rule.neighbours == 0;
@@ -190,6 +194,7 @@ void Rules::index() {
   for (std::size_t i = 0; i < centred_.expansions.size(); ++i) {
     is_unary_trigger_[centred_.first_marker + i] = true;
   }
+  for (const std::uint32_t nominal : centred_.nominal_of) is_unary_trigger_[nominal] = true;
   told_ = el::Rows<Literal>(centred_.predicate_count, told);
   told_.sort_unique();
   unary_ = el::Rows<Occurrence>(centred_.predicate_count, unary_occurrences);

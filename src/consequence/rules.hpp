@@ -1,4 +1,5 @@
-// The ontology as the saturation reads it: centred rules without what cannot matter, found by each atom of their bodies.
+// The ontology as the saturation reads it: centred rules without what cannot matter, found by each atom of their
+// bodies.
 #ifndef GEMINGA_CONSEQUENCE_RULES_HPP
 #define GEMINGA_CONSEQUENCE_RULES_HPP
 
@@ -68,8 +69,8 @@ class Rules {
     return literal.term() == x_term && literal.kind() == LiteralKind::unary &&
            literal.predicate() < centred_.query_count;
   }
-  /// Whether all rules have at most one literal in their heads.
-  [[nodiscard]] bool is_horn() const { return is_horn_; }
+  [[nodiscard]] bool is_nominal(std::uint32_t predicate) const { return is_nominal_[predicate]; }
+  [[nodiscard]] bool has_nominals() const { return !centred_.nominal_of.empty(); }
   [[nodiscard]] const CentredRules& vocabulary() const { return centred_; }
 
  private:
@@ -96,7 +97,7 @@ class Rules {
   std::vector<std::uint32_t> always_;
   std::vector<bool> is_unary_trigger_;
   std::vector<std::uint32_t> marker_of_;  ///< of each function, the index of its expansion
-  bool is_horn_ = true;
+  std::vector<bool> is_nominal_;
 };
 
 }  // namespace geminga::consequence

@@ -34,6 +34,12 @@ class Saturation {
 
   /// Counts clauses; false: there were too many, all stop.
   bool count(std::size_t clauses);
+  /// An individual cannot exist: nothing else matters.
+  void contradict() {
+    is_contradictory_.store(true, std::memory_order_relaxed);
+    give_up();
+  }
+  [[nodiscard]] bool is_contradictory() const { return is_contradictory_.load(std::memory_order_relaxed); }
   void give_up() { is_cut_off_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool is_cut_off() const { return is_cut_off_.load(std::memory_order_relaxed); }
   [[nodiscard]] std::size_t clause_count() const { return clauses_.load(std::memory_order_relaxed); }
@@ -67,6 +73,7 @@ class Saturation {
   std::atomic<std::size_t> clauses_{0};
   std::atomic<std::size_t> context_count_{0};
   std::atomic<bool> is_cut_off_{false};
+  std::atomic<bool> is_contradictory_{false};
 };
 
 }  // namespace geminga::consequence

@@ -70,6 +70,7 @@ void Worker::apply_succ(Successor& successor) {
     }
     successor.target = &saturation_.context_for(std::move(key), number_);
     successor.told = 0;
+    successor.knows_existence = false;
   } else if (successor.told == successor.possible.size()) {
     return;
   }
@@ -77,6 +78,7 @@ void Worker::apply_succ(Successor& successor) {
   body_.clear();
   std::ranges::set_difference(successor.possible, successor.target->key.core, std::back_inserter(body_));
   saturation_.post(*successor.target, MessageKind::edge, context_, successor.f, body_, {}, number_);
+  tell_existence(successor);
 }
 
 }  // namespace geminga::consequence

@@ -54,6 +54,15 @@ void Worker::receive() {
       case MessageKind::clause:
         receive_clause(message, body, head);
         break;
+      case MessageKind::exists:
+        receive_existence();
+        break;
+      case MessageKind::inherit:
+        receive_inheritor(message.from);
+        break;
+      case MessageKind::fact:
+        receive_fact(head[0]);
+        break;
     }
     file_conclusions();
   }
@@ -100,6 +109,7 @@ void Worker::start() {
 void Worker::activate_unit(Literal literal) {
   if (!context_->store.set(literal, ClauseStore::active_unit)) return;
   activate({no_clause, literal});
+  if (rules_.has_nominals()) apply_nominals(literal);
   if (is_of_predecessor(literal)) tell_predecessors(literal);
 }
 
@@ -160,7 +170,8 @@ void Worker::activate(Premise premise) {
           store.lists_of(neighbours(literal.predicate(), is_incoming))
               .maximal.push_back(static_cast<std::uint32_t>(x_term));
         }
-        for (const Occurrence& found : rules_.with_role(literal.predicate(), is_incoming)) hyper(premise, found, x_term);
+        for (const Occurrence& found : rules_.with_role(literal.predicate(), is_incoming))
+          hyper(premise, found, x_term);
       }
       for (const Occurrence& found : rules_.with_reflexive(literal.predicate())) hyper(premise, found, x_term);
       break;
@@ -176,8 +187,12 @@ void Worker::become_unsatisfiable() {
   if (self.is_unsatisfiable) return;
   self.is_unsatisfiable = true;
   ++derived_;
+  if (self.is_nonempty) saturation_.contradict();
   for (const Edge& edge : self.edges) {
     if (edge.is_live) tell(edge, {}, {});
+  }
+  for (Context* const inheritor : self.inheritors) {
+    saturation_.post(*inheritor, MessageKind::clause, context_, x_term, {}, {}, number_);
   }
   self.store.clear();
   self.unit_queue = {};
@@ -186,6 +201,8 @@ void Worker::become_unsatisfiable() {
   self.changed_successors = {};
   self.edges = {};
   self.foreign = {};
+  self.nominals = {};
+  self.inheritors = {};
 }
 
 void Worker::file_conclusions() {

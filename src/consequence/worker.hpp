@@ -101,6 +101,17 @@ class Worker {
   void tell_predecessors(Literal unit);
   void tell(const Edge& edge, std::span<const Literal> body, std::span<const Literal> head);
 
+  // nominals.cpp
+  void apply_nominals(Literal unit);
+  void apply_nominal(Literal unit);
+  [[nodiscard]] bool is_context_of(std::uint32_t nominal) const;
+  void tell_nominal(std::uint32_t nominal, Literal unit);
+  void tell_nominal_all(std::uint32_t nominal);
+  void receive_fact(Literal fact);
+  void receive_inheritor(Context* inheritor);
+  void receive_existence();
+  void tell_existence(Successor& successor);
+
   Saturation& saturation_;
   const Rules& rules_;
   unsigned number_;

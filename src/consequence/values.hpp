@@ -1,0 +1,36 @@
+// What is known about data ranges: which cannot hold of one value together.
+//
+// Ranges occur in heads only, so that all there is to know is which sets of them are empty. For datatypes of OWL 2's
+// map, literals, and complements of either the empty sets of one or two are found; what else may be empty is a gap.
+#ifndef GEMINGA_CONSEQUENCE_VALUES_HPP
+#define GEMINGA_CONSEQUENCE_VALUES_HPP
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clauses/clause.hpp"
+#include "el/source.hpp"
+
+namespace geminga::consequence {
+
+struct ValueConflicts {
+  std::vector<std::size_t> empty;                             ///< ranges that have no value
+  std::vector<std::pair<std::size_t, std::size_t>> disjoint;  ///< pairs that have none in common
+  /// Of each range that is one literal's value: its number among the values, from 1; 0 for other ranges. Ranges with
+  /// different numbers are disjoint, and not listed as such, because there may be very many.
+  std::vector<std::uint32_t> value_number;
+  bool is_finite = false;  ///< a range has finitely many values, so that counting them may matter
+  std::vector<std::string> gaps;
+};
+
+/// About these ranges, numbered by their positions.
+[[nodiscard]] ValueConflicts conflicts_of(const el::OntologySource& source,
+                                          std::span<const clauses::DatatypeDefinition> definitions,
+                                          std::span<const clauses::DataRange> ranges);
+
+}  // namespace geminga::consequence
+
+#endif
