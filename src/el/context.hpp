@@ -60,53 +60,6 @@ class RareList {
   std::unique_ptr<std::vector<T>> items_;
 };
 
-/// The existential rules of a context; those of one role stand together, but for the last few. A hub of a large
-/// ontology has thousands, of which one link concerns a handful.
-class Propagations {
- public:
-  using value_type = ExistentialRule;
-  void add(const ExistentialRule& rule, Arena& arena) { rules_.push_back(rule, arena); }
-  /// Calls `apply(existential)` for each rule of a role that the link's role is below.
-  template <typename Apply>
-  void visit(const Roles& roles, RoleId link_role, Apply&& apply) {
-    settle();
-    scanned_ += rules_.size() - sorted_;
-    for (const ExistentialRule& rule : std::span(rules_.begin() + sorted_, rules_.end())) {
-      if (roles.is_sub_role(link_role, rule.role)) apply(rule.existential);
-    }
-    if (sorted_ == 0) return;
-    for (const RoleId super : roles.supers(link_role)) {
-      const ExistentialRule* rule =
-          std::ranges::lower_bound(rules_.begin(), rules_.begin() + sorted_, super, {}, &ExistentialRule::role);
-      for (; rule != rules_.begin() + sorted_ && rule->role == super; ++rule) apply(rule->existential);
-    }
-  }
-  void clear(Arena& arena) {
-    rules_.clear(arena);
-    sorted_ = scanned_ = 0;
-  }
-  [[nodiscard]] std::uint32_t size() const { return rules_.size(); }
-  [[nodiscard]] const ExistentialRule* data() const { return rules_.data(); }
-  [[nodiscard]] const ExistentialRule* begin() const { return rules_.begin(); }
-  [[nodiscard]] const ExistentialRule* end() const { return rules_.end(); }
-
- private:
-  /// Sorts what came since, when scanning it over and over has cost as much: most contexts have a link or two.
-  void settle() {
-    const std::uint32_t tail = rules_.size() - sorted_;
-    if (tail <= 16 + sorted_ / 16 || scanned_ < 8 * std::uint64_t{tail} + sorted_) return;
-    scanned_ = 0;
-    const auto by_role = [](const ExistentialRule& a, const ExistentialRule& b) { return a.role < b.role; };
-    std::sort(rules_.begin() + sorted_, rules_.end(), by_role);
-    std::inplace_merge(rules_.begin(), rules_.begin() + sorted_, rules_.end(), by_role);
-    sorted_ = rules_.size();
-  }
-
-  ArenaList<ExistentialRule> rules_;
-  std::uint32_t sorted_ = 0;
-  std::uint32_t scanned_ = 0;
-};
-
 /// What one context tells another.
 struct Message {
   enum class Kind : std::uint8_t {
@@ -141,10 +94,10 @@ struct alignas(64) Context {
   std::uint32_t backward_done = 0;
   std::uint32_t forward_done = 0;
   std::uint32_t selfs_done = 0;
-  ArenaList<Link> forward;  ///< links that begin here, where something wants to know them
-  Propagations propagations;
-  ArenaList<ExprId> derived;  ///< atoms above that no told axiom puts there
-  RareList<ExprId> together;  ///< the atoms that it is of, ascending, where they are several
+  ArenaList<Link> forward;        ///< links that begin here, where something wants to know them
+  ArenaList<ExprId> propagating;  ///< subsumers with existential rules
+  ArenaList<ExprId> derived;      ///< atoms above that no told axiom puts there
+  RareList<ExprId> together;      ///< the atoms that it is of, ascending, where they are several
   RareList<RoleId> selfs;
   RareList<FunctionalGroup> groups;
   RareList<std::uint32_t> nominals;  ///< contexts of the nominals above, itself not

@@ -261,6 +261,7 @@ void Index::sort_rules() {
   std::ranges::sort(conjunctions, {}, [](const auto& pair) { return std::pair(pair.first, pair.second.partner); });
   conjunctions_ = rows_of(conjunctions);
   existentials_ = rows_of(existentials);
+  existentials_.sort_unique();
   disjointness_ = rows_of(disjoint_pairs_);
 }
 

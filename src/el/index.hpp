@@ -49,6 +49,7 @@ struct ConjunctionRule {
 struct ExistentialRule {
   RoleId role{};
   ExprId existential{};
+  friend auto operator<=>(const ExistentialRule&, const ExistentialRule&) = default;
 };
 /// What is in the expression has a `role` successor in the atom `target`.
 struct LinkRule {
@@ -129,6 +130,7 @@ class Index {
   [[nodiscard]] std::span<const RoleId> selfs(ExprId id) const { return selfs_[number(id)]; }
   /// Ascending by partner.
   [[nodiscard]] std::span<const ConjunctionRule> conjunctions(ExprId id) const { return conjunctions_[number(id)]; }
+  /// Ascending by role.
   [[nodiscard]] std::span<const ExistentialRule> existentials(ExprId id) const { return existentials_[number(id)]; }
   [[nodiscard]] std::span<const std::uint32_t> disjointness(ExprId id) const { return disjointness_[number(id)]; }
   [[nodiscard]] std::size_t disjointness_count() const { return disjointness_count_; }

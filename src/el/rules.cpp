@@ -69,13 +69,8 @@ void Worker::process_subsumer(std::uint32_t context, ExprId subsumer) {
   //  ---------------- [S some E occurs negatively, R <* S]; here the second premise is new
   //  C < S some E
   if (has(RuleBits::existentials)) {
-    for (const ExistentialRule& rule : index_.existentials(subsumer)) {
-      self.propagations.add(rule, arena_);
-      for (std::uint32_t at = 0; at < self.backward_done; ++at) {
-        const Link link = self.backward[at];
-        if (index_.roles().is_sub_role(link.role, rule.role)) add_subsumer(link.context, rule.existential);
-      }
-    }
+    self.propagating.push_back(subsumer, arena_);
+    for (std::uint32_t at = 0; at < self.backward_done; ++at) propagate(self.backward[at], subsumer);
   }
 
   if (has(RuleBits::disjointness)) {
@@ -138,7 +133,7 @@ void Worker::add_bottom(std::uint32_t context) {
   self.backward_done = 0;
   self.subsumers.clear(arena_);
   self.forward.clear(arena_);
-  self.propagations.clear(arena_);
+  self.propagating.clear(arena_);
   self.derived.clear(arena_);
   self.selfs.clear();
   self.groups.clear();
@@ -169,14 +164,32 @@ void Worker::add_forward(std::uint32_t from, Link link) {
   enqueue(from);
 }
 
+void Worker::propagate(Link link, ExprId filler) {
+  // What a hub is below may be the filler of thousands of existentials, of which one link concerns a handful.
+  constexpr std::size_t max_scanned = 8;
+  const Roles& roles = index_.roles();
+  const auto rules = index_.existentials(filler);
+  if (rules.size() <= max_scanned) {
+    for (const ExistentialRule& rule : rules) {
+      if (roles.is_sub_role(link.role, rule.role)) add_subsumer(link.context, rule.existential);
+    }
+    return;
+  }
+  for (const RoleId super : roles.supers(link.role)) {
+    for (auto rule = std::ranges::lower_bound(rules, super, {}, &ExistentialRule::role);
+         rule != rules.end() && rule->role == super; ++rule) {
+      add_subsumer(link.context, rule->existential);
+    }
+  }
+}
+
 void Worker::process_backward(std::uint32_t context, Link link) {
   Context& self = contexts_[context];
 
   //  C -R-> D   D < E
   //  ---------------- [S some E occurs negatively, R <* S]; here the first premise is new
   //  C < S some E
-  self.propagations.visit(index_.roles(), link.role,
-                          [&](ExprId existential) { add_subsumer(link.context, existential); });
+  for (std::uint32_t at = 0; at < self.propagating.size(); ++at) propagate(link, self.propagating[at]);
 
   //  C -R-> D   D -S-> E
   //  ------------------- [R o S SubPropertyOf R']; here the first premise is new

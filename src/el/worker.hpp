@@ -58,6 +58,7 @@ class Worker {
 
   // Rules, by the premise that is new.
   void process_subsumer(std::uint32_t context, ExprId subsumer);
+  void propagate(Link link, ExprId filler);
   void process_backward(std::uint32_t context, Link link);
   void process_forward(std::uint32_t context, Link link);
   void process_self(std::uint32_t context, RoleId role);
