@@ -19,7 +19,8 @@ struct ExpressionPlace {
   std::optional<ClassNumber> equivalent;
   std::vector<ClassNumber> parents;   ///< right above it; owl:Thing where nothing else is
   std::vector<ClassNumber> children;  ///< right below it, satisfiable ones
-  std::vector<std::string> gaps;      ///< why something may be missing: short words, sorted, each once
+  /// Why something may be missing: short words, sorted, each once. Of what is equivalent to a class nothing is.
+  std::vector<std::string> gaps;
   friend bool operator==(const ExpressionPlace&, const ExpressionPlace&) = default;
 };
 

@@ -152,6 +152,9 @@ std::optional<ExpressionError> ExpressionBase::saturate() {
     const TermKind kind = source_.kind(TermId{id});
     if (kind == TermKind::named_class || is_individual(kind)) saturation_->require(exprs_[id]);
   }
+  for (std::uint32_t role = 0; role < index_.roles().count(); ++role) {
+    saturation_->require(index_.representative(index_.range_of(RoleId{role})));
+  }
   if (!saturation_->run()) return ExpressionError{"too much follows from the ontology for class expressions"};
   if (!saturation_->is_consistent()) return ExpressionError{"the ontology is inconsistent"};
   return std::nullopt;
@@ -180,10 +183,11 @@ void ExpressionBase::find_edges_down() {
     const Context& here = context(at);
     if (here.is_unsatisfiable) unsatisfiable_.push_back(at);
     // What is derived for an atom's context holds for the atom, and with it for all atoms below.
-    const std::uint32_t sub = here.together.empty() ? number(here.root) : size + at;
-    for (const ExprId above : here.derived) edges.emplace_back(number(above), sub);
-    if (here.together.empty()) edges.emplace_back(sub, size + at);
-    for (const ExprId atom : here.together) edges.emplace_back(number(atom), size + at);
+    const bool is_of_one = together_of(at).empty();
+    const std::uint32_t sub = is_of_one ? number(here.root) : size + at;
+    for (const ExprId above : derived_of(at)) edges.emplace_back(number(above), sub);
+    if (is_of_one) edges.emplace_back(sub, size + at);
+    for (const ExprId atom : together_of(at)) edges.emplace_back(number(atom), size + at);
   }
   down_ = Rows<std::uint32_t>(size, edges);
   down_.sort_unique();
@@ -204,7 +208,7 @@ void ExpressionBase::find_conditional() {
     if (is_conditional_[at] || context(at).is_nonempty) continue;
     is_conditional_[at] = true;
     has_conditional_ = true;
-    for (const Link link : context(at).backward.items()) stack.push_back(link.context);
+    for (const Link link : backward_of(at)) stack.push_back(link.context);
   }
 }
 

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,6 +45,18 @@ struct ExpressionError {
 
 /// What the rules derived, with the tables that answer questions from below. Neither copied nor moved.
 class ExpressionBase {
+  /// Whatever a context keeps its members in.
+  template <typename Members>
+  [[nodiscard]] static auto as_span(const Members& members) {
+    if constexpr (requires { members.items(); }) {
+      return std::span(members.items());
+    } else if constexpr (requires { members.get(); }) {
+      return std::span(members.get());
+    } else {
+      return std::span(members.data(), members.size());
+    }
+  }
+
  public:
   [[nodiscard]] static std::expected<std::unique_ptr<const ExpressionBase>, ExpressionError> build(
       const Ontology& ontology, const ExpressionLimits& limits);
@@ -57,6 +70,16 @@ class ExpressionBase {
   [[nodiscard]] const OntologySource& source() const { return source_; }
   [[nodiscard]] std::size_t context_count() const { return saturation_->contexts().size(); }
   [[nodiscard]] const Context& context(std::uint32_t number) const { return saturation_->contexts()[number]; }
+  /// What a context holds; spans live as long as the base.
+  [[nodiscard]] auto subsumers_of(std::uint32_t number) const { return as_span(context(number).subsumers); }
+  [[nodiscard]] auto backward_of(std::uint32_t number) const { return as_span(context(number).backward); }
+  [[nodiscard]] auto forward_of(std::uint32_t number) const { return as_span(context(number).forward); }
+  /// Subsumers with existential rules.
+  [[nodiscard]] auto propagating_of(std::uint32_t number) const { return as_span(context(number).propagating); }
+  [[nodiscard]] auto derived_of(std::uint32_t number) const { return as_span(context(number).derived); }
+  [[nodiscard]] auto selfs_of(std::uint32_t number) const { return as_span(context(number).selfs); }
+  /// The atoms that it is of together; none where it is of its root alone.
+  [[nodiscard]] auto together_of(std::uint32_t number) const { return as_span(context(number).together); }
   [[nodiscard]] const Context* find(ExprId root) const { return saturation_->find(root); }
   [[nodiscard]] std::uint32_t number_of(ExprId root) const { return saturation_->number_of(root); }
   /// The constructs of axioms that the rules do not use in full.

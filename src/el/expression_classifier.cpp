@@ -40,8 +40,11 @@ class Question {
     }
     if (place.is_satisfiable) {
       fill(place, above, classes_below(shape));
-      note_gaps();
-      place.gaps = gaps();
+      // What is equivalent to a class is where that is.
+      if (!place.equivalent) {
+        note_gaps();
+        place.gaps = gaps();
+      }
     }
     return place;
   }
@@ -50,7 +53,7 @@ class Question {
     const ShapeId below = shapes_.read(sub);
     const ShapeId above = shapes_.read(super);
     const std::vector<std::uint32_t> alternatives = saturate(below);
-    ExpressionMembers members(overlay_, shapes_);
+    ExpressionMembers members(overlay_, shapes_, ExpressionMembers::Wanted::every_context);
     const Contexts& found = members.of(above);
     const bool holds = std::ranges::all_of(
         alternatives, [&](std::uint32_t alternative) { return std::ranges::binary_search(found, alternative); });
@@ -82,7 +85,7 @@ class Question {
       return !context.negations.empty() && !context.is_unsatisfiable;
     };
     if (std::ranges::none_of(overlay_.own(), has_negations)) return false;
-    ExpressionMembers members(overlay_, shapes_);
+    ExpressionMembers members(overlay_, shapes_, ExpressionMembers::Wanted::every_context);
     std::vector<std::uint32_t> refuted;
     for (std::uint32_t at = overlay_.base_count(); at < overlay_.context_count(); ++at) {
       const OverlayContext& context = overlay_.own()[at - overlay_.base_count()];
@@ -104,10 +107,10 @@ class Question {
 
   Marks classes_below(ShapeId shape) {
     Marks marks(base_.view().class_count(), false);
-    ExpressionMembers members(overlay_, shapes_);
+    ExpressionMembers members(overlay_, shapes_, ExpressionMembers::Wanted::named_classes);
     for (const std::uint32_t context : members.of(shape)) {
       if (context >= base_.context_count()) break;
-      if (overlay_.is_unsatisfiable(context) || !base_.context(context).together.empty()) continue;
+      if (overlay_.is_unsatisfiable(context) || !base_.together_of(context).empty()) continue;
       for (const ClassNumber number : base_.classes_of(base_.context(context).root)) {
         marks[static_cast<std::size_t>(number)] = true;
       }

@@ -79,7 +79,7 @@ Contexts ExpressionMembers::find(ShapeId id) {
       shapes_.add_gap("a minimum cardinality in the expression");
       break;
     case ShapeKind::at_most:
-      found = in_at_most(shape);
+      shapes_.add_gap("a maximum cardinality in the expression");
       break;
     case ShapeKind::negation:
       found = disjoint_from(shape.parts[0], all());
@@ -126,7 +126,7 @@ Contexts ExpressionMembers::in_some(const Shape& shape) {
   Contexts found;
   for (const std::uint32_t target : filler) {
     if (target >= overlay_.base_count()) break;
-    for (const Link link : base_.context(target).backward.items()) {
+    for (const Link link : base_.backward_of(target)) {
       if (roles.is_sub_role(link.role, shape.role)) found.push_back(link.context);
     }
   }
@@ -149,47 +149,66 @@ Contexts ExpressionMembers::in_only(const Shape& shape) {
   return {};
 }
 
-//  all are in R max n C where R is functional, n > 0
-Contexts ExpressionMembers::in_at_most(const Shape& shape) {
-  const auto is_functional = [&](RoleId role) { return base_.index().is_functional(role); };
-  if (std::ranges::any_of(base_.index().roles().supers(shape.role), is_functional)) return all();
-  shapes_.add_gap("a maximum cardinality in the expression");
-  return {};
-}
-
 Contexts ExpressionMembers::with_self(const Shape& shape) {
-  const auto has_self = [&](const std::vector<RoleId>& selfs) {
+  const auto has_self = [&](std::span<const RoleId> selfs) {
     return std::ranges::any_of(selfs, [&](RoleId role) { return base_.index().roles().is_sub_role(role, shape.role); });
   };
   Contexts found;
   for (std::uint32_t at = 0; at < overlay_.context_count(); ++at) {
     const bool is_own = at >= overlay_.base_count();
-    if (has_self(is_own ? overlay_.own()[at - overlay_.base_count()].selfs : base_.context(at).selfs)) {
+    if (has_self(is_own ? std::span<const RoleId>(overlay_.own()[at - overlay_.base_count()].selfs)
+                        : base_.selfs_of(at))) {
       found.push_back(at);
     }
   }
   return found;
 }
 
-//  C is in [not D] where C and D is below F
+/// Those that matter, the highest first: what is above another has no more subsumers.
+Contexts ExpressionMembers::to_be_tested(const Contexts& candidates) const {
+  std::vector<std::pair<std::size_t, std::uint32_t>> ordered;
+  const bool are_classes_enough = wanted_ == Wanted::named_classes && !is_inside_some_;
+  for (const std::uint32_t candidate : candidates) {
+    const bool is_own = candidate >= overlay_.base_count();
+    if (overlay_.is_unsatisfiable(candidate)) continue;
+    if (are_classes_enough && (is_own || base_.classes_of(base_.context(candidate).root).empty())) continue;
+    ordered.emplace_back(is_own ? overlay_.context_count() : base_.subsumers_of(candidate).size(), candidate);
+  }
+  std::ranges::sort(ordered);
+  Contexts contexts;
+  for (const auto& [subsumers, candidate] : ordered) contexts.push_back(candidate);
+  return contexts;
+}
+
+//  C is in [not D] where C and D is below F;  then so is what is below C
 Contexts ExpressionMembers::disjoint_from(ShapeId shape, const Contexts& candidates) {
   if (is_inside_some_) shapes_.add_gap("a complement inside of a restriction");
   const std::vector<ShapeId> alternatives = shapes_.alternatives_of(shape);
   Contexts found;
+  std::vector<bool> is_found(overlay_.context_count(), false);
   ExpressionOverlay probe(base_, shapes_);
-  for (const std::uint32_t candidate : candidates) {
-    if (candidate >= overlay_.base_count()) {
+  for (const std::uint32_t candidate : to_be_tested(candidates)) {
+    if (is_found[candidate]) continue;
+    const bool is_own = candidate >= overlay_.base_count();
+    if (is_own && !overlay_.own()[candidate - overlay_.base_count()].negations.empty()) {
       shapes_.add_gap("a complement inside of a complement");
-      continue;
     }
     const bool is_disjoint = std::ranges::all_of(alternatives, [&](ShapeId alternative) {
-      const std::uint32_t both = probe.require_with(candidate, alternative);
-      if (!probe.run()) shapes_.add_gap("too much work for a complement");
-      return probe.is_unsatisfiable(both);
+      const std::uint32_t both = probe.require_with(overlay_.seeds_of(candidate), alternative);
+      return probe.run() && probe.is_unsatisfiable(both);
     });
-    if (is_disjoint) found.push_back(candidate);
-    if (probe.is_conditional()) shapes_.add_gap("individuals in a complement");
-    if (probe.work() > base_.limits().work) break;
+    if (probe.work() > base_.limits().work) {
+      shapes_.add_gap("too much work for a complement");
+      break;
+    }
+    if (!is_disjoint) continue;
+    is_found[candidate] = true;
+    if (is_own || !base_.together_of(candidate).empty()) continue;
+    for (const std::uint32_t below : base_.contexts_below(base_.context(candidate).root)) is_found[below] = true;
+  }
+  if (probe.is_conditional()) shapes_.add_gap("individuals in a complement");
+  for (const std::uint32_t candidate : candidates) {
+    if (is_found[candidate]) found.push_back(candidate);
   }
   return found;
 }

@@ -19,9 +19,13 @@ using Contexts = std::vector<std::uint32_t>;
 
 class ExpressionMembers {
  public:
+  enum class Wanted : std::uint8_t {
+    every_context,
+    named_classes,  ///< of() may leave out contexts that are of no class of the ontology
+  };
   /// `shapes` takes the gaps that are met.
-  ExpressionMembers(const ExpressionOverlay& overlay, ShapeReader& shapes)
-      : overlay_(overlay), base_(overlay.base()), shapes_(shapes) {}
+  ExpressionMembers(const ExpressionOverlay& overlay, ShapeReader& shapes, Wanted wanted)
+      : overlay_(overlay), base_(overlay.base()), shapes_(shapes), wanted_(wanted) {}
 
   [[nodiscard]] const Contexts& of(ShapeId shape);
 
@@ -32,10 +36,10 @@ class ExpressionMembers {
   [[nodiscard]] Contexts in_all(const Shape& shape);
   [[nodiscard]] Contexts in_some(const Shape& shape);
   [[nodiscard]] Contexts in_only(const Shape& shape);
-  [[nodiscard]] Contexts in_at_most(const Shape& shape);
   [[nodiscard]] Contexts with_self(const Shape& shape);
   /// Those of `candidates` that have nothing in common with a shape.
   [[nodiscard]] Contexts disjoint_from(ShapeId shape, const Contexts& candidates);
+  [[nodiscard]] Contexts to_be_tested(const Contexts& candidates) const;
   void add_unsatisfiable(Contexts& contexts) const;
 
   const ExpressionOverlay& overlay_;
@@ -43,6 +47,7 @@ class ExpressionMembers {
   ShapeReader& shapes_;
   std::map<ShapeId, Contexts> known_;
   std::vector<std::vector<ExprId>> atoms_above_;  ///< by context of the overlay
+  Wanted wanted_;
   bool is_inside_some_ = false;
 };
 

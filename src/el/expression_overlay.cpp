@@ -19,19 +19,24 @@ bool ExpressionOverlay::is_unsatisfiable(std::uint32_t context) const {
 Seeds ExpressionOverlay::seeds_of(std::uint32_t context) const {
   if (is_own(context)) return own_[context - base_count_].seeds;
   Seeds seeds;
-  for (const ExprId atom : base_.context(context).together) seeds.push_back(number(atom));
+  for (const ExprId atom : base_.together_of(context)) seeds.push_back(number(atom));
   if (seeds.empty()) seeds.push_back(number(base_.context(context).root));
   return seeds;
 }
 
 std::span<const Link> ExpressionOverlay::forward_of(std::uint32_t context) const {
   if (is_own(context)) return own_[context - base_count_].forward.items();
-  return base_.context(context).forward;
+  return base_.forward_of(context);
 }
 
-std::span<const ExistentialRule> ExpressionOverlay::propagations_of(std::uint32_t context) const {
+std::vector<ExistentialRule> ExpressionOverlay::propagations_of(std::uint32_t context) const {
   if (is_own(context)) return own_[context - base_count_].propagations;
-  return base_.context(context).propagations;
+  std::vector<ExistentialRule> rules;
+  for (const ExprId filler : base_.propagating_of(context)) {
+    const auto of_filler = index_.existentials(filler);
+    rules.insert(rules.end(), of_filler.begin(), of_filler.end());
+  }
+  return rules;
 }
 
 void ExpressionOverlay::add_seed(Seeds& seeds, ShapeId id) const {
@@ -51,8 +56,7 @@ std::uint32_t ExpressionOverlay::require(std::span<const ShapeId> together) {
   return context_of(std::move(seeds));
 }
 
-std::uint32_t ExpressionOverlay::require_with(std::uint32_t context, ShapeId shape) {
-  Seeds seeds = seeds_of(context);
+std::uint32_t ExpressionOverlay::require_with(Seeds seeds, ShapeId shape) {
   add_seed(seeds, shape);
   return context_of(std::move(seeds));
 }
@@ -208,13 +212,13 @@ void ExpressionOverlay::process_subsumer(std::uint32_t context, ExprId subsumer)
 //  X < D
 void ExpressionOverlay::process_nominal(std::uint32_t context, ExprId nominal) {
   is_conditional_ = true;
-  const Context* individual = base_.find(nominal);
-  if (individual == nullptr) return;
-  if (individual->is_unsatisfiable) return add_bottom(context);
-  for (const std::uint32_t subsumer : individual->subsumers.items()) {
+  if (base_.find(nominal) == nullptr) return;
+  const std::uint32_t individual = base_.number_of(nominal);
+  if (is_unsatisfiable(individual)) return add_bottom(context);
+  for (const std::uint32_t subsumer : base_.subsumers_of(individual)) {
     if (subsumer < size_) add_subsumer(context, ExprId{subsumer});
   }
-  for (const ExprId atom : individual->derived) add_atom(context, atom);
+  for (const ExprId atom : base_.derived_of(individual)) add_atom(context, atom);
 }
 
 void ExpressionOverlay::add_link(std::uint32_t from, RoleId role, std::uint32_t to) {
@@ -265,7 +269,7 @@ void ExpressionOverlay::compose(std::uint32_t from, RoleId first, RoleId second,
 void ExpressionOverlay::apply_universal(std::uint32_t context, ShapeId universal, Link link) {
   const Shape& shape = shapes_.shape(universal);
   if (!index_.roles().is_sub_role(link.role, shape.role)) return;
-  const std::uint32_t narrower = require_with(link.context, shape.parts[0]);
+  const std::uint32_t narrower = require_with(seeds_of(link.context), shape.parts[0]);
   if (narrower != link.context) add_link(context, link.role, narrower);
 }
 
@@ -281,13 +285,15 @@ std::vector<ExprId> ExpressionOverlay::atoms_above(std::uint32_t context) const 
     if (seed < size_) reach(ExprId{seed});
   }
   reach(index_.representative(top_expr));
+  std::span<const std::uint32_t> subsumers;
   if (is_own(context)) {
-    for (const std::uint32_t atom : own_[context - base_count_].derived.items()) reach(ExprId{atom});
+    const OverlayContext& self = own_[context - base_count_];
+    for (const std::uint32_t atom : self.derived.items()) reach(ExprId{atom});
+    subsumers = self.subsumers.items();
   } else {
-    for (const ExprId atom : base_.context(context).derived) reach(atom);
+    for (const ExprId atom : base_.derived_of(context)) reach(atom);
+    subsumers = base_.subsumers_of(context);
   }
-  const std::vector<std::uint32_t>& subsumers =
-      is_own(context) ? own_[context - base_count_].subsumers.items() : base_.context(context).subsumers.items();
   for (const std::uint32_t subsumer : subsumers) {
     if (subsumer < size_ && index_.is_atom(ExprId{subsumer})) reach(ExprId{subsumer});
   }
@@ -295,8 +301,8 @@ std::vector<ExprId> ExpressionOverlay::atoms_above(std::uint32_t context) const 
     const ExprId atom = found[at];
     for (const ExprId above : index_.told_atoms(atom)) reach(above);
     // What an atom without rules derives stands in its own context where it has one.
-    if (const Context* known = base_.find(atom)) {
-      for (const ExprId above : known->derived) reach(above);
+    if (base_.find(atom) != nullptr) {
+      for (const ExprId above : base_.derived_of(base_.number_of(atom))) reach(above);
     }
   }
   std::ranges::sort(found);

@@ -44,8 +44,9 @@ class ExpressionOverlay {
 
   /// The context of these shapes together; it may be one of the base. Its conclusions are drawn by run().
   std::uint32_t require(std::span<const ShapeId> together);
-  /// The context of what a context is of and of a shape.
-  std::uint32_t require_with(std::uint32_t context, ShapeId shape);
+  /// The context of what another one is of, which may be one of another overlay, and of a shape.
+  std::uint32_t require_with(Seeds seeds, ShapeId shape);
+  [[nodiscard]] Seeds seeds_of(std::uint32_t context) const;
   /// Applies the rules until none is left to fire. False, and what was derived is right all the same, over the limit.
   bool run();
   /// Says that a context can have no instance; run() carries it on.
@@ -66,9 +67,8 @@ class ExpressionOverlay {
  private:
   [[nodiscard]] OverlayContext& own(std::uint32_t context) { return own_[context - base_count_]; }
   [[nodiscard]] bool is_own(std::uint32_t context) const { return context >= base_count_; }
-  [[nodiscard]] Seeds seeds_of(std::uint32_t context) const;
   [[nodiscard]] std::span<const Link> forward_of(std::uint32_t context) const;
-  [[nodiscard]] std::span<const ExistentialRule> propagations_of(std::uint32_t context) const;
+  [[nodiscard]] std::vector<ExistentialRule> propagations_of(std::uint32_t context) const;
   void add_seed(Seeds& seeds, ShapeId shape) const;
   std::uint32_t context_of(Seeds seeds);
   std::uint32_t context_of_atom(ExprId atom);

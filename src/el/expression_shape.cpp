@@ -127,8 +127,15 @@ ShapeId ShapeReader::at_least(TermId term, std::uint32_t count, ShapeId part) {
 }
 
 ShapeId ShapeReader::at_most(TermId term, std::uint32_t count, ShapeId part) {
-  if (is(part, bottom_expr)) return atom(base_.index().representative(top_expr));
-  if (count > 0) return restriction(ShapeKind::at_most, term, part, count);
+  const ShapeId all = atom(base_.index().representative(top_expr));
+  if (is(part, bottom_expr)) return all;
+  if (count > 0) {
+    //  all are in R max n C where R is functional, n > 0
+    const auto role = role_of(query_.term(term).arguments[0]);
+    const auto is_functional = [&](RoleId super) { return base_.index().is_functional(super); };
+    if (role && std::ranges::any_of(base_.index().roles().supers(*role), is_functional)) return all;
+    return restriction(ShapeKind::at_most, term, part, count);
+  }
   const ShapeId some = restriction(ShapeKind::some, term, part);
   return shapes_[some].kind == ShapeKind::some ? negated(some) : some;
 }

@@ -92,13 +92,13 @@ el::TermId Parser::data_primary() {
 }
 
 el::TermId Parser::datatype_restriction(Term datatype) {
-  tokens_.set_facets(true);
   std::vector<Term> arguments{datatype};
   do {
+    tokens_.set_facets(true);
     take();  // the bracket, or a comma
+    tokens_.set_facets(false);
     arguments.push_back(facet());
   } while (!failed() && is_symbol(","));
-  tokens_.set_facets(false);
   expect_symbol("]", "',' or ']'");
   return failed() ? el::thing_term : source_.term(TermKind::datatype_restriction, arguments);
 }

@@ -37,7 +37,7 @@ class Tokenizer {
 
   [[nodiscard]] const Token& token() const { return token_; }
   void advance();
-  /// Between square brackets `<` begins a comparison, elsewhere an IRI. Holds from the next token on.
+  /// Where a facet may stand `<` begins a comparison, elsewhere an IRI. Holds for the tokens that are read from now on.
   void set_facets(bool are_facets) { are_facets_ = are_facets; }
   /// The column, from 1 and in characters, of an octet.
   [[nodiscard]] std::size_t column_of(std::size_t octet) const;
