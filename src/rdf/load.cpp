@@ -165,13 +165,14 @@ class Loading {
     auto bytes = FileBytes::read(path, limits_);
     if (!bytes) return std::move(bytes.error());
     loaded_.source.set_content(file, el::fingerprint_of(bytes->view()));
-    const auto syntax = detect_syntax(path, bytes->view());
+    auto syntax = detect_syntax(path, bytes->view());
     if (!syntax) return LoadError{base::printable(path, 4096), 0, syntax.error()};
     if (*syntax == Syntax::functional) return read_other(number, file, bytes->view());
     TurtleLines lines;
     Pieces pieces(limits_.piece_bytes);
     if (auto problem = scan(*syntax, bytes->view(), limits_, lines, pieces))
       return LoadError{base::printable(path, 4096), problem->line, std::move(problem->text)};
+    if (*syntax == Syntax::n_triples && lines.has_quote_in_comment()) syntax = Syntax::turtle;
     return redland_.read(path, *syntax, *bytes, base_iri(path), lines.take(), pieces, graph_);
   }
 

@@ -275,7 +275,12 @@ void RaptorParser::World::parse_piece(std::size_t number) {
     at = next;
   }
   if (!is_last && !parse(file->pieces.closing(), false)) return;
-  parse({}, true);
+  if (!parse({}, true) || file->syntax != Syntax::n_triples) return;
+  // Raptor's N-Triples reader may skip what it does not understand. One that counts with it makes sure.
+  const std::size_t expected = (is_last ? file->lines.size() : parts[number + 1].triples) - piece.triples;
+  if (triples != expected)
+    fail("holds " + std::to_string(expected) + " triples, of which " + std::to_string(triples) +
+         " can be read: check its quotation marks");
 }
 
 std::optional<LoadError> RaptorParser::read(const FileText& text, std::size_t piece, Graph& graph) {

@@ -93,9 +93,7 @@ void parse_pieces(RaptorParser& parser, const FileText& text, PieceQueue& queue)
 }  // namespace
 
 Redland::Redland(const Limits& limits, unsigned threads)
-    : limits_(limits), threads_(std::clamp(threads, 1U, max_threads)) {
-  parsers_.push_back(std::make_unique<RaptorParser>(limits_));
-}
+    : limits_(limits), threads_(std::clamp(threads, 1U, max_threads)) {}
 
 std::optional<LoadError> Redland::read(const std::string& path, Syntax syntax, FileBytes& bytes,
                                        const std::string& base_iri, const std::vector<std::uint32_t>& lines,
@@ -103,6 +101,7 @@ std::optional<LoadError> Redland::read(const std::string& path, Syntax syntax, F
   const std::string_view view = bytes.view();
   const std::string blank_prefix = "_:" + base::to_hex(XXH3_64bits(view.data(), view.size()), 16) + '.';
   const FileText text{bytes, syntax, base_iri, blank_prefix, lines, pieces};
+  if (parsers_.empty()) parsers_.push_back(std::make_unique<RaptorParser>(limits_));
   known_prefixes_.clear();
   graph.begin_file();
   auto error = threads_ == 1 || pieces.parts().size() == 1 ? read_in_turn(text, graph) : read_at_once(text, graph);

@@ -34,7 +34,7 @@ class TurtleScan {
   void step() {
     switch (bytes_[place_]) {
       case '#':
-        place_ = std::min(bytes_.find('\n', place_), bytes_.size());
+        comment();
         break;
       case '<':
         iri();
@@ -103,6 +103,14 @@ class TurtleScan {
     lines_.word(bytes_.substr(begin, place_ - begin), line_at(begin));
   }
 
+  /// Raptor's N-Triples reader takes a lone quotation mark in a comment for the begin of a text, and silently skips
+  /// what follows; its Turtle reader does not.
+  void comment() {
+    const std::size_t end = std::min(bytes_.find('\n', place_), bytes_.size());
+    if (bytes_.substr(place_, end - place_).contains('"')) lines_.quote_in_comment();
+    place_ = end;
+  }
+
   [[nodiscard]] bool is_digit(std::size_t place) const {
     return place < bytes_.size() && bytes_[place] >= '0' && bytes_[place] <= '9';
   }
@@ -113,6 +121,7 @@ class TurtleScan {
       if (bytes_[place_] == '\\') {
         escape();
       } else {
+        if (bytes_[place_] == '"') fail(place_, "has an IRI with a quotation mark in it");
         ++place_;
       }
     }

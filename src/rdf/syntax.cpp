@@ -7,7 +7,7 @@
 namespace geminga::rdf {
 namespace {
 
-enum class Content { empty, xml, owl_xml, html, turtle, functional, manchester, wide };
+enum class Content { empty, xml, owl_xml, html, json, obo, turtle, functional, manchester, wide };
 
 bool is_name_byte(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.' ||
@@ -88,6 +88,8 @@ Content look(std::string_view content) {
   if (text.starts_with("<?xml") || starts_ignoring_case(text, "<!doctype") || text.starts_with("<!--") ||
       is_xml_tag(text))
     return look_at_xml(text);
+  if (text.starts_with('{')) return Content::json;
+  if (text.starts_with("format-version:")) return Content::obo;
   if (text.starts_with("Prefix:") || text.starts_with("Ontology:")) return Content::manchester;
   for (const std::string_view word : {"Prefix", "Ontology"}) {
     if (text.starts_with(word) && without_comments(text.substr(word.size())).starts_with('('))
@@ -112,6 +114,10 @@ std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::str
       return std::unexpected("is an HTML page, not an ontology: download the ontology itself");
     case Content::functional:
       return Syntax::functional;
+    case Content::json:
+      return std::unexpected("is in JSON, which is not read: convert it to RDF/XML or Turtle");
+    case Content::obo:
+      return std::unexpected("is in OBO format, which is not read: convert it to RDF/XML or Turtle");
     case Content::manchester:
       return std::unexpected("is in OWL Manchester syntax, which is not read: convert it to RDF/XML or Turtle");
     case Content::owl_xml:

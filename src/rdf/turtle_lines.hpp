@@ -23,6 +23,7 @@ class TurtleLines {
   void open(char bracket, std::uint32_t line);
   void close(char bracket);
   void punctuation(char mark, std::uint32_t line);  ///< one of . ; ,
+  void quote_in_comment() { has_quote_in_comment_ = true; }
   /// The next word or IRI is the datatype of the literal before it.
   void datatype() { is_datatype_next_ = true; }
 
@@ -32,6 +33,7 @@ class TurtleLines {
   /// @prefix and @base, and how SPARQL writes them.
   [[nodiscard]] std::size_t directive_count() const { return directive_count_; }
   [[nodiscard]] bool is_in_statement() const { return frames_.size() > 1 || frames_.front().next != Place::subject; }
+  [[nodiscard]] bool has_quote_in_comment() const { return has_quote_in_comment_; }
   /// Triples of the statements that have ended.
   [[nodiscard]] std::size_t triple_count() const { return lines_.size(); }
   [[nodiscard]] std::vector<std::uint32_t> take() { return std::move(lines_); }
@@ -54,6 +56,7 @@ class TurtleLines {
   std::size_t prefix_count_ = 0;
   std::size_t directive_count_ = 0;
   bool is_datatype_next_ = false;
+  bool has_quote_in_comment_ = false;
   int directive_left_ = 0;  ///< terms of a directive that are still to come
 };
 

@@ -167,6 +167,19 @@ TEST(Load, ReadsAByteOrderMarkInEverySyntax) {
             "a.owl:1: begins as UTF-8 and declares ISO-8859-1: correct its declaration");
 }
 
+TEST(Load, LosesNothingBehindAQuotationMarkInAComment) {
+  const std::string sub = "> <http://www.w3.org/2000/01/rdf-schema#subClassOf> <http://e/";
+  const std::string triples =
+      "<http://e/A" + sub + "B> . # a \" mark\n<http://e/B" + sub + "C> .\n# \"\n<http://e/C" + sub + "D> .\n";
+  for (const char* name : {"a.nt", "a.ttl"}) {
+    const auto loaded = load_text(name, triples);
+    ASSERT_TRUE(loaded) << to_string(loaded.error());
+    EXPECT_EQ(loaded->triples, 3U) << name;
+    EXPECT_EQ(refusal(name, triples + "<http://e/\"A" + sub + "B> .\n" + triples),
+              std::string(name) + ":5: has an IRI with a quotation mark in it");
+  }
+}
+
 TEST(Load, TakesLanguageTagsInLowerCaseInEverySyntax) {
   const std::string value = "DataPropertyAssertion(:p :a \"x\"@en-gb)";
   const std::string declared = ":p a owl:DatatypeProperty .\n";

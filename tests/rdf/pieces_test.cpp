@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
+#include "base/random.hpp"
 #include "rdf/functional.hpp"
 #include "rdf/reading.hpp"
 #include "rdf/scratch.hpp"
@@ -115,6 +118,48 @@ TEST(Pieces, GiveTheErrorThatTheWholeFileGives) {
     for (const unsigned threads : {1U, 2U})
       EXPECT_THAT(everything(files, in_pieces_of(1), threads).front(), StartsWith(place)) << whole.front();
   }
+}
+
+TEST(Pieces, OfABentFileAreReadWhereTheWholeFileIs) {
+  std::vector<std::pair<std::string, std::string>> texts{{"a.owl", document(kinds + many_descriptions(2))}};
+  for (const char* name : {"Restriction.ttl", "SubClassOfTriples.nt", "RestrictionXml.rdf"}) {
+    std::ifstream file(fs::path(GEMINGA_SOURCE_DIR) / "tests" / "rdf" / "cases" / name);
+    texts.emplace_back(name, std::string(std::istreambuf_iterator<char>(file), {}));
+  }
+  constexpr std::string_view likely = "<>/\"':.#@_[](),; \n&!-ar";
+  const Scratch scratch;
+  std::size_t accepted = 0;
+  constexpr std::uint64_t seeds = 200;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    base::Random random(seed);
+    auto [name, text] = texts[static_cast<std::size_t>(seed % texts.size())];
+    for (auto edits = 1 + random.below(3); edits > 0; --edits) {
+      const auto place = static_cast<std::size_t>(random.below(text.size()));
+      const char byte = likely[static_cast<std::size_t>(random.below(likely.size()))];
+      switch (random.below(3)) {
+        case 0:
+          text[place] = byte;
+          break;
+        case 1:
+          text.insert(place, 1, byte);
+          break;
+        default:
+          text.erase(place, 1 + static_cast<std::size_t>(random.below(20)));
+      }
+    }
+    const std::vector files{scratch.write(name, text)};
+    const auto whole = everything(files, {}, 1);
+    const auto pieces = everything(files, in_pieces_of(1), 1 + static_cast<unsigned>(seed % 3));
+    const bool is_refused = whole.size() == 1 && whole.front().starts_with(files.front());
+    if (is_refused) {
+      EXPECT_THAT(pieces.front(), StartsWith(files.front())) << "seed " << seed;
+    } else {
+      ++accepted;
+      EXPECT_EQ(pieces, whole) << "seed " << seed;
+    }
+  }
+  EXPECT_GT(accepted, seeds / 10);
+  EXPECT_LT(accepted, seeds);
 }
 
 TEST(Pieces, CountTogetherAgainstTheLimits) {

@@ -42,6 +42,9 @@ TEST(Syntax, IsRefusedWithWhatToDo) {
   EXPECT_EQ(words("a.txt", "hello"), "has no known extension: name it .ttl, .nt, .rdf, .owl, .xml or .ofn");
   EXPECT_EQ(words("a.owl", "<owl:Ontology xmlns:owl=\"http://www.w3.org/2002/07/owl#\" ontologyIRI=\"http://e/\">"),
             "is in OWL/XML, which is not read: convert it to RDF/XML or Turtle");
+  EXPECT_EQ(words("a.owl", "{ \"@context\": {} }"), "is in JSON, which is not read: convert it to RDF/XML or Turtle");
+  EXPECT_EQ(words("a.owl", "format-version: 1.2\n"),
+            "is in OBO format, which is not read: convert it to RDF/XML or Turtle");
   EXPECT_EQ(words("a.owl", " \n"), "is empty");
   EXPECT_EQ(words("a.ofn", ""), "is empty");
   EXPECT_EQ(words("a.ofn", "<http://e/a> a <http://e/B> ."),
