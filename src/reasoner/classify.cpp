@@ -6,6 +6,7 @@
 
 #include "clauses/clausify.hpp"
 #include "consequence/closure.hpp"
+#include "reasoner/completion.hpp"
 #include "reasoner/named_concepts.hpp"
 #include "reasoner/reasoner.hpp"
 #include "reasoner/taxonomy.hpp"
@@ -31,6 +32,7 @@ class Deepening {
     derive(*clauses);
     std::vector<clauses::Unused> unused = std::move(clauses->unused);
     clauses = std::unexpected(clauses::ClausifyError{});  // the completion has its own, with questions in it
+    if (result_.is_consistent && !result_.gaps.empty()) search();
     settle(unused);
   }
 
@@ -63,6 +65,19 @@ class Deepening {
     }
     extend(result_, more);
     result_.gaps = closure.gaps;
+  }
+
+  void search() {
+    Completion completion = complete(source_, result_, options_);
+    if (!completion.is_consistent) return contradict(result_, source_);
+    extend(result_, completion.found);
+    if (completion.gaps.empty()) {
+      result_.gaps.clear();
+    } else {
+      std::ranges::move(completion.gaps, std::back_inserter(result_.gaps));
+      std::ranges::sort(result_.gaps);
+      result_.gaps.erase(std::ranges::unique(result_.gaps).begin(), result_.gaps.end());
+    }
   }
 
   /// Where the clauses were exhausted only what is not in them can be missing. Otherwise everything that the fast

@@ -60,7 +60,8 @@ std::uintmax_t size_of(const std::vector<std::string>& files) {
 
 }  // namespace
 
-std::expected<rdf::Loaded, NoKnowledge> load(const std::vector<std::string>& files, Progress& progress) {
+std::expected<rdf::Loaded, NoKnowledge> load(const std::vector<std::string>& files, Progress& progress,
+                                             unsigned threads) {
   if (const std::uintmax_t octets = size_of(files); octets >= large_octets)
     progress.show("reading " + std::to_string(octets >> 20U) + " MiB", 0, true);
   auto loaded = rdf::load(files, {}, read_functional, threads);
@@ -71,7 +72,7 @@ std::expected<rdf::Loaded, NoKnowledge> load(const std::vector<std::string>& fil
 std::expected<Knowledge, NoKnowledge> learn(const std::vector<std::string>& files, const Learning& how) {
   Progress progress(!how.as_json);
   const auto start = std::chrono::steady_clock::now();
-  auto loaded = load(files, progress);
+  auto loaded = load(files, progress, how.threads);
   if (!loaded) return std::unexpected(std::move(loaded.error()));
   const double load_ms = milliseconds_since(start);
   const auto read = std::chrono::steady_clock::now();

@@ -41,7 +41,8 @@ struct Learning {
 };
 
 /// Reads files and folders without classifying them. Says on a terminal that it does where they are large.
-[[nodiscard]] std::expected<rdf::Loaded, NoKnowledge> load(const std::vector<std::string>& files, Progress& progress);
+[[nodiscard]] std::expected<rdf::Loaded, NoKnowledge> load(const std::vector<std::string>& files, Progress& progress,
+                                                           unsigned threads = 1);
 
 [[nodiscard]] std::expected<Knowledge, NoKnowledge> learn(const std::vector<std::string>& files,
                                                           const Learning& how = {});

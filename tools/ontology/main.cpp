@@ -22,11 +22,13 @@ Examples:
   geminga-ontology classify --closure soma.rdf      one SUB<TAB>SUPER line for each entailed subsumption
   geminga-ontology subsumes team/ --sub soccer:SharedBallInfo --super soccer:BallInfo
   geminga-ontology explain team/ --sub soccer:SharedBallInfo --super soccer:BallInfo
+  geminga-ontology entails team/ expected.ttl       does every axiom of expected.ttl follow?
+  geminga-ontology consistent team/
   geminga-ontology id soccer:BallInfo soccer:CartesianFieldFrame
   geminga-ontology compile team/ -o team.geminga
   geminga-ontology draw team/ --root soccer:BallInfo --format svg > ball.svg
 
-FILES are RDF/XML (.rdf .owl .xml), Turtle (.ttl) and N-Triples (.nt), or folders of them. Nothing is fetched from a
+FILES are RDF/XML, Turtle, N-Triples, or OWL functional syntax, or folders of them. Nothing is fetched from a
 network: owl:imports are looked for among the files that are named. Names are prefix:Name, <IRI>, or a label.
 Exit status: 0 yes or done, 1 no or a problem found, 2 wrong usage or a file that cannot be loaded, 4 timed out.)";
 
@@ -50,7 +52,8 @@ int run(int argc, char** argv) {
   program.footer(examples);
   program.require_subcommand(1);
   Choice choice;
-  for (const auto add : {add_check, add_classify, add_subsumes, add_explain, add_id, add_compile, add_draw})
+  for (const auto add :
+       {add_check, add_classify, add_subsumes, add_entails, add_consistent, add_explain, add_id, add_compile, add_draw})
     add(program, choice);
   try {
     program.parse(argc, argv);
