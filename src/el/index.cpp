@@ -1,10 +1,8 @@
 // Interning of expressions, and the sorting of rules to the expressions that trigger them.
 #include "el/index.hpp"
 
-#include <xxhash.h>
-
 #include <algorithm>
-#include <array>
+#include <iterator>
 
 #include "el/components.hpp"
 
@@ -12,8 +10,7 @@ namespace geminga::el {
 namespace {
 
 std::uint64_t hash_of(const Expr& expr) {
-  const std::array<std::uint32_t, 3> key = {static_cast<std::uint32_t>(expr.kind), expr.first, expr.second};
-  return XXH3_64bits(key.data(), sizeof key);
+  return mixed(mixed(static_cast<std::uint64_t>(expr.kind), expr.first), expr.second);
 }
 
 }  // namespace
@@ -38,7 +35,7 @@ ExprId Index::intern(const Expr& expr) {
   });
   if (found != NumberTable::none) return ExprId{found};
   const ExprId id = add(expr);
-  table_.insert(hash, number(id), [&](std::uint32_t filed) { return hash_of(exprs_[filed]); });
+  table_.insert(hash, number(id));
   return id;
 }
 

@@ -185,8 +185,7 @@ ExprId Normaliser::opaque(TermKind kind, std::uint32_t limit, std::vector<std::u
   opaque_spans_.emplace_back(static_cast<std::uint32_t>(opaque_keys_.size()), static_cast<std::uint32_t>(key.size()));
   opaque_keys_.insert(opaque_keys_.end(), key.begin(), key.end());
   opaque_exprs_.push_back(index_.add_atom());
-  opaque_table_.insert(
-      hash, entry, [&](std::uint32_t other) { return XXH3_64bits(filed(other).data(), filed(other).size_bytes()); });
+  opaque_table_.insert(hash, entry);
   return opaque_exprs_.back();
 }
 

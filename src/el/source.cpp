@@ -18,10 +18,9 @@ constexpr std::string_view rdf_lang_string = "http://www.w3.org/1999/02/22-rdf-s
 std::uint64_t hash_of_name(std::string_view name) { return XXH3_64bits(name.data(), name.size()); }
 
 std::uint64_t hash_of_term(TermKind kind, NameId name, std::uint32_t number, std::span<const TermId> arguments) {
-  const std::array<std::uint32_t, 3> head = {static_cast<std::uint32_t>(kind), static_cast<std::uint32_t>(name),
-                                             number};
-  const std::uint64_t seed = XXH3_64bits(head.data(), sizeof head);
-  return XXH3_64bits_withSeed(arguments.data(), arguments.size_bytes(), seed);
+  std::uint64_t hash = mixed(static_cast<std::uint64_t>(kind) << 32 | number, static_cast<std::uint32_t>(name));
+  for (const TermId argument : arguments) hash = mixed(hash, static_cast<std::uint32_t>(argument));
+  return mixed(hash, arguments.size());
 }
 
 }  // namespace
@@ -66,7 +65,8 @@ NameId OntologySource::intern(std::string_view name, std::size_t max_bytes) {
   const auto number = static_cast<std::uint32_t>(name_ends_.size());
   name_bytes_.insert(name_bytes_.end(), name.begin(), name.end());
   name_ends_.push_back(static_cast<std::uint32_t>(name_bytes_.size()));
-  name_table_.insert(hash, number, [&](std::uint32_t filed) { return hash_of_name(this->name(NameId{filed})); });
+  name_table_.insert(hash, number);
+  entity_of_name_.push_back(NumberTable::none);
   return NameId{number};
 }
 
@@ -118,15 +118,18 @@ TermId OntologySource::intern_term(TermKind kind, NameId name, std::uint32_t num
   terms_.push_back({kind, well_formed, static_cast<std::uint16_t>(std::min(depth, 0xffffU)), name, number,
                     static_cast<std::uint32_t>(term_arguments_.size()), static_cast<std::uint32_t>(arguments.size())});
   term_arguments_.insert(term_arguments_.end(), arguments.begin(), arguments.end());
-  term_table_.insert(hash, id, [&](std::uint32_t filed) {
-    const Term record = term(TermId{filed});
-    return hash_of_term(record.kind, record.name, record.number, record.arguments);
-  });
+  term_table_.insert(hash, id);
   return TermId{id};
 }
 
 TermId OntologySource::entity(TermKind kind, std::string_view name) {
-  return intern_term(kind, intern(name, limits_.name_bytes), 0, {});
+  const NameId id = intern(name, limits_.name_bytes);
+  // Most names are of one entity, which is found without a second search.
+  std::uint32_t& known = entity_of_name_[static_cast<std::size_t>(id)];
+  if (known != NumberTable::none && terms_[known].kind == kind) return TermId{known};
+  const TermId found = intern_term(kind, id, 0, {});
+  known = static_cast<std::uint32_t>(found);
+  return found;
 }
 
 TermId OntologySource::literal(std::string_view lexical, std::string_view datatype_iri, std::string_view language) {

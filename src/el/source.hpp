@@ -143,6 +143,7 @@ class OntologySource {
   std::vector<char> name_bytes_;
   std::vector<std::uint32_t> name_ends_;
   NumberTable name_table_;
+  std::vector<std::uint32_t> entity_of_name_;  ///< the last entity of each name
   std::vector<TermRecord> terms_;
   std::vector<TermId> term_arguments_;
   std::vector<TermKind> kinds_;  ///< room for kinds_of()
