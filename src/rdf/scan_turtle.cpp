@@ -80,7 +80,7 @@ class TurtleScan {
       has_begun_ = true;
     } else if (has_begun_ && lines_.directive_count() != directives_) {
       pieces_.forbid();
-    } else if (has_begun_ && pieces_.wants(place_)) {
+    } else if (has_begun_ && pieces_.wants(place_) && bytes_[place_ - 1] == '\n') {  // N-Triples is read by lines
       pieces_.cut({place_, line_here(), lines_.triple_count()});
     }
     if (!has_begun_) directives_ = lines_.directive_count();
@@ -103,11 +103,11 @@ class TurtleScan {
     lines_.word(bytes_.substr(begin, place_ - begin), line_at(begin));
   }
 
-  /// Raptor's N-Triples reader takes a lone quotation mark in a comment for the begin of a text, and silently skips
-  /// what follows; its Turtle reader does not.
+  /// Raptor's N-Triples reader takes a quotation mark or apostrophe in a comment for the begin of a text, and silently
+  /// skips what follows; its Turtle reader does not.
   void comment() {
     const std::size_t end = std::min(bytes_.find('\n', place_), bytes_.size());
-    if (bytes_.substr(place_, end - place_).contains('"')) lines_.quote_in_comment();
+    if (bytes_.substr(place_, end - place_).find_first_of("\"'") != std::string_view::npos) lines_.quote_in_comment();
     place_ = end;
   }
 

@@ -175,6 +175,9 @@ TEST(Load, LosesNothingBehindAQuotationMarkInAComment) {
     const auto loaded = load_text(name, triples);
     ASSERT_TRUE(loaded) << to_string(loaded.error());
     EXPECT_EQ(loaded->triples, 3U) << name;
+    const auto more = load_text(name, "# it's\n<http://e/O'B" + sub + "C> .\n" + triples);
+    ASSERT_TRUE(more) << to_string(more.error());
+    EXPECT_EQ(more->triples, 4U) << name;
     EXPECT_EQ(refusal(name, triples + "<http://e/\"A" + sub + "B> .\n" + triples),
               std::string(name) + ":5: has an IRI with a quotation mark in it");
   }
