@@ -183,6 +183,28 @@ TEST(Load, LosesNothingBehindAQuotationMarkInAComment) {
   }
 }
 
+TEST(Load, TakesNamesOfAllScriptsAlikeInEverySyntax) {
+  const std::string word = "\u00c4\u7403\U0001f916";
+  const std::string sub = "<http://www.w3.org/2000/01/rdf-schema#subClassOf>";
+  const std::string written = "<http://e/" + word + "> " + sub + " <http://e/B> .\n";
+  const std::string escaped = "<http://e/\\u00C4\\u7403\\U0001F916> " + sub + " <http://e/B> .\n";
+  const std::string element = xml("<rdf:Description rdf:about='http://e/" + word +
+                                  "'><rdfs:subClassOf rdf:resource='http://e/B'/></rdf:Description>\n");
+  const std::string references =
+      xml("<rdf:Description rdf:about='http://e/&#196;&#x7403;&#x1F916;'><rdfs:subClassOf "
+          "rdf:resource='http://e/B'/></rdf:Description>\n");
+  for (const auto& [name, text] : {std::pair{"a.nt", written},
+                                   {"a.nt", escaped},
+                                   {"a.ttl", written},
+                                   {"a.ttl", escaped},
+                                   {"a.owl", element},
+                                   {"a.owl", references}}) {
+    const auto loaded = load_text(name, text);
+    ASSERT_TRUE(loaded) << name << to_string(loaded.error());
+    EXPECT_THAT(functional(loaded->source), ElementsAre("SubClassOf(:" + word + " :B)")) << name << ' ' << text;
+  }
+}
+
 TEST(Load, TakesLanguageTagsInLowerCaseInEverySyntax) {
   const std::string value = "DataPropertyAssertion(:p :a \"x\"@en-gb)";
   const std::string declared = ":p a owl:DatatypeProperty .\n";
