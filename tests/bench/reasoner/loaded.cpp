@@ -1,0 +1,139 @@
+#include "bench/reasoner/loaded.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "base/random.hpp"
+#include "bench/reasoner/table.hpp"
+#include "el/compiled_view.hpp"
+#include "el/expression_classifier.hpp"
+#include "el/ontology.hpp"
+#include "reasoner/explain.hpp"
+
+namespace geminga::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Pair = std::pair<el::ClassNumber, el::ClassNumber>;
+
+constexpr std::size_t small_ontology = 20'000;
+constexpr std::size_t asked_to_explain = 40;
+constexpr std::size_t asked_expressions = 60;
+
+double milliseconds_since(Clock::time_point began) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - began).count();
+}
+
+double quantile(std::vector<double> values, double share) {
+  std::ranges::sort(values);
+  return values.at(static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
+}
+
+/// Half of the pairs are random, half are a class and one above it, so that both answers occur.
+std::vector<Pair> pairs_of(const el::Ontology& ontology, std::size_t count) {
+  base::Random random(1);
+  const auto any = [&] { return el::ClassNumber{static_cast<std::uint32_t>(random.below(ontology.class_count()))}; };
+  std::vector<Pair> pairs;
+  while (pairs.size() < count) {
+    const el::ClassNumber sub = any();
+    const auto above = ontology.subsumers(sub);
+    pairs.emplace_back(sub, any());
+    pairs.emplace_back(sub, above[random.below(above.size())]);
+  }
+  return pairs;
+}
+
+void measure_subsumption(const el::Ontology& ontology, const std::string& name, const std::string& size,
+                         std::size_t queries) {
+  const std::vector<Pair> pairs = pairs_of(ontology, queries);
+  std::vector<double> nanoseconds;
+  std::size_t held = 0;
+  for (int round = 0; round < 5; ++round) {
+    const auto began = Clock::now();
+    for (const auto& [sub, super] : pairs) held += ontology.is_subsumed(sub, super) ? 1U : 0U;
+    nanoseconds.push_back(milliseconds_since(began) * 1e6 / static_cast<double>(pairs.size()));
+  }
+  const bool is_small = ontology.class_count() <= small_ontology;
+  // The sum is shown, so that no compiler leaves the loop out: more than half of the pairs hold.
+  row(name + ": is A under B (" + std::to_string(held * 100 / (5 * pairs.size())) + " % yes)", size,
+      quantile(nanoseconds, 0.5), "ns", {.at_most = is_small ? 10.0 : 25.0});
+}
+
+void measure_explanations(const el::Ontology& ontology, const std::string& name, const std::string& size) {
+  std::vector<double> times;
+  for (const auto& [sub, super] : pairs_of(ontology, asked_to_explain * 20)) {
+    if (times.size() == asked_to_explain) break;
+    if (sub == super || !ontology.is_subsumed(sub, super) || !ontology.is_satisfiable(sub)) continue;
+    const auto began = Clock::now();
+    const auto steps = reasoner::explain(ontology, sub, super);
+    if (!steps) return row_without(name + ": an explanation", size, "a subsumption without an explanation");
+    if (steps->empty()) continue;
+    times.push_back(milliseconds_since(began));
+  }
+  if (times.empty()) return row_without(name + ": an explanation", size, "nothing is there to explain");
+  row(name + ": an explanation, median", size, quantile(times, 0.5), "ms", {.at_most = 10});
+  row(name + ": an explanation, worst", size, quantile(times, 1), "ms");
+}
+
+/// `A and (p some B)` over random classes and properties.
+void measure_expressions(const el::Ontology& ontology, const std::string& name, const std::string& size) {
+  const auto began = Clock::now();
+  const auto classifier = el::ExpressionClassifier::build(ontology);
+  if (!classifier) return row_without(name + ": a class expression", size, classifier.error().text);
+  row(name + ": ready for class expressions", size, milliseconds_since(began), "ms");
+  base::Random random(2);
+  const auto any = [&] {
+    return ontology.iri(el::ClassNumber{static_cast<std::uint32_t>(random.below(ontology.class_count()))});
+  };
+  std::vector<std::string_view> properties;
+  const el::CompiledView& view = ontology.view();
+  for (std::uint32_t term = 0; term < view.term_count(); ++term) {
+    if (view.kind_of_term(term) == el::TermKind::object_property) properties.push_back(view.name(view.term_name[term]));
+  }
+  if (properties.empty()) return row_without(name + ": a class expression", size, "there are no properties");
+  std::vector<double> times;
+  for (std::size_t asked = 0; asked < asked_expressions; ++asked) {
+    el::OntologySource query;
+    const el::TermId filler =
+        query.term(el::TermKind::object_some_values_from,
+                   {query.object_property(properties[random.below(properties.size())]), query.named_class(any())});
+    const el::TermId asks = query.term(el::TermKind::object_intersection_of, {query.named_class(any()), filler});
+    const auto start = Clock::now();
+    (void)classifier->classify(query, asks);
+    times.push_back(milliseconds_since(start));
+  }
+  row(name + ": a class expression, median", size, quantile(times, 0.5), "ms", {.at_most = 1});
+  row(name + ": a class expression, worst", size, quantile(times, 1), "ms");
+}
+
+}  // namespace
+
+void measure_loaded(const std::filesystem::path& compiled, const std::string& name, const std::string& size,
+                    std::size_t queries) {
+  std::vector<double> times;
+  for (int round = 0; round < 5; ++round) {
+    const auto began = Clock::now();
+    const auto ontology = el::Ontology::map(compiled);
+    if (!ontology) return row_without(name + ": mapped until the first answer", size, ontology.error().text);
+    if (!ontology->is_subsumed(el::ClassNumber{0}, *ontology->find_iri(el::owl_thing)))
+      return row_without(name + ": mapped until the first answer", size, "a wrong answer");
+    times.push_back(milliseconds_since(began));
+  }
+  row(name + ": mapped until the first answer", size, quantile(times, 0.5), "ms", {.at_most = 10});
+  const auto ontology = el::Ontology::map(compiled);
+  row(name + ": compiled file, a class", size,
+      static_cast<double>(std::filesystem::file_size(compiled)) / ontology->class_count(), "B");
+  const el::CompiledView& view = ontology->view();
+  const std::size_t index_bytes = view.own_interval.size_bytes() + view.further_begin.size_bytes() +
+                                  view.further.size_bytes() + view.representative.size_bytes();
+  row(name + ": subsumption index, a class", size, static_cast<double>(index_bytes) / ontology->class_count(), "B",
+      {.at_most = 32});
+  measure_subsumption(*ontology, name, size, queries);
+  measure_explanations(*ontology, name, size);
+  measure_expressions(*ontology, name, size);
+}
+
+}  // namespace geminga::bench

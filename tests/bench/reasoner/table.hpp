@@ -1,0 +1,23 @@
+// The rows that tools/bench puts into its table: `name, size, figure, ratio, target, verdict`, separated by tabs.
+#ifndef GEMINGA_TESTS_BENCH_REASONER_TABLE_HPP
+#define GEMINGA_TESTS_BENCH_REASONER_TABLE_HPP
+
+#include <string>
+
+namespace geminga::bench {
+
+/// What a figure is held against.
+struct Goal {
+  double baseline = 0;  ///< of the same run; 0: there is none
+  double at_most = 0;   ///< times the baseline, or the figure itself where there is no baseline; 0: judged by nobody
+};
+
+/// Prints a row at once.
+void row(const std::string& name, const std::string& size, double figure, const std::string& unit,
+         const Goal& goal = {});
+/// A row that has no figure, and why.
+void row_without(const std::string& name, const std::string& size, const std::string& why);
+
+}  // namespace geminga::bench
+
+#endif

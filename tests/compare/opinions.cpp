@@ -1,0 +1,141 @@
+#include "compare/opinions.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "clauses/clausify.hpp"
+#include "consequence/closure.hpp"
+#include "el/classify.hpp"
+#include "reasoner/reasoner.hpp"
+#include "tableau/tableau.hpp"
+
+namespace geminga::compare {
+namespace {
+
+using el::TermId;
+
+std::string name_of(const el::OntologySource& source, TermId id) {
+  if (id == el::thing_term) return "Thing";
+  if (id == el::nothing_term) return "Nothing";
+  return std::string(source.name_of(id));
+}
+
+/// owl:Thing and every other named class of the source, in the order of their terms.
+std::vector<TermId> named_classes(const el::OntologySource& source) {
+  std::vector<TermId> classes;
+  for (std::uint32_t id = 0; id < source.term_count(); ++id) {
+    if (source.kind(TermId{id}) == el::TermKind::named_class && TermId{id} != el::nothing_term)
+      classes.push_back(TermId{id});
+  }
+  return classes;
+}
+
+el::OntologySource copy_of(const el::OntologySource& source) {
+  el::OntologySource copy;
+  const el::FileId file = copy.add_file("copy");
+  std::vector<TermId> terms;
+  const auto mapped = [&](std::span<const TermId> from) {
+    std::vector<TermId> to;
+    for (const TermId id : from) to.push_back(terms[static_cast<std::size_t>(id)]);
+    return to;
+  };
+  for (std::uint32_t id = 0; id < source.term_count(); ++id) {
+    const el::Term term = source.term(TermId{id});
+    terms.push_back(copy.copy(term.kind, source.name(term.name), term.number, mapped(term.arguments)));
+  }
+  for (std::size_t at = 0; at < source.axiom_count(); ++at)
+    copy.add(source.axiom(at).kind, mapped(source.axiom(at).arguments), file, source.axiom(at).line);
+  return copy;
+}
+
+}  // namespace
+
+Opinion of_the_reasoner(const el::OntologySource& source) {
+  const auto classification = reasoner::classify(source);
+  if (!classification) return {{}, false, {classification.error().text}};
+  return {cases::closure_of(source, *classification, false),
+          classification->unused.empty() && classification->gaps.empty(),
+          {}};
+}
+
+Opinion of_el(const el::OntologySource& source) {
+  const auto classification = el::classify(source);
+  if (!classification) return {{}, false, {classification.error().text}};
+  return {cases::closure_of(source, *classification, false), classification->unused.empty(), {}};
+}
+
+Opinion of_consequence(const el::OntologySource& source) {
+  const auto set = clauses::clausify(source, {}, {});
+  if (!set) return {{}, false, {set.error().text}};
+  std::vector<clauses::ConceptId> wanted;
+  for (std::uint32_t id = 0; id < set->concepts.size(); ++id) {
+    if (set->concepts[id].kind == clauses::ConceptKind::named && clauses::ConceptId{id} != clauses::nothing)
+      wanted.push_back(clauses::ConceptId{id});
+  }
+  const consequence::Closure found = consequence::saturate(source, *set, wanted);
+  Opinion opinion{{}, found.gaps.empty() && set->unused.empty(), found.gaps};
+  if (!found.is_consistent) {
+    opinion.closure = {"inconsistent"};
+    return opinion;
+  }
+  const auto name = [&](clauses::ConceptId id) { return name_of(source, set->concepts[clauses::number(id)].term); };
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (std::size_t at = 0; at < wanted.size(); ++at) {
+    pairs.emplace_back(name(wanted[at]), "Thing");
+    for (const clauses::ConceptId super : found.subsumers[at]) {
+      if (set->concepts[clauses::number(super)].kind == clauses::ConceptKind::named)
+        pairs.emplace_back(name(wanted[at]), name(super));
+    }
+  }
+  opinion.closure = cases::closure_of_pairs(pairs);
+  return opinion;
+}
+
+Opinion of_the_tableau(const el::OntologySource& original) {
+  el::OntologySource source = copy_of(original);
+  const std::vector<TermId> classes = named_classes(original);
+  std::vector<std::pair<TermId, TermId>> asked;
+  std::vector<TermId> queries;
+  for (const TermId sub : classes) {
+    asked.emplace_back(sub, el::nothing_term);
+    queries.push_back(sub);
+    for (const TermId super : classes) {
+      if (super == sub || super == el::thing_term) continue;
+      asked.emplace_back(sub, super);
+      queries.push_back(source.term(el::TermKind::object_intersection_of,
+                                    {sub, source.term(el::TermKind::object_complement_of, {super})}));
+    }
+  }
+  const auto set = clauses::clausify(source, {}, queries);
+  if (!set) return {{}, false, {set.error().text}};
+  Opinion opinion{{}, set->unused.empty(), {}};
+  tableau::Tableau tableau(source, *set);
+  const tableau::Answer is_consistent = tableau.is_consistent();
+  if (is_consistent.verdict == tableau::Verdict::no) return {{"inconsistent"}, true, {}};
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (std::size_t at = 0; at < queries.size(); ++at) {
+    const std::pair<std::string, std::string> pair{name_of(original, asked[at].first),
+                                                   name_of(original, asked[at].second)};
+    const tableau::Answer answer = tableau.is_satisfiable({set->queries[at]});
+    if (answer.verdict == tableau::Verdict::no) pairs.push_back(pair);
+    if (answer.verdict == tableau::Verdict::unknown) opinion.unknown.push_back(pair.first + " < " + pair.second);
+  }
+  opinion.is_complete = opinion.is_complete && opinion.unknown.empty();
+  opinion.closure = cases::closure_of_pairs(pairs);
+  return opinion;
+}
+
+std::vector<std::string> contradictions(const Opinion& first, const Opinion& second) {
+  std::vector<std::string> found;
+  if (second.is_complete) {
+    for (const std::string& line : cases::unsound(first.closure, second.closure))
+      found.push_back("only the first: " + line);
+  }
+  if (first.is_complete) {
+    for (const std::string& line : cases::unsound(second.closure, first.closure))
+      found.push_back("only the second: " + line);
+  }
+  return found;
+}
+
+}  // namespace geminga::compare

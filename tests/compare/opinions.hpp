@@ -1,0 +1,36 @@
+// What our engines say of one ontology, each asked by itself, so that they can be held against each other.
+#ifndef GEMINGA_TESTS_COMPARE_OPINIONS_HPP
+#define GEMINGA_TESTS_COMPARE_OPINIONS_HPP
+
+#include <string>
+#include <vector>
+
+#include "cases/taxonomy.hpp"
+#include "el/source.hpp"
+
+namespace geminga::compare {
+
+/// Closures have whole IRIs, as cases::closure_of() gives them.
+struct Opinion {
+  cases::Closure closure;
+  bool is_complete = true;           ///< what is not in it does not follow, says the engine
+  std::vector<std::string> unknown;  ///< pairs that it could not decide
+};
+
+/// The face of the reasoner.
+[[nodiscard]] Opinion of_the_reasoner(const el::OntologySource& source);
+/// The fast engine alone.
+[[nodiscard]] Opinion of_el(const el::OntologySource& source);
+/// The consequence-based engine alone.
+[[nodiscard]] Opinion of_consequence(const el::OntologySource& source);
+/// The tableau alone, asked for each pair of named classes whether there can be something in the one and not in the
+/// other.
+[[nodiscard]] Opinion of_the_tableau(const el::OntologySource& source);
+
+/// How two opinions contradict each other, one line each: a pair that the first has and the second, being complete,
+/// has not, or the other way round.
+[[nodiscard]] std::vector<std::string> contradictions(const Opinion& first, const Opinion& second);
+
+}  // namespace geminga::compare
+
+#endif
