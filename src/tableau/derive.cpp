@@ -54,6 +54,7 @@ void Tableau::Search::process(FactId id) {
         if (has_clash_) return;
       }
       suspect_role(fact.predicate, fact.a, fact.b, is_data);
+      if (is_data) keep_apart(fact);
       return;
     }
     case FactKind::at_least:
@@ -65,6 +66,17 @@ void Tableau::Search::process(FactId id) {
       return;
     default:
       return;
+  }
+}
+
+/// U(x,v), V(x,w) -> v != w  where U and V are disjoint
+void Tableau::Search::keep_apart(const Fact& fact) {
+  for (const std::uint32_t other : program_.disjoint_with(fact.predicate)) {
+    for (FactId id = graph_.node(fact.a).out; id != none && !has_clash_; id = graph_.fact(id).next_a) {
+      const Fact edge = graph_.fact(id);
+      if (edge.kind != FactKind::data_role || edge.predicate != other || !graph_.is_active(edge.b)) continue;
+      add_unequal(fact.b, edge.b, unite(fact.dependency, edge.dependency));
+    }
   }
 }
 

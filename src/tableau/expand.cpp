@@ -108,6 +108,18 @@ bool Tableau::Search::give_to_neighbour(const Fact& fact) {
 
 void Tableau::Search::expand_data(const Fact& fact) {
   const clauses::DataAtLeast& at_least = set_.data_at_leasts[fact.predicate];
+  const clauses::DataRange& range = set_.data_ranges[number(at_least.range)];
+  const bool is_literal = number(at_least.range) > 1 && source_.kind(range.term) == el::TermKind::literal;
+  if (at_least.count == 1 && is_literal && !range.is_complement) {
+    if (values_.is_ill_formed(range.term)) {
+      clash(fact.dependency);
+      return;
+    }
+    DependencySet dependency = fact.dependency;
+    const NodeId value = graph_.current(constant(range.term), sets_, dependency);
+    add_fact(FactKind::data_role, number(at_least.property), fact.a, value, dependency);
+    return;
+  }
   const auto first = static_cast<NodeId>(graph_.node_count());
   for (std::uint32_t at = 0; at < at_least.count; ++at) {
     const NodeId node = graph_.add_node(NodeKind::value, fact.a);

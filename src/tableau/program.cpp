@@ -20,6 +20,7 @@ Program::Program(const clauses::ClauseSet& set) : set_(set) {
   bounds_of_role_.resize(set.properties.size());
   by_data_role_.resize(set.data_properties.size());
   bounds_of_data_role_.resize(set.data_properties.size());
+  disjoint_with_.resize(set.data_properties.size());
   for (const clauses::AtMost& one : set.at_mosts) {
     Bound bound{one.count, false, one.role.is_inverse, number(one.role.property)};
     if (one.filler != clauses::thing) bound.filler = number(one.filler);
@@ -60,7 +61,21 @@ std::uint32_t Program::index_of(const Bound& bound) {
 
 void Program::add_clause(const Clause& clause) {
   note_inverses(clause);
-  if (!take_bound(clause)) add_plans(clause);
+  if (!take_bound(clause) && !take_disjointness(clause)) add_plans(clause);
+}
+
+bool Program::take_disjointness(const Clause& clause) {
+  // U(x,v), V(x,v) -> false  says that values of U and of V differ, which values that are not chosen yet must know.
+  const bool has_shape =
+      clause.head.empty() && clause.body.size() == 2 && std::ranges::all_of(clause.body, [](const Atom& atom) {
+        return atom.kind == AtomKind::data_role && atom.second == 1;
+      });
+  if (!has_shape) return false;
+  const std::uint32_t first = clause.body[0].predicate;
+  const std::uint32_t second = clause.body[1].predicate;
+  disjoint_with_[first].push_back(second);
+  disjoint_with_[second].push_back(first);
+  return true;
 }
 
 namespace {

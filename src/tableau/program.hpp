@@ -87,6 +87,8 @@ class Program {
     return bounds_of_filler_[id];
   }
   [[nodiscard]] std::span<const std::uint32_t> bounds_of_guard(std::uint32_t id) const { return bounds_of_guard_[id]; }
+  /// Data properties that share no value with this one.
+  [[nodiscard]] std::span<const std::uint32_t> disjoint_with(std::uint32_t id) const { return disjoint_with_[id]; }
   /// The bound of an at_most or data_at_most atom of the clauses.
   [[nodiscard]] std::uint32_t bound_of_atom(const clauses::Atom& atom) const;
 
@@ -99,6 +101,7 @@ class Program {
  private:
   void add_clause(const clauses::Clause& clause);
   bool take_bound(const clauses::Clause& clause);
+  bool take_disjointness(const clauses::Clause& clause);
   void add_plans(const clauses::Clause& clause);
   void add_plan(const clauses::Clause& clause, std::size_t trigger, std::uint32_t head_begin, std::uint32_t head_end);
   std::uint32_t index_of(const Bound& bound);
@@ -119,6 +122,7 @@ class Program {
   std::vector<std::vector<std::uint32_t>> bounds_of_data_role_;
   std::vector<std::vector<std::uint32_t>> bounds_of_filler_;
   std::vector<std::vector<std::uint32_t>> bounds_of_guard_;
+  std::vector<std::vector<std::uint32_t>> disjoint_with_;
   std::vector<std::uint32_t> bound_of_at_most_;
   std::vector<std::uint32_t> bound_of_data_at_most_;
   bool needs_thing_ = false;

@@ -1,6 +1,5 @@
 // What is asked: the facts, a fresh instance of concepts, keys; and the model that answers.
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "tableau/search.hpp"
@@ -29,20 +28,13 @@ void Tableau::Search::load_facts() {
     add_fact(FactKind::role, number(fact.property), individuals_[number(fact.first)], individuals_[number(fact.second)],
              no_dependency);
   }
-  std::map<el::TermId, NodeId> constants;
   for (const clauses::DataFact& fact : set_.data_facts) {
     if (values_.is_ill_formed(fact.value)) {
       clash(no_dependency);
       return;
     }
-    const el::TermId literal = values_.representative(fact.value);
-    const auto [found, is_new] = constants.try_emplace(literal);
-    if (is_new) {
-      found->second = graph_.add_node(NodeKind::constant, none);
-      graph_.set_literal(found->second, static_cast<std::uint32_t>(literal));
-    }
-    add_fact(FactKind::data_role, number(fact.property), individuals_[number(fact.individual)], found->second,
-             no_dependency);
+    const NodeId value = constant(fact.value);
+    add_fact(FactKind::data_role, number(fact.property), individuals_[number(fact.individual)], value, no_dependency);
   }
   for (const clauses::Equality& equality : set_.equalities) {
     const NodeId first = individuals_[number(equality.first)];
@@ -53,6 +45,18 @@ void Tableau::Search::load_facts() {
       merges_.push_back({first, second, no_dependency});
     }
   }
+}
+
+NodeId Tableau::Search::constant(el::TermId literal) {
+  const el::TermId chosen = values_.representative(literal);
+  const auto [found, is_new] = constants_.try_emplace(chosen, none);
+  const NodeId known = found->second;
+  const bool is_there = known < graph_.node_count() && graph_.node(known).kind == NodeKind::constant &&
+                        graph_.node(known).literal == static_cast<std::uint32_t>(chosen);
+  if (is_there) return known;
+  found->second = graph_.add_node(NodeKind::constant, none);
+  graph_.set_literal(found->second, static_cast<std::uint32_t>(chosen));
+  return found->second;
 }
 
 Answer Tableau::Search::answer(Outcome outcome) {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "tableau/graph.hpp"
@@ -126,6 +127,7 @@ class Tableau::Search {
 
   // derive.cpp: facts and clauses
   void process(FactId id);
+  void keep_apart(const Fact& fact);
   void process_concept(const Fact& fact, FactId id);
   void fire(const Plan& plan, FactId id);
   void match(const Plan& plan, std::span<const Step> steps, FactId limit, DependencySet dependency);
@@ -170,6 +172,7 @@ class Tableau::Search {
 
   // Values.
   void check_values();
+  NodeId constant(el::TermId literal);
   [[nodiscard]] std::optional<bool> is_constant_in(NodeId node, std::uint32_t range);
 
   const el::OntologySource& source_;
@@ -195,6 +198,8 @@ class Tableau::Search {
   std::vector<Branch> branches_;
   std::vector<NodeId> variables_;  ///< of the clause that is matched
   std::vector<NodeId> individuals_;
+  /// Of literals; an entry counts where the node is still there.
+  std::unordered_map<el::TermId, NodeId> constants_;
   std::vector<bool> is_named_;  ///< by node, for keys
   std::size_t steps_ = 0;
   std::string reason_;

@@ -3,22 +3,27 @@
 #define GEMINGA_TABLEAU_VALUE_CHECK_HPP
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "clauses/clause.hpp"
 #include "tableau/graph.hpp"
 
 namespace geminga::tableau {
 
+/// As many attempts are made to give values that must differ to the nodes of one group; beyond, it is not known
+/// whether there are enough.
+inline constexpr std::size_t max_value_attempts = 100'000;
+
 /// Knows the value spaces of one ClauseSet.
 class ValueCheck {
  public:
   ValueCheck(const el::OntologySource& source, const clauses::ClauseSet& set);
+  ~ValueCheck();
 
   /// Whether the lexical form is certainly not of its datatype.
-  [[nodiscard]] bool is_ill_formed(el::TermId literal) const;
+  [[nodiscard]] bool is_ill_formed(el::TermId literal);
   /// Whether a literal is in a data range; nothing where it cannot be known.
   [[nodiscard]] std::optional<bool> is_in(el::TermId literal, std::uint32_t range);
   /// Whether two literals certainly have different values.
@@ -30,8 +35,8 @@ class ValueCheck {
   [[nodiscard]] std::optional<DependencySet> clash(const Graph& graph, DependencySets& sets, std::string& unknown);
 
  private:
-  const el::OntologySource& source_;
-  const clauses::ClauseSet& set_;
+  class Problem;
+  std::unique_ptr<Problem> problem_;
 };
 
 }  // namespace geminga::tableau

@@ -89,12 +89,22 @@ class Reader {
       for (std::uint8_t kind = 0; kind < term_kind_count; ++kind) {
         if (to_string(TermKind{kind}) != name) continue;
         std::uint32_t number = 0;
-        const std::vector<TermId> arguments = read_arguments(number);
+        std::vector<TermId> arguments = read_arguments(number);
+        if (TermKind{kind} == TermKind::datatype_restriction) arguments = with_facets(arguments);
         return source_.term(TermKind{kind}, arguments, number);
       }
       ADD_FAILURE() << "no expression: " << name;
     }
     return entity(name);
+  }
+
+  /// A datatype, then names of facets and literals in turn.
+  std::vector<TermId> with_facets(const std::vector<TermId>& arguments) {
+    std::vector<TermId> result = {arguments.front()};
+    for (std::size_t at = 1; at + 1 < arguments.size(); at += 2) {
+      result.push_back(source_.facet(source_.name_of(arguments[at]), arguments[at + 1]));
+    }
+    return result;
   }
 
   TermId entity(std::string_view name) {

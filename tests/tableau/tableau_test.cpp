@@ -216,5 +216,94 @@ const std::vector<Case> cases = {
 INSTANTIATE_TEST_SUITE_P(Each, Models, testing::ValuesIn(cases),
                          [](const auto& one) { return std::string(one.param.name); });
 
+const std::vector<Case> value_cases = {
+    {"BooleanHasTwoValues", "SubClassOf(A DataMinCardinality(3 d:u x:boolean))", "yes", "no"},
+    {"BooleanHasTwo", "SubClassOf(A DataMinCardinality(2 d:u x:boolean))", "yes", "yes"},
+    {"BytesAreCounted", "SubClassOf(A DataMinCardinality(256 d:u x:byte))", "yes", "yes"},
+    {"IntervalOfIntegers",
+     "SubClassOf(A DataMinCardinality(3 d:u DatatypeRestriction(x:integer x:minExclusive \"1\"^x:integer "
+     "x:maxExclusive \"4\"^x:integer)))",
+     "yes", "no"},
+    {"IntervalOfDecimals",
+     "SubClassOf(A DataMinCardinality(3 d:u DatatypeRestriction(x:decimal x:minExclusive \"1\"^x:integer "
+     "x:maxExclusive \"1.1\"^x:decimal)))",
+     "yes", "yes"},
+    {"EmptyInterval",
+     "SubClassOf(A DataSomeValuesFrom(d:u DatatypeRestriction(x:integer x:minInclusive \"5\"^x:integer)))\n"
+     "SubClassOf(A DataAllValuesFrom(d:u DatatypeRestriction(x:integer x:maxInclusive \"4\"^x:integer)))",
+     "yes", "no"},
+    {"DisjointDatatypes", "SubClassOf(A DataSomeValuesFrom(d:u x:integer))\nDataPropertyRange(d:u x:string)", "yes",
+     "no"},
+    {"FloatsAreNotDoubles", "SubClassOf(A DataSomeValuesFrom(d:u x:float))\nDataPropertyRange(d:u x:double)", "yes",
+     "no"},
+    {"FloatsBetweenNeighbours",
+     "SubClassOf(A DataSomeValuesFrom(d:u DatatypeRestriction(x:float x:minExclusive \"0.0\"^x:float x:maxExclusive "
+     "\"1.401298464324817e-45\"^x:float)))",
+     "yes", "no"},
+    {"ZerosAreDifferent",
+     "FunctionalDataProperty(d:u)\nSubClassOf(A DataHasValue(d:u \"0.0\"^x:float))\n"
+     "SubClassOf(A DataHasValue(d:u \"-0.0\"^x:float))",
+     "yes", "no"},
+    {"EqualNumbersOfTwoTypes",
+     "FunctionalDataProperty(d:u)\nSubClassOf(A DataHasValue(d:u \"1\"^x:integer))\n"
+     "SubClassOf(A DataHasValue(d:u \"1.0\"^x:decimal))",
+     "yes", "yes"},
+    {"FunctionalValues",
+     "FunctionalDataProperty(d:u)\nSubClassOf(A DataHasValue(d:u \"1\"^x:integer))\n"
+     "SubClassOf(A DataHasValue(d:u \"2\"^x:integer))",
+     "yes", "no"},
+    {"OneOf", "SubClassOf(A DataMinCardinality(3 d:u DataOneOf(\"1\"^x:integer \"1.0\"^x:decimal \"2\"^x:integer)))",
+     "yes", "no"},
+    {"Complement",
+     "SubClassOf(A DataSomeValuesFrom(d:u DataIntersectionOf(x:nonNegativeInteger "
+     "DataComplementOf(x:positiveInteger) DataComplementOf(DataOneOf(\"0\"^x:integer)))))",
+     "yes", "no"},
+    {"Union",
+     "SubClassOf(A DataSomeValuesFrom(d:u DataUnionOf(x:byte x:boolean)))\n"
+     "SubClassOf(A DataAllValuesFrom(d:u DataComplementOf(x:byte)))\n"
+     "SubClassOf(A DataAllValuesFrom(d:u DataComplementOf(DataOneOf(\"true\"^x:boolean))))",
+     "yes", "yes"},
+    {"Lengths", "SubClassOf(A DataMinCardinality(2 d:u DatatypeRestriction(x:string x:maxLength \"0\"^x:integer)))",
+     "yes", "no"},
+    {"SubProperty",
+     "SubDataPropertyOf(d:u d:v)\nSubClassOf(A DataSomeValuesFrom(d:u x:integer))\n"
+     "SubClassOf(A DataAllValuesFrom(d:v DataComplementOf(x:integer)))",
+     "yes", "no"},
+    {"DisjointDataProperties",
+     "DisjointDataProperties(d:u d:v)\nSubClassOf(A DataHasValue(d:u \"1\"^x:integer))\n"
+     "SubClassOf(A DataHasValue(d:v \"01\"^x:integer))",
+     "yes", "no"},
+    {"AtMostValues",
+     "SubClassOf(A DataMinCardinality(2 d:u x:integer))\nSubClassOf(A DataMinCardinality(2 d:u x:string))\n"
+     "SubClassOf(A DataMaxCardinality(3 d:u))",
+     "yes", "no"},
+    {"AtMostValuesOfARange",
+     "SubClassOf(A DataMinCardinality(3 d:u x:integer))\n"
+     "SubClassOf(A DataMaxCardinality(1 d:u x:nonNegativeInteger))\n"
+     "SubClassOf(A DataMaxCardinality(1 d:u x:negativeInteger))",
+     "yes", "no"},
+    {"ValueOnTheLeft",
+     "SubClassOf(DataHasValue(d:u \"1\"^x:integer) B)\nDataPropertyAssertion(d:u i:a \"01\"^x:integer)\n"
+     "ClassAssertion(ObjectComplementOf(B) i:a)",
+     "no", ""},
+    {"NegativeValue",
+     "DataPropertyAssertion(d:u i:a \"1.0\"^x:decimal)\nNegativeDataPropertyAssertion(d:u i:a \"1\"^x:integer)", "no",
+     ""},
+    {"ValueOutsideTheRange", "DataPropertyRange(d:u x:byte)\nDataPropertyAssertion(d:u i:a \"128\"^x:integer)", "no",
+     ""},
+    {"IllFormed", "DataPropertyAssertion(d:u i:a \"one\"^x:integer)", "no", ""},
+    {"KeyOfValues",
+     "HasKey(B d:u)\nClassAssertion(B i:a)\nClassAssertion(B i:b)\nDataPropertyAssertion(d:u i:a \"1\"^x:integer)\n"
+     "DataPropertyAssertion(d:u i:b \"1\"^x:integer)\nDifferentIndividuals(i:a i:b)",
+     "no", ""},
+    {"TimesWithAndWithoutZones",
+     "SubClassOf(A DataHasValue(d:u \"2020-01-01T00:00:00\"^x:dateTime))\nDataPropertyRange(d:u "
+     "DatatypeRestriction(x:dateTime x:minInclusive \"2020-01-01T12:00:00Z\"^x:dateTime))",
+     "yes", "no"},
+};
+
+INSTANTIATE_TEST_SUITE_P(OfValues, Models, testing::ValuesIn(value_cases),
+                         [](const auto& one) { return std::string(one.param.name); });
+
 }  // namespace
 }  // namespace geminga::tableau

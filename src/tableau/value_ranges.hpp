@@ -1,0 +1,57 @@
+// Which values a data range has: datatypes, facets, enumerations, and what is defined by them.
+#ifndef GEMINGA_TABLEAU_VALUE_RANGES_HPP
+#define GEMINGA_TABLEAU_VALUE_RANGES_HPP
+
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+
+#include "clauses/clause.hpp"
+#include "tableau/value_set.hpp"
+
+namespace geminga::tableau {
+
+/// What is known of a set: it has at least the values of `least` and at most those of `most`.
+struct KnownSet {
+  ValueSet least;
+  ValueSet most;
+  /// Why they differ; empty: they do not.
+  std::string reason;
+};
+
+/// The sets of the data ranges of one source. Facets that are not worked out (patterns, language ranges) and datatypes
+/// that are not in the OWL 2 datatype map leave a set between nothing and what it is taken from.
+class ValueRanges {
+ public:
+  ValueRanges(const el::OntologySource& source, const clauses::ClauseSet& set);
+
+  [[nodiscard]] const KnownSet& of(clauses::DataRangeId range);
+  /// Of a literal; its value is kept.
+  [[nodiscard]] const std::optional<Value>& value(el::TermId literal);
+  [[nodiscard]] bool is_ill_formed(el::TermId literal);
+
+ private:
+  struct Literal {
+    std::optional<Value> value;
+    bool is_ill_formed = false;
+  };
+  const Literal& literal(el::TermId term);
+  /// `depth` bounds definitions that define each other in a circle.
+  KnownSet evaluate(el::TermId term, unsigned depth);
+  KnownSet datatype(el::TermId term, unsigned depth);
+  KnownSet restriction(const el::Term& term, unsigned depth);
+  /// The values of the base type that a facet allows.
+  std::optional<ValueSet> facet(std::string_view name, el::TermId value, bool& is_ill_formed);
+
+  const el::OntologySource& source_;
+  const clauses::ClauseSet& set_;
+  std::unordered_map<el::TermId, el::TermId> definitions_;
+  std::unordered_map<std::uint32_t, KnownSet> known_;
+  std::unordered_map<el::TermId, KnownSet> evaluated_;
+  std::unordered_map<el::TermId, Literal> literals_;
+};
+
+}  // namespace geminga::tableau
+
+#endif
