@@ -158,11 +158,13 @@ std::optional<std::uint32_t> ModuleIndex::term_of(ClassNumber number) const {
   return term;
 }
 
-std::vector<std::uint32_t> extract_module(const ModuleIndex& index, std::span<const ClassNumber> classes) {
+std::vector<std::uint32_t> extract_module(const ModuleIndex& index, std::span<const ClassNumber> classes,
+                                          std::span<const std::uint32_t> more_terms) {
   std::vector<std::uint32_t> terms;
   for (const ClassNumber number : classes) {
     if (const auto term = index.term_of(number)) terms.push_back(*term);
   }
+  terms.insert(terms.end(), more_terms.begin(), more_terms.end());
   return Walk(index).run(terms);
 }
 

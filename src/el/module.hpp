@@ -39,10 +39,12 @@ class ModuleIndex {
   std::vector<std::uint32_t> unconditional_;
 };
 
-/// Numbers of axioms that hold every minimal set that entails that one of these classes is below anything at all. They
-/// come in the order in which the walk reaches them, so that what is near stands first. Declarations are never among
-/// them. Cost: that of what is reached, beside one bit for each term and axiom of the ontology.
-[[nodiscard]] std::vector<std::uint32_t> extract_module(const ModuleIndex& index, std::span<const ClassNumber> classes);
+/// Numbers of axioms that hold every minimal set that entails anything about these classes and terms; that one of the
+/// classes is below any named class, too. They come in the order in which the walk reaches them, so that what is near
+/// stands first. Declarations are never among them. Cost: that of what is reached, beside one bit for each term and
+/// axiom of the ontology.
+[[nodiscard]] std::vector<std::uint32_t> extract_module(const ModuleIndex& index, std::span<const ClassNumber> classes,
+                                                        std::span<const std::uint32_t> more_terms = {});
 
 }  // namespace geminga::el
 

@@ -15,9 +15,9 @@ AxiomSet minimal_of(const AxiomSet& enough, const Holds& holds) {
 
 }  // namespace
 
-Explainer::Explainer(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super)
+Explainer::Explainer(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super, Patience patience)
     : module_(ontology, std::array{sub, super}),
-      oracle_(module_.source()),
+      oracle_(module_.source(), patience),
       sub_(module_.term(sub)),
       super_(module_.term(super)) {}
 
@@ -50,6 +50,15 @@ std::optional<AxiomSet> Explainer::find_one_of(const AxiomSet& candidates) {
   return minimal_of(*enough, holds);
 }
 
+AllSets Explainer::find_all(const ExplanationLimits& limits, std::size_t max_work) {
+  // A first one decides whether the module is enough.
+  if (!find_one()) return {};
+  const std::size_t end = oracle_.work() + max_work;
+  return find_all_minimal(
+      module_.all(), [this](const AxiomSet& candidates) { return find_one_of(candidates); },
+      [this, end] { return oracle_.work() > end; }, limits);
+}
+
 std::vector<ExplainedAxiom> Explainer::explained(const AxiomSet& axioms) const {
   std::vector<ExplainedAxiom> list;
   for (const std::uint32_t axiom : module_.in_order_of_argument(axioms, sub_)) {
@@ -59,9 +68,9 @@ std::vector<ExplainedAxiom> Explainer::explained(const AxiomSet& axioms) const {
 }
 
 std::optional<std::vector<ExplainedAxiom>> explain(const el::Ontology& ontology, el::ClassNumber sub,
-                                                   el::ClassNumber super) {
+                                                   el::ClassNumber super, Patience patience) {
   if (!ontology.is_subsumed(sub, super)) return std::nullopt;
-  Explainer explainer(ontology, sub, super);
+  Explainer explainer(ontology, sub, super, patience);
   const auto found = explainer.find_one();
   if (!found) return std::nullopt;
   return explainer.explained(*found);

@@ -31,9 +31,11 @@ TermId subject_of(const Axiom& axiom) {
 
 }  // namespace
 
-Module::Module(const el::Ontology& ontology, std::span<const el::ClassNumber> classes) : ontology_(ontology) {
+Module::Module(const el::Ontology& ontology, std::span<const el::ClassNumber> classes,
+               std::span<const std::uint32_t> more_terms)
+    : ontology_(ontology) {
   for (const el::LoadedFile& file : ontology.files()) source_.add_file(file.path, file.ontology_iri);
-  for (const std::uint32_t axiom : el::extract_module(ontology.module_index(), classes)) copy(axiom);
+  for (const std::uint32_t axiom : el::extract_module(ontology.module_index(), classes, more_terms)) copy(axiom);
 }
 
 void Module::add_rest() {
@@ -77,6 +79,16 @@ ExplainedAxiom Module::explained(std::uint32_t number) const {
   const Axiom axiom = source_.axiom(number);
   const auto shorten = [&](std::string_view iri) { return ontology_.short_name(iri); };
   return {el::print(source_, axiom, shorten), source_.files()[static_cast<std::size_t>(axiom.file)].path, axiom.line};
+}
+
+ExplainedAxiom Module::explained_original(std::uint32_t axiom) {
+  const el::CompiledView& view = ontology_.view();
+  std::vector<TermId> arguments;
+  for (const std::uint32_t argument : view.arguments_of_axiom(axiom)) arguments.push_back(copy_term(argument));
+  const auto shorten = [&](std::string_view iri) { return ontology_.short_name(iri); };
+  const Axiom copied{view.kind_of_axiom(axiom), el::FileId{view.axiom_file[axiom]}, view.axiom_line[axiom], arguments};
+  return {el::print(source_, copied, shorten), source_.files()[static_cast<std::size_t>(copied.file)].path,
+          copied.line};
 }
 
 std::string Module::print(TermId term) const {

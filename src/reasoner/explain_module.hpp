@@ -23,8 +23,9 @@ struct ExplainedAxiom {
 /// The axioms that can matter for what is said of some classes. Borrows the ontology.
 class Module {
  public:
-  /// What can matter for subsumptions of these classes.
-  Module(const el::Ontology& ontology, std::span<const el::ClassNumber> classes);
+  /// What can matter for subsumptions of these classes, and for what else these terms of the compiled form say.
+  Module(const el::Ontology& ontology, std::span<const el::ClassNumber> classes,
+         std::span<const std::uint32_t> more_terms = {});
 
   /// The axioms are those of the module and nothing else, in the order in which the walk from the classes reached them.
   [[nodiscard]] const el::OntologySource& source() const { return source_; }
@@ -33,20 +34,24 @@ class Module {
   [[nodiscard]] std::uint32_t axiom_count() const { return axiom_count_; }
   /// All of them.
   [[nodiscard]] AxiomSet all() const;
-  /// Brings in the other axioms of the ontology: a module is enough for what follows, but the rules of an engine are
-  /// not always all of OWL, and may find with more axioms what they do not find with enough.
+  /// To be called before anything is added. Brings in the other axioms of the ontology: a module is enough for what
+  /// follows, but the rules of an engine are not always all of OWL, and may find with more axioms what they do not find
+  /// with enough.
   void add_rest();
 
   [[nodiscard]] const el::Ontology& ontology() const { return ontology_; }
   [[nodiscard]] el::TermId term(el::ClassNumber number);
+  /// The same term as the compiled form has it, in the module's source. Recursion is bounded by the nesting of terms.
+  el::TermId copy_term(std::uint32_t term);
   [[nodiscard]] ExplainedAxiom explained(std::uint32_t axiom) const;
+  /// An axiom by its number in the compiled form, of the module or not.
+  [[nodiscard]] ExplainedAxiom explained_original(std::uint32_t axiom);
   [[nodiscard]] std::string print(el::TermId term) const;
   /// Axioms in an order in which each speaks, where possible, of what was spoken of before, beginning with `first`.
   [[nodiscard]] AxiomSet in_order_of_argument(AxiomSet axioms, el::TermId first) const;
 
  private:
   void copy(std::uint32_t axiom);
-  el::TermId copy_term(std::uint32_t term);
 
   const el::Ontology& ontology_;
   el::OntologySource source_;

@@ -11,10 +11,19 @@
 
 namespace geminga::reasoner {
 
-/// Asks about one source, which must outlive it and may grow. Every yes is sound. It counts its work.
+/// How much may be asked of the engines beyond the rules of EL. The bounds count work, so that the answer is the same
+/// everywhere.
+enum class Patience : std::uint8_t {
+  of_a_person,  ///< who asked a program on a command line
+  of_a_daemon,  ///< which has others to serve, on the same thread
+};
+
+/// Asks about one source, which must outlive it and may grow. Every yes is sound. After some questions that were too
+/// hard, only the rules are asked.
 class Oracle {
  public:
-  explicit Oracle(const el::OntologySource& source) : source_(source) {}
+  explicit Oracle(const el::OntologySource& source, Patience patience = Patience::of_a_person)
+      : source_(source), patience_(patience) {}
 
   /// As far as the rules of EL carry; they are so much cheaper than the rest that they are always asked first.
   [[nodiscard]] el::Entailed find_by_rules(std::span<const std::uint32_t> axioms, el::TermId sub, el::TermId super);
@@ -23,13 +32,14 @@ class Oracle {
 
   /// Axioms that were asked about, over all questions: the same everywhere for the same questions.
   [[nodiscard]] std::size_t work() const { return work_; }
-  /// A question was left undecided.
-  [[nodiscard]] bool was_undecided() const { return was_undecided_; }
+  /// Questions that were left undecided.
+  [[nodiscard]] std::size_t undecided_count() const { return undecided_; }
 
  private:
   const el::OntologySource& source_;
+  Patience patience_;
   std::size_t work_ = 0;
-  bool was_undecided_ = false;
+  std::size_t undecided_ = 0;
 };
 
 }  // namespace geminga::reasoner
