@@ -282,7 +282,7 @@ std::vector<Value> ValueSet::list(std::size_t limit) const {
           const bool is_empty_text = family == DataFamily::text && position == 0;
           if ((family == DataFamily::text && !is_empty_text) || multiplicity(family, layer, value.position) != 1)
             return;
-          if (is_empty_text) value.text = "s";  // as el::DataValue writes it
+          if (is_empty_text) value.text.assign(1, 's');  // as el::DataValue writes it
           if (!exceptions_.contains(value)) values.push_back(std::move(value));
         }
       });
