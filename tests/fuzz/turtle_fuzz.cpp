@@ -1,0 +1,7 @@
+// Any octets as a file in Turtle.
+#include "fuzz/rdf_target.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t size) {
+  geminga::fuzz::read_as(".ttl", octets, size);
+  return 0;
+}
