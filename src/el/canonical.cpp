@@ -99,9 +99,9 @@ namespace {
 
 void order_files(const OntologySource& source, CanonicalOrder& order, std::vector<std::uint32_t>& number_of_file) {
   for (std::uint32_t file = 0; file < source.files().size(); ++file) order.files.push_back(FileId{file});
-  std::ranges::stable_sort(order.files, {}, [&](FileId id) {
+  std::ranges::sort(order.files, {}, [&](FileId id) {
     const LoadedFile& file = source.files()[static_cast<std::size_t>(id)];
-    return std::pair<std::string_view, std::string_view>(file.path, file.ontology_iri);
+    return std::tuple<std::string_view, std::string_view, FileId>(file.path, file.ontology_iri, id);
   });
   number_of_file.resize(order.files.size());
   for (std::uint32_t at = 0; at < order.files.size(); ++at) {

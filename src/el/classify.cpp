@@ -101,7 +101,7 @@ class Classifier {
   }
 
   [[nodiscard]] std::unique_ptr<Saturation> saturate() const {
-    auto saturation = std::make_unique<Saturation>(index_, SaturationLimits{});
+    auto saturation = std::make_unique<Saturation>(index_, SaturationLimits{.merged_atoms = options_.merged_atoms});
     for (const ExprId root : asked_) saturation->require(root);
     for (const ExprId individual : normaliser_.individuals()) saturation->require(index_.representative(individual));
     saturation->run(options_.threads);
@@ -175,9 +175,10 @@ class Classifier {
 
   /// By axiom, the first reason of each.
   void sort_unused() {
-    std::ranges::stable_sort(result_.unused, std::ranges::less{}, &UnusedAxiom::axiom);
-    const auto repeated = std::ranges::unique(result_.unused, {}, &UnusedAxiom::axiom);
-    result_.unused.erase(repeated.begin(), repeated.end());
+    std::map<std::uint32_t, std::string_view> reason_of;
+    for (const UnusedAxiom& unused : result_.unused) reason_of.try_emplace(unused.axiom, unused.construct);
+    result_.unused.clear();
+    for (const auto& [axiom, construct] : reason_of) result_.unused.push_back({axiom, construct});
     result_.counts.used_axioms = result_.counts.axioms - result_.unused.size();
   }
 

@@ -16,8 +16,12 @@
 
 namespace geminga::el {
 
+/// Beyond it functional properties are left out and named.
+inline constexpr std::size_t default_max_merged_atoms = std::size_t{1} << 20;
+
 struct ClassifyOptions {
-  unsigned threads = 1;  ///< reserved: the saturation works with one today, and its result does not depend on it
+  unsigned threads = 1;                                 ///< of saturation; the result does not depend on it
+  std::size_t merged_atoms = default_max_merged_atoms;  ///< see SaturationLimits
 };
 
 /// Why an ontology could not be classified. `text` is one line for a user.

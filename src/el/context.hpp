@@ -71,6 +71,7 @@ struct Message {
   Kind kind = Kind::subsumer;
   std::uint32_t first = 0;
   std::uint32_t second = 0;
+  friend bool operator==(const Message&, const Message&) = default;
 };
 
 /// A message that waits for the thread that will work on the context.

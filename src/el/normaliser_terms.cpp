@@ -162,7 +162,8 @@ ExprId Normaliser::make_restriction(TermId id, const Term& term) {
       return index_.conjunction({least, most});
     }
     default:
-      GEMINGA_ASSERT(!"a term that is no class expression or data range");
+      GEMINGA_ASSERT(false);  // a term that is no class expression or data range
+      return bottom_expr;
   }
 }
 

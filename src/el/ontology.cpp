@@ -95,9 +95,10 @@ std::vector<std::uint32_t> Ontology::Mapped::walk_up(std::uint32_t node) const {
     std::ranges::sort(next);
     next.erase(std::unique(next.begin(), next.end()), next.end());
     std::erase_if(next, [&](std::uint32_t at) { return std::ranges::binary_search(above, at); });
-    const auto middle = static_cast<std::ptrdiff_t>(above.size());
-    above.insert(above.end(), next.begin(), next.end());
-    std::inplace_merge(above.begin(), above.begin() + middle, above.end());
+    std::vector<std::uint32_t> both;
+    both.reserve(above.size() + next.size());
+    std::ranges::merge(above, next, std::back_inserter(both));
+    above = std::move(both);
     layer = std::move(next);
   }
   return above;

@@ -131,6 +131,7 @@ void Worker::add_bottom(std::uint32_t context) {
   ++conclusions_;
   if (self.is_nonempty) shared_.is_inconsistent = true;
   self.backward_done = 0;
+  self.subsumers_done = self.forward_done = self.selfs_done = 0;  // what they count is gone
   self.subsumers.clear(arena_);
   self.forward.clear(arena_);
   self.propagating.clear(arena_);

@@ -5,6 +5,7 @@
 #include <thread>
 #include <utility>
 
+#include "el/interner.hpp"
 #include "el/threads.hpp"
 #include "el/worker.hpp"
 
@@ -117,6 +118,13 @@ void Worker::work_on(std::uint32_t context) {
 }
 
 void Worker::post(std::uint32_t context, const Message& message) {
+  // Saying a thing twice changes nothing, and chains conclude the same link again and again: who has said it of late
+  // does not write once more.
+  if (posted_.empty()) posted_.resize(posted_count);
+  const std::uint64_t kind_and_context = static_cast<std::uint64_t>(message.kind) << 32 | context;
+  Posted& slot = posted_[mixed(mixed(kind_and_context, message.first), message.second) % posted_count];
+  if (slot.context == context && slot.message == message) return;
+  slot = {context, message};
   std::atomic<Letter*>& inbox = contexts_[context].inbox;
   auto* letter = ::new (arena_.allocate(sizeof(Letter))) Letter{nullptr, message};
   Letter* before = inbox.load(std::memory_order_relaxed);

@@ -18,6 +18,7 @@
 #include <mutex>
 #include <vector>
 
+#include "el/classify.hpp"
 #include "el/context.hpp"
 #include "el/index.hpp"
 
@@ -30,7 +31,7 @@ struct SaturationLimits {
   std::size_t conclusions = std::size_t{1} << 31;  ///< bounds the work and with it the memory
   /// Atoms of all contexts that are of some together. Merging the successors of functional properties can need
   /// exponentially many of them: ELF, EL with functional properties, is complete for exponential time.
-  std::size_t merged_atoms = std::size_t{1} << 20;
+  std::size_t merged_atoms = default_max_merged_atoms;
 };
 
 /// What the workers of one saturation share.

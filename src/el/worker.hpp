@@ -87,6 +87,13 @@ class Worker {
   std::size_t conclusions_ = 0;
   std::size_t links_ = 0;
   std::vector<std::uint32_t> queue_;
+  /// What was posted of late: a table in which the new displaces the old.
+  struct Posted {
+    std::uint32_t context = nowhere;
+    Message message;
+  };
+  static constexpr std::size_t posted_count = std::size_t{1} << 15;
+  std::vector<Posted> posted_;
   Arena arena_;
 };
 
