@@ -95,6 +95,15 @@ std::expected<LoadedOntology, std::vector<std::string>> map(const std::string& p
   return LoadedOntology{std::make_unique<el::Ontology>(std::move(*mapped)), {}};
 }
 
+/// A compiled ontology that the user keeps: one that its sources have outgrown would match by what is no longer said.
+std::expected<LoadedOntology, std::vector<std::string>> map_current(const std::string& path) {
+  auto loaded = map(path, path);
+  if (!loaded) return loaded;
+  if (const auto stale = loaded->ontology->stale_source())
+    return std::unexpected(std::vector<std::string>{path + " is refused: " + *stale});
+  return loaded;
+}
+
 }  // namespace
 
 std::string find_compiler() {
@@ -124,7 +133,7 @@ class OntologyLoader::State {
     done_ = std::move(done);
     if (files.empty()) return answer_later(LoadedOntology{});
     if (files.size() == 1 && files.front().ends_with(compiled_suffix)) {
-      return answer_later(map(files.front(), files.front()));
+      return answer_later(map_current(files.front()));
     }
     auto folder = PrivateFolder::make();
     if (!folder) {

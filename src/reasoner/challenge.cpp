@@ -1,4 +1,7 @@
 // Classes and object properties: no nominals are needed, so that every engine can answer.
+//
+// Legend: C D E class expressions, r s object properties, N M classes of no other axiom, G the class that a challenge
+// asks about, C < D "C SubClassOf D", F owl:Nothing. A challenge "in C and not in D" is G < C and (G and D) < F.
 #include "reasoner/challenge.hpp"
 
 #include <string_view>
@@ -67,8 +70,7 @@ bool Challenger::is_named(TermId property, std::string_view iri) const {
                                                   : excerpt_.source.name(term.name) == iri;
 }
 
-template <typename Use>
-void Challenger::for_pairs(Refutation& into, const Terms& members, Use&& use) {
+void Challenger::for_pairs(Refutation& into, const Terms& members, const std::function<void(TermId, TermId)>& use) {
   if (members.size() * (members.size() - 1) / 2 > max_pairs_of_members) {
     into.undecided = "an axiom of " + std::to_string(members.size()) + " members has too many pairs";
     return;
@@ -120,7 +122,7 @@ void Challenger::include(Refutation& into, const Terms& chain, TermId super) {
   into.all.push_back(challenge({reached}, {some(super, target)}));
 }
 
-/// That r and s hold between the same two: a new property below both can hold.
+/// Disjoint(r s): nothing is in (t some T), where t < r and t < s. Asymmetric(r) is Disjoint(r r-).
 void Challenger::share_pair(Refutation& into, TermId first, TermId second) {
   const std::size_t begin = next();
   const TermId shared = excerpt_.fresh(TermKind::object_property);
@@ -129,207 +131,71 @@ void Challenger::share_pair(Refutation& into, TermId first, TermId second) {
   into.all.push_back(challenge({some(shared, el::thing_term)}, {}, begin));
 }
 
+/// Range(r C): nothing is in (r some N), where N and C < F.
+void Challenger::reach_outside(Refutation& into, TermId property, TermId range) {
+  const std::size_t begin = next();
+  const TermId outside = excerpt_.fresh(TermKind::named_class);
+  excerpt_.add({AxiomKind::disjoint_classes, {outside, range}});
+  into.all.push_back(challenge({some(property, outside)}, {}, begin));
+}
+
+/// Functional(r): nothing is in (r some N) and (r some M), where N and M < F.
+void Challenger::reach_two(Refutation& into, TermId property) {
+  const std::size_t begin = next();
+  const TermId one = excerpt_.fresh(TermKind::named_class);
+  const TermId other = excerpt_.fresh(TermKind::named_class);
+  excerpt_.add({AxiomKind::disjoint_classes, {one, other}});
+  into.all.push_back(challenge({some(property, one), some(property, other)}, {}, begin));
+}
+
+/// Irreflexive(r): nothing is in (s Self), where s < r. A new property is simple, as Self wants it.
+void Challenger::reach_itself(Refutation& into, TermId property) {
+  const std::size_t begin = next();
+  const TermId below = excerpt_.fresh(TermKind::object_property);
+  excerpt_.add({AxiomKind::sub_object_property_of, {below, property}});
+  into.all.push_back(challenge({excerpt_.source.term(TermKind::object_has_self, {below})}, {}, begin));
+}
+
 void Challenger::refute_object_property_axiom(Refutation& into, AxiomKind kind, const Terms& terms) {
   const TermId property = terms[0];
   switch (kind) {
     case AxiomKind::sub_object_property_of: {
       const el::Term sub = excerpt_.source.term(property);
       const bool is_chain = sub.kind == TermKind::object_property_chain;
-      include(into, is_chain ? Terms(sub.arguments.begin(), sub.arguments.end()) : Terms{property}, terms[1]);
-      break;
+      return include(into, is_chain ? Terms(sub.arguments.begin(), sub.arguments.end()) : Terms{property}, terms[1]);
     }
     case AxiomKind::equivalent_object_properties:
       for (std::size_t at = 0; at < terms.size(); ++at) include(into, {terms[at]}, terms[(at + 1) % terms.size()]);
-      break;
+      return;
     case AxiomKind::disjoint_object_properties:
-      for_pairs(into, terms, [&](TermId a, TermId b) { share_pair(into, a, b); });
-      break;
+      return for_pairs(into, terms, [&](TermId a, TermId b) { share_pair(into, a, b); });
     case AxiomKind::inverse_object_properties:
       include(into, {property}, inverse(terms[1]));
-      include(into, {inverse(terms[1])}, property);
-      break;
+      return include(into, {inverse(terms[1])}, property);
     case AxiomKind::object_property_domain:
       into.all.push_back(challenge({some(property, el::thing_term)}, {terms[1]}));
-      break;
-    case AxiomKind::object_property_range: {
-      const std::size_t begin = next();
-      const TermId outside = excerpt_.fresh(TermKind::named_class);
-      excerpt_.add({AxiomKind::disjoint_classes, {outside, terms[1]}});
-      into.all.push_back(challenge({some(property, outside)}, {}, begin));
-      break;
-    }
+      return;
+    case AxiomKind::object_property_range:
+      return reach_outside(into, property, terms[1]);
     case AxiomKind::functional_object_property:
-    case AxiomKind::inverse_functional_object_property: {
-      const std::size_t begin = next();
-      const TermId forward = kind == AxiomKind::functional_object_property ? property : inverse(property);
-      const TermId one = excerpt_.fresh(TermKind::named_class);
-      const TermId other = excerpt_.fresh(TermKind::named_class);
-      excerpt_.add({AxiomKind::disjoint_classes, {one, other}});
-      into.all.push_back(challenge({some(forward, one), some(forward, other)}, {}, begin));
-      break;
-    }
+      return reach_two(into, property);
+    case AxiomKind::inverse_functional_object_property:
+      return reach_two(into, inverse(property));
     case AxiomKind::reflexive_object_property: {
       const TermId any = excerpt_.fresh(TermKind::named_class);
       into.all.push_back(challenge({any}, {some(property, any)}));
-      break;
+      return;
     }
-    case AxiomKind::irreflexive_object_property: {
-      // A new property below it is simple, as `Self` wants it.
-      const std::size_t begin = next();
-      const TermId below = excerpt_.fresh(TermKind::object_property);
-      excerpt_.add({AxiomKind::sub_object_property_of, {below, property}});
-      into.all.push_back(challenge({excerpt_.source.term(TermKind::object_has_self, {below})}, {}, begin));
-      break;
-    }
+    case AxiomKind::irreflexive_object_property:
+      return reach_itself(into, property);
     case AxiomKind::symmetric_object_property:
-      include(into, {property}, inverse(property));
-      break;
+      return include(into, {property}, inverse(property));
     case AxiomKind::asymmetric_object_property:
-      share_pair(into, property, inverse(property));
-      break;
+      return share_pair(into, property, inverse(property));
     case AxiomKind::transitive_object_property:
-      include(into, {property, property}, property);
-      break;
+      return include(into, {property, property}, property);
     default:
-      break;
-  }
-}
-
-// Data properties, datatypes, keys and facts.
-
-void Challenger::refute_data_property_axiom(Refutation& into, AxiomKind kind, const Terms& terms) {
-  el::OntologySource& source = excerpt_.source;
-  switch (kind) {
-    case AxiomKind::sub_data_property_of:
-      include_data(into, terms[0], terms[1]);
-      break;
-    case AxiomKind::equivalent_data_properties:
-      for (std::size_t at = 0; at < terms.size(); ++at) include_data(into, terms[at], terms[(at + 1) % terms.size()]);
-      break;
-    case AxiomKind::disjoint_data_properties:
-      for_pairs(into, terms, [&](TermId a, TermId b) { share_value(into, a, b); });
-      break;
-    case AxiomKind::data_property_domain:
-      into.all.push_back(challenge({source.term(TermKind::data_some_values_from, {terms[0], any_value_})}, {terms[1]}));
-      break;
-    case AxiomKind::data_property_range: {
-      const TermId outside = source.term(TermKind::data_complement_of, {terms[1]});
-      into.all.push_back(challenge({source.term(TermKind::data_some_values_from, {terms[0], outside})}));
-      break;
-    }
-    case AxiomKind::functional_data_property:
-      into.all.push_back(challenge({source.term(TermKind::data_min_cardinality, {terms[0]}, 2)}));
-      break;
-    case AxiomKind::datatype_definition:
-      define_datatype(into, terms[0], terms[1]);
-      break;
-    case AxiomKind::has_key:
-      identify_by_key(into, terms);
-      break;
-    default:
-      break;
-  }
-}
-
-/// U < V: a new property below U that excludes V has no value.
-void Challenger::include_data(Refutation& into, TermId sub, TermId super) {
-  const std::size_t begin = next();
-  const TermId only_sub = excerpt_.fresh(TermKind::data_property);
-  excerpt_.add({AxiomKind::sub_data_property_of, {only_sub, sub}});
-  excerpt_.add({AxiomKind::disjoint_data_properties, {only_sub, super}});
-  into.all.push_back(
-      challenge({excerpt_.source.term(TermKind::data_some_values_from, {only_sub, any_value_})}, {}, begin));
-}
-
-void Challenger::share_value(Refutation& into, TermId first, TermId second) {
-  const std::size_t begin = next();
-  const TermId shared = excerpt_.fresh(TermKind::data_property);
-  excerpt_.add({AxiomKind::sub_data_property_of, {shared, first}});
-  excerpt_.add({AxiomKind::sub_data_property_of, {shared, second}});
-  into.all.push_back(
-      challenge({excerpt_.source.term(TermKind::data_some_values_from, {shared, any_value_})}, {}, begin));
-}
-
-/// Nothing is in one and not in the other.
-void Challenger::define_datatype(Refutation& into, TermId datatype, TermId range) {
-  el::OntologySource& source = excerpt_.source;
-  const TermId property = excerpt_.fresh(TermKind::data_property);
-  const auto differ = [&](TermId in, TermId not_in) {
-    const TermId outside = source.term(TermKind::data_complement_of, {not_in});
-    const TermId between = source.term(TermKind::data_intersection_of, {in, outside});
-    into.all.push_back(challenge({source.term(TermKind::data_some_values_from, {property, between})}));
-  };
-  differ(datatype, range);
-  differ(range, datatype);
-}
-
-/// Two named individuals that agree and differ. Which values they agree on no axiom can leave open, so that data
-/// properties are only tried out.
-void Challenger::identify_by_key(Refutation& into, const Terms& terms) {
-  el::OntologySource& source = excerpt_.source;
-  const TermId one = excerpt_.fresh(TermKind::individual);
-  const TermId other = excerpt_.fresh(TermKind::individual);
-  Challenge pair;
-  pair.statements = {{AxiomKind::class_assertion, {terms[0], one}},
-                     {AxiomKind::class_assertion, {terms[0], other}},
-                     {AxiomKind::different_individuals, {one, other}}};
-  Terms data;
-  for (const TermId property : std::span(terms).subspan(1)) {
-    if (source.kind(property) == TermKind::data_property) {
-      data.push_back(property);
-      continue;
-    }
-    const TermId shared = excerpt_.fresh(TermKind::individual);
-    pair.statements.push_back({AxiomKind::object_property_assertion, {property, one, shared}});
-    pair.statements.push_back({AxiomKind::object_property_assertion, {property, other, shared}});
-  }
-  pair.first_axiom = pair.last_axiom = next();
-  if (data.empty()) {
-    into.all.push_back(std::move(pair));
-    return;
-  }
-  into.undecided = "keys of data properties are only refuted by trying values";
-  const std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
-  for (const auto& [lexical, type] : {std::pair{"geminga", "string"}, {"982451653", "integer"}, {"true", "boolean"}}) {
-    const TermId value = source.literal(lexical, std::string(xsd) + type);
-    Challenge tried = pair;
-    for (const TermId property : data) {
-      tried.statements.push_back({AxiomKind::data_property_assertion, {property, one, value}});
-      tried.statements.push_back({AxiomKind::data_property_assertion, {property, other, value}});
-    }
-    into.witnesses.push_back(std::move(tried));
-  }
-}
-
-TermId Challenger::one_of(TermId individual) { return excerpt_.source.term(TermKind::object_one_of, {individual}); }
-
-void Challenger::refute_fact(Refutation& into, AxiomKind kind, const Terms& terms) {
-  el::OntologySource& source = excerpt_.source;
-  const auto value = [&] {
-    const bool is_data = source.kind(terms[0]) == TermKind::data_property;
-    return source.term(is_data ? TermKind::data_has_value : TermKind::object_has_value, {terms[0], terms[2]});
-  };
-  switch (kind) {
-    case AxiomKind::same_individual:
-      for (std::size_t at = 1; at < terms.size(); ++at)
-        into.all.push_back(challenge({one_of(terms[0])}, {one_of(terms[at])}));
-      break;
-    case AxiomKind::different_individuals:
-      for_pairs(into, terms, [&](TermId a, TermId b) { into.all.push_back(challenge({one_of(a), one_of(b)})); });
-      break;
-    case AxiomKind::class_assertion:
-      into.all.push_back(challenge({one_of(terms[1])}, {terms[0]}));
-      break;
-    case AxiomKind::object_property_assertion:
-    case AxiomKind::data_property_assertion:
-      into.all.push_back(challenge({one_of(terms[1])}, {value()}));
-      break;
-    case AxiomKind::negative_object_property_assertion:
-    case AxiomKind::negative_data_property_assertion:
-      into.all.push_back(challenge({one_of(terms[1]), value()}));
-      break;
-    default:
-      break;
+      return;
   }
 }
 

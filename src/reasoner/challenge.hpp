@@ -7,9 +7,11 @@
 #ifndef GEMINGA_REASONER_CHALLENGE_HPP
 #define GEMINGA_REASONER_CHALLENGE_HPP
 
-#include <cstdint>
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reasoner/excerpt.hpp"
@@ -61,13 +63,15 @@ class Challenger {
   void subsume(Refutation& into, el::TermId sub, el::TermId super);
   void include(Refutation& into, const Terms& chain, el::TermId super);
   void share_pair(Refutation& into, el::TermId first, el::TermId second);
+  void reach_outside(Refutation& into, el::TermId property, el::TermId range);
+  void reach_two(Refutation& into, el::TermId property);
+  void reach_itself(Refutation& into, el::TermId property);
   void include_data(Refutation& into, el::TermId sub, el::TermId super);
   void share_value(Refutation& into, el::TermId first, el::TermId second);
   void define_datatype(Refutation& into, el::TermId datatype, el::TermId range);
   void identify_by_key(Refutation& into, const Terms& terms);
   /// Calls `use` with every two members.
-  template <typename Use>
-  void for_pairs(Refutation& into, const Terms& members, Use&& use);
+  static void for_pairs(Refutation& into, const Terms& members, const std::function<void(el::TermId, el::TermId)>& use);
 
   /// That something is in all of `in` and in none of `not_in`. `first` is the first axiom that describes it.
   [[nodiscard]] Challenge challenge(const Terms& in, const Terms& not_in, std::size_t first);

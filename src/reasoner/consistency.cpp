@@ -6,6 +6,7 @@
 #include "consequence/closure.hpp"
 #include "reasoner/reasoner.hpp"
 #include "reasoner/unused.hpp"
+#include "reasoner/world.hpp"
 
 namespace geminga::reasoner {
 namespace {
@@ -22,7 +23,8 @@ Answer is_consistent(const el::OntologySource& source) {
   }
   const auto clauses = clauses::clausify(source, std::nullopt, {});
   if (!clauses) return {Verdict::unknown, clauses.error().text};
-  Answer answer = tableau::Tableau(source, *clauses).is_consistent();
+  tableau::Tableau tableau(source, *clauses);
+  Answer answer = ask_for_world(tableau, *clauses);
   if (answer.verdict == Verdict::unknown) {
     const consequence::Closure closure =
         consequence::saturate(source, *clauses, {}, {.threads = 1, .clauses = max_derived_clauses});

@@ -14,7 +14,9 @@
 namespace geminga::reasoner {
 namespace {
 
-constexpr std::size_t max_derived_clauses = 2'000'000;
+/// Most questions are settled within the first number; the second is for those that the tableau leaves open, too.
+constexpr std::size_t few_derived_clauses = 200'000;
+constexpr std::size_t many_derived_clauses = 2'000'000;
 
 class Decision {
  public:
@@ -94,19 +96,21 @@ class Decision {
       for (const std::size_t at : asked) answers_[at].reason = clauses.error().text;
       return;
     }
-    if (!ask_consequence(*clauses, asked)) return;
+    if (!ask_consequence(*clauses, asked, few_derived_clauses)) return;
     ask_tableau(*clauses, asked);
+    if (is_open()) (void)ask_consequence(*clauses, asked, many_derived_clauses);
   }
 
-  /// False where everything is settled at once.
-  bool ask_consequence(const clauses::ClauseSet& clauses, const std::vector<std::size_t>& asked) {
-    const consequence::Closure closure = consequence::saturate(excerpt_.source, clauses, clauses.queries,
-                                                               {.threads = 1, .clauses = max_derived_clauses});
+  /// False where everything is settled at once. Reasons that are known already stay.
+  bool ask_consequence(const clauses::ClauseSet& clauses, const std::vector<std::size_t>& asked, std::size_t limit) {
+    const consequence::Closure closure =
+        consequence::saturate(excerpt_.source, clauses, clauses.queries, {.threads = 1, .clauses = limit});
     if (!closure.is_consistent) {
       settle_all_impossible();
       return false;
     }
     for (std::size_t query = 0; query < asked.size(); ++query) {
+      if (!is_open(asked[query])) continue;
       const auto& above = closure.subsumers[query];
       if (std::ranges::find(above, clauses::nothing) != above.end()) {
         settle(asked[query], Verdict::no);

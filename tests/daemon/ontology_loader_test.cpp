@@ -5,10 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <boost/asio/io_context.hpp>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <optional>
+
+#include "el/classify.hpp"
+#include "el/compile.hpp"
+#include "el/fingerprint.hpp"
 
 namespace geminga::daemon {
 namespace {
@@ -93,6 +99,26 @@ TEST_F(OntologyLoaderTest, RefusesWhatIsNoCompiledOntology) {
   const Result given = load("exit 0", {(folder / "none.geminga").string()});
   ASSERT_FALSE(given);
   EXPECT_THAT(given.error(), ElementsAre(HasSubstr("none.geminga: ")));
+}
+
+TEST_F(OntologyLoaderTest, RefusesACompiledOntologyThatIsOlderThanItsSources) {
+  const std::string source_path = folder / "a.ttl";
+  const std::string compiled_path = folder / "a.geminga";
+  const auto say = [&](const std::string& words) { std::ofstream(source_path) << words; };
+  say("# one");
+  el::OntologySource source;
+  source.set_content(source.add_file(source_path), el::fingerprint_of("# one"));
+  const std::vector<std::byte> bytes = el::compile(source, el::classify(source).value());
+  std::ofstream(compiled_path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
+  EXPECT_TRUE(load("exit 0", {compiled_path}));
+  say("# two");
+  const Result outgrown = load("exit 0", {compiled_path});
+  ASSERT_FALSE(outgrown);
+  EXPECT_THAT(outgrown.error(),
+              ElementsAre(testing::AllOf(HasSubstr("a.geminga is refused: "), HasSubstr("a.ttl has changed"),
+                                         HasSubstr("compile it again"))));
+  fs::remove(source_path);
+  EXPECT_TRUE(load("exit 0", {compiled_path})) << "sources that stayed at home are not asked for";
 }
 
 TEST_F(OntologyLoaderTest, BoundsTheLinesItShows) {

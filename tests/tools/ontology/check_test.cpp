@@ -47,6 +47,39 @@ TEST(Check, ListsWhatWasLeftOutWithItsFirstPlace) {
   EXPECT_THAT(outcome.out, HasSubstr("\nIncomplete: every answer is right, but some may be missing"));
 }
 
+TEST(Check, ListsWhatWasNotUsedAxiomByAxiom) {
+  const Program program;
+  std::string axioms = ":r a owl:TransitiveProperty .\n";
+  for (int at = 0; at < 7; ++at)
+    axioms += ":A" + std::to_string(at) + " rdfs:subClassOf [ a owl:Restriction ; owl:onProperty :r ; " +
+              "owl:maxCardinality 2 ] .\n";
+  program.turtle("a.ttl", axioms);
+  const Outcome few = program.run({"check", "a.ttl"});
+  EXPECT_EQ(few.status, 0) << few.err;
+  EXPECT_THAT(few.out, HasSubstr("    e:A0 SubClassOf e:r max 2   [a.ttl:3]\n"));
+  EXPECT_THAT(few.out, HasSubstr("    e:A4 SubClassOf e:r max 2   [a.ttl:7]\n    and 2 more: --all\n"));
+  EXPECT_THAT(few.out, Not(HasSubstr("e:A5")));
+  EXPECT_THAT(few.out, HasSubstr("\nIncomplete: every answer is right, but some may be missing, because of "));
+  const Outcome all = program.run({"check", "--all", "a.ttl"});
+  EXPECT_THAT(all.out, AllOf(HasSubstr("    e:A6 SubClassOf e:r max 2   [a.ttl:9]\n"), Not(HasSubstr("--all"))));
+  const boost::json::value found = boost::json::parse(program.run({"check", "--json", "a.ttl"}).out);
+  EXPECT_EQ(found.at("left_out").at(0).at("count"), 7);
+  EXPECT_EQ(found.at("left_out").at(0).at("axioms").as_array().size(), 7U);
+  EXPECT_EQ(found.at("left_out").at(0).at("axioms").at(6).at("line"), 9);
+  EXPECT_EQ(found.at("complete"), false);
+}
+
+TEST(Check, IsCompleteBeyondEl) {
+  const Program program;
+  program.turtle("a.ttl",
+                 ":A rdfs:subClassOf [ owl:unionOf (:B :C) ] . :B rdfs:subClassOf :D . :C rdfs:subClassOf :D .\n"
+                 ":r owl:inverseOf :s . :D rdfs:subClassOf [ owl:onProperty :r ; owl:allValuesFrom :A ] .\n");
+  const Outcome outcome = program.run({"check", "a.ttl"});
+  EXPECT_EQ(outcome.status, 0) << outcome.out;
+  EXPECT_THAT(outcome.out, HasSubstr("Complete: everything that follows from these files was found.\n"));
+  EXPECT_EQ(program.run({"subsumes", "a.ttl", "--sub", "e:A", "--super", "e:D"}).status, 0);
+}
+
 TEST(Check, ReportsCollidingNamesAndPrefixes) {
   const Program program;
   // Found by trying: XXH32 of <http://e/C4222> and of <http://e/C159386> is 0x17c5b94d.

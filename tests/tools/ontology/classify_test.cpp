@@ -106,6 +106,24 @@ TEST(Classify, WritesTheStatisticsOfTheContract) {
   EXPECT_GE(stats.at("load_ms").to_number<double>(), 0);
 }
 
+TEST(Classify, PrintsTheTaxonomiesOfPropertiesWhereAsked) {
+  const Program program;
+  program.turtle(
+      "a.ttl",
+      ":p a owl:ObjectProperty ; rdfs:subPropertyOf :q . :q a owl:ObjectProperty ; owl:equivalentProperty :r .\n"
+      ":r a owl:ObjectProperty . :u a owl:DatatypeProperty ; rdfs:subPropertyOf :v .\n"
+      ":v a owl:DatatypeProperty .\n");
+  const Outcome tree = program.run({"classify", "--properties", "a.ttl"});
+  EXPECT_EQ(tree.status, 0) << tree.err;
+  EXPECT_EQ(tree.out, "owl:topObjectProperty\n  e:q = e:r\n    e:p\nowl:topDataProperty\n  e:v\n    e:u\n");
+  EXPECT_EQ(program.run({"classify", "--properties", "--closure", "a.ttl"}).out,
+            "http://e/p\thttp://e/q\nhttp://e/p\thttp://e/r\nhttp://e/q\thttp://e/r\nhttp://e/r\thttp://e/q\n"
+            "http://e/u\thttp://e/v\n");
+  const boost::json::value found = boost::json::parse(program.run({"classify", "--properties", "--json", "a.ttl"}).out);
+  EXPECT_EQ(found.at("data_properties").as_array().size(), 4U);
+  EXPECT_EQ(found.at("nodes").as_array().size(), 2U);
+}
+
 TEST(Classify, JsonHoldsNodesAndParents) {
   const Program program;
   program.turtle("a.ttl", ":A rdfs:subClassOf :B . :A owl:equivalentClass :C .\n");

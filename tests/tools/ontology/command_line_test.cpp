@@ -18,7 +18,8 @@ TEST(CommandLine, HelpShowsEveryCommandWithExamples) {
   EXPECT_EQ(help.status, 0);
   EXPECT_THAT(help.err, IsEmpty());
   EXPECT_THAT(help.out, HasSubstr("Examples:"));
-  for (const char* command : {"check", "classify", "subsumes", "explain", "id", "compile", "draw"}) {
+  for (const char* command :
+       {"check", "classify", "subsumes", "entails", "consistent", "explain", "id", "compile", "draw"}) {
     EXPECT_THAT(help.out, HasSubstr(command));
     const Outcome own = program.run({command, "--help"});
     EXPECT_EQ(own.status, 0) << command;

@@ -1,0 +1,54 @@
+// Names that are nearly right are answered with the right ones.
+#include "similar.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <boost/json.hpp>
+
+#include "tools/ontology/program.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(EditDistance, CountsWrongMissingAddedAndSwappedLetters) {
+  EXPECT_EQ(edit_distance("BallInfo", "BallInfo", 3), 0U);
+  EXPECT_EQ(edit_distance("BallInfo", "ballinfo", 3), 0U) << "case is no letter";
+  EXPECT_EQ(edit_distance("BalInfo", "BallInfo", 3), 1U);
+  EXPECT_EQ(edit_distance("BalllInfo", "BallInfo", 3), 1U);
+  EXPECT_EQ(edit_distance("BellInfo", "BallInfo", 3), 1U);
+  EXPECT_EQ(edit_distance("BlalInfo", "BallInfo", 3), 1U);
+  EXPECT_EQ(edit_distance("BallInof", "BlalInfo", 3), 2U);
+  EXPECT_EQ(edit_distance("", "abc", 3), 3U);
+}
+
+TEST(EditDistance, StopsAtItsLimit) {
+  EXPECT_EQ(edit_distance("abcdef", "uvwxyz", 5), 6U);
+  EXPECT_EQ(edit_distance("abcdef", "uvwxyz", 6), 6U);
+  EXPECT_EQ(edit_distance("ab", "abcdef", 3), 4U);
+  EXPECT_EQ(edit_distance(std::string(200, 'a'), std::string(200, 'a'), 1), 0U);
+  EXPECT_EQ(edit_distance(std::string(201, 'a'), std::string(201, 'a'), 1), 2U) << "no slip of the keyboard";
+}
+
+TEST(Similar, AWrongNameIsAnsweredWithTheNearest) {
+  const Program program;
+  program.turtle("a.ttl",
+                 ":Camera rdfs:subClassOf :Sensor . :Cameras rdfs:subClassOf :Sensor .\n"
+                 ":Lidar rdfs:subClassOf :Sensor ; rdfs:label \"laser scanner\" .\n");
+  const auto said = [&](const std::string& name) {
+    const Outcome outcome = program.run({"subsumes", "a.ttl", "--sub", name, "--super", "e:Sensor"});
+    EXPECT_EQ(outcome.status, 2);
+    return outcome.err;
+  };
+  EXPECT_THAT(said("e:Camrea"), EndsWith(": did you mean e:Camera or e:Cameras?\n"));
+  EXPECT_THAT(said("<http://e/camera>"), HasSubstr("did you mean e:Camera"));
+  EXPECT_THAT(said("laser scaner"), EndsWith(": did you mean e:Lidar?\n"));
+  EXPECT_THAT(said("e:Elephant"), Not(HasSubstr("did you mean")));
+}
+
+}  // namespace
+}  // namespace geminga::ontology
