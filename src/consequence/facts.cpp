@@ -64,6 +64,7 @@ void Centring::add_facts() {
   }
 }
 
+//  D < D1 or ... or Dn   [D is their union]        D < Di   [D is their intersection]
 //  D < F           [D has no value]
 //  D and E < F     [D and E have none in common]
 //  {v} < Bi  or  {v} < Ci,  Bi and Ci < F    for each bit i of v's number: two values differ in one of them
@@ -72,10 +73,21 @@ void Centring::add_values() {
   ranges.resize(ranges.size() + fact_values_.size());
   for (const auto& [value, position] : fact_values_) ranges[position] = {value, false};
   if (ranges.size() <= 2) return;
-  const ValueConflicts conflicts = conflicts_of(source_, clauses_.datatype_definitions, ranges);
+  const std::vector<RangeParts> apart = take_apart(source_, clauses_.datatype_definitions, ranges);
+  while (range_predicate_.size() < ranges.size()) range_predicate_.push_back(result_.predicate_count++);
+  const ValueConflicts conflicts = conflicts_of(source_, clauses_.datatype_definitions, ranges, apart);
   const auto range = [this](std::size_t position) {
     return RuleAtom{LiteralKind::unary, 0, 0, range_predicate_[position]};
   };
+  for (const RangeParts& parts : apart) {
+    Atoms heads;
+    for (const std::size_t part : parts.parts) heads.push_back(range(part));
+    if (parts.is_union) {
+      add({range(parts.range)}, heads);
+    } else {
+      for (const RuleAtom& head : heads) add({range(parts.range)}, {head});
+    }
+  }
   for (const std::size_t empty : conflicts.empty) add({range(empty)}, {});
   for (const auto& [first, second] : conflicts.disjoint) add({range(first), range(second)}, {});
   const std::uint32_t greatest = conflicts.value_number.empty() ? 0 : std::ranges::max(conflicts.value_number);

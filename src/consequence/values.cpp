@@ -113,6 +113,8 @@ using Kind = Understood::Kind;
   // Complements alone leave values; with a third range, the pairs with that one tell.
   if (a.is_complement && b.is_complement) return false;
   if (a.is_complement) return may_hide_more(b, a);
+  // Infinitely many values are left without some.
+  if (b.is_complement && b.kind == Kind::value && a.kind == Kind::datatype && !a.datatype->is_finite()) return false;
   const bool is_known = is_within(a, b) || are_disjoint(a, b);
   return b.is_complement ? !is_known : !is_known && !is_within(b, a);
 }
@@ -133,11 +135,43 @@ using Kind = Understood::Kind;
 
 }  // namespace
 
+/// Ranges that taking apart may make; beyond, they stay whole, and are not understood.
+constexpr std::size_t max_ranges = 100'000;
+
+std::vector<RangeParts> take_apart(const el::OntologySource& source,
+                                   std::span<const clauses::DatatypeDefinition> definitions,
+                                   std::vector<clauses::DataRange>& ranges) {
+  const Reading reading(source, definitions);
+  std::map<clauses::DataRange, std::size_t> known;
+  for (std::size_t i = 0; i < ranges.size(); ++i) known.try_emplace(ranges[i], i);
+  std::vector<RangeParts> result;
+  for (std::size_t i = 0; i < ranges.size() && ranges.size() < max_ranges; ++i) {
+    const Understood range = reading.read(ranges[i]);
+    if (range.kind != Kind::other) continue;
+    const el::Term term = source.term(range.term);
+    const bool is_union = term.kind == TermKind::data_union_of || term.kind == TermKind::data_one_of;
+    if (!is_union && term.kind != TermKind::data_intersection_of) continue;
+    RangeParts& made = result.emplace_back(RangeParts{i, is_union != range.is_complement, {}});
+    for (const el::TermId part : term.arguments) {
+      const clauses::DataRange wanted{part, range.is_complement};
+      const auto [found, is_new] = known.try_emplace(wanted, ranges.size());
+      if (is_new) ranges.push_back(wanted);
+      made.parts.push_back(found->second);
+    }
+  }
+  return result;
+}
+
 ValueConflicts conflicts_of(const el::OntologySource& source, std::span<const clauses::DatatypeDefinition> definitions,
-                            std::span<const clauses::DataRange> ranges) {
+                            std::span<const clauses::DataRange> ranges, std::span<const RangeParts> apart) {
   const Reading reading(source, definitions);
   std::vector<Understood> understood;
   for (const clauses::DataRange& range : ranges) understood.push_back(reading.read(range));
+  // Their parts tell all.
+  for (const RangeParts& parts : apart) {
+    understood[parts.range] = Understood();
+    understood[parts.range].kind = Kind::everything;
+  }
   ValueConflicts result;
   result.value_number = number_values(understood);
   bool hides_more = false;

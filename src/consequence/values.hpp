@@ -1,7 +1,8 @@
 // What is known about data ranges: which cannot hold of one value together.
 //
-// Ranges occur in heads only, so that all there is to know is which sets of them are empty. For datatypes of OWL 2's
-// map, literals, and complements of either the empty sets of one or two are found; what else may be empty is a gap.
+// Ranges occur in heads only, so that all there is to know is which sets of them are empty. Unions, intersections,
+// lists of values and their complements are taken apart into datatypes, single values and complements of either. Of
+// these the empty sets of one or two are found; what else may be empty is a gap.
 #ifndef GEMINGA_CONSEQUENCE_VALUES_HPP
 #define GEMINGA_CONSEQUENCE_VALUES_HPP
 
@@ -16,6 +17,17 @@
 
 namespace geminga::consequence {
 
+/// A range that is the union, or the intersection, of others.
+struct RangeParts {
+  std::size_t range = 0;
+  bool is_union = false;
+  std::vector<std::size_t> parts;
+};
+/// Takes ranges apart, and appends the parts that are no ranges yet.
+[[nodiscard]] std::vector<RangeParts> take_apart(const el::OntologySource& source,
+                                                 std::span<const clauses::DatatypeDefinition> definitions,
+                                                 std::vector<clauses::DataRange>& ranges);
+
 struct ValueConflicts {
   std::vector<std::size_t> empty;                             ///< ranges that have no value
   std::vector<std::pair<std::size_t, std::size_t>> disjoint;  ///< pairs that have none in common
@@ -26,10 +38,11 @@ struct ValueConflicts {
   std::vector<std::string> gaps;
 };
 
-/// About these ranges, numbered by their positions.
+/// About these ranges, numbered by their positions, but for those that were taken apart.
 [[nodiscard]] ValueConflicts conflicts_of(const el::OntologySource& source,
                                           std::span<const clauses::DatatypeDefinition> definitions,
-                                          std::span<const clauses::DataRange> ranges);
+                                          std::span<const clauses::DataRange> ranges,
+                                          std::span<const RangeParts> apart);
 
 }  // namespace geminga::consequence
 
