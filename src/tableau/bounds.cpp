@@ -88,7 +88,7 @@ void Tableau::Search::check(const Suspect& found) {
     return;
   }
   // A choice waits until all that is certain is derived.
-  disjunctions_.push_back({0, 0, no_dependency, suspect.node, suspect.bound});
+  demands_.push_back(suspect);
 }
 
 /// NI-rule. True: the bound is looked at again.
@@ -100,7 +100,7 @@ bool Tableau::Search::introduce(const Suspect& suspect, std::span<const Neighbou
     const Node& node = graph_.node(neighbour.node);
     if (node.kind != NodeKind::tree || node.parent == suspect.node) continue;
     if (bound.count > 1 || bound.unless != no_predicate) {
-      disjunctions_.push_back({0, 0, no_dependency, suspect.node, suspect.bound});
+      demands_.push_back(suspect);
       return true;
     }
     const NodeId root = introduced(suspect.node, suspect.bound, 0);

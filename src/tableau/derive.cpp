@@ -198,7 +198,7 @@ void Tableau::Search::add_disjunction(std::vector<Choice>& alternatives, Depende
   } else {
     const auto begin = static_cast<std::uint32_t>(choices_.size());
     choices_.insert(choices_.end(), alternatives.begin(), alternatives.end());
-    disjunctions_.push_back({begin, static_cast<std::uint32_t>(choices_.size()), dependency, none, none});
+    disjunctions_.push_back({begin, static_cast<std::uint32_t>(choices_.size()), dependency});
   }
 }
 

@@ -40,6 +40,7 @@ Program::Program(const clauses::ClauseSet& set) : set_(set) {
   }
   note_inverses();
   for (const Clause& clause : set.clauses) add_clause(clause);
+  find_disjoint_concepts();
 }
 
 std::uint32_t Program::bound_of_atom(const Atom& atom) const {
@@ -212,6 +213,44 @@ void Program::add_plan(const Clause& clause, std::size_t trigger, std::uint32_t 
                 : start.kind == AtomKind::role     ? by_role_
                                                    : by_data_role_;
   table[start.predicate].push_back(plan);
+}
+
+void Program::find_disjoint_concepts() {
+  // A(x) -> B(x), B(x), C(x) -> false: C excludes A.
+  std::vector<std::vector<std::uint32_t>> above(set_.concepts.size());
+  std::vector<std::vector<std::uint32_t>> excluded(set_.concepts.size());
+  std::vector<bool> is_chosen(set_.concepts.size(), false);
+  const auto is_concept = [](const Atom& atom) { return atom.kind == AtomKind::concept_of && atom.first == centre; };
+  for (const Clause& clause : set_.clauses) {
+    for (const Atom& atom : clause.head) {
+      if (clause.head.size() > 1 && atom.kind == AtomKind::concept_of) is_chosen[atom.predicate] = true;
+    }
+    if (!std::ranges::all_of(clause.body, is_concept) || !std::ranges::all_of(clause.head, is_concept)) continue;
+    if (clause.body.size() == 1 && clause.head.size() == 1) {
+      above[clause.body[0].predicate].push_back(clause.head[0].predicate);
+    } else if (clause.body.size() == 2 && clause.head.empty()) {
+      excluded[clause.body[0].predicate].push_back(clause.body[1].predicate);
+      excluded[clause.body[1].predicate].push_back(clause.body[0].predicate);
+    }
+  }
+  disjoint_concepts_.resize(set_.concepts.size());
+  std::vector<std::uint32_t> seen_for(set_.concepts.size(), no_predicate);
+  for (std::uint32_t id = 0; id < set_.concepts.size(); ++id) {
+    if (!is_chosen[id]) continue;
+    std::vector<std::uint32_t> open = {id};
+    seen_for[id] = id;
+    auto& result = disjoint_concepts_[id];
+    for (std::size_t at = 0; at < open.size(); ++at) {
+      result.insert(result.end(), excluded[open[at]].begin(), excluded[open[at]].end());
+      for (const std::uint32_t super : above[open[at]]) {
+        if (seen_for[super] != id) open.push_back(super);
+        seen_for[super] = id;
+      }
+    }
+    std::ranges::sort(result);
+    const auto repeated = std::ranges::unique(result);
+    result.erase(repeated.begin(), repeated.end());
+  }
 }
 
 void Program::note_inverses(const Clause& clause) {

@@ -87,6 +87,10 @@ class Program {
     return bounds_of_filler_[id];
   }
   [[nodiscard]] std::span<const std::uint32_t> bounds_of_guard(std::uint32_t id) const { return bounds_of_guard_[id]; }
+  /// Concepts that exclude this one by clauses about one node, ascending; of those that stand in disjunctions.
+  [[nodiscard]] std::span<const std::uint32_t> disjoint_concepts(std::uint32_t id) const {
+    return disjoint_concepts_[id];
+  }
   /// Data properties that share no value with this one.
   [[nodiscard]] std::span<const std::uint32_t> disjoint_with(std::uint32_t id) const { return disjoint_with_[id]; }
   /// The bound of an at_most or data_at_most atom of the clauses.
@@ -105,6 +109,7 @@ class Program {
   void add_plans(const clauses::Clause& clause);
   void add_plan(const clauses::Clause& clause, std::size_t trigger, std::uint32_t head_begin, std::uint32_t head_end);
   std::uint32_t index_of(const Bound& bound);
+  void find_disjoint_concepts();
   void note_inverses(const clauses::Clause& clause);
   void note_inverses();
 
@@ -122,6 +127,7 @@ class Program {
   std::vector<std::vector<std::uint32_t>> bounds_of_data_role_;
   std::vector<std::vector<std::uint32_t>> bounds_of_filler_;
   std::vector<std::vector<std::uint32_t>> bounds_of_guard_;
+  std::vector<std::vector<std::uint32_t>> disjoint_concepts_;
   std::vector<std::vector<std::uint32_t>> disjoint_with_;
   std::vector<std::uint32_t> bound_of_at_most_;
   std::vector<std::uint32_t> bound_of_data_at_most_;

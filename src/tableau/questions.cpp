@@ -9,6 +9,11 @@ namespace geminga::tableau {
 using clauses::number;
 
 void Tableau::Search::load_individuals() {
+  // There is at least one thing.
+  if (set_.individuals.empty()) {
+    const NodeId node = add_node(NodeKind::root, none, no_dependency);
+    if (!program_.needs_thing()) add_fact(FactKind::concept_of, number(clauses::thing), node, 0, no_dependency);
+  }
   for (std::size_t at = 0; at < set_.individuals.size(); ++at) {
     individuals_.push_back(add_node(NodeKind::root, none, no_dependency));
   }

@@ -70,43 +70,10 @@ bool Tableau::Search::saturate() {
   return false;
 }
 
-/// Whether something was done: a branch, a fact without alternatives, or a clash.
-bool Tableau::Search::choose() {
-  while (next_disjunction_ < disjunctions_.size()) {
-    const Disjunction disjunction = disjunctions_[next_disjunction_++];
-    if (disjunction.bound != none) {
-      DependencySet dependency = disjunction.dependency;
-      const Suspect suspect{graph_.current(disjunction.node, sets_, dependency), disjunction.bound};
-      if (!graph_.is_active(suspect.node)) continue;
-      enforce(suspect, dependency);
-      if (has_clash_ || !merges_.empty() || processed_ < graph_.facts().size()) return true;
-      continue;
-    }
-    DependencySet dependency = disjunction.dependency;
-    std::vector<Choice> alternatives;
-    bool is_done = false;
-    for (std::uint32_t at = disjunction.begin; at < disjunction.end; ++at) {
-      Choice choice = choices_[at];
-      choice.a = graph_.current(choice.a, sets_, dependency);
-      choice.b = graph_.current(choice.b, sets_, dependency);
-      is_done = is_done || !graph_.is_active(choice.a) || !graph_.is_active(choice.b) || holds(choice);
-      if (!is_done && !is_impossible(choice)) alternatives.push_back(choice);
-    }
-    if (is_done) continue;
-    if (alternatives.empty()) {
-      clash(dependency);
-    } else if (alternatives.size() == 1) {
-      apply(alternatives.front(), dependency);
-    } else {
-      branch(std::move(alternatives), dependency, {none, none});
-    }
-    return true;
-  }
-  return false;
-}
-
 void Tableau::Search::branch(std::vector<Choice> alternatives, DependencySet dependency, Suspect suspect) {
   const auto number = static_cast<std::uint32_t>(branches_.size());
+  // What has failed less often comes first.
+  std::ranges::stable_sort(alternatives, {}, [this](const Choice& choice) { return failures_[failure_key(choice)]; });
   const Choice first = alternatives.front();
   branches_.push_back({state(), std::move(alternatives), 0, dependency, no_dependency, suspect});
   apply(first, unite(dependency, sets_.single(number)));
@@ -126,6 +93,7 @@ bool Tableau::Search::go_back() {
     base_.reset();
     base_branches_ = 0;
   }
+  ++failures_[failure_key(branch.alternatives[branch.next])];
   const Choice choice = branch.alternatives[++branch.next];
   const Suspect suspect = branch.suspect;
   if (branch.next + 1 < branch.alternatives.size()) {
@@ -146,8 +114,8 @@ void Tableau::Search::check_values() {
 }
 
 Tableau::Search::State Tableau::Search::state() const {
-  return {graph_.mark(),   processed_,           disjunctions_.size(), next_disjunction_,
-          choices_.size(), existentials_.size(), done_.size(),         introduced_.size()};
+  return {graph_.mark(), processed_,      disjunctions_.size(), next_disjunction_, demands_.size(),
+          next_demand_,  choices_.size(), existentials_.size(), done_.size(),      introduced_.size()};
 }
 
 void Tableau::Search::restore(const State& state) {
@@ -155,6 +123,8 @@ void Tableau::Search::restore(const State& state) {
   processed_ = state.processed;
   disjunctions_.resize(state.disjunctions);
   next_disjunction_ = state.next_disjunction;
+  demands_.resize(state.demands);
+  next_demand_ = state.next_demand;
   choices_.resize(state.choices);
   while (done_.size() > state.done) {
     existentials_[done_.back()].is_done = false;
@@ -174,6 +144,7 @@ void Tableau::Search::reset() {
   base_.reset();
   base_branches_ = 0;
   has_clash_ = false;
+  failures_.clear();
   individuals_.clear();
 }
 

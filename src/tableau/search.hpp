@@ -60,13 +60,17 @@ class Tableau::Search {
     NodeId node = 0;
     std::uint32_t bound = 0;
   };
-  /// Alternatives of which one must hold, or a bound that must be enforced by a choice (`bound`).
+  /// Alternatives of which one must hold.
   struct Disjunction {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
     DependencySet dependency = no_dependency;
-    NodeId node = none;
-    std::uint32_t bound = none;
+  };
+  /// What is left of one now.
+  struct Open {
+    bool is_done = false;  ///< one holds, or what it is about is gone
+    std::vector<Choice> alternatives;
+    DependencySet dependency = no_dependency;  ///< of the disjunction and of what excludes the others
   };
   struct Existential {
     FactId fact = 0;
@@ -84,6 +88,8 @@ class Tableau::Search {
     FactId processed = 0;
     std::size_t disjunctions = 0;
     std::size_t next_disjunction = 0;
+    std::size_t demands = 0;
+    std::size_t next_demand = 0;
     std::size_t choices = 0;
     std::size_t existentials = 0;
     std::size_t done = 0;
@@ -106,7 +112,6 @@ class Tableau::Search {
   // search.cpp: the order of things
   Outcome run();
   bool saturate();
-  bool choose();
   void branch(std::vector<Choice> alternatives, DependencySet dependency, Suspect suspect);
   bool go_back();
   [[nodiscard]] State state() const;
@@ -114,6 +119,16 @@ class Tableau::Search {
   void reset();
   bool is_over_limit();
   void clash(DependencySet dependency);
+
+  // choose.cpp: which disjunction is next
+  bool choose();
+  bool choose_for_bound();
+  Open open(const Disjunction& disjunction);
+  /// Whether what holds excludes the choice; unites the reasons into `dependency`.
+  bool is_excluded(const Choice& choice, DependencySet& dependency);
+  [[nodiscard]] static std::uint64_t failure_key(const Choice& choice) {
+    return (std::uint64_t{choice.predicate} << 8) | static_cast<std::uint64_t>(choice.kind);
+  }
 
   // questions.cpp
   void load_individuals();
@@ -192,6 +207,11 @@ class Tableau::Search {
   std::vector<Choice> choices_;
   std::vector<Disjunction> disjunctions_;
   std::size_t next_disjunction_ = 0;
+  /// Bounds that can be enforced by a choice only.
+  std::vector<Suspect> demands_;
+  std::size_t next_demand_ = 0;
+  /// How often each kind of choice was to blame for a clash, in this search.
+  std::unordered_map<std::uint64_t, std::uint32_t> failures_;
   std::vector<Existential> existentials_;
   std::vector<std::uint32_t> done_;
   std::vector<Introduced> introduced_;

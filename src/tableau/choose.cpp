@@ -1,0 +1,95 @@
+// Which disjunction is next: one that has no way left is a clash, one that has one way left is no choice, and of the
+// others that with the fewest ways.
+#include <algorithm>
+
+#include "tableau/search.hpp"
+
+namespace geminga::tableau {
+
+namespace {
+
+/// As many open disjunctions are compared before one is taken.
+constexpr std::size_t max_compared = 256;
+
+}  // namespace
+
+/// Whether something was done: a branch, a fact without alternatives, or a clash.
+bool Tableau::Search::choose() {
+  Open best;
+  std::size_t compared = 0;
+  for (std::size_t at = next_disjunction_; at < disjunctions_.size() && compared < max_compared; ++at) {
+    Open one = open(disjunctions_[at]);
+    if (one.is_done) {
+      // What holds goes on holding as long as this branch is.
+      if (at == next_disjunction_) ++next_disjunction_;
+      continue;
+    }
+    if (one.alternatives.empty()) {
+      clash(one.dependency);
+      return true;
+    }
+    if (one.alternatives.size() == 1) {
+      apply(one.alternatives.front(), one.dependency);
+      return true;
+    }
+    if (compared++ == 0 || one.alternatives.size() < best.alternatives.size()) best = std::move(one);
+  }
+  if (compared == 0) return choose_for_bound();
+  branch(std::move(best.alternatives), best.dependency, {none, none});
+  return true;
+}
+
+bool Tableau::Search::choose_for_bound() {
+  while (next_demand_ < demands_.size()) {
+    DependencySet dependency = no_dependency;
+    Suspect suspect = demands_[next_demand_++];
+    suspect.node = graph_.current(suspect.node, sets_, dependency);
+    if (!graph_.is_active(suspect.node)) continue;
+    enforce(suspect, dependency);
+    if (has_clash_ || !merges_.empty() || processed_ < graph_.facts().size()) return true;
+  }
+  return false;
+}
+
+Tableau::Search::Open Tableau::Search::open(const Disjunction& disjunction) {
+  Open result;
+  result.dependency = disjunction.dependency;
+  for (std::uint32_t at = disjunction.begin; at < disjunction.end; ++at) {
+    Choice choice = choices_[at];
+    choice.a = graph_.current(choice.a, sets_, result.dependency);
+    choice.b = graph_.current(choice.b, sets_, result.dependency);
+    result.is_done = !graph_.is_active(choice.a) || !graph_.is_active(choice.b) || holds(choice);
+    if (result.is_done) return result;
+    if (!is_excluded(choice, result.dependency)) result.alternatives.push_back(choice);
+  }
+  return result;
+}
+
+bool Tableau::Search::is_excluded(const Choice& choice, DependencySet& dependency) {
+  if (is_impossible(choice)) return true;
+  if (choice.kind == ChoiceKind::equal) {
+    const auto [a, b] = std::minmax(choice.a, choice.b);
+    const FactId differ = graph_.find(FactKind::unequal, 0, a, b);
+    if (differ != none) dependency = unite(dependency, graph_.fact(differ).dependency);
+    return differ != none;
+  }
+  if (choice.kind != ChoiceKind::concept_of) return false;
+  const auto excluders = program_.disjoint_concepts(choice.predicate);
+  if (excluders.size() <= graph_.node(choice.a).label_count) {
+    for (const std::uint32_t other : excluders) {
+      const FactId fact = graph_.find(FactKind::concept_of, other, choice.a);
+      if (fact == none) continue;
+      dependency = unite(dependency, graph_.fact(fact).dependency);
+      return true;
+    }
+    return false;
+  }
+  for (FactId id = graph_.node(choice.a).labels; id != none; id = graph_.fact(id).next_a) {
+    if (!std::ranges::binary_search(excluders, graph_.fact(id).predicate)) continue;
+    dependency = unite(dependency, graph_.fact(id).dependency);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace geminga::tableau
