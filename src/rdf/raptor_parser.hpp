@@ -33,8 +33,8 @@ struct FileText {
 /// A raptor world of one's own, for one thread at a time. It opens no file and no connection, whatever a file asks.
 class RaptorParser {
  public:
-  /// Not while another parser is at work: what lies below raptor is set up once for all.
-  explicit RaptorParser(const Limits& limits);
+  /// For files in one syntax. Not while another parser is at work: what lies below raptor is set up once for all.
+  RaptorParser(const Limits& limits, Syntax syntax);
   RaptorParser(const RaptorParser&) = delete;
   RaptorParser& operator=(const RaptorParser&) = delete;
   ~RaptorParser();

@@ -31,7 +31,7 @@ struct ReadPiece {
 /// Hands out the pieces in their order, and takes them back in any.
 class PieceQueue {
  public:
-  explicit PieceQueue(std::size_t count, unsigned ahead) : done_(count), ahead_(ahead) {}
+  PieceQueue(std::size_t count, std::size_t ahead) : done_(count), ahead_(ahead) {}
 
   /// The next piece to be parsed. Waits while too many are parsed and not joined, since each takes memory.
   std::optional<std::size_t> next() {
@@ -112,7 +112,6 @@ std::optional<LoadError> Redland::read(const std::string& path, Syntax syntax, F
   const std::string_view view = bytes.view();
   const std::string blank_prefix = "_:" + base::to_hex(XXH3_64bits(view.data(), view.size()), 16) + '.';
   const FileText text{bytes, syntax, base_iri, blank_prefix, lines, pieces};
-  if (parsers_.empty()) parsers_.push_back(std::make_unique<RaptorParser>(limits_));
   known_prefixes_.clear();
   graph.begin_file();
   auto error = threads_ == 1 || pieces.parts().size() == 1 ? read_in_turn(text, graph) : read_at_once(text, graph);
@@ -133,8 +132,14 @@ std::optional<LoadError> Redland::take_over(const std::vector<std::pair<std::str
   return std::nullopt;
 }
 
+std::vector<std::unique_ptr<RaptorParser>>& Redland::parsers_for(Syntax syntax, std::size_t count) {
+  auto& parsers = parsers_[syntax];
+  while (parsers.size() < count) parsers.push_back(std::make_unique<RaptorParser>(limits_, syntax));
+  return parsers;
+}
+
 std::optional<LoadError> Redland::read_in_turn(const FileText& text, Graph& graph) {
-  RaptorParser& parser = *parsers_.front();
+  RaptorParser& parser = *parsers_for(text.syntax, 1).front();
   const auto file = static_cast<std::uint32_t>(graph.file_count() - 1);
   for (std::size_t number = 0; number < text.pieces.parts().size(); ++number) {
     if (auto error = parser.read(text, number, graph)) return error;
@@ -147,12 +152,13 @@ std::optional<LoadError> Redland::read_at_once(const FileText& text, Graph& grap
   const std::size_t count = text.pieces.parts().size();
   const std::size_t threads = std::min<std::size_t>(threads_, count);
   if (!has_room_for(threads)) return read_in_turn(text, graph);
-  while (parsers_.size() < threads) parsers_.push_back(std::make_unique<RaptorParser>(limits_));
-  PieceQueue queue(count, 2 * static_cast<unsigned>(parsers_.size()));
+  const auto& parsers = parsers_for(text.syntax, threads);
+  PieceQueue queue(count, 2 * threads);
   std::vector<std::jthread> workers;
   const Stop stop{queue};  // before the threads are waited for
   try {
-    for (const auto& parser : parsers_) workers.emplace_back([&] { parse_pieces(*parser, text, queue); });
+    for (std::size_t number = 0; number < threads; ++number)
+      workers.emplace_back([&, number] { parse_pieces(*parsers[number], text, queue); });
   } catch (const std::system_error&) {
     if (workers.empty()) return read_in_turn(text, graph);  // fewer are enough
   }

@@ -3,6 +3,7 @@
 #define GEMINGA_RDF_REDLAND_HPP
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,6 +46,8 @@ class Redland {
   [[nodiscard]] std::uint64_t triple_count() const { return triples_; }
 
  private:
+  /// As many parsers as are asked for, at least.
+  std::vector<std::unique_ptr<RaptorParser>>& parsers_for(Syntax syntax, std::size_t count);
   std::optional<LoadError> read_in_turn(const FileText& text, Graph& graph);
   std::optional<LoadError> read_at_once(const FileText& text, Graph& graph);
   /// Counts what a piece held, against the limits of all files.
@@ -52,7 +55,8 @@ class Redland {
                                      std::uint64_t triples, std::uint32_t file);
 
   const Limits& limits_;
-  std::vector<std::unique_ptr<RaptorParser>> parsers_;  ///< one a thread, opened when it is first needed
+  /// By syntax, one a thread; opened when they are first needed.
+  std::map<Syntax, std::vector<std::unique_ptr<RaptorParser>>> parsers_;
   unsigned threads_;
   std::vector<DeclaredPrefix> prefixes_;
   std::unordered_set<std::string> known_prefixes_;  ///< of the file that is being read
