@@ -25,7 +25,8 @@ struct TextIdentity {
 };
 
 /// A concept and a representation, each a full IRI without angle brackets, compared byte by byte (RDF 1.1
-/// Concepts, 3.2). An empty representation is unstated.
+/// Concepts, 3.2). An empty representation is unstated. Instead of an IRI the concept of a subscription may be a class
+/// expression in canonical form (src/manchester/MANCHESTER.md), in which each IRI has its brackets.
 struct SemanticIdentity {
   std::string concept_iri;
   std::string representation_iri;
@@ -35,7 +36,12 @@ struct SemanticIdentity {
 /// The full identity of a service. Identities of different kinds are never equal, whatever their 32-bit forms.
 using Identity = std::variant<NumericIdentity, TextIdentity, SemanticIdentity>;
 
-/// The octets that are hashed: a text as it is; `<concept>` or `<concept><representation>`; a number in decimal.
+/// Whether the concept is an expression: no IRI holds an angle bracket, and every expression does.
+[[nodiscard]] bool has_expression(const SemanticIdentity& identity);
+[[nodiscard]] bool has_expression(const Identity& identity);
+
+/// The octets that are hashed: a text as it is; `<concept>` or `<concept><representation>`, an expression in round
+/// brackets instead of angle ones; a number in decimal.
 /// Specified, with test vectors, in src/identity/IDENTITY.md.
 [[nodiscard]] std::string canonical_form(const Identity& identity);
 

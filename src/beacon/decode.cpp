@@ -100,6 +100,14 @@ template <typename Message>
 Decoded<Identity> identity_of(const Message& message, const std::vector<std::string>& terms) {
   const auto representation = message.representation_term();
   if (representation > terms.size()) return Failure(DecodeError::bad_table);
+  const std::string representation_iri = representation == 0 ? std::string() : terms[representation - 1];
+  if constexpr (requires { message.is_expression(); }) {
+    if (message.is_expression()) {
+      SemanticIdentity identity{message.text(), representation_iri};
+      if (!has_expression(identity)) return Failure(DecodeError::bad_identity);  // a name would be a term
+      return identity;
+    }
+  }
   if (message.identity_case() != Message::kConceptTerm && representation != 0) {
     return Failure(DecodeError::bad_identity);
   }
@@ -111,7 +119,7 @@ Decoded<Identity> identity_of(const Message& message, const std::vector<std::str
     case Message::kConceptTerm: {
       const auto number = message.concept_term();
       if (number == 0 || number > terms.size()) return Failure(DecodeError::bad_table);
-      return SemanticIdentity{terms[number - 1], representation == 0 ? std::string() : terms[representation - 1]};
+      return SemanticIdentity{terms[number - 1], representation_iri};
     }
     default:
       return Failure(DecodeError::bad_identity);

@@ -49,6 +49,14 @@ Found iri_fault(std::string_view field, std::string_view iri) {
   return fault(word, ErrorCode::malformed, std::string(field) + " is no IRI: " + base::printable(iri));
 }
 
+Found concept_fault(const std::string& text) {
+  constexpr auto word = DecodeError::bad_identity;
+  if (!has_expression(SemanticIdentity{text, {}})) return iri_fault("concept", text);
+  if (text.size() > max_expression_bytes) return oversized(word, "the expression", text.size(), max_expression_bytes);
+  if (base::is_valid_utf8(text) && !base::has_control_character(text)) return std::nullopt;
+  return fault(word, ErrorCode::malformed, "an expression must be UTF-8 without control characters");
+}
+
 Found identity_fault(const Identity& identity) {
   constexpr auto word = DecodeError::bad_identity;
   if (const auto* text = std::get_if<TextIdentity>(&identity)) {
@@ -61,7 +69,7 @@ Found identity_fault(const Identity& identity) {
     return fault(word, ErrorCode::malformed, "text must be UTF-8 without control characters, and not empty");
   }
   if (const auto* semantic = std::get_if<SemanticIdentity>(&identity)) {
-    if (auto found = iri_fault("concept", semantic->concept_iri)) return found;
+    if (auto found = concept_fault(semantic->concept_iri)) return found;
     if (!semantic->representation_iri.empty()) return iri_fault("representation", semantic->representation_iri);
   }
   return std::nullopt;
@@ -139,6 +147,9 @@ bool is_valid_iri(std::string_view iri) {
 }
 
 std::optional<Fault> find_fault(const Publication& publication) {
+  if (has_expression(publication.identity)) {
+    return fault(DecodeError::bad_identity, ErrorCode::impossible, "an expression can be asked for, not offered");
+  }
   if (auto found = identity_fault(publication.identity)) return found;
   if (publication.port == 0) {
     return fault(DecodeError::bad_port, ErrorCode::malformed, "port 0: a service is reached at a port from 1 to 65535");

@@ -23,6 +23,8 @@ inline constexpr std::size_t max_name_bytes = 64;
 inline constexpr std::size_t max_text_identity_bytes = 255;
 /// A concept or representation IRI, in octets.
 inline constexpr std::size_t max_iri_bytes = 255;
+/// A class expression that is asked for instead of a concept, in octets of its canonical form.
+inline constexpr std::size_t max_expression_bytes = 400;
 /// The word for a transport protocol, in octets.
 inline constexpr std::size_t max_protocol_bytes = 32;
 /// Attributes of one service, and the octets of a key and of a value.

@@ -41,7 +41,14 @@ void write_common(const Service& service, TermTable& terms, Message& message) {
   } else if (const auto* text = std::get_if<TextIdentity>(&service.identity)) {
     message.set_text(text->text);
   } else if (const auto* semantic = std::get_if<SemanticIdentity>(&service.identity)) {
-    message.set_concept_term(terms.number(semantic->concept_iri));
+    if constexpr (requires { message.set_is_expression(true); }) {
+      message.set_is_expression(has_expression(*semantic));
+    }
+    if (has_expression(*semantic)) {
+      message.set_text(semantic->concept_iri);
+    } else {
+      message.set_concept_term(terms.number(semantic->concept_iri));
+    }
     message.set_representation_term(terms.number(semantic->representation_iri));
   }
   message.set_port(service.port);

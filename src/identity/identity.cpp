@@ -10,13 +10,21 @@ struct CanonicalForm {
   std::string operator()(const NumericIdentity& identity) const { return std::to_string(identity.number); }
   std::string operator()(const TextIdentity& identity) const { return identity.text; }
   std::string operator()(const SemanticIdentity& identity) const {
-    std::string form = '<' + identity.concept_iri + '>';
+    const bool is_named = !has_expression(identity);
+    std::string form = (is_named ? '<' : '(') + identity.concept_iri + (is_named ? '>' : ')');
     if (!identity.representation_iri.empty()) form += '<' + identity.representation_iri + '>';
     return form;
   }
 };
 
 }  // namespace
+
+bool has_expression(const SemanticIdentity& identity) { return identity.concept_iri.find('<') != std::string::npos; }
+
+bool has_expression(const Identity& identity) {
+  const auto* semantic = std::get_if<SemanticIdentity>(&identity);
+  return semantic != nullptr && has_expression(*semantic);
+}
 
 std::string canonical_form(const Identity& identity) { return std::visit(CanonicalForm{}, identity); }
 

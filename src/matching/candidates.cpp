@@ -14,11 +14,22 @@ FilingPlan::FilingPlan(std::optional<el::ClassNumber> own, bool is_below, const 
   for (const el::ClassNumber number : ontology->subsumers(*own)) below_.push_back(std::to_underlying(number));
 }
 
+FilingPlan::FilingPlan(const el::ExpressionPlace& place, bool is_below, const el::Ontology& ontology) {
+  if (place.equivalent) {
+    own_ = std::to_underlying(*place.equivalent);
+  } else {
+    for (const el::ClassNumber child : place.children) further_own_.push_back(std::to_underlying(child));
+  }
+  if (!is_below) return;
+  for (const el::ClassNumber number : el::subsumers(place, ontology)) below_.push_back(std::to_underlying(number));
+}
+
 FilingPlan FilingPlan::of_publication(const Classes& classes, const el::Ontology* ontology) {
   return {classes.concept_class, true, ontology};
 }
 
 FilingPlan FilingPlan::of_subscription(const Classes& classes, Degree weakest, const el::Ontology* ontology) {
+  if (classes.place) return {*classes.place, weakest >= Degree::broader, *ontology};
   return {classes.concept_class, weakest >= Degree::broader, ontology};
 }
 

@@ -2,6 +2,8 @@
 #ifndef GEMINGA_MATCHING_CANDIDATES_HPP
 #define GEMINGA_MATCHING_CANDIDATES_HPP
 
+#include <algorithm>
+#include <set>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -22,14 +24,36 @@ class FilingPlan {
   [[nodiscard]] static FilingPlan of_subscription(const Classes& classes, Degree weakest, const el::Ontology* ontology);
 
   /// Borrows from this.
-  [[nodiscard]] registry::Filing filing() const { return {own_, below_}; }
+  [[nodiscard]] registry::Filing filing() const { return {own_, below_, further_own_}; }
 
  private:
   FilingPlan(std::optional<el::ClassNumber> own, bool is_below, const el::Ontology* ontology);
+  /// Of an expression: under the classes right below it, below which its narrower offers are.
+  FilingPlan(const el::ExpressionPlace& place, bool is_below, const el::Ontology& ontology);
 
   std::optional<registry::ClassIndex> own_;
   std::vector<registry::ClassIndex> below_;
+  std::vector<registry::ClassIndex> further_own_;
 };
+
+/// As visit_publications() for an expression in a place.
+template <typename Visit>
+void visit_publications_around(const registry::Publications& publications, const el::ExpressionPlace& place,
+                               Degree weakest, const el::Ontology& ontology, const Visit& visit) {
+  std::set<std::uint32_t> seen;  // a concept may be below several of the classes right below the expression
+  const auto visit_all = [&](auto filed) {
+    for (const auto& one : filed) {
+      if (seen.insert(one.stored->slot).second && visit(*one.stored)) return true;
+    }
+    return false;
+  };
+  const auto below = [&](el::ClassNumber number) { return visit_all(publications.below(std::to_underlying(number))); };
+  if (place.equivalent ? below(*place.equivalent) : std::ranges::any_of(place.children, below)) return;
+  if (weakest < Degree::broader) return;
+  for (const el::ClassNumber wider : el::subsumers(place, ontology)) {
+    if (visit_all(publications.own(std::to_underlying(wider)))) return;
+  }
+}
 
 /// Calls `visit` once for each publication whose concept may meet the request's. `visit` gives true to stop.
 template <typename Visit>
@@ -44,6 +68,8 @@ void visit_publications(const registry::Publications& publications, const Identi
   const auto* semantic = std::get_if<SemanticIdentity>(&requested);
   if (semantic == nullptr) {
     visit_all(publications.with_identity(requested, id32(requested)));
+  } else if (classes.place) {
+    visit_publications_around(publications, *classes.place, weakest, *ontology, visit);
   } else if (!classes.concept_class) {
     visit_all(publications.with_concept(semantic->concept_iri));
   } else {

@@ -4,12 +4,16 @@
 
 #include <compare>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "el/expression.hpp"
 #include "el/ontology.hpp"
 #include "geminga/identity.hpp"
 #include "geminga/match.hpp"
+#include "geminga/service.hpp"
 
 namespace geminga::matching {
 
@@ -26,7 +30,14 @@ struct Match {
 struct Classes {
   std::optional<el::ClassNumber> concept_class;
   std::optional<el::ClassNumber> representation_class;
+  /// Where the expression stands that is asked for instead of a concept; null where there is none or it is not known.
+  std::shared_ptr<const el::ExpressionPlace> place{};
 };
+
+/// Gives the place of a canonical expression in the ontology that the matcher works with, or null where it is not known
+/// (yet), or nothing can be an instance of it. `from` says who asks: its own participant, or one on the air.
+using Placing =
+    std::function<std::shared_ptr<const el::ExpressionPlace>(const std::string& expression, ParticipantId from)>;
 
 /// Looks up both names. `ontology` may be null: then there are no classes.
 [[nodiscard]] Classes classes_of(const Identity& identity, const el::Ontology* ontology);
@@ -38,6 +49,12 @@ struct Classes {
                                                   const std::string& requested_iri,
                                                   std::optional<el::ClassNumber> requested,
                                                   const el::Ontology* ontology);
+
+/// The degree of a concept against an expression: that which it would have against a class in this place, and the
+/// distance that it would have (el/expression.hpp).
+[[nodiscard]] std::optional<Match> degree_of_expression(std::optional<el::ClassNumber> offered,
+                                                        const el::ExpressionPlace* requested,
+                                                        const el::Ontology* ontology);
 
 /// The degree of the whole identity, however weak; the caller compares it with what the subscription allows. Identities
 /// of different kinds never match, numbers and texts only when they are equal. The 32-bit identity plays no part.

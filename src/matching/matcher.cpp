@@ -11,7 +11,8 @@ namespace geminga::matching {
 using registry::StoredPublication;
 using registry::StoredSubscription;
 
-Matcher::Matcher(const el::Ontology* ontology) : state_(std::make_unique<State>(ontology)) {}
+Matcher::Matcher(const el::Ontology* ontology, Placing placing)
+    : state_(std::make_unique<State>(ontology, std::move(placing))) {}
 
 Matcher::~Matcher() = default;
 
@@ -53,6 +54,8 @@ base::Instant Matcher::next_deadline() const {
 
 void Matcher::set_ontology(const el::Ontology* ontology) { state_->set_ontology(ontology); }
 
+void Matcher::place_again() { state_->place_again(); }
+
 std::vector<Event> Matcher::take_events() { return std::exchange(state_->events_, {}); }
 
 std::vector<Ranked> Matcher::match(const Subscription& request) const { return state_->match(request); }
@@ -60,7 +63,7 @@ std::vector<Ranked> Matcher::match(const Subscription& request) const { return s
 std::expected<Match, std::string> Matcher::why(const registry::SubscriptionEntry& request,
                                                const registry::PublicationEntry& offer) const {
   const el::Ontology* ontology = state_->ontology_;
-  return explained(request.subscription, prepared(request.subscription, ontology), offer,
+  return explained(request.subscription, state_->prepare(request), offer,
                    classes_of(offer.publication.identity, ontology), ontology);
 }
 

@@ -32,6 +32,11 @@ struct Ranked {
 /// events of one cause a subscription's dels come before its modifies and these before its adds, and subscriptions
 /// follow each other by key.
 ///
+/// A subscription may ask for a class expression. It is filed under the classes right below the expression's place in
+/// the taxonomy, so that a new publication finds it as it finds any other request above its concept; no class is added
+/// to the ontology, and neither the ontology's index nor the registry's is rebuilt: one more request costs what it is
+/// filed under. Its degree is that of a class in its place.
+///
 /// Providers are told of consumers in the modes oto and otm/pubsub only (paper section 3), and only of those whose
 /// choice they are in. Every host computes the choice of every consumer from its own view; nothing is asked for over
 /// the air. Who is chosen follows from announced facts except between candidates that are equal in all but their key,
@@ -41,7 +46,8 @@ struct Ranked {
 class Matcher {
  public:
   /// `ontology` may be null: then semantic identities match exactly or not at all. Borrowed until set_ontology().
-  explicit Matcher(const el::Ontology* ontology);
+  /// `placing` gives the places of expressions that are asked for; without it they meet nothing.
+  explicit Matcher(const el::Ontology* ontology, Placing placing = {});
   ~Matcher();
 
   /// Adds or changes an entry. Its identity is resolved by the caller (IRIs). An entry of another participant whose
@@ -58,8 +64,11 @@ class Matcher {
   void expire(base::Instant now);
   /// The earliest deadline, or base::never.
   [[nodiscard]] base::Instant next_deadline() const;
-  /// Swaps the ontology and matches everything again; what stays matched gets no event.
+  /// Swaps the ontology and matches everything again; what stays matched gets no event. From then on `placing` must
+  /// give places in the new one.
   void set_ontology(const el::Ontology* ontology);
+  /// Asks again for the place of each subscription whose expression has none.
+  void place_again();
 
   /// The events since the last call, in the order in which they must be written.
   [[nodiscard]] std::vector<Event> take_events();

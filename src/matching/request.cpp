@@ -11,6 +11,8 @@ namespace {
 
 using registry::PublicationEntry;
 
+constexpr std::size_t max_shown_expression = 400;
+
 bool is_participant(const std::string& wanted, const PublicationEntry& publication) {
   return participant_id(wanted) == publication.key.participant || wanted == publication.participant_name;
 }
@@ -35,6 +37,7 @@ std::string kind_of(const Identity& identity) {
 }
 
 std::string named(const el::Ontology* ontology, const std::string& iri) {
+  if (iri.find('<') != std::string::npos) return base::printable(iri, max_shown_expression);
   return ontology == nullptr ? '<' + iri + '>' : ontology->short_name(std::string_view(iri));
 }
 
@@ -66,8 +69,21 @@ std::string identity_misfit(const Identity& offered, const Classes& offered_clas
     return "identity: " + base::printable(canonical_form(offered)) + " is offered, " +
            base::printable(canonical_form(requested)) + " is asked for";
   }
-  if (!degree_of_name(offer->concept_iri, offered_classes.concept_class, request->concept_iri,
-                      requested_classes.concept_class, ontology)) {
+  if (has_expression(*request) && !requested_classes.place) {
+    return "concept: " + named(ontology, offer->concept_iri) + " is offered, " + named(ontology, request->concept_iri) +
+           " is asked for, and that is unknown to the ontology, unsatisfiable, or waits to be classified";
+  }
+  const bool fits =
+      has_expression(*request)
+          ? degree_of_expression(offered_classes.concept_class, requested_classes.place.get(), ontology).has_value()
+          : degree_of_name(offer->concept_iri, offered_classes.concept_class, request->concept_iri,
+                           requested_classes.concept_class, ontology)
+                .has_value();
+  if (!fits && has_expression(*request)) {
+    return "concept: " + named(ontology, offer->concept_iri) + " is offered, " + named(ontology, request->concept_iri) +
+           " is asked for, and neither subsumes the other";
+  }
+  if (!fits) {
     return "concept: " + unrelated(ontology, offer->concept_iri, request->concept_iri);
   }
   if (offer->representation_iri.empty()) {
@@ -83,8 +99,13 @@ std::string identity_misfit(const Identity& offered, const Classes& offered_clas
 
 }  // namespace
 
-Request prepared(const Subscription& subscription, const el::Ontology* ontology) {
+Request prepared(const Subscription& subscription, const el::Ontology* ontology, const Placing& placing,
+                 ParticipantId from) {
   Request request{classes_of(subscription.identity, ontology), std::nullopt};
+  if (placing && ontology != nullptr && has_expression(subscription.identity)) {
+    request.classes.place = placing(std::get<SemanticIdentity>(subscription.identity).concept_iri, from);
+    if (request.classes.place && !request.classes.place->is_satisfiable) request.classes.place = nullptr;
+  }
   if (auto where = Where::parse(subscription.where)) request.where = std::move(*where);
   return request;
 }

@@ -20,7 +20,9 @@ struct Request {
   std::optional<Where> where;  ///< nothing: it cannot be read, and the subscription never matches
 };
 
-[[nodiscard]] Request prepared(const Subscription& subscription, const el::Ontology* ontology);
+/// `placing` may be empty: then expressions meet nothing. `from` is whose subscription it is.
+[[nodiscard]] Request prepared(const Subscription& subscription, const el::Ontology* ontology,
+                               const Placing& placing = {}, ParticipantId from = {});
 
 /// How the publication meets the subscription by mode, provider, identity and filter; nothing where it does not.
 /// `subscription` is what `request` was prepared from, `offered` the classes of the publication's identity.

@@ -33,7 +33,7 @@ const StoredPublication& Matcher::State::store(PublicationEntry entry, const Sto
 }
 
 const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const StoredSubscription* known) {
-  Request request = prepared(entry.subscription, ontology_);
+  Request request = prepare(entry);
   const FilingPlan plan = FilingPlan::of_subscription(request.classes, entry.subscription.weakest, ontology_);
   if (known == nullptr) {
     known = &subscriptions_.insert(std::move(entry), plan.filing());
@@ -129,13 +129,29 @@ void Matcher::State::set_ontology(const el::Ontology* ontology) {
   });
   subscriptions_.for_each([this](const StoredSubscription& stored) {
     const Subscription& asked = stored.entry.subscription;
-    auto& known = of(stored).request.classes = classes_of(asked.identity, ontology_);
+    auto& known = of(stored).request.classes = prepare(stored.entry).classes;
     subscriptions_.refile(stored, FilingPlan::of_subscription(known, asked.weakest, ontology_).filing());
   });
   subscriptions_.for_each([this](const StoredSubscription& stored) {
     judge_all(stored);
     settle(stored);
   });
+}
+
+void Matcher::State::place_again() {
+  std::vector<const StoredSubscription*> waiting;
+  subscriptions_.for_each([&](const StoredSubscription& stored) {
+    const bool is_placed = of(stored).request.classes.place != nullptr;
+    if (!is_placed && has_expression(stored.entry.subscription.identity)) waiting.push_back(&stored);
+  });
+  for (const auto* stored : waiting) {
+    auto& known = of(*stored).request.classes = prepare(stored->entry).classes;
+    if (known.place == nullptr) continue;
+    const Degree weakest = stored->entry.subscription.weakest;
+    subscriptions_.refile(*stored, FilingPlan::of_subscription(known, weakest, ontology_).filing());
+    judge_all(*stored);
+    settle(*stored);
+  }
 }
 
 std::uint32_t Matcher::State::limit_of(const SubscriptionEntry& subscription) {
@@ -208,7 +224,7 @@ void Matcher::State::forget_dropped(const StoredSubscription& subscription) {
 }
 
 std::vector<Ranked> Matcher::State::match(const Subscription& asked) const {
-  const Request request = prepared(asked, ontology_);
+  const Request request = prepared(asked, ontology_, placing_);
   std::vector<Ranked> ranked;
   visit_publications(publications_, asked.identity, request.classes, asked.weakest, ontology_,
                      [&](const StoredPublication& publication) {
@@ -225,7 +241,7 @@ std::vector<Ranked> Matcher::State::match(const Subscription& asked) const {
 
 bool Matcher::State::is_served(const SubscriptionEntry& subscription) const {
   const Subscription& asked = subscription.subscription;
-  const Request request = prepared(asked, ontology_);
+  const Request request = prepare(subscription);
   bool served = false;
   visit_publications(publications_, asked.identity, request.classes, asked.weakest, ontology_,
                      [&](const StoredPublication& publication) {

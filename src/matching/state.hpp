@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "matching/arbitration.hpp"
@@ -23,7 +24,7 @@ inline constexpr std::uint32_t max_counted_providers = 16;
 /// subscription whose candidates changed is settled once, which gives the events.
 class Matcher::State {
  public:
-  explicit State(const el::Ontology* ontology) { set_ontology(ontology); }
+  State(const el::Ontology* ontology, Placing placing) : placing_(std::move(placing)) { set_ontology(ontology); }
 
   void put(registry::PublicationEntry entry);
   void put(registry::SubscriptionEntry entry);
@@ -31,12 +32,17 @@ class Matcher::State {
   void remove(const std::vector<const registry::StoredPublication*>& publications,
               const std::vector<const registry::StoredSubscription*>& subscriptions, Reason reason);
   void set_ontology(const el::Ontology* ontology);
+  void place_again();
+  [[nodiscard]] Request prepare(const registry::SubscriptionEntry& entry) const {
+    return prepared(entry.subscription, ontology_, placing_, entry.key.participant);
+  }
 
   [[nodiscard]] std::vector<Ranked> match(const Subscription& request) const;
   [[nodiscard]] bool is_served(const registry::SubscriptionEntry& subscription) const;
   [[nodiscard]] bool is_used(const registry::PublicationEntry& publication) const;
 
   const el::Ontology* ontology_ = nullptr;
+  Placing placing_;
   registry::Publications publications_;
   registry::Subscriptions subscriptions_;
   std::vector<Event> events_;

@@ -85,7 +85,12 @@ Core::Core(env::Env& the_env, Settings the_settings, const el::Ontology* the_ont
     : env(the_env),
       settings(std::move(the_settings)),
       ontology(the_ontology),
-      matcher(the_ontology),
+      expressions(the_ontology),
+      matcher(the_ontology,
+              [this](const std::string& expression, ParticipantId from) {
+                const bool is_own = from == ParticipantId{} || from == id;
+                return expressions.place(expression, is_own ? std::nullopt : std::optional(from), env.now());
+              }),
       neighbours(settings.group) {}
 
 std::string Core::name() const { return settings.name.empty() ? to_string(id) : settings.name; }

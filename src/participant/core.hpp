@@ -13,6 +13,7 @@
 #include "env/env.hpp"
 #include "matching/matcher.hpp"
 #include "participant/counters.hpp"
+#include "participant/expressions.hpp"
 #include "participant/session.hpp"
 #include "participant/settings.hpp"
 
@@ -31,10 +32,13 @@ enum class Phase : std::uint8_t {
 
 struct Core {
   Core(env::Env& the_env, Settings the_settings, const el::Ontology* the_ontology);
+  Core(const Core&) = delete;
+  Core& operator=(const Core&) = delete;
 
   env::Env& env;
   const Settings settings;
   const el::Ontology* ontology;
+  Expressions expressions;
   matching::Matcher matcher;
   beacon::NeighbourTable neighbours;
   Counters counters;

@@ -2,6 +2,8 @@
 
 #include "base/text.hpp"
 #include "el/ontology.hpp"
+#include "manchester/parse.hpp"
+#include "participant/expressions.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -13,6 +15,9 @@ std::expected<std::string, Error> resolve_class(const el::Ontology* ontology, st
   };
   if (ontology == nullptr) return impossible("no ontology is loaded: start gemingad with --ontology");
   const auto found = ontology->find(name);
+  if (!found && manchester::is_compound(name)) {
+    return impossible("a class expression can be asked for, not offered, and is no representation: name a class");
+  }
   if (!found) return impossible(found.error().text);
   if (!ontology->is_satisfiable(*found)) {
     return impossible("the class is unsatisfiable, nothing can be one: geminga-query explain says why");
@@ -38,6 +43,47 @@ std::expected<Identity, Error> resolve(const el::Ontology* ontology, const Named
   return identity;
 }
 
+std::expected<Identity, Error> resolve(Expressions& expressions, const el::Ontology* ontology,
+                                       const NamedIdentity& named) {
+  const auto* names = std::get_if<ConceptNames>(&named);
+  const bool is_expression = names != nullptr && ontology != nullptr && !ontology->find(names->concept_name) &&
+                             manchester::is_compound(names->concept_name);
+  if (!is_expression) return resolve(ontology, named);
+  auto resolved = expressions.resolve(names->concept_name);
+  if (!resolved) {
+    return std::unexpected(
+        Error{resolved.error().code, "concept=" + base::printable(names->concept_name) + ": " + resolved.error().text});
+  }
+  SemanticIdentity identity{.concept_iri = std::move(*resolved), .representation_iri = {}};
+  if (!names->representation_name.empty()) {
+    auto representation_iri = resolve_class(ontology, "representation", names->representation_name);
+    if (!representation_iri) return std::unexpected(representation_iri.error());
+    identity.representation_iri = std::move(*representation_iri);
+  }
+  return identity;
+}
+
+// The canonical text has angle brackets around IRIs, in comparisons behind a blank, and within quotes, of which a
+// backslash takes away the meaning.
+std::string short_expression(const el::Ontology* ontology, std::string_view canonical) {
+  std::string text;
+  bool is_quoted = false;
+  for (std::size_t at = 0; at < canonical.size(); ++at) {
+    const std::size_t end = canonical.find('>', at);
+    const bool is_iri = !is_quoted && canonical[at] == '<' && end != std::string_view::npos &&
+                        canonical.substr(at, end - at).find(' ') == std::string_view::npos;
+    if (is_iri) {
+      text += short_name(ontology, canonical.substr(at + 1, end - at - 1));
+      at = end;
+      continue;
+    }
+    if (canonical[at] == '"') is_quoted = !is_quoted;
+    text += canonical[at];
+    if (is_quoted && canonical[at] == '\\' && at + 1 < canonical.size()) text += canonical[++at];
+  }
+  return text;
+}
+
 std::string short_name(const el::Ontology* ontology, std::string_view iri) {
   return ontology == nullptr ? "<" + std::string(iri) + ">" : ontology->short_name(iri);
 }
@@ -47,7 +93,8 @@ NamedIdentity named(const el::Ontology* ontology, const Identity& identity) {
   if (const auto* text = std::get_if<TextIdentity>(&identity)) return *text;
   const auto& iris = std::get<SemanticIdentity>(identity);
   return ConceptNames{
-      .concept_name = short_name(ontology, iris.concept_iri),
+      .concept_name =
+          has_expression(iris) ? short_expression(ontology, iris.concept_iri) : short_name(ontology, iris.concept_iri),
       .representation_name = iris.representation_iri.empty() ? "" : short_name(ontology, iris.representation_iri)};
 }
 

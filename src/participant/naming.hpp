@@ -16,12 +16,21 @@ class Ontology;
 
 namespace geminga::participant {
 
+class Expressions;
+
 /// The identity with full IRIs. 422 where no ontology is loaded (null), a name is unknown or ambiguous, or a class can
 /// have no instance. Numbers and texts need no ontology.
 [[nodiscard]] std::expected<Identity, Error> resolve(const el::Ontology* ontology, const NamedIdentity& named);
 
+/// The same for what is asked for: the concept may be a class expression, too (src/manchester/MANCHESTER.md). One that
+/// is equivalent to a class is that class; of any other the canonical text is the concept.
+[[nodiscard]] std::expected<Identity, Error> resolve(Expressions& expressions, const el::Ontology* ontology,
+                                                     const NamedIdentity& named);
+
 /// As peers are told: `prefix:Name` where a prefix of the ontology fits, else `<IRI>`.
 [[nodiscard]] std::string short_name(const el::Ontology* ontology, std::string_view iri);
+/// A canonical expression with short names.
+[[nodiscard]] std::string short_expression(const el::Ontology* ontology, std::string_view canonical);
 [[nodiscard]] NamedIdentity named(const el::Ontology* ontology, const Identity& identity);
 [[nodiscard]] NamedPublication named(const el::Ontology* ontology, const Publication& publication);
 [[nodiscard]] NamedSubscription named(const el::Ontology* ontology, const Subscription& subscription);

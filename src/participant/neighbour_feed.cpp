@@ -71,6 +71,7 @@ Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceInde
       *announcement, {.interface = interface, .interface_name = on->name, .source = source, .now = core.env.now()});
   ++core.counters.hearings[hearing];
   feed(core);
+  if (core.expressions.take_waiting(core.env.now())) core.matcher.place_again();
   return announcer.heard(hearing, announcement->kind);
 }
 

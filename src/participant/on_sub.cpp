@@ -22,7 +22,7 @@ std::uint32_t default_limit(ChannelMode mode) { return mode == ChannelMode::one_
 
 Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::SubCreate& create) {
   if (auto refusal = check_room(core, session, id, session.subscriptions.size())) return refusal;
-  auto identity = resolve(core.ontology, create.subscription.identity);
+  auto identity = resolve(core.expressions, core.ontology, create.subscription.identity);
   if (!identity) return identity.error();
   StatedSubscription stated{.named = create.subscription.identity,
                             .subscription = gcnp::with_identity(create.subscription, std::move(*identity)),
@@ -46,7 +46,7 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::SubModify
     if (!named) return named.error();
     stated.named = std::move(*named);
   }
-  auto identity = resolve(core.ontology, stated.named);
+  auto identity = resolve(core.expressions, core.ontology, stated.named);
   if (!identity) return identity.error();
   stated.subscription.identity = std::move(*identity);
   stated.is_in_force = true;

@@ -1,5 +1,7 @@
 #include "participant/own_services.hpp"
 
+#include <type_traits>
+
 #include "gcnp/event.hpp"
 #include "participant/naming.hpp"
 
@@ -14,7 +16,8 @@ ServiceKey key_of(const Core& core, const Session& session, std::uint32_t number
 template <typename Stated, typename Service>
 bool resolve_again(Core& core, Session& session, std::uint32_t number, Stated& stated, Service& service) {
   const bool was_in_force = stated.is_in_force;
-  auto identity = resolve(core.ontology, stated.named);
+  auto identity = std::is_same_v<Stated, StatedSubscription> ? resolve(core.expressions, core.ontology, stated.named)
+                                                             : resolve(core.ontology, stated.named);
   stated.is_in_force = identity.has_value();
   if (identity) {
     service.identity = std::move(*identity);
@@ -117,6 +120,7 @@ void leave_all(Core& core) {
 void change_ontology(Core& core, const el::Ontology* ontology) {
   const bool is_held = core.phase == Phase::ready;
   core.ontology = ontology;
+  core.expressions.set_ontology(ontology);
   core.matcher.set_ontology(ontology);
   core.deliver_events();
   for (const auto& [stream, session] : core.sessions) {

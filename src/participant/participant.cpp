@@ -189,12 +189,14 @@ class Participant::State {
       return;
     }
     const std::uint64_t events_before = core.counters.events;
+    const std::uint64_t classified_before = core.expressions.counts().classified;
     const auto request = gcnp::read_request(*statement);
     const Refusal refusal = request ? handle(core, session, statement->id, *request) : Refusal(request.error());
     if (refusal) core.refuse(session, statement->id, *refusal);
     // Now, so that an answer to what comes next stands behind the events of this.
     core.deliver_events();
-    session.gate.charge((core.counters.events - events_before) / work_per_statement);
+    session.gate.charge((core.counters.events - events_before) / work_per_statement +
+                        (core.expressions.counts().classified - classified_before) * statements_per_expression);
     if (session.outbox_bytes() > max_outbox_bytes) core.env.write(session.stream(), session.take_outbox());
   }
 

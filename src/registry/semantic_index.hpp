@@ -26,6 +26,7 @@ class SemanticIndex {
 
   void file(const Stored<Entry>& stored, const Filing& filing) {
     if (filing.own) at(*filing.own).own.file(stored);
+    for (const ClassIndex number : filing.further_own) at(number).own.file(stored);
     for (const ClassIndex number : filing.below) at(number).below.file(stored);
   }
 

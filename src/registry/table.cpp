@@ -151,7 +151,7 @@ struct Table<Entry>::Indexes {
 
   /// The names come first in the filings, so that refile() can tell them from the classes.
   void file(const Stored<Entry>& stored, const Filing& filing) {
-    stored.filings.reserve(2 + 1 + filing.below.size());
+    stored.filings.reserve(2 + 1 + filing.below.size() + filing.further_own.size());
     names.file(stored);
     classes.file(stored, filing);
   }

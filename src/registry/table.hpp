@@ -26,6 +26,9 @@ using ClassIndex = std::uint32_t;
 struct Filing {
   std::optional<ClassIndex> own;      ///< nothing: the concept is unknown or the identity is not semantic
   std::span<const ClassIndex> below;  ///< each less than the table's class count, none twice
+  /// More classes that it is filed under, none of them `own`, none twice: of a subscription for an expression those
+  /// right below it.
+  std::span<const ClassIndex> further_own{};
 };
 
 /// The five fields that describe a service in paper section 3.6.

@@ -60,6 +60,10 @@ TEST(Announceable, KeepsEachNamedLimitOfAPublication) {
 }
 
 TEST(Announceable, KeepsEachNamedLimitOfASubscription) {
+  expect_limit(max_expression_bytes, [](std::size_t n) {
+    return subscription_code_of(
+        [&](Subscription& s) { s.identity = SemanticIdentity{"not <" + std::string(n - 6, 'c') + ">", "urn:r"}; });
+  });
   expect_limit(max_where_bytes, [](std::size_t n) {
     return subscription_code_of([&](Subscription& s) { s.where = std::string(n, 'w'); });
   });

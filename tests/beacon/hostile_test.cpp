@@ -167,6 +167,31 @@ TEST(Decode, RefusesEachViolationInAServiceByItsWord) {
       {"filter without participant", [](M& m) { subscription(m).add_providers()->set_peer("p"); },
        DecodeError::bad_filter},
       {"where of 400", [](M& m) { subscription(m).set_where(std::string(400, 'w')); }, {}},
+      {"expression of 400",
+       [](M& m) {
+         subscription(m).set_text("not <" + std::string(394, 'c') + ">");
+         subscription(m).set_is_expression(true);
+       },
+       {}},
+      {"expression of 401",
+       [](M& m) {
+         subscription(m).set_text("not <" + std::string(395, 'c') + ">");
+         subscription(m).set_is_expression(true);
+       },
+       DecodeError::bad_identity},
+      {"expression that is a name",
+       [](M& m) {
+         subscription(m).set_text("urn:c");
+         subscription(m).set_is_expression(true);
+       },
+       DecodeError::bad_identity},
+      {"expression with a line end",
+       [](M& m) {
+         subscription(m).set_text("not\n<urn:c>");
+         subscription(m).set_is_expression(true);
+       },
+       DecodeError::bad_identity},
+      {"expression without a text", [](M& m) { subscription(m).set_is_expression(true); }, DecodeError::bad_identity},
       {"where of 401", [](M& m) { subscription(m).set_where(std::string(401, 'w')); }, DecodeError::bad_filter},
   });
 }

@@ -19,6 +19,12 @@ TEST(Identity, MeetsTheTestVectorsOfItsSpecification) {
       {SemanticIdentity{"http://example.org/a", ""}, "<http://example.org/a>", 2331597606},
       {SemanticIdentity{"http://example.org/a", "http://example.org/b"}, "<http://example.org/a><http://example.org/b>",
        926581932},
+      {SemanticIdentity{"<http://example.org/A> and (<http://example.org/r> some <http://example.org/B>)", ""},
+       "(<http://example.org/A> and (<http://example.org/r> some <http://example.org/B>))", 3845069870U},
+      {SemanticIdentity{"<http://example.org/A> and (<http://example.org/r> some <http://example.org/B>)",
+                        "http://example.org/b"},
+       "(<http://example.org/A> and (<http://example.org/r> some <http://example.org/B>))<http://example.org/b>",
+       1474806827U},
   };
   for (const auto& vector : vectors) {
     EXPECT_EQ(canonical_form(vector.identity), vector.canonical);
@@ -32,6 +38,13 @@ TEST(Identity, CollidingTextsHaveOneNumberAndStayDifferent) {
   EXPECT_EQ(id32(one), 0x9ddb3b5fU);
   EXPECT_EQ(id32(one), id32(other));
   EXPECT_NE(one, other);
+}
+
+TEST(Identity, IsToldToBeAnExpressionByItsBrackets) {
+  EXPECT_TRUE(has_expression(Identity(SemanticIdentity{"not <http://example.org/a>", ""})));
+  EXPECT_FALSE(has_expression(Identity(SemanticIdentity{"http://example.org/a", "http://example.org/b"})));
+  EXPECT_FALSE(has_expression(Identity(TextIdentity{"not <http://example.org/a>"})));
+  EXPECT_FALSE(has_expression(Identity(NumericIdentity{7})));
 }
 
 TEST(Identity, KindsAreNeverEqualEvenWithOneCanonicalForm) {

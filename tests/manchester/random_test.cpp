@@ -12,6 +12,7 @@
 #include "el/expression.hpp"
 #include "manchester/print.hpp"
 #include "place.hpp"
+#include "reasoner/reasoner.hpp"
 
 namespace geminga::manchester {
 namespace {
@@ -22,6 +23,35 @@ using el::ClassNumber;
 class Expressions {
  public:
   Expressions(base::Random& random, std::uint64_t classes) : random_(random), classes_(classes) {}
+
+  /// What is beyond EL as well: unions, complements, universal restrictions, numbers, inverses.
+  std::string write_any(int depth) {
+    const std::string role = "t:r" + std::to_string(random_.below(4));
+    switch (depth == 0 ? 12 : random_.below(13)) {
+      case 0:
+      case 1:
+        return "(" + write_any(depth - 1) + " or " + write_any(depth - 1) + ")";
+      case 2:
+      case 3:
+        return "(" + write_any(depth - 1) + " and not " + write_any(depth - 1) + ")";
+      case 4:
+        return "(not " + write_any(depth - 1) + ")";
+      case 5:
+        return "(" + role + " only " + write_any(depth - 1) + ")";
+      case 6:
+        return "(" + role + (random_.chance(0.5) ? " min 2 " : " max 1 ") + write_any(depth - 1) + ")";
+      case 7:
+        return "(" + role + " max 0 " + write_any(depth - 1) + ")";
+      case 8:
+        return "(inverse " + role + " some " + write_any(depth - 1) + ")";
+      case 9:
+        return "(" + write_any(depth - 1) + " and " + write_any(depth - 1) + ")";
+      case 10:
+        return "(" + role + " some " + write_any(depth - 1) + ")";
+      default:
+        return write(0);
+    }
+  }
 
   std::string write(int depth) {
     const std::uint64_t choice = random_.below(depth == 0 ? 5 : 12);
@@ -114,6 +144,68 @@ TEST(RandomExpressions, StandWhereAClassOfTheirOwnWouldStand) {
     }
   }
   EXPECT_GT(compared, 1000);
+}
+
+TEST(RandomExpressions, BeyondElAreWhereTheReasonerOfAllOfOwlPutsThem) {
+  int complete = 0;
+  int refused = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    base::Random random(seed);
+    const std::uint64_t size = 3 + random.below(8);
+    const std::uint64_t classes = size / 2 + 3;
+    const std::string text = with_all_names(el::random_ontology(random, size), classes);
+    if (!el::loaded(text).is_consistent() || !el::classified(el::written(text)).unused.empty()) continue;
+    const Asked asked(text);
+    Expressions expressions(random, classes);
+    for (int turn = 0; turn < 6; ++turn) {
+      const std::string written = expressions.write_any(2);
+      SCOPED_TRACE("seed " + std::to_string(seed) + " " + written + "\n" + text);
+      const auto expression = parse(written, asked.names());
+      ASSERT_TRUE(expression) << to_string(expression.error());
+      const el::ExpressionPlace place = asked.classifier().classify(expression->source, expression->term);
+      el::OntologySource source = el::written(text);
+      const el::TermId term = copied(expression->source, expression->term, source);
+      const auto check = [&](el::TermId sub, el::TermId super, bool is_found) {
+        const reasoner::Answer answer = reasoner::entails(source, std::nullopt, sub, super);
+        if (answer.verdict == reasoner::Verdict::unknown) return;
+        if (is_found) {
+          EXPECT_EQ(answer.verdict, reasoner::Verdict::yes);
+        } else if (place.gaps.empty()) {
+          EXPECT_EQ(answer.verdict, reasoner::Verdict::no);
+          ++refused;
+        }
+      };
+      check(term, el::nothing_term, !place.is_satisfiable);
+      for (std::uint32_t at = 0; at < asked.ontology().class_count() && place.is_satisfiable; ++at) {
+        const el::ClassNumber number{at};
+        const el::TermId name = source.named_class(asked.ontology().iri(number));
+        SCOPED_TRACE(asked.ontology().short_name(number));
+        check(term, name, el::is_below(place, number, asked.ontology()));
+        check(name, term, el::is_above(place, number, asked.ontology()));
+      }
+      if (place.gaps.empty()) ++complete;
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+  EXPECT_GT(complete, 40);
+  EXPECT_GT(refused, 200);
+}
+
+TEST(RandomWalk, OfQuestionsGivesTheAnswersOfAFreshStart) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    base::Random random(seed);
+    const std::string text = with_all_names(el::random_ontology(random, 12), 9);
+    if (!el::loaded(text).is_consistent()) continue;
+    const Asked asked(text);
+    Expressions expressions(random, 9);
+    std::vector<std::string> known;
+    for (int turn = 0; turn < 40; ++turn) {
+      const bool is_new = known.empty() || random.chance(0.5);
+      if (is_new) known.push_back(random.chance(0.5) ? expressions.write(3) : expressions.write_any(2));
+      const std::string& written = known[random.below(known.size())];
+      ASSERT_EQ(asked.place_of(written), Asked(text).place_of(written)) << "seed " << seed << " " << written;
+    }
+  }
 }
 
 }  // namespace

@@ -28,6 +28,14 @@ class Writer {
   void unsatisfiable(const char* name) {
     source_.add(el::AxiomKind::sub_class_of, {named(name), source_.named_class(el::owl_nothing)}, file_, ++line_);
   }
+  void sub_some(const char* sub, const char* property, const char* filler) {
+    const el::TermId role = source_.object_property(std::string(soccer) + property);
+    const el::TermId some = source_.term(el::TermKind::object_some_values_from, {role, named(filler)});
+    source_.add(el::AxiomKind::sub_class_of, {named(sub), some}, file_, ++line_);
+  }
+  void disjoint(const char* a, const char* b) {
+    source_.add(el::AxiomKind::disjoint_classes, {named(a), named(b)}, file_, ++line_);
+  }
   void label(const char* name, const char* text) { source_.add_label(std::string(soccer) + name, text); }
   [[nodiscard]] el::Ontology finish() const {
     const auto classification = el::classify(source_);
@@ -60,12 +68,33 @@ el::Ontology make(bool has_ball) {
   return writer.finish();
 }
 
+/// For class expressions: cameras that observe balls, and a lidar.
+el::Ontology make_sensors(bool has_ball) {
+  Writer writer;
+  writer.sub("Camera", "Sensor");
+  writer.sub("Lidar", "Sensor");
+  writer.disjoint("Camera", "Lidar");
+  writer.sub_some("Camera", "observes", "Goal");
+  if (has_ball) {
+    writer.sub("BallCamera", "Camera");
+    writer.sub_some("BallCamera", "observes", "Ball");
+    writer.sub("RedBall", "Ball");
+    writer.sub("RedBallCamera", "Camera");
+    writer.sub_some("RedBallCamera", "observes", "RedBall");
+  }
+  return writer.finish();
+}
+
 }  // namespace
 
 const el::Ontology* small_ontology(std::string_view name) {
   static const el::Ontology whole = make(true);
   static const el::Ontology without_ball = make(false);
+  static const el::Ontology sensors = make_sensors(true);
+  static const el::Ontology blind = make_sensors(false);
   if (name == "soccer") return &whole;
+  if (name == "sensors") return &sensors;
+  if (name == "blind") return &blind;
   return name == "ballless" ? &without_ball : nullptr;
 }
 

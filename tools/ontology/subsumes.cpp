@@ -1,9 +1,13 @@
-// `geminga-ontology subsumes`: is one class subsumed by another?
+// `geminga-ontology subsumes`: is one class, or class expression, subsumed by another?
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "base/text.hpp"
 #include "command.hpp"
 #include "knowledge.hpp"
+#include "manchester/parse.hpp"
+#include "manchester/print.hpp"
+#include "reasoner/reasoner.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {
@@ -15,18 +19,70 @@ struct Request {
   std::string super;
 };
 
+/// The class expression that a text is, one name being the simplest; nothing after saying what is wrong.
+std::optional<manchester::Expression> read_or_say(const manchester::Names& names, const std::string& text) {
+  const el::Ontology& ontology = names.ontology();
+  // A label may hold words that are those of an expression.
+  if (ontology.find(text) || !manchester::is_compound(text)) {
+    const auto number = find_or_say(ontology, text);
+    if (!number) return std::nullopt;
+    manchester::Expression expression;
+    expression.term = expression.source.named_class(ontology.iri(*number));
+    return expression;
+  }
+  auto expression = manchester::parse(text, names);
+  if (expression) return std::move(*expression);
+  say_error("'" + base::printable(text) + "': " + to_string(expression.error()));
+  return std::nullopt;
+}
+
+std::string words(const el::Ontology& ontology, const manchester::Expression& expression) {
+  return manchester::print(expression.source, expression.term,
+                           [&](std::string_view iri) { return ontology.short_name(iri); });
+}
+
+el::TermId copied(const el::OntologySource& from, el::TermId id, el::OntologySource& to) {
+  const el::Term term = from.term(id);
+  std::vector<el::TermId> arguments;
+  for (const el::TermId argument : term.arguments) arguments.push_back(copied(from, argument, to));
+  return to.copy(term.kind, from.name(term.name), term.number, arguments);
+}
+
+/// The taxonomy answers for two classes. Of expressions it is derived by the engines together.
+reasoner::Answer decide(Knowledge& knowledge, const el::Ontology& ontology, const manchester::Expression& sub,
+                        const manchester::Expression& super) {
+  const auto class_of = [&](const manchester::Expression& expression) {
+    const bool is_class = expression.source.kind(expression.term) == el::TermKind::named_class;
+    return is_class ? ontology.find_iri(expression.source.name_of(expression.term)) : std::nullopt;
+  };
+  const auto sub_class = class_of(sub);
+  const auto super_class = class_of(super);
+  if (sub_class && super_class) {
+    const bool holds =
+        is_unsatisfiable(knowledge.classification, *sub_class) || ontology.is_subsumed(*sub_class, *super_class);
+    return {.verdict = holds ? reasoner::Verdict::yes : reasoner::Verdict::no, .reason = {}};
+  }
+  el::OntologySource& source = knowledge.loaded.source;
+  const el::TermId below = copied(sub.source, sub.term, source);
+  const el::TermId above = copied(super.source, super.term, source);
+  return reasoner::entails(source, std::nullopt, below, above);
+}
+
 Exit subsumes(const Request& request) {
-  const auto knowledge = learn_or_say(request.files);
+  auto knowledge = learn_or_say(request.files);
   if (!knowledge) return Exit::usage;
   const auto ontology = open_or_say(*knowledge);
   if (!ontology) return Exit::usage;
-  const auto sub = find_or_say(*ontology, request.sub);
-  const auto super = find_or_say(*ontology, request.super);
+  const manchester::Names names(*ontology);
+  const auto sub = read_or_say(names, request.sub);
+  const auto super = sub ? read_or_say(names, request.super) : std::nullopt;
   if (!sub || !super) return Exit::usage;
-  const bool is_subsumed = is_unsatisfiable(knowledge->classification, *sub) || ontology->is_subsumed(*sub, *super);
-  const std::string answer = is_subsumed ? " is subsumed by " : " is not subsumed by ";
-  if (!print(ontology->short_name(*sub) + answer + ontology->short_name(*super) + '\n'))
-    return say_error("standard output cannot be written");
+  const reasoner::Answer answer = decide(*knowledge, *ontology, *sub, *super);
+  const bool is_subsumed = answer.verdict == reasoner::Verdict::yes;
+  std::string text = words(*ontology, *sub) + (is_subsumed ? " is subsumed by " : " is not subsumed by ");
+  if (answer.verdict == reasoner::Verdict::unknown) text = words(*ontology, *sub) + " is not known to be subsumed by ";
+  text += words(*ontology, *super) + (answer.reason.empty() ? "" : ": " + answer.reason);
+  if (!print(text + '\n')) return say_error("standard output cannot be written");
   return is_subsumed ? Exit::yes : Exit::no;
 }
 
@@ -35,11 +91,18 @@ Exit subsumes(const Request& request) {
 void add_subsumes(CLI::App& program, Choice& choice) {
   auto request = std::make_shared<Request>();
   CLI::App* command =
-      program.add_subcommand("subsumes", "Tell whether class A is subsumed by class B: exit 0 yes, 1 no");
+      program.add_subcommand("subsumes", "Tell whether class A is subsumed by class B: exit 0 yes, 1 no or not known");
   add_files(*command, request->files);
-  command->add_option("--sub", request->sub, "the class that may be the narrower one")->required()->type_name("A");
-  command->add_option("--super", request->super, "the class that may be the broader one")->required()->type_name("B");
-  command->footer("\nExample:\n  geminga-ontology subsumes team/ --sub soccer:BallInfo --super geminga:TrackedObject");
+  command->add_option("--sub", request->sub, "the class or class expression that may be the narrower one")
+      ->required()
+      ->type_name("A");
+  command->add_option("--super", request->super, "the class or class expression that may be the broader one")
+      ->required()
+      ->type_name("B");
+  command->footer(
+      "\nExamples:\n"
+      "  geminga-ontology subsumes team/ --sub soccer:BallInfo --super geminga:TrackedObject\n"
+      "  geminga-ontology subsumes team/ --sub vision:BallCamera --super 'Sensor and (observes some Ball)'");
   command->callback([request, &choice] { choice.run = [request] { return subsumes(*request); }; });
 }
 

@@ -76,8 +76,10 @@ Listing listing_of(const Flags& flags) {
 void add_match(CLI::App& app, Run& selected) {
   CLI::App* command = app.add_subcommand("match", "The publications that match an identity, best first");
   const auto flags = std::make_shared<Flags>();
-  command->add_option("CONCEPT", flags->concept_name,
-                      "prefix:Name, <IRI> or a label; with --id or --text left out; without any, everything is listed");
+  command->add_option(
+      "CONCEPT,--concept", flags->concept_name,
+      "prefix:Name, <IRI>, a label or a class expression; with --id or --text left out; without any, everything "
+      "is listed");
   flags->identity.add_to(*command);
   shell::add_degree(*command, flags->degree);
   shell::add_mode(*command, flags->mode, "Only this channel mode");
@@ -88,6 +90,7 @@ void add_match(CLI::App& app, Run& selected) {
   command->add_option("--limit", flags->limit, "At most this many, the best")->type_name("N");
   command->footer(
       "Examples:\n  geminga-query match soccer:TrackedObject\n"
+      "  geminga-query match 'Sensor and (observes some Ball)'\n"
       "  geminga-query match soccer:BallInfo --representation soccer:CartesianFieldFrame --mode otm/stream\n"
       "  geminga-query match --id 0x30242948\n  geminga-query match soccer:BallInfo --where 'rate >= 30' --limit 1");
   command->callback([flags, &selected] {

@@ -40,7 +40,8 @@ struct Options {
 
 void add_to(CLI::App& app, Options& options) {
   options.common.add_to(app, "End after this time (never unless told)");
-  app.add_option("CONCEPT", options.concepts, "prefix:Name, <IRI> or a label; several are asked for together");
+  app.add_option("CONCEPT", options.concepts,
+                 "prefix:Name, <IRI>, a label or a class expression; several are asked for together");
   options.identity.add_to(app);
   shell::add_mode(app, options.mode, "How the channel is set up (otm/stream unless told)");
   shell::add_degree(app, options.subscription.weakest);

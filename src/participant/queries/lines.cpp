@@ -26,11 +26,20 @@ bool is_same_or_narrower(const el::Ontology* ontology, const std::string& sub, c
   return sub_class && super_class && ontology->is_subsumed(*sub_class, *super_class);
 }
 
-bool is_same_or_narrower(const el::Ontology* ontology, const Identity& identity, const Identity& wanted) {
+/// `place` is that of the wanted concept where it is an expression.
+bool is_same_or_narrower(const el::Ontology* ontology, const std::string& sub, const std::string& super,
+                         const el::ExpressionPlace* place) {
+  if (sub == super || place == nullptr || ontology == nullptr) return is_same_or_narrower(ontology, sub, super);
+  const auto sub_class = ontology->find_iri(sub);
+  return sub_class && el::is_above(*place, *sub_class, *ontology);
+}
+
+bool is_same_or_narrower(const el::Ontology* ontology, const Identity& identity, const Identity& wanted,
+                         const el::ExpressionPlace* place) {
   const auto* sub = std::get_if<SemanticIdentity>(&identity);
   const auto* super = std::get_if<SemanticIdentity>(&wanted);
   if (sub == nullptr || super == nullptr) return identity == wanted;
-  return is_same_or_narrower(ontology, sub->concept_iri, super->concept_iri) &&
+  return is_same_or_narrower(ontology, sub->concept_iri, super->concept_iri, place) &&
          (super->representation_iri.empty() ||
           is_same_or_narrower(ontology, sub->representation_iri, super->representation_iri));
 }
@@ -70,12 +79,16 @@ void append_channel(Line& line, const Publication& publication) {
   append(line, "priority", publication.priority);
 }
 
-std::expected<Sieve, Error> Sieve::make(const Core& core, const gcnp::ListFilter& filter) {
+std::expected<Sieve, Error> Sieve::make(Core& core, const gcnp::ListFilter& filter) {
   Sieve sieve(core, filter);
   if (filter.identity) {
-    auto identity = resolve(core.ontology, *filter.identity);
+    auto identity = resolve(core.expressions, core.ontology, *filter.identity);
     if (!identity) return std::unexpected(identity.error());
     sieve.identity_ = std::move(*identity);
+    if (has_expression(*sieve.identity_)) {
+      const auto& text = std::get<SemanticIdentity>(*sieve.identity_).concept_iri;
+      sieve.place_ = core.expressions.place(text, std::nullopt, core.env.now());
+    }
   }
   return sieve;
 }
@@ -83,7 +96,7 @@ std::expected<Sieve, Error> Sieve::make(const Core& core, const gcnp::ListFilter
 bool Sieve::passes(const ServiceKey& key, const std::string& participant_name, const std::string& peer_name,
                    const Identity& identity, ChannelMode mode) const {
   if (filter_.mode && *filter_.mode != mode) return false;
-  if (identity_ && !is_same_or_narrower(core_.ontology, identity, *identity_)) return false;
+  if (identity_ && !is_same_or_narrower(core_.ontology, identity, *identity_, place_.get())) return false;
   return filter_.providers.empty() || std::ranges::any_of(filter_.providers, [&](const ProviderFilter& one) {
            return is_accepted(one, key, participant_name, peer_name);
          });

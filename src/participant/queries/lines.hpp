@@ -47,7 +47,7 @@ void append_channel(Line& line, const Publication& publication);
 /// What a FILTER leaves over, with its names resolved.
 class Sieve {
  public:
-  [[nodiscard]] static std::expected<Sieve, Error> make(const Core& core, const gcnp::ListFilter& filter);
+  [[nodiscard]] static std::expected<Sieve, Error> make(Core& core, const gcnp::ListFilter& filter);
   /// Whether an entry by this peer, with this identity and mode, is let through.
   [[nodiscard]] bool passes(const ServiceKey& key, const std::string& participant_name, const std::string& peer_name,
                             const Identity& identity, ChannelMode mode) const;
@@ -59,6 +59,7 @@ class Sieve {
   const Core& core_;
   const gcnp::ListFilter& filter_;
   std::optional<Identity> identity_;
+  Expressions::Place place_;  ///< of the identity where it is an expression
 };
 
 }  // namespace geminga::participant

@@ -69,7 +69,7 @@ Answered answer(Core& core, const gcnp::QueryMatch& query) {
   request.where = query.where;
   std::vector<matching::Ranked> found;
   if (query.identity) {
-    auto identity = resolve(core.ontology, *query.identity);
+    auto identity = resolve(core.expressions, core.ontology, *query.identity);
     if (!identity) return std::unexpected(identity.error());
     request.identity = std::move(*identity);
     for (const ChannelMode mode : all_modes) {

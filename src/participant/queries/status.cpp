@@ -56,6 +56,10 @@ Answered answer(Core& core, const gcnp::QueryStatus&) {
   append(line, "local_subscriptions", own_subscriptions);
   append(line, "ontology", digest_word(core.digest()));
   append_counters(line, core.counters);
+  const Expressions::Counts& expressions = core.expressions.counts();
+  if (expressions.classified != 0) append(line, "expressions_classified", expressions.classified);
+  if (expressions.unknown != 0) append(line, "expressions_unknown", expressions.unknown);
+  if (expressions.postponed != 0) append(line, "expressions_postponed", expressions.postponed);
   if (core.neighbours.refused_services() != 0) append(line, "refused_services", core.neighbours.refused_services());
   if (core.status_source) {
     for (gcnp::Parameter& parameter : core.status_source()) line.push_back(std::move(parameter));
