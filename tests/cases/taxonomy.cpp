@@ -128,6 +128,7 @@ Closure closure_of(const el::OntologySource& source, const el::Classification& c
   if (!classification.is_consistent) return {"inconsistent"};
   const auto name = [&](std::size_t number) {
     const std::string_view iri = source.name(classification.classes[number]);
+    if (iri == el::owl_thing) return std::string("Thing");
     if (iri == el::owl_nothing) return std::string("Nothing");
     return are_short ? short_name(iri) : std::string(iri);
   };
