@@ -51,6 +51,10 @@ struct WhyNot {
 [[nodiscard]] std::vector<std::string> describe(const el::Ontology& ontology, el::ClassNumber sub,
                                                 el::ClassNumber super, const WhyNot& why_not);
 
+/// The same in one line of few words: what is nearest, and what the nearest sufficient axiom asks for beyond that.
+[[nodiscard]] std::string describe_briefly(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super,
+                                           const WhyNot& why_not);
+
 }  // namespace geminga::reasoner
 
 #endif

@@ -1,83 +1,99 @@
-// `geminga-ontology explain`: which axioms entail that one class is subsumed by another?
-#include "reasoner/explain.hpp"
-
+// `geminga-ontology explain`: which axioms entail that one class is subsumed by another, and what is missing where they
+// do not?
 #include <CLI/CLI.hpp>
-#include <boost/json.hpp>
 #include <memory>
 
 #include "command.hpp"
+#include "explain_output.hpp"
 #include "knowledge.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {
 namespace {
 
+constexpr unsigned default_sets = 10;
+constexpr unsigned max_sets = 1000;
+
 struct Request {
   std::vector<std::string> files;
   std::string sub;
   std::string super;
+  bool is_about_contradiction = false;
+  bool is_all = false;
+  bool wants_proof = false;
   bool as_json = false;
+  unsigned limit = default_sets;
 };
 
-std::string as_text(const std::vector<reasoner::ExplainedAxiom>& axioms) {
-  std::string text;
-  for (const reasoner::ExplainedAxiom& axiom : axioms) {
-    text += axiom.text;
-    if (!axiom.file.empty())
-      text += "   [" + axiom.file + (axiom.line == 0 ? "" : ':' + std::to_string(axiom.line)) + ']';
-    text += '\n';
-  }
-  return text;
-}
-
-std::string as_json(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super,
-                    const std::vector<reasoner::ExplainedAxiom>* axioms) {
-  boost::json::object document{
-      {"sub", ontology.iri(sub)}, {"super", ontology.iri(super)}, {"entailed", axioms != nullptr}};
-  boost::json::array& list = document["axioms"].emplace_array();
-  if (axioms != nullptr) {
-    for (const reasoner::ExplainedAxiom& axiom : *axioms)
-      list.push_back(boost::json::object{{"axiom", axiom.text}, {"file", axiom.file}, {"line", axiom.line}});
-  }
-  return boost::json::serialize(document) + '\n';
-}
-
 Exit explain(const Request& request) {
-  const auto knowledge = learn_or_say(request.files);
+  const auto knowledge = learn_or_say(request.files, {.threads = 1, .as_json = request.as_json});
   if (!knowledge) return Exit::usage;
   const auto ontology = open_or_say(*knowledge);
   if (!ontology) return Exit::usage;
-  const auto sub = find_or_say(*ontology, request.sub);
-  const auto super = find_or_say(*ontology, request.super);
+  const bool is_plain = !request.is_about_contradiction;
+  const auto sub = find_or_say(*ontology, is_plain ? request.sub : std::string(el::owl_thing), request.as_json);
+  const auto super = find_or_say(*ontology, is_plain ? request.super : std::string(el::owl_nothing), request.as_json);
   if (!sub || !super) return Exit::usage;
-  const auto axioms = reasoner::explain(*ontology, *sub, *super);
-  std::string text;
-  if (request.as_json) {
-    text = as_json(*ontology, *sub, *super, axioms ? &*axioms : nullptr);
-  } else if (!axioms) {
-    text = ontology->short_name(*sub) + " is not subsumed by " + ontology->short_name(*super) + '\n';
-  } else {
-    text = ontology->short_name(*sub) + " is subsumed by " + ontology->short_name(*super);
-    text += axioms->empty() ? ": that is so in every ontology\n" : ", because:\n" + as_text(*axioms);
+
+  Explained explained;
+  explained.sub = *sub;
+  explained.super = *super;
+  explained.is_all = request.is_all;
+  explained.is_entailed = ontology->is_subsumed(*sub, *super);
+  std::optional<reasoner::Explainer> explainer;
+  if (explained.is_entailed) {
+    explainer.emplace(*ontology, *sub, *super);
+    if (request.is_all) {
+      explained.sets = explainer->find_all({.sets = request.limit});
+    } else if (auto found = explainer->find_one()) {
+      explained.sets.sets.push_back(std::move(*found));
+    }
+    if (request.wants_proof) {
+      for (const reasoner::AxiomSet& set : explained.sets.sets) explained.proofs.push_back(prove(*explainer, set));
+    }
+  } else if (is_plain) {
+    explained.why_not = reasoner::why_not(*ontology, *sub, *super);
   }
+  const reasoner::Explainer* found_by = explainer ? &*explainer : nullptr;
+  std::string text =
+      request.as_json ? as_json(*ontology, explained, found_by) : as_text(*ontology, explained, found_by);
+  if (!is_plain && !explained.is_entailed && !request.as_json) text = "The ontology does not contradict itself\n";
   if (!print(text)) return say_error("standard output cannot be written");
-  return axioms ? Exit::yes : Exit::no;
+  return explained.is_entailed ? Exit::yes : Exit::no;
 }
 
 }  // namespace
 
 void add_explain(CLI::App& program, Choice& choice) {
   auto request = std::make_shared<Request>();
-  CLI::App* command =
-      program.add_subcommand("explain", "Print a minimal set of axioms that entails that A is subsumed by B");
+  CLI::App* command = program.add_subcommand(
+      "explain", "Print a minimal set of axioms that entails that A is subsumed by B, or what is missing");
   add_files(*command, request->files);
-  command->add_option("--sub", request->sub, "the narrower class")->required()->type_name("A");
-  command->add_option("--super", request->super, "the broader class; owl:Nothing asks why A can have no instance")
-      ->required()
-      ->type_name("B");
+  auto* sub = command->add_option("--sub", request->sub, "the narrower class")->type_name("A");
+  auto* super =
+      command->add_option("--super", request->super, "the broader class; owl:Nothing asks why A can have no instance")
+          ->type_name("B");
+  command
+      ->add_flag("--inconsistent", request->is_about_contradiction,
+                 "ask why the ontology contradicts itself, instead of --sub and --super")
+      ->excludes(sub)
+      ->excludes(super);
+  command->add_flag("--all", request->is_all, "print all minimal sets, up to --limit");
+  add_number(*command, "--limit", request->limit, 1, max_sets,
+             "at most this many sets with --all (" + std::to_string(default_sets) + " unless told)");
+  command->add_flag("--proof", request->wants_proof, "print the steps from the axioms to the conclusion");
   command->add_flag("--json", request->as_json, "print one JSON document");
-  command->footer("\nExample:\n  geminga-ontology explain team/ --sub soccer:BallInfo --super geminga:TrackedObject");
-  command->callback([request, &choice] { choice.run = [request] { return explain(*request); }; });
+  command->footer(
+      "\nExit status 0: it is subsumed; 1: it is not.\n"
+      "\nExamples:\n"
+      "  geminga-ontology explain team/ --sub soccer:BallInfo --super geminga:TrackedObject\n"
+      "  geminga-ontology explain soma.owl --sub soma:Cutlery --super owl:Nothing --proof\n"
+      "  geminga-ontology explain team/ --inconsistent --all --limit 3");
+  command->callback([request, &choice] {
+    if (!request->is_about_contradiction && (request->sub.empty() || request->super.empty()))
+      throw CLI::ValidationError("explain", "--sub and --super, or --inconsistent, are required");
+    choice.run = [request] { return explain(*request); };
+  });
 }
 
 }  // namespace geminga::ontology

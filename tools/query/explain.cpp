@@ -3,6 +3,7 @@
 #include <boost/json/object.hpp>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 #include "query/command.hpp"
 #include "query/listing.hpp"
@@ -18,10 +19,15 @@ struct Names {
 };
 
 void print_json(const Names& names, const Answer& answer, bool is_subsumed) {
-  shell::print(std::cout, boost::json::object{{"sub", names.sub},
-                                              {"super", names.super},
-                                              {"subsumed", is_subsumed},
-                                              {"axioms", shell::to_json(answer.records)}});
+  boost::json::object object{{"sub", names.sub},
+                             {"super", names.super},
+                             {"subsumed", is_subsumed},
+                             {"axioms", shell::to_json(answer.records)}};
+  // What is nearest, where it is not.
+  for (const auto& member : shell::to_json(answer.end)) {
+    if (member.key() == "common" || member.key() == "text") object[member.key()] = member.value();
+  }
+  shell::print(std::cout, object);
 }
 
 void print_words(const Context& context, const Names& names, const Answer& answer, bool is_subsumed) {
@@ -30,6 +36,8 @@ void print_words(const Context& context, const Names& names, const Answer& answe
   if (!is_subsumed) {
     std::cout << coloured(context.terminal, shell::Colour::red, "no") << ": " << sub << " is not subsumed by " << super
               << '\n';
+    std::istringstream lines{std::string(answer.end["text"])};
+    for (std::string line; std::getline(lines, line);) std::cout << shell::printable(line) << '\n';
     return;
   }
   std::cout << coloured(context.terminal, shell::Colour::green, "yes") << ": " << sub << " is subsumed by " << super;

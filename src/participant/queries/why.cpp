@@ -1,12 +1,17 @@
 // `query why`: what fits and what does not between one subscription and one service.
 #include <algorithm>
 
+#include "base/text.hpp"
 #include "gcnp/event.hpp"
 #include "participant/naming.hpp"
 #include "participant/queries/lines.hpp"
+#include "reasoner/why_not.hpp"
 
 namespace geminga::participant {
 namespace {
+
+/// Of the words that say what is missing.
+constexpr std::size_t max_nearest_bytes = 2000;
 
 Line check(std::string_view what, bool is_ok, std::string text) {
   Line line;
@@ -43,6 +48,20 @@ registry::SubscriptionEntry only(const registry::SubscriptionEntry& request, con
   return one;
 }
 
+/// What is missing where two known concepts do not match; empty where that is not what is wrong.
+std::string nearest(const Core& core, const registry::SubscriptionEntry& request,
+                    const registry::PublicationEntry& offer) {
+  const auto* asked = std::get_if<SemanticIdentity>(&request.subscription.identity);
+  const auto* offered = std::get_if<SemanticIdentity>(&offer.publication.identity);
+  if (core.ontology == nullptr || asked == nullptr || offered == nullptr) return "";
+  const el::Ontology& ontology = *core.ontology;
+  const auto sub = ontology.find_iri(offered->concept_iri);
+  const auto super = ontology.find_iri(asked->concept_iri);
+  if (!sub || !super || ontology.is_subsumed(*sub, *super)) return "";
+  const reasoner::WhyNot why_not = reasoner::why_not(ontology, *sub, *super, reasoner::Patience::of_a_daemon);
+  return "; " + base::printable(reasoner::describe_briefly(ontology, *sub, *super, why_not), max_nearest_bytes);
+}
+
 Line check_identity(const Core& core, const registry::SubscriptionEntry& request,
                     const registry::PublicationEntry& offer) {
   registry::SubscriptionEntry one = only(request, offer);
@@ -51,7 +70,7 @@ Line check_identity(const Core& core, const registry::SubscriptionEntry& request
   const auto match = core.matcher.why(one, offer);
   const std::string pair = "offered is " + words(core, offer.publication.identity) + ", asked for is " +
                            words(core, request.subscription.identity) + ": ";
-  if (!match) return check("identity", false, pair + match.error());
+  if (!match) return check("identity", false, pair + match.error() + nearest(core, request, offer));
   return check("identity", true,
                pair + std::string(to_string(match->degree)) + ", distance " + std::to_string(match->distance));
 }

@@ -36,6 +36,35 @@ TEST_F(Draw, RootLeavesOnlyWhatIsBelowIt) {
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("e:B"), HasSubstr("e:D"), Not(HasSubstr("e:A")), Not(HasSubstr("e:Z"))));
 }
 
+TEST_F(Draw, DepthHidesWhatIsDeeperAndSaysHowMuch) {
+  const Outcome outcome = program_.run({"draw", "a.ttl", "--depth", "1"});
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("e:A"), HasSubstr("e:Z"), Not(HasSubstr("e:B")), Not(HasSubstr("e:D"))));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("below_c0 [label=\"\xe2\x80\xa6 3 more\""), HasSubstr("below_c0 -> c0 [")));
+  EXPECT_THAT(program_.run({"draw", "a.ttl", "--depth", "2", "--root", "e:A"}).out, Not(HasSubstr("more")));
+}
+
+TEST_F(Draw, UnsatisfiableClassesStandInTheirOwnColourWhereTheirAxiomsPutThem) {
+  program_.turtle("b.ttl",
+                  ":B rdfs:subClassOf :A . :N rdfs:subClassOf :B, [ owl:complementOf :B ] . :M rdfs:subClassOf :N .\n");
+  const Outcome outcome = program_.run({"draw", "b.ttl", "--root", "e:B"});
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("[label=\"e:N\", fillcolor=\"#f9dcd6\""), HasSubstr("[label=\"e:M\", fill"),
+                                 HasSubstr("c3 -> c1;\n"), HasSubstr("c2 -> c3;\n"), Not(HasSubstr("e:A"))));
+  EXPECT_THAT(program_.run({"draw", "b.ttl", "--format", "mermaid"}).out, HasSubstr("  class c3,c2 unsatisfiable\n"));
+}
+
+TEST_F(Draw, LongNamesAreBrokenAndKeptWholeBeside) {
+  program_.turtle("b.ttl", ":AVeryLongNameForAClassThatNeedsTwoLines a owl:Class .\n");
+  EXPECT_THAT(program_.run({"draw", "b.ttl"}).out,
+              HasSubstr("[label=\"e:AVeryLongNameForA\\nClassThatNeedsTwo\\nLines\", "
+                        "tooltip=\"e:AVeryLongNameForAClassThatNeedsTwoLines\"]"));
+}
+
+TEST_F(Draw, CompactListsLeavesOfOneParent) {
+  program_.turtle("b.ttl", ":B rdfs:subClassOf :A . :C rdfs:subClassOf :A . :D rdfs:subClassOf :A .\n");
+  const Outcome outcome = program_.run({"draw", "b.ttl", "--compact"});
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("leaves_c0 [label=\"e:B,  e:C,  e:D\\l\""), HasSubstr("leaves_c0 -> c0;")));
+}
+
 TEST_F(Draw, MermaidIsAGraphOfTheSameBoxes) {
   const Outcome outcome = program_.run({"draw", "a.ttl", "--format", "mermaid"});
   EXPECT_THAT(outcome.out, StartsWith("graph RL\n"));

@@ -9,6 +9,11 @@
 namespace geminga::ontology {
 namespace {
 
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
 class Explain : public testing::Test {
  protected:
   Explain() {
@@ -40,7 +45,61 @@ TEST_F(Explain, PrintsExactlyTheAxiomsThatAreNeeded) {
 TEST_F(Explain, SaysWhenNothingEntailsIt) {
   const Outcome outcome = program_.run({"explain", "a.ttl", "--sub", "e:C", "--super", "e:A"});
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_EQ(outcome.out, "e:C is not subsumed by e:A\n");
+  EXPECT_THAT(outcome.out,
+              StartsWith("e:C is not subsumed by e:A\nNearest: e:A is subsumed by e:C, but not the other"));
+}
+
+TEST_F(Explain, SaysWhatIsMissing) {
+  program_.turtle("b.ttl",
+                  ":D owl:equivalentClass [ owl:intersectionOf ( :B [ a owl:Restriction ; owl:onProperty :r ;\n"
+                  "  owl:someValuesFrom :X ] ) ] .\n"
+                  ":E rdfs:subClassOf :B, [ a owl:Restriction ; owl:onProperty :r ; owl:someValuesFrom :Y ] .\n"
+                  ":r a owl:ObjectProperty .\n");
+  const Outcome outcome = program_.run({"explain", "b.ttl", "--sub", "e:E", "--super", "e:D"});
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_EQ(outcome.out,
+            "e:E is not subsumed by e:D\nNearest: both are e:B\nEnough to be e:D:   [b.ttl:1]\n  met      e:B\n"
+            "  missing  e:r some e:X   (it has e:r, but to nothing that is known to be e:X)\n");
+  const Outcome json = program_.run({"explain", "b.ttl", "--sub", "e:E", "--super", "e:D", "--json"});
+  const boost::json::value found = boost::json::parse(json.out);
+  EXPECT_EQ(found.at("why_not").at("common").at(0), "http://e/B");
+  EXPECT_EQ(found.at("why_not").at("ways").at(0).at("requirements").at(1).at("met"), false);
+}
+
+TEST_F(Explain, FindsAllReasonsAndSaysWhenThereAreMore) {
+  program_.turtle("b.ttl", ":A rdfs:subClassOf :B, :C .\n:B rdfs:subClassOf :D .\n:C rdfs:subClassOf :D .\n");
+  const Outcome all = program_.run({"explain", "b.ttl", "--sub", "e:A", "--super", "e:D", "--all"});
+  EXPECT_THAT(all.out, AllOf(StartsWith("e:A is subsumed by e:D, for 2 reasons:\nreason 1\n"),
+                             EndsWith("There are no others.\n")));
+  const Outcome one = program_.run({"explain", "b.ttl", "--sub", "e:A", "--super", "e:D", "--all", "--limit", "1"});
+  EXPECT_THAT(one.out, AllOf(HasSubstr("for 1 reason:"), EndsWith("There are more, or may be: raise --limit.\n")));
+  const Outcome json = program_.run({"explain", "b.ttl", "--sub", "e:A", "--super", "e:D", "--all", "--json"});
+  EXPECT_EQ(boost::json::parse(json.out).at("sets").as_array().size(), 2U);
+  EXPECT_EQ(boost::json::parse(json.out).at("may_have_more"), false);
+}
+
+TEST_F(Explain, ShowsTheStepsOfAProof) {
+  const Outcome outcome = program_.run({"explain", "a.ttl", "--sub", "e:A", "--super", "e:C", "--proof"});
+  EXPECT_EQ(outcome.out,
+            "e:A is subsumed by e:C, because:\n 1. e:A SubClassOf e:B   [a.ttl:2]\n"
+            " 2. e:B SubClassOf e:C   [a.ttl:4]\nso\n"
+            " 3. e:A SubClassOf e:C   from 1 and 2 by a chain of subclasses\n");
+  const Outcome json =
+      program_.run({"explain", "a.ttl", "--sub", "e:N", "--super", "owl:Nothing", "--proof", "--json"});
+  const boost::json::value proof = boost::json::parse(json.out).at("proofs").at(0);
+  EXPECT_EQ(proof.at("steps").as_array().back().at("rule"), "negation");
+}
+
+TEST_F(Explain, TellsWhyTheOntologyContradictsItself) {
+  program_.turtle("b.ttl", ":x a :A, :B .\n:A owl:disjointWith :B .\n:A a owl:Class . :B a owl:Class .\n");
+  const Outcome outcome = program_.run({"explain", "b.ttl", "--inconsistent"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(StartsWith("The ontology contradicts itself, because:\n"), HasSubstr("e:x Type e:A"),
+                                 HasSubstr("e:x Type e:B"), HasSubstr("e:A DisjointWith e:B")));
+  const Outcome no = program_.run({"explain", "a.ttl", "--inconsistent"});
+  EXPECT_EQ(no.status, 1);
+  EXPECT_EQ(no.out, "The ontology does not contradict itself\n");
+  EXPECT_EQ(program_.run({"explain", "a.ttl", "--sub", "e:A"}).status, 2);
 }
 
 TEST_F(Explain, JsonNamesAxiomsWithTheirPlaces) {

@@ -1,0 +1,211 @@
+// Walks down the taxonomy from the root.
+#include "draw_picture.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "closure.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+using el::ClassNumber;
+
+std::size_t index(ClassNumber number) { return static_cast<std::size_t>(number); }
+std::string id_of(ClassNumber number) { return "c" + std::to_string(static_cast<std::uint32_t>(number)); }
+
+/// For each class the named classes that axioms put right above it: as they stand there or in a conjunction.
+std::multimap<std::string_view, std::string_view> told_parents(const el::OntologySource& source) {
+  std::multimap<std::string_view, std::string_view> parents;
+  const auto tell = [&](el::TermId sub, el::TermId super) {
+    if (source.kind(sub) != el::TermKind::named_class) return;
+    const el::Term above = source.term(super);
+    if (above.kind == el::TermKind::named_class) parents.emplace(source.name_of(sub), source.name_of(super));
+    if (above.kind != el::TermKind::object_intersection_of) return;
+    for (const el::TermId part : above.arguments) {
+      if (source.kind(part) == el::TermKind::named_class) parents.emplace(source.name_of(sub), source.name_of(part));
+    }
+  };
+  for (std::size_t at = 0; at < source.axiom_count(); ++at) {
+    const el::Axiom axiom = source.axiom(at);
+    if (axiom.kind == el::AxiomKind::sub_class_of) tell(axiom.arguments[0], axiom.arguments[1]);
+    if (axiom.kind != el::AxiomKind::equivalent_classes) continue;
+    for (const el::TermId one : axiom.arguments) {
+      for (const el::TermId other : axiom.arguments) {
+        if (one != other) tell(one, other);
+      }
+    }
+  }
+  return parents;
+}
+
+class Artist {
+ public:
+  Artist(const el::OntologySource& source, const el::Classification& classification, const el::Ontology& ontology)
+      : source_(source),
+        classification_(classification),
+        ontology_(ontology),
+        members_(equivalents(classification)),
+        children_(classification.class_count()) {
+    for (std::uint32_t number = 0; number < classification.class_count(); ++number) {
+      if (members_[number].empty()) continue;
+      for (const ClassNumber parent : classification.parents_of(ClassNumber{number}))
+        children_[index(parent)].push_back(ClassNumber{number});
+    }
+  }
+
+  Picture draw(std::optional<ClassNumber> root, std::optional<unsigned> depth) {
+    const ClassNumber thing = node(classification_.thing);
+    choose(root ? node(*root) : thing, root.has_value() || members_[index(thing)].size() > 1, depth);
+    Picture picture;
+    for (const auto& [shown, level] : level_) {
+      if (!is_drawn_[shown]) continue;
+      picture.push_back(box_of(shown));
+      if (depth && level == *depth) hide_below(shown, picture);
+    }
+    add_unsatisfiable(root, picture);
+    return picture;
+  }
+
+ private:
+  [[nodiscard]] ClassNumber node(ClassNumber number) const { return classification_.representative[index(number)]; }
+  [[nodiscard]] bool is_empty(ClassNumber number) const { return node(number) == node(classification_.nothing); }
+
+  /// Levels by breadth first, so that each node has that of the shortest way.
+  void choose(ClassNumber root, bool draws_root, std::optional<unsigned> depth) {
+    if (is_empty(root)) return;
+    std::vector<ClassNumber> layer = {root};
+    level_[root] = 0;
+    for (unsigned level = 0; !layer.empty(); ++level) {
+      std::vector<ClassNumber> next;
+      for (const ClassNumber at : layer) {
+        is_drawn_[at] = level > 0 || draws_root;
+        if (depth && level >= *depth) continue;
+        for (const ClassNumber child : children_[index(at)]) {
+          if (level_.emplace(child, level + 1).second) next.push_back(child);
+        }
+      }
+      layer = std::move(next);
+    }
+  }
+
+  [[nodiscard]] std::string name_of(ClassNumber number) const {
+    const std::string_view label = ontology_.label(number);
+    const std::string name = ontology_.short_name(number);
+    return name.starts_with('<') && !label.empty() ? std::string(label) : name;
+  }
+
+  Box box_of(ClassNumber shown) {
+    Box box;
+    box.id = id_of(shown);
+    for (const ClassNumber member : members_[index(shown)]) box.names.push_back(name_of(member));
+    box.kind = box.names.size() > 1 ? BoxKind::several : BoxKind::one;
+    for (const ClassNumber parent : classification_.parents_of(shown)) {
+      const auto drawn = is_drawn_.find(parent);
+      if (drawn != is_drawn_.end() && drawn->second) box.parents.push_back(id_of(parent));
+    }
+    return box;
+  }
+
+  /// A box for everything below this one that is not shown.
+  void hide_below(ClassNumber shown, Picture& picture) {
+    std::vector<bool> seen(classification_.class_count(), false);
+    std::vector<ClassNumber> stack = {shown};
+    std::size_t count = 0;
+    while (!stack.empty()) {
+      const ClassNumber at = stack.back();
+      stack.pop_back();
+      for (const ClassNumber child : children_[index(at)]) {
+        if (seen[index(child)] || level_.contains(child)) continue;
+        seen[index(child)] = true;
+        count += members_[index(child)].size();
+        stack.push_back(child);
+      }
+    }
+    if (count > 0) picture.push_back({"below_" + id_of(shown), BoxKind::hidden, {}, count, {id_of(shown)}});
+  }
+
+  void add_unsatisfiable(std::optional<ClassNumber> root, Picture& picture) {
+    if (!classification_.is_consistent) return;  // every class is; the picture would say nothing
+    const auto told = told_parents(source_);
+    std::vector<Box> boxes;
+    std::map<ClassNumber, bool> is_below_root;
+    for (const ClassNumber number : members_[index(node(classification_.nothing))]) {
+      if (number == classification_.nothing) continue;
+      Box box{id_of(number), BoxKind::unsatisfiable, {name_of(number)}, 0, {}};
+      const auto [first, last] = told.equal_range(ontology_.iri(number));
+      for (auto above = first; above != last; ++above) {
+        const auto parent = ontology_.find_iri(above->second);
+        if (!parent || *parent == number) continue;
+        const ClassNumber drawn_as = is_empty(*parent) ? *parent : node(*parent);
+        box.parents.push_back(id_of(drawn_as));
+      }
+      std::ranges::sort(box.parents);
+      box.parents.erase(std::unique(box.parents.begin(), box.parents.end()), box.parents.end());
+      if (root && *root == number) is_below_root[number] = true;
+      boxes.push_back(std::move(box));
+    }
+    // One may stand below another; with a root, only what hangs from the picture is shown.
+    std::vector<bool> is_added(boxes.size(), false);
+    const auto is_shown = [&](const std::string& id) {
+      return std::ranges::find(picture, id, &Box::id) != picture.end();
+    };
+    for (bool has_grown = true; has_grown;) {
+      has_grown = false;
+      for (std::size_t at = 0; at < boxes.size(); ++at) {
+        const bool is_root = root && boxes[at].id == id_of(*root);
+        if (is_added[at] || (root && !is_root && std::ranges::none_of(boxes[at].parents, is_shown))) continue;
+        is_added[at] = has_grown = true;
+        picture.push_back(boxes[at]);
+      }
+    }
+    for (Box& box : picture) std::erase_if(box.parents, [&](const std::string& id) { return !is_shown(id); });
+  }
+
+  const el::OntologySource& source_;
+  const el::Classification& classification_;
+  const el::Ontology& ontology_;
+  std::vector<std::vector<ClassNumber>> members_;
+  std::vector<std::vector<ClassNumber>> children_;
+  std::map<ClassNumber, unsigned> level_;
+  std::map<ClassNumber, bool> is_drawn_;
+};
+
+}  // namespace
+
+Picture make_picture(const el::OntologySource& source, const el::Classification& classification,
+                     const el::Ontology& ontology, std::optional<ClassNumber> root, std::optional<unsigned> depth) {
+  return Artist(source, classification, ontology).draw(root, depth);
+}
+
+Picture with_lists_of_leaves(Picture picture) {
+  constexpr std::size_t least = 3;
+  std::map<std::string, std::size_t> children;
+  for (const Box& box : picture) {
+    for (const std::string& parent : box.parents) ++children[parent];
+  }
+  const auto is_leaf = [&](const Box& box) {
+    const bool is_plain = box.kind == BoxKind::one || box.kind == BoxKind::several;
+    return is_plain && box.parents.size() == 1 && !children.contains(box.id);
+  };
+  std::map<std::string, std::size_t> leaves;
+  for (const Box& box : picture) {
+    if (is_leaf(box)) ++leaves[box.parents.front()];
+  }
+  std::map<std::string, std::size_t> lists;  // by parent: the place of its list
+  Picture listed;
+  for (Box& box : picture) {
+    if (!is_leaf(box) || leaves[box.parents.front()] < least) {
+      listed.push_back(std::move(box));
+      continue;
+    }
+    std::string name;
+    for (const std::string& one : box.names) name += (name.empty() ? "" : " = ") + one;
+    const auto [place, is_new] = lists.try_emplace(box.parents.front(), listed.size());
+    if (is_new) listed.push_back({"leaves_" + box.parents.front(), BoxKind::leaves, {}, 0, box.parents});
+    listed[place->second].names.push_back(std::move(name));
+  }
+  return listed;
+}
+
+}  // namespace geminga::ontology

@@ -1,0 +1,160 @@
+// The words and the fields.
+#include "explain_output.hpp"
+
+#include <boost/json.hpp>
+
+#include "words.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+using reasoner::ExplainedAxiom;
+
+std::string as_line(const ExplainedAxiom& axiom) {
+  std::string text = axiom.text;
+  if (!axiom.file.empty())
+    text += "   [" + axiom.file + (axiom.line == 0 ? "" : ':' + std::to_string(axiom.line)) + ']';
+  return text + '\n';
+}
+
+/// "1", "1 and 2", "1, 2 and 3".
+std::string listed(const std::vector<std::uint32_t>& numbers) {
+  std::string text;
+  for (std::size_t at = 0; at < numbers.size(); ++at) {
+    if (at > 0) text += at + 1 == numbers.size() ? " and " : ", ";
+    text += std::to_string(numbers[at]);
+  }
+  return text;
+}
+
+std::string proof_as_text(const reasoner::Proof& proof, const reasoner::Explainer& explainer,
+                          const std::string& indent) {
+  std::string text;
+  std::uint32_t number = 0;
+  const auto numbered = [&] {
+    const std::string digits = std::to_string(++number);
+    return indent + std::string(digits.size() < 2 ? 1 : 0, ' ') + digits + ". ";
+  };
+  for (const std::uint32_t axiom : proof.axioms) text += numbered() + as_line(explainer.module().explained(axiom));
+  if (!proof.steps.empty()) text += indent + "so\n";
+  for (const reasoner::ProofStep& step : proof.steps) {
+    text += numbered() + step.text + "   from " + listed(step.from);
+    text += step.rule == reasoner::ProofRule::together ? ": " : " by ";
+    text += std::string(to_string(step.rule)) + '\n';
+  }
+  return text;
+}
+
+std::string set_as_text(const Explained& explained, std::size_t at, const reasoner::Explainer& explainer,
+                        const std::string& indent) {
+  if (at < explained.proofs.size()) return proof_as_text(explained.proofs[at], explainer, indent);
+  std::string text;
+  for (const ExplainedAxiom& axiom : explainer.explained(explained.sets.sets[at])) text += indent + as_line(axiom);
+  return text;
+}
+
+std::string why_not_as_text(const el::Ontology& ontology, const Explained& explained) {
+  std::string text;
+  for (const std::string& line : reasoner::describe(ontology, explained.sub, explained.super, *explained.why_not))
+    text += line + '\n';
+  return text;
+}
+
+/// "a:A is subsumed by a:B", or what that means where one of them is nothing or everything.
+std::string statement(const el::Ontology& ontology, const Explained& explained) {
+  const bool is_nothing = ontology.iri(explained.super) == el::owl_nothing;
+  if (is_nothing && ontology.iri(explained.sub) == el::owl_thing) return "The ontology contradicts itself";
+  if (is_nothing) return ontology.short_name(explained.sub) + " can have no instance";
+  return ontology.short_name(explained.sub) + " is subsumed by " + ontology.short_name(explained.super);
+}
+
+boost::json::array as_array(const std::vector<ExplainedAxiom>& axioms) {
+  boost::json::array list;
+  for (const ExplainedAxiom& axiom : axioms)
+    list.push_back(boost::json::object{{"axiom", axiom.text}, {"file", axiom.file}, {"line", axiom.line}});
+  return list;
+}
+
+boost::json::object as_object(const reasoner::Proof& proof, const reasoner::Explainer& explainer) {
+  boost::json::object object;
+  boost::json::array& axioms = object["axioms"].emplace_array();
+  std::uint32_t number = 0;
+  for (const std::uint32_t axiom : proof.axioms) {
+    const ExplainedAxiom explained = explainer.module().explained(axiom);
+    axioms.push_back(boost::json::object{
+        {"number", ++number}, {"axiom", explained.text}, {"file", explained.file}, {"line", explained.line}});
+  }
+  boost::json::array& steps = object["steps"].emplace_array();
+  for (const reasoner::ProofStep& step : proof.steps)
+    steps.push_back(boost::json::object{{"number", ++number},
+                                        {"conclusion", step.text},
+                                        {"rule", to_string(step.rule)},
+                                        {"from", boost::json::value_from(step.from)}});
+  return object;
+}
+
+boost::json::object as_object(const el::Ontology& ontology, const reasoner::WhyNot& why_not) {
+  boost::json::object object;
+  boost::json::array& common = object["common"].emplace_array();
+  for (const el::ClassNumber number : why_not.common) common.emplace_back(ontology.iri(number));
+  boost::json::array& ways = object["ways"].emplace_array();
+  for (const reasoner::Way& way : why_not.ways) {
+    boost::json::object one{{"axiom", way.axiom.text},
+                            {"file", way.axiom.file},
+                            {"line", way.axiom.line},
+                            {"sufficient", way.is_sufficient}};
+    boost::json::array& requirements = one["requirements"].emplace_array();
+    for (const reasoner::Requirement& requirement : way.requirements)
+      requirements.push_back(boost::json::object{
+          {"requirement", requirement.text}, {"met", requirement.is_met}, {"remark", requirement.remark}});
+    ways.push_back(std::move(one));
+  }
+  object["excluded"] = why_not.is_excluded;
+  object["exclusion"] = as_array(why_not.exclusion);
+  object["may_be_incomplete"] = why_not.may_be_incomplete;
+  return object;
+}
+
+}  // namespace
+
+std::string as_text(const el::Ontology& ontology, const Explained& explained, const reasoner::Explainer* explainer) {
+  const std::string what = statement(ontology, explained);
+  if (!explained.is_entailed) {
+    return ontology.short_name(explained.sub) + " is not subsumed by " + ontology.short_name(explained.super) + '\n' +
+           (explained.why_not ? why_not_as_text(ontology, explained) : "");
+  }
+  const auto& sets = explained.sets.sets;
+  if (sets.empty() || explainer == nullptr)
+    return what + ", but no engine found within its limits which axioms say so\n";
+  if (sets.front().empty()) return what + ": that is so in every ontology\n";
+  if (!explained.is_all) return what + ", because:\n" + set_as_text(explained, 0, *explainer, "");
+  std::string text = what + ", for " + counted(sets.size(), "reason", "reasons") + ":\n";
+  for (std::size_t at = 0; at < sets.size(); ++at) {
+    text += "reason " + std::to_string(at + 1) + '\n';
+    text += set_as_text(explained, at, *explainer, "  ");
+  }
+  return text +
+         (explained.sets.may_have_more ? "There are more, or may be: raise --limit.\n" : "There are no others.\n");
+}
+
+std::string as_json(const el::Ontology& ontology, const Explained& explained, const reasoner::Explainer* explainer) {
+  boost::json::object document{{"sub", ontology.iri(explained.sub)},
+                               {"super", ontology.iri(explained.super)},
+                               {"entailed", explained.is_entailed}};
+  boost::json::array& first = document["axioms"].emplace_array();
+  const auto& sets = explained.sets.sets;
+  if (explainer != nullptr && !sets.empty()) first = as_array(explainer->explained(sets.front()));
+  if (explainer != nullptr && explained.is_all) {
+    boost::json::array& all = document["sets"].emplace_array();
+    for (const reasoner::AxiomSet& set : sets) all.push_back(as_array(explainer->explained(set)));
+    document["may_have_more"] = explained.sets.may_have_more;
+  }
+  if (explainer != nullptr && !explained.proofs.empty()) {
+    boost::json::array& proofs = document["proofs"].emplace_array();
+    for (const reasoner::Proof& proof : explained.proofs) proofs.push_back(as_object(proof, *explainer));
+  }
+  if (explained.why_not) document["why_not"] = as_object(ontology, *explained.why_not);
+  return boost::json::serialize(document) + '\n';
+}
+
+}  // namespace geminga::ontology
