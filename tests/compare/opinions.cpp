@@ -80,8 +80,9 @@ Opinion of_consequence(const el::OntologySource& source) {
   }
   const auto name = [&](clauses::ConceptId id) { return name_of(source, set->concepts[clauses::number(id)].term); };
   std::vector<std::pair<std::string, std::string>> pairs;
+  // A class of which no clause speaks is below what everything is below.
+  for (const TermId id : named_classes(source)) pairs.emplace_back(name_of(source, id), "Thing");
   for (std::size_t at = 0; at < wanted.size(); ++at) {
-    pairs.emplace_back(name(wanted[at]), "Thing");
     for (const clauses::ConceptId super : found.subsumers[at]) {
       if (set->concepts[clauses::number(super)].kind == clauses::ConceptKind::named)
         pairs.emplace_back(name(wanted[at]), name(super));
