@@ -41,7 +41,9 @@ class DependencySets {
   static constexpr std::size_t known_count = 4096;
 
   [[nodiscard]] static std::uint64_t hash_of(const Cell& cell) {
-    return ((std::uint64_t{cell.branch} << 32) | cell.rest) * 0x9e3779b97f4a7c15U >> 20;
+    std::uint64_t word = ((std::uint64_t{cell.branch} << 32) | cell.rest) * 0x9e3779b97f4a7c15U;
+    word = (word ^ (word >> 32)) * 0xff51afd7ed558ccdU;
+    return word ^ (word >> 32);
   }
   DependencySet cons(std::uint32_t branch, DependencySet rest);
 

@@ -31,7 +31,8 @@ bool Tableau::Search::expand() {
     } else {
       expand_data(fact);
     }
-    if (has_clash_ || is_over_limit()) break;
+    // What follows from a guess is looked at before more is built on it.
+    if (has_clash_ || is_over_limit() || !branches_.empty()) break;
   }
   return has_expanded;
 }
@@ -133,12 +134,16 @@ void Tableau::Search::expand_data(const Fact& fact) {
 }
 
 void Tableau::Search::find_blocked() {
+  // What is older than any change is as it was.
+  const NodeId changed = graph_.take_changed();
+  if (changed == none) return;
   std::unordered_map<std::uint64_t, NodeId> newest;
   std::vector<NodeId> older(graph_.node_count(), none);
   for (NodeId node = 0; node < graph_.node_count(); ++node) {
     const Node& one = graph_.node(node);
     if (one.kind != NodeKind::tree || one.state != NodeState::active) continue;
-    if (graph_.node(one.parent).is_blocked) {
+    if (node < changed && one.is_blocked) continue;
+    if (node >= changed && graph_.node(one.parent).is_blocked) {
       graph_.set_blocked(node, true);
       continue;
     }
@@ -149,7 +154,7 @@ void Tableau::Search::find_blocked() {
     }
     const auto [found, is_new] = newest.try_emplace(key, none);
     bool is_blocked = false;
-    for (NodeId blocker = found->second; blocker != none && !is_blocked; blocker = older[blocker]) {
+    for (NodeId blocker = found->second; node >= changed && blocker != none && !is_blocked; blocker = older[blocker]) {
       is_blocked = blocks(blocker, node);
     }
     graph_.set_blocked(node, is_blocked);

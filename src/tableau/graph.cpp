@@ -33,6 +33,7 @@ void Graph::count_label(const Fact& fact, bool is_added) {
   const std::uint64_t hash = mixed((std::uint64_t{fact.predicate} << 8) + static_cast<std::uint64_t>(fact.kind) + 1);
   nodes_[fact.a].label_hash += is_added ? hash : std::uint64_t{0} - hash;
   nodes_[fact.a].label_count += is_added ? 1U : ~0U;
+  note_change(fact.a);
 }
 
 bool Graph::has_label_of(NodeId node, NodeId other) const {
@@ -52,6 +53,7 @@ NodeId Graph::add_node(NodeKind kind, NodeId parent) {
   Node& node = nodes_.emplace_back();
   node.kind = kind;
   node.parent = parent;
+  note_change(id);
   if (parent != none) {
     node.depth = nodes_[parent].depth + 1;
     node.next_child = nodes_[parent].first_child;
@@ -140,10 +142,12 @@ void Graph::count_edge(const Fact& fact, bool is_added) {
   const std::uint64_t hash = mixed((std::uint64_t{fact.predicate} << 1) + (is_down ? 1 : 0) + 0x2545f491U);
   child.edge_hash += is_added ? hash : std::uint64_t{0} - hash;
   child.edge_count += is_added ? 1U : ~0U;
+  note_change(is_down ? fact.b : fact.a);
 }
 
 void Graph::set_state(NodeId node, NodeState state) {
   nodes_[node].state = state;
+  note_change(node);
   trail_.push_back(node);
 }
 
@@ -188,6 +192,7 @@ void Graph::cut(const Mark& mark) {
   }
   while (trail_.size() > mark.trail) {
     Node& node = nodes_[trail_.back()];
+    note_change(trail_.back());
     node.state = NodeState::active;
     node.merged_into = none;
     trail_.pop_back();
@@ -196,6 +201,7 @@ void Graph::cut(const Mark& mark) {
     const Node& node = nodes_.back();
     if (node.parent != none) nodes_[node.parent].first_child = node.next_child;
     nodes_.pop_back();
+    note_change(static_cast<NodeId>(nodes_.size()));
   }
 }
 

@@ -2,8 +2,10 @@
 #ifndef GEMINGA_TABLEAU_GRAPH_HPP
 #define GEMINGA_TABLEAU_GRAPH_HPP
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "tableau/dependency.hpp"
@@ -96,6 +98,8 @@ class Graph {
   [[nodiscard]] Mark mark() const { return {facts_.size(), nodes_.size(), trail_.size()}; }
   void cut(const Mark& mark);
 
+  /// The first node whose label, edges or state may have changed since the last call.
+  [[nodiscard]] NodeId take_changed() { return std::exchange(changed_, none); }
   /// Whether they are in the same concepts and number restrictions.
   [[nodiscard]] bool has_label_of(NodeId node, NodeId other) const;
 
@@ -112,12 +116,14 @@ class Graph {
   void unlink(FactId id);
   void grow();
   void set_state(NodeId node, NodeState state);
+  void note_change(NodeId node) { changed_ = std::min(changed_, node); }
 
   std::vector<Node> nodes_;
   std::vector<Fact> facts_;
   /// Open addressing. The last that came is the first to go, so an emptied slot is in nobody's way.
   std::vector<FactId> slots_;
   std::vector<NodeId> trail_;  ///< nodes that were merged or pruned
+  NodeId changed_ = 0;
 };
 
 }  // namespace geminga::tableau
