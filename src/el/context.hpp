@@ -89,7 +89,10 @@ struct alignas(64) Context {
   bool is_unsatisfiable = false;
   bool is_nonempty = false;  ///< it has an instance in every model; followed only where there are nominals
   bool is_queued = false;
-  /// Letters from other threads, the last first; at_rest where nobody works on it and no letter waits (threads.hpp).
+  /// Among many threads: the rank of the worker that has it in hand or on its queue, or 0. Only that worker relies on
+  /// it, for whom it cannot change.
+  std::atomic<std::uint8_t> owner = 0;
+  /// Letters from other threads, the last first; null where nobody has it in hand.
   std::atomic<Letter*> inbox = nullptr;
   ArenaSet<Link> backward;  ///< links that end here
   std::uint32_t backward_done = 0;

@@ -15,7 +15,7 @@ Saturating::Saturating(const Index& of, const SaturationLimits& within)
     : index(of), limits(within), keeps_forward(of.has_nominals()), context_of(of.size()) {}
 
 Saturation::Saturation(const Index& index, const SaturationLimits& limits) : shared_(index, limits) {
-  workers_.push_back(std::make_unique<Worker>(shared_));
+  workers_.push_back(std::make_unique<Worker>(shared_, std::uint8_t{1}));
   require_nonempty(require(top_expr));
 }
 
@@ -74,9 +74,9 @@ std::uint32_t Worker::require(ExprId root) {
 
 void Worker::start(std::uint32_t context, std::span<const ExprId> atoms) {
   // Nobody else knows this context yet.
-  const std::uint32_t outer = std::exchange(current_, context);
   if (is_parallel_) {
     contexts_[context].inbox.store(being_worked_on(), std::memory_order_relaxed);
+    contexts_[context].owner.store(rank_, std::memory_order_relaxed);
     queue_.push_back(context);
   }
   for (const ExprId own : atoms) {
@@ -86,7 +86,6 @@ void Worker::start(std::uint32_t context, std::span<const ExprId> atoms) {
       for (const ExprId above : index_.frontier(own)) add_subsumer(context, above);
     }
   }
-  current_ = outer;
 }
 
 void Worker::run_alone() {
@@ -99,10 +98,9 @@ void Worker::run_alone() {
 }
 
 void Worker::work_on(std::uint32_t context) {
-  current_ = context;
-  std::atomic<Letter*>& inbox = contexts_[context].inbox;
+  Context& self = contexts_[context];
   for (;;) {
-    Letter* letter = inbox.exchange(being_worked_on(), std::memory_order_acq_rel);
+    Letter* letter = self.inbox.exchange(being_worked_on(), std::memory_order_acq_rel);
     if (letter == being_worked_on()) letter = nullptr;
     while (letter != nullptr) {
       Letter* next = letter->next;
@@ -111,13 +109,22 @@ void Worker::work_on(std::uint32_t context) {
       letter = next;
     }
     process(context);
+    self.owner.store(0, std::memory_order_relaxed);
     Letter* expected = being_worked_on();
-    if (shared_.has_ended() || inbox.compare_exchange_strong(expected, nullptr, std::memory_order_acq_rel)) break;
+    if (shared_.has_ended() || self.inbox.compare_exchange_strong(expected, nullptr, std::memory_order_acq_rel)) break;
+    self.owner.store(rank_, std::memory_order_relaxed);  // a letter has come
   }
-  current_ = nowhere;
 }
 
 void Worker::post(std::uint32_t context, const Message& message) {
+  Context& there = contexts_[context];
+  Letter* before = nullptr;
+  if (there.inbox.load(std::memory_order_relaxed) == nullptr &&
+      there.inbox.compare_exchange_strong(before, being_worked_on(), std::memory_order_acq_rel)) {
+    there.owner.store(rank_, std::memory_order_relaxed);
+    queue_.push_back(context);
+    return receive(context, message);
+  }
   // Saying a thing twice changes nothing, and chains conclude the same link again and again: who has said it of late
   // does not write once more.
   if (posted_.empty()) posted_.resize(posted_count);
@@ -125,13 +132,14 @@ void Worker::post(std::uint32_t context, const Message& message) {
   Posted& slot = posted_[mixed(mixed(kind_and_context, message.first), message.second) % posted_count];
   if (slot.context == context && slot.message == message) return;
   slot = {context, message};
-  std::atomic<Letter*>& inbox = contexts_[context].inbox;
   auto* letter = ::new (arena_.allocate(sizeof(Letter))) Letter{nullptr, message};
-  Letter* before = inbox.load(std::memory_order_relaxed);
+  before = there.inbox.load(std::memory_order_relaxed);
   do {
     letter->next = before == being_worked_on() ? nullptr : before;
-  } while (!inbox.compare_exchange_weak(before, letter, std::memory_order_acq_rel, std::memory_order_relaxed));
-  if (before == nullptr) queue_.push_back(context);  // it was at rest
+  } while (!there.inbox.compare_exchange_weak(before, letter, std::memory_order_acq_rel, std::memory_order_relaxed));
+  if (before != nullptr) return;
+  there.owner.store(rank_, std::memory_order_relaxed);  // it has come to rest meanwhile
+  queue_.push_back(context);
 }
 
 void Worker::receive(std::uint32_t context, const Message& message) {

@@ -41,7 +41,6 @@ struct Saturating {
   const Index& index;
   SaturationLimits limits;
   bool keeps_forward;  ///< all forward links, not only those that chains want
-  bool is_parallel = false;
   ContextStore contexts;
   std::vector<std::atomic<std::uint32_t>> context_of;  ///< by atom: no_context, claimed_context, or the number and 2
   std::mutex together_mutex;                           ///< guards the next two

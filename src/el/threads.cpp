@@ -62,6 +62,7 @@ class Team {
       const std::scoped_lock lock(shelves_[me].mutex);
       const auto middle = queue.begin() + static_cast<std::ptrdiff_t>(queue.size() / 2);
       shelves_[me].contexts.assign(queue.begin(), middle);
+      for (const std::uint32_t context : shelves_[me].contexts) set_owner(context, 0);
       queue.erase(queue.begin(), middle);
       shelves_[me].is_empty = false;
     }
@@ -79,6 +80,7 @@ class Team {
     const std::size_t count = me == from ? shelf.size() : (shelf.size() + 1) / 2;
     const auto first = shelf.end() - static_cast<std::ptrdiff_t>(count);
     workers_[me]->queue().assign(first, shelf.end());
+    for (const std::uint32_t context : workers_[me]->queue()) set_owner(context, workers_[me]->rank());
     shelf.erase(first, shelf.end());
     shelves_[from].is_empty = shelf.empty();
     return true;
@@ -95,6 +97,10 @@ class Team {
       if (is_done() || idle_.load() == workers_.size()) return false;
       bell_.wait(heard);
     }
+  }
+
+  void set_owner(std::uint32_t context, std::uint8_t number) {
+    shared_.contexts[context].owner.store(number, std::memory_order_relaxed);
   }
 
   void ring() {
@@ -114,11 +120,14 @@ class Team {
 }  // namespace
 
 void run_together(Saturating& shared, std::vector<std::unique_ptr<Worker>>& workers, unsigned threads) {
-  while (workers.size() < threads) workers.push_back(std::make_unique<Worker>(shared));
+  while (workers.size() < threads) {
+    workers.push_back(std::make_unique<Worker>(shared, static_cast<std::uint8_t>(workers.size() + 1)));
+  }
   for (const auto& worker : workers) worker->set_parallel(true);
   for (const auto& worker : workers) {
     for (const std::uint32_t context : worker->queue()) {
       shared.contexts[context].inbox = being_worked_on();
+      shared.contexts[context].owner = worker->rank();
       shared.contexts[context].is_queued = false;
     }
   }

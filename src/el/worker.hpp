@@ -1,9 +1,9 @@
 // One thread's part of a saturation: applies the rules to one context after the other.
 //
 // A context is worked on by one thread at a time, which alone touches what is in it. What a rule concludes about
-// another context goes there at once where one thread does everything; among many it is posted to the context's inbox,
-// and the thread that finds the inbox at rest puts the context on its own queue. So there is no lock around the closure
-// (threads.hpp says how queues are shared).
+// another context goes there at once where one thread does everything. Among many, the thread that finds the other
+// context at rest takes it for its own and puts it on its queue; of one that another thread has it posts a letter to
+// the inbox. So there is no lock around the closure (threads.hpp says how queues are shared).
 #ifndef GEMINGA_EL_WORKER_HPP
 #define GEMINGA_EL_WORKER_HPP
 
@@ -21,8 +21,9 @@ namespace geminga::el {
 
 class Worker {
  public:
-  explicit Worker(Saturating& shared)
-      : shared_(shared), index_(shared.index), contexts_(shared.contexts), is_parallel_(shared.is_parallel) {}
+  /// Ranks are from 1.
+  Worker(Saturating& shared, std::uint8_t rank)
+      : shared_(shared), index_(shared.index), contexts_(shared.contexts), rank_(rank) {}
 
   std::uint32_t require(ExprId root);
   void require_nonempty(std::uint32_t context);
@@ -32,6 +33,7 @@ class Worker {
   /// Reads the letters of a context of its queue and works on it until no more come. For one of many.
   void work_on(std::uint32_t context);
   void set_parallel(bool is_parallel) { is_parallel_ = is_parallel; }
+  [[nodiscard]] std::uint8_t rank() const { return rank_; }
   /// The contexts to be worked on, the next one last.
   [[nodiscard]] std::vector<std::uint32_t>& queue() { return queue_; }
   [[nodiscard]] std::size_t conclusion_count() const { return conclusions_; }
@@ -41,7 +43,9 @@ class Worker {
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
   // How conclusions travel.
-  [[nodiscard]] bool is_elsewhere(std::uint32_t context) const { return is_parallel_ && context != current_; }
+  [[nodiscard]] bool is_elsewhere(std::uint32_t context) const {
+    return is_parallel_ && contexts_[context].owner.load(std::memory_order_relaxed) != rank_;
+  }
   void post(std::uint32_t context, const Message& message);
   void receive(std::uint32_t context, const Message& message);
   void enqueue(std::uint32_t context);
@@ -82,8 +86,8 @@ class Worker {
   Saturating& shared_;
   const Index& index_;
   ContextStore& contexts_;
-  bool is_parallel_;
-  std::uint32_t current_ = nowhere;
+  std::uint8_t rank_;
+  bool is_parallel_ = false;
   std::size_t conclusions_ = 0;
   std::size_t links_ = 0;
   std::vector<std::uint32_t> queue_;
