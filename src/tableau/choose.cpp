@@ -73,20 +73,28 @@ bool Tableau::Search::is_excluded(const Choice& choice, DependencySet& dependenc
     if (differ != none) dependency = unite(dependency, graph_.fact(differ).dependency);
     return differ != none;
   }
-  if (choice.kind != ChoiceKind::concept_of) return false;
-  const auto excluders = program_.disjoint_concepts(choice.predicate);
-  if (excluders.size() <= graph_.node(choice.a).label_count) {
+  if (choice.kind == ChoiceKind::concept_of) return is_excluded(choice.predicate, choice.a, dependency);
+  const bool is_data = choice.kind == ChoiceKind::data_at_least;
+  if (choice.kind != ChoiceKind::at_least && !is_data) return false;
+  const auto implied = is_data ? program_.domains().of_data_at_least(choice.predicate)
+                               : program_.domains().of_at_least(choice.predicate);
+  return std::ranges::any_of(implied, [&](std::uint32_t of) { return is_excluded(of, choice.a, dependency); });
+}
+
+bool Tableau::Search::is_excluded(std::uint32_t id, NodeId node, DependencySet& dependency) {
+  const auto excluders = program_.disjoint_concepts(id);
+  if (excluders.size() <= graph_.node(node).label_count) {
     for (const std::uint32_t other : excluders) {
-      const FactId fact = graph_.find(FactKind::concept_of, other, choice.a);
+      const FactId fact = graph_.find(FactKind::concept_of, other, node);
       if (fact == none) continue;
       dependency = unite(dependency, graph_.fact(fact).dependency);
       return true;
     }
     return false;
   }
-  for (FactId id = graph_.node(choice.a).labels; id != none; id = graph_.fact(id).next_a) {
-    if (!std::ranges::binary_search(excluders, graph_.fact(id).predicate)) continue;
-    dependency = unite(dependency, graph_.fact(id).dependency);
+  for (FactId fact = graph_.node(node).labels; fact != none; fact = graph_.fact(fact).next_a) {
+    if (!std::ranges::binary_search(excluders, graph_.fact(fact).predicate)) continue;
+    dependency = unite(dependency, graph_.fact(fact).dependency);
     return true;
   }
   return false;

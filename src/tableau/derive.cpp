@@ -58,9 +58,15 @@ void Tableau::Search::process(FactId id) {
       return;
     }
     case FactKind::at_least:
-    case FactKind::data_at_least:
+    case FactKind::data_at_least: {
       existentials_.push_back({id});
+      const bool is_data = fact.kind == FactKind::data_at_least;
+      for (const std::uint32_t of : is_data ? program_.domains().of_data_at_least(fact.predicate)
+                                            : program_.domains().of_at_least(fact.predicate)) {
+        add_fact(FactKind::concept_of, of, fact.a, 0, fact.dependency);
+      }
       return;
+    }
     case FactKind::at_most:
       suspect(fact.a, fact.predicate);
       return;
@@ -81,11 +87,13 @@ void Tableau::Search::keep_apart(const Fact& fact) {
 }
 
 void Tableau::Search::process_concept(const Fact& fact, FactId id) {
-  const clauses::Concept& entry = set_.concepts[fact.predicate];
-  if (entry.kind == clauses::ConceptKind::nominal) {
+  const bool is_nominal =
+      fact.predicate < set_.concepts.size() && set_.concepts[fact.predicate].kind == clauses::ConceptKind::nominal;
+  if (is_nominal) {
     // {a}(x) -> x = a
     DependencySet dependency = fact.dependency;
-    const NodeId node = graph_.current(individuals_[number(entry.individual)], sets_, dependency);
+    const clauses::IndividualId individual = set_.concepts[fact.predicate].individual;
+    const NodeId node = graph_.current(individuals_[number(individual)], sets_, dependency);
     if (node != fact.a) merges_.push_back({fact.a, node, dependency});
   }
   for (const Plan& plan : program_.of_concept(fact.predicate)) {

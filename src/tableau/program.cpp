@@ -2,6 +2,7 @@
 #include "tableau/program.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace geminga::tableau {
 
@@ -12,10 +13,10 @@ using clauses::Clause;
 using clauses::number;
 using clauses::Variable;
 
-Program::Program(const clauses::ClauseSet& set) : set_(set) {
-  by_concept_.resize(set.concepts.size());
-  bounds_of_filler_.resize(set.concepts.size());
-  bounds_of_guard_.resize(set.concepts.size());
+Program::Program(const clauses::ClauseSet& set) : set_(set), domains_(set) {
+  by_concept_.resize(domains_.concept_count());
+  bounds_of_filler_.resize(domains_.concept_count());
+  bounds_of_guard_.resize(domains_.concept_count());
   by_role_.resize(set.properties.size());
   bounds_of_role_.resize(set.properties.size());
   by_data_role_.resize(set.data_properties.size());
@@ -40,6 +41,7 @@ Program::Program(const clauses::ClauseSet& set) : set_(set) {
   }
   note_inverses();
   for (const Clause& clause : set.clauses) add_clause(clause);
+  for (const Clause& clause : domains_.clauses()) add_plans(clause);
   find_disjoint_concepts();
 }
 
@@ -217,40 +219,45 @@ void Program::add_plan(const Clause& clause, std::size_t trigger, std::uint32_t 
 
 void Program::find_disjoint_concepts() {
   // A(x) -> B(x), B(x), C(x) -> false: C excludes A.
-  std::vector<std::vector<std::uint32_t>> above(set_.concepts.size());
-  std::vector<std::vector<std::uint32_t>> excluded(set_.concepts.size());
-  std::vector<bool> is_chosen(set_.concepts.size(), false);
+  const std::size_t count = domains_.concept_count();
+  std::vector<std::vector<std::uint32_t>> above(count);
+  std::vector<std::vector<std::uint32_t>> excluded(count);
+  std::vector<bool> is_chosen(count, false);
   const auto is_concept = [](const Atom& atom) { return atom.kind == AtomKind::concept_of && atom.first == centre; };
-  for (const Clause& clause : set_.clauses) {
+  const auto look = [&](const Clause& clause) {
     for (const Atom& atom : clause.head) {
       if (clause.head.size() > 1 && atom.kind == AtomKind::concept_of) is_chosen[atom.predicate] = true;
     }
-    if (!std::ranges::all_of(clause.body, is_concept) || !std::ranges::all_of(clause.head, is_concept)) continue;
+    if (!std::ranges::all_of(clause.body, is_concept) || !std::ranges::all_of(clause.head, is_concept)) return;
     if (clause.body.size() == 1 && clause.head.size() == 1) {
       above[clause.body[0].predicate].push_back(clause.head[0].predicate);
     } else if (clause.body.size() == 2 && clause.head.empty()) {
       excluded[clause.body[0].predicate].push_back(clause.body[1].predicate);
       excluded[clause.body[1].predicate].push_back(clause.body[0].predicate);
     }
+  };
+  std::ranges::for_each(set_.clauses, look);
+  std::ranges::for_each(domains_.clauses(), look);
+  disjoint_concepts_.resize(count);
+  for (std::uint32_t id = 0; id < count; ++id) {
+    if (is_chosen[id] || id >= set_.concepts.size()) find_excluded(id, above, excluded);
   }
-  disjoint_concepts_.resize(set_.concepts.size());
-  std::vector<std::uint32_t> seen_for(set_.concepts.size(), no_predicate);
-  for (std::uint32_t id = 0; id < set_.concepts.size(); ++id) {
-    if (!is_chosen[id]) continue;
-    std::vector<std::uint32_t> open = {id};
-    seen_for[id] = id;
-    auto& result = disjoint_concepts_[id];
-    for (std::size_t at = 0; at < open.size(); ++at) {
-      result.insert(result.end(), excluded[open[at]].begin(), excluded[open[at]].end());
-      for (const std::uint32_t super : above[open[at]]) {
-        if (seen_for[super] != id) open.push_back(super);
-        seen_for[super] = id;
-      }
+}
+
+void Program::find_excluded(std::uint32_t id, const std::vector<std::vector<std::uint32_t>>& above,
+                            const std::vector<std::vector<std::uint32_t>>& excluded) {
+  std::vector<std::uint32_t> open = {id};
+  std::set<std::uint32_t> seen = {id};
+  auto& result = disjoint_concepts_[id];
+  for (std::size_t at = 0; at < open.size(); ++at) {
+    result.insert(result.end(), excluded[open[at]].begin(), excluded[open[at]].end());
+    for (const std::uint32_t super : above[open[at]]) {
+      if (seen.insert(super).second) open.push_back(super);
     }
-    std::ranges::sort(result);
-    const auto repeated = std::ranges::unique(result);
-    result.erase(repeated.begin(), repeated.end());
   }
+  std::ranges::sort(result);
+  const auto repeated = std::ranges::unique(result);
+  result.erase(repeated.begin(), repeated.end());
 }
 
 void Program::note_inverses(const Clause& clause) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "clauses/clause.hpp"
+#include "tableau/domains.hpp"
 
 namespace geminga::tableau {
 
@@ -96,6 +97,8 @@ class Program {
   /// The bound of an at_most or data_at_most atom of the clauses.
   [[nodiscard]] std::uint32_t bound_of_atom(const clauses::Atom& atom) const;
 
+  /// What an at-least of a node says by itself; see domains.hpp.
+  [[nodiscard]] const Domains& domains() const { return domains_; }
   /// Whether every node needs the fact that it is in owl:Thing.
   [[nodiscard]] bool needs_thing() const { return needs_thing_; }
   /// Whether anything looks at a node from its successor's side, so that blocking must compare pairs.
@@ -110,10 +113,13 @@ class Program {
   void add_plan(const clauses::Clause& clause, std::size_t trigger, std::uint32_t head_begin, std::uint32_t head_end);
   std::uint32_t index_of(const Bound& bound);
   void find_disjoint_concepts();
+  void find_excluded(std::uint32_t id, const std::vector<std::vector<std::uint32_t>>& above,
+                     const std::vector<std::vector<std::uint32_t>>& excluded);
   void note_inverses(const clauses::Clause& clause);
   void note_inverses();
 
   const clauses::ClauseSet& set_;
+  Domains domains_;
   std::vector<Step> steps_;
   std::vector<clauses::Atom> heads_;
   std::vector<std::vector<Plan>> by_concept_;

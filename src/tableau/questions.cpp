@@ -142,6 +142,7 @@ void Tableau::Search::write_model() {
     std::vector<clauses::ConceptId> label;
     for (FactId id = graph_.node(node).labels; id != none; id = graph_.fact(id).next_a) {
       const Fact& fact = graph_.fact(id);
+      if (fact.predicate >= set_.concepts.size()) continue;
       label.push_back(clauses::ConceptId{fact.predicate});
       // What came to it by a merge that was not certain has that merge among its dependencies.
       if (node == asked && unite(fact.dependency, dependency) == no_dependency) {

@@ -126,6 +126,7 @@ class Tableau::Search {
   Open open(const Disjunction& disjunction);
   /// Whether what holds excludes the choice; unites the reasons into `dependency`.
   bool is_excluded(const Choice& choice, DependencySet& dependency);
+  bool is_excluded(std::uint32_t id, NodeId node, DependencySet& dependency);
   [[nodiscard]] static std::uint64_t failure_key(const Choice& choice) {
     return (std::uint64_t{choice.predicate} << 8) | static_cast<std::uint64_t>(choice.kind);
   }
