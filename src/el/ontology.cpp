@@ -13,12 +13,27 @@
 
 namespace geminga::el {
 
+namespace {
+
+/// What "is A under B" needs of a class, in one place: two of these are a question's two misses of the cache, where the
+/// tables of the compiled form would cost five.
+struct Reach {
+  static constexpr std::uint32_t of_nothing = 0xffffffff;
+  std::uint32_t first = of_nothing;  ///< its rank; of_nothing where it has no instances
+  std::uint32_t last = 0;
+  std::uint32_t further_begin = 0;
+  std::uint32_t further_end = 0;
+};
+
+}  // namespace
+
 struct Ontology::Mapped {
   MappedFile file;  ///< one of these two owns the bytes
   std::vector<std::byte> bytes;
   CompiledView view;
   std::vector<std::pair<std::string_view, std::string_view>> prefixes;  ///< sorted
   std::vector<std::pair<std::uint32_t, std::uint32_t>> equivalents;     ///< representative, another member; sorted
+  std::vector<Reach> reaches;                                           ///< by class
   mutable std::once_flag module_index_once;
   mutable std::optional<ModuleIndex> module_index;
 
@@ -58,7 +73,13 @@ std::expected<std::unique_ptr<const Ontology::Mapped>, CompiledError> Ontology::
     mapped->prefixes.emplace_back(view->name(view->prefix_name[at]), view->name(view->prefix_iri[at]));
   }
   std::ranges::sort(mapped->prefixes);
+  mapped->reaches.resize(view->class_count());
   for (std::uint32_t number = 0; number < view->class_count(); ++number) {
+    const std::uint32_t node = view->representative[number];
+    if (!mapped->is_unsatisfiable(node)) {
+      const Interval own = view->own_interval[number];
+      mapped->reaches[number] = {own.first, own.last, view->further_begin[node], view->further_begin[node + 1]};
+    }
     if (view->representative[number] != number) mapped->equivalents.emplace_back(view->representative[number], number);
   }
   std::ranges::sort(mapped->equivalents);
@@ -217,14 +238,12 @@ std::string Ontology::short_name(std::string_view iri) const { return shorten(ir
 bool Ontology::is_satisfiable(ClassNumber number) const { return !mapped_->is_unsatisfiable(mapped_->node(number)); }
 
 bool Ontology::is_subsumed(ClassNumber sub, ClassNumber super) const {
-  const CompiledView& view = mapped_->view;
-  const std::uint32_t rank = view.own_interval[static_cast<std::size_t>(sub)].first;
-  const Interval own = view.own_interval[static_cast<std::size_t>(super)];
-  if (own.first <= rank && rank <= own.last) return true;
-  if (mapped_->is_unsatisfiable(mapped_->node(sub))) return true;
-  const std::uint32_t node = mapped_->node(super);
-  const std::uint32_t begin = view.further_begin[node];
-  return contains_rank(view.further.subspan(begin, view.further_begin[node + 1] - begin), rank);
+  const std::uint32_t rank = mapped_->reaches[static_cast<std::size_t>(sub)].first;
+  const Reach& reach = mapped_->reaches[static_cast<std::size_t>(super)];
+  if ((reach.first <= rank && rank <= reach.last) || rank == Reach::of_nothing) return true;
+  if (reach.further_begin == reach.further_end) return false;
+  return contains_rank(mapped_->view.further.subspan(reach.further_begin, reach.further_end - reach.further_begin),
+                       rank);
 }
 
 std::optional<std::uint32_t> Ontology::distance(ClassNumber sub, ClassNumber super) const {
