@@ -59,7 +59,7 @@ void measure_subsumption(const el::Ontology& ontology, const std::string& name, 
   const bool is_small = ontology.class_count() <= small_ontology;
   // The sum is shown, so that no compiler leaves the loop out: more than half of the pairs hold.
   row(name + ": is A under B (" + std::to_string(held * 100 / (5 * pairs.size())) + " % yes)", size,
-      quantile(nanoseconds, 0.5), "ns", {.at_most = is_small ? 10.0 : 25.0});
+      quantile(nanoseconds, 0.5), "ns", {.limit = is_small ? 10.0 : 25.0});
 }
 
 void measure_explanations(const el::Ontology& ontology, const std::string& name, const std::string& size) {
@@ -74,7 +74,7 @@ void measure_explanations(const el::Ontology& ontology, const std::string& name,
     times.push_back(milliseconds_since(began));
   }
   if (times.empty()) return row_without(name + ": an explanation", size, "nothing is there to explain");
-  row(name + ": an explanation, median", size, quantile(times, 0.5), "ms", {.at_most = 10});
+  row(name + ": an explanation, median", size, quantile(times, 0.5), "ms", {.limit = 10});
   row(name + ": an explanation, worst", size, quantile(times, 1), "ms");
 }
 
@@ -105,7 +105,7 @@ void measure_expressions(const el::Ontology& ontology, const std::string& name, 
     (void)classifier->classify(query, asks);
     times.push_back(milliseconds_since(start));
   }
-  row(name + ": a class expression, median", size, quantile(times, 0.5), "ms", {.at_most = 1});
+  row(name + ": a class expression, median", size, quantile(times, 0.5), "ms", {.limit = 1});
   row(name + ": a class expression, worst", size, quantile(times, 1), "ms");
 }
 
@@ -122,7 +122,7 @@ void measure_loaded(const std::filesystem::path& compiled, const std::string& na
       return row_without(name + ": mapped until the first answer", size, "a wrong answer");
     times.push_back(milliseconds_since(began));
   }
-  row(name + ": mapped until the first answer", size, quantile(times, 0.5), "ms", {.at_most = 10});
+  row(name + ": mapped until the first answer", size, quantile(times, 0.5), "ms", {.limit = 10});
   const auto ontology = el::Ontology::map(compiled);
   row(name + ": compiled file, a class", size,
       static_cast<double>(std::filesystem::file_size(compiled)) / ontology->class_count(), "B");
@@ -130,7 +130,7 @@ void measure_loaded(const std::filesystem::path& compiled, const std::string& na
   const std::size_t index_bytes = view.own_interval.size_bytes() + view.further_begin.size_bytes() +
                                   view.further.size_bytes() + view.representative.size_bytes();
   row(name + ": subsumption index, a class", size, static_cast<double>(index_bytes) / ontology->class_count(), "B",
-      {.at_most = 32});
+      {.limit = 32});
   measure_subsumption(*ontology, name, size, queries);
   measure_explanations(*ontology, name, size);
   measure_expressions(*ontology, name, size);

@@ -5,19 +5,19 @@
 namespace geminga::bench {
 
 void row(const std::string& name, const std::string& size, double figure, const std::string& unit, const Goal& goal) {
-  const double ratio = goal.baseline > 0 ? figure / goal.baseline : 0;
-  const double judged = goal.baseline > 0 ? ratio : figure;
   std::printf("%s\t%s\t%.4g %s\t", name.c_str(), size.c_str(), figure, unit.c_str());
   if (goal.baseline > 0) {
+    const double ratio = figure / goal.baseline;
     std::printf("%.2f\t", ratio);
+    if (goal.ratio > 0) {
+      std::printf("%.2g\t%s\n", goal.ratio, ratio <= goal.ratio ? "ok" : "over");
+    } else {
+      std::printf("-\t-\n");
+    }
+  } else if (goal.limit > 0) {
+    std::printf("-\t%g %s\t%s\n", goal.limit, unit.c_str(), figure <= goal.limit ? "ok" : "over");
   } else {
-    std::printf("-\t");
-  }
-  if (goal.at_most > 0) {
-    std::printf("%g%s\t%s\n", goal.at_most, goal.baseline > 0 ? "" : (" " + unit).c_str(),
-                judged <= goal.at_most ? "ok" : "over");
-  } else {
-    std::printf("-\t-\n");
+    std::printf("-\t-\t-\n");
   }
   std::fflush(stdout);
 }

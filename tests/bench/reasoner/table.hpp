@@ -8,8 +8,9 @@ namespace geminga::bench {
 
 /// What a figure is held against.
 struct Goal {
-  double baseline = 0;  ///< of the same run; 0: there is none
-  double at_most = 0;   ///< times the baseline, or the figure itself where there is no baseline; 0: judged by nobody
+  double baseline = 0;  ///< of the same run; 0: there is none, and no ratio is shown or judged
+  double ratio = 0;     ///< at most as many times the baseline; 0: judged by nobody
+  double limit = 0;     ///< at most this, whatever the baseline; 0: judged by nobody
 };
 
 /// Prints a row at once.
