@@ -44,6 +44,8 @@ class Clausifier {
   void add_data_property_axiom(const Ordered& axiom);
   void add_fact(const Ordered& axiom);
   void add_inclusion(el::TermId sub, el::TermId super);
+  /// Unless a part of it is not allowed.
+  void add_disjunction(std::vector<Literal> disjunction);
   void add_disjoint(std::span<const el::TermId> members);
   void add_key(const Ordered& axiom);
   void assert_fact(Literal literal, IndividualId individual);

@@ -86,11 +86,11 @@ void Clausifier::run(std::optional<std::span<const std::uint32_t>> axioms, std::
   for (const Ordered& axiom : axioms_) {
     if (problem_) return;
     const std::string_view reason = problem_of(axiom);
-    if (reason.empty()) {
-      add(axiom);
-    } else {
-      set_.unused.push_back({axiom.axiom, reason});
-    }
+    if (!reason.empty()) set_.unused.push_back({axiom.axiom, reason});
+    // Some of the inclusions in these may be used all the same.
+    const bool has_parts = axiom.kind == AxiomKind::equivalent_classes || axiom.kind == AxiomKind::disjoint_union ||
+                           axiom.kind == AxiomKind::disjoint_classes;
+    if (reason.empty() || has_parts) add(axiom);
     if (translator_->is_full() || set_.equalities.size() > limits_.clauses) {
       problem_ = "the axioms need more than " + std::to_string(limits_.clauses) + " clauses";
     }

@@ -79,7 +79,13 @@ void Clausifier::add(const Ordered& axiom) {
   }
 }
 
-void Clausifier::add_inclusion(TermId sub, TermId super) { translator_->add({negative(sub), positive(super)}); }
+void Clausifier::add_inclusion(TermId sub, TermId super) { add_disjunction({negative(sub), positive(super)}); }
+
+void Clausifier::add_disjunction(std::vector<Literal> disjunction) {
+  const bool is_allowed =
+      std::ranges::all_of(disjunction, [&](Literal literal) { return allowed_->problem(literal).empty(); });
+  if (is_allowed) translator_->add(std::move(disjunction));
+}
 
 void Clausifier::add_class_axiom(const Ordered& axiom) {
   const auto& arguments = axiom.arguments;
@@ -104,7 +110,7 @@ void Clausifier::add_class_axiom(const Ordered& axiom) {
         add_inclusion(part, arguments[0]);
         whole.push_back(positive(part));
       }
-      translator_->add(std::move(whole));
+      add_disjunction(std::move(whole));
       add_disjoint(parts);
       return;
     }
@@ -116,7 +122,7 @@ void Clausifier::add_class_axiom(const Ordered& axiom) {
 void Clausifier::add_disjoint(std::span<const TermId> members) {
   for (std::size_t first = 0; first < members.size(); ++first) {
     for (std::size_t second = first + 1; second < members.size() && !translator_->is_full(); ++second) {
-      translator_->add({negative(members[first]), negative(members[second])});
+      add_disjunction({negative(members[first]), negative(members[second])});
     }
   }
 }

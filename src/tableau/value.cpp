@@ -177,9 +177,14 @@ std::optional<Value> value_of(const el::OntologySource& source, el::TermId liter
     case DataFamily::time:
       return time_value(canonical);
     case DataFamily::xml:
-      break;
+      // The lexical forms are canonical XML (RDF Concepts 2004, section 5.1), and then different ones are different
+      // values. What does not look canonical is not known.
+      for (const std::string_view other : {"/>", "<!", "'", "\r"}) {
+        if (canonical.find(other) != std::string::npos) return std::nullopt;
+      }
+      return Value{read->family, 0, canonical.size(), std::move(canonical)};
   }
-  return std::nullopt;  // XML literals are equal by their canonical form, which is not worked out
+  return std::nullopt;
 }
 
 }  // namespace geminga::tableau
