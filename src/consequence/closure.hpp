@@ -20,7 +20,9 @@ struct Options {
   unsigned threads = 1;
   /// Whether to look at facts, too. Without them is_consistent is about the rest, and fact_gap and key_gap never stand.
   bool facts = true;
-  std::size_t clauses = 20'000'000;  ///< derived ones, of all contexts together; beyond it the closure is incomplete
+  /// Derived clauses of all contexts together (long ones count several times, vain attempts a little): beyond it the
+  /// closure is incomplete. A million takes at most some hundred megabytes.
+  std::size_t clauses = 5'000'000;
 };
 
 /// Gaps. The first two are about facts alone: where there is no other, the subsumers of named classes are complete as

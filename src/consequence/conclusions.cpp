@@ -1,4 +1,5 @@
 // From premises to conclusions: their bodies together, their heads without what was resolved, and what takes its place.
+#include "consequence/saturation.hpp"
 #include "consequence/worker.hpp"
 
 namespace geminga::consequence {
@@ -32,6 +33,11 @@ void Worker::end_conclusion(std::span<const Literal> head) {
       const Literal unit = head.empty() ? conclusion_head_[0] : head[0];
       if (!context_->store.has(unit, ClauseStore::unit)) units_.push_back(unit);
     }
+    return;
+  }
+  if (literals_.size() > max_waiting_literals) {
+    saturation_.give_up();
+    is_stopped_ = true;
     return;
   }
   counts_.push_back(static_cast<std::uint32_t>(conclusion_body_.size()));

@@ -4,7 +4,9 @@
 //  ----------------------------------------------------------- Hyper [s(x) = x]
 //  G1 and ... and Gn -> D1 v ... v Dn v D s
 #include <algorithm>
+#include <utility>
 
+#include "consequence/saturation.hpp"
 #include "consequence/worker.hpp"
 
 namespace geminga::consequence {
@@ -27,6 +29,10 @@ void Worker::hyper(Premise premise, const Occurrence& occurrence, Term neighbour
 }
 
 void Worker::join(const Rule& rule) {
+  if (++attempts_ >= attempts_at_once) {
+    if (!saturation_.count_attempts(std::exchange(attempts_, 0))) is_stopped_ = true;
+  }
+  if (is_stopped_) return;
   // What can be looked up goes first; then neighbours are tried.
   std::size_t open = rule.body.size();
   for (std::size_t at = 0; at < rule.body.size(); ++at) {

@@ -6,6 +6,7 @@
 //
 // v sends the clause to each u that has said that all Ai may hold of its f(x), once; u resolves it with its own.
 #include <algorithm>
+#include <utility>
 
 #include "consequence/saturation.hpp"
 #include "consequence/worker.hpp"
@@ -95,6 +96,7 @@ void Worker::receive_clause(const Message& message, std::span<const Literal> bod
     begin_conclusion();
     return end_conclusion(clause.head);
   }
+  derived_ += 1 + (clause.body.size() + clause.head.size()) / literals_per_clause;
   const auto number = static_cast<std::uint32_t>(self.foreign.size());
   for (const Literal literal : clause.body) self.store.lists_of(literal).waiting.push_back(number);
   self.foreign.push_back(std::move(clause));
@@ -108,6 +110,10 @@ void Worker::resolve_foreign(std::uint32_t foreign, Premise premise) {
 }
 
 void Worker::join_foreign(const ForeignClause& clause, std::size_t at) {
+  if (++attempts_ >= attempts_at_once) {
+    if (!saturation_.count_attempts(std::exchange(attempts_, 0))) is_stopped_ = true;
+  }
+  if (is_stopped_) return;
   while (at < clause.body.size() && !premises_.empty() && premises_[0].literal == clause.body[at]) ++at;
   if (at == clause.body.size()) {
     begin_conclusion();

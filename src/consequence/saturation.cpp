@@ -135,4 +135,10 @@ bool Saturation::count(std::size_t clauses) {
   return !is_cut_off();
 }
 
+bool Saturation::count_attempts(std::size_t attempts) {
+  const std::size_t all = attempts_.fetch_add(attempts, std::memory_order_relaxed) + attempts;
+  if (all / attempts_per_clause > max_clauses_) give_up();
+  return !is_cut_off();
+}
+
 }  // namespace geminga::consequence

@@ -34,6 +34,8 @@ class Saturation {
 
   /// Counts clauses; false: there were too many, all stop.
   bool count(std::size_t clauses);
+  /// Counts attempts to match a body, most of which may give nothing new; false: there were too many, all stop.
+  bool count_attempts(std::size_t attempts);
   /// An individual cannot exist: nothing else matters.
   void contradict() {
     is_contradictory_.store(true, std::memory_order_relaxed);
@@ -48,6 +50,8 @@ class Saturation {
 
  private:
   static constexpr std::size_t parts = 64;
+  /// As many attempts are worth a clause: what derives little must end, too.
+  static constexpr std::size_t attempts_per_clause = 100;
   struct Part {
     mutable SpinLock lock;
     std::vector<std::unique_ptr<Context>> contexts;
@@ -71,6 +75,7 @@ class Saturation {
   std::atomic<std::uint32_t> epoch_{0};
   std::atomic<std::uint32_t> sleepers_{0};
   std::atomic<std::size_t> clauses_{0};
+  std::atomic<std::size_t> attempts_{0};
   std::atomic<std::size_t> context_count_{0};
   std::atomic<bool> is_cut_off_{false};
   std::atomic<bool> is_contradictory_{false};

@@ -70,7 +70,7 @@ void Worker::receive() {
 
 void Worker::saturate_locally() {
   Context& self = *context_;
-  while (!self.is_unsatisfiable) {
+  while (!self.is_unsatisfiable && !is_stopped_) {
     if (derived_ > 1000) {
       if (!saturation_.count(derived_)) return;
       derived_ = 0;
@@ -276,7 +276,7 @@ void Worker::add(std::vector<Literal>& body, std::vector<Literal>& head) {
              head.size() > std::numeric_limits<std::uint16_t>::max()) {
     saturation_.give_up();
   } else if (!self.store.is_redundant(body, head)) {
-    ++derived_;
+    derived_ += 1 + (body.size() + head.size()) / literals_per_clause;
     self.clause_queue.push_back(self.store.insert(body, head, maximal_count(head)));
   }
 }

@@ -28,6 +28,11 @@ class Worker {
   void work(Context& context);
 
  private:
+  static constexpr std::size_t attempts_at_once = 4096;
+  /// Literals of conclusions that wait to be filed (64 MiB): more come of one step only where nothing can help.
+  static constexpr std::size_t max_waiting_literals = std::size_t{1} << 24;
+  /// A clause counts once for as many literals as this, so that what is counted bounds the memory.
+  static constexpr std::size_t literals_per_clause = 8;
   static constexpr ClauseNumber no_clause = std::numeric_limits<ClauseNumber>::max();
   /// The clause G -> D v [L], or where `clause` is no_clause, true -> L.
   struct Premise {
@@ -129,6 +134,8 @@ class Worker {
   std::vector<Literal> units_;         ///< conclusions that are units
   std::vector<Literal> literals_;      ///< of other conclusions
   std::vector<std::uint32_t> counts_;  ///< of each of them: of body, of head
+  std::size_t attempts_ = 0;           ///< to match bodies, not yet counted by the saturation
+  bool is_stopped_ = false;            ///< too much was derived: whatever is under way ends
   std::vector<Literal> body_;
   std::vector<Literal> head_;
   bool is_false_derived_ = false;
