@@ -116,6 +116,7 @@ class Mapping {
   void add_role(NodeId node, std::uint16_t roles) { roles_[static_cast<std::size_t>(node)] |= roles; }
   /// The one object of a subject and predicate, marked as used; none where there is none or several.
   NodeId object_of(NodeId subject, Word predicate);
+  [[nodiscard]] bool has_type(NodeId subject, Word type) const;
   /// The members of an RDF list, its triples marked as used; nothing where it is not well-formed.
   std::optional<std::vector<NodeId>> list(NodeId head);
   /// Maps every member of a list by one of the functions above.

@@ -89,6 +89,8 @@ Mapping::Mapped Mapping::boolean_class(NodeId, Word constructor, NodeId object) 
 }
 
 Mapping::Mapped Mapping::object_property(NodeId node) {
+  if (has_role(node, is_data_property) && !has_role(node, is_object_property))
+    return std::unexpected("a data property in place of an object property");
   if (graph_.is_iri(node)) return source_.object_property(graph_.text(node));
   if (graph_.is_literal(node)) return std::unexpected("a literal in place of a property");
   const NodeId inverse = object_of(node, Word::owl_inverse_of);

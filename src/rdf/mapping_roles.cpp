@@ -1,4 +1,6 @@
 // What each node is: by its declaration, else by how it is used (mapping, section 3.1.3, and tables 5 and 6).
+#include <algorithm>
+
 #include "rdf/mapping.hpp"
 
 namespace geminga::rdf {
@@ -48,13 +50,21 @@ void Mapping::role_of_type(const Triple& triple) {
       add_role(node, is_datatype);
       break;
     case Word::owl_object_property:
+      add_role(node, is_object_property | is_declared_property);
+      break;
     case Word::owl_inverse_functional_property:
     case Word::owl_reflexive_property:
     case Word::owl_irreflexive_property:
     case Word::owl_symmetric_property:
     case Word::owl_asymmetric_property:
     case Word::owl_transitive_property:
-      add_role(node, is_object_property | is_declared_property);
+      // Of a data property OWL 2 DL has none of these: then the axiom is left out, and the property stays what it is.
+      if (!has_type(node, Word::owl_datatype_property)) add_role(node, is_object_property | is_declared_property);
+      break;
+    case Word::owl_all_disjoint_properties:
+      if (const auto members = list(object_of(node, Word::owl_members))) {
+        for (const NodeId property : *members) add_role(property, is_some_property);
+      }
       break;
     case Word::owl_datatype_property:
       add_role(node, is_data_property | is_declared_property);
@@ -80,6 +90,11 @@ void Mapping::role_of_type(const Triple& triple) {
   }
 }
 
+bool Mapping::has_type(NodeId subject, Word type) const {
+  return std::ranges::any_of(graph_.about(subject, Word::rdf_type),
+                             [&](std::uint32_t number) { return word(graph_.triple(number).object) == type; });
+}
+
 void Mapping::role_of_use(const Triple& triple, std::vector<std::uint16_t>& uses) {
   const auto use = [&](NodeId node, std::uint16_t roles) { uses[static_cast<std::size_t>(node)] |= roles; };
   if (graph_.is_literal(triple.object)) use(triple.predicate, has_literals);
@@ -92,6 +107,11 @@ void Mapping::role_of_use(const Triple& triple, std::vector<std::uint16_t>& uses
       use(triple.subject, is_object_property);
       if (const auto chain = list(triple.object)) {
         for (const NodeId property : *chain) use(property, is_object_property);
+      }
+      break;
+    case Word::owl_has_key:
+      if (const auto members = list(triple.object)) {
+        for (const NodeId property : *members) use(property, is_some_property);
       }
       break;
     case Word::owl_on_property:
