@@ -58,7 +58,7 @@ TEST_F(Explain, SaysWhatIsMissing) {
   const Outcome outcome = program_.run({"explain", "b.ttl", "--sub", "e:E", "--super", "e:D"});
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   EXPECT_EQ(outcome.out,
-            "e:E is not subsumed by e:D\nNearest: both are e:B\nEnough to be e:D:   [b.ttl:1]\n  met      e:B\n"
+            "e:E is not subsumed by e:D\nNearest: both are e:B\nEnough to be e:D:   [b.ttl:2]\n  met      e:B\n"
             "  missing  e:r some e:X   (it has e:r, but to nothing that is known to be e:X)\n");
   const Outcome json = program_.run({"explain", "b.ttl", "--sub", "e:E", "--super", "e:D", "--json"});
   const boost::json::value found = boost::json::parse(json.out);
