@@ -156,6 +156,10 @@ class Question {
     for (ShapeId id = 0; id < shapes_.count(); ++id) {
       const Shape shape = shapes_.shape(id);
       if (shape.kind == ShapeKind::at_most) shapes_.add_gap("a maximum cardinality in the expression");
+      //  not (C and not D) is C -> D, which is more than that something must not hold
+      if (shape.kind == ShapeKind::negation && shapes_.has_negation(shape.parts[0])) {
+        shapes_.add_gap("a complement inside of a complement");
+      }
       const bool is_union = shape.kind == ShapeKind::only && shapes_.alternatives_of(shape.parts[0]).size() > 1;
       if (is_union) shapes_.add_gap("a union inside of owl:allValuesFrom");
     }

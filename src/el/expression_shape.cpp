@@ -56,6 +56,11 @@ std::optional<RoleId> ShapeReader::role_of(TermId property) {
   return base_.role(*known);
 }
 
+bool ShapeReader::has_negation(ShapeId id) const {
+  return shapes_[id].kind == ShapeKind::negation ||
+         std::ranges::any_of(shapes_[id].parts, [&](ShapeId part) { return has_negation(part); });
+}
+
 //  not not C is C;  not (C or D) is not C and not D;  not (R only C) is R some not C
 ShapeId ShapeReader::negated(ShapeId id) {
   const Shape shape = shapes_[id];

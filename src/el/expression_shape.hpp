@@ -56,6 +56,8 @@ class ShapeReader {
   [[nodiscard]] std::vector<ShapeId> alternatives_of(ShapeId id);
 
   [[nodiscard]] const Shape& shape(ShapeId id) const { return shapes_[id]; }
+  /// Whether it is a complement or one is somewhere in it.
+  [[nodiscard]] bool has_negation(ShapeId id) const;
   [[nodiscard]] std::size_t count() const { return shapes_.size(); }
   void add_gap(std::string_view words) { gaps_.emplace(words); }
   [[nodiscard]] const std::set<std::string, std::less<>>& gaps() const { return gaps_; }

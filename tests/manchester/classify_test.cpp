@@ -144,6 +144,7 @@ TEST(Place, SaysWhereItMayMissSomething) {
   EXPECT_EQ(asked.place("observes min 2 Ball"), "< BallWatcher ?");
   EXPECT_EQ(asked.place("Camera and (observes max 3 Ball)"), "< Camera ?");
   EXPECT_EQ(asked.place("(observes only RedBall) and (observes some Ball)"), "< BallWatcher ?");
+  EXPECT_EQ(asked.place("Camera and not (Camera and not (observes some Ball))"), "< Camera ?");
   EXPECT_EQ(asked.is_subsumed("(observes only RedBall) and (observes some Ball)", "observes some RedBall"), "yes");
   const Asked beyond("SubClassOf(A ObjectUnionOf(B C))\nSubClassOf(B D)\nSubClassOf(C D)\n");
   EXPECT_EQ(beyond.place("A"), "= A");
