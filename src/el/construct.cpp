@@ -6,7 +6,7 @@
 namespace geminga::el {
 
 std::string_view to_string(Construct construct) {
-  static constexpr std::array<std::string_view, 24> words = {
+  static constexpr std::array<std::string_view, 26> words = {
       "",
       "owl:unionOf",
       "owl:complementOf",
@@ -31,6 +31,8 @@ std::string_view to_string(Construct construct) {
       "datatypes with finitely many values",
       "literals that are not of their datatype",
       "functional properties with too many successors",
+      "datatypes that overlap",
+      "literals whose equality is not known",
   };
   return words[static_cast<std::size_t>(construct)];
 }

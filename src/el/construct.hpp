@@ -33,6 +33,8 @@ enum class Construct : std::uint8_t {
   finite_datatype,
   ill_formed_literal,
   too_many_merged,
+  overlapping_datatypes,
+  inexact_literal,
 };
 
 [[nodiscard]] std::string_view to_string(Construct construct);

@@ -288,6 +288,11 @@ Construct Normaliser::add_property_assertion(const Axiom& axiom, bool is_negativ
     index_.add_told(from, bottom_expr);  // all are related by it, so that this cannot hold
     return Construct::none;
   }
+  const TermId value = axiom.arguments[2];
+  if (source_.kind(value) == TermKind::literal) {
+    note_literal(value);
+    if (is_negative) use_negative_literal(value);
+  }
   if (role.is_inverse) std::swap(from, to);
   const ExprId some = index_.existential(role.role, to);
   if (!is_negative) {
@@ -304,7 +309,7 @@ Construct Normaliser::add_property_assertion(const Axiom& axiom, bool is_negativ
 std::vector<std::pair<std::uint32_t, Construct>> Normaliser::finish() {
   relate_data();
   std::vector<std::pair<std::uint32_t, Construct>> unused;
-  find_finite_datatypes(unused);
+  find_unused_data(unused);
   find_ranges_over_chains(unused);
   return unused;
 }

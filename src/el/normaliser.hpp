@@ -60,9 +60,10 @@ class Normaliser {
   ExprId make_datatype(const Term& term);
   Construct use_negative_literal(TermId id);
   Construct use_positive_literal(TermId id);
+  void note_literal(TermId id);
   Construct use_positive_datatype(const Term& term);
   void relate_data();
-  void find_finite_datatypes(std::vector<std::pair<std::uint32_t, Construct>>& unused) const;
+  void find_unused_data(std::vector<std::pair<std::uint32_t, Construct>>& unused) const;
   void find_ranges_over_chains(std::vector<std::pair<std::uint32_t, Construct>>& unused) const;
 
   // One polarity: `use` adds the rules, once, and returns the first construct that has none.
@@ -107,7 +108,9 @@ class Normaliser {
   std::vector<std::pair<DataValue, ExprId>> values_;
   std::map<std::pair<DataFamily, std::string>, ExprId> expr_of_value_;
   std::map<TermId, DataFamily> family_of_literal_;
-  std::vector<std::pair<std::uint32_t, DataFamily>> finite_uses_;  ///< axiom, and what it says is in a finite datatype
+  std::vector<std::pair<std::uint32_t, Datatype>> datatype_uses_;   ///< axiom, and what it says that values are in
+  std::vector<std::pair<std::uint32_t, DataFamily>> inexact_uses_;  ///< axiom, and the family of its literal
+  std::map<TermId, bool> is_exact_literal_;
   std::array<bool, data_family_count> has_negative_literal_{};
   struct Range {
     std::uint32_t axiom = 0;

@@ -1,4 +1,5 @@
 // Literals and datatypes as atoms, and what is known between them. Legend as in index.hpp; u v are literals.
+#include <algorithm>
 #include <string>
 
 #include "el/normaliser.hpp"
@@ -26,6 +27,7 @@ ExprId Normaliser::make_literal(TermId id, const Term& term) {
   auto value = DataValue::read(source_.name(term.name), type, language, is_ill_formed);
   if (!value) return index_.add_atom();
   family_of_literal_.emplace(id, value->family);
+  is_exact_literal_.emplace(id, value->is_exact);
   const auto [known, is_new] = expr_of_value_.try_emplace({value->family, value->canonical}, top_expr);
   if (is_new) {
     known->second = index_.add_atom();
@@ -44,19 +46,47 @@ Construct Normaliser::use_negative_literal(TermId id) {
 Construct Normaliser::use_positive_literal(TermId id) {
   const Term term = source_.term(id);
   const bool is_known = Datatype::find(source_.name_of(term.arguments[0])).has_value();
+  note_literal(id);
   return is_known && !family_of_literal_.contains(id) ? Construct::ill_formed_literal : Construct::none;
 }
 
+void Normaliser::note_literal(TermId id) {
+  const auto exact = is_exact_literal_.find(id);
+  if (exact != is_exact_literal_.end() && !exact->second)
+    inexact_uses_.emplace_back(current_axiom_, family_of_literal_.at(id));
+}
+
 Construct Normaliser::use_positive_datatype(const Term& term) {
-  const auto type = Datatype::find(source_.name(term.name));
-  if (type && type->is_finite()) finite_uses_.emplace_back(current_axiom_, type->family());
+  if (const auto type = Datatype::find(source_.name(term.name))) datatype_uses_.emplace_back(current_axiom_, *type);
   return Construct::none;
 }
 
-// What is in a finite datatype is one of its values, which EL cannot say; it matters where a value is asked for.
-void Normaliser::find_finite_datatypes(std::vector<std::pair<std::uint32_t, Construct>>& unused) const {
-  for (const auto& [axiom, family] : finite_uses_) {
-    if (has_negative_literal_[static_cast<std::size_t>(family)]) unused.emplace_back(axiom, Construct::finite_datatype);
+// What is in a finite datatype is one of its values, which EL cannot say; it matters where a value is asked for. What
+// is in two datatypes that overlap is in their intersection, which may be finite or a part of a third: the datatypes of
+// OWL 2 EL are chosen so that this never happens. Of inexact literals nobody knows whether others have their value.
+void Normaliser::find_unused_data(std::vector<std::pair<std::uint32_t, Construct>>& unused) const {
+  const auto overlap = [](Datatype one, Datatype other) {
+    return one.family() == other.family() && !one.is_within(other) && !other.is_within(one) && !one.is_disjoint(other);
+  };
+  // Few datatypes are used by many axioms.
+  std::vector<Datatype> used;
+  for (const auto& [axiom, type] : datatype_uses_) {
+    const auto is_same = [&, own = type](Datatype other) {
+      return own.family() == other.family() && own.is_within(other) && other.is_within(own);
+    };
+    if (std::ranges::none_of(used, is_same)) used.push_back(type);
+  }
+  std::array<std::size_t, data_family_count> value_counts{};
+  for (const auto& [value, expr] : values_) ++value_counts[static_cast<std::size_t>(value.family)];
+  for (const auto& [axiom, type] : datatype_uses_) {
+    if (type.is_finite() && has_negative_literal_[static_cast<std::size_t>(type.family())]) {
+      unused.emplace_back(axiom, Construct::finite_datatype);
+    } else if (std::ranges::any_of(used, [&, own = type](Datatype other) { return overlap(own, other); })) {
+      unused.emplace_back(axiom, Construct::overlapping_datatypes);
+    }
+  }
+  for (const auto& [axiom, family] : inexact_uses_) {
+    if (value_counts[static_cast<std::size_t>(family)] > 1) unused.emplace_back(axiom, Construct::inexact_literal);
   }
 }
 
