@@ -1,5 +1,6 @@
 // `geminga-ontology subsumes`: is one class, or class expression, subsumed by another?
 #include <CLI/CLI.hpp>
+#include <boost/json.hpp>
 #include <memory>
 
 #include "base/text.hpp"
@@ -17,14 +18,16 @@ struct Request {
   std::vector<std::string> files;
   std::string sub;
   std::string super;
+  bool as_json = false;
 };
 
 /// The class expression that a text is, one name being the simplest; nothing after saying what is wrong.
-std::optional<manchester::Expression> read_or_say(const manchester::Names& names, const std::string& text) {
+std::optional<manchester::Expression> read_or_say(const manchester::Names& names, const std::string& text,
+                                                  bool as_json) {
   const el::Ontology& ontology = names.ontology();
   // A label may hold words that are those of an expression.
   if (ontology.find(text) || !manchester::is_compound(text)) {
-    const auto number = find_or_say(ontology, text);
+    const auto number = find_or_say(ontology, text, as_json);
     if (!number) return std::nullopt;
     manchester::Expression expression;
     expression.term = expression.source.named_class(ontology.iri(*number));
@@ -32,7 +35,7 @@ std::optional<manchester::Expression> read_or_say(const manchester::Names& names
   }
   auto expression = manchester::parse(text, names);
   if (expression) return std::move(*expression);
-  say_error("'" + base::printable(text) + "': " + to_string(expression.error()));
+  say_failure("'" + base::printable(text) + "': " + to_string(expression.error()), as_json);
   return std::nullopt;
 }
 
@@ -68,17 +71,29 @@ reasoner::Answer decide(Knowledge& knowledge, const el::Ontology& ontology, cons
   return reasoner::entails(source, std::nullopt, below, above);
 }
 
+std::string as_json(const std::string& sub, const std::string& super, const reasoner::Answer& answer) {
+  boost::json::object document{{"sub", sub}, {"super", super}, {"subsumed", nullptr}};
+  if (answer.verdict != reasoner::Verdict::unknown) document["subsumed"] = answer.verdict == reasoner::Verdict::yes;
+  if (!answer.reason.empty()) document["reason"] = answer.reason;
+  return boost::json::serialize(document) + '\n';
+}
+
 Exit subsumes(const Request& request) {
-  auto knowledge = learn_or_say(request.files);
+  auto knowledge = learn_or_say(request.files, {.as_json = request.as_json});
   if (!knowledge) return Exit::usage;
   const auto ontology = open_or_say(*knowledge);
   if (!ontology) return Exit::usage;
   const manchester::Names names(*ontology);
-  const auto sub = read_or_say(names, request.sub);
-  const auto super = sub ? read_or_say(names, request.super) : std::nullopt;
+  const auto sub = read_or_say(names, request.sub, request.as_json);
+  const auto super = sub ? read_or_say(names, request.super, request.as_json) : std::nullopt;
   if (!sub || !super) return Exit::usage;
   const reasoner::Answer answer = decide(*knowledge, *ontology, *sub, *super);
   const bool is_subsumed = answer.verdict == reasoner::Verdict::yes;
+  if (request.as_json) {
+    if (!print(as_json(words(*ontology, *sub), words(*ontology, *super), answer)))
+      return say_error("standard output cannot be written");
+    return is_subsumed ? Exit::yes : Exit::no;
+  }
   std::string text = words(*ontology, *sub) + (is_subsumed ? " is subsumed by " : " is not subsumed by ");
   if (answer.verdict == reasoner::Verdict::unknown) text = words(*ontology, *sub) + " is not known to be subsumed by ";
   text += words(*ontology, *super) + (answer.reason.empty() ? "" : ": " + answer.reason);
@@ -99,6 +114,7 @@ void add_subsumes(CLI::App& program, Choice& choice) {
   command->add_option("--super", request->super, "the class or class expression that may be the broader one")
       ->required()
       ->type_name("B");
+  command->add_flag("--json", request->as_json, "print one JSON document");
   command->footer(
       "\nExamples:\n"
       "  geminga-ontology subsumes team/ --sub soccer:BallInfo --super geminga:TrackedObject\n"

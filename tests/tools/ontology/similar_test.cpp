@@ -50,5 +50,17 @@ TEST(Similar, AWrongNameIsAnsweredWithTheNearest) {
   EXPECT_THAT(said("e:Elephant"), Not(HasSubstr("did you mean")));
 }
 
+TEST(Similar, SubsumesAnswersInJsonWhateverIsWrong) {
+  const Program program;
+  program.turtle("a.ttl", ":Camera rdfs:subClassOf :Sensor .\n");
+  const auto asked = [&](const std::string& sub) {
+    return boost::json::parse(program.run({"subsumes", "--json", "a.ttl", "--sub", sub, "--super", "e:Sensor"}).out);
+  };
+  EXPECT_EQ(asked("e:Camera").at("subsumed"), true);
+  EXPECT_EQ(asked("e:Sensor and e:Camera").at("subsumed"), true);
+  EXPECT_THAT(boost::json::value_to<std::string>(asked("e:Camrea").at("error")), HasSubstr("did you mean e:Camera?"));
+  EXPECT_THAT(boost::json::value_to<std::string>(asked("e:Camera and and").at("error")), HasSubstr("column "));
+}
+
 }  // namespace
 }  // namespace geminga::ontology
