@@ -117,7 +117,7 @@ std::set<std::string> by_overlay(const Asked& asked, const Expression& expressio
 
 TEST(RandomExpressions, StandWhereAClassOfTheirOwnWouldStand) {
   int compared = 0;
-  for (std::uint64_t seed = 1; seed <= 250; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     base::Random random(seed);
     const std::uint64_t size = 4 + random.below(16);
     const std::uint64_t classes = size / 2 + 3;
@@ -143,13 +143,13 @@ TEST(RandomExpressions, StandWhereAClassOfTheirOwnWouldStand) {
       ASSERT_EQ(asked.is_subsumed(written, written), "yes");
     }
   }
-  EXPECT_GT(compared, 1000);
+  EXPECT_GT(compared, 500);
 }
 
 TEST(RandomExpressions, BeyondElAreWhereTheReasonerOfAllOfOwlPutsThem) {
   int complete = 0;
   int refused = 0;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     base::Random random(seed);
     const std::uint64_t size = 3 + random.below(8);
     const std::uint64_t classes = size / 2 + 3;
@@ -187,8 +187,8 @@ TEST(RandomExpressions, BeyondElAreWhereTheReasonerOfAllOfOwlPutsThem) {
       if (testing::Test::HasFailure()) return;
     }
   }
-  EXPECT_GT(complete, 40);
-  EXPECT_GT(refused, 200);
+  EXPECT_GT(complete, 20);
+  EXPECT_GT(refused, 100);
 }
 
 TEST(RandomWalk, OfQuestionsGivesTheAnswersOfAFreshStart) {
