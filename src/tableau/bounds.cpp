@@ -20,6 +20,10 @@ void Tableau::Search::suspect_role(std::uint32_t property, NodeId from, NodeId t
   }
 }
 
+void Tableau::Search::suspect_loop(std::uint32_t property, NodeId node) {
+  for (const std::uint32_t bound : program_.bounds_of_loop(property)) suspect(node, bound);
+}
+
 void Tableau::Search::suspect_filler(std::uint32_t id, NodeId node) {
   for (const std::uint32_t bound : program_.bounds_of_filler(id)) {
     const Bound& one = program_.bound(bound);

@@ -54,7 +54,11 @@ void Tableau::Search::process(FactId id) {
         if (has_clash_) return;
       }
       suspect_role(fact.predicate, fact.a, fact.b, is_data);
-      if (is_data) keep_apart(fact);
+      if (is_data) {
+        keep_apart(fact);
+      } else if (fact.a == fact.b) {
+        suspect_loop(fact.predicate, fact.a);
+      }
       return;
     }
     case FactKind::at_least:

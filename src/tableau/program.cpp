@@ -19,6 +19,7 @@ Program::Program(const clauses::ClauseSet& set) : set_(set), domains_(set) {
   bounds_of_guard_.resize(domains_.concept_count());
   by_role_.resize(set.properties.size());
   bounds_of_role_.resize(set.properties.size());
+  bounds_of_loop_.resize(set.properties.size());
   by_data_role_.resize(set.data_properties.size());
   bounds_of_data_role_.resize(set.data_properties.size());
   disjoint_with_.resize(set.data_properties.size());
@@ -156,7 +157,7 @@ bool Program::take_bound(const Clause& clause) {
   }
   for (const Atom& atom : rest.guard) {
     if (atom.kind == AtomKind::concept_of) bounds_of_guard_[atom.predicate].push_back(id);
-    if (atom.kind == AtomKind::role) needs_thing_ = true;
+    if (atom.kind == AtomKind::role) bounds_of_loop_[atom.predicate].push_back(id);
   }
   conditional_[id].push_back(std::move(rest));
   return true;

@@ -94,6 +94,8 @@ class Program {
   }
   /// Data properties that share no value with this one.
   [[nodiscard]] std::span<const std::uint32_t> disjoint_with(std::uint32_t id) const { return disjoint_with_[id]; }
+  /// Bounds whose guard has a loop of the role.
+  [[nodiscard]] std::span<const std::uint32_t> bounds_of_loop(std::uint32_t id) const { return bounds_of_loop_[id]; }
   /// The bound of an at_most or data_at_most atom of the clauses.
   [[nodiscard]] std::uint32_t bound_of_atom(const clauses::Atom& atom) const;
 
@@ -133,6 +135,7 @@ class Program {
   std::vector<std::vector<std::uint32_t>> bounds_of_data_role_;
   std::vector<std::vector<std::uint32_t>> bounds_of_filler_;
   std::vector<std::vector<std::uint32_t>> bounds_of_guard_;
+  std::vector<std::vector<std::uint32_t>> bounds_of_loop_;
   std::vector<std::vector<std::uint32_t>> disjoint_concepts_;
   std::vector<std::vector<std::uint32_t>> disjoint_with_;
   std::vector<std::uint32_t> bound_of_at_most_;

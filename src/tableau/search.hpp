@@ -160,6 +160,7 @@ class Tableau::Search {
 
   // bounds.cpp: at-most
   void suspect_role(std::uint32_t property, NodeId from, NodeId to, bool is_data);
+  void suspect_loop(std::uint32_t property, NodeId node);
   void suspect_filler(std::uint32_t id, NodeId node);
   void suspect(NodeId node, std::uint32_t bound) { suspects_.push_back({node, bound}); }
   void check(const Suspect& suspect);

@@ -112,6 +112,59 @@ const std::vector<Translated> cases = {
       "topObjectProperty(x,y1) -> topObjectProperty(y1,x)", "true -> >=1 topObjectProperty.{?}(x)"}},
 };
 
+TEST(ClausifyLimits, LeaveOutAndNameACardinalityThatIsTooLarge) {
+  const auto unused_with = [](std::uint32_t limit) {
+    const el::OntologySource source = el::written("SubClassOf(A ObjectMinCardinality(3 r))\nSubClassOf(A B)");
+    const auto set = clausify(source, std::nullopt, {}, {}, {.cardinality = limit});
+    return set ? set->unused.size() : 99;
+  };
+  EXPECT_EQ(unused_with(4), 0U);
+  EXPECT_EQ(unused_with(3), 0U);
+  EXPECT_EQ(unused_with(2), 1U);
+}
+
+TEST(ClausifyLimits, RefuseMoreClausesThanTheyAllow) {
+  const auto text_with = [](std::size_t limit) {
+    const el::OntologySource source = el::written("SubClassOf(A B)\nSubClassOf(A C)\nSubClassOf(A D)");
+    const auto set = clausify(source, std::nullopt, {}, {}, {.clauses = limit});
+    return set ? std::string() : set.error().text;
+  };
+  EXPECT_EQ(text_with(4), "");
+  EXPECT_EQ(text_with(3), "");
+  EXPECT_EQ(text_with(2), "the axioms need more than 2 clauses");
+}
+
+TEST(ClausifyLimits, LeaveOutAndNameChainsWhoseAutomatonIsTooLarge) {
+  const auto unused_with = [](std::size_t limit) {
+    const el::OntologySource source =
+        el::written("SubObjectPropertyOf(ObjectPropertyChain(r s t) u)\nSubClassOf(A ObjectAllValuesFrom(u B))");
+    const auto set = clausify(source, std::nullopt, {}, {}, {.automaton_states = limit});
+    return set ? set->unused.size() : 99;
+  };
+  EXPECT_EQ(unused_with(5), 0U);
+  EXPECT_EQ(unused_with(4), 0U);
+  EXPECT_EQ(unused_with(3), 1U);
+}
+
+TEST(Clausify, DoesNotDependOnTheOrderOfAxioms) {
+  const std::vector<std::string> axioms = {
+      "EquivalentClasses(A ObjectIntersectionOf(B ObjectSomeValuesFrom(r C)))",
+      "SubClassOf(D ObjectUnionOf(A ObjectSomeValuesFrom(s ObjectIntersectionOf(B C))))",
+      "SubClassOf(D ObjectUnionOf(A ObjectSomeValuesFrom(s ObjectIntersectionOf(C B))))",
+      "TransitiveObjectProperty(s)",
+      "SubObjectPropertyOf(ObjectPropertyChain(r s) s)",
+      "SubClassOf(C ObjectAllValuesFrom(s ObjectMaxCardinality(2 r B)))",
+      "ClassAssertion(ObjectSomeValuesFrom(s D) i:a)",
+  };
+  std::string forwards;
+  std::string backwards;
+  for (const std::string& axiom : axioms) {
+    forwards += axiom + "\n";
+    backwards = axiom + "\n" + backwards;
+  }
+  EXPECT_EQ(lines_of(forwards), lines_of(backwards));
+}
+
 INSTANTIATE_TEST_SUITE_P(Each, Clausification, testing::ValuesIn(cases),
                          [](const auto& one) { return std::string(one.param.name); });
 

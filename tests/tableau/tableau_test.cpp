@@ -113,6 +113,11 @@ const std::vector<Case> cases = {
     {"AtLeastOnTheLeft",
      "SubClassOf(ObjectMinCardinality(2 r) B)\nSubClassOf(A ObjectMinCardinality(2 r))\nDisjointClasses(A B)", "yes",
      "no"},
+    // The loop comes after the neighbours, by way of another property.
+    {"LoopInTheGuardOfABound",
+     "SubClassOf(ObjectHasSelf(r) ObjectMaxCardinality(1 s))\nSubClassOf(A ObjectMinCardinality(2 s B))\n"
+     "SubClassOf(ObjectSomeValuesFrom(s B) ObjectHasSelf(t))\nSubObjectPropertyOf(t r)",
+     "yes", "no"},
     {"MergingWithTheParent",
      "SubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(B ObjectSomeValuesFrom(ObjectInverseOf(r) C))\n"
      "InverseFunctionalObjectProperty(r)\nDisjointClasses(A C)",
@@ -301,6 +306,30 @@ const std::vector<Case> value_cases = {
      "DatatypeRestriction(x:dateTime x:minInclusive \"2020-01-01T12:00:00Z\"^x:dateTime))",
      "yes", "no"},
 };
+
+/// The answer for class A with limits.
+std::string answer_with(const Limits& limits, std::string_view axioms) {
+  const el::OntologySource source = el::written(axioms);
+  const auto set = clauses::clausify(source, std::nullopt, {});
+  Tableau tableau(source, *set, limits);
+  return to_string(tableau.is_consistent());
+}
+
+TEST(Limits, OfNodesGiveNoAnswerBeyondTheLastOne) {
+  // Four individuals and nothing else.
+  const std::string text = "DifferentIndividuals(i:a i:b i:c i:d)";
+  EXPECT_EQ(answer_with({.nodes = 5}, text), "yes");
+  EXPECT_EQ(answer_with({.nodes = 4}, text), "yes");
+  EXPECT_EQ(answer_with({.nodes = 3}, text), "unknown: more than 3 nodes were needed");
+}
+
+TEST(Limits, OfStepsGiveNoAnswerBeyondTheLastOne) {
+  // Three facts.
+  const std::string text = "ClassAssertion(A i:a)\nClassAssertion(B i:a)\nClassAssertion(C i:a)";
+  EXPECT_EQ(answer_with({.steps = 4}, text), "yes");
+  EXPECT_EQ(answer_with({.steps = 3}, text), "yes");
+  EXPECT_EQ(answer_with({.steps = 2}, text), "unknown: more than 2 steps were needed");
+}
 
 INSTANTIATE_TEST_SUITE_P(OfValues, Models, testing::ValuesIn(value_cases),
                          [](const auto& one) { return std::string(one.param.name); });
