@@ -1,5 +1,4 @@
-// Pieces: small ones first, so that a small ontology stays small, then ever larger ones on huge pages, which the random
-// accesses of saturation repay with a fifth of its time.
+// Pieces: small ones first, so that a small ontology stays small, then ever larger ones on huge pages.
 #include "el/arena.hpp"
 
 #include <sys/mman.h>
