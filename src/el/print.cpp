@@ -2,14 +2,29 @@
 #include "el/print.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace geminga::el {
 namespace {
 
+/// Facets have words of their own in the Manchester syntax.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> facets{{
+    {"http://www.w3.org/2001/XMLSchema#maxInclusive", "<="},
+    {"http://www.w3.org/2001/XMLSchema#maxExclusive", "<"},
+    {"http://www.w3.org/2001/XMLSchema#minInclusive", ">="},
+    {"http://www.w3.org/2001/XMLSchema#minExclusive", ">"},
+    {"http://www.w3.org/2001/XMLSchema#length", "length"},
+    {"http://www.w3.org/2001/XMLSchema#minLength", "minLength"},
+    {"http://www.w3.org/2001/XMLSchema#maxLength", "maxLength"},
+    {"http://www.w3.org/2001/XMLSchema#pattern", "pattern"},
+    {"http://www.w3.org/1999/02/22-rdf-syntax-ns#langRange", "langRange"},
+}};
+
 /// Prints terms of one source. Depth is bounded by SourceLimits::nesting.
 class Printer {
  public:
-  Printer(const OntologySource& source, const ShortName& short_name) : source_(source), short_name_(short_name) {}
+  Printer(const OntologySource& source, const ShortName& short_name, PrintStyle style)
+      : source_(source), short_name_(short_name), style_(style) {}
 
   std::string term(TermId id) const;
   std::string axiom(const Axiom& axiom) const;
@@ -19,17 +34,20 @@ class Printer {
   std::string joined(std::span<const TermId> terms, std::string_view between) const;
   std::string literal(const Term& literal) const;
   std::string cardinality(const Term& term, std::string_view word) const;
+  std::string facet(const Term& term) const;
   std::string listed(const Axiom& axiom, std::string_view pair_word) const;
 
   const OntologySource& source_;
   const ShortName& short_name_;
+  PrintStyle style_;
 };
 
 std::string Printer::nested(TermId id) const {
   const Term inner = source_.term(id);
   const bool is_bare = inner.arguments.empty() || inner.kind == TermKind::literal ||
                        inner.kind == TermKind::object_one_of || inner.kind == TermKind::data_one_of ||
-                       inner.kind == TermKind::object_inverse_of || inner.kind == TermKind::datatype_restriction;
+                       inner.kind == TermKind::object_inverse_of || inner.kind == TermKind::datatype_restriction ||
+                       inner.kind == TermKind::facet;
   return is_bare ? term(id) : "(" + term(id) + ")";
 }
 
@@ -46,7 +64,9 @@ std::string Printer::literal(const Term& term) const {
   std::string text = "\"";
   for (const char character : source_.name(term.name)) {
     if (character == '"' || character == '\\') text += '\\';
-    if (character == '\n') {
+    if (style_ == PrintStyle::parsing) {
+      text += character;
+    } else if (character == '\n') {
       text += "\\n";
     } else if (character == '\r') {
       text += "\\r";
@@ -67,6 +87,13 @@ std::string Printer::cardinality(const Term& term, std::string_view word) const 
   std::string text = nested(term.arguments[0]) + " " + std::string(word) + " " + std::to_string(term.number);
   if (term.arguments.size() == 2) text += " " + nested(term.arguments[1]);
   return text;
+}
+
+std::string Printer::facet(const Term& term) const {
+  const auto* const found =
+      std::ranges::find(facets, source_.name(term.name), &std::pair<std::string_view, std::string_view>::first);
+  const std::string word = found == facets.end() ? short_name_(source_.name(term.name)) : std::string(found->second);
+  return word + " " + nested(term.arguments[0]);
 }
 
 std::string Printer::term(TermId id) const {
@@ -127,7 +154,7 @@ std::string Printer::term(TermId id) const {
     case TermKind::datatype_restriction:
       return nested(arguments[0]) + "[" + joined(arguments.subspan(1), ", ") + "]";
     case TermKind::facet:
-      return short_name_(source_.name(term.name)) + " " + nested(arguments[0]);
+      return facet(term);
   }
   return {};
 }
@@ -202,12 +229,12 @@ bool is_plain_local_name(std::string_view name) {
 
 }  // namespace
 
-std::string print(const OntologySource& source, TermId term, const ShortName& short_name) {
-  return Printer(source, short_name).term(term);
+std::string print(const OntologySource& source, TermId term, const ShortName& short_name, PrintStyle style) {
+  return Printer(source, short_name, style).term(term);
 }
 
 std::string print(const OntologySource& source, const Axiom& axiom, const ShortName& short_name) {
-  return Printer(source, short_name).axiom(axiom);
+  return Printer(source, short_name, PrintStyle::reading).axiom(axiom);
 }
 
 std::string shorten(std::string_view iri, std::span<const std::pair<std::string_view, std::string_view>> prefixes) {

@@ -2,9 +2,12 @@
 #ifndef GEMINGA_EL_PRINT_HPP
 #define GEMINGA_EL_PRINT_HPP
 
+#include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "el/source.hpp"
 
@@ -13,8 +16,14 @@ namespace geminga::el {
 /// How an IRI is written: `soccer:BallInfo` or `<https://...>`.
 using ShortName = std::function<std::string(std::string_view iri)>;
 
+enum class PrintStyle : std::uint8_t {
+  reading,  ///< on one line: line ends in literals are written \n, \r, \t
+  parsing,  ///< so that manchester::parse() reads the same term again
+};
+
 /// "soccer:Camera and (core:observes some soccer:Ball)".
-[[nodiscard]] std::string print(const OntologySource& source, TermId term, const ShortName& short_name);
+[[nodiscard]] std::string print(const OntologySource& source, TermId term, const ShortName& short_name,
+                                PrintStyle style = PrintStyle::reading);
 /// "soccer:SharedBallInfo SubClassOf soccer:BallInfo".
 [[nodiscard]] std::string print(const OntologySource& source, const Axiom& axiom, const ShortName& short_name);
 

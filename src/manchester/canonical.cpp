@@ -1,10 +1,11 @@
 // The normal form of terms behind the canonical text.
+#include "manchester/canonical.hpp"
+
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "manchester/print.hpp"
+#include "el/print.hpp"
 
 namespace geminga::manchester {
 namespace {
@@ -13,7 +14,10 @@ using el::Term;
 using el::TermId;
 using el::TermKind;
 
-std::string full_name(std::string_view iri) { return "<" + std::string(iri) + ">"; }
+std::string text_in_full(const el::OntologySource& source, TermId id) {
+  const auto full_name = [](std::string_view iri) { return "<" + std::string(iri) + ">"; };
+  return el::print(source, id, full_name, el::PrintStyle::parsing);
+}
 
 bool is_set(TermKind kind) {
   return kind == TermKind::object_intersection_of || kind == TermKind::object_union_of ||
@@ -52,18 +56,11 @@ class Normaliser {
  private:
   void sort(std::vector<TermId>& terms, std::size_t from) const {
     std::vector<std::pair<std::string, TermId>> texts;
-    for (const TermId id : std::span(terms).subspan(from)) texts.emplace_back(text_of(id), id);
+    for (const TermId id : std::span(terms).subspan(from)) texts.emplace_back(text_in_full(to_, id), id);
     std::ranges::sort(texts);
     texts.erase(std::unique(texts.begin(), texts.end()), texts.end());
     terms.resize(from);
     for (const auto& [text, id] : texts) terms.push_back(id);
-  }
-
-  [[nodiscard]] std::string text_of(TermId id) const {
-    const Term term = to_.term(id);
-    // A facet alone has no text of its own.
-    if (term.kind == TermKind::facet) return std::string(to_.name(term.name)) + ' ' + text_of(term.arguments[0]);
-    return print(to_, id, full_name);
   }
 
   const el::OntologySource& from_;
@@ -75,7 +72,7 @@ class Normaliser {
 std::string canonical(const el::OntologySource& source, el::TermId term) {
   el::OntologySource normal;
   const TermId id = Normaliser(source, normal).copy(term);
-  return print(normal, id, full_name);
+  return text_in_full(normal, id);
 }
 
 }  // namespace geminga::manchester

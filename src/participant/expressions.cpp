@@ -6,8 +6,8 @@
 
 #include "beacon/limits.hpp"
 #include "gcnp/limits.hpp"
+#include "manchester/canonical.hpp"
 #include "manchester/parse.hpp"
-#include "manchester/print.hpp"
 
 namespace geminga::participant {
 namespace {

@@ -9,7 +9,6 @@
 
 #include "clauses/clausify.hpp"
 #include "reasoner/named_concepts.hpp"
-#include "reasoner/world.hpp"
 #include "tableau/tableau.hpp"
 
 namespace geminga::reasoner {
@@ -143,7 +142,7 @@ class Completing {
     const NamedConcepts concepts(source_, classification_, clauses);
     terms_ = concepts.terms();
     tableau::Tableau tableau(source_, clauses, limits_.question);
-    const Verdict world = note(ask_for_world(tableau, clauses));
+    const Verdict world = note(tableau.is_consistent());
     if (world == Verdict::no) result_.is_consistent = false;
     if (world == Verdict::yes) learn(tableau.model(), concepts);
     if (world == Verdict::no) return;

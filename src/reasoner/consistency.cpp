@@ -6,7 +6,6 @@
 #include "consequence/closure.hpp"
 #include "reasoner/reasoner.hpp"
 #include "reasoner/unused.hpp"
-#include "reasoner/world.hpp"
 
 namespace geminga::reasoner {
 namespace {
@@ -24,7 +23,7 @@ Answer is_consistent(const el::OntologySource& source) {
   const auto clauses = clauses::clausify(source, std::nullopt, {});
   if (!clauses) return {Verdict::unknown, clauses.error().text};
   tableau::Tableau tableau(source, *clauses);
-  Answer answer = ask_for_world(tableau, *clauses);
+  Answer answer = tableau.is_consistent();
   if (answer.verdict == Verdict::unknown) {
     const consequence::Closure closure =
         consequence::saturate(source, *clauses, {}, {.threads = 1, .clauses = max_derived_clauses});

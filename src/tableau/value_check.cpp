@@ -108,7 +108,7 @@ std::uint32_t ValueCheck::Problem::known_set(const std::vector<std::uint32_t>& r
     set.least = set.least.intersection(one.least);
     set.most = set.most.intersection(one.most);
     if (set.reason.empty()) set.reason = one.reason;
-    counted.is_harmless = literal == none && ranges.size() == 1 && !one.reason.empty() && one.most.count() > 0;
+    counted.is_harmless = literal == none && ranges.size() == 1 && ranges_.is_unknown_datatype(DataRangeId{range});
   }
   counted.least = set.least.count();
   counted.most = set.most.count();

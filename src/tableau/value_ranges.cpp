@@ -111,6 +111,13 @@ const KnownSet& ValueRanges::of(clauses::DataRangeId range) {
   return known_.insert_or_assign(clauses::number(range), std::move(set)).first->second;
 }
 
+bool ValueRanges::is_unknown_datatype(clauses::DataRangeId range) const {
+  const clauses::DataRange& one = set_.data_ranges[clauses::number(range)];
+  if (one.is_complement || one.term == no_term || source_.kind(one.term) != TermKind::datatype) return false;
+  const std::string_view iri = source_.name_of(one.term);
+  return iri != rdfs_literal && !definitions_.contains(one.term) && !el::Datatype::find(iri);
+}
+
 KnownSet ValueRanges::evaluate(TermId id, unsigned depth) {
   if (const auto found = evaluated_.find(id); found != evaluated_.end()) return found->second;
   const el::Term term = source_.term(id);

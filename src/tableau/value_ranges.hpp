@@ -27,6 +27,8 @@ class ValueRanges {
   ValueRanges(const el::OntologySource& source, const clauses::ClauseSet& set);
 
   [[nodiscard]] const KnownSet& of(clauses::DataRangeId range);
+  /// Whether it is a datatype of which nothing is said. It is taken to have values, as nobody names one that has none.
+  [[nodiscard]] bool is_unknown_datatype(clauses::DataRangeId range) const;
   /// Of a literal; its value is kept.
   [[nodiscard]] const std::optional<Value>& value(el::TermId literal);
   [[nodiscard]] bool is_ill_formed(el::TermId literal);

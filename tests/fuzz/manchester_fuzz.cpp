@@ -8,8 +8,8 @@
 #include "el/classify.hpp"
 #include "el/compile.hpp"
 #include "el/expression_classifier.hpp"
+#include "manchester/canonical.hpp"
 #include "manchester/parse.hpp"
-#include "manchester/print.hpp"
 
 namespace {
 

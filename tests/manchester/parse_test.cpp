@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "../el/written.hpp"
-#include "manchester/print.hpp"
+#include "el/print.hpp"
 #include "place.hpp"
 
 namespace geminga::manchester {
@@ -85,8 +85,9 @@ TEST(Expression, IsPrintedSoThatItIsReadAgain) {
   for (const auto& [text, expected] : examples("canonical")) {
     const auto read = parse(text, asked.names());
     ASSERT_TRUE(read) << text;
-    const std::string printed =
-        print(read->source, read->term, [&](std::string_view iri) { return asked.ontology().short_name(iri); });
+    const std::string printed = el::print(
+        read->source, read->term, [&](std::string_view iri) { return asked.ontology().short_name(iri); },
+        el::PrintStyle::parsing);
     EXPECT_EQ(asked.read(printed), asked.read(text)) << printed;
   }
 }

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../el/written.hpp"
-#include "manchester/print.hpp"
+#include "manchester/canonical.hpp"
 
 namespace geminga::manchester {
 namespace {

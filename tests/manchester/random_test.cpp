@@ -10,7 +10,6 @@
 #include "../el/reference.hpp"
 #include "../el/written.hpp"
 #include "el/expression.hpp"
-#include "manchester/print.hpp"
 #include "place.hpp"
 #include "reasoner/reasoner.hpp"
 

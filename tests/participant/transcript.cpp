@@ -209,8 +209,7 @@ bool Transcript::matches(std::string_view pattern, const std::string& text) {
     if (pattern.substr(i).starts_with("...")) {
       expression += ".*";
       i += 3;
-    } else if (pattern[i] == '{') {
-      const std::size_t close = pattern.find('}', i);
+    } else if (const std::size_t close = pattern.find('}', i); pattern[i] == '{' && close != std::string_view::npos) {
       const std::string name(pattern.substr(i + 1, close - i - 1));
       if (bound_.contains(name)) {
         expression += escaped(bound_.at(name));

@@ -5,9 +5,9 @@
 
 #include "base/text.hpp"
 #include "command.hpp"
+#include "el/print.hpp"
 #include "knowledge.hpp"
 #include "manchester/parse.hpp"
-#include "manchester/print.hpp"
 #include "reasoner/reasoner.hpp"
 #include "words.hpp"
 
@@ -40,8 +40,7 @@ std::optional<manchester::Expression> read_or_say(const manchester::Names& names
 }
 
 std::string words(const el::Ontology& ontology, const manchester::Expression& expression) {
-  return manchester::print(expression.source, expression.term,
-                           [&](std::string_view iri) { return ontology.short_name(iri); });
+  return el::print(expression.source, expression.term, [&](std::string_view iri) { return ontology.short_name(iri); });
 }
 
 el::TermId copied(const el::OntologySource& from, el::TermId id, el::OntologySource& to) {
