@@ -12,13 +12,6 @@ namespace {
 /// No file can hold it: an IRI has no space.
 constexpr std::string_view query_name = "the expression";
 
-TermId copy_term(const OntologySource& from, TermId id, OntologySource& to) {
-  const Term term = from.term(id);
-  std::vector<TermId> arguments;
-  for (const TermId argument : term.arguments) arguments.push_back(copy_term(from, argument, to));
-  return to.copy(term.kind, from.name(term.name), term.number, arguments);
-}
-
 /// The nodes of a view for the classes of a classification; none for the expression's own.
 std::vector<std::optional<ClassNumber>> nodes_of(const CompiledView& view, const OntologySource& source,
                                                  const Classification& classification) {
@@ -68,7 +61,7 @@ std::optional<ExpressionPlace> place_by_scratch(const ExpressionBase& base, cons
   if (base.source().axiom_count() > base.limits().scratch_axioms) return std::nullopt;
   OntologySource source = base.source();
   const TermId own = source.named_class(query_name);
-  source.add(AxiomKind::equivalent_classes, {own, copy_term(query, expression, source)}, FileId{0}, 0);
+  source.add(AxiomKind::equivalent_classes, {own, source.copy(query, expression)}, FileId{0}, 0);
   const auto classification = classify(source);
   if (!classification || !classification->is_consistent) return std::nullopt;
   ExpressionPlace place = place_in(base.view(), source, *classification);

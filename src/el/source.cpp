@@ -149,6 +149,13 @@ TermId OntologySource::copy(TermKind kind, std::string_view name, std::uint32_t 
   return intern_term(kind, intern(name, limits_.literal_bytes), number, arguments);
 }
 
+TermId OntologySource::copy(const OntologySource& from, TermId id) {
+  const Term term = from.term(id);
+  std::vector<TermId> arguments;
+  for (const TermId argument : term.arguments) arguments.push_back(copy(from, argument));
+  return copy(term.kind, from.name(term.name), term.number, arguments);
+}
+
 TermId OntologySource::term(TermKind kind, std::span<const TermId> arguments, std::uint32_t number) {
   GEMINGA_ASSERT(std::ranges::all_of(
       arguments, [&](TermId argument) { return static_cast<std::size_t>(argument) < terms_.size(); }));

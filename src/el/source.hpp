@@ -78,6 +78,8 @@ class OntologySource {
   TermId facet(std::string_view facet_iri, TermId value);
   /// Any kind of term as another source or a compiled ontology holds it.
   TermId copy(TermKind kind, std::string_view name, std::uint32_t number, std::span<const TermId> arguments);
+  /// A term of another source with all that is in it.
+  TermId copy(const OntologySource& from, TermId id);
   /// A property, class or data range expression. Its arguments must be terms of this source, and as many and of such
   /// kinds as the kind's comment says; see is_well_formed(). `number` is for cardinalities only.
   TermId term(TermKind kind, std::span<const TermId> arguments, std::uint32_t number = 0);

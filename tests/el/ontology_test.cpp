@@ -16,17 +16,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-constexpr std::string_view robots =
-    "SubClassOf(BallInfo TrackedObject)\n"
-    "SubClassOf(SharedBallInfo BallInfo)\n"
-    "SubClassOf(TrackedObject Info)\n"
-    "SubClassOf(SharedBallInfo Shared)\n"
-    "SubClassOf(Shared Info)\n"
-    "EquivalentClasses(Ball BallInfo)\n"
-    "DisjointClasses(Shared Secret)\n"
-    "SubClassOf(Impossible Shared)\n"
-    "SubClassOf(Impossible Secret)\n";
-
 std::vector<std::string> short_names(const Ontology& ontology, const std::vector<ClassNumber>& classes) {
   std::vector<std::string> names;
   for (const ClassNumber number : classes) names.push_back(ontology.short_name(number));

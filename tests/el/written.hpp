@@ -32,6 +32,18 @@ Ontology loaded(std::string_view text);
 std::vector<std::string> closure(const Ontology& ontology);
 std::vector<std::string> closure(std::string_view text);
 
+/// What a team of robots knows about balls: an equivalence, two ways up, and a class that can have no instance.
+inline constexpr std::string_view robots =
+    "SubClassOf(BallInfo TrackedObject)\n"
+    "SubClassOf(SharedBallInfo BallInfo)\n"
+    "SubClassOf(TrackedObject Info)\n"
+    "SubClassOf(SharedBallInfo Shared)\n"
+    "SubClassOf(Shared Info)\n"
+    "EquivalentClasses(Ball BallInfo)\n"
+    "DisjointClasses(Shared Secret)\n"
+    "SubClassOf(Impossible Shared)\n"
+    "SubClassOf(Impossible Secret)\n";
+
 /// `t:Name` of a class.
 ClassNumber named(const Ontology& ontology, std::string_view name);
 

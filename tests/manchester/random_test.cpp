@@ -75,19 +75,12 @@ std::string with_all_names(const std::string& text, std::uint64_t classes) {
   return all;
 }
 
-el::TermId copied(const el::OntologySource& from, el::TermId id, el::OntologySource& to) {
-  const el::Term term = from.term(id);
-  std::vector<el::TermId> arguments;
-  for (const el::TermId argument : term.arguments) arguments.push_back(copied(from, argument, to));
-  return to.copy(term.kind, from.name(term.name), term.number, arguments);
-}
-
 /// The names above and below a class in an ontology, itself left out: `above A`, `below B`.
 std::set<std::string> from_scratch(const std::string& text, const Expression& expression) {
   el::OntologySource source = el::written(text);
   const el::TermId own = source.named_class("https://t.example/#TheExpression");
-  source.add(el::AxiomKind::equivalent_classes, {own, copied(expression.source, expression.term, source)},
-             el::FileId{0}, 0);
+  source.add(el::AxiomKind::equivalent_classes, {own, source.copy(expression.source, expression.term)}, el::FileId{0},
+             0);
   const el::Ontology ontology = el::loaded(source);
   const ClassNumber number = *ontology.find_iri("https://t.example/#TheExpression");
   std::set<std::string> found;
@@ -163,7 +156,7 @@ TEST(RandomExpressions, BeyondElAreWhereTheReasonerOfAllOfOwlPutsThem) {
       ASSERT_TRUE(expression) << to_string(expression.error());
       const el::ExpressionPlace place = asked.classifier().classify(expression->source, expression->term);
       el::OntologySource source = el::written(text);
-      const el::TermId term = copied(expression->source, expression->term, source);
+      const el::TermId term = source.copy(expression->source, expression->term);
       const auto check = [&](el::TermId sub, el::TermId super, bool is_found) {
         const reasoner::Answer answer = reasoner::entails(source, std::nullopt, sub, super);
         if (answer.verdict == reasoner::Verdict::unknown) return;

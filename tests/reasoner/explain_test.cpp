@@ -12,19 +12,9 @@ namespace {
 using el::loaded;
 using el::named;
 using el::Ontology;
+using el::robots;
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-constexpr std::string_view robots =
-    "SubClassOf(BallInfo TrackedObject)\n"
-    "SubClassOf(SharedBallInfo BallInfo)\n"
-    "SubClassOf(TrackedObject Info)\n"
-    "SubClassOf(SharedBallInfo Shared)\n"
-    "SubClassOf(Shared Info)\n"
-    "EquivalentClasses(Ball BallInfo)\n"
-    "DisjointClasses(Shared Secret)\n"
-    "SubClassOf(Impossible Shared)\n"
-    "SubClassOf(Impossible Secret)\n";
 
 std::vector<std::string> texts(const std::optional<std::vector<ExplainedAxiom>>& steps) {
   std::vector<std::string> result;

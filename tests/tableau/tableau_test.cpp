@@ -47,6 +47,8 @@ TEST_P(Models, AreFoundExactlyWhereThereAreSome) {
 const std::vector<Case> cases = {
     {"Subclass", "SubClassOf(A B)", "yes", "yes"},
     {"Disjoint", "SubClassOf(A B)\nSubClassOf(A C)\nDisjointClasses(B C)", "yes", "no"},
+    // There is at least one thing.
+    {"NothingAtAll", "SubClassOf(Thing Nothing)", "no", ""},
     {"Union", "SubClassOf(A ObjectUnionOf(B C))\nSubClassOf(B Nothing)\nSubClassOf(C ObjectSomeValuesFrom(r B))", "yes",
      "no"},
     {"UnionWithOneWay", "SubClassOf(A ObjectUnionOf(B C))\nSubClassOf(B Nothing)", "yes", "yes"},
@@ -305,6 +307,11 @@ const std::vector<Case> value_cases = {
      "SubClassOf(A DataHasValue(d:u \"2020-01-01T00:00:00\"^x:dateTime))\nDataPropertyRange(d:u "
      "DatatypeRestriction(x:dateTime x:minInclusive \"2020-01-01T12:00:00Z\"^x:dateTime))",
      "yes", "no"},
+    // No string is in a pattern like [a-[a]]; which are is not worked out.
+    {"PatternsMayBeEmpty",
+     "SubClassOf(A DataSomeValuesFrom(d:u DatatypeRestriction(x:string x:pattern \"[a-[a]]\"^x:string)))", "yes",
+     "unknown: the facet <http://www.w3.org/2001/XMLSchema#pattern> is not worked out"},
+    {"UnknownDatatypesHaveValues", "SubClassOf(A DataSomeValuesFrom(d:u x:colour))", "yes", "yes"},
 };
 
 /// The answer for class A with limits.

@@ -43,13 +43,6 @@ std::string words(const el::Ontology& ontology, const manchester::Expression& ex
   return el::print(expression.source, expression.term, [&](std::string_view iri) { return ontology.short_name(iri); });
 }
 
-el::TermId copied(const el::OntologySource& from, el::TermId id, el::OntologySource& to) {
-  const el::Term term = from.term(id);
-  std::vector<el::TermId> arguments;
-  for (const el::TermId argument : term.arguments) arguments.push_back(copied(from, argument, to));
-  return to.copy(term.kind, from.name(term.name), term.number, arguments);
-}
-
 /// The taxonomy answers for two classes. Of expressions it is derived by the engines together.
 reasoner::Answer decide(Knowledge& knowledge, const el::Ontology& ontology, const manchester::Expression& sub,
                         const manchester::Expression& super) {
@@ -65,8 +58,8 @@ reasoner::Answer decide(Knowledge& knowledge, const el::Ontology& ontology, cons
     return {.verdict = holds ? reasoner::Verdict::yes : reasoner::Verdict::no, .reason = {}};
   }
   el::OntologySource& source = knowledge.loaded.source;
-  const el::TermId below = copied(sub.source, sub.term, source);
-  const el::TermId above = copied(super.source, super.term, source);
+  const el::TermId below = source.copy(sub.source, sub.term);
+  const el::TermId above = source.copy(super.source, super.term);
   return reasoner::entails(source, std::nullopt, below, above);
 }
 
