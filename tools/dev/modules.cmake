@@ -18,6 +18,12 @@ if(GEMINGA_SANITIZE)
   target_compile_options(geminga_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-restrict>)
 endif()
 
+if(GEMINGA_BUILD_FUZZERS)
+  # Without it libFuzzer sees no edge of what it calls and only guesses.
+  target_compile_options(geminga_flags INTERFACE -fsanitize=fuzzer-no-link)
+  target_link_options(geminga_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 # geminga_module(NAME SOURCES file... [DEPENDS module...] [LINK external-target...])
 # Makes the static library geminga_NAME from src/NAME. `#include "other/..."` needs `other` in DEPENDS; the public face
 # <geminga/...> is open to all.
