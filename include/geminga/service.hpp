@@ -27,8 +27,8 @@ enum class ChannelMode : std::uint8_t {
 /// The mode of a GCNP word, or nothing.
 [[nodiscard]] std::optional<ChannelMode> channel_mode(std::string_view word);
 
-/// Names one daemon on the air. Drawn at random and claimed before use (paper section 3.5.1); the value 0 is no participant.
-/// Written as eight lower-case hexadecimal digits.
+/// Names one daemon on the air. Drawn at random and claimed before use (paper section 3.5.1); the value 0 is no
+/// participant. Written as eight lower-case hexadecimal digits.
 enum class ParticipantId : std::uint32_t {};
 
 /// Names one local client of a participant; 0 is no peer.

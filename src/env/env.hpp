@@ -30,8 +30,8 @@ struct Interface {
 /// Names one connected GCNP client; never reused while a participant lives.
 enum class StreamId : std::uint64_t {};
 
-/// What a participant may ask of the world. None of these blocks, fails or calls back into the participant: what happens
-/// in the world reaches the participant by its on_...() functions, one event at a time, on one thread.
+/// What a participant may ask of the world. None of these blocks, fails or calls back into the participant: what
+/// happens in the world reaches the participant by its on_...() functions, one event at a time, on one thread.
 class Env {
  public:
   virtual ~Env() = default;

@@ -1,7 +1,7 @@
-// Uses the installed public face and links the client: prints an identity, or what the client says where no daemon listens.
-#include <geminga/client.hpp>
-
+// Uses the installed public face and links the client: prints an identity, or what the client says where no daemon
+// listens.
 #include <cstdio>
+#include <geminga/client.hpp>
 #include <string>
 
 int main(int argc, char**) {
