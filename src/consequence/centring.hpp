@@ -58,6 +58,9 @@ struct CentredRules {
   std::vector<std::uint32_t> nominal_of;           ///< of each IndividualId, the predicate {a}
   std::uint32_t first_marker = 0;                  ///< predicates from here on have an expansion, while there are any
   std::vector<Expansion> expansions;
+  /// By predicate: nominals, and ranges of values that are not understood. Only where one of these may hold of a thing
+  /// can nominal_gap and range_gap matter; see settled.hpp.
+  std::vector<bool> is_open;
   std::vector<std::string> gaps;
 };
 
@@ -108,7 +111,8 @@ class Centring {
   std::uint32_t functions_ = 0;
   std::uint32_t thing_ = 0;
   std::uint32_t nothing_ = 0;
-  bool is_finite_ = false;  ///< some data range is
+  bool is_finite_ = false;              ///< some data range is
+  std::vector<std::uint32_t> unclear_;  ///< predicates of ranges that are not understood
   std::map<std::pair<Atoms, bool>, std::uint32_t> names_;
 };
 

@@ -59,6 +59,21 @@ class ClauseStore {
     }
   }
 
+  /// Whether `is_wanted` is true of a literal of the head of some clause.
+  template <typename Wanted>
+  [[nodiscard]] bool has_in_head(Wanted&& is_wanted) const {
+    for (const Slot& slot : slots_) {
+      if (slot.key != no_literal && (slot.flags & unit) != 0 && is_wanted(slot.key)) return true;
+    }
+    for (ClauseNumber clause = 0; clause < clauses_.size(); ++clause) {
+      if (!is_live(clause)) continue;
+      for (const Literal literal : head(clause)) {
+        if (is_wanted(literal)) return true;
+      }
+    }
+    return false;
+  }
+
   /// nullptr where nothing is filed. Valid until something is filed under a literal for the first time.
   [[nodiscard]] const Lists* lists(Literal literal) const {
     const Slot* const slot = find(literal);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "consequence/saturation.hpp"
+#include "consequence/settled.hpp"
 
 namespace geminga::consequence {
 namespace {
@@ -61,12 +62,16 @@ Closure saturate(const el::OntologySource& source, const clauses::ClauseSet& cla
   closure.contexts = saturation.context_count();
   closure.derived = saturation.clause_count();
   closure.is_consistent = !saturation.is_contradictory();
+  const Settled settled(saturation, closure.gaps);
   for (const ConceptId asked : wanted) {
     if (!closure.is_consistent || asked == clauses::nothing) {
       closure.subsumers.push_back({clauses::nothing});
+      closure.is_settled.push_back(true);
       continue;
     }
-    closure.subsumers.push_back(subsumers_of(vocabulary, *saturation.find(key_of(vocabulary, asked)), asked));
+    const Context& context = *saturation.find(key_of(vocabulary, asked));
+    closure.subsumers.push_back(subsumers_of(vocabulary, context, asked));
+    closure.is_settled.push_back(settled.is_settled(context));
   }
   return closure;
 }

@@ -41,6 +41,9 @@ struct Closure {
   std::vector<std::vector<clauses::ConceptId>> subsumers;
   /// Why something may be missing, one line each, e.g. "values with owl:oneOf"; sorted, without doubles.
   std::vector<std::string> gaps;
+  /// Of each concept that was asked for, whether no gap matters to it: all its subsumers are there, if the ontology is
+  /// consistent.
+  std::vector<bool> is_settled;
   std::size_t contexts = 0;
   std::size_t derived = 0;  ///< clauses
 };

@@ -101,10 +101,16 @@ void Centring::add_values() {
     add({zero, one}, {});
   }
   is_finite_ = conflicts.is_finite;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (conflicts.is_unclear[i]) unclear_.push_back(range_predicate_[i]);
+  }
   result_.gaps.insert(result_.gaps.end(), conflicts.gaps.begin(), conflicts.gaps.end());
 }
 
 void Centring::find_gaps() {
+  result_.is_open.assign(result_.predicate_count, false);
+  for (const std::uint32_t range : unclear_) result_.is_open[range] = true;
+  for (const std::uint32_t nominal : result_.nominal_of) result_.is_open[nominal] = true;
   // A nominal matters beyond its own facts where a rule may say that something is it.
   std::vector<bool> is_nominal(result_.predicate_count, false);
   for (const std::uint32_t nominal : result_.nominal_of) is_nominal[nominal] = true;

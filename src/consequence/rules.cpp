@@ -82,7 +82,7 @@ const std::vector<RuleAtom>& Rules::supers(std::uint32_t role) {
 bool Rules::is_used(const RuleAtom& atom) {
   switch (atom.kind) {
     case LiteralKind::unary: {
-      if (atom.predicate < centred_.query_count || is_used_unary_[atom.predicate] || is_nominal_[atom.predicate]) {
+      if (atom.predicate < centred_.query_count || is_used_unary_[atom.predicate] || centred_.is_open[atom.predicate]) {
         return true;
       }
       const Expansion* const made = expansion(atom.predicate);

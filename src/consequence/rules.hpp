@@ -23,7 +23,8 @@ struct Occurrence {
 ///
 /// Inclusions of roles are no rules. A rule with R(s,t) in its head stands for one with S(s,t) for each S with R below
 /// S that occurs in a body, because R(s,t) itself can do no more than that. And what occurs in no body can be true
-/// everywhere, so that a clause with it in its head says nothing (pure literals): such rules are dropped.
+/// everywhere, so that a clause with it in its head says nothing (pure literals): such rules are dropped. What is open
+/// stays, as who asks where it may hold must see it.
 class Rules {
  public:
   explicit Rules(CentredRules centred);

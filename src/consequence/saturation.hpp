@@ -12,6 +12,7 @@
 #include <deque>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "consequence/context.hpp"
@@ -27,6 +28,13 @@ class Saturation {
   /// The context with this key; made where there is none.
   [[nodiscard]] Context& context_for(ContextKey&& key, unsigned worker);
   [[nodiscard]] const Context* find(const ContextKey& key) const;
+  /// Calls `use` with each context, in no order. Not while it runs.
+  template <typename Use>
+  void for_each_context(Use&& use) const {
+    for (const Part& part : parts_) {
+      for (const auto& context : part.contexts) use(std::as_const(*context));
+    }
+  }
   void post(Context& to, MessageKind kind, const Context* from, Term f, std::span<const Literal> body,
             std::span<const Literal> head, unsigned worker);
   /// Works until nothing is left to do, or the bound is reached.

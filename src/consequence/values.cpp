@@ -174,19 +174,21 @@ ValueConflicts conflicts_of(const el::OntologySource& source, std::span<const cl
   }
   ValueConflicts result;
   result.value_number = number_values(understood);
-  bool hides_more = false;
+  std::vector<bool> is_unknown(understood.size(), false);
   // Numbered values are compared by their numbers, so that the rest, which is few, is what costs the square.
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < understood.size(); ++i) {
     const Understood& range = understood[i];
     if (is_empty(range)) result.empty.push_back(i);
-    if (range.kind == Kind::other) hides_more = true;
-    if (range.kind == Kind::value && !range.value && !range.is_ill_formed) hides_more = true;
+    if (range.kind == Kind::other) is_unknown[i] = true;
+    if (range.kind == Kind::value && !range.value && !range.is_ill_formed) is_unknown[i] = true;
     if (range.kind == Kind::value || (range.kind == Kind::datatype && range.datatype->is_finite())) {
       result.is_finite = true;
     }
     if (result.value_number[i] == 0) others.push_back(i);
   }
+  // Beside one that is not known at all no other need be unclear: it is enough that the one is.
+  result.is_unclear = is_unknown;
   for (std::size_t i = 0; i < understood.size(); ++i) {
     for (const std::size_t j : others) {
       if (result.value_number[i] == 0 && j <= i) continue;
@@ -194,12 +196,12 @@ ValueConflicts conflicts_of(const el::OntologySource& source, std::span<const cl
       const Understood& b = understood[i].is_complement ? understood[i] : understood[j];
       if (!a.is_complement && (b.is_complement ? is_within(a, b) : are_disjoint(a, b))) {
         result.disjoint.emplace_back(i, j);
-      } else if (may_hide_more(a, b)) {
-        hides_more = true;
+      } else if (!is_unknown[i] && !is_unknown[j] && may_hide_more(a, b)) {
+        result.is_unclear[i] = result.is_unclear[j] = true;
       }
     }
   }
-  if (hides_more) result.gaps.emplace_back(range_gap);
+  if (std::ranges::find(result.is_unclear, true) != result.is_unclear.end()) result.gaps.emplace_back(range_gap);
   return result;
 }
 

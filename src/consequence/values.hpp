@@ -35,6 +35,8 @@ struct ValueConflicts {
   /// different numbers are disjoint, and not listed as such, because there may be very many.
   std::vector<std::uint32_t> value_number;
   bool is_finite = false;  ///< a range has finitely many values, so that counting them may matter
+  /// By range: whether it is not understood, or not together with every other.
+  std::vector<bool> is_unclear;
   std::vector<std::string> gaps;
 };
 

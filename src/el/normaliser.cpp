@@ -320,7 +320,7 @@ void Normaliser::find_ranges_over_chains(std::vector<std::pair<std::uint32_t, Co
   constexpr std::size_t max_pairs = std::size_t{1} << 26;
   if (ranges_.empty() || index_.roles().chains().empty()) return;
   Roles closed = index_.roles();
-  if (!closed.close(max_pairs)) return;  // the index will not close either, and that is reported
+  if (!closed.close_hierarchy(max_pairs)) return;  // the index will not close either, and that is reported
   for (const Range& range : ranges_) {
     for (const Roles::Chain& chain : closed.chains()) {
       if (!closed.is_sub_role(chain.result, range.role) || closed.is_sub_role(chain.second, range.role)) continue;

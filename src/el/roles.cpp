@@ -73,18 +73,35 @@ bool Roles::is_sub_role(RoleId sub, RoleId super) const {
 
 bool Roles::close_chains(std::size_t max_pairs) {
   is_second_.assign(count_, false);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> beginnings;  // of chains, by role
+  for (std::uint32_t chain = 0; chain < chains_.size(); ++chain) {
+    for (const RoleId first : subs_[number(chains_[chain].first)]) {
+      if (beginnings.size() >= max_pairs) return false;
+      beginnings.emplace_back(number(first), chain);
+    }
+  }
+  const Rows<std::uint32_t> chains_of(count_, beginnings);
   std::vector<std::pair<std::uint32_t, Composition>> pairs;
-  for (const Chain& chain : chains_) {
-    for (const RoleId first : subs_[number(chain.first)]) {
-      for (const RoleId second : subs_[number(chain.second)]) {
-        if (pairs.size() >= max_pairs) return false;
-        pairs.push_back({number(first), {second, chain.result}});
+  std::size_t pair_count = 0;
+  std::vector<std::uint64_t> row;  // second and result; one word, as most of the
+                                   // time goes into sorting it
+  for (std::uint32_t first = 0; first < count_; ++first) {
+    row.clear();
+    for (const std::uint32_t chain : chains_of[first]) {
+      for (const RoleId second : subs_[number(chains_[chain].second)]) {
+        if (pair_count++ >= max_pairs) return false;
+        row.push_back((std::uint64_t{number(second)} << 32) | number(chains_[chain].result));
         is_second_[number(second)] = true;
       }
     }
+    std::ranges::sort(row);
+    row.erase(std::ranges::unique(row).begin(), row.end());
+    for (const std::uint64_t entry : row) {
+      pairs.push_back(
+          {first, {RoleId{static_cast<std::uint32_t>(entry >> 32)}, RoleId{static_cast<std::uint32_t>(entry)}}});
+    }
   }
   compositions_ = Rows<Composition>(count_, pairs);
-  compositions_.sort_unique();
   return true;
 }
 

@@ -30,10 +30,8 @@ class Deepening {
       return;
     }
     derive(*clauses);
-    std::vector<clauses::Unused> unused = std::move(clauses->unused);
-    clauses = std::unexpected(clauses::ClausifyError{});  // the completion has its own, with questions in it
-    if (result_.is_consistent && !result_.gaps.empty()) search();
-    settle(unused);
+    if (result_.is_consistent && !result_.gaps.empty()) search(*clauses);
+    settle(clauses->unused);
   }
 
  private:
@@ -65,10 +63,12 @@ class Deepening {
     }
     extend(result_, more);
     result_.gaps = closure.gaps;
+    is_settled_.assign(result_.class_count(), false);
+    for (std::size_t at = 0; at < classes.size(); ++at) is_settled_[classes[at]] = closure.is_settled[at];
   }
 
-  void search() {
-    Completion completion = complete(source_, result_, options_);
+  void search(const clauses::ClauseSet& clauses) {
+    Completion completion = complete(source_, {result_, clauses, is_settled_}, options_);
     if (!completion.is_consistent) return contradict(result_, source_);
     extend(result_, completion.found);
     if (completion.gaps.empty()) {
@@ -104,6 +104,7 @@ class Deepening {
   const el::OntologySource& source_;
   const Options& options_;
   Classified& result_;
+  std::vector<bool> is_settled_;  ///< by class: that no gap matters to it
 };
 
 }  // namespace

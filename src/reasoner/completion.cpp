@@ -25,29 +25,28 @@ void insert(Numbers& sorted, std::uint32_t added) {
 
 class Completing {
  public:
-  Completing(const el::OntologySource& source, const el::Classification& known, const Options& options,
+  Completing(const el::OntologySource& source, const Incomplete& given, const Options& options,
              const CompletionLimits& limits)
       : source_(source),
-        classification_(known),
+        given_(given),
+        classification_(given.classification),
         options_(options),
         limits_(limits),
-        top_(representative(static_cast<std::uint32_t>(known.thing))),
-        bottom_(representative(static_cast<std::uint32_t>(known.nothing))) {}
+        top_(representative(static_cast<std::uint32_t>(classification_.thing))),
+        bottom_(representative(static_cast<std::uint32_t>(classification_.nothing))) {}
 
   Completion run() {
     if (classification_.class_count() > limits_.classes) {
       gaps_.insert("more than " + std::to_string(limits_.classes) + " classes are too many to look for models");
       return finish();
     }
-    const auto clauses = clauses::clausify(source_, std::nullopt, {});
-    if (!clauses) {
-      gaps_.insert(clauses.error().text);
-      return finish();
-    }
     known_ = find_ancestors(classification_);
     possible_.resize(known_.size());
     is_empty_.assign(known_.size(), false);
-    find_models(*clauses);
+    for (std::uint32_t of = 0; of < known_.size(); ++of) {
+      if (given_.is_settled[of]) possible_[representative(of)] = known_[representative(of)];
+    }
+    find_models(given_.clauses);
     if (result_.is_consistent) ask_pairs();
     return finish();
   }
@@ -208,6 +207,7 @@ class Completing {
   }
 
   const el::OntologySource& source_;
+  const Incomplete& given_;
   const el::Classification& classification_;
   const Options& options_;
   const CompletionLimits& limits_;
@@ -225,7 +225,7 @@ class Completing {
 
 }  // namespace
 
-Completion complete(const el::OntologySource& source, const el::Classification& known, const Options& options,
+Completion complete(const el::OntologySource& source, const Incomplete& known, const Options& options,
                     const CompletionLimits& limits) {
   return Completing(source, known, options, limits).run();
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "clauses/clause.hpp"
 #include "reasoner/reasoner.hpp"
 #include "reasoner/taxonomy.hpp"
 
@@ -29,9 +30,17 @@ struct Completion {
   std::vector<std::string> gaps;  ///< why something may still be missing: sorted, each once; empty: nothing is
 };
 
+/// A taxonomy that may lack something.
+struct Incomplete {
+  const el::Classification& classification;
+  const clauses::ClauseSet& clauses;  ///< of the source
+  /// By class: nothing is missing above it, if the source is consistent.
+  const std::vector<bool>& is_settled;
+};
+
 /// Looks for what follows from the source beyond the taxonomy given.
-[[nodiscard]] Completion complete(const el::OntologySource& source, const el::Classification& known,
-                                  const Options& options, const CompletionLimits& limits = {});
+[[nodiscard]] Completion complete(const el::OntologySource& source, const Incomplete& known, const Options& options,
+                                  const CompletionLimits& limits = {});
 
 }  // namespace geminga::reasoner
 

@@ -62,7 +62,7 @@ void compare(const Questions& questions, const Closure& closure, Agreement& agre
       if (is_derived) {
         ASSERT_EQ(differs, Verdict::no);
         ++agreement.entailed;
-      } else if (closure.gaps.empty()) {
+      } else if (closure.is_settled[i]) {
         ASSERT_EQ(differs, Verdict::yes);
         ++agreement.refuted;
       }

@@ -24,6 +24,7 @@ constexpr std::string_view prefix = "https://t.example/#";
 el::OntologySource written(std::string_view axioms) {
   const std::string text = "Prefix(:=<" + std::string(prefix) +
                            ">)\nPrefix(owl:=<http://www.w3.org/2002/07/owl#>)\n"
+                           "Prefix(rdfs:=<http://www.w3.org/2000/01/rdf-schema#>)\n"
                            "Prefix(xsd:=<http://www.w3.org/2001/XMLSchema#>)\nOntology(<https://t.example/>\n" +
                            std::string(axioms) + "\n)\n";
   el::OntologySource source;

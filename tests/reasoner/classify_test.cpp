@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "clauses/clausify.hpp"
 #include "el/compile.hpp"
 #include "el/written.hpp"
 #include "reasoner/completion.hpp"
@@ -113,7 +114,10 @@ TEST(Classification, TellsWhatItIsDoing) {
 
 /// What models add to the taxonomy that EL alone has.
 Completion completed(const el::OntologySource& source, const CompletionLimits& limits = {}) {
-  return complete(source, el::classified(source), {}, limits);
+  const el::Classification known = el::classified(source);
+  const auto clauses = clauses::clausify(source, std::nullopt, {});
+  if (!clauses) ADD_FAILURE() << clauses.error().text;
+  return complete(source, {known, *clauses, std::vector<bool>(known.class_count(), false)}, {}, limits);
 }
 
 constexpr const char* by_cases =
