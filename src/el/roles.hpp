@@ -21,12 +21,12 @@ enum class RoleId : std::uint32_t {};
 struct Composition {
   RoleId second{};
   RoleId result{};
-  friend auto operator<=>(const Composition &, const Composition &) = default;
+  friend auto operator<=>(const Composition&, const Composition&) = default;
 };
 
 /// The closed property box. Filled, then closed, then only read.
 class Roles {
-public:
+ public:
   RoleId add();
   void add_sub_role(RoleId sub, RoleId super);
   /// chain[0] o ... o chain[n - 1] SubPropertyOf super; requires at least two.
@@ -40,9 +40,7 @@ public:
 
   [[nodiscard]] std::size_t count() const { return count_; }
   /// Every super role, itself included, ascending. O(1).
-  [[nodiscard]] std::span<const RoleId> supers(RoleId role) const {
-    return supers_[static_cast<std::size_t>(role)];
-  }
+  [[nodiscard]] std::span<const RoleId> supers(RoleId role) const { return supers_[static_cast<std::size_t>(role)]; }
   /// Whether sub SubPropertyOf super. O(1) up to 4096 roles, O(log n) beyond.
   [[nodiscard]] bool is_sub_role(RoleId sub, RoleId super) const;
   /// What a link of `first` followed by a link gives, ascending by second;
@@ -51,12 +49,8 @@ public:
     return compositions_[static_cast<std::size_t>(first)];
   }
   /// Whether the role may be the second of a composition.
-  [[nodiscard]] bool is_second(RoleId role) const {
-    return is_second_[static_cast<std::size_t>(role)];
-  }
-  [[nodiscard]] bool has_compositions() const {
-    return compositions_.item_count() != 0;
-  }
+  [[nodiscard]] bool is_second(RoleId role) const { return is_second_[static_cast<std::size_t>(role)]; }
+  [[nodiscard]] bool has_compositions() const { return compositions_.item_count() != 0; }
   /// The binary chains as they were added, for the check of OWL 2 EL's
   /// restriction on ranges: (first, second, result).
   struct Chain {
@@ -66,7 +60,7 @@ public:
   };
   [[nodiscard]] std::span<const Chain> chains() const { return chains_; }
 
-private:
+ private:
   [[nodiscard]] bool close_chains(std::size_t max_pairs);
 
   std::size_t count_ = 0;
@@ -74,12 +68,11 @@ private:
   std::vector<Chain> chains_;
   Rows<RoleId> supers_;
   Rows<RoleId> subs_;
-  std::vector<std::uint64_t>
-      matrix_; ///< row-wise bits of is_sub_role, where there are few roles
+  std::vector<std::uint64_t> matrix_;  ///< row-wise bits of is_sub_role, where there are few roles
   Rows<Composition> compositions_;
   std::vector<bool> is_second_;
 };
 
-} // namespace geminga::el
+}  // namespace geminga::el
 
 #endif
