@@ -1,5 +1,4 @@
-// The properties of an ontology: hierarchy, chains, reflexivity and ranges,
-// closed once before saturation.
+// The properties of an ontology: hierarchy, chains, reflexivity and ranges, closed once before saturation.
 #ifndef GEMINGA_EL_ROLES_HPP
 #define GEMINGA_EL_ROLES_HPP
 
@@ -16,8 +15,7 @@ namespace geminga::el {
 /// A property, of objects or of data, as the rules see it. Dense.
 enum class RoleId : std::uint32_t {};
 
-/// Two links in a row are one of another role: first o second SubPropertyOf
-/// result.
+/// Two links in a row are one of another role: first o second SubPropertyOf result.
 struct Composition {
   RoleId second{};
   RoleId result{};
@@ -29,11 +27,9 @@ class Roles {
  public:
   RoleId add();
   void add_sub_role(RoleId sub, RoleId super);
-  /// chain[0] o ... o chain[n - 1] SubPropertyOf super; requires at least two.
-  /// Longer chains get roles of their own.
+  /// chain[0] o ... o chain[n - 1] SubPropertyOf super; requires at least two. Longer chains get roles of their own.
   void add_chain(std::span<const RoleId> chain, RoleId super);
-  /// Computes the closure. False where it has more than `max_pairs` pairs; then
-  /// nothing else may be called.
+  /// Computes the closure. False where it has more than `max_pairs` pairs; then nothing else may be called.
   [[nodiscard]] bool close(std::size_t max_pairs);
   /// The part of it that supers(), is_sub_role() and chains() need.
   [[nodiscard]] bool close_hierarchy(std::size_t max_pairs);
@@ -43,16 +39,14 @@ class Roles {
   [[nodiscard]] std::span<const RoleId> supers(RoleId role) const { return supers_[static_cast<std::size_t>(role)]; }
   /// Whether sub SubPropertyOf super. O(1) up to 4096 roles, O(log n) beyond.
   [[nodiscard]] bool is_sub_role(RoleId sub, RoleId super) const;
-  /// What a link of `first` followed by a link gives, ascending by second;
-  /// sub-roles of both are considered already.
+  /// What a link of `first` followed by a link gives, ascending by second; sub-roles of both are considered already.
   [[nodiscard]] std::span<const Composition> compositions(RoleId first) const {
     return compositions_[static_cast<std::size_t>(first)];
   }
   /// Whether the role may be the second of a composition.
   [[nodiscard]] bool is_second(RoleId role) const { return is_second_[static_cast<std::size_t>(role)]; }
   [[nodiscard]] bool has_compositions() const { return compositions_.item_count() != 0; }
-  /// The binary chains as they were added, for the check of OWL 2 EL's
-  /// restriction on ranges: (first, second, result).
+  /// The binary chains as they were added, for the check of OWL 2 EL's restriction on ranges: (first, second, result).
   struct Chain {
     RoleId first{};
     RoleId second{};
