@@ -17,6 +17,33 @@ void sort_unique(auto& items) {
 
 }  // namespace
 
+/// Which labels of some moves include which; each pair is asked about once.
+class Automaton::Inclusions {
+ public:
+  Inclusions(const std::vector<Move>& moves, const Includes& includes) : asked_(includes) {
+    for (const Move& move : moves) labels_.push_back(move.label);
+    sort_unique(labels_);
+    for (const Move& move : moves) {
+      const auto place = std::ranges::lower_bound(labels_, move.label);
+      label_of_.push_back(static_cast<std::size_t>(place - labels_.begin()));
+    }
+    known_.assign(labels_.size() * labels_.size(), unknown);
+  }
+  /// Of moves, by their positions.
+  [[nodiscard]] bool includes(std::size_t first, std::size_t second) const {
+    std::uint8_t& known = known_[label_of_[first] * labels_.size() + label_of_[second]];
+    if (known == unknown) known = asked_(labels_[label_of_[first]], labels_[label_of_[second]]) ? 1 : 0;
+    return known == 1;
+  }
+
+ private:
+  static constexpr std::uint8_t unknown = 2;
+  const Includes& asked_;
+  std::vector<Role> labels_;
+  std::vector<std::size_t> label_of_;
+  mutable std::vector<std::uint8_t> known_;
+};
+
 void Automaton::add_copy(State from, const Automaton& other, State to) {
   const State offset = states_;
   states_ += other.states_;
@@ -80,24 +107,32 @@ Automaton Automaton::reduced(const Includes& includes) const {
 void Automaton::drop_superfluous(const Includes& includes) {
   // A state p is simulated by q if q ends words where p does, and for every move of p one of q by a role that includes
   // the label leads to a state that simulates the target. The greatest such relation, by refinement.
-  std::vector<std::vector<bool>> simulates(states_, std::vector<bool>(states_, true));  // [p][q]: q simulates p
-  std::vector<std::vector<Move>> from(states_);
-  for (const Move& move : moves_) from[move.from].push_back(move);
+  const Inclusions labels(moves_, includes);
+  std::vector<std::uint8_t> simulates(states_ * std::size_t{states_});  // [p, q]: q simulates p
+  const auto at = [&](State p, State q) -> std::uint8_t& { return simulates[p * std::size_t{states_} + q]; };
   for (State p = 0; p < states_; ++p) {
-    for (State q = 0; q < states_; ++q) simulates[p][q] = !final_[p] || final_[q];
+    for (State q = 0; q < states_; ++q) at(p, q) = !final_[p] || final_[q] ? 1 : 0;
   }
+  // Of each state, the first of its moves, which are sorted.
+  std::vector<std::size_t> first(states_ + std::size_t{1}, 0);
+  for (const Move& move : moves_) ++first[move.from + 1];
+  for (State state = 0; state < states_; ++state) first[state + 1] += first[state];
+  const auto follows = [&](std::size_t move, State q) {
+    for (std::size_t other = first[q]; other < first[q + 1]; ++other) {
+      if (at(moves_[move].to, moves_[other].to) != 0 && labels.includes(move, other)) return true;
+    }
+    return false;
+  };
   for (bool changed = true; changed;) {
     changed = false;
     for (State p = 0; p < states_; ++p) {
       for (State q = 0; q < states_; ++q) {
-        if (!simulates[p][q] || p == q) continue;
-        const bool holds = std::ranges::all_of(from[p], [&](const Move& move) {
-          return std::ranges::any_of(from[q], [&](const Move& other) {
-            return simulates[move.to][other.to] && includes(move.label, other.label);
-          });
-        });
-        if (!holds) simulates[p][q] = false;
-        changed = changed || !holds;
+        if (at(p, q) == 0 || p == q) continue;
+        std::size_t move = first[p];
+        while (move < first[p + 1] && follows(move, q)) ++move;
+        if (move == first[p + 1]) continue;
+        at(p, q) = 0;
+        changed = true;
       }
     }
   }
@@ -106,7 +141,7 @@ void Automaton::drop_superfluous(const Includes& includes) {
   for (State state = 0; state < states_; ++state) {
     one[state] = state;
     for (State other = 0; other < state; ++other) {
-      if (simulates[state][other] && simulates[other][state]) {
+      if (at(state, other) != 0 && at(other, state) != 0) {
         one[state] = other;
         break;
       }
@@ -114,19 +149,26 @@ void Automaton::drop_superfluous(const Includes& includes) {
   }
   for (Move& move : moves_) move = {one[move.from], move.label, one[move.to]};
   sort_unique(moves_);
-  std::vector<Move> kept;
+  drop_smaller(Inclusions(moves_, includes), [&](State p, State q) { return at(p, q) != 0; });
+}
+
+void Automaton::drop_smaller(const Inclusions& labels, const auto& is_simulated) {
+  std::vector<std::size_t> kept;
   for (std::size_t at = 0; at < moves_.size(); ++at) {
-    const Move& move = moves_[at];
-    const auto is_greater = [&](const Move& other) {
-      return other.from == move.from && other != move && includes(move.label, other.label) &&
-             simulates[move.to][other.to];
+    const auto is_smaller = [&](std::size_t other) {
+      return other != at && moves_[other].from == moves_[at].from && is_simulated(moves_[at].to, moves_[other].to) &&
+             labels.includes(at, other);
     };
-    const bool is_superfluous =
-        std::ranges::any_of(kept, is_greater) ||
-        std::any_of(moves_.begin() + static_cast<std::ptrdiff_t>(at) + 1, moves_.end(), is_greater);
-    if (!is_superfluous) kept.push_back(move);
+    bool is_superfluous = std::ranges::any_of(kept, is_smaller);
+    for (std::size_t other = at + 1; other < moves_.size() && !is_superfluous; ++other) {
+      if (moves_[other].from != moves_[at].from) break;
+      is_superfluous = is_smaller(other);
+    }
+    if (!is_superfluous) kept.push_back(at);
   }
-  moves_ = std::move(kept);
+  std::vector<Move> moves;
+  for (const std::size_t at : kept) moves.push_back(moves_[at]);
+  moves_ = std::move(moves);
 }
 
 void Automaton::trim() {

@@ -45,7 +45,9 @@ class Automaton {
 
  private:
   [[nodiscard]] std::vector<std::vector<State>> empty_closures() const;
+  class Inclusions;
   void drop_superfluous(const Includes& includes);
+  void drop_smaller(const Inclusions& labels, const auto& is_simulated);
   void trim();
 
   State states_ = 2;

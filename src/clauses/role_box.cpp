@@ -118,6 +118,7 @@ void RoleBox::find_composites() {
 }
 
 void RoleBox::build_automata(std::size_t max_states) {
+  std::vector<std::vector<bool>> supers(canonical_.size());  // of those asked about
   for (const std::size_t at : family_order_) {
     for (const Role role : {role_at(at), canonical(inverse(role_at(at)))}) {
       if (is_simple(role) || automata_.contains(role)) continue;
@@ -130,11 +131,10 @@ void RoleBox::build_automata(std::size_t max_states) {
         automaton = Automaton();
         automaton.add_move(Automaton::begin, role, Automaton::end);
       }
-      std::map<Role, std::vector<bool>> supers;
       const auto includes = [&](Role first, Role second) {
-        auto [found, is_new] = supers.try_emplace(first);
-        if (is_new) found->second = supers_of(first);
-        return static_cast<bool>(found->second[index(second)]);
+        std::vector<bool>& found = supers[index(first)];
+        if (found.empty()) found = supers_of(first);
+        return static_cast<bool>(found[index(second)]);
       };
       automata_.emplace(role, automaton.reduced(includes));
     }

@@ -18,27 +18,20 @@ namespace {
 
 }  // namespace
 
-const ClauseStore::Slot* ClauseStore::find(Literal key) const {
-  if (slots_.empty()) return nullptr;
+void ClauseStore::grow() {
+  Pooled<Slot> old(slots_.empty() ? 32 : slots_.size() * 2);
+  old.swap(slots_);
   const std::size_t mask = slots_.size() - 1;
-  for (std::size_t at = static_cast<std::size_t>(hash_of(key)) & mask;; at = (at + 1) & mask) {
-    if (slots_[at].key == key) return &slots_[at];
-    if (slots_[at].key == no_literal) return nullptr;
+  for (const Slot& slot : old) {
+    if (slot.key == no_literal) continue;
+    std::size_t at = static_cast<std::size_t>(hash_of(slot.key)) & mask;
+    while (slots_[at].key != no_literal) at = (at + 1) & mask;
+    slots_[at] = slot;
   }
 }
 
 ClauseStore::Slot& ClauseStore::slot_of(Literal key) {
-  if ((used_slots_ + 1) * 4 > slots_.size() * 3) {
-    std::vector<Slot> old(slots_.empty() ? 16 : slots_.size() * 2);
-    old.swap(slots_);
-    const std::size_t mask = slots_.size() - 1;
-    for (const Slot& slot : old) {
-      if (slot.key == no_literal) continue;
-      std::size_t at = static_cast<std::size_t>(hash_of(slot.key)) & mask;
-      while (slots_[at].key != no_literal) at = (at + 1) & mask;
-      slots_[at] = slot;
-    }
-  }
+  if ((used_slots_ + 1) * 4 > slots_.size() * 3) grow();
   const std::size_t mask = slots_.size() - 1;
   std::size_t at = static_cast<std::size_t>(hash_of(key)) & mask;
   while (slots_[at].key != key && slots_[at].key != no_literal) at = (at + 1) & mask;
@@ -128,7 +121,7 @@ void ClauseStore::drop_implied(ClauseNumber clause) {
   drop_implied(by, filed->others);
 }
 
-void ClauseStore::drop_implied(const Record& by, const std::vector<std::uint32_t>& candidates) {
+void ClauseStore::drop_implied(const Record& by, const Pooled<std::uint32_t>& candidates) {
   for (const ClauseNumber candidate : candidates) {
     Record& record = clauses_[candidate];
     if (record.state == State::redundant) continue;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "consequence/literal.hpp"
+#include "consequence/pool.hpp"
 
 namespace geminga::consequence {
 
@@ -20,9 +21,9 @@ class ClauseStore {
  public:
   /// What is filed under a literal, or under what stands for one (in_body(), neighbours()).
   struct Lists {
-    std::vector<std::uint32_t> maximal;  ///< clauses with it as a maximal literal; of neighbours(): terms
-    std::vector<std::uint32_t> others;   ///< clauses with it elsewhere in the head; of in_body(): in the body
-    std::vector<std::uint32_t> waiting;  ///< others' clauses that wait for it; of in_body(): edges that assume it
+    Pooled<std::uint32_t> maximal;  ///< clauses with it as a maximal literal; of neighbours(): terms
+    Pooled<std::uint32_t> others;   ///< clauses with it elsewhere in the head; of in_body(): in the body
+    Pooled<std::uint32_t> waiting;  ///< others' clauses that wait for it; of in_body(): edges that assume it
   };
 
   [[nodiscard]] std::span<const Literal> body(ClauseNumber clause) const {
@@ -59,27 +60,29 @@ class ClauseStore {
     }
   }
 
-  /// Whether `is_wanted` is true of a literal of the head of some clause.
-  template <typename Wanted>
-  [[nodiscard]] bool has_in_head(Wanted&& is_wanted) const {
-    for (const Slot& slot : slots_) {
-      if (slot.key != no_literal && (slot.flags & unit) != 0 && is_wanted(slot.key)) return true;
-    }
-    for (ClauseNumber clause = 0; clause < clauses_.size(); ++clause) {
-      if (!is_live(clause)) continue;
-      for (const Literal literal : head(clause)) {
-        if (is_wanted(literal)) return true;
-      }
-    }
-    return false;
-  }
-
   /// nullptr where nothing is filed. Valid until something is filed under a literal for the first time.
   [[nodiscard]] const Lists* lists(Literal literal) const {
     const Slot* const slot = find(literal);
     return slot == nullptr || slot->lists == 0 ? nullptr : &lists_[slot->lists - 1];
   }
   [[nodiscard]] Lists& lists_of(Literal literal);
+  /// What may have the literal as a maximal one: a unit that has been processed, or else some clauses.
+  struct Found {
+    bool is_unit = false;
+    const Lists* lists = nullptr;
+  };
+  [[nodiscard]] Found look_up(Literal literal) const {
+    const Slot* const slot = find(literal);
+    if (slot == nullptr) return {};
+    if ((slot->flags & active_unit) != 0) return {true, nullptr};
+    return {false, slot->lists == 0 ? nullptr : &lists_[slot->lists - 1]};
+  }
+  /// Whether look_up() finds anything.
+  [[nodiscard]] bool may_match(Literal literal) const {
+    const Slot* const slot = find(literal);
+    if (slot == nullptr) return false;
+    return (slot->flags & active_unit) != 0 || (slot->lists != 0 && !lists_[slot->lists - 1].maximal.empty());
+  }
   /// A number of the user's under a key under which nothing else is filed; 0 at first.
   [[nodiscard]] std::uint32_t& number_of(Literal key) { return slot_of(key).lists; }
   [[nodiscard]] std::uint32_t find_number(Literal key) const {
@@ -112,19 +115,27 @@ class ClauseStore {
     std::uint64_t head_signature = 0;
   };
 
-  [[nodiscard]] const Slot* find(Literal key) const;
+  [[nodiscard]] const Slot* find(Literal key) const {
+    if (slots_.empty()) return nullptr;
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t at = static_cast<std::size_t>(hash_of(key)) & mask;; at = (at + 1) & mask) {
+      if (slots_[at].key == key) return &slots_[at];
+      if (slots_[at].key == no_literal) return nullptr;
+    }
+  }
+  void grow();
   [[nodiscard]] Slot& slot_of(Literal key);
   [[nodiscard]] bool is_part(const Record& record, std::uint64_t body_signature, std::uint64_t head_signature,
                              std::span<const Literal> body, std::span<const Literal> head) const;
   void drop_implied(ClauseNumber clause);
-  void drop_implied(const Record& by, const std::vector<std::uint32_t>& candidates);
+  void drop_implied(const Record& by, const Pooled<std::uint32_t>& candidates);
 
-  std::vector<Slot> slots_;
+  Pooled<Slot> slots_;
   std::size_t used_slots_ = 0;
-  std::vector<Lists> lists_;
-  std::vector<Literal> literals_;
-  std::vector<Record> clauses_;
-  std::vector<ClauseNumber> headless_;
+  Pooled<Lists> lists_;
+  Pooled<Literal> literals_;
+  Pooled<Record> clauses_;
+  Pooled<ClauseNumber> headless_;
 };
 
 }  // namespace geminga::consequence

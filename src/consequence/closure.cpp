@@ -39,6 +39,7 @@ Closure saturate(const el::OntologySource& source, const clauses::ClauseSet& cla
   std::vector<std::uint32_t> wanted_predicates;
   for (const ConceptId asked : wanted) wanted_predicates.push_back(vocabulary.predicate_of[number(asked)]);
   Saturation saturation(rules, wanted_predicates, options.clauses);
+  const ArenaUse use(saturation.arena());
   // Something exists, and each individual does.
   const auto exists = [&](ContextKey&& key) {
     saturation.post(saturation.context_for(std::move(key), 0), MessageKind::exists, nullptr, x_term, {}, {}, 0);

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <limits>
 #include <mutex>
-#include <vector>
 
 #include "consequence/clause_store.hpp"
 
@@ -51,7 +50,7 @@ struct Message {
 
 /// What a context is found by. The private ones are for one function symbol, whose things are not certain to exist.
 struct ContextKey {
-  std::vector<Literal> core;  ///< ascending
+  Pooled<Literal> core;  ///< ascending
   std::uint32_t function = std::numeric_limits<std::uint32_t>::max();
   friend bool operator==(const ContextKey&, const ContextKey&) = default;
 };
@@ -61,27 +60,27 @@ struct Edge {
   Context* from = nullptr;
   Term f{};
   bool is_live = true;
-  std::vector<Literal> hypotheses;  ///< ascending
+  Pooled<Literal> hypotheses;  ///< ascending
 };
 
 /// A successor f(x), as the context of x knows it. Literals are as the successor's context names them.
 struct Successor {
   Term f{};
-  Term replaced_by{};             ///< where true -> f(x) = t is known; f itself where not
-  bool is_certain = false;        ///< something about it has an empty body
-  bool is_changed = false;        ///< since Succ has seen it
-  bool knows_existence = false;   ///< the target has been told that it exists
-  std::vector<Literal> literals;  ///< maximal literals about it, as this context names them
-  std::vector<Literal> certain;   ///< A(x) that certainly hold of it
-  std::vector<Literal> possible;  ///< whatever else may
+  Term replaced_by{};            ///< where true -> f(x) = t is known; f itself where not
+  bool is_certain = false;       ///< something about it has an empty body
+  bool is_changed = false;       ///< since Succ has seen it
+  bool knows_existence = false;  ///< the target has been told that it exists
+  Pooled<Literal> literals;      ///< maximal literals about it, as this context names them
+  Pooled<Literal> certain;       ///< A(x) that certainly hold of it
+  Pooled<Literal> possible;      ///< whatever else may
   Context* target = nullptr;
   std::size_t told = 0;  ///< how many hypotheses the target has been told
 };
 
 /// A clause of a successor that waits for what is in its body; in the names of the context that has it.
 struct ForeignClause {
-  std::vector<Literal> body;
-  std::vector<Literal> head;
+  Pooled<Literal> body;
+  Pooled<Literal> head;
 };
 
 struct Context {
@@ -90,23 +89,25 @@ struct Context {
   /// Whether its units answer questions, see Rules::is_query().
   bool answers_queries = false;
   bool is_unsatisfiable = false;
-  bool is_nonempty = false;  ///< some thing is in it for certain; see nominals.cpp
+  bool has_open = false;      ///< something open is in the head of a clause, see CentredRules::is_open
+  bool has_replaced = false;  ///< some successor is known to be another term
+  bool is_nonempty = false;   ///< some thing is in it for certain; see nominals.cpp
   ClauseStore store;
-  std::vector<Literal> unit_queue;
-  std::vector<ClauseNumber> clause_queue;
-  std::vector<Successor> successors;
-  std::vector<std::uint32_t> changed_successors;
-  std::vector<Edge> edges;
-  std::vector<ClauseNumber> for_all_edges;  ///< clauses with an empty body that every predecessor gets
-  std::vector<Literal> units_for_edges;
-  std::vector<ForeignClause> foreign;
-  std::vector<std::uint32_t> nominals;  ///< that x is
-  std::vector<Literal> facts;           ///< that were told
-  std::vector<Context*> inheritors;
+  Pooled<Literal> unit_queue;
+  Pooled<ClauseNumber> clause_queue;
+  Pooled<Successor> successors;
+  Pooled<std::uint32_t> changed_successors;
+  Pooled<Edge> edges;
+  Pooled<ClauseNumber> for_all_edges;  ///< clauses with an empty body that every predecessor gets
+  Pooled<Literal> units_for_edges;
+  Pooled<ForeignClause> foreign;
+  Pooled<std::uint32_t> nominals;  ///< that x is
+  Pooled<Literal> facts;           ///< that were told
+  Pooled<Context*> inheritors;
 
   SpinLock lock;  ///< guards what follows
-  std::vector<Message> inbox;
-  std::vector<Literal> inbox_literals;
+  Pooled<Message> inbox;
+  Pooled<Literal> inbox_literals;
   bool is_scheduled = false;
 };
 

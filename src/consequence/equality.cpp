@@ -6,6 +6,7 @@
 namespace geminga::consequence {
 
 bool Worker::is_replaced(Term f) const {
+  if (!context_->has_replaced) return false;
   const std::uint32_t number = context_->store.find_number(successor_key(f));
   return number != 0 && context_->successors[number - 1].replaced_by != f;
 }
@@ -41,12 +42,13 @@ void Worker::apply_equality(Premise premise) {
   if (premise.clause != no_clause) return factor(premise);
   Successor& self = successor_of(f);
   self.replaced_by = by;
+  context_->has_replaced = true;
   mark_changed(self);
 }
 
-void Worker::apply_equalities_to(Premise premise) {
+void Worker::apply_equalities_to(Premise premise, const Successor& successor) {
   if (premise.literal.kind() == LiteralKind::equal) return apply_equality(premise);
-  for (const Literal literal : successor_of(premise.literal.term()).literals) {
+  for (const Literal literal : successor.literals) {
     if (literal.kind() != LiteralKind::equal) continue;
     for_each_premise(literal, [&](Premise equation) { paramodulate(equation, premise); });
   }

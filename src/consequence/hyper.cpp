@@ -19,24 +19,48 @@ constexpr Term unbound{0xffffffffU};
 
 void Worker::hyper(Premise premise, const Occurrence& occurrence, Term neighbour) {
   const Rule& rule = rules_.rule(occurrence.rule);
+  const std::uint8_t bound = rule.body[occurrence.atom].first;
+  // Most rules wait for something that is not there.
+  for (std::size_t at = 0; at < rule.body.size(); ++at) {
+    const std::uint8_t variable = rule.body[at].first;
+    if (at == occurrence.atom) continue;
+    if (!may_hold(rule.body[at], variable == 0 ? x_term : variable == bound ? neighbour : unbound)) {
+      return count_attempt();
+    }
+  }
   binding_.assign(rule.neighbours + std::size_t{1}, unbound);
   binding_[0] = x_term;
-  binding_[rule.body[occurrence.atom].first] = neighbour;
-  is_done_.assign(rule.body.size(), false);
-  is_done_[occurrence.atom] = true;
+  binding_[bound] = neighbour;
   premises_.assign(1, premise);
+  if (rule.body.size() == 1) {
+    count_attempt();
+    if (!is_stopped_) conclude_rule(rule);
+    return;
+  }
+  is_done_.assign(rule.body.size(), 0);
+  is_done_[occurrence.atom] = 1;
   join(rule);
 }
 
+bool Worker::may_hold(const RuleAtom& atom, Term term) const {
+  const bool is_incoming = atom.kind == LiteralKind::incoming;
+  if (term == unbound) return context_->store.may_match(neighbours(atom.predicate, is_incoming));
+  if (atom.kind == LiteralKind::unary) return context_->store.may_match(unary(atom.predicate, term));
+  return context_->store.may_match(binary(atom.predicate, term, is_incoming));
+}
+
+void Worker::count_attempt() {
+  if (++attempts_ < attempts_at_once) return;
+  if (!saturation_.count_attempts(std::exchange(attempts_, 0))) is_stopped_ = true;
+}
+
 void Worker::join(const Rule& rule) {
-  if (++attempts_ >= attempts_at_once) {
-    if (!saturation_.count_attempts(std::exchange(attempts_, 0))) is_stopped_ = true;
-  }
+  count_attempt();
   if (is_stopped_) return;
   // What can be looked up goes first; then neighbours are tried.
   std::size_t open = rule.body.size();
   for (std::size_t at = 0; at < rule.body.size(); ++at) {
-    if (is_done_[at]) continue;
+    if (is_done_[at] != 0) continue;
     const RuleAtom& atom = rule.body[at];
     const Term term = binding_[atom.first];
     if (atom.kind == LiteralKind::unary) return join_with(rule, at, unary(atom.predicate, term));
@@ -71,20 +95,21 @@ bool Worker::may_bind(const Rule& rule, std::uint8_t variable, Term term) const 
 
 void Worker::join_with(const Rule& rule, std::size_t atom, Literal literal) {
   const ClauseStore& store = context_->store;
-  is_done_[atom] = true;
-  if (store.has(literal, ClauseStore::active_unit)) {
+  is_done_[atom] = 1;
+  const ClauseStore::Found found = store.look_up(literal);
+  if (found.is_unit) {
     premises_.push_back({no_clause, literal});
     join(rule);
     premises_.pop_back();
-  } else if (const auto* const found = store.lists(literal); found != nullptr) {
-    for (const ClauseNumber clause : found->maximal) {
+  } else if (found.lists != nullptr) {
+    for (const ClauseNumber clause : found.lists->maximal) {
       if (!store.is_active(clause)) continue;
       premises_.push_back({clause, literal});
       join(rule);
       premises_.pop_back();
     }
   }
-  is_done_[atom] = false;
+  is_done_[atom] = 0;
 }
 
 void Worker::conclude_rule(const Rule& rule) {

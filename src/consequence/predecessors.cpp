@@ -110,9 +110,7 @@ void Worker::resolve_foreign(std::uint32_t foreign, Premise premise) {
 }
 
 void Worker::join_foreign(const ForeignClause& clause, std::size_t at) {
-  if (++attempts_ >= attempts_at_once) {
-    if (!saturation_.count_attempts(std::exchange(attempts_, 0))) is_stopped_ = true;
-  }
+  count_attempt();
   if (is_stopped_) return;
   while (at < clause.body.size() && !premises_.empty() && premises_[0].literal == clause.body[at]) ++at;
   if (at == clause.body.size()) {

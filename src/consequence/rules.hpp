@@ -70,6 +70,7 @@ class Rules {
     return literal.term() == x_term && literal.kind() == LiteralKind::unary &&
            literal.predicate() < centred_.query_count;
   }
+  [[nodiscard]] bool is_open(std::uint32_t predicate) const { return centred_.is_open[predicate]; }
   [[nodiscard]] bool is_nominal(std::uint32_t predicate) const { return is_nominal_[predicate]; }
   [[nodiscard]] bool has_nominals() const { return !centred_.nominal_of.empty(); }
   [[nodiscard]] const CentredRules& vocabulary() const { return centred_; }

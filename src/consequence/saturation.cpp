@@ -104,6 +104,7 @@ Context* Saturation::take(unsigned worker) {
 }
 
 void Saturation::work(unsigned worker) {
+  const ArenaUse use(stacks_[worker].arena);
   Worker works(*this, worker);
   while (true) {
     const std::uint32_t epoch = epoch_.load();

@@ -37,6 +37,8 @@ class Saturation {
   }
   void post(Context& to, MessageKind kind, const Context* from, Term f, std::span<const Literal> body,
             std::span<const Literal> head, unsigned worker);
+  /// Where what is made before and after run() takes its memory from.
+  [[nodiscard]] el::Arena& arena() { return stacks_[0].arena; }
   /// Works until nothing is left to do, or the bound is reached.
   void run(unsigned threads);
 
@@ -68,6 +70,7 @@ class Saturation {
   struct Stack {
     SpinLock lock;
     std::vector<Context*> contexts;
+    el::Arena arena;
   };
 
   void schedule(Context& context, unsigned worker);
@@ -77,8 +80,8 @@ class Saturation {
   const Rules& rules_;
   std::vector<bool> is_wanted_;
   std::size_t max_clauses_;
-  std::array<Part, parts> parts_;
   std::deque<Stack> stacks_;
+  std::array<Part, parts> parts_;  ///< after the stacks, whose arenas the contexts are in
   std::atomic<std::size_t> scheduled_{0};
   std::atomic<std::uint32_t> epoch_{0};
   std::atomic<std::uint32_t> sleepers_{0};

@@ -16,16 +16,13 @@ Settled::Settled(const Saturation& saturation, std::span<const std::string> gaps
 }
 
 void Settled::find_open(const Saturation& saturation) {
-  const std::vector<bool>& is_open = saturation.rules().vocabulary().is_open;
   std::vector<std::vector<std::uint32_t>> predecessors(saturation.context_count());
   std::vector<std::uint32_t> open;
   saturation.for_each_context([&](const Context& context) {
     for (const Successor& successor : context.successors) {
       if (successor.target != nullptr) predecessors[successor.target->number].push_back(context.number);
     }
-    const bool is_found = context.store.has_in_head(
-        [&](Literal literal) { return literal.kind() == LiteralKind::unary && is_open[literal.predicate()]; });
-    if (is_found) open.push_back(context.number);
+    if (context.has_open && !context.is_unsatisfiable) open.push_back(context.number);
   });
   for (const std::uint32_t number : open) is_open_[number] = true;
   while (!open.empty()) {

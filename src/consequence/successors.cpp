@@ -23,13 +23,13 @@ void Worker::mark_changed(Successor& successor) {
   context_->changed_successors.push_back(static_cast<std::uint32_t>(&successor - context_->successors.data()));
 }
 
-void Worker::note_about_successor(Premise premise) {
+const Successor& Worker::note_about_successor(Premise premise) {
   const Literal literal = premise.literal;
   Successor& successor = successor_of(literal.term());
   if (context_->store.set(literal, ClauseStore::noted)) successor.literals.push_back(literal);
-  if (literal.kind() <= LiteralKind::different) return;
+  if (literal.kind() <= LiteralKind::different) return successor;
   const Literal seen = seen_by_successor(literal);
-  if (!rules_.is_trigger(seen)) return;
+  if (!rules_.is_trigger(seen)) return successor;
   const bool is_unit = premise.clause == no_clause;
   if (is_unit && !successor.is_certain) {
     successor.is_certain = true;
@@ -37,9 +37,10 @@ void Worker::note_about_successor(Premise premise) {
   }
   auto& known = is_unit && seen.kind() == LiteralKind::unary ? successor.certain : successor.possible;
   const auto place = std::ranges::lower_bound(known, seen);
-  if (place != known.end() && *place == seen) return;
+  if (place != known.end() && *place == seen) return successor;
   known.insert(place, seen);
   mark_changed(successor);
+  return successor;
 }
 
 //  G -> D v [A] in u; f(x) is in A

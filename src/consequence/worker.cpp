@@ -137,8 +137,7 @@ void Worker::activate(Premise premise) {
       return paramodulate({no_clause, equality(literal.term(), successor_of(literal.term()).replaced_by, false)},
                           premise);
     }
-    note_about_successor(premise);
-    apply_equalities_to(premise);
+    apply_equalities_to(premise, note_about_successor(premise));
     if (is_replaced(literal.term())) return;
   }
   switch (literal.kind()) {
@@ -277,6 +276,7 @@ void Worker::add(std::vector<Literal>& body, std::vector<Literal>& head) {
     saturation_.give_up();
   } else if (!self.store.is_redundant(body, head)) {
     derived_ += 1 + (body.size() + head.size()) / literals_per_clause;
+    for (const Literal literal : head) note_open(literal);
     self.clause_queue.push_back(self.store.insert(body, head, maximal_count(head)));
   }
 }
@@ -294,6 +294,7 @@ void Worker::add_unit(Literal literal) {
   }
   if (!context_->store.insert_unit(literal)) return;
   ++derived_;
+  note_open(literal);
   context_->unit_queue.push_back(literal);
 }
 

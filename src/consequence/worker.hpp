@@ -52,6 +52,9 @@ class Worker {
   /// Files  body -> head  unless it is redundant. Both in any order; they are used as room.
   void add(std::vector<Literal>& body, std::vector<Literal>& head);
   void add_unit(Literal literal);
+  void note_open(Literal literal) {
+    if (literal.kind() == LiteralKind::unary && rules_.is_open(literal.predicate())) context_->has_open = true;
+  }
   [[nodiscard]] bool simplify_head(std::vector<Literal>& head);
   void file_conclusions();
 
@@ -65,10 +68,10 @@ class Worker {
   template <typename Use>
   void for_each_premise(Literal literal, Use&& use) const {
     const ClauseStore& store = context_->store;
-    if (store.has(literal, ClauseStore::active_unit)) return use(Premise{no_clause, literal});
-    const auto* const found = store.lists(literal);
-    if (found == nullptr) return;
-    for (const ClauseNumber clause : found->maximal) {
+    const ClauseStore::Found found = store.look_up(literal);
+    if (found.is_unit) return use(Premise{no_clause, literal});
+    if (found.lists == nullptr) return;
+    for (const ClauseNumber clause : found.lists->maximal) {
       if (store.is_active(clause)) use(Premise{clause, literal});
     }
   }
@@ -78,6 +81,8 @@ class Worker {
 
   // hyper.cpp
   void hyper(Premise premise, const Occurrence& occurrence, Term neighbour);
+  [[nodiscard]] bool may_hold(const RuleAtom& atom, Term term) const;
+  void count_attempt();
   void join(const Rule& rule);
   void join_with(const Rule& rule, std::size_t atom, Literal literal);
   void conclude_rule(const Rule& rule);
@@ -88,13 +93,14 @@ class Worker {
   [[nodiscard]] bool is_replaced(Term f) const;
   void paramodulate(Premise equation, Premise into);
   void apply_equality(Premise premise);
-  void apply_equalities_to(Premise premise);
+  void apply_equalities_to(Premise premise, const Successor& successor);
   void factor(Premise premise);
 
   // successors.cpp
   [[nodiscard]] Successor& successor_of(Term f);
   void mark_changed(Successor& successor);
-  void note_about_successor(Premise premise);
+  /// The successor that the literal is about. Valid until there is a new one.
+  const Successor& note_about_successor(Premise premise);
   void apply_succ(Successor& successor);
 
   // predecessors.cpp
@@ -124,11 +130,11 @@ class Worker {
   std::size_t derived_ = 0;
 
   // Room that is kept between calls.
-  std::vector<Message> messages_;
-  std::vector<Literal> message_literals_;
+  Pooled<Message> messages_;
+  Pooled<Literal> message_literals_;
   std::vector<Premise> premises_;
-  std::vector<Term> binding_;  ///< of each variable of a rule; unbound where none
-  std::vector<bool> is_done_;  ///< of each atom of a body
+  std::vector<Term> binding_;          ///< of each variable of a rule; unbound where none
+  std::vector<std::uint8_t> is_done_;  ///< of each atom of a body
   std::vector<Literal> conclusion_body_;
   std::vector<Literal> conclusion_head_;
   std::vector<Literal> units_;         ///< conclusions that are units

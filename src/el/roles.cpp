@@ -2,6 +2,7 @@
 #include "el/roles.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace geminga::el {
 namespace {
@@ -73,6 +74,12 @@ bool Roles::is_sub_role(RoleId sub, RoleId super) const {
 
 bool Roles::close_chains(std::size_t max_pairs) {
   is_second_.assign(count_, false);
+  std::ranges::sort(chains_, {},
+                    [](const Chain& chain) { return std::tuple(chain.first, chain.second, chain.result); });
+  const auto repeated = std::ranges::unique(chains_, [](const Chain& a, const Chain& b) {
+    return std::tie(a.first, a.second, a.result) == std::tie(b.first, b.second, b.result);
+  });
+  chains_.erase(repeated.begin(), repeated.end());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> beginnings;  // of chains, by role
   for (std::uint32_t chain = 0; chain < chains_.size(); ++chain) {
     for (const RoleId first : subs_[number(chains_[chain].first)]) {
@@ -83,8 +90,7 @@ bool Roles::close_chains(std::size_t max_pairs) {
   const Rows<std::uint32_t> chains_of(count_, beginnings);
   std::vector<std::pair<std::uint32_t, Composition>> pairs;
   std::size_t pair_count = 0;
-  std::vector<std::uint64_t> row;  // second and result; one word, as most of the
-                                   // time goes into sorting it
+  std::vector<std::uint64_t> row;  // (second, result) as one word: most of the time goes into sorting these
   for (std::uint32_t first = 0; first < count_; ++first) {
     row.clear();
     for (const std::uint32_t chain : chains_of[first]) {

@@ -11,11 +11,18 @@
 namespace geminga::consequence {
 namespace {
 
+/// Stores take their memory from the arena of the thread.
+class StoreOfClauses : public testing::Test {
+ private:
+  el::Arena arena_;
+  ArenaUse use_{arena_};
+};
+
 const Literal a = unary(1, x_term);
 const Literal b = unary(2, x_term);
 const Literal c = unary(3, x_term);
 
-TEST(ClauseStore, KeepsAUnitOnceAndDropsWhatItMakesRedundant) {
+TEST_F(StoreOfClauses, KeepsAUnitOnceAndDropsWhatItMakesRedundant) {
   ClauseStore store;
   const ClauseNumber clause = store.insert({}, std::vector{c, a}, 1);
   const ClauseNumber other = store.insert(std::vector{a}, std::vector{c, b}, 1);
@@ -27,7 +34,7 @@ TEST(ClauseStore, KeepsAUnitOnceAndDropsWhatItMakesRedundant) {
   EXPECT_TRUE(store.is_live(other));
 }
 
-TEST(ClauseStore, SeesThatAClauseFollowsFromOneThatIsThere) {
+TEST_F(StoreOfClauses, SeesThatAClauseFollowsFromOneThatIsThere) {
   ClauseStore store;
   static_cast<void>(store.insert(std::vector{a}, std::vector{b}, 1));
   EXPECT_TRUE(store.is_redundant(std::vector{a}, std::vector{b}));
@@ -37,14 +44,14 @@ TEST(ClauseStore, SeesThatAClauseFollowsFromOneThatIsThere) {
   EXPECT_FALSE(store.is_redundant(std::vector{a}, std::vector{c}));
 }
 
-TEST(ClauseStore, SeesThatAClauseFollowsFromOneWithAnEmptyHead) {
+TEST_F(StoreOfClauses, SeesThatAClauseFollowsFromOneWithAnEmptyHead) {
   ClauseStore store;
   static_cast<void>(store.insert(std::vector{a}, {}, 0));
   EXPECT_TRUE(store.is_redundant(std::vector{a, b}, std::vector{c}));
   EXPECT_FALSE(store.is_redundant(std::vector{b}, std::vector{c}));
 }
 
-TEST(ClauseStore, DropsClausesThatANewOneImplies) {
+TEST_F(StoreOfClauses, DropsClausesThatANewOneImplies) {
   ClauseStore store;
   const ClauseNumber wide = store.insert(std::vector{a}, std::vector{c, b}, 1);
   const ClauseNumber kept = store.insert(std::vector{b}, std::vector{c}, 1);
@@ -56,7 +63,7 @@ TEST(ClauseStore, DropsClausesThatANewOneImplies) {
 }
 
 /// Against a list that is looked through from its start.
-TEST(ClauseStore, AgreesWithAPlainList) {
+TEST_F(StoreOfClauses, AgreesWithAPlainList) {
   struct Plain {
     std::vector<Literal> body;
     std::vector<Literal> head;
