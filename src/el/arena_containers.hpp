@@ -3,6 +3,7 @@
 #define GEMINGA_EL_ARENA_CONTAINERS_HPP
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -25,6 +26,14 @@ class ArenaList {
     const T copy = item;  // it may be one of ours
     if (size_ == capacity_) grow(arena);
     items_[size_++] = copy;
+  }
+  /// Takes the last away. There must be one.
+  T pop_back() { return items_[--size_]; }
+  /// Room for so many, where nothing is in it yet.
+  void reserve(std::uint32_t count, Arena& arena) {
+    if (capacity_ != 0 || count == 0) return;
+    capacity_ = std::max<std::uint32_t>(std::bit_ceil(count), Arena::min_block_bytes / sizeof(T));
+    items_ = static_cast<T*>(arena.allocate(capacity_ * sizeof(T)));
   }
   void clear(Arena& arena) {
     if (capacity_ != 0) arena.release(items_, capacity_ * sizeof(T));
@@ -67,15 +76,20 @@ class ArenaSet {
     if (slots_ == nullptr) {
       if (std::find(items_.begin(), items_.end(), key) != items_.end()) return false;
       items_.push_back(key, arena);
-      if (items_.size() > max_scanned) rebuild(arena);
+      if (items_.size() > max_scanned) make_table(items_.size(), arena);
       return true;
     }
     const std::size_t slot = find(key);
     if (slots_[slot] == key) return false;
     slots_[slot] = key;
     items_.push_back(key, arena);
-    if (items_.size() * 4ULL > slot_count() * 3) rebuild(arena);
+    if (items_.size() * 4ULL > slot_count() * 3) make_table(items_.size(), arena);
     return true;
+  }
+  /// Room for so many, if there is no table yet.
+  void reserve(std::uint32_t count, Arena& arena) {
+    items_.reserve(count, arena);
+    if (slots_ == nullptr && count > max_scanned) make_table(count, arena);
   }
   [[nodiscard]] bool contains(Key key) const {
     if (slots_ == nullptr) return std::find(items_.begin(), items_.end(), key) != items_.end();
@@ -84,6 +98,12 @@ class ArenaSet {
   [[nodiscard]] std::uint32_t size() const { return items_.size(); }
   [[nodiscard]] Key operator[](std::size_t at) const { return items_[at]; }
   [[nodiscard]] std::span<const Key> items() const { return {items_.begin(), items_.end()}; }
+  /// Where nothing will be looked for any more, or hardly.
+  void forget_table(Arena& arena) {
+    if (slots_ != nullptr) arena.release(slots_, slot_count() * sizeof(Key));
+    slots_ = nullptr;
+    slot_bits_ = 0;
+  }
   void clear(Arena& arena) {
     items_.clear(arena);
     if (slots_ != nullptr) arena.release(slots_, slot_count() * sizeof(Key));
@@ -107,9 +127,10 @@ class ArenaSet {
     while (!(slots_[slot] == key) && !(slots_[slot] == free)) slot = (slot + 1) & mask;
     return slot;
   }
-  void rebuild(Arena& arena) {
+  /// For so many and some more.
+  void make_table(std::uint32_t count, Arena& arena) {
     if (slots_ != nullptr) arena.release(slots_, slot_count() * sizeof(Key));
-    slot_bits_ = slots_ == nullptr ? 5 : slot_bits_ + 1;
+    slot_bits_ = static_cast<std::uint32_t>(std::bit_width(count * 4ULL / 3));
     slots_ = static_cast<Key*>(arena.allocate(slot_count() * sizeof(Key)));
     std::memset(static_cast<void*>(slots_), 0xff, slot_count() * sizeof(Key));
     for (const Key key : items_) slots_[find(key)] = key;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "el/index.hpp"
+#include "el/inheritance.hpp"
 #include "el/nominals.hpp"
 #include "el/normaliser.hpp"
 #include "el/saturation.hpp"
@@ -35,6 +36,11 @@ class Classifier {
                                            std::to_string(max_pairs) + " pairs"});
     }
     find_roots();
+    if (Inheritance::is_for(index_)) {
+      if (!inherit()) return std::unexpected(too_large());
+      classify_all_properties();
+      return std::move(result_);
+    }
     auto saturation = saturate();
     if (saturation->is_over_merged()) {
       leave_out_functional();
@@ -42,13 +48,11 @@ class Classifier {
       saturation = saturate();
     }
     if (saturation->is_over_limit()) {
-      return std::unexpected(ClassifyError{"more than " + std::to_string(SaturationLimits{}.conclusions) +
-                                           " conclusions follow: the ontology is too large"});
+      return std::unexpected(too_large());
     }
     count(*saturation);
     reduce(*saturation);
-    result_.object_properties = classify_properties(source_, PropertyKind::object, result_.is_consistent);
-    result_.data_properties = classify_properties(source_, PropertyKind::data, result_.is_consistent);
+    classify_all_properties();
     return std::move(result_);
   }
 
@@ -106,6 +110,51 @@ class Classifier {
     for (const ExprId individual : normaliser_.individuals()) saturation->require(index_.representative(individual));
     saturation->run(options_.threads);
     return saturation;
+  }
+
+  static ClassifyError too_large() {
+    return {"more than " + std::to_string(SaturationLimits{}.conclusions) +
+            " conclusions follow: the ontology is too large"};
+  }
+
+  void classify_all_properties() {
+    result_.object_properties = classify_properties(source_, PropertyKind::object, result_.is_consistent);
+    result_.data_properties = classify_properties(source_, PropertyKind::data, result_.is_consistent);
+  }
+
+  /// False over the limit of conclusions.
+  bool inherit() {
+    std::vector<ExprId> seeds = asked_;
+    for (const ExprId individual : normaliser_.individuals()) seeds.push_back(index_.representative(individual));
+    SubsumptionGraph graph(index_);
+    {
+      Inheritance inheritance(index_, {}, seeds);
+      if (!inheritance.run(options_.threads)) return false;
+      result_.counts.expressions = index_.size();
+      result_.counts.contexts = inheritance.nodes().size();
+      result_.counts.subsumptions = inheritance.conclusion_count();
+      result_.counts.links = inheritance.link_count();
+      result_.is_consistent = inheritance.is_consistent();
+      add_edges(inheritance.nodes(), graph);
+    }
+    name_classes();
+    std::move(graph).reduce(exprs_, result_);
+    return true;
+  }
+
+  void add_edges(const NodeStore& nodes, SubsumptionGraph& graph) const {
+    graph.add_nodes(nodes.size());
+    const std::size_t size = index_.size();
+    for (std::uint32_t at = 0; at < nodes.size(); ++at) {
+      const Node& node = nodes[at];
+      const ExprId own{node.is_existential() ? static_cast<std::uint32_t>(size) + at : node.root};
+      if (node.is_unsatisfiable) graph.set_unsatisfiable(own);
+      for (const std::uint32_t above : node.above) {
+        // Existentials that nothing is above of interest nobody.
+        if (above >= size && nodes[above - size].above.empty()) continue;
+        graph.add_edge(own, ExprId{above});
+      }
+    }
   }
 
   void count(const Saturation& saturation) {

@@ -3,12 +3,9 @@
 #define GEMINGA_EL_CONTEXT_HPP
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <memory>
 #include <span>
 #include <vector>
@@ -16,6 +13,7 @@
 #include "el/arena_containers.hpp"
 #include "el/growing_set.hpp"
 #include "el/index.hpp"
+#include "el/stable_store.hpp"
 
 namespace geminga::el {
 
@@ -108,56 +106,7 @@ struct alignas(64) Context {
   RareList<std::uint32_t> members;   ///< of a nominal's context: the contexts below it
 };
 
-/// Contexts by number. They never move; threads may add and read at once.
-class ContextStore {
- public:
-  ContextStore() = default;
-  ContextStore(const ContextStore&) = delete;
-  ContextStore& operator=(const ContextStore&) = delete;
-  ~ContextStore();
-
-  /// The number of a new context. Who gets it is alone with it until it tells others.
-  std::uint32_t add();
-  [[nodiscard]] std::size_t size() const { return count_.load(std::memory_order_relaxed); }
-  [[nodiscard]] Context& operator[](std::size_t number) { return *at(number); }
-  [[nodiscard]] const Context& operator[](std::size_t number) const { return *at(number); }
-
-  class Iterator {
-   public:
-    using value_type = Context;
-    using difference_type = std::ptrdiff_t;
-    Iterator() = default;
-    Iterator(const ContextStore* store, std::size_t number) : store_(store), number_(number) {}
-    const Context& operator*() const { return (*store_)[number_]; }
-    Iterator& operator++() {
-      ++number_;
-      return *this;
-    }
-    Iterator operator++(int) { return {store_, number_++}; }
-    friend bool operator==(const Iterator&, const Iterator&) = default;
-
-   private:
-    const ContextStore* store_ = nullptr;
-    std::size_t number_ = 0;
-  };
-  [[nodiscard]] Iterator begin() const { return {this, 0}; }
-  [[nodiscard]] Iterator end() const { return {this, size()}; }
-
- private:
-  // Block b holds the contexts first_block << b, as many as all blocks before it and first_block more.
-  static constexpr std::size_t first_block = 64;
-  static constexpr std::size_t first_block_bits = 6;
-  [[nodiscard]] static std::size_t block_of(std::size_t number) {
-    return static_cast<std::size_t>(std::bit_width(number + first_block)) - 1 - first_block_bits;
-  }
-  [[nodiscard]] Context* at(std::size_t number) const {
-    const std::size_t block = block_of(number);
-    return blocks_[block].load(std::memory_order_acquire) + (number + first_block - (first_block << block));
-  }
-
-  std::array<std::atomic<Context*>, 27> blocks_{};
-  std::atomic<std::uint32_t> count_ = 0;
-};
+using ContextStore = StableStore<Context>;
 
 }  // namespace geminga::el
 

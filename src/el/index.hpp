@@ -134,7 +134,11 @@ class Index {
   [[nodiscard]] std::span<const ExistentialRule> existentials(ExprId id) const { return existentials_[number(id)]; }
   [[nodiscard]] std::span<const std::uint32_t> disjointness(ExprId id) const { return disjointness_[number(id)]; }
   [[nodiscard]] std::size_t disjointness_count() const { return disjointness_count_; }
-  /// Whether somewhere something has at most one successor by the role or by one of its super roles.
+  /// All rules that an expression has, as RuleBits.
+  [[nodiscard]] std::uint8_t rule_bits(ExprId id) const { return rule_bits_[number(id)]; }
+  /// Whether somewhere something has at most one successor by some role.
+  [[nodiscard]] bool has_functional() const { return !may_be_functional_.empty(); }
+  /// The same of the role or of one of its super roles.
   [[nodiscard]] bool may_be_functional(RoleId role) const {
     return !may_be_functional_.empty() && may_be_functional_[static_cast<std::size_t>(role)];
   }

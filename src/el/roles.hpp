@@ -2,8 +2,10 @@
 #ifndef GEMINGA_EL_ROLES_HPP
 #define GEMINGA_EL_ROLES_HPP
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -42,6 +44,11 @@ class Roles {
   /// What a link of `first` followed by a link gives, ascending by second; sub-roles of both are considered already.
   [[nodiscard]] std::span<const Composition> compositions(RoleId first) const {
     return compositions_[static_cast<std::size_t>(first)];
+  }
+  /// The roles of a link of `first` followed by one of `second`.
+  [[nodiscard]] auto composed(RoleId first, RoleId second) const {
+    return std::ranges::equal_range(compositions(first), second, {}, &Composition::second) |
+           std::views::transform(&Composition::result);
   }
   /// Whether the role may be the second of a composition.
   [[nodiscard]] bool is_second(RoleId role) const { return is_second_[static_cast<std::size_t>(role)]; }

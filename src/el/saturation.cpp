@@ -97,6 +97,16 @@ void Worker::run_alone() {
   }
 }
 
+void Worker::set_parallel(bool is_parallel) {
+  is_parallel_ = is_parallel;
+  if (!is_parallel) return;
+  for (const std::uint32_t context : queue_) {
+    contexts_[context].inbox = being_worked_on();
+    contexts_[context].owner = rank_;
+    contexts_[context].is_queued = false;
+  }
+}
+
 void Worker::work_on(std::uint32_t context) {
   Context& self = contexts_[context];
   for (;;) {

@@ -15,7 +15,7 @@ void SubsumptionGraph::add_told_edges() {
 
 void SubsumptionGraph::reduce(std::span<const ExprId> exprs, Classification& classification) && {
   add_told_edges();
-  graph_.node_count = static_cast<std::uint32_t>(index_.size());
+  graph_.node_count = static_cast<std::uint32_t>(graph_.is_empty.size());
   graph_.top = number(index_.representative(top_expr));
   graph_.node_of.reserve(exprs.size());
   for (const ExprId expr : exprs) graph_.node_of.push_back(number(expr));

@@ -16,6 +16,8 @@ class SubsumptionGraph {
   explicit SubsumptionGraph(const Index& index) : index_(index) { graph_.is_empty.assign(index.size(), false); }
 
   void add_edge(ExprId sub, ExprId super) { graph_.edges.emplace_back(number(sub), number(super)); }
+  /// Nodes that stand for no expression: numbers behind those of the index.
+  void add_nodes(std::size_t count) { graph_.is_empty.resize(index_.size() + count, false); }
   void set_unsatisfiable(ExprId atom) { graph_.is_empty[number(atom)] = true; }
 
   /// Fills representative, parents and is_consistent of a classification whose classes are set. `exprs[c]` is the

@@ -32,7 +32,12 @@ class Worker {
   void run_alone();
   /// Reads the letters of a context of its queue and works on it until no more come. For one of many.
   void work_on(std::uint32_t context);
-  void set_parallel(bool is_parallel) { is_parallel_ = is_parallel; }
+  /// What is on its queue is in its hand from then on. Before there are threads, and after.
+  void set_parallel(bool is_parallel);
+  /// All that is to be done is on queues from the start.
+  bool begin_more() { return false; }
+  bool release_one() { return false; }
+  bool begin_round() { return false; }
   [[nodiscard]] std::uint8_t rank() const { return rank_; }
   /// The contexts to be worked on, the next one last.
   [[nodiscard]] std::vector<std::uint32_t>& queue() { return queue_; }
