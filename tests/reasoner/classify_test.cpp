@@ -53,6 +53,14 @@ TEST(Classification, FindsWhatInversesCarryBack) {
               ElementsAre("A < C"));
 }
 
+// {a} and B are one, and who is not B has two neighbours in B: so everything is a.
+TEST(Classification, FindsWhatNominalsMakeEverythingBe) {
+  EXPECT_THAT(
+      closure("SubClassOf(ObjectMaxCardinality(1 r B) B)\nSubClassOf(A Thing)\n"
+              "EquivalentClasses(B ObjectIntersectionOf(ObjectOneOf(i:a) ObjectHasValue(ObjectInverseOf(r) i:a)))"),
+      ElementsAre("A < B", "Thing < B"));
+}
+
 TEST(Classification, FindsWhatCannotBe) {
   EXPECT_THAT(closure("SubClassOf(A ObjectMinCardinality(2 r B))\nSubClassOf(A ObjectMaxCardinality(1 r))"),
               ElementsAre("A < Nothing"));
@@ -123,6 +131,13 @@ Completion completed(const el::OntologySource& source, const CompletionLimits& l
 constexpr const char* by_cases =
     "SubClassOf(A ObjectUnionOf(B C))\nSubClassOf(B D)\nSubClassOf(C D)\n"
     "SubClassOf(E ObjectIntersectionOf(ObjectUnionOf(B C) ObjectComplementOf(D)))\nSubClassOf(F A)";
+
+TEST(Completion, FindsWhatIsAboveEverything) {
+  // There are two things at most, and each has two neighbours in B.
+  EXPECT_THAT(closure("SubClassOf(Thing ObjectOneOf(i:a i:b))\nSubClassOf(Thing ObjectMinCardinality(2 r B))\n"
+                      "SubClassOf(A C)"),
+              Contains("Thing < B"));
+}
 
 TEST(Completion, FindsByModelsAloneWhatElLeavesOpen) {
   const el::OntologySource source = el::written(by_cases);
