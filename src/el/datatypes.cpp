@@ -6,6 +6,8 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <type_traits>
 
 #include "base/text.hpp"
 
@@ -123,6 +125,17 @@ std::optional<std::string> canonical_decimal(std::string_view text, bool may_hav
   return is_negative && result != "0" ? "-" + result : result;
 }
 
+/// What is too large or too small for the type is rounded as IEEE 754 has it: to infinity or to zero (XSD 1.1 part 2,
+/// floatingPointRound). std::from_chars() says only that it does not fit.
+template <typename Float>
+Float rounded(const std::string& text) {
+  if constexpr (std::is_same_v<Float, float>) {
+    return std::strtof(text.c_str(), nullptr);
+  } else {
+    return std::strtod(text.c_str(), nullptr);
+  }
+}
+
 template <typename Float>
 std::optional<std::string> canonical_float(std::string_view text) {
   if (text == "NaN") return "NaN";
@@ -133,7 +146,8 @@ std::optional<std::string> canonical_float(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (text.empty() || end != text.data() + text.size() || error == std::errc::invalid_argument) return std::nullopt;
   if (text.find_first_of("0123456789") == std::string_view::npos) return std::nullopt;  // "inf", "nan"
-  if (error == std::errc::result_out_of_range) return std::nullopt;
+  if (error == std::errc::result_out_of_range) value = rounded<Float>(std::string(text));
+  if (std::isinf(value)) return value > 0 ? "INF" : "-INF";
   std::array<char, 64> buffer{};
   const auto written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::hex);
   return std::string(buffer.data(), written.ptr);

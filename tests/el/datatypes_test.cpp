@@ -52,6 +52,13 @@ TEST(Datatypes, GiveEqualValuesOneForm) {
       {"1e0", "double", "1p+0"},
       {"1.0", "double", "1p+0"},
       {"INF", "float", "INF"},
+      {"1E39", "float", "INF"},
+      {"-1E39", "float", "-INF"},
+      {"1E309", "double", "INF"},
+      {"1E-46", "float", "0p+0"},
+      {"-1E-46", "float", "-0p+0"},
+      {"1E-400", "double", "0p+0"},
+      {"1E999999999999", "double", "INF"},
   };
   for (const auto& one : cases)
     EXPECT_EQ(canonical(one.lexical, one.name), one.canonical) << one.lexical << " " << one.name;
