@@ -160,6 +160,11 @@ class Question {
       if (shape.kind == ShapeKind::negation && shapes_.has_negation(shape.parts[0])) {
         shapes_.add_gap("a complement inside of a complement");
       }
+      //  C < D or not E where C and E < D, which no part tells
+      const bool has_complement =
+          shape.kind == ShapeKind::any_of &&
+          std::ranges::any_of(shape.parts, [&](ShapeId part) { return shapes_.has_negation(part); });
+      if (has_complement) shapes_.add_gap("a complement inside of a union");
       const bool is_union = shape.kind == ShapeKind::only && shapes_.alternatives_of(shape.parts[0]).size() > 1;
       if (is_union) shapes_.add_gap("a union inside of owl:allValuesFrom");
     }

@@ -25,7 +25,7 @@ class ExpressionClassifier {
 
   /// The place of a class expression of `query`, whose names are those of the ontology. Sound always. Complete, which
   /// is where the place has no gaps, for ontologies in OWL 2 EL with functional properties, and expressions of these
-  /// with unions, and complements at the outside.
+  /// with unions, and complements outside of restrictions and unions.
   [[nodiscard]] ExpressionPlace classify(const OntologySource& query, TermId expression) const;
   /// Whether every instance of one expression is an instance of the other. `gaps` says why a no may be wrong.
   struct Subsumption {

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <ranges>
+
+#include "el/expression_meeting.hpp"
 
 namespace geminga::el {
 namespace {
@@ -16,6 +19,20 @@ Contexts common(const Contexts& one, const Contexts& other) {
   Contexts both;
   std::ranges::set_intersection(one, other, std::back_inserter(both));
   return both;
+}
+
+/// Looking at so many subsumers is as much work as a conclusion.
+constexpr std::size_t looked_at_per_conclusion = 16;
+
+/// Each alternative in a context of its own; none where that takes too much work or one of them is impossible.
+std::vector<MeetingPoint> points_of(std::span<const ShapeId> alternatives, ExpressionOverlay& alone) {
+  std::vector<MeetingPoint> points;
+  std::vector<std::uint32_t> contexts;
+  for (const ShapeId& alternative : alternatives) contexts.push_back(alone.require(std::span(&alternative, 1)));
+  const auto is_impossible = [&](std::uint32_t context) { return alone.is_unsatisfiable(context); };
+  if (!alone.run() || std::ranges::any_of(contexts, is_impossible)) return points;
+  for (const std::uint32_t context : contexts) points.emplace_back(alone, context);
+  return points;
 }
 
 }  // namespace
@@ -187,17 +204,26 @@ Contexts ExpressionMembers::disjoint_from(ShapeId shape, const Contexts& candida
   Contexts found;
   std::vector<bool> is_found(overlay_.context_count(), false);
   ExpressionOverlay probe(base_, shapes_);
+  ExpressionOverlay alone(base_, shapes_);
+  std::vector<MeetingPoint> points = points_of(alternatives, alone);
+  std::size_t looked_at = 0;  // subsumers, where contexts meet
   for (const std::uint32_t candidate : to_be_tested(candidates)) {
     if (is_found[candidate]) continue;
     const bool is_own = candidate >= overlay_.base_count();
     if (is_own && !overlay_.own()[candidate - overlay_.base_count()].negations.empty()) {
       shapes_.add_gap("a complement inside of a complement");
     }
-    const bool is_disjoint = std::ranges::all_of(alternatives, [&](ShapeId alternative) {
-      const std::uint32_t both = probe.require_with(overlay_.seeds_of(candidate), alternative);
+    const auto is_impossible = [&](std::size_t alternative) {
+      if (!is_own && alternative < points.size()) {
+        looked_at += base_.subsumers_of(candidate).size();
+        const Meeting meeting = points[alternative].with(candidate);
+        if (meeting != Meeting::unknown) return meeting == Meeting::impossible;
+      }
+      const std::uint32_t both = probe.require_with(overlay_.seeds_of(candidate), alternatives[alternative]);
       return probe.run() && probe.is_unsatisfiable(both);
-    });
-    if (probe.work() > base_.limits().work) {
+    };
+    const bool is_disjoint = std::ranges::all_of(std::views::iota(std::size_t{0}, alternatives.size()), is_impossible);
+    if (probe.work() + looked_at / looked_at_per_conclusion > base_.limits().work) {
       shapes_.add_gap("too much work for a complement");
       break;
     }

@@ -70,6 +70,24 @@ TEST(Place, OfAComplementIsAboveWhatIsDisjoint) {
   EXPECT_EQ(asked.place("not (observes some (Camera and Lidar))"), "= Thing");
 }
 
+TEST(Place, OfAComplementIsAboveWhatIsDisjointByARuleWithAPremiseFromEach) {
+  EXPECT_EQ(Asked("SubClassOf(ObjectIntersectionOf(A B) Nothing)\nDeclaration(C)\n").place("not A"), "< Thing > B");
+  const Asked conjunctions(
+      "SubClassOf(ObjectIntersectionOf(A B) C)\nSubClassOf(ObjectIntersectionOf(A D) E)\nDisjointClasses(C A)\n");
+  EXPECT_EQ(conjunctions.place("not A"), "< Thing > B C");
+  const Asked functional(
+      "FunctionalObjectProperty(f)\nSubObjectPropertyOf(g f)\nSubClassOf(A ObjectSomeValuesFrom(f C))\n"
+      "SubClassOf(B ObjectSomeValuesFrom(g D))\nSubClassOf(E ObjectSomeValuesFrom(f F))\nDisjointClasses(C D)\n");
+  EXPECT_EQ(functional.place("not A"), "< Thing > B");
+  EXPECT_EQ(functional.place("not (f some C)"), "< Thing > B");
+  const Asked itself(
+      "FunctionalObjectProperty(f)\nSubClassOf(A ObjectHasSelf(f))\nSubClassOf(B ObjectSomeValuesFrom(f C))\n"
+      "DisjointClasses(A C)\nReflexiveObjectProperty(r)\nSubClassOf(ObjectSomeValuesFrom(r D) E)\n"
+      "DisjointClasses(E C)\n");
+  EXPECT_EQ(itself.place("not A"), "< Thing > B C");
+  EXPECT_EQ(itself.place("not D"), "< Thing > C");
+}
+
 TEST(Place, KnowsHierarchiesChainsRangesAndDomains) {
   const Asked asked(
       "SubObjectPropertyOf(hasWheel hasPart)\nTransitiveObjectProperty(hasPart)\n"
@@ -150,6 +168,12 @@ TEST(Place, SaysWhereItMayMissSomething) {
   EXPECT_EQ(beyond.place("A"), "= A");
   EXPECT_EQ(beyond.place_of("B or D").gaps, std::vector<std::string>{});
   EXPECT_EQ(beyond.place_of("A and B").gaps, std::vector<std::string>{"owl:unionOf"});
+}
+
+TEST(Place, OfAUnionWithAComplementMayBeHigherThanItSays) {
+  EXPECT_EQ(Asked(sensors).place("(Camera and Sensor) or (Camera and not Sensor)"), "= Camera");
+  const std::string place = Asked(sensors).place("(Sensor and BallWatcher) or (Sensor and not BallWatcher)");
+  EXPECT_TRUE(place == "= Sensor" || place.ends_with('?')) << place;
 }
 
 TEST(Place, IsTheTaxonomysWhereThatKnowsMore) {
