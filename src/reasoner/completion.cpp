@@ -2,7 +2,6 @@
 #include "reasoner/completion.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -92,16 +91,16 @@ class Completing {
     std::ranges::sort(labels);
     labels.erase(std::ranges::unique(labels).begin(), labels.end());
     for (const Numbers& label : labels) {
-      for (const std::uint32_t of : label) bound(of, label);
-      bound(top_, label);
+      narrow(top_, label, known_[top_].size());
+      for (const std::uint32_t of : label) narrow(of, label, known_[of].size() + 1);
     }
   }
 
-  /// Nothing is above the class but what is in the label.
-  void bound(std::uint32_t of, const Numbers& label) {
+  /// Where not all that may be above it is known to be: `closed` many are, itself included.
+  void narrow(std::uint32_t of, const Numbers& label, std::size_t closed) {
     if (!possible_[of]) {
       possible_[of] = label;
-    } else if (possible_[of]->size() > known_[of].size() + (of == top_ ? 0 : 1)) {
+    } else if (possible_[of]->size() > closed) {
       std::erase_if(*possible_[of], [&](std::uint32_t above) { return !contains(label, above); });
     }
   }
@@ -172,7 +171,8 @@ class Completing {
     Numbers open;
     if (!possible_[of] || is_empty_[of]) return open;
     for (const std::uint32_t above : *possible_[of]) {
-      if (above != of && !is_empty_[above] && !contains(known_[of], above)) open.push_back(above);
+      if (above == of || is_empty_[above] || contains(known_[of], above)) continue;
+      if (!contains(known_[top_], above)) open.push_back(above);
     }
     // The most specific first: with it goes all above it.
     std::ranges::stable_sort(open,
@@ -181,9 +181,9 @@ class Completing {
   }
 
   void ask_pairs() {
-    // What is above owl:Thing is above all others.
-    Numbers order{top_};
-    std::ranges::copy(lowest_first(), std::back_inserter(order));
+    // What is above everything need not be asked again of each class.
+    Numbers order = lowest_first();
+    order.insert(order.begin(), top_);
     std::set<std::uint32_t> supers;
     for (const std::uint32_t of : order) {
       for (const std::uint32_t above : open_above(of)) supers.insert(above);
@@ -201,10 +201,10 @@ class Completing {
     tableau::Tableau tableau(source_, *clauses, limits_.question);
     for (std::size_t at = 0; at < order.size(); ++at) {
       const std::uint32_t of = order[at];
-      const auto sub = of == top_ ? std::optional(clauses::thing) : concepts.concept_of(of);
+      const auto sub = concepts.concept_of(of);
       for (const std::uint32_t above : open_above(of)) {
-        if (!sub || contains(known_[of], above) || !contains(*possible_[of], above)) continue;
-        if (contains(known_[top_], above)) continue;
+        if (!sub || contains(known_[of], above) || contains(known_[top_], above)) continue;
+        if (!contains(*possible_[of], above)) continue;
         if (!may_ask(0.5 + 0.5 * static_cast<double>(at) / static_cast<double>(order.size()))) return;
         const auto place = static_cast<std::size_t>(std::ranges::lower_bound(asked, above) - asked.begin());
         const Verdict verdict = note(tableau.is_satisfiable({*sub, clauses->complements[place]}));
@@ -227,7 +227,7 @@ class Completing {
   std::size_t unanswered_ = 0;
   std::vector<el::TermId> terms_;                 ///< by class
   std::vector<Numbers> known_;                    ///< by representative: what is strictly above it, ascending
-  std::vector<std::optional<Numbers>> possible_;  ///< by representative: what may be above it, itself included
+  std::vector<std::optional<Numbers>> possible_;  ///< by representative: what may be above it, itself (but T) included
   std::vector<bool> is_empty_;                    ///< by representative: found to be below owl:Nothing
 };
 
