@@ -36,7 +36,7 @@ class Classifier {
                                            std::to_string(max_pairs) + " pairs"});
     }
     find_roots();
-    if (Inheritance::is_for(index_)) {
+    if (options_.inherits && Inheritance::is_for(index_)) {
       if (!inherit()) return std::unexpected(too_large());
       classify_all_properties();
       return std::move(result_);
@@ -262,12 +262,16 @@ std::vector<LeftOut> left_out(const OntologySource& source, const Classification
   struct Place {
     std::uint32_t count = 0;
     std::pair<std::string_view, std::uint32_t> first;
+    FileId file{};
   };
   std::map<std::string_view, Place> places;
   const auto add = [&](std::string_view construct, FileId file, std::uint32_t line, std::uint32_t count) {
     Place& place = places[construct];
     const std::pair<std::string_view, std::uint32_t> here(source.files()[static_cast<std::size_t>(file)].path, line);
-    if (place.count == 0 || here < place.first) place.first = here;
+    if (place.count == 0 || here < place.first) {
+      place.first = here;
+      place.file = file;
+    }
     place.count += count;
   };
   for (const OntologySource::Omission& omission : source.omissions()) {
@@ -280,7 +284,8 @@ std::vector<LeftOut> left_out(const OntologySource& source, const Classification
   std::vector<LeftOut> result;
   for (const auto& [construct, place] : places) {
     result.push_back({std::string(construct), place.count,
-                      std::string(place.first.first) + ":" + std::to_string(place.first.second)});
+                      std::string(place.first.first) + ":" + std::to_string(place.first.second),
+                      static_cast<std::uint32_t>(place.file), place.first.second});
   }
   return result;
 }

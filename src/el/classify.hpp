@@ -21,6 +21,7 @@ inline constexpr std::size_t default_max_merged_atoms = std::size_t{1} << 20;
 
 struct ClassifyOptions {
   unsigned threads = 1;                                 ///< of saturation; the result does not depend on it
+  bool inherits = true;                                 ///< the closure is inherited where it can be: inheritance.hpp
   std::size_t merged_atoms = default_max_merged_atoms;  ///< see SaturationLimits
 };
 

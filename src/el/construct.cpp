@@ -6,7 +6,7 @@
 namespace geminga::el {
 
 std::string_view to_string(Construct construct) {
-  static constexpr std::array<std::string_view, 26> words = {
+  static constexpr std::array<std::string_view, 31> words = {
       "",
       "owl:unionOf",
       "owl:complementOf",
@@ -33,6 +33,11 @@ std::string_view to_string(Construct construct) {
       "functional properties with too many successors",
       "datatypes that overlap",
       "literals whose equality is not known",
+      "owl:maxCardinality of a property that is not simple",
+      "owl:FunctionalProperty of a property that is not simple",
+      "owl:InverseFunctionalProperty of a property that is not simple",
+      "owl:IrreflexiveProperty of a property that is not simple",
+      "owl:hasSelf of a property that is not simple",
   };
   return words[static_cast<std::size_t>(construct)];
 }

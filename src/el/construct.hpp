@@ -35,6 +35,11 @@ enum class Construct : std::uint8_t {
   too_many_merged,
   overlapping_datatypes,
   inexact_literal,
+  max_cardinality_not_simple,
+  functional_not_simple,
+  inverse_functional_not_simple,
+  irreflexive_not_simple,
+  self_not_simple,
 };
 
 [[nodiscard]] std::string_view to_string(Construct construct);

@@ -94,7 +94,7 @@ Construct Normaliser::add_class_axiom(const Axiom& axiom) {
       return both(unused, Construct::disjoint_union_of);
     }
     default:
-      return Construct::has_key;
+      return add_key(axiom);
   }
 }
 
@@ -202,6 +202,7 @@ Construct Normaliser::add_object_property_axiom(const Axiom& axiom) {
       return Construct::none;
     case AxiomKind::irreflexive_object_property: {
       if (first.is_top) return Construct::top_property;
+      note_use(SimpleUse{first.role, Construct::irreflexive_not_simple});
       const ExprId self = index_.self(first.role);
       index_.mark_negative(self);
       index_.add_told(self, bottom_expr);
@@ -212,10 +213,12 @@ Construct Normaliser::add_object_property_axiom(const Axiom& axiom) {
     case AxiomKind::functional_object_property:
       if (first.is_top) return Construct::functional;
       if (first.is_inverse) return Construct::inverse_functional;
+      note_use(SimpleUse{first.role, Construct::functional_not_simple});
       index_.add_functional(top_expr, first.role);
       return Construct::none;
     case AxiomKind::inverse_functional_object_property:
       if (first.is_top || !first.is_inverse) return Construct::inverse_functional;
+      note_use(SimpleUse{first.role, Construct::inverse_functional_not_simple});
       index_.add_functional(top_expr, first.role);
       return Construct::none;
     case AxiomKind::symmetric_object_property:
@@ -304,34 +307,6 @@ Construct Normaliser::add_property_assertion(const Axiom& axiom, bool is_negativ
   index_.mark_negative(clash);
   index_.add_told(clash, bottom_expr);
   return Construct::none;
-}
-
-std::vector<std::pair<std::uint32_t, Construct>> Normaliser::finish() {
-  relate_data();
-  std::vector<std::pair<std::uint32_t, Construct>> unused;
-  find_unused_data(unused);
-  find_ranges_over_chains(unused);
-  return unused;
-}
-
-// OWL 2 EL's restriction: a range of the result of a chain must be a range of its last property, too. Elsewhere the
-// elimination of ranges would lose consequences.
-void Normaliser::find_ranges_over_chains(std::vector<std::pair<std::uint32_t, Construct>>& unused) const {
-  constexpr std::size_t max_pairs = std::size_t{1} << 26;
-  if (ranges_.empty() || index_.roles().chains().empty()) return;
-  Roles closed = index_.roles();
-  if (!closed.close_hierarchy(max_pairs)) return;  // the index will not close either, and that is reported
-  for (const Range& range : ranges_) {
-    for (const Roles::Chain& chain : closed.chains()) {
-      if (!closed.is_sub_role(chain.result, range.role) || closed.is_sub_role(chain.second, range.role)) continue;
-      const auto is_repeated = [&](const Range& other) {
-        return other.range == range.range && closed.is_sub_role(chain.second, other.role);
-      };
-      if (std::ranges::any_of(ranges_, is_repeated)) continue;
-      unused.emplace_back(range.axiom, Construct::range_over_chain);
-      break;
-    }
-  }
 }
 
 }  // namespace geminga::el

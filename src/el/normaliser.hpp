@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "el/construct.hpp"
@@ -16,6 +17,9 @@
 #include "el/source.hpp"
 
 namespace geminga::el {
+
+/// The most combinations of values that one key is written out for; over it the key is left out and named.
+inline constexpr std::size_t max_key_tuples = std::size_t{1} << 16;
 
 /// Rewrites axioms one by one into an index. Everything it adds follows from the axioms (over names of its own), so
 /// that whatever is derived is sound; where it returns Construct::none, nothing of the axiom is lost.
@@ -63,12 +67,41 @@ class Normaliser {
   void note_literal(TermId id);
   Construct use_positive_datatype(const Term& term);
   void relate_data();
-  void find_unused_data(std::vector<std::pair<std::uint32_t, Construct>>& unused) const;
-  void find_ranges_over_chains(std::vector<std::pair<std::uint32_t, Construct>>& unused) const;
+
+  // Keys (normaliser_keys.cpp).
+  struct Key {
+    std::uint32_t axiom = 0;
+    ExprId of{};
+    std::vector<Property> properties;
+  };
+  using Unused = std::vector<std::pair<std::uint32_t, Construct>>;
+  Construct add_key(const Axiom& axiom);
+  void use_keys(Unused& unused);
+  void use_key(const Key& key, ExprId is_named, std::size_t tuple, const std::vector<ExprId>& named,
+               const std::vector<ExprId>& literals);
+
+  // Uses that are judged when all axioms are known (normaliser_later.cpp).
+  struct SimpleUse {
+    RoleId role{};
+    Construct construct = Construct::none;  ///< what it is unless the role is simple
+  };
+  struct LaterUse {
+    std::uint32_t axiom = 0;
+    /// A datatype that values are said to be in, the family of a literal whose value is not exact, or a property that
+    /// must be simple.
+    std::variant<Datatype, DataFamily, SimpleUse> use;
+  };
+  void note_use(const std::variant<Datatype, DataFamily, SimpleUse>& use) { later_.push_back({current_axiom_, use}); }
+  void repeat_uses(TermId term, bool is_positive);
+  void find_unused_data(Unused& unused) const;
+  void find_unused_properties(Unused& unused) const;
+  void find_not_simple(const Roles& closed, Unused& unused) const;
+  void find_ranges_over_chains(const Roles& closed, Unused& unused) const;
 
   // One polarity: `use` adds the rules, once, and returns the first construct that has none.
   Construct use_negative(TermId term);
   Construct use_positive(TermId term);
+  Construct use_once(TermId term, bool is_positive);
   Construct make_negative(TermId term);
   Construct make_positive(TermId term);
   Construct make_negative_restriction(const Term& term, ExprId expr);
@@ -108,8 +141,15 @@ class Normaliser {
   std::vector<std::pair<DataValue, ExprId>> values_;
   std::map<std::pair<DataFamily, std::string>, ExprId> expr_of_value_;
   std::map<TermId, DataFamily> family_of_literal_;
-  std::vector<std::pair<std::uint32_t, Datatype>> datatype_uses_;   ///< axiom, and what it says that values are in
-  std::vector<std::pair<std::uint32_t, DataFamily>> inexact_uses_;  ///< axiom, and the family of its literal
+  std::vector<Key> keys_;
+  std::vector<LaterUse> later_;
+  /// The later uses of a term with rules: of the axiom that used it first, and for whom they were repeated last.
+  struct TermUses {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::uint32_t axiom = 0;
+  };
+  std::map<std::pair<TermId, bool>, TermUses> uses_of_term_;  ///< by term, and whether it is asserted
   std::map<TermId, bool> is_exact_literal_;
   std::array<bool, data_family_count> has_negative_literal_{};
   struct Range {

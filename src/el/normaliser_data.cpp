@@ -52,42 +52,12 @@ Construct Normaliser::use_positive_literal(TermId id) {
 
 void Normaliser::note_literal(TermId id) {
   const auto exact = is_exact_literal_.find(id);
-  if (exact != is_exact_literal_.end() && !exact->second)
-    inexact_uses_.emplace_back(current_axiom_, family_of_literal_.at(id));
+  if (exact != is_exact_literal_.end() && !exact->second) note_use(family_of_literal_.at(id));
 }
 
 Construct Normaliser::use_positive_datatype(const Term& term) {
-  if (const auto type = Datatype::find(source_.name(term.name))) datatype_uses_.emplace_back(current_axiom_, *type);
+  if (const auto type = Datatype::find(source_.name(term.name))) note_use(*type);
   return Construct::none;
-}
-
-// What is in a finite datatype is one of its values, which EL cannot say; it matters where a value is asked for. What
-// is in two datatypes that overlap is in their intersection, which may be finite or a part of a third: the datatypes of
-// OWL 2 EL are chosen so that this never happens. Of inexact literals nobody knows whether others have their value.
-void Normaliser::find_unused_data(std::vector<std::pair<std::uint32_t, Construct>>& unused) const {
-  const auto overlap = [](Datatype one, Datatype other) {
-    return one.family() == other.family() && !one.is_within(other) && !other.is_within(one) && !one.is_disjoint(other);
-  };
-  // Few datatypes are used by many axioms.
-  std::vector<Datatype> used;
-  for (const auto& [axiom, type] : datatype_uses_) {
-    const auto is_same = [&, own = type](Datatype other) {
-      return own.family() == other.family() && own.is_within(other) && other.is_within(own);
-    };
-    if (std::ranges::none_of(used, is_same)) used.push_back(type);
-  }
-  std::array<std::size_t, data_family_count> value_counts{};
-  for (const auto& [value, expr] : values_) ++value_counts[static_cast<std::size_t>(value.family)];
-  for (const auto& [axiom, type] : datatype_uses_) {
-    if (type.is_finite() && has_negative_literal_[static_cast<std::size_t>(type.family())]) {
-      unused.emplace_back(axiom, Construct::finite_datatype);
-    } else if (std::ranges::any_of(used, [&, own = type](Datatype other) { return overlap(own, other); })) {
-      unused.emplace_back(axiom, Construct::overlapping_datatypes);
-    }
-  }
-  for (const auto& [axiom, family] : inexact_uses_) {
-    if (value_counts[static_cast<std::size_t>(family)] > 1) unused.emplace_back(axiom, Construct::inexact_literal);
-  }
 }
 
 void Normaliser::relate_data() {

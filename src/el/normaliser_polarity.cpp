@@ -18,16 +18,21 @@ ExprId Normaliser::negative_some(const Property& property, ExprId filler) {
   return some;
 }
 
-Construct Normaliser::use_negative(TermId id) {
-  const auto index = static_cast<std::size_t>(id);
-  if (negative_[index] == 0) negative_[index] = static_cast<std::uint8_t>(1 + static_cast<int>(make_negative(id)));
-  return static_cast<Construct>(negative_[index] - 1);
-}
+Construct Normaliser::use_negative(TermId id) { return use_once(id, false); }
 
-Construct Normaliser::use_positive(TermId id) {
-  const auto index = static_cast<std::size_t>(id);
-  if (positive_[index] == 0) positive_[index] = static_cast<std::uint8_t>(1 + static_cast<int>(make_positive(id)));
-  return static_cast<Construct>(positive_[index] - 1);
+Construct Normaliser::use_positive(TermId id) { return use_once(id, true); }
+
+Construct Normaliser::use_once(TermId id, bool is_positive) {
+  std::uint8_t& known = (is_positive ? positive_ : negative_)[static_cast<std::size_t>(id)];
+  if (known == 0) {
+    const std::size_t begin = later_.size();
+    const Construct unused = is_positive ? make_positive(id) : make_negative(id);
+    known = static_cast<std::uint8_t>(1 + static_cast<int>(unused));
+    if (later_.size() != begin) uses_of_term_[{id, is_positive}] = {begin, later_.size(), current_axiom_};
+  } else if (!uses_of_term_.empty()) {
+    repeat_uses(id, is_positive);
+  }
+  return static_cast<Construct>(known - 1);
 }
 
 Construct Normaliser::use_negative_filler(const Term& term) {
@@ -84,6 +89,7 @@ Construct Normaliser::make_negative_restriction(const Term& term, ExprId expr) {
   if (role.is_top) return Construct::top_property;
   switch (term.kind) {
     case TermKind::object_has_self:
+      note_use(SimpleUse{role.role, Construct::self_not_simple});
       index_.mark_negative(expr);
       return Construct::none;
     case TermKind::object_all_values_from:
@@ -216,6 +222,7 @@ Construct Normaliser::use_all_values(const Property& role, TermId filler, ExprId
 
 Construct Normaliser::use_at_most(std::uint32_t limit, const Property& role, const Term& term, ExprId expr) {
   if (limit == 1 && !role.is_inverse && filler_of(term) == top_expr) {
+    if (!role.is_data) note_use(SimpleUse{role.role, Construct::max_cardinality_not_simple});
     index_.add_functional(expr, role.role);
     return Construct::none;
   }

@@ -70,7 +70,7 @@ class StableStore {
   static constexpr std::size_t first_block = 64;
   static constexpr std::size_t first_block_bits = 6;
   [[nodiscard]] static std::size_t block_of(std::size_t number) {
-    return static_cast<std::size_t>(std::bit_width(number + first_block)) - 1 - first_block_bits;
+    return static_cast<std::size_t>(std::bit_width((number >> first_block_bits) + 1)) - 1;
   }
   [[nodiscard]] Thing* at(std::size_t number) const {
     const std::size_t block = block_of(number);

@@ -1,6 +1,7 @@
 // What follows from individuals, functional properties and data, and what does not.
 #include <gtest/gtest.h>
 
+#include "el/normaliser.hpp"
 #include "entailed.hpp"
 
 namespace geminga::el {
@@ -56,6 +57,109 @@ const Entailed individuals[] = {
      "ObjectPropertyAssertion(ObjectInverseOf(r) i:b i:a)\nNegativeObjectPropertyAssertion(r i:a i:b)",
      {"inconsistent"}},
 };
+
+const char* const three_with_keys =
+    "ClassAssertion(P i:a)\nClassAssertion(P i:b)\nClassAssertion(P i:c)\nEquivalentClasses(A ObjectOneOf(i:a))\n"
+    "EquivalentClasses(B ObjectOneOf(i:b))\nEquivalentClasses(C ObjectOneOf(i:c))\n";
+const std::string data_key =
+    "HasKey(P d:p)\nDataPropertyAssertion(d:p i:a \"1\"^x:integer)\nDataPropertyAssertion(d:p i:b \"1.0\"^x:decimal)\n"
+    "DataPropertyAssertion(d:p i:c \"2\"^x:integer)\n";
+const std::string object_key =
+    "HasKey(P r)\nSubObjectPropertyOf(s r)\nObjectPropertyAssertion(r i:a i:x)\nObjectPropertyAssertion(s i:b i:y)\n"
+    "ObjectPropertyAssertion(r i:c i:z)\nSameIndividual(i:x i:y)\n";
+const std::string key_of_two =
+    "HasKey(P r d:p)\nObjectPropertyAssertion(r i:a i:x)\nObjectPropertyAssertion(r i:b i:x)\n"
+    "ObjectPropertyAssertion(r i:c i:x)\nDataPropertyAssertion(d:p i:a \"1\")\nDataPropertyAssertion(d:p i:b \"1\")\n"
+    "DataPropertyAssertion(d:p i:c \"2\")\n";
+const std::vector<std::string> first_two_are_one = {"A < B", "A < P", "B < A", "B < P", "C < P"};
+const std::vector<std::string> all_are_different = {"A < P", "B < P", "C < P"};
+const std::string keys_of_no_use =
+    "HasKey(P d:p)\nSubClassOf(A P)\nSubClassOf(A DataHasValue(d:p \"1\"))\nSubClassOf(B P)\n"
+    "SubClassOf(B DataHasValue(d:p \"1\"))\nDisjointClasses(A B)";
+
+struct KeyCase {
+  const char* name;
+  std::string axioms;
+  std::vector<std::string> closure;
+};
+
+TEST(Keys, MakeNamedIndividualsOne) {
+  const KeyCase cases[] = {
+      {"data", data_key + three_with_keys, first_two_are_one},
+      {"objects", object_key + three_with_keys, first_two_are_one},
+      {"two", key_of_two + three_with_keys, first_two_are_one},
+      {"not of the class",
+       data_key + std::string(three_with_keys).substr(std::string("ClassAssertion(P i:a)\n").size()),
+       {"B < P", "C < P"}},
+      {"different", data_key + "DifferentIndividuals(i:a i:b)\n" + three_with_keys, {"inconsistent"}},
+      {"anonymous value",
+       "HasKey(P r)\nObjectPropertyAssertion(r i:a _:x)\nObjectPropertyAssertion(r i:b _:x)\n" +
+           std::string(three_with_keys),
+       all_are_different},
+      {"derived membership",
+       "HasKey(Q d:p)\nSubClassOf(P Q)\nSubClassOf(P DataHasValue(d:p \"1\"))\n" + std::string(three_with_keys),
+       {"A < B", "A < C", "A < P", "A < Q", "B < A", "B < C", "B < P", "B < Q", "C < A", "C < B", "C < P", "C < Q",
+        "P < Q"}},
+      {"no individuals", keys_of_no_use, {"A < P", "B < P"}},
+      {"one individual", keys_of_no_use + "\nClassAssertion(A i:a)", {"A < P", "B < P"}},
+  };
+  for (const KeyCase& one : cases) {
+    const OntologySource source = written(one.axioms);
+    EXPECT_EQ(closure(loaded(source)), one.closure) << one.name;
+    EXPECT_TRUE(classified(source).unused.empty()) << one.name;
+  }
+}
+
+TEST(Keys, OfTooManyCombinationsAreLeftOutAndNamed) {
+  const auto of = [](std::size_t named_ones) {
+    std::string text = "HasKey(P r s)\n";
+    for (std::size_t at = 0; at < named_ones; ++at) text += "ClassAssertion(P i:a" + std::to_string(at) + ")\n";
+    return text;
+  };
+  static_assert(max_key_tuples == 256 * 256);
+  EXPECT_TRUE(classified(written(of(256))).unused.empty());
+  const Classification over = classified(written(of(257)));
+  ASSERT_EQ(over.unused.size(), 1U);
+  EXPECT_EQ(over.unused.front().axiom, 0U);
+  EXPECT_EQ(over.unused.front().construct, "owl:hasKey");
+}
+
+std::vector<std::string> left_out_of(const std::string& text) {
+  std::vector<std::string> found;
+  for (const UnusedAxiom& unused : classified(written(text)).unused)
+    found.push_back(std::to_string(unused.axiom) + " " + std::string(unused.construct));
+  return found;
+}
+
+TEST(LeftOut, NamesWhatIsForSimplePropertiesOnly) {
+  const std::string not_simple = "SubObjectPropertyOf(r s)\nTransitiveObjectProperty(r)\n";
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(left_out_of(not_simple + "FunctionalObjectProperty(s)"),
+            Lines{"2 owl:FunctionalProperty of a property that is not simple"});
+  EXPECT_EQ(left_out_of(not_simple + "InverseFunctionalObjectProperty(ObjectInverseOf(s))"),
+            Lines{"2 owl:InverseFunctionalProperty of a property that is not simple"});
+  EXPECT_EQ(left_out_of(not_simple + "IrreflexiveObjectProperty(r)"),
+            Lines{"2 owl:IrreflexiveProperty of a property that is not simple"});
+  EXPECT_EQ(left_out_of(not_simple + "SubClassOf(ObjectHasSelf(r) A)"),
+            Lines{"2 owl:hasSelf of a property that is not simple"});
+  EXPECT_EQ(left_out_of("SubObjectPropertyOf(ObjectPropertyChain(q r) r)\nSubClassOf(A ObjectMaxCardinality(1 r))\n"
+                        "SubClassOf(B ObjectSomeValuesFrom(q ObjectMaxCardinality(1 r)))\n"
+                        "SubClassOf(C ObjectExactCardinality(1 r))\nSubClassOf(C ObjectMaxCardinality(1 q))\n"
+                        "SubClassOf(C ObjectMaxCardinality(0 r))"),
+            (Lines{"1 owl:maxCardinality of a property that is not simple",
+                   "2 owl:maxCardinality of a property that is not simple",
+                   "3 owl:maxCardinality of a property that is not simple"}));
+}
+
+TEST(LeftOut, NamesEveryAxiomOverOneDatatypeThatOverlaps) {
+  const std::string some = "DataSomeValuesFrom(d:p x:nonNegativeInteger)";
+  const auto found = left_out_of("DataPropertyRange(d:p x:nonPositiveInteger)\nSubClassOf(A " + some +
+                                 ")\nSubClassOf(B " + some + ")\nSubClassOf(C ObjectSomeValuesFrom(r " + some +
+                                 "))\nSubClassOf(D ObjectSomeValuesFrom(r " + some + "))\nSubClassOf(" + some + " E)");
+  EXPECT_EQ(found, (std::vector<std::string>{"0 datatypes that overlap", "1 datatypes that overlap",
+                                             "2 datatypes that overlap", "3 datatypes that overlap",
+                                             "4 datatypes that overlap"}));
+}
 
 const Entailed functional[] = {
     {"Functional",

@@ -7,6 +7,7 @@
 
 #include "base/random.hpp"
 #include "el/compile.hpp"
+#include "el/inheritance.hpp"
 #include "reference.hpp"
 #include "saturated.hpp"
 #include "written.hpp"
@@ -123,6 +124,74 @@ TEST(Threads, AgreeOnWhatIsLargeEnoughToBeShared) {
     options.threads = max_threads + 1;
     EXPECT_EQ(compile(source, classified(source)), compile(source, *classify(source, options))) << "seed " << seed;
   }
+}
+
+/// What the closure of a source begins with.
+struct Indexed {
+  explicit Indexed(const OntologySource& source) {
+    Normaliser normaliser(source, index);
+    for (std::uint32_t axiom = 0; axiom < source.axiom_count(); ++axiom) (void)normaliser.add(axiom);
+    for (std::uint32_t id = 0; id < source.term_count(); ++id) {
+      if (source.kind(TermId{id}) == TermKind::named_class) asked.push_back(normaliser.expression(TermId{id}));
+    }
+    (void)normaliser.finish();
+    EXPECT_TRUE(index.finish(1000000));
+    for (ExprId& expr : asked) expr = index.representative(expr);
+  }
+  Index index;
+  std::vector<ExprId> asked;
+};
+
+TEST(Inheritance, FindsWhatSaturationFinds) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    base::Random random(seed);
+    std::string text = random_ontology(random, 8 + random.below(40));
+    if (random.chance(0.3)) text += wide_ontology(random, 60);
+    if (random.chance(0.2)) text += "ReflexiveObjectProperty(r0)\nSubClassOf(ObjectHasSelf(r0) C1)\n";
+    if (random.chance(0.2)) text += "ClassAssertion(C1 i:a)\nObjectPropertyAssertion(r1 i:b i:c)\n";
+    const OntologySource source = written(text);
+    const unsigned threads = 1 + static_cast<unsigned>(seed % 3);
+    ClassifyOptions by_saturation;
+    by_saturation.inherits = false;
+    ClassifyOptions by_inheritance;
+    by_inheritance.threads = threads;
+    ASSERT_EQ(compile(source, *classify(source, by_saturation)), compile(source, *classify(source, by_inheritance)))
+        << "seed " << seed << ", " << threads << " threads\n"
+        << text;
+  }
+}
+
+TEST(Inheritance, StopsAtTheLimitOfConclusionsAndNotBefore) {
+  base::Random random(1);
+  const OntologySource source = written(wide_ontology(random, 600));
+  const Indexed indexed(source);
+  ASSERT_TRUE(Inheritance::is_for(indexed.index));
+  Inheritance all(indexed.index, {}, indexed.asked);
+  ASSERT_TRUE(all.run());
+  for (const unsigned threads : {1U, 3U}) {
+    Inheritance enough(indexed.index, {.conclusions = all.conclusion_count() * 2}, indexed.asked);
+    EXPECT_TRUE(enough.run(threads)) << threads;
+    Inheritance too_few(indexed.index, {.conclusions = all.conclusion_count() / 4}, indexed.asked);
+    EXPECT_FALSE(too_few.run(threads)) << threads;
+  }
+}
+
+TEST(Inheritance, LetsGoOfWhatNobodyWillAskFor) {
+  // Below one class with much above it are many with nothing below them.
+  std::string text;
+  for (int at = 1; at <= 50; ++at) {
+    const std::string number = std::to_string(at);
+    text += "SubClassOf(A B" + number + ")\nSubClassOf(ObjectIntersectionOf(B" + number + " X) Y)\n" + "SubClassOf(C" +
+            number + " A)\nSubClassOf(C" + number + " ObjectSomeValuesFrom(r D" + number + "))\n";
+  }
+  const OntologySource source = written(text);
+  const Indexed indexed(source);
+  Inheritance inheritance(indexed.index, {}, indexed.asked);
+  ASSERT_TRUE(inheritance.run());
+  std::size_t kept = 0;
+  for (const Node& node : inheritance.nodes()) kept += node.items.size();
+  EXPECT_GT(inheritance.conclusion_count(), 50U * 50U);
+  EXPECT_LT(kept, 1000U);
 }
 
 TEST(Threads, StopTogetherAtTheLimitOfConclusions) {
