@@ -106,10 +106,12 @@ void Centring::number_predicates() {
 
 std::uint32_t Centring::add_expansion(std::uint32_t count, Atoms atoms) {
   Expansion& expansion = result_.expansions.emplace_back();
+  const bool is_value = std::ranges::any_of(
+      atoms, [this](const RuleAtom& atom) { return is_role_atom(atom) && atom.predicate >= data_role_base_; });
   if (count > max_functions - functions_) {
     result_.gaps.push_back("more than " + std::to_string(max_functions) + " successors are named");
   } else {
-    expansion = {functions_, count, std::move(atoms)};
+    expansion = {functions_, count, std::move(atoms), is_value};
     functions_ += count;
   }
   return result_.first_marker + static_cast<std::uint32_t>(result_.expansions.size() - 1);

@@ -43,6 +43,7 @@ struct Expansion {
   std::uint32_t first_function = 0;
   std::uint32_t count = 0;
   std::vector<RuleAtom> atoms;  ///< about variable 1, the successor
+  bool is_value = false;        ///< the successors are values
 };
 
 /// The predicates of the calculus. Unary ones are numbered: named classes and nominals (what is asked for), then all

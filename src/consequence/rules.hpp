@@ -65,6 +65,8 @@ class Rules {
   [[nodiscard]] std::uint32_t first_sibling(std::uint32_t f) const {
     return centred_.expansions[marker_of_[f]].first_function;
   }
+  /// Whether f(x) is a value.
+  [[nodiscard]] bool is_value(std::uint32_t f) const { return centred_.expansions[marker_of_[f]].is_value; }
   /// Literals B(x) with which a question may be answered. In contexts that do, none of them is above another.
   [[nodiscard]] bool is_query(Literal literal) const {
     return literal.term() == x_term && literal.kind() == LiteralKind::unary &&

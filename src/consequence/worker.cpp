@@ -95,10 +95,11 @@ void Worker::saturate_locally() {
   }
 }
 
-//  ----------- Core [A is in core(v)]      -------- [G -> D in O; G is empty]
+//  ----------- Core [A is in core(v)]      -------- [G -> D in O; G is empty; v is not of values]
 //  true -> A                               G -> D
 void Worker::start() {
   for (const Literal literal : context_->key.core) add_unit(literal);
+  if (context_->key.is_value) return;
   for (const std::uint32_t number : rules_.always()) {
     premises_.clear();
     binding_.assign(1, x_term);
