@@ -95,10 +95,24 @@ std::expected<LoadedOntology, std::vector<std::string>> map(const std::string& p
   return LoadedOntology{std::make_unique<el::Ontology>(std::move(*mapped)), {}};
 }
 
+/// Labels and axioms, which are otherwise verified when they are asked for first.
+std::expected<void, std::string> check_whole(const el::Ontology& ontology) {
+  for (const auto& section : {ontology.check_labels(), ontology.check_axioms()}) {
+    if (!section) return std::unexpected(section.error().text);
+  }
+  return {};
+}
+
 /// A compiled ontology that the user keeps: one that its sources have outgrown would match by what is no longer said.
-std::expected<LoadedOntology, std::vector<std::string>> map_current(const std::string& path) {
+/// At a start matching is not kept waiting for what only explanations need. Where another ontology is in force, a
+/// damaged one must not take its place, and there is time to look at all of it.
+std::expected<LoadedOntology, std::vector<std::string>> map_current(const std::string& path, bool is_first) {
   auto loaded = map(path, path);
   if (!loaded) return loaded;
+  if (!is_first) {
+    if (const auto whole = check_whole(*loaded->ontology); !whole)
+      return std::unexpected(std::vector<std::string>{path + ": " + whole.error()});
+  }
   if (const auto stale = loaded->ontology->stale_source())
     return std::unexpected(std::vector<std::string>{path + " is refused: " + *stale});
   return loaded;
@@ -133,7 +147,7 @@ class OntologyLoader::State {
     done_ = std::move(done);
     if (files.empty()) return answer_later(LoadedOntology{});
     if (files.size() == 1 && files.front().ends_with(compiled_suffix)) {
-      return answer_later(map_current(files.front()));
+      return answer_later(map_current(files.front(), !has_loaded_));
     }
     auto folder = PrivateFolder::make();
     if (!folder) {
@@ -180,6 +194,7 @@ class OntologyLoader::State {
     boost::asio::post(context_, [this, kept, generation = generation_, alive = std::weak_ptr<int>(alive_)] {
       if (alive.expired() || generation != generation_) return;
       child_.reset();
+      has_loaded_ = has_loaded_ || (*kept && (*kept)->ontology != nullptr);
       std::exchange(done_, nullptr)(std::move(*kept));
     });
   }
@@ -192,6 +207,7 @@ class OntologyLoader::State {
   std::string output_;
   std::unique_ptr<Child> child_;
   std::uint64_t generation_ = 0;
+  bool has_loaded_ = false;  ///< an ontology, once
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
 };
 

@@ -40,7 +40,8 @@ class OntologyLoader {
 
   /// Loads these files and folders, and calls `done` once from the event loop. `prefixes` may be used in names beside
   /// those of the files. A load that is under way is given up, and its `done` never called. A single file that ends in
-  /// `.geminga` is taken as compiled already, and knows no prefixes but its own.
+  /// `.geminga` is taken as compiled already, and knows no prefixes but its own. At first only what matching needs of
+  /// it is verified; where an ontology was loaded before, all of it is.
   void load(const std::vector<std::string>& files, const Prefixes& prefixes, Done done);
   [[nodiscard]] bool is_loading() const;
 

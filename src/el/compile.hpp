@@ -3,6 +3,8 @@
 #define GEMINGA_EL_COMPILE_HPP
 
 #include <cstddef>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "el/classify.hpp"
@@ -10,9 +12,19 @@
 
 namespace geminga::el {
 
-/// The bytes of the compiled form. Equal for the same axioms, labels, prefixes and files, whatever their order. Empty
-/// where they would be more than max_compiled_bytes; el::Ontology refuses that.
-[[nodiscard]] std::vector<std::byte> compile(const OntologySource& source, const Classification& classification);
+/// What the source and its classification do not say.
+struct CompileOptions {
+  /// Why something may be missing although its axioms were used, one line each, as they are to be kept.
+  std::span<const std::string> gaps;
+  /// The folder of the file that is written, of folder_of(); paths of sources are relative to it. Empty: they stay as
+  /// they are.
+  std::string folder;
+};
+
+/// The bytes of the compiled form. Equal for the same axioms, labels, prefixes, files and options, whatever their
+/// order. Empty where they would be more than max_compiled_bytes; el::Ontology refuses that.
+[[nodiscard]] std::vector<std::byte> compile(const OntologySource& source, const Classification& classification,
+                                             const CompileOptions& options = {});
 
 /// What compile() writes as the digest: equal for the same axioms and classes, whatever their order, files or syntax.
 [[nodiscard]] std::uint64_t digest(const OntologySource& source);

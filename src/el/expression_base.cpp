@@ -20,7 +20,8 @@ bool has_expression(TermKind kind) {
 
 std::expected<std::unique_ptr<const ExpressionBase>, ExpressionError> ExpressionBase::build(
     const Ontology& ontology, const ExpressionLimits& limits) {
-  const CompiledView& view = ontology.view();
+  const CompiledView& view = ontology.axioms();
+  if (const auto whole = ontology.check_axioms(); !whole) return std::unexpected(ExpressionError{whole.error().text});
   if (!view.is_consistent) {
     return std::unexpected(ExpressionError{"the ontology is inconsistent: every class is below every other"});
   }
@@ -55,7 +56,7 @@ void ExpressionBase::copy_axioms() {
   for (std::uint32_t term = 0; term < view_.term_count(); ++term) {
     take(view_.arguments_of_term(term));
     terms.push_back(
-        source_.copy(view_.kind_of_term(term), view_.name(view_.term_name[term]), view_.term_number[term], arguments));
+        source_.copy(view_.kind_of_term(term), view_.name_of_term(term), view_.number_of_term(term), arguments));
   }
   for (std::uint32_t axiom = 0; axiom < view_.axiom_count(); ++axiom) {
     take(view_.arguments_of_axiom(axiom));
@@ -64,7 +65,7 @@ void ExpressionBase::copy_axioms() {
 }
 
 void ExpressionBase::add_taxonomy() {
-  const auto term_of = [&](std::uint32_t number) { return source_.named_class(view_.name(view_.class_name[number])); };
+  const auto term_of = [&](std::uint32_t number) { return source_.named_class(view_.class_iri(number)); };
   for (std::uint32_t number = 0; number < view_.class_count(); ++number) {
     const std::uint32_t node = view_.representative[number];
     const TermId term = term_of(number);
@@ -163,7 +164,7 @@ std::optional<ExpressionError> ExpressionBase::saturate() {
 void ExpressionBase::find_classes() {
   std::vector<std::pair<std::uint32_t, ClassNumber>> pairs;
   for (std::uint32_t number_of_class = 0; number_of_class < view_.class_count(); ++number_of_class) {
-    const auto term = find_term(TermKind::named_class, view_.name(view_.class_name[number_of_class]), 0, {});
+    const auto term = find_term(TermKind::named_class, view_.class_iri(number_of_class), 0, {});
     class_exprs_.push_back(term ? expr(*term) : top_expr);  // add_taxonomy() has named each
     if (view_.representative[number_of_class] == number_of_class) {
       pairs.emplace_back(number(class_exprs_.back()), ClassNumber{number_of_class});

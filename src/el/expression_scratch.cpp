@@ -19,8 +19,8 @@ std::vector<std::optional<ClassNumber>> nodes_of(const CompiledView& view, const
   std::uint32_t at = 0;  // both ascend by IRI
   for (const NameId name : classification.classes) {
     const std::string_view iri = source.name(name);
-    while (at < view.class_count() && view.name(view.class_name[at]) < iri) ++at;
-    const bool is_known = at < view.class_count() && view.name(view.class_name[at]) == iri;
+    while (at < view.class_count() && view.class_iri(at) < iri) ++at;
+    const bool is_known = at < view.class_count() && view.class_iri(at) == iri;
     nodes.push_back(is_known ? std::optional(ClassNumber{view.representative[at]}) : std::nullopt);
   }
   return nodes;

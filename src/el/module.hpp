@@ -9,35 +9,45 @@
 
 #include "el/compiled_view.hpp"
 #include "el/module_locality.hpp"
-#include "el/rows.hpp"
 
 namespace geminga::el {
 
-/// From each name to the axioms that wait for it; see module_locality.hpp. Immutable; safe to read from many threads.
-/// Built in one pass over the axioms; about eight bytes an axiom and eight a term. The view must outlive it.
+/// From each name to the axioms that wait for it; see module_locality.hpp. It is part of the compiled form, so that
+/// making one costs nothing. The view, which must have axioms to be of use, must outlive it.
 class ModuleIndex {
  public:
   explicit ModuleIndex(const CompiledView& view);
 
-  [[nodiscard]] const CompiledView& view() const { return view_; }
+  [[nodiscard]] const CompiledView& view() const { return *view_; }
   [[nodiscard]] const BuiltIn& built_in() const { return built_in_; }
   /// How often a term is an argument.
-  [[nodiscard]] std::span<const std::uint32_t> uses() const { return uses_; }
+  [[nodiscard]] std::span<const std::uint32_t> uses() const { return view_->uses; }
   /// Axioms to be looked at when this entity comes into the signature.
-  [[nodiscard]] std::span<const std::uint32_t> axioms_of(std::uint32_t entity) const { return axioms_of_[entity]; }
+  [[nodiscard]] std::span<const std::uint32_t> axioms_of(std::uint32_t entity) const {
+    return view_->axioms_waiting_for(entity);
+  }
   /// Axioms that say something whatever the signature is: facts, and what is said of everything.
-  [[nodiscard]] std::span<const std::uint32_t> unconditional() const { return unconditional_; }
+  [[nodiscard]] std::span<const std::uint32_t> unconditional() const { return view_->unconditional; }
   /// The term of a class; nothing where no axiom uses it.
   [[nodiscard]] std::optional<std::uint32_t> term_of(ClassNumber number) const;
 
  private:
-  const CompiledView& view_;
+  const CompiledView* view_;
   BuiltIn built_in_;
-  std::vector<std::uint32_t> uses_;
-  std::vector<std::uint32_t> class_terms_;  ///< by class
-  Rows<std::uint32_t> axioms_of_;
-  std::vector<std::uint32_t> unconditional_;
 };
+
+/// What a module index is made of, as the compiled form keeps it.
+struct ModuleTables {
+  std::vector<std::uint32_t> built_in;  ///< in the order of BuiltIn
+  std::vector<std::uint32_t> uses;
+  std::vector<std::uint32_t> term_of_class;
+  std::vector<std::uint32_t> waiting_begin;
+  std::vector<std::uint32_t> waiting;
+  std::vector<std::uint32_t> unconditional;
+};
+
+/// Makes the tables of a view that has everything but them. A pass over its axioms.
+[[nodiscard]] ModuleTables make_module_tables(const CompiledView& view);
 
 /// Numbers of axioms that hold every minimal set that entails anything about these classes and terms; that one of the
 /// classes is below any named class, too. They come in the order in which the walk reaches them, so that what is near

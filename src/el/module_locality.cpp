@@ -149,7 +149,7 @@ Locality LocalityTest::not_empty(std::uint32_t term) {
     case TermKind::data_min_cardinality:
     case TermKind::object_exact_cardinality:
     case TermKind::data_exact_cardinality:
-      return view_.term_number[term] > 0 ? not_empty_successor(arguments) : Locality::not_local;
+      return view_.number_of_term(term) > 0 ? not_empty_successor(arguments) : Locality::not_local;
     default:
       return Locality::not_local;
   }
@@ -173,13 +173,13 @@ Locality LocalityTest::not_everything(std::uint32_t term) {
       return not_empty_role(arguments[0]);
     case TermKind::object_min_cardinality:
     case TermKind::data_min_cardinality:
-      return view_.term_number[term] == 0 ? Locality::always : Locality::not_local;
+      return view_.number_of_term(term) == 0 ? Locality::always : Locality::not_local;
     case TermKind::object_max_cardinality:
     case TermKind::data_max_cardinality:
       return not_empty_successor(arguments);
     case TermKind::object_exact_cardinality:
     case TermKind::data_exact_cardinality:
-      return view_.term_number[term] == 0 ? not_empty_successor(arguments) : Locality::not_local;
+      return view_.number_of_term(term) == 0 ? not_empty_successor(arguments) : Locality::not_local;
     default:
       return Locality::not_local;
   }

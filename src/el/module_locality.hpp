@@ -24,6 +24,12 @@ struct BuiltIn {
   std::uint32_t bottom_object_property = CompiledView::none;
   std::uint32_t bottom_data_property = CompiledView::none;
 };
+inline constexpr std::size_t built_in_count = 6;
+
+/// Whether a module's signature is made of such terms.
+[[nodiscard]] constexpr bool is_entity(TermKind kind) {
+  return kind <= TermKind::anonymous_individual && kind != TermKind::datatype;
+}
 
 /// Whether an axiom is local, and what it waits for.
 enum class Locality : std::uint8_t {

@@ -7,42 +7,40 @@
 
 #include "base/text.hpp"
 #include "el/compiled_view.hpp"
+#include "el/container.hpp"
 #include "el/mapped_file.hpp"
 #include "el/module.hpp"
 #include "el/print.hpp"
+#include "el/source_paths.hpp"
 
 namespace geminga::el {
 
-namespace {
-
-/// What "is A under B" needs of a class, in one place: two of these are a question's two misses of the cache, where the
-/// tables of the compiled form would cost five.
-struct Reach {
-  static constexpr std::uint32_t of_nothing = 0xffffffff;
-  std::uint32_t first = of_nothing;  ///< its rank; of_nothing where it has no instances
-  std::uint32_t last = 0;
-  std::uint32_t further_begin = 0;
-  std::uint32_t further_end = 0;
-};
-
-}  // namespace
-
 struct Ontology::Mapped {
-  MappedFile file;  ///< one of these two owns the bytes
+  MappedFile mapping;  ///< one of these two owns the bytes
   std::vector<std::byte> bytes;
-  CompiledView view;
+  std::string folder;  ///< what paths of files are relative to
+  Container file;
+  CompiledView taxonomy;
   std::vector<std::pair<std::string_view, std::string_view>> prefixes;  ///< sorted
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> equivalents;     ///< representative, another member; sorted
-  std::vector<Reach> reaches;                                           ///< by class
-  mutable std::once_flag module_index_once;
-  mutable std::optional<ModuleIndex> module_index;
+
+  // What is verified when it is asked for first.
+  mutable std::once_flag labels_once;
+  mutable LabelsView labels;
+  mutable std::optional<CompiledError> labels_error;
+  mutable std::once_flag axioms_once;
+  mutable CompiledView whole;
+  mutable std::optional<CompiledError> axioms_error;
 
   [[nodiscard]] std::expected<std::unique_ptr<const Mapped>, CompiledError> static finish(
       std::unique_ptr<Mapped> mapped, std::span<const std::byte> all);
   [[nodiscard]] std::uint32_t node(ClassNumber number) const {
-    return view.representative[static_cast<std::size_t>(number)];
+    return taxonomy.representative[static_cast<std::size_t>(number)];
   }
-  [[nodiscard]] bool is_unsatisfiable(std::uint32_t node) const { return node == view.representative[view.nothing]; }
+  [[nodiscard]] bool is_unsatisfiable(std::uint32_t node) const {
+    return node == taxonomy.representative[taxonomy.nothing];
+  }
+  [[nodiscard]] const LabelsView& need_labels() const;
+  [[nodiscard]] const CompiledView& need_axioms() const;
   [[nodiscard]] std::optional<std::uint32_t> find_class(std::string_view iri) const;
   [[nodiscard]] std::vector<std::uint32_t> find_label(std::string_view label) const;
   [[nodiscard]] std::vector<std::uint32_t> walk_up(std::uint32_t node) const;
@@ -62,42 +60,71 @@ std::unexpected<NameError> name_error(NameError::Kind kind, std::string text) {
   return std::unexpected(NameError{kind, std::move(text)});
 }
 
+/// The first of `count` pieces, which ascend, that is not before `wanted`.
+template <typename Piece>
+std::uint32_t lower_bound(std::uint32_t count, std::string_view wanted, Piece&& piece) {
+  std::uint32_t first = 0;
+  while (count > 0) {
+    const std::uint32_t half = count / 2;
+    if (piece(first + half) < wanted) {
+      first += half + 1;
+      count -= half + 1;
+    } else {
+      count = half;
+    }
+  }
+  return first;
+}
+
 }  // namespace
 
 std::expected<std::unique_ptr<const Ontology::Mapped>, CompiledError> Ontology::Mapped::finish(
     std::unique_ptr<Mapped> mapped, std::span<const std::byte> all) {
-  auto view = view_compiled(all);
-  if (!view) return std::unexpected(view.error());
-  mapped->view = *view;
-  for (std::size_t at = 0; at < view->prefix_name.size(); ++at) {
-    mapped->prefixes.emplace_back(view->name(view->prefix_name[at]), view->name(view->prefix_iri[at]));
-  }
-  std::ranges::sort(mapped->prefixes);
-  mapped->reaches.resize(view->class_count());
-  for (std::uint32_t number = 0; number < view->class_count(); ++number) {
-    const std::uint32_t node = view->representative[number];
-    if (!mapped->is_unsatisfiable(node)) {
-      const Interval own = view->own_interval[number];
-      mapped->reaches[number] = {own.first, own.last, view->further_begin[node], view->further_begin[node + 1]};
-    }
-    if (view->representative[number] != number) mapped->equivalents.emplace_back(view->representative[number], number);
-  }
-  std::ranges::sort(mapped->equivalents);
+  auto file = Container::open(all);
+  if (!file) return std::unexpected(file.error());
+  auto taxonomy = view_taxonomy(*file);
+  if (!taxonomy) return std::unexpected(taxonomy.error());
+  mapped->file = *file;
+  mapped->taxonomy = *taxonomy;
+  mapped->prefixes = prefixes_of(*taxonomy);
   return mapped;
 }
 
+const LabelsView& Ontology::Mapped::need_labels() const {
+  std::call_once(labels_once, [this] {
+    if (auto found = view_labels(file, taxonomy)) {
+      labels = *found;
+    } else {
+      labels_error = std::move(found.error());
+    }
+  });
+  return labels;
+}
+
+const CompiledView& Ontology::Mapped::need_axioms() const {
+  std::call_once(axioms_once, [this] {
+    if (auto found = view_axioms(file, taxonomy)) {
+      whole = *found;
+    } else {
+      whole = taxonomy;
+      axioms_error = std::move(found.error());
+    }
+  });
+  return whole;
+}
+
 std::optional<std::uint32_t> Ontology::Mapped::find_class(std::string_view iri) const {
-  const auto name_of = [&](std::uint32_t name) { return view.name(name); };
-  const auto found = std::ranges::lower_bound(view.class_name, iri, {}, name_of);
-  if (found == view.class_name.end() || name_of(*found) != iri) return std::nullopt;
-  return static_cast<std::uint32_t>(found - view.class_name.begin());
+  const std::uint32_t count = taxonomy.class_count();
+  const std::uint32_t at = lower_bound(count, iri, [&](std::uint32_t number) { return taxonomy.class_iri(number); });
+  if (at == count || taxonomy.class_iri(at) != iri) return std::nullopt;
+  return at;
 }
 
 std::vector<std::uint32_t> Ontology::Mapped::find_label(std::string_view label) const {
-  const auto [first, last] =
-      std::ranges::equal_range(view.label_text, label, {}, [&](std::uint32_t name) { return view.name(name); });
-  const auto begin = static_cast<std::size_t>(first - view.label_text.begin());
-  const auto found = view.label_class.subspan(begin, static_cast<std::size_t>(last - first));
+  const LabelsView& all = need_labels();
+  const std::uint32_t at = lower_bound(all.count(), label, [&](std::uint32_t number) { return all.label(number); });
+  if (at == all.count() || all.label(at) != label) return {};
+  const auto found = CompiledView::row(all.class_begin, all.classes, at);
   std::vector<std::uint32_t> classes(found.begin(), found.end());
   std::ranges::sort(classes);
   classes.erase(std::unique(classes.begin(), classes.end()), classes.end());
@@ -110,7 +137,7 @@ std::vector<std::uint32_t> Ontology::Mapped::walk_up(std::uint32_t node) const {
   while (!layer.empty()) {
     std::vector<std::uint32_t> next;
     for (const std::uint32_t at : layer) {
-      const auto parents = view.parents_of(at);
+      const auto parents = taxonomy.parents_of(at);
       next.insert(next.end(), parents.begin(), parents.end());
     }
     std::ranges::sort(next);
@@ -127,9 +154,9 @@ std::vector<std::uint32_t> Ontology::Mapped::walk_up(std::uint32_t node) const {
 
 void Ontology::Mapped::add_members(std::uint32_t node, std::vector<ClassNumber>& classes) const {
   classes.push_back(ClassNumber{node});
-  for (auto member = std::ranges::lower_bound(equivalents, std::pair(node, 0U));
-       member != equivalents.end() && member->first == node; ++member) {
-    classes.push_back(ClassNumber{member->second});
+  for (auto member = std::ranges::lower_bound(taxonomy.members, EquivalentMember{node, 0});
+       member != taxonomy.members.end() && member->node == node; ++member) {
+    classes.push_back(ClassNumber{member->other});
   }
 }
 
@@ -137,8 +164,9 @@ std::expected<Ontology, CompiledError> Ontology::map(const std::string& path) {
   auto file = MappedFile::open(path);
   if (!file) return std::unexpected(CompiledError{file.error()});
   auto mapped = std::make_unique<Mapped>();
-  mapped->file = std::move(*file);
-  const std::span<const std::byte> all = mapped->file.bytes();
+  mapped->mapping = std::move(*file);
+  mapped->folder = folder_of(path);
+  const std::span<const std::byte> all = mapped->mapping.bytes();
   auto finished = Mapped::finish(std::move(mapped), all);
   if (!finished) return std::unexpected(CompiledError{path + ": " + finished.error().text});
   return Ontology(std::move(*finished));
@@ -153,14 +181,45 @@ std::expected<Ontology, CompiledError> Ontology::from_bytes(std::vector<std::byt
   return Ontology(std::move(*finished));
 }
 
-Ontology::Ontology(std::unique_ptr<const Mapped> mapped) : mapped_(std::move(mapped)) {}
+Ontology::Ontology(std::unique_ptr<const Mapped> mapped)
+    : mapped_(std::move(mapped)), reach_(mapped_->taxonomy.reach.data()) {}
 Ontology::Ontology(Ontology&&) noexcept = default;
 Ontology& Ontology::operator=(Ontology&&) noexcept = default;
 Ontology::~Ontology() = default;
 
-std::uint64_t Ontology::digest() const { return mapped_->view.digest; }
-std::uint32_t Ontology::class_count() const { return mapped_->view.class_count(); }
-std::vector<LoadedFile> Ontology::files() const { return files_of(mapped_->view); }
+std::expected<void, CompiledError> Ontology::check_labels() const {
+  (void)mapped_->need_labels();
+  if (mapped_->labels_error) return std::unexpected(*mapped_->labels_error);
+  return {};
+}
+
+std::expected<void, CompiledError> Ontology::check_axioms() const {
+  (void)mapped_->need_axioms();
+  if (mapped_->axioms_error) return std::unexpected(*mapped_->axioms_error);
+  return {};
+}
+
+std::uint64_t Ontology::digest() const { return mapped_->taxonomy.digest; }
+std::uint32_t Ontology::class_count() const { return mapped_->taxonomy.class_count(); }
+std::vector<std::string> Ontology::gaps() const { return gaps_of(mapped_->taxonomy); }
+std::size_t Ontology::axiom_count() const { return counted_axioms(mapped_->taxonomy); }
+bool Ontology::is_consistent() const { return mapped_->taxonomy.is_consistent; }
+
+std::vector<LoadedFile> Ontology::files() const {
+  std::vector<LoadedFile> files = files_of(mapped_->taxonomy);
+  for (LoadedFile& file : files) file.path = seen_from_here(mapped_->folder, file.path);
+  return files;
+}
+
+std::vector<LeftOut> Ontology::left_out() const {
+  std::vector<LeftOut> left_out = left_out_of(mapped_->taxonomy);
+  const std::vector<LoadedFile> known = files();
+  for (LeftOut& one : left_out) {
+    if (one.file < known.size()) one.first = known[one.file].path + ':' + std::to_string(one.line);
+  }
+  return left_out;
+}
+
 std::optional<std::string> Ontology::stale_source() const {
   for (const LoadedFile& file : files()) {
     if (!has_changed(file.path, file.content)) continue;
@@ -168,9 +227,6 @@ std::optional<std::string> Ontology::stale_source() const {
   }
   return std::nullopt;
 }
-
-std::vector<LeftOut> Ontology::left_out() const { return left_out_of(mapped_->view); }
-bool Ontology::is_consistent() const { return mapped_->view.is_consistent; }
 
 std::optional<ClassNumber> Ontology::find_iri(std::string_view iri) const {
   if (const auto found = mapped_->find_class(iri)) return ClassNumber{*found};
@@ -220,16 +276,21 @@ std::expected<ClassNumber, NameError> Ontology::find(std::string_view name) cons
     }
     return name_error(Kind::unknown, "'" + shown + "' has an unknown prefix: known are " + base::printable(known, 200));
   }
+  if (const auto whole = check_labels(); !whole) {
+    return name_error(Kind::unknown, "no class is '" + shown + "', and labels cannot be read: " + whole.error().text);
+  }
   return name_error(Kind::unknown, "no class and no label is '" + shown + "'");
 }
 
 std::string_view Ontology::iri(ClassNumber number) const {
-  return mapped_->view.name(mapped_->view.class_name[static_cast<std::size_t>(number)]);
+  return mapped_->taxonomy.class_iri(static_cast<std::uint32_t>(number));
 }
 
 std::string_view Ontology::label(ClassNumber number) const {
-  const std::uint32_t name = mapped_->view.class_label[static_cast<std::size_t>(number)];
-  return name == CompiledView::none ? std::string_view() : mapped_->view.name(name);
+  const LabelsView& labels = mapped_->need_labels();
+  const auto at = static_cast<std::size_t>(number);
+  if (at >= labels.label_of_class.size() || labels.label_of_class[at] == CompiledView::none) return {};
+  return labels.label(labels.label_of_class[at]);
 }
 
 std::string Ontology::short_name(ClassNumber number) const { return short_name(iri(number)); }
@@ -237,13 +298,11 @@ std::string Ontology::short_name(std::string_view iri) const { return shorten(ir
 
 bool Ontology::is_satisfiable(ClassNumber number) const { return !mapped_->is_unsatisfiable(mapped_->node(number)); }
 
-bool Ontology::is_subsumed(ClassNumber sub, ClassNumber super) const {
-  const std::uint32_t rank = mapped_->reaches[static_cast<std::size_t>(sub)].first;
-  const Reach& reach = mapped_->reaches[static_cast<std::size_t>(super)];
-  if ((reach.first <= rank && rank <= reach.last) || rank == Reach::of_nothing) return true;
-  if (reach.further_begin == reach.further_end) return false;
-  return contains_rank(mapped_->view.further.subspan(reach.further_begin, reach.further_end - reach.further_begin),
-                       rank);
+// What can have no instance is below everything.
+bool Ontology::is_in_further(std::uint32_t rank, const Reach& above) const {
+  if (rank == Reach::flag) return true;
+  const auto further = mapped_->taxonomy.further;
+  return contains_rank(further.subspan(above.further_begin, above.further_end - above.further_begin), rank);
 }
 
 std::optional<std::uint32_t> Ontology::distance(ClassNumber sub, ClassNumber super) const {
@@ -257,7 +316,7 @@ std::optional<std::uint32_t> Ontology::distance(ClassNumber sub, ClassNumber sup
   for (std::uint32_t distance = 1;; ++distance) {
     std::vector<std::uint32_t> next;
     for (const std::uint32_t node : layer) {
-      const auto neighbours = is_down ? mapped_->view.children_of(node) : mapped_->view.parents_of(node);
+      const auto neighbours = is_down ? mapped_->taxonomy.children_of(node) : mapped_->taxonomy.parents_of(node);
       if (is_down && neighbours.empty()) return distance;
       for (const std::uint32_t neighbour : neighbours) {
         if (neighbour == to) return distance;
@@ -284,18 +343,15 @@ std::vector<ClassNumber> Ontology::subsumers(ClassNumber number) const {
 }
 
 std::vector<ClassNumber> Ontology::parents(ClassNumber number) const {
-  return to_classes(mapped_->view.parents_of(mapped_->node(number)));
+  return to_classes(mapped_->taxonomy.parents_of(mapped_->node(number)));
 }
 
 std::vector<ClassNumber> Ontology::children(ClassNumber number) const {
-  return to_classes(mapped_->view.children_of(mapped_->node(number)));
+  return to_classes(mapped_->taxonomy.children_of(mapped_->node(number)));
 }
 
-const CompiledView& Ontology::view() const { return mapped_->view; }
-
-const ModuleIndex& Ontology::module_index() const {
-  std::call_once(mapped_->module_index_once, [this] { mapped_->module_index.emplace(mapped_->view); });
-  return *mapped_->module_index;
-}
+const CompiledView& Ontology::view() const { return mapped_->taxonomy; }
+const CompiledView& Ontology::axioms() const { return mapped_->need_axioms(); }
+ModuleIndex Ontology::module_index() const { return ModuleIndex(axioms()); }
 
 }  // namespace geminga::el

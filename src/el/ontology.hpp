@@ -43,6 +43,19 @@ struct LeftOut {
   std::string construct;
   std::uint32_t count = 0;
   std::string first;  ///< file:line of the first
+  /// The same as a place in files(); past the end where it is not known.
+  std::uint32_t file = 0xffffffff;
+  std::uint32_t line = 0;
+};
+
+/// What "is A under B" needs of a class, in one place: two of these and, for one in seven of the pairs that one asks
+/// about in large ontologies, a list of intervals are a question's misses of the cache.
+struct Reach {
+  static constexpr std::uint32_t flag = std::uint32_t{1} << 31;
+  std::uint32_t first = 0;   ///< its rank; flag alone where it can have no instance
+  std::uint32_t extent = 0;  ///< how many ranks behind its own are below it; with flag: and there are further intervals
+  std::uint32_t further_begin = 0;
+  std::uint32_t further_end = 0;
 };
 
 struct CompiledView;
@@ -50,16 +63,25 @@ class ModuleIndex;
 
 /// An immutable classified ontology over a compiled form. Movable, not copyable; safe to read from many threads.
 /// Every string_view and span points into the compiled form and lives as long as the ontology.
+///
+/// The form has sections. What matching needs is verified when it is mapped; labels and axioms when they are asked for
+/// first, so that a start does not wait for them. Where one of these is damaged there are no labels or no axioms, and
+/// check_labels() and check_axioms() say why.
 class Ontology {
  public:
-  /// Maps a compiled file, checks its version, checksum and every number in it. Cost: linear in the file, no parsing.
+  /// Maps a compiled file, checks its version, and the checksum and every number of its taxonomy. Cost: linear in that
+  /// section, no parsing. files() are then where they are seen from here: paths in the form are relative to its folder.
   [[nodiscard]] static std::expected<Ontology, CompiledError> map(const std::string& path);
-  /// The same over bytes in memory.
+  /// The same over bytes in memory. Paths of files are as they stand in them.
   [[nodiscard]] static std::expected<Ontology, CompiledError> from_bytes(std::vector<std::byte> bytes);
 
   Ontology(Ontology&&) noexcept;
   Ontology& operator=(Ontology&&) noexcept;
   ~Ontology();
+
+  /// Whether labels and axioms are as they were written: verified now, unless they were before. Linear in them.
+  [[nodiscard]] std::expected<void, CompiledError> check_labels() const;
+  [[nodiscard]] std::expected<void, CompiledError> check_axioms() const;
 
   /// A digest of the axioms and names: equal on every host that loaded the same ontologies, whatever their order or
   /// format.
@@ -67,19 +89,25 @@ class Ontology {
   [[nodiscard]] std::uint32_t class_count() const;
   [[nodiscard]] std::vector<LoadedFile> files() const;
   /// One line for a user where a file that this was compiled from has changed since: "soma.owl has changed since this
-  /// was compiled: compile it again". Files that are gone are not asked for; paths are as they were given. Reads the
-  /// files, so that a copy or a checkout of the same content is no change.
+  /// was compiled: compile it again". Files that are gone are not asked for. Reads the files, so that a copy or a
+  /// checkout of the same content is no change.
   [[nodiscard]] std::optional<std::string> stale_source() const;
   [[nodiscard]] std::vector<LeftOut> left_out() const;
+  /// Why something may be missing although its axioms were used, one line each. Where this and left_out() are empty,
+  /// the taxonomy is complete.
+  [[nodiscard]] std::vector<std::string> gaps() const;
+  /// Axioms, each counted once, without declarations.
+  [[nodiscard]] std::size_t axiom_count() const;
   /// False: some individual cannot exist, and every class is below every other.
   [[nodiscard]] bool is_consistent() const;
 
-  /// Resolves `prefix:Name`, `<IRI>`, a bare IRI, or a label where it is unambiguous.
+  /// Resolves `prefix:Name`, `<IRI>`, a bare IRI, or a label where it is unambiguous. Labels are asked for where the
+  /// name is nothing else.
   [[nodiscard]] std::expected<ClassNumber, NameError> find(std::string_view name) const;
   [[nodiscard]] std::optional<ClassNumber> find_iri(std::string_view iri) const;
 
   [[nodiscard]] std::string_view iri(ClassNumber number) const;
-  /// The label, or an empty view.
+  /// The label, or an empty view. Asks for the labels.
   [[nodiscard]] std::string_view label(ClassNumber number) const;
   /// `prefix:Name` where a prefix of the ontology fits, else `<IRI>`.
   [[nodiscard]] std::string short_name(ClassNumber number) const;
@@ -89,7 +117,14 @@ class Ontology {
   /// False where the class is subsumed by owl:Nothing.
   [[nodiscard]] bool is_satisfiable(ClassNumber number) const;
   /// Whether every instance of `sub` is one of `super`. Reflexive. O(1) to O(log n).
-  [[nodiscard]] bool is_subsumed(ClassNumber sub, ClassNumber super) const;
+  [[nodiscard]] bool is_subsumed(ClassNumber sub, ClassNumber super) const {
+    const std::uint32_t rank = reach_[static_cast<std::size_t>(sub)].first;
+    const Reach& above = reach_[static_cast<std::size_t>(super)];
+    // One comparison, since numbers below the first wrap around to large ones.
+    const bool is_in_own = rank - above.first <= (above.extent & ~Reach::flag);
+    const bool is_settled = is_in_own || ((rank | above.extent) & Reach::flag) == 0;
+    return is_settled ? is_in_own : is_in_further(rank, above);
+  }
   [[nodiscard]] bool is_equivalent(ClassNumber a, ClassNumber b) const {
     return is_subsumed(a, b) && is_subsumed(b, a);
   }
@@ -102,15 +137,20 @@ class Ontology {
   [[nodiscard]] std::vector<ClassNumber> parents(ClassNumber number) const;
   [[nodiscard]] std::vector<ClassNumber> children(ClassNumber number) const;
 
-  /// The axioms and everything else, as numbers, for who reasons over them.
+  /// The taxonomy as numbers. It has no terms and no axioms.
   [[nodiscard]] const CompiledView& view() const;
-  /// From names to axioms. Built when it is asked for first, once; the cost of that is a pass over all axioms.
-  [[nodiscard]] const ModuleIndex& module_index() const;
+  /// The taxonomy with terms and axioms, for who reasons over them; without them where check_axioms() fails.
+  [[nodiscard]] const CompiledView& axioms() const;
+  /// From names to axioms(). Cheap: it is part of the compiled form.
+  [[nodiscard]] ModuleIndex module_index() const;
 
  private:
   struct Mapped;
   explicit Ontology(std::unique_ptr<const Mapped> mapped);
+  [[nodiscard]] bool is_in_further(std::uint32_t rank, const Reach& above) const;
+
   std::unique_ptr<const Mapped> mapped_;
+  const Reach* reach_ = nullptr;  ///< of each class, in what mapped_ holds
 };
 
 }  // namespace geminga::el

@@ -62,21 +62,21 @@ std::string_view local_name(std::string_view iri) {
 }
 
 Names::Names(const el::Ontology& ontology) : ontology_(ontology) {
-  const el::CompiledView& view = ontology.view();
+  const el::CompiledView& view = ontology.axioms();
   for (std::uint32_t term = 0; term < view.term_count(); ++term) {
     const TermKind kind = view.kind_of_term(term);
     const bool is_named = kind == TermKind::object_property || kind == TermKind::data_property ||
                           kind == TermKind::individual || kind == TermKind::datatype;
-    if (is_named) entities_.emplace_back(kind, view.name(view.term_name[term]));
+    if (is_named) entities_.emplace_back(kind, view.name_of_term(term));
   }
-  for (const std::uint32_t name : view.class_name) entities_.emplace_back(TermKind::named_class, view.name(name));
+  for (std::uint32_t number = 0; number < view.class_count(); ++number) {
+    entities_.emplace_back(TermKind::named_class, view.class_iri(number));
+  }
   std::ranges::sort(entities_);
   entities_.erase(std::unique(entities_.begin(), entities_.end()), entities_.end());
   for (const auto& [kind, iri] : entities_) local_names_.emplace_back(kind, local_name(iri), iri);
   std::ranges::sort(local_names_);
-  for (std::size_t at = 0; at < view.prefix_name.size(); ++at) {
-    prefixes_.emplace_back(view.name(view.prefix_name[at]), view.name(view.prefix_iri[at]));
-  }
+  prefixes_ = el::prefixes_of(view);
   for (const auto& usual : usual_prefixes) {
     const auto is_same = [&](const auto& prefix) { return prefix.first == usual.first; };
     if (std::ranges::none_of(prefixes_, is_same)) prefixes_.push_back(usual);

@@ -126,9 +126,9 @@ std::size_t Way::missing_count() const {
 WhyNot why_not(const el::Ontology& ontology, ClassNumber sub, ClassNumber super, Patience patience) {
   WhyNot result;
   result.common = most_specific_common(ontology, sub, super);
-  result.may_be_incomplete = !ontology.left_out().empty();
+  result.may_be_incomplete = !ontology.left_out().empty() || !ontology.gaps().empty();
   std::vector<Found> found;
-  if (const auto term = ontology.module_index().term_of(super)) found = find_axioms(ontology.view(), *term);
+  if (const auto term = ontology.module_index().term_of(super)) found = find_axioms(ontology.axioms(), *term);
   if (found.size() > max_ways) {
     found.resize(max_ways);
     result.has_more_ways = true;

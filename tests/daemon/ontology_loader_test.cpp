@@ -15,6 +15,7 @@
 #include "el/classify.hpp"
 #include "el/compile.hpp"
 #include "el/fingerprint.hpp"
+#include "el/source_paths.hpp"
 
 namespace geminga::daemon {
 namespace {
@@ -119,6 +120,59 @@ TEST_F(OntologyLoaderTest, RefusesACompiledOntologyThatIsOlderThanItsSources) {
                                          HasSubstr("compile it again"))));
   fs::remove(source_path);
   EXPECT_TRUE(load("exit 0", {compiled_path})) << "sources that stayed at home are not asked for";
+}
+
+TEST_F(OntologyLoaderTest, VerifiesAllOfACompiledOntologyOnlyWhereOneIsInForce) {
+  const std::string path = folder / "a.geminga";
+  el::OntologySource source;
+  (void)source.add_file("a.ttl");
+  std::vector<std::byte> bytes = el::compile(source, el::classify(source).value());
+  const auto write = [&] {
+    std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
+  };
+  bytes.back() ^= std::byte{1};  // in the axioms
+  write();
+  boost::asio::io_context context;
+  OntologyLoader loader(context, compiler("exit 0"));
+  std::vector<Result> results;
+  const auto load_once = [&] {
+    context.restart();
+    loader.load({path}, {}, [&](Result result) { results.push_back(std::move(result)); });
+    context.run();
+  };
+  load_once();
+  load_once();
+  bytes.back() ^= std::byte{1};
+  fs::remove(path);  // what is mapped is never written into
+  write();
+  load_once();
+  ASSERT_EQ(results.size(), 3U);
+  ASSERT_TRUE(results[0]) << "matching needs no axioms";
+  EXPECT_FALSE(results[0]->ontology->check_axioms());
+  ASSERT_FALSE(results[1]);
+  EXPECT_THAT(results[1].error(), ElementsAre(testing::AllOf(HasSubstr("a.geminga: "), HasSubstr("of the axioms"))));
+  EXPECT_TRUE(results[2]);
+}
+
+TEST_F(OntologyLoaderTest, KnowsTheSourcesOfACompiledOntologyFromItsOwnFolder) {
+  const fs::path team = folder / "team";
+  fs::create_directories(team);
+  std::ofstream(team / "a.ttl") << "# one";
+  el::OntologySource source;
+  source.set_content(source.add_file((team / "a.ttl").string()), el::fingerprint_of("# one"));
+  const std::vector<std::byte> bytes =
+      el::compile(source, el::classify(source).value(), {.gaps = {}, .folder = el::folder_of(folder / "a.geminga")});
+  std::ofstream(folder / "a.geminga", std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
+  const fs::path moved = folder / "moved";
+  fs::create_directories(moved);
+  fs::rename(team, moved / "team");
+  fs::rename(folder / "a.geminga", moved / "a.geminga");
+  EXPECT_TRUE(load("exit 0", {(moved / "a.geminga").string()}));
+  std::ofstream(moved / "team" / "a.ttl") << "# two";
+  const Result outgrown = load("exit 0", {(moved / "a.geminga").string()});
+  ASSERT_FALSE(outgrown);
+  EXPECT_THAT(outgrown.error(), ElementsAre(HasSubstr("moved/team/a.ttl has changed")));
 }
 
 TEST_F(OntologyLoaderTest, BoundsTheLinesItShows) {

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "el/compile.hpp"
+#include "el/source_paths.hpp"
 #include "written.hpp"
 
 namespace geminga::el {
@@ -83,6 +84,36 @@ TEST_F(Fingerprints, DoNotMindATouchedOrMissingSource) {
 TEST_F(Fingerprints, ThatNobodyTookAreNotHeldAgainstAFile) {
   const Ontology ontology = loaded(written("SubClassOf(A B)", write("a.owl", "anything")));
   EXPECT_EQ(ontology.stale_source(), std::nullopt);
+}
+
+TEST(SourcePaths, AreRelativeToTheFolderOfTheCompiledForm) {
+  EXPECT_EQ(seen_from_folder("/ws", "/ws/team/a.owl"), "team/a.owl");
+  EXPECT_EQ(seen_from_folder("/ws/out", "/ws/team/a.owl"), "../team/a.owl");
+  EXPECT_EQ(seen_from_folder("/ws/out", "/ws/./team/../a.owl"), "../a.owl");
+  EXPECT_EQ(seen_from_here("/robot/out", "../team/a.owl"), "/robot/team/a.owl");
+  EXPECT_EQ(seen_from_here("/robot", "a.owl"), "/robot/a.owl");
+  EXPECT_EQ(seen_from_here("/robot", "/ws/a.owl"), "/ws/a.owl");
+  EXPECT_EQ(seen_from_here("", "team/a.owl"), "team/a.owl");
+}
+
+TEST(SourcePaths, AreTheSameHoweverTheyWereNamed) {
+  const fs::path here = fs::current_path();
+  EXPECT_EQ(folder_of("a.geminga"), here.string());
+  EXPECT_EQ(folder_of("./a.geminga"), here.string());
+  EXPECT_EQ(folder_of((here / "a.geminga").string()), here.string());
+  EXPECT_EQ(seen_from_folder(folder_of("a.geminga"), "team/a.owl"), "team/a.owl");
+  EXPECT_EQ(seen_from_folder(folder_of("a.geminga"), (here / "team" / "a.owl").string()), "team/a.owl");
+}
+
+TEST_F(Fingerprints, OfSourcesBehindALinkAreFound) {
+  // in/link -> in/far/there: in/link/../a.owl is in/far/a.owl and not in/a.owl.
+  fs::create_directories(path("far/there"));
+  fs::create_directory_symlink(path("far/there"), path("link"));
+  write("far/a.owl", "one");
+  write("a.owl", "another");
+  const std::string folder = folder_of(path("out.geminga"));
+  EXPECT_TRUE(
+      fs::equivalent(seen_from_here(folder, seen_from_folder(folder, path("link/../a.owl"))), path("far/a.owl")));
 }
 
 }  // namespace

@@ -1,13 +1,18 @@
 // Any octets as a compiled ontology, and as what stands behind a right header: refused, or answered without a fault.
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
+#include "el/compiled_view.hpp"
 #include "el/container.hpp"
+#include "el/module.hpp"
 #include "el/ontology.hpp"
 
 namespace {
@@ -25,10 +30,20 @@ void ask(std::vector<std::byte> bytes) {
   }
   (void)ontology->files();
   (void)ontology->left_out();
+  (void)ontology->gaps();
+  for (const auto& whole : {ontology->check_labels(), ontology->check_axioms()}) {
+    GEMINGA_ASSERT(whole || (!whole.error().text.empty() && base::is_valid_utf8(whole.error().text)));
+  }
+  const el::CompiledView& axioms = ontology->axioms();
+  GEMINGA_ASSERT(ontology->check_axioms() || axioms.axiom_count() == 0);
   const std::uint32_t count = std::min(ontology->class_count(), asked);
   for (std::uint32_t sub = 0; sub < count; ++sub) {
     const el::ClassNumber number{sub};
     (void)ontology->find(ontology->short_name(number));
+    (void)ontology->find(std::string(ontology->label(number)) + "x");
+    for (const std::uint32_t axiom : el::extract_module(ontology->module_index(), {{number}})) {
+      for (const std::uint32_t term : axioms.arguments_of_axiom(axiom)) (void)axioms.name_of_term(term);
+    }
     (void)ontology->find_iri(ontology->iri(number));
     (void)ontology->label(number);
     (void)ontology->parents(number);
@@ -41,13 +56,36 @@ void ask(std::vector<std::byte> bytes) {
   }
 }
 
+/// Magic, version, sizes and checksums that fit what stands behind them.
+void give_right_header(std::vector<std::byte>& file) {
+  const std::array<std::span<const std::uint8_t>, el::section_count> nothing{};
+  const std::vector<std::byte> empty = el::wrap(nothing);
+  std::uint64_t rest = file.size() - el::container_header_bytes;
+  std::array<std::uint64_t, el::section_count> sizes{};
+  for (std::size_t at = 0; at < el::section_count; ++at) {
+    std::memcpy(&sizes[at], file.data() + 16 + at * 16, sizeof sizes[at]);
+    sizes[at] = std::min(sizes[at], rest) / el::section_alignment * el::section_alignment;
+    if (at + 1 == el::section_count) sizes[at] = rest / el::section_alignment * el::section_alignment;
+    rest -= sizes[at];
+  }
+  file.resize(file.size() - rest);
+  std::ranges::copy(std::span(empty).first(el::container_header_bytes), file.begin());
+  for (std::size_t at = 0; at < el::section_count; ++at) {
+    std::memcpy(file.data() + 16 + at * 16, &sizes[at], sizeof sizes[at]);
+  }
+  el::seal(file);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t size) {
   const std::span all(octets, size);
   const auto bytes = std::as_bytes(all);
   ask({bytes.begin(), bytes.end()});
-  // A checksum that fits, which no mutation finds.
-  if (size > el::container_header_bytes) ask(el::wrap(all.subspan(el::container_header_bytes)));
+  if (size < el::container_header_bytes) return 0;
+  // Checksums that fit, which no mutation finds, over sections as long as the header says where it can be so.
+  std::vector<std::byte> sealed(bytes.begin(), bytes.end());
+  give_right_header(sealed);
+  ask(std::move(sealed));
   return 0;
 }

@@ -88,7 +88,7 @@ int for_random_pairs(std::uint64_t seeds, std::size_t axioms, Check&& check) {
     if (!el::classified(source).unused.empty()) continue;
     std::vector<std::string> lines = lines_of(text);
     const el::Ontology ontology = el::loaded(source);
-    if (ontology.view().axiom_count() != lines.size()) continue;  // what stands there twice is one axiom
+    if (ontology.axioms().axiom_count() != lines.size()) continue;  // what stands there twice is one axiom
     Subsets subsets(std::move(lines));
     for (std::uint32_t sub = 0; sub < ontology.class_count(); ++sub) {
       for (std::uint32_t super = 0; super < ontology.class_count(); ++super) {

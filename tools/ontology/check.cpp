@@ -43,25 +43,24 @@ std::string left_out_as_text(const Findings& findings, bool shows_all) {
   return text;
 }
 
-std::string sources_as_text(const Knowledge& knowledge) {
-  const rdf::Loaded& loaded = knowledge.loaded;
-  std::string text = counted(loaded.source.files().size(), "file", "files") + ", " +
-                     counted(loaded.triples, "triple", "triples") + ", " +
-                     counted(class_count(knowledge), "class", "classes") + ", " +
-                     counted(knowledge.classification.counts.axioms, "axiom", "axioms") + '\n';
-  for (const el::LoadedFile& file : loaded.source.files())
+std::string sources_as_text(const Sources& sources) {
+  std::string text = counted(sources.files.size(), "file", "files") + ", ";
+  if (sources.triples) text += counted(*sources.triples, "triple", "triples") + ", ";
+  text += counted(sources.classes, "class", "classes") + ", " + counted(sources.axioms, "axiom", "axioms") + '\n';
+  for (const el::LoadedFile& file : sources.files)
     text += "  " + file.path + (file.ontology_iri.empty() ? "" : "  <" + file.ontology_iri + ">") + '\n';
   return text;
 }
 
-std::string doubts_as_text(const rdf::Loaded& loaded) {
+std::string doubts_as_text(const Sources& sources) {
   std::string text;
-  if (!loaded.unresolved.empty())
+  if (sources.outgrown) text += "Older than its sources: " + *sources.outgrown + '\n';
+  if (!sources.unresolved.empty())
     text += "Imports that no given file answers (nothing is fetched: name the files, too):\n";
-  for (const rdf::UnresolvedImport& import : loaded.unresolved)
+  for (const rdf::UnresolvedImport& import : sources.unresolved)
     text += "  <" + import.iri + "> at " + place(import.file, import.line) + '\n';
-  if (!loaded.conflicts.empty()) text += "Prefixes that mean several IRIs (write the others in full):\n";
-  for (const rdf::PrefixConflict& conflict : loaded.conflicts) {
+  if (!sources.conflicts.empty()) text += "Prefixes that mean several IRIs (write the others in full):\n";
+  for (const rdf::PrefixConflict& conflict : sources.conflicts) {
     text += "  " + conflict.prefix + ": is <" + conflict.chosen + ">, not";
     for (const std::string& other : conflict.others) text += " <" + other + ">";
     text += '\n';
@@ -89,20 +88,28 @@ std::string problems_as_text(const Findings& findings) {
   return text;
 }
 
+Exit report(const Findings& findings, const Request& request) {
+  const std::string text =
+      request.as_json ? as_json(findings)
+                      : sources_as_text(findings.sources) + left_out_as_text(findings, request.shows_all) +
+                            doubts_as_text(findings.sources) + problems_as_text(findings) + verdict(findings) + '\n';
+  if (!print(text)) return say_error("standard output cannot be written");
+  return findings.has_problem() ? Exit::no : Exit::yes;
+}
+
 Exit check(const Request& request) {
+  if (is_compiled(request.files)) {
+    const auto compiled = open_compiled(request.files.front());
+    if (!compiled) return say_failure(compiled.error().text, request.as_json, Exit::no);
+    return report(find(*compiled), request);
+  }
   const auto knowledge = learn(request.files, {.as_json = request.as_json});
   if (!knowledge)
     return say_failure(knowledge.error().text, request.as_json,
                        knowledge.error().is_unreadable ? Exit::usage : Exit::no);
   const auto ontology = open_or_say(*knowledge);
   if (!ontology) return Exit::usage;
-  const Findings findings = find(*knowledge, *ontology);
-  const std::string text =
-      request.as_json ? as_json(*knowledge, findings)
-                      : sources_as_text(*knowledge) + left_out_as_text(findings, request.shows_all) +
-                            doubts_as_text(knowledge->loaded) + problems_as_text(findings) + verdict(findings) + '\n';
-  if (!print(text)) return say_error("standard output cannot be written");
-  return findings.has_problem() ? Exit::no : Exit::yes;
+  return report(find(*knowledge, *ontology), request);
 }
 
 }  // namespace
@@ -118,7 +125,10 @@ void add_check(CLI::App& program, Choice& choice) {
                     "list every axiom that was left out, not only " + std::to_string(max_shown) + " a construct");
   command->footer(
       "\nExit status 1: a broken file, a contradiction, a class that can have no instance, or a hash collision.\n"
-      "\nExample:\n  geminga-ontology check team/ soma.rdf");
+      "A single file that compile wrote is verified and says what its sources said; status 1, too, if it is damaged "
+      "or\n"
+      "older than they are.\n"
+      "\nExamples:\n  geminga-ontology check team/ soma.rdf\n  geminga-ontology check team.geminga");
   command->callback([request, &choice] { choice.run = [request] { return check(*request); }; });
 }
 

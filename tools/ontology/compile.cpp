@@ -19,6 +19,7 @@
 #include "base/text.hpp"
 #include "collisions.hpp"
 #include "command.hpp"
+#include "el/source_paths.hpp"
 #include "knowledge.hpp"
 #include "words.hpp"
 
@@ -77,7 +78,7 @@ std::vector<std::string> remarks(const Knowledge& knowledge, const el::Ontology&
     if (named != knowledge.classification.nothing && is_unsatisfiable(knowledge.classification, named))
       lines.push_back(ontology.short_name(named) + " can have no instance");
   }
-  for (const Collision& collision : find_collisions(knowledge, ontology).found) {
+  for (const Collision& collision : find_collisions(ontology).found) {
     std::string line = "equal 32-bit identities 0x" + base::to_hex(collision.id, 8) + ':';
     for (const std::string& name : collision.names) line += ' ' + name;
     lines.push_back(std::move(line));
@@ -89,10 +90,14 @@ Exit compile(const Request& request) {
   constexpr std::size_t max_remarks = 20;
   const auto knowledge = learn_or_say(request.files);
   if (!knowledge) return Exit::usage;
-  const std::vector<std::byte> bytes = el::compile(knowledge->loaded.source, knowledge->classification);
+  const std::vector<std::byte> bytes =
+      el::compile(knowledge->loaded.source, knowledge->classification,
+                  {.gaps = knowledge->classification.gaps, .folder = el::folder_of(request.out)});
   // What cannot be read back is not written.
   const auto ontology = el::Ontology::from_bytes(bytes);
   if (!ontology) return say_error(ontology.error().text);
+  if (const auto labels = ontology->check_labels(); !labels) return say_error(labels.error().text);
+  if (const auto axioms = ontology->check_axioms(); !axioms) return say_error(axioms.error().text);
   const Exit exit = replace(request.out, bytes);
   if (exit != Exit::yes) return exit;
   const auto lines = remarks(*knowledge, *ontology);

@@ -186,24 +186,42 @@ Picture with_lists_of_leaves(Picture picture) {
   }
   const auto is_leaf = [&](const Box& box) {
     const bool is_plain = box.kind == BoxKind::one || box.kind == BoxKind::several;
-    return is_plain && box.parents.size() == 1 && !children.contains(box.id);
+    return is_plain && !box.parents.empty() && !children.contains(box.id);
   };
-  std::map<std::string, std::size_t> leaves;
+  std::map<std::string, std::size_t> leaves;  // by parent: how many stand in its list
+  std::vector<bool> is_listed;
   for (const Box& box : picture) {
-    if (is_leaf(box)) ++leaves[box.parents.front()];
+    is_listed.push_back(is_leaf(box));
+    for (std::size_t at = 0; is_listed.back() && at < box.parents.size(); ++at) ++leaves[box.parents[at]];
+  }
+  // A leaf stands in the lists of all its parents or in none; one that has a parent with too short a list shortens
+  // others.
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    for (std::size_t at = 0; at < picture.size(); ++at) {
+      const auto& parents = picture[at].parents;
+      const auto is_short = [&](const std::string& parent) { return leaves[parent] < least; };
+      if (!is_listed[at] || std::ranges::none_of(parents, is_short)) continue;
+      is_listed[at] = false;
+      has_changed = true;
+      for (const std::string& parent : parents) --leaves[parent];
+    }
   }
   std::map<std::string, std::size_t> lists;  // by parent: the place of its list
   Picture listed;
-  for (Box& box : picture) {
-    if (!is_leaf(box) || leaves[box.parents.front()] < least) {
+  for (std::size_t at = 0; at < picture.size(); ++at) {
+    Box& box = picture[at];
+    if (!is_listed[at]) {
       listed.push_back(std::move(box));
       continue;
     }
     std::string name;
     for (const std::string& one : box.names) name += (name.empty() ? "" : " = ") + one;
-    const auto [place, is_new] = lists.try_emplace(box.parents.front(), listed.size());
-    if (is_new) listed.push_back({"leaves_" + box.parents.front(), BoxKind::leaves, {}, 0, box.parents});
-    listed[place->second].names.push_back(std::move(name));
+    for (const std::string& parent : box.parents) {
+      const auto [place, is_new] = lists.try_emplace(parent, listed.size());
+      if (is_new) listed.push_back({"leaves_" + parent, BoxKind::leaves, {}, 0, {parent}});
+      listed[place->second].names.push_back(name);
+    }
   }
   return listed;
 }

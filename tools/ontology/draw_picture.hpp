@@ -39,7 +39,9 @@ using Picture = std::vector<Box>;
                                    const el::Ontology& ontology, std::optional<el::ClassNumber> root,
                                    std::optional<unsigned> depth);
 
-/// The same picture with leaves that have one and the same parent in one box, where they are at least three.
+/// The same picture with leaves that have the same parent in one box, where they are at least three. What has several
+/// parents stands in the list of each, or, where one of these lists would be shorter, in none: edges that cross the
+/// whole picture are what one cannot read.
 [[nodiscard]] Picture with_lists_of_leaves(Picture picture);
 
 /// The picture for Graphviz and for Mermaid.

@@ -26,9 +26,7 @@ struct Request {
 };
 
 Exit explain(const Request& request) {
-  const auto knowledge = learn_or_say(request.files, {.threads = 1, .as_json = request.as_json});
-  if (!knowledge) return Exit::usage;
-  const auto ontology = open_or_say(*knowledge);
+  const auto ontology = learn_ontology_or_say(request.files, {.threads = 1, .as_json = request.as_json});
   if (!ontology) return Exit::usage;
   const bool is_plain = !request.is_about_contradiction;
   const auto sub = find_or_say(*ontology, is_plain ? request.sub : std::string(el::owl_thing), request.as_json);

@@ -6,7 +6,9 @@
 #include <map>
 #include <tuple>
 
+#include "el/compiled_view.hpp"
 #include "el/print.hpp"
+#include "reasoner/explain_module.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {
@@ -14,6 +16,13 @@ namespace {
 
 /// So many constructs and gaps are named in the one line of the verdict.
 constexpr std::size_t max_reasons = 4;
+
+void sort_axioms(std::vector<LeftOutGroup>& groups) {
+  for (LeftOutGroup& entry : groups) {
+    std::ranges::sort(entry.axioms, {},
+                      [](const LeftOutAxiom& axiom) { return std::tie(axiom.file, axiom.line, axiom.axiom); });
+  }
+}
 
 std::vector<LeftOutGroup> group(const Knowledge& knowledge) {
   const el::OntologySource& source = knowledge.loaded.source;
@@ -31,11 +40,35 @@ std::vector<LeftOutGroup> group(const Knowledge& knowledge) {
     groups[found->second].axioms.push_back(
         {el::print(source, axiom, short_name), source.files()[static_cast<std::size_t>(axiom.file)].path, axiom.line});
   }
-  for (LeftOutGroup& entry : groups) {
-    std::ranges::sort(entry.axioms, {},
-                      [](const LeftOutAxiom& axiom) { return std::tie(axiom.file, axiom.line, axiom.axiom); });
-  }
+  sort_axioms(groups);
   return groups;
+}
+
+std::vector<LeftOutGroup> group(const el::Ontology& ontology) {
+  std::vector<LeftOutGroup> groups;
+  for (el::LeftOut& summary : ontology.left_out()) groups.push_back({std::move(summary), {}});
+  const el::CompiledView& view = ontology.axioms();
+  reasoner::Module module(ontology, {});
+  for (std::size_t at = 0; at < view.unused_axiom.size(); ++at) {
+    reasoner::ExplainedAxiom axiom = module.explained_original(view.unused_axiom[at]);
+    groups[view.unused_group[at]].axioms.push_back({std::move(axiom.text), std::move(axiom.file), axiom.line});
+  }
+  sort_axioms(groups);
+  return groups;
+}
+
+/// Classes without instances, with reasons, and collisions: what both kinds of ontologies are asked for.
+void find_problems(const el::Ontology& ontology, Findings& findings) {
+  findings.is_consistent = ontology.is_consistent();
+  const auto nothing = ontology.find_iri(el::owl_nothing);
+  for (std::uint32_t number = 0; number < ontology.class_count() && nothing && findings.is_consistent; ++number) {
+    const el::ClassNumber named{number};
+    if (named == *nothing || ontology.is_satisfiable(named)) continue;
+    auto reason = reasoner::explain(ontology, named, *nothing);
+    findings.unsatisfiable.push_back(
+        {ontology.short_name(named), std::move(reason).value_or(std::vector<reasoner::ExplainedAxiom>{})});
+  }
+  findings.collisions = find_collisions(ontology);
 }
 
 boost::json::array axioms_as_json(const std::vector<reasoner::ExplainedAxiom>& axioms) {
@@ -61,19 +94,29 @@ boost::json::array left_out_as_json(const Findings& findings) {
 }  // namespace
 
 Findings find(const Knowledge& knowledge, const el::Ontology& ontology) {
+  const rdf::Loaded& loaded = knowledge.loaded;
   Findings findings;
-  const reasoner::Classified& classification = knowledge.classification;
+  findings.sources.files.assign(loaded.source.files().begin(), loaded.source.files().end());
+  findings.sources.triples = loaded.triples;
+  findings.sources.classes = class_count(knowledge);
+  findings.sources.axioms = knowledge.classification.counts.axioms;
+  findings.sources.unresolved = loaded.unresolved;
+  findings.sources.conflicts = loaded.conflicts;
   findings.left_out = group(knowledge);
-  findings.gaps = classification.gaps;
-  findings.is_consistent = classification.is_consistent;
-  for (std::uint32_t number = 0; number < classification.class_count() && classification.is_consistent; ++number) {
-    const el::ClassNumber named{number};
-    if (named == classification.nothing || !is_unsatisfiable(classification, named)) continue;
-    auto reason = reasoner::explain(ontology, named, classification.nothing);
-    findings.unsatisfiable.push_back(
-        {ontology.short_name(named), std::move(reason).value_or(std::vector<reasoner::ExplainedAxiom>{})});
-  }
-  findings.collisions = find_collisions(knowledge, ontology);
+  findings.gaps = knowledge.classification.gaps;
+  find_problems(ontology, findings);
+  return findings;
+}
+
+Findings find(const el::Ontology& ontology) {
+  Findings findings;
+  findings.sources.files = ontology.files();
+  findings.sources.classes = std::max(ontology.class_count(), 2U) - 2;  // without owl:Thing and owl:Nothing
+  findings.sources.axioms = ontology.axiom_count();
+  findings.sources.outgrown = ontology.stale_source();
+  findings.left_out = group(ontology);
+  findings.gaps = ontology.gaps();
+  find_problems(ontology, findings);
   return findings;
 }
 
@@ -92,25 +135,23 @@ std::string verdict(const Findings& findings) {
   return text + '.';
 }
 
-std::string as_json(const Knowledge& knowledge, const Findings& findings) {
-  const rdf::Loaded& loaded = knowledge.loaded;
-  boost::json::object document{{"triples", loaded.triples},
-                               {"classes", class_count(knowledge)},
-                               {"axioms", knowledge.classification.counts.axioms},
-                               {"consistent", findings.is_consistent},
-                               {"complete", findings.is_complete()},
-                               {"verdict", verdict(findings)},
-                               {"problem", findings.has_problem()}};
+std::string as_json(const Findings& findings) {
+  const Sources& sources = findings.sources;
+  boost::json::object document{{"classes", sources.classes},           {"axioms", sources.axioms},
+                               {"consistent", findings.is_consistent}, {"complete", findings.is_complete()},
+                               {"verdict", verdict(findings)},         {"problem", findings.has_problem()}};
+  if (sources.triples) document["triples"] = *sources.triples;
+  if (sources.outgrown) document["outgrown"] = *sources.outgrown;
   boost::json::array& files = document["files"].emplace_array();
-  for (const el::LoadedFile& file : loaded.source.files())
+  for (const el::LoadedFile& file : sources.files)
     files.push_back(boost::json::object{{"path", file.path}, {"ontology", file.ontology_iri}});
   document["left_out"] = left_out_as_json(findings);
   document["gaps"] = boost::json::value_from(findings.gaps);
   boost::json::array& imports = document["unresolved_imports"].emplace_array();
-  for (const rdf::UnresolvedImport& import : loaded.unresolved)
+  for (const rdf::UnresolvedImport& import : sources.unresolved)
     imports.push_back(boost::json::object{{"iri", import.iri}, {"file", import.file}, {"line", import.line}});
   boost::json::array& conflicts = document["prefix_conflicts"].emplace_array();
-  for (const rdf::PrefixConflict& conflict : loaded.conflicts)
+  for (const rdf::PrefixConflict& conflict : sources.conflicts)
     conflicts.push_back(boost::json::object{{"prefix", conflict.prefix},
                                             {"chosen", conflict.chosen},
                                             {"others", boost::json::value_from(conflict.others)}});

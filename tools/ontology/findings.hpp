@@ -32,7 +32,20 @@ struct Unsatisfiable {
   std::vector<reasoner::ExplainedAxiom> reason;
 };
 
+/// What was looked at.
+struct Sources {
+  std::vector<el::LoadedFile> files;
+  std::optional<std::size_t> triples;  ///< nothing: a compiled ontology does not keep how many there were
+  std::size_t classes = 0;
+  std::size_t axioms = 0;
+  std::vector<rdf::UnresolvedImport> unresolved;
+  std::vector<rdf::PrefixConflict> conflicts;
+  /// Of a compiled ontology: which file has changed since, in one line.
+  std::optional<std::string> outgrown;
+};
+
 struct Findings {
+  Sources sources;
   std::vector<LeftOutGroup> left_out;  ///< by construct
   std::vector<std::string> gaps;       ///< why something may be missing although every axiom was used
   bool is_consistent = true;
@@ -41,17 +54,19 @@ struct Findings {
 
   [[nodiscard]] bool is_complete() const { return left_out.empty() && gaps.empty(); }
   [[nodiscard]] bool has_problem() const {
-    return !unsatisfiable.empty() || !collisions.found.empty() || !is_consistent;
+    return !unsatisfiable.empty() || !collisions.found.empty() || !is_consistent || sources.outgrown;
   }
 };
 
 [[nodiscard]] Findings find(const Knowledge& knowledge, const el::Ontology& ontology);
+/// The same of a compiled ontology, whose axioms have been verified.
+[[nodiscard]] Findings find(const el::Ontology& ontology);
 
 /// One line: whether every answer is there, and why not.
 [[nodiscard]] std::string verdict(const Findings& findings);
 
 /// One JSON document.
-[[nodiscard]] std::string as_json(const Knowledge& knowledge, const Findings& findings);
+[[nodiscard]] std::string as_json(const Findings& findings);
 
 }  // namespace geminga::ontology
 

@@ -2,13 +2,16 @@
 #include "knowledge.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
+#include <fstream>
 #include <system_error>
 #include <utility>
 
 #include "base/text.hpp"
 #include "el/compile.hpp"
+#include "el/container.hpp"
 #include "el/print.hpp"
 #include "functional/read.hpp"
 #include "similar.hpp"
@@ -91,9 +94,39 @@ std::optional<Knowledge> learn_or_say(const std::vector<std::string>& files, con
 }
 
 std::optional<el::Ontology> open_or_say(const Knowledge& knowledge) {
-  auto ontology = el::Ontology::from_bytes(el::compile(knowledge.loaded.source, knowledge.classification));
+  auto ontology = el::Ontology::from_bytes(el::compile(knowledge.loaded.source, knowledge.classification,
+                                                       {.gaps = knowledge.classification.gaps, .folder = {}}));
   if (ontology) return std::move(*ontology);
   say_error(ontology.error().text);
+  return std::nullopt;
+}
+
+bool is_compiled(const std::vector<std::string>& files) {
+  std::error_code error;
+  if (files.size() != 1 || !std::filesystem::is_regular_file(files.front(), error)) return false;
+  std::array<char, el::compiled_magic.size()> begin{};
+  std::ifstream(files.front(), std::ios::binary).read(begin.data(), begin.size());
+  return begin == el::compiled_magic;
+}
+
+std::expected<el::Ontology, el::CompiledError> open_compiled(const std::string& file) {
+  auto ontology = el::Ontology::map(file);
+  if (!ontology) return std::unexpected(std::move(ontology.error()));
+  for (const auto& whole : {ontology->check_labels(), ontology->check_axioms()}) {
+    if (!whole) return std::unexpected(el::CompiledError{file + ": " + whole.error().text});
+  }
+  return ontology;
+}
+
+std::optional<el::Ontology> learn_ontology_or_say(const std::vector<std::string>& files, const Learning& how) {
+  if (!is_compiled(files)) {
+    const auto knowledge = learn_or_say(files, how);
+    return knowledge ? open_or_say(*knowledge) : std::nullopt;
+  }
+  auto ontology = open_compiled(files.front());
+  const auto stale = ontology ? ontology->stale_source() : std::nullopt;
+  if (ontology && !stale) return std::move(*ontology);
+  say_failure(ontology ? files.front() + ": " + *stale : ontology.error().text, how.as_json);
   return std::nullopt;
 }
 

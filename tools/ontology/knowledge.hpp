@@ -51,6 +51,16 @@ struct Learning {
 
 /// The compiled form and an ontology over it, for names and explanations; nothing after saying what is wrong.
 [[nodiscard]] std::optional<el::Ontology> open_or_say(const Knowledge& knowledge);
+
+/// Whether these files are one that `compile` wrote.
+[[nodiscard]] bool is_compiled(const std::vector<std::string>& files);
+/// That file, verified as a whole.
+[[nodiscard]] std::expected<el::Ontology, el::CompiledError> open_compiled(const std::string& file);
+/// The ontology of these files, or of the one compiled file that they are, unless its sources have changed since;
+/// nothing after saying what is wrong.
+[[nodiscard]] std::optional<el::Ontology> learn_ontology_or_say(const std::vector<std::string>& files,
+                                                                const Learning& how = {});
+
 /// The class of a name; nothing after saying what is wrong, and which names are like it.
 [[nodiscard]] std::optional<el::ClassNumber> find_or_say(const el::Ontology& ontology, const std::string& name,
                                                          bool as_json = false);

@@ -17,6 +17,7 @@ struct Parts {
   Record head;
   std::vector<Record> files;
   std::vector<Record> left_out;
+  std::vector<Record> gaps;
   std::vector<Record> others;
 };
 
@@ -31,6 +32,8 @@ Parts parts_of(const Answer& answer) {
       parts.others.push_back(record);
     } else if (!record["left_out"].empty()) {
       parts.left_out.push_back(record);
+    } else if (!record["gap"].empty()) {
+      parts.gaps.push_back(record);
     }
   }
   return parts;
@@ -42,6 +45,7 @@ void print_json(const Parts& parts) {
   for (const auto* key : {"loaded", "digest", "classes"}) {
     if (head.contains(key)) object[key] = head.at(key);
   }
+  if (!parts.head["complete"].empty()) object["complete"] = parts.head["complete"] == "1";
   boost::json::array left_out;
   for (const auto& record : parts.left_out) {
     auto row = shell::to_json(record);
@@ -58,6 +62,9 @@ void print_json(const Parts& parts) {
   }
   object["files"] = shell::to_json(parts.files);
   object["left_out"] = std::move(left_out);
+  boost::json::array gaps;
+  for (const auto& record : parts.gaps) gaps.push_back(boost::json::string(record["gap"]));
+  object["gaps"] = std::move(gaps);
   object["others"] = std::move(others);
   shell::print(std::cout, object);
 }
@@ -80,6 +87,9 @@ void print_words(const Context& context, const Parts& parts) {
     std::cout << "\nNot used by the reasoner:\n";
     left_out.print(std::cout, context.terminal);
   }
+  if (!parts.gaps.empty()) std::cout << "\nNot searched to the end:\n";
+  for (const auto& record : parts.gaps) std::cout << "  " << shell::printable(record["gap"]) << '\n';
+  if (parts.head["complete"] == "1") std::cout << "\nComplete: everything that follows from these files was found.\n";
   shell::Table others({{"PARTICIPANT"}, {"NAME"}, {"ONTOLOGY"}});
   for (const auto& record : parts.others) {
     others.add({std::string(record["other"]), std::string(record["name"]), std::string(record["ontology"])});

@@ -47,6 +47,10 @@ Answered answer(Core& core, const gcnp::QueryExplain& query) {
   if (!sub) return std::unexpected(sub.error());
   const auto super = find(ontology, "super", query.super);
   if (!super) return std::unexpected(super.error());
+  // Matching goes on without axioms; what they would explain is not made up.
+  if (const auto axioms = ontology.check_axioms(); !axioms) {
+    return std::unexpected(Error{ErrorCode::impossible, axioms.error().text});
+  }
   Answer answer{.kind = "explain", .lines = {}, .end = {}};
   answer.looked_through = explanation_work;
   if (const auto axioms = reasoner::explain(ontology, *sub, *super, reasoner::Patience::of_a_daemon)) {

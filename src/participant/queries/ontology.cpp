@@ -17,6 +17,8 @@ Answered answer(Core& core, const gcnp::QueryOntology&) {
     append(answer.lines.front(), "classes", core.ontology->class_count());
     append(answer.lines.front(), "files", files.size());
     append(answer.lines.front(), "left_out", left_out.size());
+    const auto gaps = core.ontology->gaps();
+    append_flag(answer.lines.front(), "complete", left_out.empty() && gaps.empty());
     for (const el::LoadedFile& file : files) {
       Line line;
       append(line, "file", base::printable(file.path, 4096));
@@ -28,6 +30,11 @@ Answered answer(Core& core, const gcnp::QueryOntology&) {
       append(line, "left_out", one.construct);
       append(line, "count", one.count);
       append_known(line, "first", base::printable(one.first, 4096));
+      answer.lines.push_back(std::move(line));
+    }
+    for (const std::string& gap : gaps) {
+      Line line;
+      append(line, "gap", base::printable(gap, 4096));
       answer.lines.push_back(std::move(line));
     }
   }

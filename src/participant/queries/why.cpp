@@ -58,6 +58,7 @@ std::string nearest(const Core& core, const registry::SubscriptionEntry& request
   const auto sub = ontology.find_iri(offered->concept_iri);
   const auto super = ontology.find_iri(asked->concept_iri);
   if (!sub || !super || ontology.is_subsumed(*sub, *super)) return "";
+  if (const auto axioms = ontology.check_axioms(); !axioms) return "; " + axioms.error().text;
   const reasoner::WhyNot why_not = reasoner::why_not(ontology, *sub, *super, reasoner::Patience::of_a_daemon);
   return "; " + base::printable(reasoner::describe_briefly(ontology, *sub, *super, why_not), max_nearest_bytes);
 }

@@ -89,9 +89,9 @@ void measure_expressions(const el::Ontology& ontology, const std::string& name, 
     return ontology.iri(el::ClassNumber{static_cast<std::uint32_t>(random.below(ontology.class_count()))});
   };
   std::vector<std::string_view> properties;
-  const el::CompiledView& view = ontology.view();
+  const el::CompiledView& view = ontology.axioms();
   for (std::uint32_t term = 0; term < view.term_count(); ++term) {
-    if (view.kind_of_term(term) == el::TermKind::object_property) properties.push_back(view.name(view.term_name[term]));
+    if (view.kind_of_term(term) == el::TermKind::object_property) properties.push_back(view.name_of_term(term));
   }
   if (properties.empty()) return row_without(name + ": a class expression", size, "there are no properties");
   std::vector<double> times;
@@ -127,8 +127,7 @@ void measure_loaded(const std::filesystem::path& compiled, const std::string& na
   row(name + ": compiled file, a class", size,
       static_cast<double>(std::filesystem::file_size(compiled)) / ontology->class_count(), "B");
   const el::CompiledView& view = ontology->view();
-  const std::size_t index_bytes = view.own_interval.size_bytes() + view.further_begin.size_bytes() +
-                                  view.further.size_bytes() + view.representative.size_bytes();
+  const std::size_t index_bytes = view.reach.size_bytes() + view.further.size_bytes();
   row(name + ": subsumption index, a class", size, static_cast<double>(index_bytes) / ontology->class_count(), "B",
       {.limit = 32});
   measure_subsumption(*ontology, name, size, queries);

@@ -65,6 +65,20 @@ TEST_F(Draw, CompactListsLeavesOfOneParent) {
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("leaves_c0 [label=\"e:B,  e:C,  e:D\\l\""), HasSubstr("leaves_c0 -> c0;")));
 }
 
+TEST_F(Draw, CompactListsALeafBelowEachOfItsParents) {
+  program_.turtle("b.ttl",
+                  ":B rdfs:subClassOf :A , :Z . :C rdfs:subClassOf :A . :D rdfs:subClassOf :A .\n"
+                  ":X rdfs:subClassOf :Z . :Y rdfs:subClassOf :Z , :W .\n");
+  // :Y is below :W, which has no list; so :Z has one of two, which is none.
+  const Outcome without = program_.run({"draw", "b.ttl", "--compact"});
+  EXPECT_THAT(without.out, Not(HasSubstr("leaves_")));
+  program_.turtle("c.ttl",
+                  ":B rdfs:subClassOf :A , :Z . :C rdfs:subClassOf :A . :D rdfs:subClassOf :A .\n"
+                  ":X rdfs:subClassOf :Z . :Y rdfs:subClassOf :Z .\n");
+  const Outcome with = program_.run({"draw", "c.ttl", "--compact"});
+  EXPECT_THAT(with.out, AllOf(HasSubstr("[label=\"e:B,  e:C,  e:D\\l\""), HasSubstr("[label=\"e:B,  e:X,  e:Y\\l\"")));
+}
+
 TEST_F(Draw, MermaidIsAGraphOfTheSameBoxes) {
   const Outcome outcome = program_.run({"draw", "a.ttl", "--format", "mermaid"});
   EXPECT_THAT(outcome.out, StartsWith("graph RL\n"));

@@ -1,0 +1,42 @@
+// The sections of the compiled form, each written by a function of its own; compile.cpp puts them together.
+#ifndef GEMINGA_EL_COMPILE_SECTIONS_HPP
+#define GEMINGA_EL_COMPILE_SECTIONS_HPP
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compiled_generated.h"
+#include "el/canonical.hpp"
+#include "el/classify.hpp"
+#include "el/compile.hpp"
+#include "el/source.hpp"
+
+namespace geminga::el {
+
+/// Most items of the lists whose length is not known before: intervals, and axioms that wait for names. Both are few
+/// except where hardly anything is a tree.
+inline constexpr std::size_t max_list_items = std::size_t{1} << 26;
+
+/// What all sections are written from.
+struct CompilerInput {
+  const OntologySource& source;
+  const Classification& classification;
+  const ContentHashes& hashes;
+  const CanonicalOrder& order;
+};
+
+/// Files, left-outs, gaps and prefixes.
+void write_sources(const CompilerInput& input, const CompileOptions& options, compiled::TaxonomyT& out);
+/// Classes, taxonomy and index of intervals.
+void write_classes(const CompilerInput& input, compiled::TaxonomyT& out);
+void write_labels(const CompilerInput& input, compiled::LabelsT& out);
+/// Names, terms, axioms and what modules are found by. The taxonomy has been written. False where there would be more
+/// than max_list_items, or more files than sixteen bits can count.
+[[nodiscard]] bool write_axioms(const CompilerInput& input, const compiled::TaxonomyT& taxonomy,
+                                compiled::AxiomsT& out);
+
+}  // namespace geminga::el
+
+#endif
