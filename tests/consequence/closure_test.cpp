@@ -227,6 +227,17 @@ TEST(Closure, TellsValuesApartByEachBitOfTheirNumbers) {
   for (const std::string& line : closure_of(joined(axioms))) EXPECT_TRUE(line.ends_with(" Nothing")) << line;
 }
 
+TEST(Closure, DoesNotTakeValuesForThings) {
+  // Everything is a, but neither false nor any integer is.
+  EXPECT_THAT(closure_of(R"(SubClassOf(owl:Thing ObjectOneOf(:a)) DataPropertyAssertion(:u :a "false"^^xsd:boolean)
+                            SubClassOf(:C DataSomeValuesFrom(:u xsd:nonNegativeInteger)))"),
+              IsEmpty());
+  EXPECT_THAT(closure_of(R"(SubClassOf(owl:Thing ObjectOneOf(:a)) SubClassOf(:C ObjectUnionOf(:D :E))
+                            SubClassOf(:D DataSomeValuesFrom(:u xsd:integer)) SubClassOf(:D :F)
+                            SubClassOf(:E DataMinCardinality(2 :u xsd:string)) SubClassOf(:E :F))"),
+              ElementsAre("C F", "D F", "E F"));
+}
+
 TEST(Gaps, AreNamedWhereTheCalculusIsNotEnough) {
   EXPECT_THAT(gaps_of("SubClassOf(:A ObjectOneOf(:a :b))"), ElementsAre(nominal_gap));
   EXPECT_THAT(gaps_of("SubClassOf(:A ObjectHasValue(:r :a)) SubClassOf(ObjectSomeValuesFrom(:r :B) :C)"),
