@@ -98,6 +98,12 @@ ExprId Index::range_atom(RoleId role) {
   return range_atoms_[index];
 }
 
+void Index::mark_data(RoleId role) {
+  const auto place = static_cast<std::size_t>(role);
+  if (is_data_role_.size() <= place) is_data_role_.resize(place + 1, false);
+  is_data_role_[place] = true;
+}
+
 ExprId Index::range_of(RoleId role) const {
   const auto index = static_cast<std::size_t>(role);
   return index < range_atoms_.size() ? range_atoms_[index] : top_expr;
@@ -170,7 +176,10 @@ void Index::flatten_one(ExprId sub, ExprId super) {
         break;
       case ExprKind::existential: {
         const RoleId role{expr.first};
-        link_pairs_.emplace_back(number(sub), LinkRule{role, link_target(role, ExprId{expr.second}), {}});
+        const ExprId target = link_target(role, ExprId{expr.second});
+        link_pairs_.emplace_back(number(sub), LinkRule{role, target, {}});
+        const auto place = static_cast<std::size_t>(role);
+        if (target != top_expr && place < is_data_role_.size() && is_data_role_[place]) values_.push_back(target);
         break;
       }
       case ExprKind::self:
@@ -210,6 +219,8 @@ void Index::find_representatives() {
     representative_[id] = ExprId{first};
   }
   supers_first_ = std::move(first_of);
+  is_value_rep_.assign(count, false);
+  for (const ExprId value : values_) is_value_rep_[number(representative_[number(value)])] = true;
   is_nominal_rep_.assign(count, false);
   for (std::uint32_t id = 0; id < count; ++id) {
     if (exprs_[id].kind == ExprKind::nominal) is_nominal_rep_[number(representative_[id])] = true;

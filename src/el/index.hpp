@@ -92,6 +92,8 @@ class Index {
   void add_disjoint(std::span<const ExprId> members);
   /// Everything that is on the right of a link of this role is in the returned atom.
   ExprId range_atom(RoleId role);
+  /// What it leads to are values. To be said before the role is used.
+  void mark_data(RoleId role);
   /// What is in the expression has at most one successor by the role. For T: of every instance, the role is functional.
   void add_functional(ExprId id, RoleId role);
   Roles& roles() { return roles_; }
@@ -112,6 +114,8 @@ class Index {
   [[nodiscard]] const Expr& expr(ExprId id) const { return exprs_[number(id)]; }
   [[nodiscard]] bool is_atom(ExprId id) const { return expr(id).kind <= ExprKind::nominal; }
   [[nodiscard]] bool is_nominal(ExprId id) const { return is_nominal_rep_[number(id)]; }
+  /// Whether a link of a data role ends in it, so that its members are values and no individuals.
+  [[nodiscard]] bool is_value(ExprId id) const { return is_value_rep_[number(id)]; }
   /// The one that stands for all atoms that told axioms make equivalent to this one. Other expressions: themselves.
   [[nodiscard]] ExprId representative(ExprId id) const { return representative_[number(id)]; }
   /// Whether a subsumer of this number has any rule; what has none never enters a context.
@@ -199,6 +203,9 @@ class Index {
   std::vector<ExprId> representative_;
   std::vector<std::uint32_t> supers_first_;  ///< representatives, every one behind those above it
   std::vector<bool> is_nominal_rep_;
+  std::vector<bool> is_data_role_;  ///< by role, as far as any is
+  std::vector<ExprId> values_;      ///< atoms at the end of links of data roles
+  std::vector<bool> is_value_rep_;
   std::vector<bool> is_active_;
   Rows<ExprId> told_atoms_;
   Rows<LinkRule> links_;

@@ -43,6 +43,7 @@ Normaliser::Property Normaliser::property(TermId id) {
   std::uint32_t& role = roles_[static_cast<std::size_t>(id)];
   if (role == none) {
     role = static_cast<std::uint32_t>(index_.roles().add());
+    if (result.is_data) index_.mark_data(RoleId{role});
     if (is_in_owl(iri, result.is_data ? "bottomDataProperty" : "bottomObjectProperty")) {
       const ExprId some = index_.existential(RoleId{role}, top_expr);
       index_.mark_negative(some);

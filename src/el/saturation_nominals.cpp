@@ -21,9 +21,11 @@ void Worker::require_nonempty(std::uint32_t context) {
 }
 
 //  C < {a}   {a} < D     C < {a}   C < D
-//  -----------------     --------------- [C is not empty]
+//  -----------------     --------------- [C is not empty; neither where C is of values, which are no individuals]
 //  C < D                 {a} < D
 void Worker::process_nominal(std::uint32_t context, ExprId subsumer) {
+  // Only what is said of everything is said of values, too, and they are no part of what there is.
+  if (is_of_values(context)) return;
   Context& self = contexts_[context];
   // What is new here is passed on to what is below this nominal, and to the nominals that this is equal to.
   for (std::size_t at = 0; at < self.members.size(); ++at) add_subsumer(self.members[at], subsumer);
@@ -41,6 +43,12 @@ void Worker::process_nominal(std::uint32_t context, ExprId subsumer) {
   }
   if (self.is_nonempty) merge_into_nominal(context, nominal);
   if (index_.has_negative_self()) find_selfs(context, nominal);
+}
+
+bool Worker::is_of_values(std::uint32_t context) const {
+  const Context& self = contexts_[context];
+  if (self.together.empty()) return index_.is_value(self.root);
+  return std::ranges::any_of(self.together, [&](ExprId atom) { return index_.is_value(atom); });
 }
 
 void Worker::merge_into_nominal(std::uint32_t context, std::uint32_t nominal) {

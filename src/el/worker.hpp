@@ -84,6 +84,7 @@ class Worker {
 
   // Nominals (saturation_nominals.cpp); one thread only, for they reach into other contexts.
   void process_nominal(std::uint32_t context, ExprId nominal);
+  [[nodiscard]] bool is_of_values(std::uint32_t context) const;
   void merge_into_nominal(std::uint32_t context, std::uint32_t nominal);
   void find_selfs(std::uint32_t context, std::uint32_t nominal);
   void find_self_of_link(std::uint32_t from, RoleId role, std::uint32_t to);

@@ -311,6 +311,10 @@ const std::vector<Case> value_cases = {
     {"PatternsMayBeEmpty",
      "SubClassOf(A DataSomeValuesFrom(d:u DatatypeRestriction(x:string x:pattern \"[a-[a]]\"^x:string)))", "yes",
      "unknown: the facet <http://www.w3.org/2001/XMLSchema#pattern> is not worked out"},
+    {"ValuesAreNoThings",
+     "SubClassOf(Thing ObjectOneOf(i:a))\nDataPropertyAssertion(d:u i:a \"1\"^x:integer)\n"
+     "SubClassOf(A DataHasValue(d:u \"2\"^x:integer))",
+     "yes", "yes"},
     {"UnknownDatatypesHaveValues", "SubClassOf(A DataSomeValuesFrom(d:u x:colour))", "yes", "yes"},
 };
 
