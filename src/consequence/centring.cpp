@@ -99,16 +99,15 @@ void Centring::number_predicates() {
   next += static_cast<std::uint32_t>(clauses_.at_mosts.size() + clauses_.data_at_mosts.size());
   const std::size_t ranges = clauses_.data_ranges.size() + fact_values_.size();
   for (std::size_t i = 0; i < ranges; ++i) range_predicate_.push_back(next++);
-  result_.value = next++;
   result_.predicate_count = next;
   data_role_base_ = static_cast<std::uint32_t>(clauses_.properties.size());
   result_.role_count = data_role_base_ + static_cast<std::uint32_t>(clauses_.data_properties.size());
 }
 
-std::uint32_t Centring::add_expansion(std::uint32_t count, Atoms atoms, bool is_value) {
-  // So that no value is in the context of a thing.
-  if (is_value) atoms.push_back({LiteralKind::unary, 1, 0, result_.value});
+std::uint32_t Centring::add_expansion(std::uint32_t count, Atoms atoms) {
   Expansion& expansion = result_.expansions.emplace_back();
+  const bool is_value = std::ranges::any_of(
+      atoms, [this](const RuleAtom& atom) { return is_role_atom(atom) && atom.predicate >= data_role_base_; });
   if (count > max_functions - functions_) {
     result_.gaps.push_back("more than " + std::to_string(max_functions) + " successors are named");
   } else {
@@ -135,7 +134,7 @@ void Centring::make_expansions() {
     Atoms atoms{data_role_of(at_least.property)};
     const std::uint32_t range = number(at_least.range);
     if (range != 0) atoms.push_back({LiteralKind::unary, 1, 0, range_predicate_[range]});
-    static_cast<void>(add_expansion(at_least.count, std::move(atoms), true));
+    static_cast<void>(add_expansion(at_least.count, std::move(atoms)));
   }
   std::uint32_t marker = at_most_base_;
   for (const clauses::AtMost& at_most : clauses_.at_mosts) {

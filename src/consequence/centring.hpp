@@ -43,7 +43,7 @@ struct Expansion {
   std::uint32_t first_function = 0;
   std::uint32_t count = 0;
   std::vector<RuleAtom> atoms;  ///< about variable 1, the successor
-  bool is_value = false;        ///< the successors are values, of which nothing holds that holds of every thing
+  bool is_value = false;        ///< the successors are values
 };
 
 /// The predicates of the calculus. Unary ones are numbered: named classes and nominals (what is asked for), then all
@@ -57,7 +57,6 @@ struct CentredRules {
   std::vector<std::uint32_t> predicate_of;         ///< of each ConceptId
   std::vector<clauses::ConceptId> query_concepts;  ///< of each predicate below query_count
   std::vector<std::uint32_t> nominal_of;           ///< of each IndividualId, the predicate {a}
-  std::uint32_t value = 0;                         ///< holds of the values that an expansion puts there
   std::uint32_t first_marker = 0;                  ///< predicates from here on have an expansion, while there are any
   std::vector<Expansion> expansions;
   /// By predicate: nominals, and ranges of values that are not understood. Only where one of these may hold of a thing
@@ -81,7 +80,7 @@ class Centring {
 
   void number_predicates();
   void make_expansions();
-  [[nodiscard]] std::uint32_t add_expansion(std::uint32_t count, Atoms atoms, bool is_value = false);
+  [[nodiscard]] std::uint32_t add_expansion(std::uint32_t count, Atoms atoms);
   void add_at_most(std::uint32_t marker, std::uint32_t count, RuleAtom role, std::uint32_t filler);
   void add_clause(const clauses::Clause& clause);
   /// Adds a rule whose body may speak of neighbours' concepts.

@@ -52,6 +52,7 @@ struct Message {
 struct ContextKey {
   Pooled<Literal> core;  ///< ascending
   std::uint32_t function = std::numeric_limits<std::uint32_t>::max();
+  bool is_value = false;  ///< its members are values: what is said of every thing is not said of them
   friend bool operator==(const ContextKey&, const ContextKey&) = default;
 };
 

@@ -50,10 +50,8 @@ void Centring::add_facts() {
   }
   for (const clauses::DataFact& fact : clauses_.data_facts) {
     const std::uint32_t marker =
-        add_expansion(1,
-                      {{LiteralKind::outgoing, 1, 0, data_role_base_ + number(fact.property)},
-                       {LiteralKind::unary, 1, 0, range_predicate_[fact_values_.at(fact.value)]}},
-                      true);
+        add_expansion(1, {{LiteralKind::outgoing, 1, 0, data_role_base_ + number(fact.property)},
+                          {LiteralKind::unary, 1, 0, range_predicate_[fact_values_.at(fact.value)]}});
     add({nominal(fact.individual)}, {{LiteralKind::unary, 0, 0, marker}});
   }
   for (const clauses::Equality& equality : clauses_.equalities) {

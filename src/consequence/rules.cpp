@@ -82,8 +82,7 @@ const std::vector<RuleAtom>& Rules::supers(std::uint32_t role) {
 bool Rules::is_used(const RuleAtom& atom) {
   switch (atom.kind) {
     case LiteralKind::unary: {
-      if (atom.predicate < centred_.query_count || is_used_unary_[atom.predicate] || centred_.is_open[atom.predicate] ||
-          atom.predicate == centred_.value) {
+      if (atom.predicate < centred_.query_count || is_used_unary_[atom.predicate] || centred_.is_open[atom.predicate]) {
         return true;
       }
       const Expansion* const made = expansion(atom.predicate);
@@ -196,7 +195,6 @@ void Rules::index() {
     is_unary_trigger_[centred_.first_marker + i] = true;
   }
   for (const std::uint32_t nominal : centred_.nominal_of) is_unary_trigger_[nominal] = true;
-  is_unary_trigger_[centred_.value] = true;
   told_ = el::Rows<Literal>(centred_.predicate_count, told);
   told_.sort_unique();
   unary_ = el::Rows<Occurrence>(centred_.predicate_count, unary_occurrences);

@@ -3,14 +3,12 @@
 #ifndef GEMINGA_CONSEQUENCE_RULES_HPP
 #define GEMINGA_CONSEQUENCE_RULES_HPP
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "consequence/centring.hpp"
-#include "consequence/context.hpp"
 #include "el/rows.hpp"
 
 namespace geminga::consequence {
@@ -67,15 +65,12 @@ class Rules {
   [[nodiscard]] std::uint32_t first_sibling(std::uint32_t f) const {
     return centred_.expansions[marker_of_[f]].first_function;
   }
+  /// Whether f(x) is a value.
+  [[nodiscard]] bool is_value(std::uint32_t f) const { return centred_.expansions[marker_of_[f]].is_value; }
   /// Literals B(x) with which a question may be answered. In contexts that do, none of them is above another.
   [[nodiscard]] bool is_query(Literal literal) const {
     return literal.term() == x_term && literal.kind() == LiteralKind::unary &&
            literal.predicate() < centred_.query_count;
-  }
-  /// Whether what is in a context of this core, or of this function, is a value.
-  [[nodiscard]] bool is_of_values(const ContextKey& key) const {
-    if (key.function < marker_of_.size()) return centred_.expansions[marker_of_[key.function]].is_value;
-    return std::ranges::binary_search(key.core, unary(centred_.value, x_term));
   }
   [[nodiscard]] bool is_open(std::uint32_t predicate) const { return centred_.is_open[predicate]; }
   [[nodiscard]] bool is_nominal(std::uint32_t predicate) const { return is_nominal_[predicate]; }

@@ -9,7 +9,7 @@ namespace geminga::consequence {
 namespace {
 
 [[nodiscard]] std::uint64_t hash_of(const ContextKey& key) {
-  std::uint64_t hash = key.function * 0x9e3779b97f4a7c15ULL;
+  std::uint64_t hash = (key.function * std::uint64_t{2} + (key.is_value ? 1 : 0)) * 0x9e3779b97f4a7c15ULL;
   for (const Literal literal : key.core) hash = (hash ^ hash_of(literal)) * 0xff51afd7ed558ccdULL;
   return hash ^ (hash >> 33);
 }
@@ -46,7 +46,7 @@ Context& Saturation::context_for(ContextKey&& key, unsigned worker) {
     made->key = std::move(key);
     const auto& core = made->key.core;
     made->answers_queries =
-        made->key.function == ContextKey{}.function &&
+        made->key.function == ContextKey{}.function && !made->key.is_value &&
         (core.empty() || (core.size() == 1 && core[0].kind() == LiteralKind::unary && is_wanted_[core[0].predicate()]));
   }
   post(*made, MessageKind::start, nullptr, x_term, {}, {}, worker);

@@ -60,6 +60,7 @@ void Worker::apply_succ(Successor& successor) {
     return;
   }
   ContextKey key;
+  key.is_value = rules_.is_value(function_of(successor.f));
   if (successor.is_certain) {
     key.core = successor.certain;
   } else {

@@ -99,7 +99,7 @@ void Worker::saturate_locally() {
 //  true -> A                               G -> D
 void Worker::start() {
   for (const Literal literal : context_->key.core) add_unit(literal);
-  if (rules_.is_of_values(context_->key)) return;
+  if (context_->key.is_value) return;
   for (const std::uint32_t number : rules_.always()) {
     premises_.clear();
     binding_.assign(1, x_term);
