@@ -6,7 +6,7 @@
 namespace geminga::el {
 
 std::string_view to_string(Construct construct) {
-  static constexpr std::array<std::string_view, 31> words = {
+  static constexpr std::array<std::string_view, 30> words = {
       "",
       "owl:unionOf",
       "owl:complementOf",
@@ -29,7 +29,6 @@ std::string_view to_string(Construct construct) {
       "owl:unionOf data ranges",
       "nominals in too many classes",
       "datatypes with finitely many values",
-      "literals that are not of their datatype",
       "functional properties with too many successors",
       "datatypes that overlap",
       "literals whose equality is not known",

@@ -31,7 +31,6 @@ enum class Construct : std::uint8_t {
   datatype_union,
   too_many_nominals,
   finite_datatype,
-  ill_formed_literal,
   too_many_merged,
   overlapping_datatypes,
   inexact_literal,

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "base/text.hpp"
+#include "el/time_form.hpp"
 
 namespace geminga::el {
 namespace {
@@ -182,41 +183,6 @@ std::uint8_t chain_of(std::string_view text) {
   return 7;
 }
 
-/// `time:` values: the lexical form with Z for a zero offset and without zeros that say nothing.
-std::optional<std::string> canonical_time(std::string_view text, bool& is_exact) {
-  const auto digits_at = [&](std::size_t at, std::size_t count) {
-    return at + count <= text.size() && is_digits(text.substr(at, count));
-  };
-  std::size_t at = text.starts_with('-') ? 1 : 0;
-  std::size_t year = at;
-  while (year < text.size() && text[year] >= '0' && text[year] <= '9') ++year;
-  if (year - at < 4) return std::nullopt;
-  constexpr std::string_view pattern = "-00-00T00:00:00";
-  for (std::size_t offset = 0; offset < pattern.size(); ++offset) {
-    if (year + offset >= text.size()) return std::nullopt;
-    if (pattern[offset] == '0' ? !digits_at(year + offset, 1) : text[year + offset] != pattern[offset])
-      return std::nullopt;
-  }
-  std::string result(text.substr(0, year + pattern.size()));
-  is_exact = !result.ends_with("24:00:00");
-  std::string_view rest = text.substr(year + pattern.size());
-  if (rest.starts_with('.')) {
-    std::size_t end = 1;
-    while (end < rest.size() && rest[end] >= '0' && rest[end] <= '9') ++end;
-    if (end == 1) return std::nullopt;
-    std::string_view fraction = rest.substr(0, end);
-    while (fraction.ends_with('0')) fraction.remove_suffix(1);
-    if (fraction != ".") result += fraction;
-    rest.remove_prefix(end);
-  }
-  if (rest.empty()) return result;
-  if (rest == "Z" || rest == "+00:00" || rest == "-00:00") return result + "Z";
-  const bool is_offset = rest.size() == 6 && (rest[0] == '+' || rest[0] == '-') && is_digits(rest.substr(1, 2)) &&
-                         rest[3] == ':' && is_digits(rest.substr(4, 2));
-  if (!is_offset) return std::nullopt;
-  return result + std::string(rest);
-}
-
 std::optional<std::string> canonical_text(const Row& row, std::string_view lexical, std::string_view language) {
   // A text is "s" and itself, or "l", its language, a NUL and itself.
   std::string lower(language);
@@ -245,6 +211,21 @@ std::optional<std::string> canonical_hex(std::string_view text) {
     if (!((character >= '0' && character <= '9') || (character >= 'A' && character <= 'F'))) return std::nullopt;
   }
   return upper.size() % 2 == 0 ? std::optional(upper) : std::nullopt;
+}
+
+/// Groups of four, the last one with bits that say nothing only where '=' stands for their octets (RFC 3548, section
+/// 3).
+std::optional<std::string> canonical_base64(std::string packed) {
+  static constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::erase(packed, ' ');
+  if (packed.size() % 4 != 0) return std::nullopt;
+  std::string_view digits = packed;
+  while (digits.ends_with('=')) digits.remove_suffix(1);
+  const std::size_t padding = packed.size() - digits.size();
+  if (padding > 2 || digits.find_first_not_of(alphabet) != std::string_view::npos) return std::nullopt;
+  const std::size_t free_bits = padding * 2;
+  if (padding > 0 && (alphabet.find(digits.back()) & ((1U << free_bits) - 1)) != 0) return std::nullopt;
+  return packed;
 }
 
 std::optional<std::string> canonical_number(const Row& row, std::string_view text, bool& is_exact) {
@@ -281,12 +262,8 @@ std::optional<std::string> canonical_form(const Row& row, std::string_view lexic
       return std::nullopt;
     case hex:
       return canonical_hex(trimmed);
-    case base64: {
-      std::string packed = trimmed;
-      std::erase(packed, ' ');
-      is_exact = false;
-      return packed;
-    }
+    case base64:
+      return canonical_base64(trimmed);
     case uri:
       return trimmed;
     case DataFamily::time: {

@@ -62,8 +62,7 @@ class Normaliser {
   // Data (normaliser_data.cpp).
   ExprId make_literal(TermId id, const Term& term);
   ExprId make_datatype(const Term& term);
-  Construct use_negative_literal(TermId id);
-  Construct use_positive_literal(TermId id);
+  void use_negative_literal(TermId id);
   void note_literal(TermId id);
   Construct use_positive_datatype(const Term& term);
   void relate_data();

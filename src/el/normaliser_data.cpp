@@ -36,18 +36,10 @@ ExprId Normaliser::make_literal(TermId id, const Term& term) {
   return known->second;
 }
 
-Construct Normaliser::use_negative_literal(TermId id) {
-  const Construct unused = use_positive_literal(id);
+void Normaliser::use_negative_literal(TermId id) {
+  note_literal(id);
   const auto family = family_of_literal_.find(id);
   if (family != family_of_literal_.end()) has_negative_literal_[static_cast<std::size_t>(family->second)] = true;
-  return unused;
-}
-
-Construct Normaliser::use_positive_literal(TermId id) {
-  const Term term = source_.term(id);
-  const bool is_known = Datatype::find(source_.name_of(term.arguments[0])).has_value();
-  note_literal(id);
-  return is_known && !family_of_literal_.contains(id) ? Construct::ill_formed_literal : Construct::none;
 }
 
 void Normaliser::note_literal(TermId id) {

@@ -56,7 +56,8 @@ Construct Normaliser::make_negative(TermId id) {
     case TermKind::anonymous_individual:
       return Construct::none;
     case TermKind::literal:
-      return use_negative_literal(id);
+      use_negative_literal(id);
+      return Construct::none;
     case TermKind::object_intersection_of:
     case TermKind::data_intersection_of:
       for (const TermId part : term.arguments) unused = both(unused, use_negative(part));
@@ -125,7 +126,8 @@ Construct Normaliser::make_positive(TermId id) {
     case TermKind::datatype:
       return use_positive_datatype(term);
     case TermKind::literal:
-      return use_positive_literal(id);
+      note_literal(id);
+      return Construct::none;
     case TermKind::object_intersection_of:
     case TermKind::data_intersection_of:
       for (const TermId part : term.arguments) unused = both(unused, use_positive(part));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/assert.hpp"
+#include "el/datatypes.hpp"
 
 namespace geminga::el {
 namespace {
@@ -108,18 +109,28 @@ TermId OntologySource::intern_term(TermKind kind, NameId name, std::uint32_t num
     if (terms_.size() > 1) return thing_term;  // some valid term must come back
   }
   std::uint32_t depth = 0;
-  bool well_formed = is_well_formed(kind, kinds_of(arguments));
+  Form form = is_well_formed(kind, kinds_of(arguments)) ? Form::good : Form::malformed;
+  if (kind == TermKind::literal && form == Form::good && !is_of_its_datatype(this->name(name), arguments)) {
+    form = Form::ill_typed;
+  }
   for (const TermId argument : arguments) {
     const TermRecord& record = terms_[static_cast<std::size_t>(argument)];
     depth = std::max(depth, record.depth + 1U);
-    well_formed = well_formed && record.is_well_formed;
+    form = std::max(form, record.form);
   }
   const auto id = static_cast<std::uint32_t>(terms_.size());
-  terms_.push_back({kind, well_formed, static_cast<std::uint16_t>(std::min(depth, 0xffffU)), name, number,
+  terms_.push_back({kind, form, static_cast<std::uint16_t>(std::min(depth, 0xffffU)), name, number,
                     static_cast<std::uint32_t>(term_arguments_.size()), static_cast<std::uint32_t>(arguments.size())});
   term_arguments_.insert(term_arguments_.end(), arguments.begin(), arguments.end());
   term_table_.insert(hash, id);
   return TermId{id};
+}
+
+bool OntologySource::is_of_its_datatype(std::string_view lexical, std::span<const TermId> arguments) const {
+  const std::string_view language = arguments.size() > 1 ? name_of(arguments[1]) : std::string_view();
+  bool is_ill_formed = false;
+  static_cast<void>(DataValue::read(lexical, name_of(arguments[0]), language, is_ill_formed));
+  return !is_ill_formed;
 }
 
 TermId OntologySource::entity(TermKind kind, std::string_view name) {
@@ -165,14 +176,18 @@ TermId OntologySource::term(TermKind kind, std::span<const TermId> arguments, st
 void OntologySource::add(AxiomKind kind, std::span<const TermId> arguments, FileId file, std::uint32_t line) {
   GEMINGA_ASSERT(static_cast<std::size_t>(file) < files_.size());
   if (problem_) return;
-  bool well_formed = is_well_formed(kind, kinds_of(arguments));
+  Form form = is_well_formed(kind, kinds_of(arguments)) ? Form::good : Form::malformed;
   std::uint32_t depth = 0;
   for (const TermId argument : arguments) {
     const TermRecord& record = terms_[static_cast<std::size_t>(argument)];
-    well_formed = well_formed && record.is_well_formed;
+    form = std::max(form, record.form);
     depth = std::max(depth, record.depth + 1U);
   }
-  if (!well_formed) {
+  if (form == Form::ill_typed) {
+    leave_out("a literal that is not of its datatype", file, line);
+    return;
+  }
+  if (form == Form::malformed) {
     leave_out(std::string("malformed ") + std::string(to_string(kind)), file, line);
     return;
   }

@@ -73,7 +73,8 @@ class OntologySource {
   TermId anonymous_individual(std::string_view label) { return entity(TermKind::anonymous_individual, label); }
   /// Any kind that is a bare name.
   TermId entity(TermKind kind, std::string_view name);
-  /// A literal. An empty datatype means xsd:string, or rdf:langString where there is a language.
+  /// A literal. One whose lexical form is not of its datatype is no term of OWL 2 (Structural Specification, section
+  /// 4): an axiom that holds it is left out and named. An empty datatype means xsd:string, or rdf:langString where there is a language.
   TermId literal(std::string_view lexical, std::string_view datatype_iri, std::string_view language = {});
   TermId facet(std::string_view facet_iri, TermId value);
   /// Any kind of term as another source or a compiled ontology holds it.
@@ -103,6 +104,10 @@ class OntologySource {
   [[nodiscard]] std::string_view name(NameId id) const;
   [[nodiscard]] std::optional<NameId> find_name(std::string_view name) const;
   [[nodiscard]] Term term(TermId id) const;
+  /// Whether every literal in it is of its datatype.
+  [[nodiscard]] bool is_well_typed(TermId id) const {
+    return terms_[static_cast<std::size_t>(id)].form != Form::ill_typed;
+  }
   [[nodiscard]] TermKind kind(TermId id) const { return terms_[static_cast<std::size_t>(id)].kind; }
   /// The name of an entity, literal, language tag or facet.
   [[nodiscard]] std::string_view name_of(TermId id) const { return name(terms_[static_cast<std::size_t>(id)].name); }
@@ -118,9 +123,11 @@ class OntologySource {
   [[nodiscard]] std::span<const Omission> omissions() const { return omissions_; }
 
  private:
+  /// The worst of a term and its arguments.
+  enum class Form : std::uint8_t { good, ill_typed, malformed };
   struct TermRecord {
     TermKind kind;
-    bool is_well_formed;  ///< it and everything in it
+    Form form;  ///< of it and everything in it
     std::uint16_t depth;
     NameId name;
     std::uint32_t number;
@@ -137,6 +144,7 @@ class OntologySource {
 
   NameId intern(std::string_view name, std::size_t max_bytes);
   TermId intern_term(TermKind kind, NameId name, std::uint32_t number, std::span<const TermId> arguments);
+  [[nodiscard]] bool is_of_its_datatype(std::string_view lexical, std::span<const TermId> arguments) const;
   void fail(std::string text);
   [[nodiscard]] std::span<const TermKind> kinds_of(std::span<const TermId> arguments);
 

@@ -44,6 +44,25 @@ TEST(OntologySource, LeavesOutWhatIsMalformed) {
   EXPECT_EQ(source.name(source.omissions()[0].construct), "malformed SubClassOf");
 }
 
+TEST(OntologySource, LeavesOutLiteralsThatAreNotOfTheirDatatypeWhereverTheyAre) {
+  OntologySource source;
+  const FileId file = source.add_file("f");
+  const TermId a = source.named_class("urn:a");
+  const TermId u = source.data_property("urn:u");
+  const std::string integer = "http://www.w3.org/2001/XMLSchema#integer";
+  const TermId bad = source.literal("x", integer);
+  EXPECT_FALSE(source.is_well_typed(bad));
+  EXPECT_TRUE(source.is_well_typed(source.literal("1", integer)));
+  EXPECT_TRUE(source.is_well_typed(source.literal("x", "urn:unknown")));
+  source.add(AxiomKind::data_property_assertion, {u, source.individual("urn:i"), bad}, file, 3);
+  const TermId values = source.term(TermKind::data_one_of, {source.literal("1", integer), bad});
+  source.add(AxiomKind::sub_class_of, {a, source.term(TermKind::data_some_values_from, {u, values})}, file, 4);
+  EXPECT_EQ(source.axiom_count(), 0);
+  ASSERT_EQ(source.omissions().size(), 1);
+  EXPECT_EQ(source.omissions()[0].count, 2);
+  EXPECT_EQ(source.name(source.omissions()[0].construct), "a literal that is not of its datatype");
+}
+
 TEST(OntologySource, LeavesOutWhatIsNestedTooDeeply) {
   const SourceLimits limits{.nesting = 5};
   OntologySource source(limits);

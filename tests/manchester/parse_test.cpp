@@ -96,17 +96,16 @@ TEST(Expression, IsRefusedOneLevelBeyondTheLimit) {
   const Asked asked(example());
   Limits limits;
   const auto nested = [&](std::size_t levels) { return std::string(levels, '(') + "Ball" + std::string(levels, ')'); };
-  // The text itself is a level.
-  for (const std::size_t levels : {limits.nesting - 2, limits.nesting - 1}) {
+  for (const std::size_t levels : {limits.nesting - 1, limits.nesting}) {
     EXPECT_EQ(shortened(asked.read(nested(levels))), "t:Ball") << levels;
   }
-  EXPECT_EQ(asked.read(nested(limits.nesting)), "column 101: more than 100 levels of nesting");
+  EXPECT_EQ(asked.read(nested(limits.nesting + 1)), "column 102: more than 100 levels of nesting");
   std::string negations;
-  for (std::size_t at = 0; at < limits.nesting; ++at) negations += "not ";
-  EXPECT_EQ(asked.read(negations + "Ball"), "column 397: more than 100 levels of nesting");
+  for (std::size_t at = 0; at <= limits.nesting; ++at) negations += "not ";
+  EXPECT_EQ(asked.read(negations + "Ball"), "column 401: more than 100 levels of nesting");
   std::string restrictions;
   for (std::size_t at = 0; at < 2000; ++at) restrictions += "observes some ";
-  EXPECT_EQ(asked.read(restrictions + "Ball"), "column 1387: more than 100 levels of nesting");
+  EXPECT_EQ(asked.read(restrictions + "Ball"), "column 1401: more than 100 levels of nesting");
 }
 
 TEST(Expression, IsRefusedOnePartBeyondTheLimit) {
@@ -135,6 +134,12 @@ TEST(Expression, MayBeAnyOctets) {
   EXPECT_EQ(asked.read(""), "column 1: expected a class, a property, 'not', 'inverse', '(' or '{', found the end");
   EXPECT_EQ(asked.read("Ball and ^"), "column 10: a lone ^");
   EXPECT_EQ(asked.read("weight value \"a\\n\""), "column 14: a backslash stands before a quote or a backslash only");
+}
+
+TEST(Expression, HasOnlyLiteralsOfTheirDatatypes) {
+  const Asked asked(example());
+  EXPECT_EQ(asked.read("weight value \"heavy\"^^xsd:integer"), "column 14: \"heavy\" is not of xsd:integer");
+  EXPECT_EQ(asked.read("weight some integer[< \"1.5\"^^xsd:integer]"), "column 23: \"1.5\" is not of xsd:integer");
 }
 
 TEST(Name, ThatFitsTwiceIsRefusedWithBoth) {
