@@ -86,10 +86,23 @@ std::vector<std::string> remarks(const Knowledge& knowledge, const el::Ontology&
   return lines;
 }
 
+/// Whether writing would destroy what was read, under whatever name.
+bool is_source(const std::string& target, const Request& request, const Knowledge& knowledge) {
+  const auto is_same = [&](const std::string& path) {
+    std::error_code missing;
+    return std::filesystem::equivalent(target, path, missing);
+  };
+  return std::ranges::any_of(request.files, is_same) ||
+         std::ranges::any_of(knowledge.loaded.source.files(), is_same, &el::LoadedFile::path);
+}
+
 Exit compile(const Request& request) {
   constexpr std::size_t max_remarks = 20;
   const auto knowledge = learn_or_say(request.files);
   if (!knowledge) return Exit::usage;
+  if (is_source(request.out, request, *knowledge)) {
+    return say_error(request.out + " is one of the sources: name another file behind -o");
+  }
   const std::vector<std::byte> bytes =
       el::compile(knowledge->loaded.source, knowledge->classification,
                   {.gaps = knowledge->classification.gaps, .folder = el::folder_of(request.out)});

@@ -57,6 +57,19 @@ TEST(Compile, LeavesTheOldFileWhereTheNewOntologyIsBroken) {
   EXPECT_THAT(files_in(program), testing::ElementsAre("bad.ttl", "out.gmo"));
 }
 
+TEST(Compile, NeverReplacesItsSources) {
+  const Program program;
+  program.turtle("a.ttl", ":A rdfs:subClassOf :B .\n");
+  const std::string before = program.read("a.ttl");
+  std::filesystem::create_directory(program.folder() / "in" / "team");
+  for (const std::string source : {"a.ttl", "."}) {
+    const Outcome outcome = program.run({"compile", source, "-o", "team/../a.ttl"});
+    EXPECT_EQ(outcome.status, 2) << source;
+    EXPECT_EQ(outcome.err, "geminga-ontology: team/../a.ttl is one of the sources: name another file behind -o\n");
+    EXPECT_EQ(program.read("a.ttl"), before) << source;
+  }
+}
+
 TEST(Compile, SaysWhereItCannotWrite) {
   const Program program;
   program.turtle("a.ttl", ":A rdfs:subClassOf :B .\n");
