@@ -17,18 +17,6 @@ Rows<std::uint32_t> turned_around(const Rows<std::uint32_t>& parents) {
 
 }  // namespace
 
-bool contains_rank(std::span<const Interval> intervals, std::uint32_t rank) {
-  // So many stand in one or two lines of the cache; looking at all of them mispredicts no branch.
-  constexpr std::size_t few = 8;
-  if (intervals.size() <= few) {
-    bool is_in = false;
-    for (const Interval interval : intervals) is_in |= rank - interval.first <= interval.last - interval.first;
-    return is_in;
-  }
-  const auto behind = std::ranges::upper_bound(intervals, rank, {}, &Interval::first);
-  return behind != intervals.begin() && rank <= std::prev(behind)->last;
-}
-
 IntervalIndex::IntervalIndex(const Rows<std::uint32_t>& parents) {
   const Rows<std::uint32_t> children = turned_around(parents);
   find_depths(parents, children);

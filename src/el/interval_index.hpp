@@ -9,16 +9,10 @@
 #include <span>
 #include <vector>
 
+#include "el/interval.hpp"
 #include "el/rows.hpp"
 
 namespace geminga::el {
-
-/// Ranks first .. last, both inclusive.
-struct Interval {
-  std::uint32_t first = 0;
-  std::uint32_t last = 0;
-  friend auto operator<=>(const Interval&, const Interval&) = default;
-};
 
 class IntervalIndex {
  public:
@@ -47,9 +41,6 @@ class IntervalIndex {
   std::vector<std::uint32_t> further_count_;
   std::vector<Interval> further_;
 };
-
-/// Whether a rank lies in one of these ascending, disjoint intervals.
-[[nodiscard]] bool contains_rank(std::span<const Interval> intervals, std::uint32_t rank);
 
 }  // namespace geminga::el
 

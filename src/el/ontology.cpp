@@ -182,7 +182,7 @@ std::expected<Ontology, CompiledError> Ontology::from_bytes(std::vector<std::byt
 }
 
 Ontology::Ontology(std::unique_ptr<const Mapped> mapped)
-    : mapped_(std::move(mapped)), reach_(mapped_->taxonomy.reach.data()) {}
+    : mapped_(std::move(mapped)), reach_(mapped_->taxonomy.reach.data()), further_(mapped_->taxonomy.further.data()) {}
 Ontology::Ontology(Ontology&&) noexcept = default;
 Ontology& Ontology::operator=(Ontology&&) noexcept = default;
 Ontology::~Ontology() = default;
@@ -297,13 +297,6 @@ std::string Ontology::short_name(ClassNumber number) const { return short_name(i
 std::string Ontology::short_name(std::string_view iri) const { return shorten(iri, mapped_->prefixes); }
 
 bool Ontology::is_satisfiable(ClassNumber number) const { return !mapped_->is_unsatisfiable(mapped_->node(number)); }
-
-// What can have no instance is below everything.
-bool Ontology::is_in_further(std::uint32_t rank, const Reach& above) const {
-  if (rank == Reach::flag) return true;
-  const auto further = mapped_->taxonomy.further;
-  return contains_rank(further.subspan(above.further_begin, above.further_end - above.further_begin), rank);
-}
 
 std::optional<std::uint32_t> Ontology::distance(ClassNumber sub, ClassNumber super) const {
   if (!is_subsumed(sub, super)) return std::nullopt;

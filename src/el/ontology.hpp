@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "el/fingerprint.hpp"
+#include "el/interval.hpp"
 
 namespace geminga::el {
 
@@ -147,10 +148,15 @@ class Ontology {
  private:
   struct Mapped;
   explicit Ontology(std::unique_ptr<const Mapped> mapped);
-  [[nodiscard]] bool is_in_further(std::uint32_t rank, const Reach& above) const;
+  /// What can have no instance is below everything.
+  [[nodiscard]] bool is_in_further(std::uint32_t rank, const Reach& above) const {
+    return (rank & Reach::flag) != 0 ||
+           contains_rank({further_ + above.further_begin, further_ + above.further_end}, rank);
+  }
 
   std::unique_ptr<const Mapped> mapped_;
   const Reach* reach_ = nullptr;  ///< of each class, in what mapped_ holds
+  const Interval* further_ = nullptr;
 };
 
 }  // namespace geminga::el
