@@ -26,23 +26,26 @@ class Printer {
   Printer(const OntologySource& source, const ShortName& short_name, PrintStyle style)
       : source_(source), short_name_(short_name), style_(style) {}
 
-  std::string term(TermId id) const;
-  std::string axiom(const Axiom& axiom) const;
+  std::string term(TermId id);
+  std::string axiom(const Axiom& axiom);
 
  private:
-  std::string nested(TermId id) const;
-  std::string joined(std::span<const TermId> terms, std::string_view between) const;
-  std::string literal(const Term& literal) const;
-  std::string cardinality(const Term& term, std::string_view word) const;
-  std::string facet(const Term& term) const;
-  std::string listed(const Axiom& axiom, std::string_view pair_word) const;
+  /// Terms may share their parts, so that a few lines of a file can mean a text without end.
+  [[nodiscard]] bool is_cut() const { return style_ == PrintStyle::reading && printed_ > max_printed_terms; }
+  std::string nested(TermId id);
+  std::string joined(std::span<const TermId> terms, std::string_view between);
+  std::string literal(const Term& literal);
+  std::string cardinality(const Term& term, std::string_view word);
+  std::string facet(const Term& term);
+  std::string listed(const Axiom& axiom, std::string_view pair_word);
 
   const OntologySource& source_;
   const ShortName& short_name_;
   PrintStyle style_;
+  std::size_t printed_ = 0;  ///< terms
 };
 
-std::string Printer::nested(TermId id) const {
+std::string Printer::nested(TermId id) {
   const Term inner = source_.term(id);
   const bool is_bare = inner.arguments.empty() || inner.kind == TermKind::literal ||
                        inner.kind == TermKind::object_one_of || inner.kind == TermKind::data_one_of ||
@@ -51,16 +54,17 @@ std::string Printer::nested(TermId id) const {
   return is_bare ? term(id) : "(" + term(id) + ")";
 }
 
-std::string Printer::joined(std::span<const TermId> terms, std::string_view between) const {
+std::string Printer::joined(std::span<const TermId> terms, std::string_view between) {
   std::string text;
   for (const TermId id : terms) {
     if (!text.empty()) text += between;
     text += nested(id);
+    if (is_cut()) break;
   }
   return text;
 }
 
-std::string Printer::literal(const Term& term) const {
+std::string Printer::literal(const Term& term) {
   std::string text = "\"";
   for (const char character : source_.name(term.name)) {
     if (character == '"' || character == '\\') text += '\\';
@@ -83,22 +87,24 @@ std::string Printer::literal(const Term& term) const {
   return text + "^^" + short_name_(datatype);
 }
 
-std::string Printer::cardinality(const Term& term, std::string_view word) const {
+std::string Printer::cardinality(const Term& term, std::string_view word) {
   std::string text = nested(term.arguments[0]) + " " + std::string(word) + " " + std::to_string(term.number);
   if (term.arguments.size() == 2) text += " " + nested(term.arguments[1]);
   return text;
 }
 
-std::string Printer::facet(const Term& term) const {
+std::string Printer::facet(const Term& term) {
   const auto* const found =
       std::ranges::find(facets, source_.name(term.name), &std::pair<std::string_view, std::string_view>::first);
   const std::string word = found == facets.end() ? short_name_(source_.name(term.name)) : std::string(found->second);
   return word + " " + nested(term.arguments[0]);
 }
 
-std::string Printer::term(TermId id) const {
+std::string Printer::term(TermId id) {
   const Term term = source_.term(id);
   const auto arguments = term.arguments;
+  ++printed_;
+  if (is_cut()) return "...";
   const auto restriction = [&](std::string_view word) {
     return nested(arguments[0]) + " " + std::string(word) + " " + nested(arguments[1]);
   };
@@ -159,14 +165,14 @@ std::string Printer::term(TermId id) const {
   return {};
 }
 
-std::string Printer::listed(const Axiom& axiom, std::string_view pair_word) const {
+std::string Printer::listed(const Axiom& axiom, std::string_view pair_word) {
   if (axiom.arguments.size() == 2) {
     return nested(axiom.arguments[0]) + " " + std::string(pair_word) + " " + nested(axiom.arguments[1]);
   }
   return std::string(to_string(axiom.kind)) + ": " + joined(axiom.arguments, ", ");
 }
 
-std::string Printer::axiom(const Axiom& axiom) const {
+std::string Printer::axiom(const Axiom& axiom) {
   const auto arguments = axiom.arguments;
   const auto between = [&](std::string_view word) {
     return term(arguments[0]) + " " + std::string(word) + " " + term(arguments[1]);

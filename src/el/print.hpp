@@ -2,6 +2,7 @@
 #ifndef GEMINGA_EL_PRINT_HPP
 #define GEMINGA_EL_PRINT_HPP
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -15,6 +16,9 @@ namespace geminga::el {
 
 /// How an IRI is written: `soccer:BallInfo` or `<https://...>`.
 using ShortName = std::function<std::string(std::string_view iri)>;
+
+/// Terms that are printed for reading before "..." stands for the rest.
+inline constexpr std::size_t max_printed_terms = 2'000;
 
 enum class PrintStyle : std::uint8_t {
   reading,  ///< on one line: line ends in literals are written \n, \r, \t

@@ -132,12 +132,11 @@ el::TermId Parser::literal() {
   if (tokens_.token().kind != TokenKind::carets) return source_.literal(text.value, {});
   take();
   if (!is_name()) return expected("a datatype");
-  const Token type = take();
-  const Term datatype = entity(TermKind::datatype, type);
+  const Term datatype = entity(TermKind::datatype, take());
   if (failed()) return datatype;
   const Term made = source_.literal(text.value, source_.name_of(datatype));
   if (source_.is_well_typed(made)) return made;
-  return fail(ParseError::Kind::malformed, text.begin, std::string(text.text) + " is not of " + std::string(type.text));
+  return fail(ParseError::Kind::malformed, text.begin, "a literal that is not of its datatype");
 }
 
 // A whole number is an xsd:integer, one with a point an xsd:decimal, one with an exponent or f an xsd:float.
