@@ -1,6 +1,9 @@
 #include "sim/small_ontology.hpp"
 
+#include <cstddef>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/assert.hpp"
 #include "el/classify.hpp"
@@ -37,10 +40,13 @@ class Writer {
     source_.add(el::AxiomKind::disjoint_classes, {named(a), named(b)}, file_, ++line_);
   }
   void label(const char* name, const char* text) { source_.add_label(std::string(soccer) + name, text); }
-  [[nodiscard]] el::Ontology finish() const {
+  /// Damage is done to the axioms, which are verified when an explanation or an expression is asked for.
+  [[nodiscard]] el::Ontology finish(bool is_damaged = false) const {
     const auto classification = el::classify(source_);
     GEMINGA_ASSERT(classification.has_value());
-    auto ontology = el::Ontology::from_bytes(el::compile(source_, *classification));
+    std::vector<std::byte> bytes = el::compile(source_, *classification);
+    if (is_damaged) bytes.back() ^= std::byte{1};
+    auto ontology = el::Ontology::from_bytes(std::move(bytes));
     GEMINGA_ASSERT(ontology.has_value());
     return std::move(*ontology);
   }
@@ -69,7 +75,7 @@ el::Ontology make(bool has_ball) {
 }
 
 /// For class expressions: cameras that observe balls, and a lidar.
-el::Ontology make_sensors(bool has_ball) {
+el::Ontology make_sensors(bool has_ball, bool is_damaged = false) {
   Writer writer;
   writer.sub("Camera", "Sensor");
   writer.sub("Lidar", "Sensor");
@@ -82,7 +88,7 @@ el::Ontology make_sensors(bool has_ball) {
     writer.sub("RedBallCamera", "Camera");
     writer.sub_some("RedBallCamera", "observes", "RedBall");
   }
-  return writer.finish();
+  return writer.finish(is_damaged);
 }
 
 }  // namespace
@@ -92,6 +98,8 @@ const el::Ontology* small_ontology(std::string_view name) {
   static const el::Ontology without_ball = make(false);
   static const el::Ontology sensors = make_sensors(true);
   static const el::Ontology blind = make_sensors(false);
+  static const el::Ontology damaged = make_sensors(true, true);
+  if (name == "damaged") return &damaged;
   if (name == "soccer") return &whole;
   if (name == "sensors") return &sensors;
   if (name == "blind") return &blind;

@@ -10,6 +10,7 @@ namespace geminga::sim {
 
 /// `soccer` (see small_ontology.cpp for its classes), or `ballless`: the same without soccer:Ball and everything below;
 /// `sensors`, for class expressions, or `blind`: the same without soccer:Ball.
+/// `damaged` is `sensors` from a compiled form whose axioms are damaged.
 /// Each lives as long as the program, so that a participant can borrow it. Null for `none`.
 [[nodiscard]] const el::Ontology* small_ontology(std::string_view name);
 
