@@ -122,6 +122,7 @@ Locality LocalityTest::not_empty_successor(Numbers arguments) {
 }
 
 Locality LocalityTest::not_empty(std::uint32_t term) {
+  if (++looked_at_ > max_terms_looked_at) return Locality::not_local;
   const Numbers arguments = view_.arguments_of_term(term);
   const auto is_not_empty = [&](std::uint32_t part) { return not_empty(part); };
   switch (view_.kind_of_term(term)) {
@@ -156,6 +157,7 @@ Locality LocalityTest::not_empty(std::uint32_t term) {
 }
 
 Locality LocalityTest::not_everything(std::uint32_t term) {
+  if (++looked_at_ > max_terms_looked_at) return Locality::not_local;
   const Numbers arguments = view_.arguments_of_term(term);
   const auto is_not_everything = [&](std::uint32_t part) { return not_everything(part); };
   switch (view_.kind_of_term(term)) {
@@ -206,6 +208,7 @@ Locality LocalityTest::of_class_axiom(AxiomKind kind, Numbers arguments) {
 
 Locality LocalityTest::of(std::uint32_t axiom) {
   names_.clear();
+  looked_at_ = 0;
   const Numbers arguments = view_.arguments_of_axiom(axiom);
   const AxiomKind kind = view_.kind_of_axiom(axiom);
   const auto is_not_empty_role = [&](std::uint32_t role) { return not_empty_role(role); };

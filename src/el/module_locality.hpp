@@ -38,6 +38,10 @@ enum class Locality : std::uint8_t {
   always,     ///< it never says anything
 };
 
+/// Terms of one axiom, each as often as it occurs, that are looked at before it counts as not local, which is always
+/// allowed: terms may share their parts, so that a few lines of a file can mean 2^60 of them.
+inline constexpr std::uint32_t max_terms_looked_at = 10'000;
+
 /// Looks at axioms against a signature that somebody else keeps. Recursion is bounded by the nesting of terms.
 class LocalityTest {
  public:
@@ -77,6 +81,7 @@ class LocalityTest {
   const BuiltIn& built_in_;
   const std::vector<bool>& is_in_signature_;
   std::span<const std::uint32_t> uses_;
+  std::uint32_t looked_at_ = 0;
   std::vector<std::uint32_t> names_;  ///< a stack: each test leaves its names on top
 };
 

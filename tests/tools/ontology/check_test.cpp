@@ -99,6 +99,21 @@ TEST(Check, AContradictionIsAProblem) {
   EXPECT_THAT(outcome.out, HasSubstr("Contradiction: "));
 }
 
+// As a tree the class has 2^40 members.
+TEST(Check, EndsWhereClassesShareTheirPartsWithoutEnd) {
+  const Program program;
+  std::string text = ":X owl:equivalentClass _:b0 . :Y rdfs:subClassOf :X, [ owl:complementOf :X ] .\n";
+  for (int level = 0; level < 40; ++level) {
+    const std::string below = "_:b" + std::to_string(level + 1);
+    text += "_:b" + std::to_string(level) + " a owl:Class ; owl:intersectionOf (" + below + ' ' + below + ") .\n";
+  }
+  program.turtle("a.ttl", text + "_:b40 a owl:Class ; owl:unionOf ( :A :B ) .\n");
+  const Outcome outcome = program.run({"check", "a.ttl"});
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("Classes that can have no instance:\n  e:Y\n"));
+  EXPECT_LT(outcome.out.size(), 10'000U);
+}
+
 TEST(Check, ABrokenFileIsStatusOneAndAMissingOneTwo) {
   const Program program;
   program.turtle("bad.ttl", ":A rdfs:subClassOf\n");
