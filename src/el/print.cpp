@@ -106,7 +106,9 @@ std::string Printer::term(TermId id) {
   ++printed_;
   if (is_cut()) return "...";
   const auto restriction = [&](std::string_view word) {
-    return nested(arguments[0]) + " " + std::string(word) + " " + nested(arguments[1]);
+    // One after the other, as what comes first is printed where there is not room for all.
+    std::string text = nested(arguments[0]).append(" ").append(word).append(" ");
+    return text += nested(arguments[1]);
   };
   switch (term.kind) {
     case TermKind::named_class:
@@ -175,7 +177,8 @@ std::string Printer::listed(const Axiom& axiom, std::string_view pair_word) {
 std::string Printer::axiom(const Axiom& axiom) {
   const auto arguments = axiom.arguments;
   const auto between = [&](std::string_view word) {
-    return term(arguments[0]) + " " + std::string(word) + " " + term(arguments[1]);
+    std::string text = term(arguments[0]).append(" ").append(word).append(" ");
+    return text += term(arguments[1]);
   };
   switch (axiom.kind) {
     case AxiomKind::sub_class_of:

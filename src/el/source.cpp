@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include "base/assert.hpp"
@@ -248,6 +249,17 @@ void OntologySource::leave_out(std::string_view construct, FileId file, std::uin
     }
   }
   omissions_.push_back({name, file, line, count});
+}
+
+std::vector<TermId> terms_in(const OntologySource& source, std::span<const TermId> roots) {
+  std::vector<TermId> found;
+  std::set<TermId> seen;
+  const auto add = [&](TermId id) {
+    if (seen.insert(id).second) found.push_back(id);
+  };
+  std::ranges::for_each(roots, add);
+  for (std::size_t at = 0; at < found.size(); ++at) std::ranges::for_each(source.term(found[at]).arguments, add);
+  return found;
 }
 
 }  // namespace geminga::el

@@ -74,7 +74,8 @@ class OntologySource {
   /// Any kind that is a bare name.
   TermId entity(TermKind kind, std::string_view name);
   /// A literal. One whose lexical form is not of its datatype is no term of OWL 2 (Structural Specification, section
-  /// 4): an axiom that holds it is left out and named. An empty datatype means xsd:string, or rdf:langString where there is a language.
+  /// 4): an axiom that holds it is left out and named. An empty datatype means xsd:string, or rdf:langString where
+  /// there is a language.
   TermId literal(std::string_view lexical, std::string_view datatype_iri, std::string_view language = {});
   TermId facet(std::string_view facet_iri, TermId value);
   /// Any kind of term as another source or a compiled ontology holds it.
@@ -165,6 +166,9 @@ class OntologySource {
   std::vector<LoadedFile> files_;
   std::vector<Omission> omissions_;
 };
+
+/// These terms and all that are in them, each once: in a tree of them a part can stand 2^60 times.
+[[nodiscard]] std::vector<TermId> terms_in(const OntologySource& source, std::span<const TermId> roots);
 
 /// Whether a kind of term may stand where a class expression, property expression, data range or individual is wanted.
 [[nodiscard]] bool is_class_expression(TermKind kind);

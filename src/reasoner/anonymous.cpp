@@ -29,12 +29,6 @@ bool has_anonymous(const el::OntologySource& source, TermId term) {
   return std::ranges::any_of(inner.arguments, [&](TermId argument) { return has_anonymous(source, argument); });
 }
 
-void collect_anonymous(const el::OntologySource& source, TermId term, std::vector<TermId>& found) {
-  if (is_anonymous(source, term)) found.push_back(term);
-  const el::Term inner = source.term(term);
-  for (const TermId argument : inner.arguments) collect_anonymous(source, argument, found);
-}
-
 /// What is known of one group, and the steps that make one expression of it.
 class Group {
  public:
@@ -249,8 +243,8 @@ std::vector<std::vector<std::uint32_t>> find_groups(const el::OntologySource& so
   };
   std::vector<TermId> found;
   for (const std::uint32_t axiom : axioms) {
-    found.clear();
-    for (const TermId argument : source.axiom(axiom).arguments) collect_anonymous(source, argument, found);
+    found = el::terms_in(source, source.axiom(axiom).arguments);
+    std::erase_if(found, [&](TermId term) { return !is_anonymous(source, term); });
     if (found.empty()) continue;
     const std::size_t member = members.size();
     members.push_back(axiom);

@@ -2,6 +2,7 @@
 #include "reasoner/explain_module.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "el/module.hpp"
@@ -17,10 +18,13 @@ using el::Term;
 using el::TermId;
 using el::TermKind;
 
-void collect_entities(const OntologySource& source, TermId id, std::vector<TermId>& entities) {
-  const Term term = source.term(id);
-  if (term.arguments.empty() && term.kind != TermKind::datatype) entities.push_back(id);
-  for (const TermId argument : term.arguments) collect_entities(source, argument, entities);
+std::vector<TermId> entities_in(const OntologySource& source, std::span<const TermId> terms) {
+  std::vector<TermId> entities = el::terms_in(source, terms);
+  std::erase_if(entities, [&](TermId id) {
+    const Term term = source.term(id);
+    return !term.arguments.empty() || term.kind == TermKind::datatype;
+  });
+  return entities;
 }
 
 /// What an axiom is about: an individual of a fact, else its first argument.
@@ -104,10 +108,9 @@ AxiomSet Module::in_order_of_argument(AxiomSet axioms, TermId first) const {
     std::size_t best_score = 0;
     for (std::size_t at = 0; at < axioms.size(); ++at) {
       const Axiom axiom = source_.axiom(axioms[at]);
-      std::vector<TermId> subject;
-      collect_entities(source_, subject_of(axiom), subject);
-      std::vector<TermId> all;
-      for (const TermId argument : axiom.arguments) collect_entities(source_, argument, all);
+      const TermId subject_term = subject_of(axiom);
+      const std::vector<TermId> subject = entities_in(source_, std::span(&subject_term, 1));
+      const std::vector<TermId> all = entities_in(source_, axiom.arguments);
       const bool follows = std::ranges::all_of(subject, is_known);
       const std::size_t score = (follows ? 2U : 0U) + (std::ranges::any_of(all, is_known) ? 1U : 0U);
       if (score > best_score) {
@@ -116,7 +119,7 @@ AxiomSet Module::in_order_of_argument(AxiomSet axioms, TermId first) const {
       }
     }
     const Axiom axiom = source_.axiom(axioms[best]);
-    for (const TermId argument : axiom.arguments) collect_entities(source_, argument, known);
+    std::ranges::copy(entities_in(source_, axiom.arguments), std::back_inserter(known));
     ordered.push_back(axioms[best]);
     axioms.erase(axioms.begin() + static_cast<std::ptrdiff_t>(best));
   }

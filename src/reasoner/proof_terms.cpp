@@ -80,6 +80,13 @@ TermId ProofTerms::restriction(const Term& term) {
 }
 
 TermId ProofTerms::normal(TermId id) {
+  if (const auto known = normal_.find(id); known != normal_.end()) return known->second;
+  const TermId made = normalise(id);
+  normal_.emplace(id, made);
+  return made;
+}
+
+TermId ProofTerms::normalise(TermId id) {
   // A copy, for the source grows.
   const Term view = source_.term(id);
   const std::vector<TermId> arguments = copied(view.arguments);
@@ -123,6 +130,13 @@ TermId ProofTerms::normal(TermId id) {
 }
 
 TermId ProofTerms::as_written(TermId id) {
+  if (const auto known = written_.find(id); known != written_.end()) return known->second;
+  const TermId written = write(id);
+  written_.emplace(id, written);
+  return written;
+}
+
+TermId ProofTerms::write(TermId id) {
   const Term view = source_.term(id);
   std::vector<TermId> arguments = copied(view.arguments);
   const TermKind kind = view.kind;

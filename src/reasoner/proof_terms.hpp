@@ -2,6 +2,7 @@
 #ifndef GEMINGA_REASONER_PROOF_TERMS_HPP
 #define GEMINGA_REASONER_PROOF_TERMS_HPP
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,13 @@ class ProofTerms {
   [[nodiscard]] el::TermId at_most(std::uint32_t count, el::TermId role, el::TermId filler);
   [[nodiscard]] bool is_data(el::TermId role) const { return source_.kind(role) == el::TermKind::data_property; }
   [[nodiscard]] el::TermId as_written(el::TermId term);
+  [[nodiscard]] el::TermId write(el::TermId term);
+  [[nodiscard]] el::TermId normalise(el::TermId term);
 
   el::OntologySource& source_;
+  // Terms share their parts: each is turned once.
+  std::map<el::TermId, el::TermId> normal_;
+  std::map<el::TermId, el::TermId> written_;
 };
 
 }  // namespace geminga::reasoner

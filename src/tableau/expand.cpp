@@ -133,10 +133,14 @@ void Tableau::Search::expand_data(const Fact& fact) {
   }
 }
 
+/// So many nodes are looked at in the time that a fact takes.
+constexpr std::size_t nodes_a_step = 16;
+
 void Tableau::Search::find_blocked() {
   // What is older than any change is as it was.
   const NodeId changed = graph_.take_changed();
   if (changed == none) return;
+  steps_ += graph_.node_count() / nodes_a_step;  // or questions with many nodes would take no steps and no end
   std::unordered_map<std::uint64_t, NodeId> newest;
   std::vector<NodeId> older(graph_.node_count(), none);
   for (NodeId node = 0; node < graph_.node_count(); ++node) {

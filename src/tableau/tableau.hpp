@@ -25,7 +25,7 @@ struct Answer {
 /// Work is counted, never timed, so that the same question has the same answer everywhere.
 struct Limits {
   std::size_t nodes = 100'000;
-  std::size_t steps = 20'000'000;  ///< facts derived, over all branches
+  std::size_t steps = 20'000'000;  ///< facts derived and nodes looked at for blocking, over all branches
 };
 
 /// A model as far as it tells what is not entailed: what holds of each of its nodes that is not blocked.

@@ -102,7 +102,9 @@ TEST(Check, AContradictionIsAProblem) {
 // As a tree the class has 2^40 members.
 TEST(Check, EndsWhereClassesShareTheirPartsWithoutEnd) {
   const Program program;
-  std::string text = ":X owl:equivalentClass _:b0 . :Y rdfs:subClassOf :X, [ owl:complementOf :X ] .\n";
+  std::string text =
+      ":X owl:equivalentClass _:b0 . :Y rdfs:subClassOf :X, [ owl:complementOf :X ] .\n"
+      ":Z rdfs:subClassOf _:b0 . :A rdfs:subClassOf :C . :B rdfs:subClassOf :C .\n";
   for (int level = 0; level < 40; ++level) {
     const std::string below = "_:b" + std::to_string(level + 1);
     text += "_:b" + std::to_string(level) + " a owl:Class ; owl:intersectionOf (" + below + ' ' + below + ") .\n";
@@ -112,6 +114,9 @@ TEST(Check, EndsWhereClassesShareTheirPartsWithoutEnd) {
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("Classes that can have no instance:\n  e:Y\n"));
   EXPECT_LT(outcome.out.size(), 10'000U);
+  const Outcome explained = program.run({"explain", "--proof", "--sub", ":Z", "--super", ":C", "a.ttl"});
+  EXPECT_EQ(explained.status, 0) << explained.err;
+  EXPECT_THAT(explained.out, HasSubstr("e:Z is subsumed by e:C"));
 }
 
 TEST(Check, ABrokenFileIsStatusOneAndAMissingOneTwo) {
