@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "consequence/closure.hpp"
-#include "el/datatypes.hpp"
+#include "el/literal_value.hpp"
 
 namespace geminga::consequence {
 namespace {
@@ -18,7 +18,6 @@ struct Understood {
   bool is_complement = false;
   std::optional<el::Datatype> datatype;
   std::optional<el::DataValue> value;
-  bool is_ill_formed = false;
   el::TermId term{};
 };
 
@@ -63,10 +62,7 @@ class Reading {
       result.kind = result.datatype ? Understood::Kind::datatype : Understood::Kind::unknown_datatype;
       if (iri == "http://www.w3.org/2000/01/rdf-schema#Literal") result.kind = Understood::Kind::everything;
     } else if (term.kind == TermKind::literal) {
-      const std::string_view language =
-          term.arguments.size() > 1 ? source_.name_of(term.arguments[1]) : std::string_view();
-      result.value = el::DataValue::read(source_.name(term.name), source_.name_of(term.arguments[0]), language,
-                                         result.is_ill_formed);
+      result.value = el::value_of(source_, term);
       result.kind = Understood::Kind::value;
     }
     return result;
@@ -78,10 +74,7 @@ class Reading {
 
 using Kind = Understood::Kind;
 
-[[nodiscard]] bool is_empty(const Understood& range) {
-  if (range.kind == Kind::everything) return range.is_complement;
-  return range.is_ill_formed && !range.is_complement;
-}
+[[nodiscard]] bool is_empty(const Understood& range) { return range.kind == Kind::everything && range.is_complement; }
 
 /// Whether every value of `a` is one of `b`, leaving complements aside. False where that is not known.
 [[nodiscard]] bool is_within(const Understood& a, const Understood& b) {
@@ -181,7 +174,7 @@ ValueConflicts conflicts_of(const el::OntologySource& source, std::span<const cl
     const Understood& range = understood[i];
     if (is_empty(range)) result.empty.push_back(i);
     if (range.kind == Kind::other) is_unknown[i] = true;
-    if (range.kind == Kind::value && !range.value && !range.is_ill_formed) is_unknown[i] = true;
+    if (range.kind == Kind::value && !range.value) is_unknown[i] = true;
     if (range.kind == Kind::value || (range.kind == Kind::datatype && range.datatype->is_finite())) {
       result.is_finite = true;
     }

@@ -12,6 +12,7 @@
 
 #include "el/arena_containers.hpp"
 #include "el/growing_set.hpp"
+#include "el/inbox.hpp"
 #include "el/index.hpp"
 #include "el/stable_store.hpp"
 
@@ -38,11 +39,10 @@ struct FunctionalGroup {
 template <typename T>
 class RareList {
  public:
-  operator const std::vector<T>&() const {  // NOLINT(google-explicit-constructor): it is one, for who reads
+  [[nodiscard]] const std::vector<T>& get() const {
     static const std::vector<T> nothing;
     return items_ == nullptr ? nothing : *items_;
   }
-  [[nodiscard]] const std::vector<T>& get() const { return *this; }
   [[nodiscard]] std::vector<T>& own() {
     if (items_ == nullptr) items_ = std::make_unique<std::vector<T>>();
     return *items_;
@@ -91,7 +91,7 @@ struct alignas(64) Context {
   /// it, for whom it cannot change.
   std::atomic<std::uint8_t> owner = 0;
   /// Letters from other threads, the last first; null where nobody has it in hand.
-  std::atomic<Letter*> inbox = nullptr;
+  Inbox<Letter> inbox;
   ArenaSet<Link> backward;  ///< links that end here
   std::uint32_t backward_done = 0;
   std::uint32_t forward_done = 0;

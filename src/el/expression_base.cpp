@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "el/construct.hpp"
+#include "el/literal_value.hpp"
 
 namespace geminga::el {
 namespace {
@@ -219,10 +220,7 @@ void ExpressionBase::find_data() {
     if (term.kind == TermKind::datatype) {
       if (const auto type = Datatype::find(source_.name(term.name))) datatypes_.emplace_back(*type, exprs_[id]);
     } else if (term.kind == TermKind::literal) {
-      const std::string_view language = term.arguments.size() > 1 ? source_.name_of(term.arguments[1]) : "";
-      bool is_ill_formed = false;
-      auto value =
-          DataValue::read(source_.name(term.name), source_.name_of(term.arguments[0]), language, is_ill_formed);
+      auto value = value_of(source_, term);
       if (!value) continue;
       expr_of_value_.emplace(std::pair(value->family, value->canonical), exprs_[id]);
       values_.emplace_back(std::move(*value), exprs_[id]);

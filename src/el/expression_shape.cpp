@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "el/literal_value.hpp"
+
 namespace geminga::el {
 namespace {
 
@@ -180,10 +182,7 @@ ShapeId ShapeReader::read_restriction(TermId id, const Term& term) {
 
 ShapeId ShapeReader::read_literal(TermId id, const Term& term) {
   if (const auto known = in_base(id)) return atom(base_.expr(*known));
-  const std::string_view language = term.arguments.size() > 1 ? query_.name_of(term.arguments[1]) : "";
-  bool is_ill_formed = false;
-  const auto value =
-      DataValue::read(query_.name(term.name), query_.name_of(term.arguments[0]), language, is_ill_formed);
+  const auto value = value_of(query_, term);
   if (!value) return unknown(id, "a literal of an unknown datatype");
   if (const auto known = base_.find_value(*value)) return atom(*known);
   Shape shape{.kind = ShapeKind::value};

@@ -11,12 +11,6 @@
 namespace geminga::el {
 namespace {
 
-/// The inbox of a node that somebody works on, or has on a queue, while no letter waits.
-NodeLetter* in_hand() {
-  static const NodeLetter mark;  // only its address is used
-  return const_cast<NodeLetter*>(&mark);
-}
-
 constexpr std::uint32_t any_number = std::numeric_limits<std::uint32_t>::max();
 
 constexpr std::size_t first_round = 512;  // seeds
@@ -122,7 +116,7 @@ std::uint32_t HeirWorker::require_existential(RoleId role, std::uint32_t filler)
 /// The node is new, and this worker has it in hand.
 void HeirWorker::take_in_hand(std::uint32_t node) {
   if (is_parallel_) {
-    nodes_[node].inbox.store(in_hand(), std::memory_order_relaxed);
+    nodes_[node].inbox.hold();
     nodes_[node].owner.store(rank_, std::memory_order_relaxed);
   } else {
     nodes_[node].is_queued = true;
@@ -285,7 +279,7 @@ void HeirWorker::set_parallel(bool is_parallel) {
   is_parallel_ = is_parallel;
   if (!is_parallel) return;
   for (const std::uint32_t node : queue_) {
-    nodes_[node].inbox = in_hand();
+    nodes_[node].inbox.hold();
     nodes_[node].owner = rank_;
     nodes_[node].is_queued = false;
   }
@@ -294,8 +288,7 @@ void HeirWorker::set_parallel(bool is_parallel) {
 void HeirWorker::work_on(std::uint32_t node) {
   Node& self = nodes_[node];
   for (;;) {
-    NodeLetter* letter = self.inbox.exchange(in_hand(), std::memory_order_acq_rel);
-    if (letter == in_hand()) letter = nullptr;
+    NodeLetter* letter = self.inbox.empty();
     while (letter != nullptr) {
       NodeLetter* next = letter->next;
       receive(node, letter->told, {reinterpret_cast<const std::uint32_t*>(letter + 1), letter->item_count});
@@ -304,8 +297,7 @@ void HeirWorker::work_on(std::uint32_t node) {
     }
     process(node);
     self.owner.store(0, std::memory_order_relaxed);
-    NodeLetter* expected = in_hand();
-    if (shared_.has_ended() || self.inbox.compare_exchange_strong(expected, nullptr, std::memory_order_acq_rel)) break;
+    if (shared_.has_ended() || self.inbox.rest()) break;
     self.owner.store(rank_, std::memory_order_relaxed);  // a letter has come
   }
 }
@@ -317,9 +309,7 @@ void HeirWorker::tell(std::uint32_t node, const Told& told, Items items) {
 
 void HeirWorker::post(std::uint32_t node, const Told& told, Items items) {
   Node& there = nodes_[node];
-  NodeLetter* before = nullptr;
-  if (there.inbox.load(std::memory_order_relaxed) == nullptr &&
-      there.inbox.compare_exchange_strong(before, in_hand(), std::memory_order_acq_rel)) {
+  if (there.inbox.take()) {
     there.owner.store(rank_, std::memory_order_relaxed);
     queue_.push_back(node);
     return receive(node, told, items);
@@ -327,11 +317,7 @@ void HeirWorker::post(std::uint32_t node, const Told& told, Items items) {
   auto* letter = ::new (arena_.allocate(bytes_of(items.size())))
       NodeLetter{nullptr, told, static_cast<std::uint32_t>(items.size())};
   if (!items.empty()) std::memcpy(static_cast<void*>(letter + 1), items.data(), items.size_bytes());
-  before = there.inbox.load(std::memory_order_relaxed);
-  do {
-    letter->next = before == in_hand() ? nullptr : before;
-  } while (!there.inbox.compare_exchange_weak(before, letter, std::memory_order_acq_rel, std::memory_order_relaxed));
-  if (before != nullptr) return;
+  if (!there.inbox.put(letter)) return;
   there.owner.store(rank_, std::memory_order_relaxed);  // it has come to rest meanwhile
   queue_.push_back(node);
 }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "el/arena_containers.hpp"
+#include "el/inbox.hpp"
 #include "el/index.hpp"
 #include "el/stable_store.hpp"
 
@@ -57,7 +58,7 @@ struct alignas(32) Node {
   std::uint32_t filler = no_node;  ///< of an existential: the node that it leads to
   std::uint32_t pending = 0;       ///< how many nodes that it asked have not told it anything yet
   std::uint32_t expected = 0;      ///< how many will ask, by what is told
-  std::atomic<NodeLetter*> inbox = nullptr;
+  Inbox<NodeLetter> inbox;
   /// Nobody else may touch the node but the worker of this rank, for whom it cannot change; 0: it is at rest.
   std::atomic<std::uint8_t> owner = 0;
   bool is_unsatisfiable : 1 = false;

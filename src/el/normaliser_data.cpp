@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "el/literal_value.hpp"
 #include "el/normaliser.hpp"
 
 namespace geminga::el {
@@ -21,10 +22,7 @@ ExprId Normaliser::make_datatype(const Term& term) {
 
 // Literals with the same value are one atom. Of a literal whose datatype nobody knows it is known that it is itself.
 ExprId Normaliser::make_literal(TermId id, const Term& term) {
-  const std::string_view type = source_.name_of(term.arguments[0]);
-  const std::string_view language = term.arguments.size() > 1 ? source_.name_of(term.arguments[1]) : std::string_view();
-  bool is_ill_formed = false;
-  auto value = DataValue::read(source_.name(term.name), type, language, is_ill_formed);
+  auto value = value_of(source_, term);
   if (!value) return index_.add_atom();
   family_of_literal_.emplace(id, value->family);
   is_exact_literal_.emplace(id, value->is_exact);

@@ -75,7 +75,7 @@ std::uint32_t Worker::require(ExprId root) {
 void Worker::start(std::uint32_t context, std::span<const ExprId> atoms) {
   // Nobody else knows this context yet.
   if (is_parallel_) {
-    contexts_[context].inbox.store(being_worked_on(), std::memory_order_relaxed);
+    contexts_[context].inbox.hold();
     contexts_[context].owner.store(rank_, std::memory_order_relaxed);
     queue_.push_back(context);
   }
@@ -101,7 +101,7 @@ void Worker::set_parallel(bool is_parallel) {
   is_parallel_ = is_parallel;
   if (!is_parallel) return;
   for (const std::uint32_t context : queue_) {
-    contexts_[context].inbox = being_worked_on();
+    contexts_[context].inbox.hold();
     contexts_[context].owner = rank_;
     contexts_[context].is_queued = false;
   }
@@ -110,8 +110,7 @@ void Worker::set_parallel(bool is_parallel) {
 void Worker::work_on(std::uint32_t context) {
   Context& self = contexts_[context];
   for (;;) {
-    Letter* letter = self.inbox.exchange(being_worked_on(), std::memory_order_acq_rel);
-    if (letter == being_worked_on()) letter = nullptr;
+    Letter* letter = self.inbox.empty();
     while (letter != nullptr) {
       Letter* next = letter->next;
       receive(context, letter->message);
@@ -120,17 +119,14 @@ void Worker::work_on(std::uint32_t context) {
     }
     process(context);
     self.owner.store(0, std::memory_order_relaxed);
-    Letter* expected = being_worked_on();
-    if (shared_.has_ended() || self.inbox.compare_exchange_strong(expected, nullptr, std::memory_order_acq_rel)) break;
+    if (shared_.has_ended() || self.inbox.rest()) break;
     self.owner.store(rank_, std::memory_order_relaxed);  // a letter has come
   }
 }
 
 void Worker::post(std::uint32_t context, const Message& message) {
   Context& there = contexts_[context];
-  Letter* before = nullptr;
-  if (there.inbox.load(std::memory_order_relaxed) == nullptr &&
-      there.inbox.compare_exchange_strong(before, being_worked_on(), std::memory_order_acq_rel)) {
+  if (there.inbox.take()) {
     there.owner.store(rank_, std::memory_order_relaxed);
     queue_.push_back(context);
     return receive(context, message);
@@ -143,11 +139,7 @@ void Worker::post(std::uint32_t context, const Message& message) {
   if (slot.context == context && slot.message == message) return;
   slot = {context, message};
   auto* letter = ::new (arena_.allocate(sizeof(Letter))) Letter{nullptr, message};
-  before = there.inbox.load(std::memory_order_relaxed);
-  do {
-    letter->next = before == being_worked_on() ? nullptr : before;
-  } while (!there.inbox.compare_exchange_weak(before, letter, std::memory_order_acq_rel, std::memory_order_relaxed));
-  if (before != nullptr) return;
+  if (!there.inbox.put(letter)) return;
   there.owner.store(rank_, std::memory_order_relaxed);  // it has come to rest meanwhile
   queue_.push_back(context);
 }

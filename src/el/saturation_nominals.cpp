@@ -79,7 +79,7 @@ void Worker::find_selfs(std::uint32_t context, std::uint32_t nominal) {
 
 void Worker::find_self_of_link(std::uint32_t from, RoleId role, std::uint32_t to) {
   const auto nominals_of = [&](std::uint32_t context) {
-    std::vector<std::uint32_t> nominals = contexts_[context].nominals;
+    std::vector<std::uint32_t> nominals = contexts_[context].nominals.get();
     if (index_.is_nominal(contexts_[context].root)) nominals.push_back(context);
     return nominals;
   };

@@ -107,12 +107,6 @@ class Worker {
   Arena arena_;
 };
 
-/// The inbox of a context that somebody works on, or has on a queue, while no letter waits.
-[[nodiscard]] inline Letter* being_worked_on() {
-  static const Letter mark;  // only its address is used
-  return const_cast<Letter*>(&mark);
-}
-
 }  // namespace geminga::el
 
 #endif

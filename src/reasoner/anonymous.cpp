@@ -22,11 +22,11 @@ bool is_anonymous(const el::OntologySource& source, TermId term) {
   return source.kind(term) == TermKind::anonymous_individual;
 }
 
-/// Whether it stands anywhere in a term. Terms of axioms nest at most as deep as SourceLimits::nesting says.
-bool has_anonymous(const el::OntologySource& source, TermId term) {
-  if (is_anonymous(source, term)) return true;
-  const el::Term inner = source.term(term);
-  return std::ranges::any_of(inner.arguments, [&](TermId argument) { return has_anonymous(source, argument); });
+/// Those that stand anywhere in some terms, each once.
+std::vector<TermId> anonymous_in(const el::OntologySource& source, std::span<const TermId> terms) {
+  std::vector<TermId> found = el::terms_in(source, terms);
+  std::erase_if(found, [&](TermId term) { return !is_anonymous(source, term); });
+  return found;
 }
 
 /// What is known of one group, and the steps that make one expression of it.
@@ -92,7 +92,7 @@ class Group {
 
   bool take(const Statement& fact) {
     const auto& terms = fact.arguments;
-    if (std::ranges::none_of(terms, [&](TermId term) { return has_anonymous(source_, term); })) {
+    if (anonymous_in(source_, terms).empty()) {
       result_.plain.push_back(fact);
       return true;
     }
@@ -101,7 +101,8 @@ class Group {
     }
     switch (fact.kind) {
       case AxiomKind::class_assertion:
-        if (has_anonymous(source_, terms[0])) return fail("a class expression holds an anonymous individual");
+        if (!anonymous_in(source_, std::span(&terms[0], 1)).empty())
+          return fail("a class expression holds an anonymous individual");
         describe(terms[1], terms[0]);
         return true;
       case AxiomKind::object_property_assertion:
@@ -241,10 +242,8 @@ std::vector<std::vector<std::uint32_t>> find_groups(const el::OntologySource& so
     while (leader[member] != member) member = leader[member] = leader[leader[member]];
     return member;
   };
-  std::vector<TermId> found;
   for (const std::uint32_t axiom : axioms) {
-    found = el::terms_in(source, source.axiom(axiom).arguments);
-    std::erase_if(found, [&](TermId term) { return !is_anonymous(source, term); });
+    const std::vector<TermId> found = anonymous_in(source, source.axiom(axiom).arguments);
     if (found.empty()) continue;
     const std::size_t member = members.size();
     members.push_back(axiom);

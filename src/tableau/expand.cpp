@@ -112,10 +112,6 @@ void Tableau::Search::expand_data(const Fact& fact) {
   const clauses::DataRange& range = set_.data_ranges[number(at_least.range)];
   const bool is_literal = number(at_least.range) > 1 && source_.kind(range.term) == el::TermKind::literal;
   if (at_least.count == 1 && is_literal && !range.is_complement) {
-    if (values_.is_ill_formed(range.term)) {
-      clash(fact.dependency);
-      return;
-    }
     DependencySet dependency = fact.dependency;
     const NodeId value = graph_.current(constant(range.term), sets_, dependency);
     add_fact(FactKind::data_role, number(at_least.property), fact.a, value, dependency);

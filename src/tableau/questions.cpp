@@ -34,10 +34,6 @@ void Tableau::Search::load_facts() {
              no_dependency);
   }
   for (const clauses::DataFact& fact : set_.data_facts) {
-    if (values_.is_ill_formed(fact.value)) {
-      clash(no_dependency);
-      return;
-    }
     const NodeId value = constant(fact.value);
     add_fact(FactKind::data_role, number(fact.property), individuals_[number(fact.individual)], value, no_dependency);
   }

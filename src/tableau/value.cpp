@@ -6,6 +6,8 @@
 #include <bit>
 #include <charconv>
 
+#include "el/literal_value.hpp"
+
 namespace geminga::tableau {
 namespace {
 
@@ -149,10 +151,8 @@ std::uint8_t layer_count(DataFamily family) {
   }
 }
 
-std::optional<Value> value_of(const el::OntologySource& source, el::TermId literal, bool& is_ill_formed) {
-  const el::Term term = source.term(literal);
-  const std::string_view language = term.arguments.size() > 1 ? source.name_of(term.arguments[1]) : "";
-  auto read = el::DataValue::read(source.name(term.name), source.name_of(term.arguments[0]), language, is_ill_formed);
+std::optional<Value> value_of(const el::OntologySource& source, el::TermId literal) {
+  auto read = el::value_of(source, source.term(literal));
   if (!read) return std::nullopt;
   std::string& canonical = read->canonical;
   switch (read->family) {

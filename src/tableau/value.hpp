@@ -42,9 +42,8 @@ struct Value {
 
 [[nodiscard]] std::uint8_t layer_count(el::DataFamily family);
 
-/// The value of a literal term; nothing where its datatype is unknown or it is too long. `is_ill_formed` says that it
-/// has no value.
-[[nodiscard]] std::optional<Value> value_of(const el::OntologySource& source, el::TermId literal, bool& is_ill_formed);
+/// The value of a literal term; nothing where its datatype is unknown or it is too long.
+[[nodiscard]] std::optional<Value> value_of(const el::OntologySource& source, el::TermId literal);
 
 /// A finite or infinite float by its rank: neighbours differ by 1, and -0 comes just before 0.
 [[nodiscard]] Number rank_of(double value);

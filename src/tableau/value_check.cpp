@@ -56,8 +56,6 @@ ValueCheck::ValueCheck(const el::OntologySource& source, const clauses::ClauseSe
     : problem_(std::make_unique<Problem>(source, set)) {}
 ValueCheck::~ValueCheck() = default;
 
-bool ValueCheck::is_ill_formed(el::TermId literal) { return problem_->ranges().is_ill_formed(literal); }
-
 std::optional<bool> ValueCheck::is_in(el::TermId literal, std::uint32_t range) {
   return problem_->is_in(literal, range);
 }
@@ -76,7 +74,7 @@ bool ValueCheck::are_different(el::TermId first, el::TermId second) {
 
 std::optional<bool> ValueCheck::Problem::is_in(el::TermId literal, std::uint32_t range) {
   const auto& value = ranges_.value(literal);
-  if (!value) return ranges_.is_ill_formed(literal) ? std::optional(false) : std::nullopt;
+  if (!value) return std::nullopt;
   const KnownSet& set = ranges_.of(DataRangeId{range});
   if (set.least.contains(*value)) return true;
   if (!set.most.contains(*value)) return false;

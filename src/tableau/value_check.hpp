@@ -22,8 +22,6 @@ class ValueCheck {
   ValueCheck(const el::OntologySource& source, const clauses::ClauseSet& set);
   ~ValueCheck();
 
-  /// Whether the lexical form is certainly not of its datatype.
-  [[nodiscard]] bool is_ill_formed(el::TermId literal);
   /// Whether a literal is in a data range; nothing where it cannot be known.
   [[nodiscard]] std::optional<bool> is_in(el::TermId literal, std::uint32_t range);
   /// Whether two literals certainly have different values.

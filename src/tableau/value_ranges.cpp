@@ -89,14 +89,11 @@ ValueRanges::ValueRanges(const el::OntologySource& source, const clauses::Clause
   }
 }
 
-const ValueRanges::Literal& ValueRanges::literal(TermId term) {
+const std::optional<Value>& ValueRanges::value(TermId term) {
   const auto [found, is_new] = literals_.try_emplace(term);
-  if (is_new) found->second.value = value_of(source_, term, found->second.is_ill_formed);
+  if (is_new) found->second = value_of(source_, term);
   return found->second;
 }
-
-const std::optional<Value>& ValueRanges::value(TermId term) { return literal(term).value; }
-bool ValueRanges::is_ill_formed(TermId term) { return literal(term).is_ill_formed; }
 
 const KnownSet& ValueRanges::of(clauses::DataRangeId range) {
   const auto [found, is_new] = known_.try_emplace(clauses::number(range));
@@ -154,12 +151,9 @@ KnownSet ValueRanges::evaluate(TermId id, unsigned depth) {
       }
       break;
     case TermKind::literal: {
-      const Literal& one = literal(id);
-      if (one.value) {
-        set = exactly(ValueSet::one(*one.value));
-      } else if (!one.is_ill_formed) {
-        set = {ValueSet::nothing(), ValueSet::everything(), "literals of datatypes that are not known"};
-      }
+      const std::optional<Value>& one = value(id);
+      set = one ? exactly(ValueSet::one(*one))
+                : KnownSet{ValueSet::nothing(), ValueSet::everything(), "literals of datatypes that are not known"};
       break;
     }
     default:
@@ -183,8 +177,7 @@ KnownSet ValueRanges::restriction(const el::Term& term, unsigned depth) {
   for (const TermId one : term.arguments.subspan(1)) {
     const el::Term term_of_facet = source_.term(one);
     const std::string_view name = source_.name(term_of_facet.name);
-    bool is_ill_formed = false;
-    const auto allowed = facet(name, term_of_facet.arguments[0], is_ill_formed);
+    const auto allowed = facet(name, term_of_facet.arguments[0]);
     if (allowed) {
       set.least = set.least.intersection(*allowed);
       set.most = set.most.intersection(*allowed);
@@ -196,7 +189,7 @@ KnownSet ValueRanges::restriction(const el::Term& term, unsigned depth) {
   return set;
 }
 
-std::optional<ValueSet> ValueRanges::facet(std::string_view name, TermId literal, bool& is_ill_formed) {
+std::optional<ValueSet> ValueRanges::facet(std::string_view name, TermId literal) {
   if (!name.starts_with(xsd)) return std::nullopt;
   name.remove_prefix(xsd.size());
   const auto& value = this->value(literal);
@@ -240,7 +233,6 @@ std::optional<ValueSet> ValueRanges::facet(std::string_view name, TermId literal
   }
   if (name != "length" && name != "minLength" && name != "maxLength") return std::nullopt;
   if (value->family != DataFamily::number || value->layer != 0) return std::nullopt;
-  is_ill_formed = value->position < 0;
   Intervals lengths = name == "maxLength" ? Intervals::all() : Intervals::from({value->position, false});
   if (name != "minLength") lengths = lengths.intersection(Intervals::to({value->position, true}));
   ValueSet result;

@@ -31,27 +31,21 @@ class ValueRanges {
   [[nodiscard]] bool is_unknown_datatype(clauses::DataRangeId range) const;
   /// Of a literal; its value is kept.
   [[nodiscard]] const std::optional<Value>& value(el::TermId literal);
-  [[nodiscard]] bool is_ill_formed(el::TermId literal);
 
  private:
-  struct Literal {
-    std::optional<Value> value;
-    bool is_ill_formed = false;
-  };
-  const Literal& literal(el::TermId term);
   /// `depth` bounds definitions that define each other in a circle.
   KnownSet evaluate(el::TermId term, unsigned depth);
   KnownSet datatype(el::TermId term, unsigned depth);
   KnownSet restriction(const el::Term& term, unsigned depth);
   /// The values of the base type that a facet allows.
-  std::optional<ValueSet> facet(std::string_view name, el::TermId value, bool& is_ill_formed);
+  std::optional<ValueSet> facet(std::string_view name, el::TermId value);
 
   const el::OntologySource& source_;
   const clauses::ClauseSet& set_;
   std::unordered_map<el::TermId, el::TermId> definitions_;
   std::unordered_map<std::uint32_t, KnownSet> known_;
   std::unordered_map<el::TermId, KnownSet> evaluated_;
-  std::unordered_map<el::TermId, Literal> literals_;
+  std::unordered_map<el::TermId, std::optional<Value>> literals_;
 };
 
 }  // namespace geminga::tableau
