@@ -95,14 +95,6 @@ std::expected<LoadedOntology, std::vector<std::string>> map(const std::string& p
   return LoadedOntology{std::make_unique<el::Ontology>(std::move(*mapped)), {}};
 }
 
-/// Labels and axioms, which are otherwise verified when they are asked for first.
-std::expected<void, std::string> check_whole(const el::Ontology& ontology) {
-  for (const auto& section : {ontology.check_labels(), ontology.check_axioms()}) {
-    if (!section) return std::unexpected(section.error().text);
-  }
-  return {};
-}
-
 /// A compiled ontology that the user keeps: one that its sources have outgrown would match by what is no longer said.
 /// At a start matching is not kept waiting for what only explanations need. Where another ontology is in force, a
 /// damaged one must not take its place, and there is time to look at all of it.
@@ -110,8 +102,8 @@ std::expected<LoadedOntology, std::vector<std::string>> map_current(const std::s
   auto loaded = map(path, path);
   if (!loaded) return loaded;
   if (!is_first) {
-    if (const auto whole = check_whole(*loaded->ontology); !whole)
-      return std::unexpected(std::vector<std::string>{path + ": " + whole.error()});
+    if (const auto whole = loaded->ontology->check_whole(); !whole)
+      return std::unexpected(std::vector<std::string>{path + ": " + whole.error().text});
   }
   if (const auto stale = loaded->ontology->stale_source())
     return std::unexpected(std::vector<std::string>{path + " is refused: " + *stale});

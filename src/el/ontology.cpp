@@ -199,6 +199,11 @@ std::expected<void, CompiledError> Ontology::check_axioms() const {
   return {};
 }
 
+std::expected<void, CompiledError> Ontology::check_whole() const {
+  if (auto labels = check_labels(); !labels) return labels;
+  return check_axioms();
+}
+
 std::uint64_t Ontology::digest() const { return mapped_->taxonomy.digest; }
 std::uint32_t Ontology::class_count() const { return mapped_->taxonomy.class_count(); }
 std::vector<std::string> Ontology::gaps() const { return gaps_of(mapped_->taxonomy); }

@@ -83,6 +83,8 @@ class Ontology {
   /// Whether labels and axioms are as they were written: verified now, unless they were before. Linear in them.
   [[nodiscard]] std::expected<void, CompiledError> check_labels() const;
   [[nodiscard]] std::expected<void, CompiledError> check_axioms() const;
+  /// Both, for who must know at once.
+  [[nodiscard]] std::expected<void, CompiledError> check_whole() const;
 
   /// A digest of the axioms and names: equal on every host that loaded the same ontologies, whatever their order or
   /// format.

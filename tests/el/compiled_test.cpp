@@ -32,8 +32,7 @@ std::vector<std::byte> small() {
 std::string refusal(std::vector<std::byte> bytes) {
   const auto ontology = Ontology::from_bytes(std::move(bytes));
   if (!ontology) return ontology.error().text;
-  if (const auto labels = ontology->check_labels(); !labels) return labels.error().text;
-  if (const auto axioms = ontology->check_axioms(); !axioms) return axioms.error().text;
+  if (const auto whole = ontology->check_whole(); !whole) return whole.error().text;
   return {};
 }
 

@@ -109,8 +109,7 @@ Exit compile(const Request& request) {
   // What cannot be read back is not written.
   const auto ontology = el::Ontology::from_bytes(bytes);
   if (!ontology) return say_error(ontology.error().text);
-  if (const auto labels = ontology->check_labels(); !labels) return say_error(labels.error().text);
-  if (const auto axioms = ontology->check_axioms(); !axioms) return say_error(axioms.error().text);
+  if (const auto whole = ontology->check_whole(); !whole) return say_error(whole.error().text);
   const Exit exit = replace(request.out, bytes);
   if (exit != Exit::yes) return exit;
   const auto lines = remarks(*knowledge, *ontology);

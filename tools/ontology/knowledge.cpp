@@ -112,8 +112,8 @@ bool is_compiled(const std::vector<std::string>& files) {
 std::expected<el::Ontology, el::CompiledError> open_compiled(const std::string& file) {
   auto ontology = el::Ontology::map(file);
   if (!ontology) return std::unexpected(std::move(ontology.error()));
-  for (const auto& whole : {ontology->check_labels(), ontology->check_axioms()}) {
-    if (!whole) return std::unexpected(el::CompiledError{file + ": " + whole.error().text});
+  if (const auto whole = ontology->check_whole(); !whole) {
+    return std::unexpected(el::CompiledError{file + ": " + whole.error().text});
   }
   return ontology;
 }
