@@ -17,10 +17,6 @@ namespace geminga::ontology {
 [[nodiscard]] std::vector<std::string> find_similar(const el::Ontology& ontology, std::string_view name,
                                                     std::size_t count = 3);
 
-/// Letters to be changed, added, left out or swapped with their neighbour, or `limit` + 1 where these are more than
-/// `limit` (Damerau 1964, optimal string alignment). Case counts less than a letter: not at all here.
-[[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit);
-
 }  // namespace geminga::ontology
 
 #endif

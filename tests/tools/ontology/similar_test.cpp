@@ -1,6 +1,4 @@
 // Names that are nearly right are answered with the right ones.
-#include "similar.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,25 +12,6 @@ namespace {
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
-
-TEST(EditDistance, CountsWrongMissingAddedAndSwappedLetters) {
-  EXPECT_EQ(edit_distance("BallInfo", "BallInfo", 3), 0U);
-  EXPECT_EQ(edit_distance("BallInfo", "ballinfo", 3), 0U) << "case is no letter";
-  EXPECT_EQ(edit_distance("BalInfo", "BallInfo", 3), 1U);
-  EXPECT_EQ(edit_distance("BalllInfo", "BallInfo", 3), 1U);
-  EXPECT_EQ(edit_distance("BellInfo", "BallInfo", 3), 1U);
-  EXPECT_EQ(edit_distance("BlalInfo", "BallInfo", 3), 1U);
-  EXPECT_EQ(edit_distance("BallInof", "BlalInfo", 3), 2U);
-  EXPECT_EQ(edit_distance("", "abc", 3), 3U);
-}
-
-TEST(EditDistance, StopsAtItsLimit) {
-  EXPECT_EQ(edit_distance("abcdef", "uvwxyz", 5), 6U);
-  EXPECT_EQ(edit_distance("abcdef", "uvwxyz", 6), 6U);
-  EXPECT_EQ(edit_distance("ab", "abcdef", 3), 4U);
-  EXPECT_EQ(edit_distance(std::string(200, 'a'), std::string(200, 'a'), 1), 0U);
-  EXPECT_EQ(edit_distance(std::string(201, 'a'), std::string(201, 'a'), 1), 2U) << "no slip of the keyboard";
-}
 
 TEST(Similar, AWrongNameIsAnsweredWithTheNearest) {
   const Program program;
