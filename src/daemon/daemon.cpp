@@ -191,10 +191,12 @@ class Daemon::State final : private env::EventSink {
   /// The old ontology serves until the new one is whole.
   void reload_ontologies() {
     const auto began = std::chrono::steady_clock::now();
+    participant_->ontology_begun();
     loader_.load(configuration_.ontologies, configuration_.prefixes,
                  [this, began](std::expected<LoadedOntology, Lines> loaded) {
                    if (is_stopping_) return;
                    if (!loaded) {
+                     participant_->ontology_failed(loaded.error());
                      say_kept(loaded.error(), "the ontology in force is kept: " + digest_of(ontology_.get()));
                      return;
                    }

@@ -14,6 +14,7 @@
 #include "matching/matcher.hpp"
 #include "participant/counters.hpp"
 #include "participant/expressions.hpp"
+#include "participant/ontology_state.hpp"
 #include "participant/session.hpp"
 #include "participant/settings.hpp"
 
@@ -38,6 +39,7 @@ struct Core {
   env::Env& env;
   const Settings settings;
   const el::Ontology* ontology;
+  OntologyState ontology_state;
   Expressions expressions;
   matching::Matcher matcher;
   beacon::NeighbourTable neighbours;

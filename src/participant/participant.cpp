@@ -128,6 +128,9 @@ class Participant::State {
   }
 
   void set_ontology(const el::Ontology* ontology) {
+    if (!core.ontology_state.failure.empty())
+      core.log(base::LogLevel::info, "ontology: read at last, the failure is mended");
+    core.ontology_state.succeed();
     change_ontology(core, ontology);
     if (core.phase != Phase::created && !is_over()) settle();
   }
@@ -299,6 +302,10 @@ void Participant::on_stream_opened(env::StreamId stream) { state_->open(stream);
 void Participant::on_stream_bytes(env::StreamId stream, std::string_view bytes) { state_->read(stream, bytes); }
 void Participant::on_stream_closed(env::StreamId stream) { state_->closed(stream); }
 void Participant::set_ontology(const el::Ontology* ontology) { state_->set_ontology(ontology); }
+void Participant::ontology_begun() { state_->core.ontology_state.begin(); }
+void Participant::ontology_failed(const std::vector<std::string>& lines) {
+  state_->core.ontology_state.fail(lines, state_->core.env.now());
+}
 void Participant::set_status_source(StatusSource source) { state_->core.status_source = std::move(source); }
 
 }  // namespace geminga::participant

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -63,6 +64,11 @@ class Participant {
   /// one does not know gets one error 422 and its events `del reason=changed`, and comes back by itself when a later
   /// ontology knows them. The earlier ontology is not used any more when this returns.
   void set_ontology(const el::Ontology* ontology);
+  /// Ontologies are being read: `query status` and `query ontology` say so until one of the other two is called.
+  void ontology_begun();
+  /// They could not be read, and these lines say why. What was in force stays; queries show the lines until a later
+  /// reading ends in set_ontology().
+  void ontology_failed(const std::vector<std::string>& lines);
 
   /// Fields that only the owner knows (memory, processor time, files), appended to the answer of `query status`. Called
   /// within on_stream_bytes(); must not call back.

@@ -116,6 +116,10 @@ void Transcript::direct(std::string_view words) {
     } else if (verb == "ontology") {
       one->ontology = sim::small_ontology(third);
       if (one->is_on()) one->participant().set_ontology(one->ontology);
+    } else if (verb == "loading") {
+      one->participant().ontology_begun();
+    } else if (verb == "failed") {
+      one->participant().ontology_failed({third + std::string(words)});
     } else if (verb == "limit") {
       set_limit(*one, third, std::stoul(next_word(words)));
     } else if (verb == "receive") {

@@ -38,6 +38,13 @@ Answered answer(Core& core, const gcnp::QueryOntology&) {
       answer.lines.push_back(std::move(line));
     }
   }
+  if (core.ontology_state.is_loading) append_flag(answer.lines.front(), "loading", true);
+  for (const std::string& failure : core.ontology_state.failure) {
+    Line line;
+    append(line, "failed", failure);
+    append(line, "age", seconds(core.env.now() - core.ontology_state.failed_at));
+    answer.lines.push_back(std::move(line));
+  }
   core.neighbours.for_each([&](const beacon::Neighbour& neighbour) {
     if (neighbour.ontology_digest == core.digest()) return;
     Line line;

@@ -27,6 +27,15 @@ void append_counters(Line& line, const Counters& counters) {
   }
 }
 
+void append_ontology_state(Line& line, const Core& core) {
+  if (core.ontology_state.is_loading) append_flag(line, "ontology_loading", true);
+  if (!core.ontology_state.failure.empty()) append(line, "ontology_failed", core.ontology_state.failure.front());
+  std::size_t others = 0;
+  core.neighbours.for_each(
+      [&](const beacon::Neighbour& one) { others += one.ontology_digest == core.digest() ? 0 : 1; });
+  if (others != 0) append(line, "ontology_others", others);
+}
+
 }  // namespace
 
 Answered answer(Core& core, const gcnp::QueryStatus&) {
@@ -56,6 +65,7 @@ Answered answer(Core& core, const gcnp::QueryStatus&) {
   append(line, "local_subscriptions", own_subscriptions);
   append(line, "ontology", digest_word(core.digest()));
   append_counters(line, core.counters);
+  append_ontology_state(line, core);
   const Expressions::Counts& expressions = core.expressions.counts();
   if (expressions.classified != 0) append(line, "expressions_classified", expressions.classified);
   if (expressions.unknown != 0) append(line, "expressions_unknown", expressions.unknown);
