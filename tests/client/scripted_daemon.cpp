@@ -63,13 +63,15 @@ void Conversation::wait_for_end() {
   }
 }
 
-ScriptedDaemon::ScriptedDaemon(std::function<void(Conversation&)> script) : listener_(listen_on_loopback(port_)) {
-  thread_ = std::thread([listener = listener_, script = std::move(script)] {
-    const int socket = ::accept(listener, nullptr, nullptr);
-    if (socket < 0) return;
-    Conversation conversation(socket);
-    script(conversation);
-    ::close(socket);
+ScriptedDaemon::ScriptedDaemon(std::vector<Script> scripts) : listener_(listen_on_loopback(port_)) {
+  thread_ = std::thread([listener = listener_, scripts = std::move(scripts)] {
+    for (const Script& script : scripts) {
+      const int socket = ::accept(listener, nullptr, nullptr);
+      if (socket < 0) return;
+      Conversation conversation(socket);
+      script(conversation);
+      ::close(socket);
+    }
   });
 }
 

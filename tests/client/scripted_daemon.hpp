@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace geminga::client {
 
@@ -33,10 +35,14 @@ class Conversation {
   std::string heard_;
 };
 
-/// Accepts one connection and runs the script on it in a thread, which the destructor joins.
+/// Accepts one connection for each script, one after the other, and runs it there in a thread, which the destructor
+/// joins. A script that returns closes its connection.
 class ScriptedDaemon {
  public:
-  explicit ScriptedDaemon(std::function<void(Conversation&)> script);
+  using Script = std::function<void(Conversation&)>;
+
+  explicit ScriptedDaemon(Script script) : ScriptedDaemon(std::vector{std::move(script)}) {}
+  explicit ScriptedDaemon(std::vector<Script> scripts);
   ~ScriptedDaemon();
   ScriptedDaemon(const ScriptedDaemon&) = delete;
   ScriptedDaemon& operator=(const ScriptedDaemon&) = delete;

@@ -128,7 +128,7 @@ void add_check(CLI::App& program, Choice& choice) {
       "A single file that compile wrote is verified and says what its sources said; status 1, too, if it is damaged "
       "or\n"
       "older than they are.\n"
-      "\nExamples:\n  geminga-ontology check team/ soma.rdf\n  geminga-ontology check team.geminga");
+      "\nExamples:\n  geminga-ontology check my-team.ttl team/\n  geminga-ontology check team.geminga");
   command->callback([request, &choice] { choice.run = [request] { return check(*request); }; });
 }
 

@@ -84,7 +84,7 @@ void add_draw(CLI::App& program, Choice& choice) {
       ->type_name("FORMAT");
   command->footer(
       "\nExamples:\n  geminga-ontology draw team/ --root soccer:BallInfo --format svg > ball.svg\n"
-      "  geminga-ontology draw soma.owl --root dul:Object --depth 2 --format svg > objects.svg");
+      "  geminga-ontology draw team/ --root geminga:Observation --depth 2 --format svg > observations.svg");
   command->callback([request, &choice] {
     choice.may_execute = request->format == "svg";
     choice.run = [request] { return draw(*request); };

@@ -85,7 +85,7 @@ void add_explain(CLI::App& program, Choice& choice) {
       "\nExit status 0: it is subsumed; 1: it is not.\n"
       "\nExamples:\n"
       "  geminga-ontology explain team/ --sub soccer:BallInfo --super geminga:TrackedObject\n"
-      "  geminga-ontology explain soma.owl --sub soma:Cutlery --super owl:Nothing --proof\n"
+      "  geminga-ontology explain team/ --sub soccer:SharedBallInfo --super soccer:TrackedObject --proof\n"
       "  geminga-ontology explain team/ --inconsistent --all --limit 3");
   command->callback([request, &choice] {
     if (!request->is_about_contradiction && (request->sub.empty() || request->super.empty()))

@@ -19,7 +19,7 @@ constexpr const char* examples = R"(
 Examples:
   geminga-ontology check team/                      every ontology file in the folder, together
   geminga-ontology classify robot-soccer.ttl core.ttl
-  geminga-ontology classify --closure soma.rdf      one SUB<TAB>SUPER line for each entailed subsumption
+  geminga-ontology classify --closure team/         one SUB<TAB>SUPER line for each entailed subsumption
   geminga-ontology subsumes team/ --sub soccer:SharedBallInfo --super soccer:BallInfo
   geminga-ontology explain team/ --sub soccer:SharedBallInfo --super soccer:BallInfo
   geminga-ontology entails team/ expected.ttl       does every axiom of expected.ttl follow?

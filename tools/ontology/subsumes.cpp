@@ -110,7 +110,7 @@ void add_subsumes(CLI::App& program, Choice& choice) {
   command->footer(
       "\nExamples:\n"
       "  geminga-ontology subsumes team/ --sub soccer:BallInfo --super geminga:TrackedObject\n"
-      "  geminga-ontology subsumes team/ --sub vision:BallCamera --super 'Sensor and (observes some Ball)'");
+      "  geminga-ontology subsumes team/ --sub soccer:SharedBallInfo --super 'soccer:BallInfo or soccer:GoalInfo'");
   command->callback([request, &choice] { choice.run = [request] { return subsumes(*request); }; });
 }
 

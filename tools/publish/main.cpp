@@ -7,10 +7,10 @@
 
 #include "geminga/client.hpp"
 #include "shell/describe.hpp"
+#include "shell/event_options.hpp"
 #include "shell/event_printer.hpp"
 #include "shell/json.hpp"
 #include "shell/options.hpp"
-#include "shell/report.hpp"
 #include "shell/stream.hpp"
 #include "shell/terminal.hpp"
 
@@ -24,27 +24,23 @@ constexpr const char* examples = R"(Examples:
   geminga-publish --text camera --mode otm/pubsub --port 5001 --priority 5 rate=30 frame=front
   geminga-publish --id 0x1234 --mode oto --port 5002 --protocol tcp --json
 
-Offers the service until Ctrl-C or a SIGTERM (exit status 0), and prints its consumers as they come (+) and go (-).
-When the daemon goes, ends with status 3; with --keep offers again when it is back. Exit status 2: wrong usage, also a
-name that the daemon's ontology does not know.)";
+Offers the service until Ctrl-C or a SIGTERM (exit status 0), and prints its consumers as they come (+), change (~, with
+what was otherwise) and go (-, and why). When the daemon goes, ends with status 3; with --keep offers again when it is
+back: consumers that are still there are printed again, the others as gone (unconfirmed). Exit status 2: wrong usage,
+also a name that the daemon's ontology does not know.)";
 
 struct Options {
-  shell::CommonOptions common;
-  shell::IdentityOptions identity;
+  shell::EventOptions shared{program};
   std::vector<std::string> words;
-  std::optional<ChannelMode> mode;
   NamedPublication publication;
-  std::string name = std::string(program);
-  bool is_kept = false;
 };
 
 void add_to(CLI::App& app, Options& options) {
-  options.common.add_to(app, "How long to wait for the daemon (5 unless told)");
   app.add_option(
       "WORDS", options.words,
       "The CONCEPT (prefix:Name, <IRI> or a label; left out with --id or --text), then attributes KEY=VALUE");
-  options.identity.add_to(app);
-  shell::add_mode(app, options.mode, "How the channel is set up (otm/stream unless told)");
+  options.shared.add_to(app, "How long to wait for the daemon (5 unless told)",
+                        "When the daemon goes, wait for it and offer again");
   app.add_option("--port", options.publication.port, "Where the service can be reached")
       ->type_name("1..65535")
       ->check(CLI::Range(1, 65535).description(""))
@@ -53,19 +49,22 @@ void add_to(CLI::App& app, Options& options) {
   app.add_option("--protocol", options.publication.protocol, "udp unless told");
   app.add_option("--priority", options.publication.priority, "Greater wins where several providers match")
       ->type_name("K");
-  app.add_option("--name", options.name, "The name of this peer (geminga-publish unless told)")->type_name("PEER");
-  app.add_flag("--keep", options.is_kept, "When the daemon goes, wait for it and offer again");
 }
 
 /// Reads the positional words and checks what flags cannot say alone. Throws CLI::ValidationError.
 void complete(Options& options) {
+  std::erase_if(options.words, [&](const auto& word) { return options.shared.identity.takes(word); });
   auto word = options.words.begin();
   std::string concept_name;
-  if (!options.identity.needs_no_concept() && word != options.words.end()) concept_name = *word++;
-  auto identity = options.identity.identity(concept_name);
+  if (!options.shared.identity.needs_no_concept() && word != options.words.end()) {
+    const auto pair = shell::key_and_value(*word);
+    if (!pair || pair->first == "concept") concept_name = pair ? pair->second : *word;
+    if (!concept_name.empty()) ++word;
+  }
+  auto identity = options.shared.identity.identity(concept_name);
   if (!identity) throw CLI::ValidationError("IDENTITY", "is missing: name a CONCEPT, --id N or --text NAME");
   options.publication.identity = std::move(*identity);
-  options.publication.mode = options.mode.value_or(ChannelMode::one_to_many_stream);
+  options.publication.mode = options.shared.mode_or_stream();
   for (; word != options.words.end(); ++word) {
     const auto equals = word->find('=');
     if (equals == 0 || equals == std::string::npos) {
@@ -82,8 +81,8 @@ std::expected<void, ClientError> begin(const Options& options, Client& client) {
   if (!request) return std::unexpected(request.error());
   const Welcome& welcome = client.welcome();
   const std::string service = to_string(ServiceKey{welcome.participant, welcome.peer, *request});
-  if (options.common.is_json) {
-    shell::print(std::cout, boost::json::object{{"event", "offered"}, {"service", service}});
+  if (options.shared.common.is_json) {
+    shell::print(std::cout, shell::stamped({{"event", "offered"}, {"service", service}}));
   } else {
     std::cerr << program << ": offering " << shell::printable(shell::identity_words(options.publication.identity))
               << " as " << service << std::endl;
@@ -99,16 +98,11 @@ int run(int argc, char** argv) {
   app.callback([&options] { complete(options); });
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
 
-  shell::EventPrinter<ConsumerEvent> printer(program, options.common.is_json);
-  shell::Stream stream;
-  stream.program = program;
-  stream.connection.connect = options.common.connect;
-  stream.connection.name = options.name;
-  stream.connection.timeout = options.common.timeout_or(stream.connection.timeout);
-  stream.is_kept = options.is_kept;
+  shell::EventPrinter<ConsumerEvent> printer(program, options.shared.printer());
+  shell::Stream stream = options.shared.stream(program);
+  stream.connection.timeout = options.shared.common.timeout_or(stream.connection.timeout);
   stream.begin = [&options](Client& client) { return begin(options, client); };
-  stream.print = [&printer](const Event& event) { return printer.print(event); };
-  return static_cast<int>(shell::run(stream));
+  return static_cast<int>(shell::run(stream, printer));
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ inline constexpr std::string_view program = "geminga-query";
 struct Context {
   shell::CommonOptions common;
   bool is_watching = false;
+  bool has_timestamps = false;  ///< of lines; objects of --watch always have them
   shell::Terminal terminal;
 };
 

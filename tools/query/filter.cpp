@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
+#include <regex>
+
+#include "shell/options.hpp"
 
 namespace geminga::query {
 namespace {
@@ -10,16 +12,9 @@ namespace {
 constexpr std::array<std::string_view, 6> keys_of_the_daemon{"concept", "representation", "id",
                                                              "text",    "mode",           "provider"};
 
-bool is_key(std::string_view word) {
-  return !word.empty() && std::ranges::all_of(word, [](char c) {
-    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
-           c == '-';
-  });
-}
-
-bool has_text(const Record& record, const std::string& text) {
-  const auto occurs = [&](const auto& pair) { return pair.second.contains(text); };
-  return std::ranges::any_of(record.fields, occurs) || std::ranges::any_of(record.attributes, occurs);
+bool has_key(const Record& record, const std::string& key) {
+  return record.attributes.contains(key) ||
+         std::ranges::any_of(record.fields, [&](const auto& field) { return field.first == key; });
 }
 
 bool has_value(const Record& record, const std::string& key, const std::string& value) {
@@ -29,24 +24,35 @@ bool has_value(const Record& record, const std::string& key, const std::string& 
 
 }  // namespace
 
-Filter read_filter(const std::vector<std::string>& words) {
-  Filter filter;
-  std::vector<std::pair<std::string, std::string>> values;
-  std::vector<std::string> texts;
-  for (const auto& word : words) {
-    const auto equals = word.find('=');
-    const std::string key = word.substr(0, equals);
-    if (equals == std::string::npos || !is_key(key)) {
-      texts.push_back(word);
-      continue;
-    }
-    const bool is_for_daemon = std::ranges::find(keys_of_the_daemon, key) != keys_of_the_daemon.end();
-    (is_for_daemon ? filter.parameters : values).emplace_back(key, word.substr(equals + 1));
-  }
-  filter.keeps = [values = std::move(values), texts = std::move(texts)](const Record& record) {
-    return std::ranges::all_of(texts, [&](const auto& text) { return has_text(record, text); }) &&
-           std::ranges::all_of(values, [&](const auto& pair) { return has_value(record, pair.first, pair.second); });
+bool Filter::keeps(const Record& record) const {
+  return std::ranges::all_of(texts, [&](const auto& text) { return mentions(record, text); }) &&
+         std::ranges::all_of(values, [&](const auto& pair) { return has_value(record, pair.first, pair.second); });
+}
+
+std::string Filter::unknown_key(const std::vector<Record>& records) const {
+  const auto is_unknown = [&](const auto& pair) {
+    return std::ranges::none_of(records, [&](const Record& record) { return has_key(record, pair.first); });
   };
+  const auto found = std::ranges::find_if(values, is_unknown);
+  return found == values.end() ? std::string() : found->first;
+}
+
+bool mentions(const Record& record, const std::string& text) {
+  const auto occurs = [&](const auto& pair) { return pair.second.contains(text); };
+  return std::ranges::any_of(record.fields, occurs) || std::ranges::any_of(record.attributes, occurs);
+}
+
+Filter read_filter(const std::vector<std::string>& words) {
+  static const std::regex name(R"([A-Za-z_][\w.-]*:[A-Za-z_][\w.-]*|<[^<>]+>)");
+  Filter filter;
+  for (const auto& word : words) {
+    if (auto pair = shell::key_and_value(word)) {
+      const bool is_for_daemon = std::ranges::find(keys_of_the_daemon, pair->first) != keys_of_the_daemon.end();
+      (is_for_daemon ? filter.parameters : filter.values).push_back(std::move(*pair));
+    } else {
+      (std::regex_match(word, name) ? filter.names : filter.texts).push_back(word);
+    }
+  }
   return filter;
 }
 

@@ -1,17 +1,66 @@
 #include "query/listing.hpp"
 
+#include <algorithm>
 #include <iostream>
+#include <set>
 
 #include "shell/json.hpp"
 #include "shell/report.hpp"
 
 namespace geminga::query {
+namespace {
 
-std::expected<std::vector<Record>, ClientError> ask(Client& client, const Listing& listing) {
-  auto answer = client.query(listing.kind, listing.parameters);
+using Records = std::vector<Record>;
+
+std::expected<Records, ClientError> ask_daemon(Client& client, const Listing& listing, const std::string& name = {}) {
+  auto parameters = listing.parameters;
+  parameters.insert(parameters.end(), listing.filter.parameters.begin(), listing.filter.parameters.end());
+  if (!name.empty()) parameters.emplace_back("concept", name);
+  auto answer = client.query(listing.kind, parameters);
   if (!answer) return std::unexpected(answer.error());
-  if (listing.keeps) std::erase_if(answer->records, [&](const Record& record) { return !listing.keeps(record); });
   return std::move(answer->records);
+}
+
+/// Leaves the records that serve the concept of this name or in which the name occurs. An error where nothing is left
+/// and the name is none that the daemon knows.
+std::expected<void, ClientError> keep_named(Client& client, const Listing& listing, const std::string& name,
+                                            Records& records) {
+  const auto meant = ask_daemon(client, listing, name);
+  if (!meant && meant.error().kind != ClientError::Kind::refused) return std::unexpected(meant.error());
+  std::set<std::string, std::less<>> keys;
+  if (meant) {
+    for (const Record& record : *meant) keys.emplace(record[listing.key]);
+  }
+  std::erase_if(records,
+                [&](const Record& record) { return !keys.contains(record[listing.key]) && !mentions(record, name); });
+  if (records.empty() && !meant) return std::unexpected(meant.error());
+  return {};
+}
+
+/// What to say where a key is compared that nothing has; empty where there is none.
+std::string complaint_about_keys(const Listing& listing, const Records& all) {
+  const std::string key = listing.filter.unknown_key(all);
+  if (key.empty() || all.empty()) return {};
+  std::set<std::string> there;
+  for (const Record& record : all) {
+    for (const auto& field : record.fields) there.insert(field.first);
+    for (const auto& attribute : record.attributes) there.insert(attribute.first);
+  }
+  std::string text = "nothing that is known has a column or attribute '" + key + "': there are";
+  for (const auto& name : there) text += (name == *there.begin() ? " " : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
+std::expected<Records, ClientError> ask(Client& client, const Listing& listing) {
+  auto records = ask_daemon(client, listing);
+  if (!records) return records;
+  std::erase_if(*records, [&](const Record& record) { return !listing.filter.keeps(record); });
+  for (const std::string& name : listing.filter.names) {
+    if (auto kept = keep_named(client, listing, name, *records); !kept) return std::unexpected(kept.error());
+  }
+  return records;
 }
 
 shell::ExitStatus show(const Context& context, Client& client, const Listing& listing) {
@@ -20,12 +69,16 @@ shell::ExitStatus show(const Context& context, Client& client, const Listing& li
   if (!records) return shell::report(program, records.error());
   if (context.common.is_json) {
     shell::print(std::cout, shell::to_json(*records));
-  } else if (records->empty()) {
-    shell::complain(program, listing.nothing);
-  } else {
+  } else if (!records->empty()) {
     listing.table(*records).print(std::cout, context.terminal);
   }
-  return records->empty() ? shell::ExitStatus::nothing : shell::ExitStatus::found;
+  if (!records->empty()) return shell::ExitStatus::found;
+  std::string why;
+  if (!listing.filter.values.empty()) {
+    if (const auto all = ask_daemon(client, listing)) why = complaint_about_keys(listing, *all);
+  }
+  if (!why.empty() || !context.common.is_json) shell::complain(program, why.empty() ? listing.nothing : why);
+  return shell::ExitStatus::nothing;
 }
 
 bool refuses_watch(const Context& context, std::string_view command) {

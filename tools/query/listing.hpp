@@ -9,6 +9,7 @@
 
 #include "geminga/client.hpp"
 #include "query/command.hpp"
+#include "query/filter.hpp"
 #include "shell/table.hpp"
 
 namespace geminga::query {
@@ -16,8 +17,8 @@ namespace geminga::query {
 struct Listing {
   std::string kind;
   std::vector<std::pair<std::string, std::string>> parameters;
-  /// Which records of the answer are shown; empty: all.
-  std::function<bool(const Record&)> keeps;
+  /// Which records of the answer are shown.
+  Filter filter;
   /// The field that names a record for as long as it is there.
   std::string key;
   std::function<shell::Table(const std::vector<Record>&)> table;

@@ -15,8 +15,12 @@ constexpr const char* examples = R"(Examples:
   geminga-query requests --unmatched
   geminga-query match soccer:TrackedObject --limit 3
   geminga-query explain soccer:SharedBallInfo soccer:TrackedObject
+  geminga-query services --unused
   geminga-query --watch --json services
   geminga-query --connect 127.0.0.1:4718 status
+
+On a terminal tables fit its width; elsewhere, and with --json, every text is whole. With --watch: + it is there, ~ it changed
+and what was otherwise, - it is gone and why: withdrawn, gone (with its participant), changed (it fits no longer).
 
 Exit status: 0 found, 1 nothing found or the answer is no, 2 wrong usage (also a name that the ontology does not know),
 3 the daemon cannot be reached, 4 timed out.)";
@@ -30,6 +34,8 @@ int run(int argc, char** argv) {
   Context context;
   Run selected;
   context.common.add_to(app, "How long to wait for the daemon (5 unless told)");
+  app.add_flag("--timestamps", context.has_timestamps,
+               "With --watch: begin each line with the time (RFC 3339, UTC); JSON always has it");
   app.add_flag("--watch", context.is_watching,
                "Print what is there and then every change, until Ctrl-C or the daemon's end (exit status 3)");
   for (const auto add : std::array{add_participants, add_services, add_requests, add_match, add_explain, add_why,
@@ -38,6 +44,10 @@ int run(int argc, char** argv) {
   }
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
 
+  if (context.has_timestamps && !context.is_watching) {
+    shell::complain(program, "--timestamps goes with --watch: see geminga-query --help");
+    return static_cast<int>(shell::ExitStatus::wrong_use);
+  }
   context.terminal = shell::Terminal::of_standard_output();
   ClientOptions options;
   options.connect = context.common.connect;
@@ -45,7 +55,7 @@ int run(int argc, char** argv) {
   options.timeout = context.common.timeout_or(std::chrono::seconds(5));
   auto client = Client::connect(options);
   if (!client) return static_cast<int>(shell::report(program, client.error()));
-  return static_cast<int>(selected(context, *client));
+  return static_cast<int>(shell::written(program, selected(context, *client)));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace geminga::query {
 namespace {
 
 struct Flags {
+  std::vector<std::string> words;
   std::string concept_name;
   shell::IdentityOptions identity;
   std::optional<ChannelMode> mode;
@@ -22,15 +23,15 @@ struct Flags {
 
 shell::Table table(const std::vector<Record>& records) {
   shell::Table shown({{"DEGREE"},
-                      {"DISTANCE", true},
-                      {"PROVIDER", false, 10},
-                      {"IDENTITY", false, 24},
-                      {"MODE"},
-                      {"ADDRESS"},
-                      {"PRIO", true},
-                      {"AGE", true},
-                      {"SERVICE"},
-                      {"ATTRIBUTES", false, 10}});
+                      {"DISTANCE", true, 0, 4},
+                      {"PROVIDER", false, 12},
+                      {"IDENTITY", false, 16},
+                      {"MODE", false, 0, 3},
+                      {"ADDRESS", false, 15, 1},
+                      {"PRIO", true, 0, 6},
+                      {"AGE", true, 0, 7},
+                      {"SERVICE", false, 0, 2},
+                      {"ATTRIBUTES", false, 10, 5}});
   for (const auto& record : records) {
     shown.add({std::string(record["degree"]), std::string(record["distance"]),
                shell::who(record["provider"], record["name"], record["participant_name"]),
@@ -40,6 +41,24 @@ shell::Table table(const std::vector<Record>& records) {
                shell::attribute_words(record.attributes)});
   }
   return shown;
+}
+
+/// Reads the positional words. Throws CLI::ValidationError.
+void read_words(Flags& flags) {
+  for (const std::string& word : flags.words) {
+    if (flags.identity.takes(word)) continue;
+    const auto pair = shell::key_and_value(word);
+    if (pair && pair->first != "concept") {
+      throw CLI::ValidationError(word,
+                                 "is no part of an identity: flags are --degree, --mode, --provider and --limit, "
+                                 "attributes are asked for with --where '" +
+                                     pair->first + " = " + pair->second + "'");
+    }
+    if (!flags.concept_name.empty()) {
+      throw CLI::ValidationError(word, "is a second concept: write a class expression in quotes, e.g. 'A or B'");
+    }
+    flags.concept_name = pair ? pair->second : word;
+  }
 }
 
 Listing listing_of(const Flags& flags) {
@@ -76,10 +95,10 @@ Listing listing_of(const Flags& flags) {
 void add_match(CLI::App& app, Run& selected) {
   CLI::App* command = app.add_subcommand("match", "The publications that match an identity, best first");
   const auto flags = std::make_shared<Flags>();
-  command->add_option(
-      "CONCEPT,--concept", flags->concept_name,
-      "prefix:Name, <IRI>, a label or a class expression; with --id or --text left out; without any, everything "
-      "is listed");
+  command->add_option("IDENTITY", flags->words,
+                      "A concept (prefix:Name, <IRI>, a label or a class expression), or id=N, text=NAME, concept=C, "
+                      "representation=R; without any, everything is listed");
+  command->add_option("--concept", flags->concept_name, "The concept")->type_name("C");
   flags->identity.add_to(*command);
   shell::add_degree(*command, flags->degree);
   shell::add_mode(*command, flags->mode, "Only this channel mode");
@@ -89,11 +108,12 @@ void add_match(CLI::App& app, Run& selected) {
       ->allow_extra_args(false);
   command->add_option("--limit", flags->limit, "At most this many, the best")->type_name("N");
   command->footer(
-      "Examples:\n  geminga-query match soccer:TrackedObject\n"
-      "  geminga-query match 'Sensor and (observes some Ball)'\n"
+      "Examples:\n  geminga-query match soccer:TrackedObject\n  geminga-query match text=camera\n"
+      "  geminga-query match 'soccer:BallInfo or soccer:GoalInfo'\n"
       "  geminga-query match soccer:BallInfo --representation soccer:CartesianFieldFrame --mode otm/stream\n"
       "  geminga-query match --id 0x30242948\n  geminga-query match soccer:BallInfo --where 'rate >= 30' --limit 1");
   command->callback([flags, &selected] {
+    read_words(*flags);
     auto listing = listing_of(*flags);  // throws where the identity is not one
     selected = [listing = std::move(listing)](const Context& context, Client& client) {
       return show(context, client, listing);

@@ -75,11 +75,11 @@ void print_words(const Context& context, const Parts& parts) {
   } else {
     std::cout << shell::printable(parts.head["classes"]) << " classes, digest "
               << shell::printable(parts.head["digest"]) << "\n\n";
-    shell::Table files({{"FILE"}, {"ONTOLOGY"}});
+    shell::Table files({{"FILE", false, 20}, {"ONTOLOGY", false, 20, 1}});
     for (const auto& record : parts.files) files.add({std::string(record["file"]), std::string(record["iri"])});
     if (!files.is_empty()) files.print(std::cout, context.terminal);
   }
-  shell::Table left_out({{"LEFT OUT"}, {"COUNT", true}, {"FIRST"}});
+  shell::Table left_out({{"LEFT OUT", false, 20}, {"COUNT", true}, {"FIRST", false, 20}});
   for (const auto& record : parts.left_out) {
     left_out.add({std::string(record["left_out"]), std::string(record["count"]), std::string(record["first"])});
   }
@@ -90,7 +90,7 @@ void print_words(const Context& context, const Parts& parts) {
   if (!parts.gaps.empty()) std::cout << "\nNot searched to the end:\n";
   for (const auto& record : parts.gaps) std::cout << "  " << shell::printable(record["gap"]) << '\n';
   if (parts.head["complete"] == "1") std::cout << "\nComplete: everything that follows from these files was found.\n";
-  shell::Table others({{"PARTICIPANT"}, {"NAME"}, {"ONTOLOGY"}});
+  shell::Table others({{"PARTICIPANT"}, {"NAME", false, 8}, {"ONTOLOGY"}});
   for (const auto& record : parts.others) {
     others.add({std::string(record["other"]), std::string(record["name"]), std::string(record["ontology"])});
   }

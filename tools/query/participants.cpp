@@ -11,14 +11,14 @@ namespace {
 shell::Table table(const std::vector<Record>& records) {
   shell::Table shown({{"ID"},
                       {"NAME", false, 8},
-                      {"ADDRESSES", false, 15},
-                      {"HEARD", true},
-                      {"INTERVAL", true},
-                      {"LOSS", true},
-                      {"PUBS", true},
-                      {"SUBS", true},
-                      {"ONTOLOGY"},
-                      {""}});
+                      {"ADDRESSES", false, 15, 1},
+                      {"HEARD", true, 0, 2},
+                      {"INTERVAL", true, 0, 7},
+                      {"LOSS", true, 0, 6},
+                      {"PUBS", true, 0, 4},
+                      {"SUBS", true, 0, 4},
+                      {"ONTOLOGY", false, 0, 5},
+                      {"", false, 0, 3}});
   for (const auto& record : records) {
     const bool is_self = record["self"] == "1";
     std::string loss(record["loss"]);

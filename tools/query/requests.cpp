@@ -2,7 +2,6 @@
 #include <memory>
 
 #include "query/command.hpp"
-#include "query/filter.hpp"
 #include "query/services.hpp"
 #include "shell/describe.hpp"
 
@@ -16,16 +15,16 @@ struct Flags {
 };
 
 shell::Table table(const std::vector<Record>& records) {
-  shell::Table shown({{"CONSUMER", false, 10},
-                      {"IDENTITY", false, 24},
-                      {"MATCH"},
-                      {"MODE"},
+  shell::Table shown({{"CONSUMER", false, 12},
+                      {"IDENTITY", false, 16},
+                      {"MATCH", false, 0, 5},
+                      {"MODE", false, 0, 3},
                       {"SERVED"},
-                      {"PROVIDERS", false, 10},
-                      {"WHERE", false, 10},
-                      {"LIMIT", true},
-                      {"AGE", true},
-                      {"REQUEST"}});
+                      {"PROVIDERS", false, 10, 4},
+                      {"WHERE", false, 10, 2},
+                      {"LIMIT", true, 0, 6},
+                      {"AGE", true, 0, 7},
+                      {"REQUEST", false, 0, 1}});
   for (const auto& record : records) {
     const auto limit = record["limit"] == "0" ? "" : std::string(record["limit"]);
     shown.add({shell::who(record["consumer"], record["name"], record["participant_name"]),
@@ -37,22 +36,17 @@ shell::Table table(const std::vector<Record>& records) {
 }
 
 Listing listing_of(const Flags& flags) {
-  Filter filter = read_filter(flags.words);
-  if (flags.unused) {
-    filter.parameters.emplace_back("unused", "1");
-    auto listing = services_listing(std::move(filter.parameters), std::move(filter.keeps));
-    listing.nothing = "no service is unused: each has somebody who asks for it";
-    return listing;
-  }
-  if (flags.unmatched) filter.parameters.emplace_back("unmatched", "1");
-  return {"requests",
-          std::move(filter.parameters),
-          std::move(filter.keeps),
-          "subscription",
-          table,
-          service_line,
-          flags.unmatched ? "no such request is unmatched: each has somebody who serves it"
-                          : "no such request is known: see geminga-query participants for who is heard at all"};
+  if (flags.unused) return services_listing(flags.words, true);
+  Listing listing{"requests",
+                  {},
+                  read_filter(flags.words),
+                  "subscription",
+                  table,
+                  service_line,
+                  flags.unmatched ? "no such request is unmatched: each has somebody who serves it"
+                                  : "no such request is known: see geminga-query participants for who is heard at all"};
+  if (flags.unmatched) listing.parameters.emplace_back("unmatched", "1");
+  return listing;
 }
 
 }  // namespace

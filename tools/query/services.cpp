@@ -3,23 +3,22 @@
 
 #include <memory>
 
-#include "query/filter.hpp"
 #include "shell/describe.hpp"
 
 namespace geminga::query {
 namespace {
 
 shell::Table table(const std::vector<Record>& records) {
-  shell::Table shown({{"PROVIDER", false, 10},
-                      {"IDENTITY", false, 24},
-                      {"MODE"},
-                      {"ADDRESS"},
-                      {"PROTOCOL"},
-                      {"PRIO", true},
-                      {"AGE", true},
-                      {"USED"},
-                      {"SERVICE"},
-                      {"ATTRIBUTES", false, 10}});
+  shell::Table shown({{"PROVIDER", false, 12},
+                      {"IDENTITY", false, 16},
+                      {"MODE", false, 0, 3},
+                      {"ADDRESS", false, 15, 1},
+                      {"PROTOCOL", false, 0, 6},
+                      {"PRIO", true, 0, 7},
+                      {"AGE", true, 0, 8},
+                      {"USED", false, 0, 5},
+                      {"SERVICE", false, 0, 2},
+                      {"ATTRIBUTES", false, 10, 4}});
   for (const auto& record : records) {
     const auto protocol = record["protocol"] == "udp" ? "" : std::string(record["protocol"]);
     shown.add({shell::who(record["provider"], record["name"], record["participant_name"]),
@@ -46,28 +45,35 @@ std::string service_line(const Record& record) {
   return line + "  " + std::string(record[is_service ? "service" : "subscription"]);
 }
 
-Listing services_listing(std::vector<std::pair<std::string, std::string>> parameters,
-                         std::function<bool(const Record&)> keeps) {
-  return {"services",
-          std::move(parameters),
-          std::move(keeps),
-          "service",
-          table,
-          service_line,
-          "no such service is known: see geminga-query participants for who is heard at all"};
+Listing services_listing(const std::vector<std::string>& words, bool unused) {
+  Listing listing{"services",
+                  {},
+                  read_filter(words),
+                  "service",
+                  table,
+                  service_line,
+                  unused ? "no such service is unused: each has somebody who asks for it"
+                         : "no such service is known: see geminga-query participants for who is heard at all"};
+  if (unused) listing.parameters.emplace_back("unused", "1");
+  return listing;
 }
 
 void add_services(CLI::App& app, Run& selected) {
   CLI::App* command = app.add_subcommand("services", "Every known publication");
-  const auto words = std::make_shared<std::vector<std::string>>();
-  command->add_option("FILTER", *words, filter_meaning);
+  struct Flags {
+    std::vector<std::string> words;
+    bool unused = false;
+  };
+  const auto flags = std::make_shared<Flags>();
+  command->add_option("FILTER", flags->words, filter_meaning);
+  command->add_flag("--unused", flags->unused, "Only those that nobody asks for");
   command->footer(
-      "Examples:\n  geminga-query services\n  geminga-query services robot2 mode=otm/stream\n"
-      "  geminga-query services concept=soccer:TrackedObject rate=30");
-  command->callback([words, &selected] {
-    selected = [words](const Context& context, Client& client) {
-      Filter filter = read_filter(*words);
-      return show(context, client, services_listing(std::move(filter.parameters), std::move(filter.keeps)));
+      "Examples:\n  geminga-query services\n  geminga-query services soccer:TrackedObject\n"
+      "  geminga-query services robot2 mode=otm/stream\n"
+      "  geminga-query services concept=soccer:TrackedObject protocol=udp\n  geminga-query services --unused");
+  command->callback([flags, &selected] {
+    selected = [flags](const Context& context, Client& client) {
+      return show(context, client, services_listing(flags->words, flags->unused));
     };
   });
 }

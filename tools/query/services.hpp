@@ -6,9 +6,8 @@
 
 namespace geminga::query {
 
-/// The publications that the parameters and `keeps` leave.
-[[nodiscard]] Listing services_listing(std::vector<std::pair<std::string, std::string>> parameters,
-                                       std::function<bool(const Record&)> keeps);
+/// The publications that the FILTER words leave, with `unused` those of them that nobody asks for.
+[[nodiscard]] Listing services_listing(const std::vector<std::string>& words, bool unused);
 
 /// Who, what and where of a publication or subscription, for --watch.
 [[nodiscard]] std::string service_line(const Record& record);

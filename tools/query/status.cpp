@@ -22,7 +22,7 @@ std::string words_of(const std::string& key, const std::string& value) {
 }
 
 void print_words(const Context& context, const Answer& answer) {
-  shell::Table table({{"WHAT"}, {"VALUE"}});
+  shell::Table table({{"WHAT"}, {"VALUE", false, 20}});
   for (const auto& record : answer.records) {
     for (const auto& [key, value] : record.fields) {
       std::string title = key;

@@ -37,7 +37,7 @@ void print_words(const Context& context, const Answer& answer, bool is_match) {
   } else {
     std::cout << coloured(context.terminal, shell::Colour::red, "no") << ": they do not match\n";
   }
-  shell::Table table({{"CHECK"}, {"OK"}, {"WHY"}});
+  shell::Table table({{"CHECK"}, {"OK"}, {"WHY", false, 20}});
   for (const auto& record : answer.records) {
     table.add({std::string(record["check"]), record["ok"] == "1" ? "yes" : "no", std::string(record["text"])});
   }

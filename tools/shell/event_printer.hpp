@@ -1,61 +1,124 @@
-// Prints the events of one kind as lines for a reader or as JSON, and remembers who is there so that a line that says
-// "gone" can name it.
+// Prints the events of one kind as lines for a reader or as JSON, and remembers who is there, so that what changes and
+// what goes can be named.
 #ifndef GEMINGA_SHELL_EVENT_PRINTER_HPP
 #define GEMINGA_SHELL_EVENT_PRINTER_HPP
 
+#include <algorithm>
+#include <boost/json/object.hpp>
+#include <cstdint>
 #include <iostream>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 #include "geminga/event.hpp"
+#include "shell/changes.hpp"
 #include "shell/describe.hpp"
 #include "shell/json.hpp"
 #include "shell/report.hpp"
+#include "shell/stream.hpp"
 #include "shell/terminal.hpp"
+#include "shell/timestamp.hpp"
 
 namespace geminga::shell {
+
+/// Why something is gone that was told before the daemon went and was not told again when it was back.
+inline constexpr std::string_view unconfirmed = "unconfirmed";
 
 [[nodiscard]] inline const ServiceKey& key_of(const ServiceEvent& event) { return event.service; }
 [[nodiscard]] inline const ServiceKey& key_of(const ConsumerEvent& event) { return event.subscription; }
 
-/// Told is ServiceEvent or ConsumerEvent. Not thread-safe.
-template <typename Told>
-class EventPrinter {
- public:
-  EventPrinter(std::string_view program, bool is_json) : program_(program), is_json_(is_json) {}
+struct PrinterOptions {
+  bool is_json = false;
+  bool has_timestamps = false;  ///< of lines; objects always have them
+};
 
-  /// Prints one event on standard output, an error on standard error. Returns whether it was an event of this kind.
-  bool print(const Event& event) {
+/// Told is ServiceEvent or ConsumerEvent. Events go to standard output, errors to standard error. Not thread-safe.
+template <typename Told>
+class EventPrinter final : public EventView {
+ public:
+  EventPrinter(std::string_view program, PrinterOptions options) : program_(program), options_(options) {}
+
+  bool tell(const Event& event) override {
     if (const auto* error = std::get_if<Error>(&event.what)) {
       complain(program_, error->text);
       return false;
     }
     const auto* told = std::get_if<Told>(&event.what);
     if (told == nullptr) return false;
-    if (is_json_) {
-      shell::print(std::cout, to_json(*told));
-    } else {
-      std::cout << printable(line(*told)) << std::endl;
-    }
+    tell({event.request, to_string(key_of(*told))}, *told);
+    return true;
+  }
+
+  void doubt() override {
+    for (auto& [place, known] : known_) known.is_in_doubt = true;
+  }
+
+  bool drop_doubted() override {
+    const auto found = std::ranges::find_if(known_, [](const auto& entry) { return entry.second.is_in_doubt; });
+    if (found == known_.end()) return false;
+    Told gone = found->second.told;
+    gone.change = Change::del;
+    gone.reason = unconfirmed;
+    tell(Place(found->first), gone);
     return true;
   }
 
  private:
-  std::string line(const Told& told) {
-    if (told.change != Change::del) {
-      names_[to_string(key_of(told))] = name_of(told);
-      return line_of(told);
+  using Place = std::pair<std::uint32_t, std::string>;  ///< the request, and the key of what was told about it
+  struct Known {
+    Told told;
+    bool is_in_doubt = false;
+  };
+
+  void tell(const Place& place, const Told& told) {
+    const auto known = known_.find(place);
+    const Told* before = known == known_.end() ? nullptr : &known->second.told;
+    if (options_.is_json) {
+      shell::print(std::cout, stamped(object(told, before)));
+    } else {
+      const std::string stamp = options_.has_timestamps ? timestamp() + ' ' : "";
+      std::cout << stamp << printable(line(told, before)) << std::endl;
     }
-    // The daemon says nothing but the key of what is gone.
-    const auto known = names_.extract(to_string(key_of(told)));
-    return gone_line(known.empty() ? "" : known.mapped(), key_of(told), told.reason);
+    if (told.change == Change::del) {
+      known_.erase(place);
+    } else {
+      known_.insert_or_assign(place, Known{told});
+    }
+  }
+
+  /// What the event before had otherwise.
+  static boost::json::object changed(const Told& told, const Told& before) {
+    auto object = to_json(before);
+    object["event"] = to_string(told.change);
+    return former(object, to_json(told));
+  }
+
+  static boost::json::object object(const Told& told, const Told* before) {
+    auto object = to_json(told);
+    if (before == nullptr) return object;
+    if (told.change == Change::modify) object["former"] = changed(told, *before);
+    if (told.change == Change::del) {
+      // The daemon says nothing but the key of what is gone.
+      for (const auto& member : to_json(*before)) object.insert(member);
+    }
+    return object;
+  }
+
+  static std::string line(const Told& told, const Told* before) {
+    if (told.change == Change::del)
+      return gone_line(before == nullptr ? "" : name_of(*before), key_of(told), told.reason);
+    std::string line = line_of(told);
+    if (told.change != Change::modify || before == nullptr) return line;
+    const std::string words = words_of(changed(told, *before));
+    return words.empty() ? line : line + "  (" + words + ')';
   }
 
   std::string_view program_;
-  bool is_json_;
-  std::map<std::string, std::string> names_;  ///< of what is there, by its key
+  PrinterOptions options_;
+  std::map<Place, Known> known_;  ///< what is there
 };
 
 }  // namespace geminga::shell

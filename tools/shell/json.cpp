@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "shell/terminal.hpp"
+#include "shell/timestamp.hpp"
 
 namespace geminga::shell {
 namespace {
@@ -149,6 +150,15 @@ json::object to_json(const ConsumerEvent& event) {
   if (event.change == Change::del) return object;
   object["priority"] = event.subscribed.priority;
   object["attributes"] = to_object(event.subscribed.attributes);
+  return object;
+}
+
+json::object stamped(const json::object& event) {
+  json::object object;
+  for (const auto& member : event) {
+    object.insert(member);
+    if (object.size() == 1) object["time"] = timestamp();
+  }
   return object;
 }
 

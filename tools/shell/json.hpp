@@ -23,6 +23,9 @@ namespace geminga::shell {
 [[nodiscard]] boost::json::object to_json(const ServiceEvent& event);
 [[nodiscard]] boost::json::object to_json(const ConsumerEvent& event);
 
+/// The object of an event with `time`, now as RFC 3339 has it, behind its first member.
+[[nodiscard]] boost::json::object stamped(const boost::json::object& event);
+
 /// Writes one document and a line end. Characters that could steer a terminal are written as \u escapes.
 void print(std::ostream& out, const boost::json::value& document);
 

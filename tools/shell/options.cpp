@@ -1,6 +1,7 @@
 #include "shell/options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <iostream>
@@ -43,6 +44,37 @@ void IdentityOptions::add_to(CLI::App& app) {
   app.add_option("--id", id, "The identity is this 32-bit number, decimal or 0x")->type_name("N");
   app.add_option("--text", text, "The identity is this text")->type_name("NAME");
   app.add_option("--representation", representation, "The representation of the concept")->type_name("R");
+}
+
+bool IdentityOptions::takes(const std::string& word) {
+  const auto pair = key_and_value(word);
+  if (!pair) return false;
+  const auto& [key, value] = *pair;
+  const bool is_id = key == "id";
+  const bool is_text = key == "text";
+  if (!is_id && !is_text && key != "representation") return false;
+  if (is_id ? id.has_value() : is_text ? text.has_value() : !representation.empty()) {
+    throw CLI::ValidationError("--" + key, "is given twice: give it once");
+  }
+  if (is_id) {
+    id = value;
+  } else if (is_text) {
+    text = value;
+  } else {
+    representation = value;
+  }
+  return true;
+}
+
+std::optional<std::pair<std::string, std::string>> key_and_value(const std::string& word) {
+  const auto equals = word.find('=');
+  if (equals == 0 || equals == std::string::npos) return std::nullopt;
+  const auto is_of_a_key = [](char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
+           c == '-';
+  };
+  if (!std::all_of(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(equals), is_of_a_key)) return std::nullopt;
+  return std::pair{word.substr(0, equals), word.substr(equals + 1)};
 }
 
 std::optional<NamedIdentity> IdentityOptions::identity(const std::string& concept_name) const {

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geminga/client.hpp"
@@ -30,18 +31,24 @@ struct CommonOptions {
   [[nodiscard]] std::chrono::milliseconds timeout_or(std::chrono::milliseconds usual) const;
 };
 
-/// --id, --text, --representation; a concept comes as a positional word.
+/// --id, --text, --representation, or the same as words (`text=camera`); a concept comes as a positional word.
 struct IdentityOptions {
   std::optional<std::string> id;
   std::optional<std::string> text;
   std::string representation;
 
   void add_to(CLI::App& app);
+  /// Takes a word `id=N`, `text=NAME` or `representation=R` as the flag of that name; false where it is none of these.
+  /// Throws CLI::ValidationError where it was given already.
+  bool takes(const std::string& word);
   /// The identity with this concept (empty: none); nothing where none is given. Throws CLI::ValidationError where two
   /// are given or one cannot be read.
   [[nodiscard]] std::optional<NamedIdentity> identity(const std::string& concept_name) const;
   [[nodiscard]] bool needs_no_concept() const { return id.has_value() || text.has_value(); }
 };
+
+/// `key` and `value` of a word `KEY=VALUE`; nothing where the word is none, as class expressions never are.
+[[nodiscard]] std::optional<std::pair<std::string, std::string>> key_and_value(const std::string& word);
 
 /// Adds `--mode M` (oto, otm/stream, otm/pubsub).
 void add_mode(CLI::App& app, std::optional<ChannelMode>& mode, const std::string& meaning);

@@ -30,4 +30,11 @@ ExitStatus report(std::string_view program, const ClientError& error) {
   return ExitStatus::wrong_use;
 }
 
+ExitStatus written(std::string_view program, ExitStatus status) {
+  if (std::cout.flush()) return status;
+  std::cout.clear();  // or complain() could not flush it
+  complain(program, "standard output cannot be written: is the disk full?");
+  return ExitStatus::wrong_use;
+}
+
 }  // namespace geminga::shell

@@ -16,6 +16,10 @@ void complain(std::string_view program, std::string_view text);
 /// daemon that is starting, stopping or overloaded counts as one that cannot be reached.
 [[nodiscard]] ExitStatus report(std::string_view program, const ClientError& error);
 
+/// The exit status of a program that has printed all it had to: `status`, or wrong_use where standard output could not
+/// be written, after having said so.
+[[nodiscard]] ExitStatus written(std::string_view program, ExitStatus status);
+
 }  // namespace geminga::shell
 
 #endif

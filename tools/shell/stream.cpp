@@ -1,6 +1,7 @@
 #include "shell/stream.hpp"
 
 #include <algorithm>
+#include <iostream>
 
 #include "shell/report.hpp"
 
@@ -14,13 +15,14 @@ constexpr std::chrono::milliseconds between_attempts{1000};
 
 class Runner {
  public:
-  explicit Runner(const Stream& stream) : stream_(stream), begin_(Clock::now()) {}
+  Runner(const Stream& stream, EventView& view) : stream_(stream), view_(view), begin_(Clock::now()) {}
 
   ExitStatus run() {
     while (true) {
       auto client = Client::connect(stream_.connection);
       if (client) {
         was_connected_ = true;
+        view_.doubt();
         if (auto begun = stream_.begin(*client); !begun) {
           if (!is_gone(begun.error())) return report(stream_.program, begun.error());
           client = std::unexpected(begun.error());
@@ -54,16 +56,25 @@ class Runner {
     return events_ > 0 && stream_.count == 0 ? ExitStatus::found : ExitStatus::timed_out;
   }
 
-  /// Prints events until end_ is set, or until the daemon goes.
+  /// Counts an event; whether it was the last one.
+  bool is_last() { return ++events_ == stream_.count; }
+
+  /// Tells events until end_ is set, or until the daemon goes.
   ClientError follow(Client& client) {
+    // Each request has been answered by a pong, so the events that are true at this moment are there already.
+    bool is_settled = false;
     while (true) {
       auto event = client.poll();
       if (!event) return event.error();
       if (*event) {
-        if (stream_.print(**event)) ++events_;
-        if (stream_.count != 0 && events_ >= stream_.count) return end(ExitStatus::found);
+        if (view_.tell(**event) && is_last()) return end(ExitStatus::found);
+        if (!std::cout) return end(ExitStatus::wrong_use);
         continue;
       }
+      while (!is_settled && view_.drop_doubted()) {
+        if (is_last()) return end(ExitStatus::found);
+      }
+      is_settled = true;
       switch (signals_.wait(client.file_descriptor(), time_left())) {
         case StopSignals::Woken::stopped:
           return end(ExitStatus::found);
@@ -81,6 +92,7 @@ class Runner {
   }
 
   const Stream& stream_;
+  EventView& view_;
   Clock::time_point begin_;
   StopSignals signals_;
   std::uint64_t events_ = 0;
@@ -90,6 +102,6 @@ class Runner {
 
 }  // namespace
 
-ExitStatus run(const Stream& stream) { return Runner(stream).run(); }
+ExitStatus run(const Stream& stream, EventView& view) { return written(stream.program, Runner(stream, view).run()); }
 
 }  // namespace geminga::shell

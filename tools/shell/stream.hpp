@@ -1,4 +1,4 @@
-// A client whose events are printed until a signal, a time, a count or the daemon's end.
+// A client whose events are told until a signal, a time, a count or the daemon's end.
 #ifndef GEMINGA_SHELL_STREAM_HPP
 #define GEMINGA_SHELL_STREAM_HPP
 
@@ -16,24 +16,35 @@
 
 namespace geminga::shell {
 
+/// Tells a reader of events and keeps in mind what is there.
+class EventView {
+ public:
+  virtual ~EventView() = default;
+  /// Tells one event; returns whether it counts.
+  virtual bool tell(const Event& event) = 0;
+  /// The daemon that knew it all went: what was told is in doubt until it is told again.
+  virtual void doubt() = 0;
+  /// Tells of one thing in doubt that it is gone; false where there is none.
+  virtual bool drop_doubted() = 0;
+};
+
 struct Stream {
   std::string_view program;
   ClientOptions connection;
   /// States what is offered or asked for, on a fresh connection.
   std::function<std::expected<void, ClientError>(Client&)> begin;
-  /// Prints one event; returns whether it counts.
-  std::function<bool(const Event&)> print;
   /// How long altogether; nothing: without end.
   std::optional<std::chrono::milliseconds> timeout;
   /// Ends after this many events; 0: never.
   std::uint64_t count = 0;
-  /// Connects again, and again, when the daemon goes.
+  /// Connects again, and again, when the daemon goes. Once everything is stated again, what was told before and not
+  /// again is dropped.
   bool is_kept = false;
 };
 
 /// Runs until a signal (found), `count` events (found), the timeout (found where an event came and no count was asked
 /// for, else timed_out) or the daemon's end (no_daemon, unless it is kept). What is refused ends it.
-[[nodiscard]] ExitStatus run(const Stream& stream);
+[[nodiscard]] ExitStatus run(const Stream& stream, EventView& view);
 
 }  // namespace geminga::shell
 

@@ -1,7 +1,6 @@
 #include "shell/table.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace geminga::shell {
@@ -9,29 +8,102 @@ namespace {
 
 constexpr std::size_t gap = 2;
 
-/// Takes from the widest column that may be cut, until the line fits or nothing more can be taken.
-void fit(std::vector<std::size_t>& widths, const std::vector<Column>& columns, std::size_t available) {
-  const auto shown = static_cast<std::size_t>(std::ranges::count_if(widths, [](std::size_t w) { return w > 0; }));
-  const std::size_t gaps = shown == 0 ? 0 : (shown - 1) * gap;
-  for (std::size_t total = std::accumulate(widths.begin(), widths.end(), gaps); total > available; --total) {
-    std::size_t widest = columns.size();
+/// What a table of these widths takes in all; a width of 0 is a column that is not shown.
+std::size_t total(const std::vector<std::size_t>& widths) {
+  std::size_t sum = 0;
+  for (const std::size_t width : widths) sum += width == 0 ? 0 : width + (sum == 0 ? 0 : gap);
+  return sum;
+}
+
+/// Leaves out the columns of the greatest ranks until the rest fits with these least widths. Returns the titles that
+/// went.
+std::vector<std::string> leave_out(std::vector<std::size_t>& widths, const std::vector<std::size_t>& least,
+                                   const std::vector<Column>& columns, std::size_t available) {
+  std::vector<std::string> titles;
+  while (true) {
+    std::vector<std::size_t> narrow = least;
+    std::size_t next = columns.size();
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (columns[i].narrowest == 0 || widths[i] <= columns[i].narrowest) continue;
-      if (widest == columns.size() || widths[i] > widths[widest]) widest = i;
+      if (widths[i] == 0) narrow[i] = 0;
+      const bool may_go = widths[i] > 0 && columns[i].rank > 0;
+      if (may_go && (next == columns.size() || columns[i].rank > columns[next].rank)) next = i;
     }
-    if (widest == columns.size()) return;
+    if (total(narrow) <= available || next == columns.size()) return titles;
+    widths[next] = 0;
+    if (!columns[next].title.empty()) titles.push_back(columns[next].title);
+  }
+}
+
+/// Takes from the widest column that is above its least width, until the line fits or nothing more can be taken.
+void narrow(std::vector<std::size_t>& widths, const std::vector<std::size_t>& least, std::size_t available) {
+  for (std::size_t sum = total(widths); sum > available; --sum) {
+    std::size_t widest = widths.size();
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      if (widths[i] <= least[i]) continue;
+      if (widest == widths.size() || widths[i] > widths[widest]) widest = i;
+    }
+    if (widest == widths.size()) return;
     --widths[widest];
   }
 }
 
+/// Behind these a text may be broken, as behind a space.
+constexpr std::string_view marks = "/,;|=";
+
+/// Longer words are broken rather than that a column goes for them.
+constexpr std::size_t longest_whole_word = 32;
+
+/// The longest part of a printable text that has no place to break it.
+std::size_t longest_word(std::string_view text) {
+  std::size_t longest = 0;
+  while (!text.empty()) {
+    const auto end = std::min(text.find_first_of(std::string(marks) + ' '), text.size());
+    const bool is_marked = end < text.size() && text[end] != ' ';
+    longest = std::max(longest, width(text.substr(0, end)) + (is_marked ? 1 : 0));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return longest;
+}
+
+/// The first `columns` characters of a printable text, and the rest.
+std::pair<std::string_view, std::string_view> split(std::string_view text, std::size_t columns) {
+  std::size_t at = 0;
+  for (std::size_t count = 0; at < text.size() && count < columns; ++count) {
+    ++at;
+    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0U) == 0x80U) ++at;
+  }
+  return {text.substr(0, at), text.substr(at)};
+}
+
 }  // namespace
+
+std::vector<std::string> wrapped(std::string_view text, std::size_t columns) {
+  std::vector<std::string> lines;
+  while (width(text) > columns) {
+    const auto [line, behind] = split(text, columns);
+    // A space may be the first character that does not fit: nothing is lost with it.
+    const auto space = behind.starts_with(' ') ? line.size() : line.rfind(' ');
+    const auto mark = line.find_last_of(marks);
+    std::size_t end = line.size();
+    if (space != std::string_view::npos && space >= line.size() / 2) {
+      end = space;
+    } else if (mark != std::string_view::npos && mark + 1 >= line.size() / 2) {
+      end = mark + 1;
+    }
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(end);
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  }
+  if (!text.empty() || lines.empty()) lines.emplace_back(text);
+  return lines;
+}
 
 void Table::add(std::vector<std::string> cells) {
   for (auto& cell : cells) cell = printable(cell);
   rows_.push_back(std::move(cells));
 }
 
-void Table::print(std::ostream& out, const Terminal& terminal) const {
+std::vector<std::size_t> Table::natural_widths() const {
   std::vector<std::size_t> widths(columns_.size());
   for (const auto& row : rows_) {
     for (std::size_t i = 0; i < columns_.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
@@ -39,26 +111,74 @@ void Table::print(std::ostream& out, const Terminal& terminal) const {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (widths[i] > 0) widths[i] = std::max(widths[i], width(columns_[i].title));
   }
-  if (terminal.columns > 0) fit(widths, columns_, terminal.columns);
+  return widths;
+}
 
-  const auto line = [&](const auto& cell_of) {
+std::vector<std::size_t> Table::word_widths(const std::vector<std::size_t>& natural) const {
+  std::vector<std::size_t> widths = natural;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (columns_[i].narrowest == 0) continue;
+    std::size_t longest = std::max(columns_[i].narrowest, width(columns_[i].title));
+    for (const auto& row : rows_) longest = std::max(longest, std::min(longest_word(row[i]), longest_whole_word));
+    widths[i] = std::min(natural[i], longest);
+  }
+  return widths;
+}
+
+void Table::print(std::ostream& out, const Terminal& terminal) const {
+  std::vector<std::size_t> widths = natural_widths();
+  std::vector<std::string> left_out;
+  if (terminal.columns > 0) {
+    const std::vector<std::size_t> words = word_widths(widths);
+    std::vector<std::size_t> narrowest = widths;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (columns_[i].narrowest > 0) narrowest[i] = std::min(narrowest[i], columns_[i].narrowest);
+    }
+    left_out = leave_out(widths, words, columns_, terminal.columns);
+    narrow(widths, words, terminal.columns);
+    narrow(widths, narrowest, terminal.columns);
+  }
+  std::vector<std::string> titles;
+  for (const Column& column : columns_) titles.push_back(column.title);
+  print_row(out, terminal, widths, titles);
+  Terminal plain = terminal;
+  plain.has_colour = false;
+  for (const auto& row : rows_) {
+    std::vector<std::string> cells = row;
+    for (auto& cell : cells) {
+      if (cell.empty()) cell.assign(1, '-');
+    }
+    print_row(out, plain, widths, cells);
+  }
+  if (left_out.empty()) return;
+  std::string note = "Not shown here:";
+  for (const std::string& title : left_out) note += (title == left_out.front() ? " " : ", ") + title;
+  note += " (a wider terminal or --json shows all)";
+  for (const std::string& line : wrapped(note, terminal.columns)) out << coloured(terminal, Colour::dim, line) << '\n';
+}
+
+void Table::print_row(std::ostream& out, const Terminal& terminal, const std::vector<std::size_t>& widths,
+                      const std::vector<std::string>& cells) const {
+  std::vector<std::vector<std::string>> parts(columns_.size());
+  std::size_t height = 0;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (widths[i] > 0) parts[i] = wrapped(cells[i], widths[i]);
+    height = std::max(height, parts[i].size());
+  }
+  for (std::size_t row = 0; row < height; ++row) {
     std::string text;
     std::size_t behind = 0;  // spaces that are owed before the next cell
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       if (widths[i] == 0) continue;
-      const std::string cell = shortened(cell_of(i), widths[i]);
-      const std::size_t padding = widths[i] - width(cell);
+      const std::string cell = row < parts[i].size() ? parts[i][row] : "";
+      const std::size_t padding = widths[i] - std::min(widths[i], width(cell));
       const bool is_right = columns_[i].is_right_aligned;
       text.append(behind + (is_right ? padding : 0), ' ');
       text += cell;
       behind = gap + (is_right ? 0 : padding);
     }
     text.erase(text.find_last_not_of(' ') + 1);
-    return text;
-  };
-  out << coloured(terminal, Colour::bold, line([&](std::size_t i) { return columns_[i].title; })) << '\n';
-  for (const auto& row : rows_) {
-    out << line([&](std::size_t i) { return row[i].empty() ? std::string("-") : row[i]; }) << '\n';
+    out << coloured(terminal, Colour::bold, encoded(terminal, text)) << '\n';
   }
 }
 

@@ -4,7 +4,9 @@
 #include <unistd.h>
 #include <utf8.h>
 
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdlib>
 #include <iterator>
 
@@ -14,6 +16,31 @@ namespace {
 bool is_set(const char* name) {
   const char* value = std::getenv(name);
   return value != nullptr && *value != '\0';
+}
+
+/// A terminal beyond this is a mistake of COLUMNS; it would only cost memory for spaces.
+constexpr std::size_t most_columns = 10'000;
+
+/// The number in COLUMNS, or 0 where it is none that makes sense.
+std::size_t columns_of_the_environment() {
+  const char* variable = std::getenv("COLUMNS");
+  const std::string_view text = variable == nullptr ? "" : variable;
+  std::size_t columns = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), columns);
+  const bool is_number = !text.empty() && read.ec == std::errc() && read.ptr == text.data() + text.size();
+  return is_number && columns <= most_columns ? columns : 0;
+}
+
+/// Whether the user's locale has UTF-8 by its name; where none is named it is taken to, as terminals do.
+bool locale_has_utf8() {
+  for (const char* variable : {"LC_ALL", "LC_CTYPE", "LANG"}) {
+    if (!is_set(variable)) continue;
+    std::string name(std::getenv(variable));
+    std::ranges::transform(name, name.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    return name.contains("utf-8") || name.contains("utf8");
+  }
+  return true;
 }
 
 }  // namespace
@@ -39,22 +66,28 @@ std::string printable(std::string_view text) {
 
 std::size_t width(std::string_view text) { return static_cast<std::size_t>(utf8::distance(text.begin(), text.end())); }
 
-std::string shortened(std::string_view text, std::size_t columns) {
-  if (width(text) <= columns) return std::string(text);
-  auto end = text.begin();
-  utf8::advance(end, columns - 1, text.end());
-  return std::string(text.begin(), end) + "…";
-}
-
 Terminal Terminal::of_standard_output() {
   Terminal terminal;
   terminal.is_terminal = isatty(STDOUT_FILENO) == 1;
   if (!terminal.is_terminal) return terminal;
   const char* kind = std::getenv("TERM");
   terminal.has_colour = !is_set("NO_COLOR") && kind != nullptr && std::string_view(kind) != "dumb";
+  terminal.has_utf8 = locale_has_utf8();
   winsize size{};
-  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0) terminal.columns = size.ws_col;
+  terminal.columns = columns_of_the_environment();
+  if (terminal.columns == 0 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0) terminal.columns = size.ws_col;
+  if (terminal.columns == 0) terminal.columns = usual_columns;
   return terminal;
+}
+
+std::string encoded(const Terminal& terminal, std::string_view text) {
+  if (terminal.has_utf8) return std::string(text);
+  std::string ascii;
+  for (auto at = text.begin(); at != text.end();) {
+    const char32_t c = utf8::next(at, text.end());
+    ascii += c < 0x80 ? static_cast<char>(c) : c == U'…' ? '~' : '?';
+  }
+  return ascii;
 }
 
 std::string coloured(const Terminal& terminal, Colour colour, std::string_view text) {

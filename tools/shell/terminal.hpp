@@ -17,18 +17,26 @@ namespace geminga::shell {
 
 /// The columns that a printable text takes, one a character.
 [[nodiscard]] std::size_t width(std::string_view text);
-/// The first `columns` columns of a printable text, the last one `…` where something was cut. Requires columns > 0.
-[[nodiscard]] std::string shortened(std::string_view text, std::size_t columns);
+
+/// The width of a terminal that does not say how wide it is.
+inline constexpr std::size_t usual_columns = 80;
 
 /// How standard output is shown.
 struct Terminal {
   bool is_terminal = false;
   bool has_colour = false;
   std::size_t columns = 0;  ///< 0: as wide as it takes
+  bool has_utf8 = true;
 
-  /// Standard output as it is. Colour only on a terminal, never with NO_COLOR (no-color.org) or TERM=dumb.
+  /// Standard output as it is. Colour only on a terminal, never with NO_COLOR (no-color.org) or TERM=dumb. A terminal
+  /// is as wide as COLUMNS says, else as it says itself, else usual_columns; what is no terminal is as wide as it
+  /// takes, so that scripts get every text whole, and always in UTF-8.
   [[nodiscard]] static Terminal of_standard_output();
 };
+
+/// A printable text for a terminal of another encoding than UTF-8: `~` for `…`, `?` for every other character beyond
+/// ASCII.
+[[nodiscard]] std::string encoded(const Terminal& terminal, std::string_view text);
 
 enum class Colour { bold, dim, green, yellow, red };
 

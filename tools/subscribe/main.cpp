@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geminga/client.hpp"
+#include "shell/event_options.hpp"
 #include "shell/event_printer.hpp"
 #include "shell/options.hpp"
 #include "shell/stream.hpp"
@@ -19,31 +20,29 @@ constexpr const char* examples = R"(Examples:
   geminga-subscribe soccer:BallInfo --representation soccer:CartesianFieldFrame --where 'rate >= 30'
   geminga-subscribe --text camera --mode otm/pubsub --provider robot2,robot3/vision
   geminga-subscribe soccer:BallInfo --count 1 --timeout 5 --json
+  geminga-subscribe soccer:TrackedObject --keep --timestamps
 
-Prints each event as a line: + a service is there, ~ it changed, - it is gone and why. Ends with status 0 on Ctrl-C, a SIGTERM
-or after --count events, 4 when --timeout was over before that (with nothing printed, where no count is given), 3 when the
-daemon goes (unless --keep), 2 on wrong usage, also for a name that the daemon's ontology does not know.)";
+Prints each event as a line: + a service is there, ~ it changed and what was otherwise, - it is gone and why. With --keep, when
+the daemon was gone and is back, what is still there is printed again, and what is not as gone (unconfirmed).
+Ends with status 0 on Ctrl-C, a SIGTERM or after --count events, 4 when --timeout was over before that (with nothing
+printed, where no count is given), 3 when the daemon goes (unless --keep), 2 on wrong usage, also for a name that the
+daemon's ontology does not know.)";
 
 struct Options {
-  shell::CommonOptions common;
-  shell::IdentityOptions identity;
+  shell::EventOptions shared{program};
   std::vector<std::string> concepts;
-  std::optional<ChannelMode> mode;
   NamedSubscription subscription;  ///< without its identity
   std::vector<NamedIdentity> identities;
   std::vector<std::string> providers;
   std::optional<std::uint32_t> limit;
   std::uint64_t count = 0;
-  std::string name = std::string(program);
-  bool is_kept = false;
 };
 
 void add_to(CLI::App& app, Options& options) {
-  options.common.add_to(app, "End after this time (never unless told)");
   app.add_option("CONCEPT", options.concepts,
                  "prefix:Name, <IRI>, a label or a class expression; several are asked for together");
-  options.identity.add_to(app);
-  shell::add_mode(app, options.mode, "How the channel is set up (otm/stream unless told)");
+  options.shared.add_to(app, "End after this time (never unless told)",
+                        "When the daemon goes, wait for it and ask again");
   shell::add_degree(app, options.subscription.weakest);
   app.add_option("--where", options.subscription.where, "Only services whose attributes fit")->type_name("EXPRESSION");
   app.add_option("--limit", options.limit, "At most this many providers, the best; 0: all (1 for oto, else all)")
@@ -60,21 +59,26 @@ void add_to(CLI::App& app, Options& options) {
   app.add_option("--count", options.count, "End after this many events; 0: never")
       ->type_name("N")
       ->check(CLI::Range(0.0, 1e15).description(""));  // the sign of an unsigned number is not looked at otherwise
-  app.add_option("--name", options.name, "The name of this peer (geminga-subscribe unless told)")->type_name("PEER");
-  app.add_flag("--keep", options.is_kept, "When the daemon goes, wait for it and ask again");
 }
 
 /// Checks what flags cannot say alone. Throws CLI::ValidationError.
 void complete(Options& options) {
-  for (const auto& concept_name : options.concepts) {
-    options.identities.push_back(options.identity.identity(concept_name).value_or(NamedIdentity{}));
+  std::erase_if(options.concepts, [&](const auto& word) { return options.shared.identity.takes(word); });
+  for (auto& concept_name : options.concepts) {
+    const auto pair = shell::key_and_value(concept_name);
+    if (pair && pair->first != "concept") {
+      throw CLI::ValidationError(concept_name, "is no concept: attributes are asked for with --where '" + pair->first +
+                                                   " = " + pair->second + "'");
+    }
+    if (pair) concept_name = pair->second;
+    options.identities.push_back(options.shared.identity.identity(concept_name).value_or(NamedIdentity{}));
   }
   if (options.concepts.empty()) {
-    auto identity = options.identity.identity("");
+    auto identity = options.shared.identity.identity("");
     if (!identity) throw CLI::ValidationError("IDENTITY", "is missing: name a CONCEPT, --id N or --text NAME");
     options.identities.push_back(std::move(*identity));
   }
-  options.subscription.mode = options.mode.value_or(ChannelMode::one_to_many_stream);
+  options.subscription.mode = options.shared.mode_or_stream();
   options.subscription.limit = options.limit;
   for (const auto& provider : options.providers) {
     const auto slash = provider.find('/');
@@ -103,21 +107,16 @@ int run(int argc, char** argv) {
   app.callback([&options] { complete(options); });
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
 
-  shell::EventPrinter<ServiceEvent> printer(program, options.common.is_json);
-  shell::Stream stream;
-  stream.program = program;
-  stream.connection.connect = options.common.connect;
-  stream.connection.name = options.name;
-  if (options.common.timeout_seconds) {
-    stream.timeout = options.common.timeout_or({});
+  shell::EventPrinter<ServiceEvent> printer(program, options.shared.printer());
+  shell::Stream stream = options.shared.stream(program);
+  if (options.shared.common.timeout_seconds) {
+    stream.timeout = options.shared.common.timeout_or({});
     // A daemon that accepts and says nothing is not waited for longer than the program may run.
     stream.connection.timeout = std::min(stream.connection.timeout, *stream.timeout);
   }
   stream.count = options.count;
-  stream.is_kept = options.is_kept;
   stream.begin = [&options](Client& client) { return begin(options, client); };
-  stream.print = [&printer](const Event& event) { return printer.print(event); };
-  return static_cast<int>(shell::run(stream));
+  return static_cast<int>(shell::run(stream, printer));
 }
 
 }  // namespace

@@ -1,13 +1,9 @@
 // geminga-query against a real daemon: what each command prints, as words and as JSON, and how it ends.
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <array>
 #include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
-#include <cstdlib>
 
 #include "tools/clients/bench.hpp"
 
@@ -211,33 +207,60 @@ TEST_F(Query, PrintsNothingThatATerminalCouldObey) {
   EXPECT_TRUE(is_faithful) << document.out;
 }
 
-TEST_F(Query, UsesColourOnATerminalOnlyAndNeverWithNoColor) {
-  EXPECT_THAT(bench_.query({"services"}).out, Not(HasSubstr("\x1b[")));
-  for (const bool has_no_color : {false, true}) {
-    const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
-    ASSERT_GE(terminal, 0);
-    ASSERT_EQ(::grantpt(terminal), 0);
-    ASSERT_EQ(::unlockpt(terminal), 0);
-    const std::string name = ::ptsname(terminal);
-    auto start = bench_.lab().on(0, {system::program("geminga-query"), "services"});
-    start.environment = {{"GEMINGA_CONNECT", "127.0.0.1:" + std::to_string(bench_.lab().gcnp_port(0))},
-                         {"TERM", "xterm"},
-                         {"NO_COLOR", has_no_color ? "1" : ""}};
-    start.before = [inner = start.before, &name] {
-      if (inner) inner();
-      ::dup2(::open(name.c_str(), O_RDWR | O_NOCTTY), STDOUT_FILENO);
-    };
-    const int keeps_open = ::open(name.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
-    EXPECT_EQ(system::run(start).status, 0);
-    std::array<char, 8192> shown{};
-    const auto size = ::read(terminal, shown.data(), shown.size());
-    ASSERT_GT(size, 0);
-    const std::string text(shown.data(), static_cast<std::size_t>(size));
-    EXPECT_THAT(text, HasSubstr("PROVIDER"));
-    EXPECT_EQ(text.find("\x1b[") != std::string::npos, !has_no_color) << text;
-    ::close(keeps_open);
-    ::close(terminal);
-  }
+TEST_F(Query, FindsServicesByTheConceptThatTheyServe) {
+  const auto count = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), "services");
+    return bench_.json(words).as_array().size();
+  };
+  EXPECT_EQ(count({"soccer:TrackedObject"}), 1U) << "what it subsumes";
+  EXPECT_EQ(count({"soccer:SharedBallInfo"}), 1U);
+  EXPECT_EQ(count({"soccer:TrackedObject", "rate=30"}), 1U);
+  EXPECT_EQ(count({"soccer:TrackedObject", "lonely"}), 0U);
+  peer_.say("5 pub create mode=oto concept=soccer:GoalInfo representation=soccer:CartesianFieldFrame port=5002");
+  EXPECT_THAT(peer_.lines_until_pong(), IsEmpty());
+  EXPECT_EQ(count({"soccer:CartesianFieldFrame"}), 1U) << "where the name occurs";
+  const auto mistyped = bench_.query({"services", "soccer:Bal"});
+  EXPECT_EQ(mistyped.status, 2);
+  EXPECT_THAT(mistyped.errors, HasSubstr("soccer:Bal"));
+}
+
+TEST_F(Query, ListsUnusedServicesByBothCommands) {
+  EXPECT_EQ(bench_.query({"services", "--unused"}).out, bench_.query({"requests", "--unused"}).out);
+  const auto unused = bench_.json({"services", "--unused"}).as_array();
+  ASSERT_EQ(unused.size(), 1U);
+  EXPECT_EQ(unused.at(0).at("text"), "lonely");
+  EXPECT_EQ(bench_.query({"services", "--unused", "soccer:TrackedObject"}).status, 1);
+}
+
+TEST_F(Query, SaysThatNothingHasAKey) {
+  const auto odd = bench_.query({"services", "rat=30"});
+  EXPECT_EQ(odd.status, 1);
+  EXPECT_THAT(odd.errors,
+              StartsWith("geminga-query: nothing that is known has a column or attribute 'rat': there are "));
+  EXPECT_THAT(odd.errors, HasSubstr(", rate, "));
+  EXPECT_THAT(bench_.query({"services", "rat=30", "--json"}).errors, HasSubstr("'rat'"));
+  EXPECT_THAT(bench_.query({"services", "rate=31"}).errors, HasSubstr("no such service is known"));
+}
+
+TEST_F(Query, MatchesAnIdentityInTheWordsOfGcnp) {
+  EXPECT_EQ(bench_.json({"match", "text=lonely"}).as_array().size(), 1U);
+  EXPECT_EQ(bench_.json({"match", "concept=soccer:TrackedObject"}).as_array().size(), 1U);
+  EXPECT_EQ(bench_.json({"match", "--concept", "soccer:TrackedObject"}).as_array().size(), 1U);
+  EXPECT_EQ(bench_.query({"match", "id=77"}).status, 1);
+  const auto attribute = bench_.query({"match", "soccer:TrackedObject", "rate=30"});
+  EXPECT_EQ(attribute.status, 2);
+  EXPECT_THAT(attribute.errors, HasSubstr("--where 'rate = 30'"));
+  EXPECT_EQ(bench_.query({"match", "soccer:BallInfo", "soccer:GoalInfo"}).status, 2);
+  EXPECT_EQ(bench_.query({"match", "text=a", "--text", "b"}).status, 2);
+}
+
+TEST_F(Query, EndsWithTwoWhenItsOutputCannotBeWritten) {
+  auto start =
+      bench_.lab().on(0, {"/bin/sh", "-c", "exec \"$0\" services > /dev/full", system::program("geminga-query")});
+  start.environment = {{"GEMINGA_CONNECT", "127.0.0.1:" + std::to_string(bench_.lab().gcnp_port(0))}};
+  const auto ran = system::run(start);
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_EQ(ran.said, "geminga-query: standard output cannot be written: is the disk full?\n");
 }
 
 TEST(QueryWithoutOntology, SaysSo) {

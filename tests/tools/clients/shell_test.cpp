@@ -5,11 +5,13 @@
 #include <boost/json/array.hpp>
 #include <sstream>
 
+#include "shell/changes.hpp"
 #include "shell/describe.hpp"
 #include "shell/json.hpp"
 #include "shell/report.hpp"
 #include "shell/table.hpp"
 #include "shell/terminal.hpp"
+#include "shell/timestamp.hpp"
 
 namespace geminga::shell {
 namespace {
@@ -25,10 +27,19 @@ TEST(Printable, ReplacesWhatATerminalCouldObey) {
   EXPECT_EQ(printable("x\xff\xc3"), "x\ufffd\ufffd");
 }
 
-TEST(Shortened, CutsAtACharacter) {
-  EXPECT_EQ(shortened("Ölstand", 7), "Ölstand");
-  EXPECT_EQ(shortened("Ölstand", 6), "Ölsta…");
-  EXPECT_EQ(shortened("Ölstand", 1), "…");
+TEST(Wrapped, BreaksWhereAReaderWould) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
+      {"", {""}},
+      {"0123456789", {"0123456789"}},
+      {"0123456789a", {"0123456789", "a"}},
+      {"0123456 89abc", {"0123456", "89abc"}},
+      {"0123456789 abc", {"0123456789", "abc"}},
+      {"10.0.0.2,10.0.0.3", {"10.0.0.2,", "10.0.0.3"}},
+      {"a b0123456789", {"a b0123456", "789"}},
+      {"ÖÖÖÖÖÖÖÖÖÖÖ", {"ÖÖÖÖÖÖÖÖÖÖ", "Ö"}},
+  };
+  for (const auto& [text, lines] : cases) EXPECT_EQ(wrapped(text, 10), lines) << text;
+  EXPECT_EQ(wrapped("ab", 1), (std::vector<std::string>{"a", "b"}));
 }
 
 TEST(Table, AlignsItsColumns) {
@@ -52,15 +63,76 @@ TEST(Table, HasNoSpaceAtTheEndOfALine) {
   EXPECT_EQ(out.str(), "A\na\nb  (this host)\n");
 }
 
-TEST(Table, FitsIntoATerminalByCuttingItsWidestColumns) {
+std::string shown(const Table& table, std::size_t columns) {
+  std::ostringstream out;
+  table.print(out, {.is_terminal = true, .has_colour = false, .columns = columns});
+  return out.str();
+}
+
+TEST(Table, WrapsLongCellsAndCutsNothing) {
   Table table({{"A"}, {"B", false, 4}, {"C", false, 4}});
   table.add({"fixed", "bbbbbbbbbbbb", "cccccc"});
+  EXPECT_EQ(shown(table, 27), "A      B             C\nfixed  bbbbbbbbbbbb  cccccc\n");
+  EXPECT_EQ(shown(table, 26), "A      B            C\nfixed  bbbbbbbbbbb  cccccc\n       b\n");
+  EXPECT_EQ(shown(table, 1), "A      B     C\nfixed  bbbb  cccc\n       bbbb  cc\n       bbbb\n")
+      << "never below what can be read";
+}
+
+TEST(Table, LeavesOutTheLeastImportantColumnFirstAndSaysSo) {
+  Table table({{"NAME", false, 4}, {"MODE", false, 0, 1}, {"AGE", true, 0, 2}});
+  table.add({"some body", "otm/stream", "0.4 s"});
+  EXPECT_EQ(shown(table, 28), "NAME       MODE          AGE\nsome body  otm/stream  0.4 s\n");
+  EXPECT_EQ(shown(table, 23), "NAME  MODE          AGE\nsome  otm/stream  0.4 s\nbody\n") << "all are still there";
+  EXPECT_EQ(shown(table, 22),
+            "NAME       MODE\nsome body  otm/stream\nNot shown here: AGE (a\nwider terminal or\n--json shows all)\n");
+  EXPECT_EQ(shown(table, 15),
+            "NAME\nsome body\nNot shown here:\nAGE, MODE (a\nwider terminal\nor --json shows\nall)\n");
+}
+
+TEST(Table, BreaksAWordOnlyWhereNoOtherColumnCanGoOrItIsVeryLong) {
+  Table table({{"NAME", false, 4}, {"MODE", false, 0, 1}});
+  table.add({"unbroken", "otm/stream"});
+  EXPECT_THAT(shown(table, 19), testing::StartsWith("NAME\nunbroken\nNot shown here"));
+  EXPECT_THAT(shown(table, 7), testing::StartsWith("NAME\nunbroke\nn\n"));
+  table.add({std::string(60, 'x'), ""});
+  EXPECT_THAT(shown(table, 44), testing::StartsWith("NAME" + std::string(30, ' ') + "MODE\nunbroken"));
+}
+
+TEST(Table, IsAsWideAsItTakesWhereThereIsNoTerminal) {
+  Table table({{"A", false, 4}, {"B", false, 0, 1}});
+  table.add({std::string(500, 'a'), "b"});
   std::ostringstream out;
-  table.print(out, {.is_terminal = true, .has_colour = false, .columns = 20});
-  EXPECT_EQ(out.str(), "A      B      C\nfixed  bbbb…  cccccc\n");
-  std::ostringstream narrow;
-  table.print(narrow, {.is_terminal = true, .has_colour = false, .columns = 1});
-  EXPECT_EQ(narrow.str(), "A      B     C\nfixed  bbb…  ccc…\n") << "never below what can be read";
+  table.print(out, {});
+  EXPECT_THAT(out.str(), testing::EndsWith(std::string(500, 'a') + "  b\n"));
+}
+
+TEST(Encoded, LeavesNothingThatATerminalWithoutUtf8WouldGarble) {
+  EXPECT_EQ(encoded({}, "Ölstand…"), "Ölstand…");
+  Terminal terminal;
+  terminal.has_utf8 = false;
+  EXPECT_EQ(encoded(terminal, "Ölstand…"), "?lstand~");
+}
+
+TEST(Timestamp, IsUtcWithMilliseconds) {
+  using namespace std::chrono;
+  const system_clock::time_point epoch{};
+  EXPECT_EQ(timestamp(epoch), "1970-01-01T00:00:00.000Z");
+  EXPECT_EQ(timestamp(epoch + microseconds(1'999)), "1970-01-01T00:00:00.001Z") << "cut, not rounded";
+  EXPECT_EQ(timestamp(epoch - milliseconds(1)), "1969-12-31T23:59:59.999Z");
+  EXPECT_EQ(timestamp(sys_days(2028y / February / 29) + hours(23) + minutes(5) + seconds(9)),
+            "2028-02-29T23:05:09.000Z");
+}
+
+TEST(Former, HasWhatWasOtherwiseAndNothingElse) {
+  const boost::json::object before{
+      {"same", 1}, {"port", 5000}, {"gone", "x"}, {"attributes", {{"rate", "15"}, {"a", "b"}}}};
+  const boost::json::object now{
+      {"same", 1}, {"port", 5001}, {"new", true}, {"attributes", {{"rate", "30"}, {"a", "b"}}}};
+  const auto changed = former(before, now);
+  EXPECT_EQ(changed,
+            (boost::json::object{{"port", 5000}, {"gone", "x"}, {"attributes", {{"rate", "15"}}}, {"new", nullptr}}));
+  EXPECT_EQ(words_of(changed), "port was 5000, gone was x, rate was 15, new was absent");
+  EXPECT_TRUE(former(now, now).empty());
 }
 
 TEST(Words, AreShortAndExact) {

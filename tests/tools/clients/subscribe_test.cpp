@@ -4,6 +4,7 @@
 
 #include <boost/json/object.hpp>
 #include <csignal>
+#include <sstream>
 
 #include "tools/clients/bench.hpp"
 
@@ -41,7 +42,8 @@ TEST(Subscribe, PrintsWhatChangesAndWhatIsGone) {
   provider.say("1 pub create mode=otm/stream concept=soccer:BallInfo port=5000");
   ASSERT_TRUE(subscribe->wait_for("+ ")) << subscribe->said();
   provider.say("1 pub modify port=5001");
-  ASSERT_TRUE(subscribe->wait_for("~ ")) << subscribe->said();
+  ASSERT_TRUE(subscribe->wait_for("  (port was 5000)\n")) << subscribe->said();
+  EXPECT_THAT(subscribe->said(), HasSubstr("\n~ "));
   provider.say("1 pub remove");
   ASSERT_TRUE(subscribe->wait_for("  withdrawn\n")) << subscribe->said();
   EXPECT_THAT(subscribe->said(), ContainsRegex("\n- [^\n]*  soccer:BallInfo  [0-9a-f]+/[0-9]+/1  withdrawn\n"));
@@ -49,6 +51,40 @@ TEST(Subscribe, PrintsWhatChangesAndWhatIsGone) {
   ASSERT_TRUE(subscribe->wait_for("soccer:GoalInfo")) << subscribe->said();
   subscribe->signal(SIGINT);
   EXPECT_EQ(subscribe->wait(), 0);
+}
+
+TEST(Subscribe, StampsItsEventsAndNamesWhatIsGone) {
+  Bench bench;
+  auto lines = bench.start("geminga-subscribe", {"text=camera", "--timestamps"});
+  auto objects = bench.start("geminga-subscribe", {"--text", "camera", "--json"});
+  Talk provider = bench.talk();
+  provider.say("0 sys hello name=eye");
+  provider.say("1 pub create mode=otm/stream text=camera port=5000 rate=15");
+  ASSERT_TRUE(lines->wait_for("+ ")) << lines->said();
+  ASSERT_TRUE(objects->wait_for("add")) << objects->said();
+  provider.say("1 pub modify rate=30 lens=wide");
+  ASSERT_TRUE(lines->wait_for("  (rate was 15, lens was absent)\n")) << lines->said();
+  provider.say("1 pub remove");
+  ASSERT_TRUE(lines->wait_for("withdrawn\n")) << lines->said();
+  ASSERT_TRUE(objects->wait_for("withdrawn")) << objects->said();
+  EXPECT_THAT(lines->said(), ContainsRegex("^[0-9-]+T[0-9:.]+Z [+] eye@robot0 [^\n]*\n"
+                                           "[0-9-]+T[0-9:.]+Z ~ eye@robot0 [^\n]*\n[0-9-]+T[0-9:.]+Z - eye@robot0"));
+  for (auto* subscribe : {lines.get(), objects.get()}) {
+    subscribe->signal(SIGTERM);
+    EXPECT_EQ(subscribe->wait(), 0);
+  }
+  std::istringstream said(objects->said());
+  std::vector<boost::json::object> events;
+  for (std::string line; std::getline(said, line);) events.push_back(parsed(line).as_object());
+  ASSERT_EQ(events.size(), 3U) << objects->said();
+  for (const auto& event : events) {
+    EXPECT_THAT(std::string(event.at("time").as_string()),
+                testing::MatchesRegex("[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:[0-9]{2}[.][0-9]{3}Z"));
+  }
+  EXPECT_EQ(events[1].at("former"), (boost::json::object{{"attributes", {{"rate", "15"}, {"lens", nullptr}}}}));
+  EXPECT_EQ(events[2].at("reason"), "withdrawn");
+  EXPECT_EQ(events[2].at("text"), "camera");
+  EXPECT_EQ(events[2].at("name"), "eye");
 }
 
 TEST(Subscribe, EndsWithFourWhenItsTimeIsOverWithNothing) {

@@ -79,6 +79,9 @@ TEST(Programs, EndWithTwoOnWrongUsage) {
       {"geminga-publish", {"soccer:BallInfo", "--port", "5000", "rate=1", "rate=2"}},
       {"geminga-publish", {"soccer:BallInfo", "--port", "5000", "--priority", "high"}},
       {"geminga-publish", {"--text", "a", "--id", "1", "--port", "5000"}},
+      {"geminga-publish", {"rate=30", "--port", "5000"}},
+      {"geminga-publish", {"text=a", "--text", "b", "--port", "5000"}},
+      {"geminga-subscribe", {"soccer:BallInfo", "rate=30"}},
       {"geminga-subscribe", {}},
       {"geminga-subscribe", {"soccer:BallInfo", "--text", "ball"}},
       {"geminga-subscribe", {"soccer:BallInfo", "--degree", "very"}},
@@ -134,11 +137,10 @@ TEST(Programs, FindTheDaemonWhereItUsuallyIs) {
   const std::string there = "127.0.0.1:" + std::to_string(bench.lab().gcnp_port(0));
   EXPECT_EQ(bench.query({"--connect", there, "participants"}).status, 0) << "a flag";
   EXPECT_EQ(bench.query({"--connect", nobody(), "participants"}).status, 3) << "a flag beats the environment";
-  if (bench.lab().has_namespaces()) {
-    const auto usual = system::run(bench.lab().on(0, {system::program("geminga-query"), "participants"}));
-    EXPECT_EQ(usual.status, 0) << "without any word about it: " << usual.said;
-    EXPECT_EQ(bench.query({"--connect", "[::1]:4717", "participants"}).status, 0);
-  }
+  if (!bench.lab().has_namespaces()) GTEST_SKIP() << "the usual ports belong to whoever else is on this host";
+  const auto usual = system::run(bench.lab().on(0, {system::program("geminga-query"), "participants"}));
+  EXPECT_EQ(usual.status, 0) << "without any word about it: " << usual.said;
+  EXPECT_EQ(bench.query({"--connect", "[::1]:4717", "participants"}).status, 0);
 }
 
 }  // namespace

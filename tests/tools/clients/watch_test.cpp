@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <boost/json/object.hpp>
 #include <csignal>
 #include <sstream>
 
@@ -26,8 +27,52 @@ TEST(Watch, PrintsEveryChangeAsOneJsonObjectALine) {
   EXPECT_EQ(watch->wait(), 0);
   std::istringstream lines(watch->said());
   int count = 0;
-  for (std::string line; std::getline(lines, line); ++count) EXPECT_TRUE(parsed(line).is_object());
+  for (std::string line; std::getline(lines, line); ++count) {
+    const auto event = parsed(line).as_object();
+    EXPECT_THAT(std::string(event.at("time").as_string()),
+                testing::MatchesRegex("[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:[0-9]{2}[.][0-9]{3}Z"));
+    EXPECT_EQ(event.at("text"), "camera") << "what is gone is named, too";
+    if (event.at("event") == "modify") {
+      EXPECT_EQ(event.at("former"), (boost::json::object{{"attributes", {{"rate", "15"}}}}));
+    }
+    if (event.at("event") == "del") {
+      EXPECT_EQ(event.at("reason"), "withdrawn");
+    }
+  }
   EXPECT_EQ(count, 3) << watch->said();
+}
+
+TEST(Watch, BeginsLinesWithTheTimeWhereItIsToldTo) {
+  Bench bench;
+  Talk peer = bench.talk();
+  peer.say("1 pub create mode=oto text=camera port=5000");
+  EXPECT_THAT(peer.lines_until_pong(), testing::IsEmpty());
+  auto watch = bench.start("geminga-query", {"--watch", "--timestamps", "services"});
+  ASSERT_TRUE(watch->wait_for("camera")) << watch->said();
+  EXPECT_THAT(watch->said(), testing::ContainsRegex("^[0-9-]+T[0-9:.]+Z [+] "));
+  watch->signal(SIGTERM);
+  EXPECT_EQ(watch->wait(), 0);
+  EXPECT_EQ(bench.query({"--timestamps", "services"}).status, 2) << "a table has no time";
+}
+
+TEST(Watch, SaysWhyARecordIsGone) {
+  Bench bench;
+  Talk peer = bench.talk();
+  peer.say("1 pub create mode=oto text=camera port=5000 rate=30");
+  EXPECT_THAT(peer.lines_until_pong(), testing::IsEmpty());
+  auto services = bench.start("geminga-query", {"--watch", "services"});
+  auto fast = bench.start("geminga-query", {"--watch", "services", "rate=30"});
+  ASSERT_TRUE(services->wait_for("+ ")) << services->said();
+  ASSERT_TRUE(fast->wait_for("+ ")) << fast->said();
+  peer.say("1 pub modify rate=5");
+  ASSERT_TRUE(fast->wait_for("/1  changed\n")) << fast->said();
+  ASSERT_TRUE(services->wait_for("  (rate was 30)\n")) << services->said();
+  peer.say("1 pub remove");
+  ASSERT_TRUE(services->wait_for("/1  withdrawn\n")) << services->said();
+  for (auto* watch : {services.get(), fast.get()}) {
+    watch->signal(SIGTERM);
+    EXPECT_EQ(watch->wait(), 0);
+  }
 }
 
 TEST(Watch, PrintsChangesAsLinesForAReader) {

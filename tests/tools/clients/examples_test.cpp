@@ -1,0 +1,186 @@
+// Every example of every --help and of the documents for users, run as it stands there.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "tools/clients/bench.hpp"
+
+namespace geminga::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::SizeIs;
+
+/// The text with `from` replaced wherever it stands.
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+/// The commands of a text that begin with `geminga-`, each in one line, without what is said about them.
+std::vector<std::string> examples_in(const std::string& text) {
+  std::vector<std::string> found;
+  std::istringstream lines(std::regex_replace(text, std::regex(R"( *\\\n *)"), " "));
+  for (std::string line; std::getline(lines, line);) {
+    for (const char* introduction : {"Example: ", "Examples: "}) line = replaced(line, introduction, "");
+    line.erase(0, std::min(line.find_first_not_of(' '), line.size()));
+    if (!line.starts_with("geminga-") || !line.contains(' ')) continue;
+    for (const char* end : {" #", " |", " > ", "   ", " &&", " &"}) line = line.substr(0, line.find(end));
+    line.erase(line.find_last_not_of(' ') + 1);
+    found.push_back(line);
+  }
+  return found;
+}
+
+/// The commands that a program's --help lists.
+std::vector<std::string> commands_of(const std::string& help) {
+  std::vector<std::string> commands;
+  const auto begin = help.find("Subcommands:\n");
+  if (begin == std::string::npos) return commands;
+  std::istringstream lines(help.substr(help.find('\n', begin) + 1));
+  for (std::string line; std::getline(lines, line) && line.starts_with("  ");) {
+    if (line[2] != ' ') commands.push_back(line.substr(2, line.find(' ', 2) - 2));
+  }
+  return commands;
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A daemon with what the examples speak of, and a folder with the files that they name.
+class Examples : public testing::Test {
+ protected:
+  Examples() {
+    std::string path = fs::temp_directory_path() / "geminga-examples-XXXXXX";
+    if (::mkdtemp(path.data()) != nullptr) folder_ = path;
+    const fs::path shipped = fs::path(GEMINGA_SOURCE_DIR) / "ontology";
+    fs::create_directory(folder_ / "team");
+    for (const char* name : {"core.ttl", "robot-soccer.ttl"}) {
+      fs::copy_file(shipped / name, folder_ / "team" / name);
+      fs::copy_file(shipped / name, folder_ / name);
+    }
+    fs::create_directory_symlink(shipped, folder_ / "ontology");
+    const std::string soccer = text_of(shipped / "robot-soccer.ttl");
+    const auto prefix = soccer.find("@prefix soccer:");
+    const std::string own = "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n" +
+                            soccer.substr(prefix, soccer.find('\n', prefix) + 1 - prefix);
+    std::ofstream(folder_ / "expected.ttl") << own << "soccer:SharedBallInfo rdfs:subClassOf soccer:BallInfo .\n";
+    std::ofstream(folder_ / "my-team.ttl") << own << "soccer:LidarBall a <http://www.w3.org/2002/07/owl#Class> ; "
+                                           << "rdfs:subClassOf soccer:BallInfo .\n";
+    EXPECT_EQ(start("geminga-ontology compile team/ -o team.geminga")->wait(), 0);
+    provide();
+  }
+  ~Examples() override { fs::remove_all(folder_); }
+
+  void provide() {
+    peer_.say("0 sys hello name=vision");
+    EXPECT_TRUE(peer_.line_with({"0 msg hello"}));
+    peer_.say("1 pub create mode=otm/stream concept=soccer:SharedBallInfo port=5000 rate=30");
+    peer_.say("2 pub create mode=otm/pubsub text=camera port=5001 rate=30");
+    peer_.say(
+        "3 pub create mode=otm/stream concept=soccer:BallInfo representation=soccer:CartesianFieldFrame port=5002 "
+        "rate=30");
+    peer_.say("4 pub create mode=otm/stream id=0x30242948 port=5003");
+    peer_.say("5 sub create mode=oto text=nobody");
+    EXPECT_THAT(peer_.lines_until_pong(), testing::IsEmpty());
+  }
+
+  [[nodiscard]] std::unique_ptr<Process> start(const std::string& example) {
+    const std::string script = "cd '" + folder_.string() + "' && exec " + example;
+    auto start = bench_.lab().on(0, {"/bin/sh", "-c", script});
+    start.environment = {{"GEMINGA_CONNECT", "127.0.0.1:" + std::to_string(bench_.lab().gcnp_port(0))},
+                         {"PATH", GEMINGA_BINARY_DIR "/bin:/usr/bin:/bin"}};
+    return std::make_unique<Process>(std::move(start));
+  }
+
+  /// Runs one that ends by itself.
+  void run(const std::string& example) {
+    auto process = start(example);
+    EXPECT_THAT(process->wait(), AnyOf(testing::Optional(0), testing::Optional(1), testing::Optional(4)))
+        << example << '\n'
+        << process->said();
+  }
+
+  void expect_to_work(std::string example) {
+    example = replaced(example, "127.0.0.1:4718", "127.0.0.1:" + std::to_string(bench_.lab().gcnp_port(0)));
+    example = replaced(example, "/usr/local/share/geminga/ontology", "ontology");
+    example = replaced(example, "--format svg", "--format dot");  // svg needs a program that may not be installed
+    const bool goes_on = example.starts_with("geminga-publish") || example.contains("--watch");
+    if (!goes_on) {
+      const bool needs_end = example.starts_with("geminga-subscribe") && !example.contains("--timeout");
+      run(needs_end ? example + " --timeout 0.2" : example);
+      return;
+    }
+    auto process = start(example);
+    EXPECT_TRUE(process->wait_for(example.contains("--watch") ? "robot0" : "offer")) << example << '\n'
+                                                                                     << process->said();
+    process->signal(SIGTERM);
+    EXPECT_EQ(process->wait(), 0) << example << '\n' << process->said();
+  }
+
+  /// Runs every example of a program's --help and of that of its commands; how many there were.
+  std::size_t expect_help_to_work(const std::string& program) {
+    const std::string help = bench_.run(program, {"--help"}).out;
+    std::vector<std::string> examples = examples_in(help);
+    for (const std::string& command : commands_of(help)) {
+      const auto more = examples_in(bench_.run(program, {command, "--help"}).out);
+      EXPECT_THAT(more, Not(testing::IsEmpty())) << program << ' ' << command << " --help has no example";
+      examples.insert(examples.end(), more.begin(), more.end());
+    }
+    for (const std::string& example : examples) expect_to_work(example);
+    return examples.size();
+  }
+
+  fs::path folder_;
+  Bench bench_;
+  Talk peer_ = bench_.talk();
+};
+
+TEST_F(Examples, OfTheHelpOfQueryWork) { EXPECT_GE(expect_help_to_work("geminga-query"), 20U); }
+TEST_F(Examples, OfTheHelpOfPublishWork) { EXPECT_GE(expect_help_to_work("geminga-publish"), 3U); }
+TEST_F(Examples, OfTheHelpOfSubscribeWork) { EXPECT_GE(expect_help_to_work("geminga-subscribe"), 5U); }
+TEST_F(Examples, OfTheHelpOfOntologyWork) { EXPECT_GE(expect_help_to_work("geminga-ontology"), 18U); }
+
+TEST_F(Examples, OfTheReadmeWork) {
+  const auto examples = examples_in(text_of(fs::path(GEMINGA_SOURCE_DIR) / "README.md"));
+  EXPECT_THAT(examples, SizeIs(testing::Ge(8U)));
+  for (const std::string& example : examples) expect_to_work(example);
+}
+
+TEST_F(Examples, OfHowATeamWritesItsOntologyWork) {
+  const std::string document = text_of(fs::path(GEMINGA_SOURCE_DIR) / "ontology" / "README.md");
+  const auto begin = document.find("```turtle\n");
+  ASSERT_NE(begin, std::string::npos);
+  const auto text = document.find('\n', begin) + 1;
+  std::ofstream(folder_ / "tigers.ttl") << document.substr(text, document.find("```", text) - text);
+  const auto examples = examples_in(document);
+  EXPECT_THAT(examples, SizeIs(3));
+  for (const std::string& example : examples) {
+    auto process = start(example);
+    EXPECT_EQ(process->wait(), 0) << example << '\n' << process->said();
+  }
+}
+
+TEST(ExamplesIn, AreFoundInTexts) {
+  EXPECT_EQ(examples_in("Example: geminga-query why A B\n"), std::vector<std::string>{"geminga-query why A B"});
+  EXPECT_EQ(examples_in("Examples:\n  geminga-x a 'b  c'   what it does\n$ geminga-y\ngeminga-z a \\\n b && echo\n"),
+            (std::vector<std::string>{"geminga-x a 'b  c'", "geminga-z a b"}));
+  EXPECT_EQ(examples_in("geminga-x a | jq .b\ngeminga-x b > c\ngeminga-x d &   # e\n"),
+            (std::vector<std::string>{"geminga-x a", "geminga-x b", "geminga-x d"}));
+}
+
+}  // namespace
+}  // namespace geminga::tools

@@ -1,0 +1,37 @@
+// The flags that geminga-publish and geminga-subscribe share, and the stream that follows from them.
+#ifndef GEMINGA_SHELL_EVENT_OPTIONS_HPP
+#define GEMINGA_SHELL_EVENT_OPTIONS_HPP
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "geminga/service.hpp"
+#include "shell/event_printer.hpp"
+#include "shell/options.hpp"
+#include "shell/stream.hpp"
+
+namespace geminga::shell {
+
+struct EventOptions {
+  CommonOptions common;
+  IdentityOptions identity;
+  std::optional<ChannelMode> mode;
+  std::string name;  ///< of this peer
+  bool is_kept = false;
+  bool has_timestamps = false;
+
+  explicit EventOptions(std::string_view program) : name(program) {}
+
+  /// Adds the flags to the program. Borrows this for the life of `app`.
+  void add_to(CLI::App& app, const std::string& timeout_meaning, const std::string& keep_meaning);
+  [[nodiscard]] ChannelMode mode_or_stream() const { return mode.value_or(ChannelMode::one_to_many_stream); }
+  [[nodiscard]] PrinterOptions printer() const { return {common.is_json, has_timestamps}; }
+  /// A stream of the program with these flags; what it states is left to the caller. `program` lives as long as it.
+  [[nodiscard]] Stream stream(std::string_view program) const;
+};
+
+}  // namespace geminga::shell
+
+#endif
