@@ -48,6 +48,7 @@ struct NamedSubscription {
   std::uint16_t port = 0;
   std::string address;
   Attributes attributes;
+  std::vector<std::string> protocols{};
   friend bool operator==(const NamedSubscription&, const NamedSubscription&) = default;
 };
 
@@ -85,6 +86,7 @@ struct SubscriptionChange {
   std::optional<std::uint16_t> port;
   std::optional<std::string> address;
   Attributes attributes;  ///< added to those that are there; one of the same key takes its place
+  std::optional<std::vector<std::string>> protocols{};  ///< empty: any protocol again
   friend bool operator==(const SubscriptionChange&, const SubscriptionChange&) = default;
 };
 

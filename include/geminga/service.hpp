@@ -87,6 +87,7 @@ struct Subscription {
   std::uint16_t port = 0;  ///< where the consumer can be reached; 0: unstated
   std::string address;     ///< as in Publication
   Attributes attributes;
+  std::vector<std::string> protocols{};  ///< only publications with one of these; empty: any
   friend bool operator==(const Subscription&, const Subscription&) = default;
 };
 

@@ -174,6 +174,7 @@ Decoded<NumberedSubscription> subscription_of(const wire::Subscription& message,
   }
   subscription.where = message.where();
   subscription.limit = message.limit();
+  subscription.protocols.assign(message.protocols().begin(), message.protocols().end());
   if (const auto fault = find_fault(subscription)) return Failure(fault->word);
   return numbered;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "base/text.hpp"
 #include "beacon/address.hpp"
@@ -111,6 +112,25 @@ Found attributes_fault(const Attributes& attributes) {
   return std::nullopt;
 }
 
+Found protocol_fault(const std::string& protocol) {
+  constexpr auto word = DecodeError::bad_protocol;
+  if (protocol.size() > max_protocol_bytes) return oversized(word, "protocol", protocol.size(), max_protocol_bytes);
+  if (is_word(protocol)) return std::nullopt;
+  return fault(word, ErrorCode::malformed, "protocol " + base::printable(protocol) + " is no word such as udp or tcp");
+}
+
+Found protocols_fault(const std::vector<std::string>& protocols) {
+  if (protocols.size() > max_accepted_protocols) {
+    return fault(DecodeError::bad_protocol, ErrorCode::too_large,
+                 std::to_string(protocols.size()) + " protocols are too many: at most " +
+                     std::to_string(max_accepted_protocols) + " can be announced");
+  }
+  for (const auto& protocol : protocols) {
+    if (auto found = protocol_fault(protocol)) return found;
+  }
+  return std::nullopt;
+}
+
 Found filters_fault(const Subscription& subscription) {
   constexpr auto word = DecodeError::bad_filter;
   if (subscription.providers.size() > max_provider_filters) {
@@ -155,13 +175,7 @@ std::optional<Fault> find_fault(const Publication& publication) {
     return fault(DecodeError::bad_port, ErrorCode::malformed, "port 0: a service is reached at a port from 1 to 65535");
   }
   if (auto found = address_fault(publication.address)) return found;
-  if (publication.protocol.size() > max_protocol_bytes) {
-    return oversized(DecodeError::bad_protocol, "protocol", publication.protocol.size(), max_protocol_bytes);
-  }
-  if (!is_word(publication.protocol)) {
-    return fault(DecodeError::bad_protocol, ErrorCode::malformed,
-                 "protocol " + base::printable(publication.protocol) + " is no word such as udp or tcp");
-  }
+  if (auto found = protocol_fault(publication.protocol)) return found;
   return attributes_fault(publication.attributes);
 }
 
@@ -169,6 +183,7 @@ std::optional<Fault> find_fault(const Subscription& subscription) {
   if (auto found = identity_fault(subscription.identity)) return found;
   if (auto found = address_fault(subscription.address)) return found;
   if (auto found = attributes_fault(subscription.attributes)) return found;
+  if (auto found = protocols_fault(subscription.protocols)) return found;
   return filters_fault(subscription);
 }
 

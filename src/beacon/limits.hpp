@@ -27,6 +27,8 @@ inline constexpr std::size_t max_iri_bytes = 255;
 inline constexpr std::size_t max_expression_bytes = 400;
 /// The word for a transport protocol, in octets.
 inline constexpr std::size_t max_protocol_bytes = 32;
+/// Protocols that one subscription accepts.
+inline constexpr std::size_t max_accepted_protocols = 8;
 /// Attributes of one service, and the octets of a key and of a value.
 inline constexpr std::size_t max_attributes = 32;
 inline constexpr std::size_t max_attribute_key_bytes = 64;

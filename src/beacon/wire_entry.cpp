@@ -88,6 +88,7 @@ wire::Subscription to_wire(const NumberedSubscription& numbered, TermTable& term
   }
   message.set_where(numbered.subscription.where);
   message.set_limit(numbered.subscription.limit);
+  for (const auto& protocol : numbered.subscription.protocols) message.add_protocols(protocol);
   return message;
 }
 

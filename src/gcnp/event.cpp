@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "gcnp/attribute.hpp"
 #include "gcnp/parameters.hpp"
 
 namespace geminga {
@@ -93,7 +94,7 @@ void append_identity(std::vector<Parameter>& parameters, const NamedIdentity& id
 }
 
 void append_attributes(std::vector<Parameter>& parameters, const Attributes& attributes) {
-  for (const auto& [key, value] : attributes) append(parameters, key, value);
+  for (const auto& [name, value] : attributes) append(parameters, shown_key(name), value);
 }
 
 std::string peer_word(const ServiceKey& key) {

@@ -35,7 +35,7 @@ using Reply = std::variant<Event, Statement>;
 
 /// Appends `id=N`, `text=NAME`, or `concept=C [representation=R]`; for the lines of `query` too.
 void append_identity(std::vector<Parameter>& parameters, const NamedIdentity& identity);
-/// Appends the attributes, sorted by key.
+/// Appends the attributes as the daemon shows them (shown_key()), sorted by name.
 void append_attributes(std::vector<Parameter>& parameters, const Attributes& attributes);
 
 /// `PARTICIPANT/PEER`, as in `provider=` and `consumer=`.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "gcnp/attribute.hpp"
 #include "gcnp/limits.hpp"
 #include "gcnp/reserved.hpp"
 
@@ -52,6 +53,7 @@ void KeyReader::require(bool is_there, std::string_view key, std::string_view hi
 }
 
 const Parameter* KeyReader::take(std::string_view key) {
+  asked_.push_back(key);
   const auto parameter = std::ranges::find(statement_.parameters, key, &Parameter::key);
   if (parameter == statement_.parameters.end()) return nullptr;
   taken_[static_cast<std::size_t>(parameter - statement_.parameters.begin())] = true;
@@ -177,6 +179,26 @@ std::optional<std::vector<ProviderFilter>> KeyReader::providers() {
   return providers;
 }
 
+std::optional<std::vector<std::string>> KeyReader::protocols() {
+  const auto given = value("protocol");
+  if (!given) return std::nullopt;
+  std::vector<std::string> protocols;
+  for (std::size_t begin = 0; !given->empty() && begin <= given->size();) {
+    const auto comma = std::min(given->find(',', begin), given->size());
+    protocols.emplace_back(given->substr(begin, comma - begin));
+    begin = comma + 1;
+    if (protocols.back().empty()) {
+      fail_value("protocol", "a word such as udp, or several of them with commas");
+    } else if (protocols.back().size() > max_protocol_bytes) {
+      fail(ErrorCode::too_large, "a protocol is too long: at most " + std::to_string(max_protocol_bytes) + " octets");
+    }
+  }
+  if (protocols.size() > max_accepted_protocols) {
+    fail(ErrorCode::too_large, "protocol is too long: at most " + std::to_string(max_accepted_protocols) + " words");
+  }
+  return protocols;
+}
+
 std::optional<ServiceKey> KeyReader::service_key(std::string_view key) {
   const auto given = value(key);
   if (!given) return std::nullopt;
@@ -226,26 +248,51 @@ std::optional<NamedIdentity> KeyReader::identity() {
   return ConceptNames{std::move(names.concept_name).value_or(""), std::move(names.representation_name).value_or("")};
 }
 
+void KeyReader::refuse_without_effect() {
+  for (const std::string_view key : keys_without_effect) {
+    if (take(key) == nullptr) continue;
+    fail(ErrorCode::impossible, std::string(key) + " has no effect yet in this version: leave it out");
+  }
+}
+
+std::optional<std::string> KeyReader::attribute(std::string_view key) {
+  // The keys of this very statement first: of several that a word may be a slip of, the likely one is among them.
+  const bool is_told = key.starts_with(attribute_prefix) || is_reserved(key);
+  if (const auto meant = is_told ? std::nullopt : mistyped_key(key, asked_)) {
+    fail(ErrorCode::malformed, base::printable(key, 64) + " is no key: did you mean " + std::string(*meant) +
+                                   "?; an attribute of this name is written " + std::string(attribute_prefix) +
+                                   base::printable(key, 64));
+    return std::nullopt;
+  }
+  auto name = attribute_name(key);
+  if (!name) {
+    fail(name.error().code, statement_.command + ' ' + statement_.subcommand + ": " + std::move(name.error().text));
+    return std::nullopt;
+  }
+  if (name->size() > max_attribute_key_bytes) {
+    fail(ErrorCode::too_large, "the key of an attribute has at most " + std::to_string(max_attribute_key_bytes) +
+                                   " octets: " + base::printable(*name, 40));
+  }
+  return std::move(*name);
+}
+
 Attributes KeyReader::attributes() {
   Attributes attributes;
   for (std::size_t i = 0; i < taken_.size(); ++i) {
     if (taken_[i]) continue;
     const Parameter& parameter = statement_.parameters[i];
     taken_[i] = true;
-    if (is_reserved(parameter.key)) {
-      fail(ErrorCode::malformed, parameter.key + " is no key of " + statement_.command + ' ' + statement_.subcommand +
-                                     ", and reserved: choose another name for the attribute");
-    }
+    auto name = attribute(parameter.key);
+    if (!name) return {};
     const std::string_view given = parameter.value ? std::string_view(*parameter.value) : "";
-    if (parameter.key.size() > max_attribute_key_bytes) {
-      fail(ErrorCode::too_large, "the key of an attribute has at most " + std::to_string(max_attribute_key_bytes) +
-                                     " octets: " + base::printable(parameter.key, 40));
-    }
     if (given.size() > max_attribute_value_bytes) {
-      fail(ErrorCode::too_large, "attribute " + base::printable(parameter.key, 64) + " is too long: at most " +
+      fail(ErrorCode::too_large, "attribute " + base::printable(*name, 64) + " is too long: at most " +
                                      std::to_string(max_attribute_value_bytes) + " octets");
     }
-    attributes.emplace(parameter.key, given);
+    if (!attributes.emplace(std::move(*name), given).second) {
+      fail(ErrorCode::malformed,
+           base::printable(parameter.key, 64) + " is given twice, with and without its prefix: give it once");
+    }
   }
   if (attributes.size() > max_attributes) {
     fail(ErrorCode::too_large, "too many attributes: at most " + std::to_string(max_attributes));
@@ -257,8 +304,9 @@ void KeyReader::finish() {
   const auto left = std::ranges::find(taken_, false);
   if (left == taken_.end()) return;
   const auto& key = statement_.parameters[static_cast<std::size_t>(left - taken_.begin())].key;
-  fail(ErrorCode::malformed,
-       base::printable(key, 64) + " is no key of " + statement_.command + ' ' + statement_.subcommand);
+  const auto meant = mistyped_key(key, asked_);
+  fail(ErrorCode::malformed, base::printable(key, 64) + " is no key of " + statement_.command + ' ' +
+                                 statement_.subcommand + (meant ? ": did you mean " + std::string(*meant) + "?" : ""));
 }
 
 }  // namespace geminga::gcnp

@@ -39,15 +39,19 @@ class KeyReader {
   std::optional<ChannelMode> mode();
   std::optional<Degree> degree(std::string_view key);
   std::optional<std::vector<ProviderFilter>> providers();
+  /// Words with commas; none for the empty value.
+  std::optional<std::vector<std::string>> protocols();
   std::optional<ServiceKey> service_key(std::string_view key);
   /// `key` or `key=1` is true, `key=0` and no key false.
   bool flag(std::string_view key);
   /// At most one of `id`, `text`, and `concept` with or without `representation`.
   std::optional<IdentityChange> identity_change();
   std::optional<NamedIdentity> identity();
-  /// Every key that is left; 400 where one is reserved.
+  /// 422 where one of keys_without_effect is there.
+  void refuse_without_effect();
+  /// Every key that is left, as attribute_name() takes it; to be called after all others.
   Attributes attributes();
-  /// 400 where a key is left.
+  /// 400 where a key is left, with the key of this statement that it is a slip of.
   void finish();
 
  private:
@@ -56,9 +60,12 @@ class KeyReader {
   /// The value of a key that must have one.
   std::optional<std::string_view> value(std::string_view key);
   void fail_value(std::string_view key, std::string_view expected);
+  /// The attribute that a key that is left states, or nothing and an error.
+  std::optional<std::string> attribute(std::string_view key);
 
   const Statement& statement_;
   std::vector<bool> taken_;
+  std::vector<std::string_view> asked_;  ///< every key that was looked for, there or not
   std::optional<Error> error_;
 };
 

@@ -15,6 +15,8 @@ inline constexpr std::size_t max_text_bytes = 255;
 inline constexpr std::size_t max_where_bytes = 400;
 /// Octets of `protocol=`.
 inline constexpr std::size_t max_protocol_bytes = 32;
+/// Protocols in a subscription's `protocol=` list.
+inline constexpr std::size_t max_accepted_protocols = 8;
 /// Octets of `filter=`.
 inline constexpr std::size_t max_filter_bytes = 256;
 /// Attributes of one service, and octets of a key and of a value.

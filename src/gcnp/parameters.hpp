@@ -24,6 +24,9 @@ inline void append_stated(std::vector<Parameter>& parameters, std::string_view k
 /// `A/1,B`, as in `provider=`.
 [[nodiscard]] std::string provider_list(const std::vector<ProviderFilter>& providers);
 
+/// `udp,tcp`, as in a subscription's `protocol=`.
+[[nodiscard]] std::string protocol_list(const std::vector<std::string>& protocols);
+
 }  // namespace geminga::gcnp
 
 #endif

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "gcnp/attribute.hpp"
 #include "gcnp/event.hpp"
-#include "gcnp/reserved.hpp"
 
 namespace geminga::gcnp {
 namespace {
@@ -37,7 +37,7 @@ NamedIdentity identity_of(const Statement& statement) {
 Attributes attributes_of(const Statement& statement) {
   Attributes attributes;
   for (const auto& parameter : statement.parameters) {
-    if (!is_reserved(parameter.key)) attributes.emplace(parameter.key, parameter.value.value_or(""));
+    if (const auto name = shown_attribute(parameter.key)) attributes.emplace(*name, parameter.value.value_or(""));
   }
   return attributes;
 }

@@ -53,6 +53,7 @@ Request read_pub_remove(KeyReader&) { return PubRemove{}; }
 
 Request read_sub_create(KeyReader& keys) {
   NamedSubscription subscription;
+  keys.refuse_without_effect();
   const auto mode = keys.mode();
   keys.require(mode.has_value(), "mode", mode_hint);
   auto identity = keys.identity();
@@ -66,12 +67,14 @@ Request read_sub_create(KeyReader& keys) {
   subscription.priority = keys.priority().value_or(0);
   subscription.port = keys.port().value_or(0);
   subscription.address = keys.address().value_or("");
+  subscription.protocols = keys.protocols().value_or(std::vector<std::string>{});
   subscription.attributes = keys.attributes();
   return SubCreate{std::move(subscription)};
 }
 
 Request read_sub_modify(KeyReader& keys) {
   SubModify change;
+  keys.refuse_without_effect();
   change.identity = keys.identity_change();
   change.mode = keys.mode();
   change.weakest = keys.degree("match");
@@ -81,6 +84,7 @@ Request read_sub_modify(KeyReader& keys) {
   change.priority = keys.priority();
   change.port = keys.port();
   change.address = keys.address();
+  change.protocols = keys.protocols();
   change.attributes = keys.attributes();
   return change;
 }
@@ -210,8 +214,9 @@ Publication with_identity(const NamedPublication& named, Identity identity) {
 
 Subscription with_identity(const NamedSubscription& named, Identity identity) {
   const std::uint32_t usual = named.mode == ChannelMode::one_to_one ? 1 : 0;
-  return {named.mode,     std::move(identity), named.weakest, named.providers, named.where, named.limit.value_or(usual),
-          named.priority, named.port,          named.address, named.attributes};
+  return {
+      named.mode,     std::move(identity), named.weakest, named.providers,  named.where,    named.limit.value_or(usual),
+      named.priority, named.port,          named.address, named.attributes, named.protocols};
 }
 
 namespace {
@@ -238,6 +243,7 @@ void apply(const SubModify& change, Subscription& subscription) {
   subscription.providers = change.providers.value_or(subscription.providers);
   subscription.where = change.where.value_or(subscription.where);
   subscription.limit = change.limit.value_or(subscription.limit);
+  subscription.protocols = change.protocols.value_or(subscription.protocols);
 }
 
 bool matches_text(const Statement& line, std::string_view text) {

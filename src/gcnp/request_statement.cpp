@@ -1,6 +1,7 @@
 // From a request to its statement, as a client sends it. What has its default is left out.
 #include <utility>
 
+#include "gcnp/attribute.hpp"
 #include "gcnp/event.hpp"
 #include "gcnp/parameters.hpp"
 #include "gcnp/request.hpp"
@@ -20,6 +21,11 @@ void append_change(Parameters& parameters, const IdentityChange& change) {
     if (names.concept_name) append(parameters, "concept", *names.concept_name);
     if (names.representation_name) append(parameters, "representation", *names.representation_name);
   }
+}
+
+/// As a client states them, which must not be taken for mistyped keys.
+void append_own_attributes(Parameters& parameters, const Attributes& attributes) {
+  for (const auto& [name, value] : attributes) append(parameters, stated_key(name), value);
 }
 
 void append_filter(Parameters& parameters, const ListFilter& filter) {
@@ -63,13 +69,13 @@ struct Writer {
     append_stated(parameters, "address", publication.address);
     if (publication.protocol != "udp") append(parameters, "protocol", publication.protocol);
     if (publication.priority != 0) append(parameters, "priority", std::to_string(publication.priority));
-    append_attributes(parameters, publication.attributes);
+    append_own_attributes(parameters, publication.attributes);
   }
   void operator()(const PubModify& change) const {
     auto& parameters = begin("pub", "modify");
     append_common_change(parameters, change);
     if (change.protocol) append(parameters, "protocol", *change.protocol);
-    append_attributes(parameters, change.attributes);
+    append_own_attributes(parameters, change.attributes);
   }
   void operator()(const PubRemove&) const { begin("pub", "remove"); }
 
@@ -83,11 +89,12 @@ struct Writer {
     }
     append_stated(parameters, "provider", provider_list(subscription.providers));
     append_stated(parameters, "where", subscription.where);
+    append_stated(parameters, "protocol", protocol_list(subscription.protocols));
     if (subscription.limit) append(parameters, "limit", std::to_string(*subscription.limit));
     if (subscription.priority != 0) append(parameters, "priority", std::to_string(subscription.priority));
     if (subscription.port != 0) append(parameters, "port", std::to_string(subscription.port));
     append_stated(parameters, "address", subscription.address);
-    append_attributes(parameters, subscription.attributes);
+    append_own_attributes(parameters, subscription.attributes);
   }
   void operator()(const SubModify& change) const {
     auto& parameters = begin("sub", "modify");
@@ -95,8 +102,9 @@ struct Writer {
     if (change.weakest) append(parameters, "match", std::string(to_string(*change.weakest)));
     if (change.providers) append(parameters, "provider", provider_list(*change.providers));
     if (change.where) append(parameters, "where", *change.where);
+    if (change.protocols) append(parameters, "protocol", protocol_list(*change.protocols));
     if (change.limit) append(parameters, "limit", std::to_string(*change.limit));
-    append_attributes(parameters, change.attributes);
+    append_own_attributes(parameters, change.attributes);
   }
   void operator()(const SubRemove&) const { begin("sub", "remove"); }
 
@@ -144,6 +152,12 @@ Statement to_statement(std::uint32_t id, const Request& request) {
   statement.id = id;
   std::visit(Writer{statement}, request);
   return statement;
+}
+
+std::string protocol_list(const std::vector<std::string>& protocols) {
+  std::string list;
+  for (const auto& protocol : protocols) list += (list.empty() ? "" : ",") + protocol;
+  return list;
 }
 
 std::string provider_list(const std::vector<ProviderFilter>& providers) {

@@ -8,8 +8,8 @@
 
 namespace geminga::gcnp {
 
-/// The one table. A service cannot have an attribute with one of these names: in a statement where it has no meaning it
-/// is refused with 400, so that a misplaced key is told and an event is never ambiguous. Words are only ever appended.
+/// The one table. In a statement where a word has no meaning it is refused with 400, so that a misplaced key is told;
+/// an attribute of that name is written with its prefix (gcnp/attribute.hpp). Words are only ever appended.
 inline constexpr auto reserved_keys = std::to_array<std::string_view>({"mode",
                                                                        "id",
                                                                        "text",
@@ -36,7 +36,15 @@ inline constexpr auto reserved_keys = std::to_array<std::string_view>({"mode",
                                                                        "used",
                                                                        "served",
                                                                        "participant",
-                                                                       "peer"});
+                                                                       "peer",
+                                                                       "favour",
+                                                                       "prefer",
+                                                                       "convert",
+                                                                       "scope"});
+
+/// Keys of a subscription that have a meaning already and no effect yet: 422, so that nobody relies on what is not
+/// done.
+inline constexpr auto keys_without_effect = std::to_array<std::string_view>({"favour", "prefer", "convert", "scope"});
 
 [[nodiscard]] constexpr bool is_reserved(std::string_view key) {
   return std::ranges::find(reserved_keys, key) != reserved_keys.end();

@@ -80,7 +80,7 @@ void Choice::promote_best(Verdict& verdict) {
 
 void Choice::demote_worst(Verdict& verdict) {
   const auto node = chosen_.extract(std::prev(chosen_.end()));
-  verdict.gone.push_back({node.mapped().publication, node.mapped().told, Reason::outranked});
+  verdict.outranked.push_back({node.mapped().publication, node.mapped().told, Reason::outranked});
   wait(node.key(), node.mapped());
 }
 
@@ -104,7 +104,9 @@ Verdict Choice::settle(const std::function<void()>& refill) {
     verdict.kept.push_back({at->second.publication, at->second.told, rank.match});
     at->second.told = rank.match;
   }
-  std::ranges::sort(verdict.gone, {}, [](const Verdict::Gone& gone) { return gone.publication->entry.key; });
+  for (auto* gone : {&verdict.gone, &verdict.outranked}) {
+    std::ranges::sort(*gone, {}, [](const Verdict::Gone& one) { return one.publication->entry.key; });
+  }
   return verdict;
 }
 

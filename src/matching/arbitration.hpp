@@ -56,9 +56,10 @@ struct Verdict {
     const registry::StoredPublication* publication = nullptr;
     Match match;
   };
-  std::vector<Gone> gone;  ///< ascending by key
-  std::vector<Kept> kept;  ///< chosen before and after, and touched in between; best first
-  std::vector<Come> come;  ///< best first
+  std::vector<Gone> gone;       ///< candidates no more; ascending by key
+  std::vector<Gone> outranked;  ///< still candidates, which others have pushed out; ascending by key
+  std::vector<Kept> kept;       ///< chosen before and after, and touched in between; best first
+  std::vector<Come> come;       ///< best first
 };
 
 /// The candidates of one subscription. The chosen ones are the first `limit` in the order of Rank, except that a chosen

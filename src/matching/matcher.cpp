@@ -44,21 +44,22 @@ void Matcher::remove_participant(ParticipantId participant, Reason reason) {
                  reason);
 }
 
-void Matcher::expire(base::Instant now) {
-  state_->remove(state_->publications_.due(now), state_->subscriptions_.due(now), Reason::expired);
-}
-
-base::Instant Matcher::next_deadline() const {
-  return std::min(state_->publications_.next_deadline(), state_->subscriptions_.next_deadline());
-}
-
 void Matcher::set_ontology(const el::Ontology* ontology) { state_->set_ontology(ontology); }
 
 void Matcher::place_again() { state_->place_again(); }
 
 std::vector<Event> Matcher::take_events() { return std::exchange(state_->events_, {}); }
 
-std::vector<Ranked> Matcher::match(const Subscription& request) const { return state_->match(request); }
+std::vector<Ranked> Matcher::match(const Subscription& request) const {
+  return state_->match(request, prepared(request, state_->ontology_, state_->placing_));
+}
+
+std::optional<Standing> Matcher::standing(const ServiceKey& subscription, const ServiceKey& publication) const {
+  const StoredSubscription* asked = state_->subscriptions_.find(subscription);
+  const StoredPublication* offered = state_->publications_.find(publication);
+  if (asked == nullptr || offered == nullptr) return std::nullopt;
+  return state_->standing(*asked, *offered);
+}
 
 std::expected<Match, std::string> Matcher::why(const registry::SubscriptionEntry& request,
                                                const registry::PublicationEntry& offer) const {

@@ -5,6 +5,7 @@
 #include <expected>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "geminga/service.hpp"
 #include "matching/degree.hpp"
 #include "matching/event.hpp"
+#include "matching/standing.hpp"
 #include "matching/where.hpp"  // check_where() is part of this seam
 #include "registry/entry.hpp"
 
@@ -25,12 +27,13 @@ struct Ranked {
 };
 
 /// Holds the registry, matches and arbitrates. Not thread-safe. Feeding it is idempotent: a put of what is there
-/// already refreshes its deadline and causes no event. No event is ever doubled: per (to, about) the stream is add
+/// already only moves its age and causes no event. No event is ever doubled: per (to, about) the stream is add
 /// (modify)* del.
 ///
 /// Arbitration order: greater priority, better degree, smaller distance, the incumbent, then the smaller key. In the
-/// events of one cause a subscription's dels come before its modifies and these before its adds, and subscriptions
-/// follow each other by key.
+/// events of one cause a subscription first loses what matches no more, then come its modifies, then its adds, and the
+/// dels of what was outranked last: a consumer whose provider gives way to a better one is never without, and has one
+/// more than its limit for so long. Subscriptions follow each other by key.
 ///
 /// A subscription may ask for a class expression. It is filed under the classes right below the expression's place in
 /// the taxonomy, so that a new publication finds it as it finds any other request above its concept; no class is added
@@ -60,10 +63,6 @@ class Matcher {
   /// Removes all of a peer, or all of a participant.
   void remove_peer(ParticipantId participant, PeerId peer, Reason reason);
   void remove_participant(ParticipantId participant, Reason reason);
-  /// Removes what has its deadline at or before `now`.
-  void expire(base::Instant now);
-  /// The earliest deadline, or base::never.
-  [[nodiscard]] base::Instant next_deadline() const;
   /// Swaps the ontology and matches everything again; what stays matched gets no event. From then on `placing` must
   /// give places in the new one.
   void set_ontology(const el::Ontology* ontology);
@@ -78,6 +77,8 @@ class Matcher {
   /// How this offer meets this request by identity, mode, provider and filter; the error says what does not fit.
   [[nodiscard]] std::expected<Match, std::string> why(const registry::SubscriptionEntry& request,
                                                       const registry::PublicationEntry& offer) const;
+  /// How a publication stands in the arbitration of a subscription, both known here; nothing where they do not match.
+  [[nodiscard]] std::optional<Standing> standing(const ServiceKey& subscription, const ServiceKey& publication) const;
   /// In ascending order of key.
   void for_each_publication(const std::function<void(const registry::PublicationEntry&)>& visit) const;
   void for_each_subscription(const std::function<void(const registry::SubscriptionEntry&)>& visit) const;

@@ -31,6 +31,11 @@ bool is_accepted_provider(const Subscription& subscription, const PublicationEnt
   return subscription.providers.empty() || std::ranges::any_of(subscription.providers, accepts);
 }
 
+bool is_accepted_protocol(const Subscription& subscription, const PublicationEntry& publication) {
+  return subscription.protocols.empty() ||
+         std::ranges::find(subscription.protocols, publication.publication.protocol) != subscription.protocols.end();
+}
+
 std::string kind_of(const Identity& identity) {
   if (std::holds_alternative<NumericIdentity>(identity)) return "a number";
   return std::holds_alternative<TextIdentity>(identity) ? "a text" : "a concept";
@@ -114,6 +119,7 @@ std::optional<Match> meets(const Subscription& subscription, const Request& requ
                            const PublicationEntry& publication, const Classes& offered, const el::Ontology* ontology) {
   if (subscription.mode != publication.publication.mode || !request.where) return std::nullopt;
   if (!is_accepted_provider(subscription, publication)) return std::nullopt;
+  if (!is_accepted_protocol(subscription, publication)) return std::nullopt;
   const auto match =
       degree_of_identity(publication.publication.identity, offered, subscription.identity, request.classes, ontology);
   if (!match || match->degree > subscription.weakest || !request.where->accepts(publication)) return std::nullopt;
@@ -139,10 +145,14 @@ std::expected<Match, std::string> explained(const Subscription& subscription, co
         std::string(to_string(subscription.mode)) + " is asked for");
   }
   if (!is_accepted_provider(subscription, publication)) say("provider: it is not among those that are asked for");
+  if (!is_accepted_protocol(subscription, publication)) {
+    say("protocol: " + base::printable(publication.publication.protocol) + " is offered, and none of those asked for");
+  }
   if (!request.where) {
     say("filter: it cannot be read");
   } else if (!request.where->accepts(publication)) {
-    say("filter: " + base::printable(subscription.where) + " does not hold");
+    say("filter: " + base::printable(subscription.where, max_shown_expression) +
+        " does not hold: " + request.where->misses(publication));
   }
   return std::unexpected(why);
 }

@@ -57,7 +57,7 @@ void Matcher::State::put(PublicationEntry entry) {
     known = nullptr;
   }
   if (known != nullptr && known->entry.same_as(entry)) {
-    publications_.refresh(*known, entry.updated, entry.deadline);
+    publications_.refresh(*known, entry.updated);
     return;
   }
   const StoredPublication& stored = store(std::move(entry), known);
@@ -79,7 +79,7 @@ void Matcher::State::put(SubscriptionEntry entry) {
     known = nullptr;
   }
   if (known != nullptr && known->entry.same_as(entry)) {
-    subscriptions_.refresh(*known, entry.updated, entry.deadline);
+    subscriptions_.refresh(*known, entry.updated);
     return;
   }
   const StoredSubscription& stored = store(std::move(entry), known);
@@ -223,8 +223,7 @@ void Matcher::State::forget_dropped(const StoredSubscription& subscription) {
   }
 }
 
-std::vector<Ranked> Matcher::State::match(const Subscription& asked) const {
-  const Request request = prepared(asked, ontology_, placing_);
+std::vector<Ranked> Matcher::State::match(const Subscription& asked, const Request& request) const {
   std::vector<Ranked> ranked;
   visit_publications(publications_, asked.identity, request.classes, asked.weakest, ontology_,
                      [&](const StoredPublication& publication) {

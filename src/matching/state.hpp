@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "matching/candidates.hpp"
 #include "matching/matcher.hpp"
 #include "matching/request.hpp"
+#include "matching/standing.hpp"
 #include "registry/table.hpp"
 
 namespace geminga::matching {
@@ -37,7 +39,9 @@ class Matcher::State {
     return prepared(entry.subscription, ontology_, placing_, entry.key.participant);
   }
 
-  [[nodiscard]] std::vector<Ranked> match(const Subscription& request) const;
+  [[nodiscard]] std::vector<Ranked> match(const Subscription& asked, const Request& request) const;
+  [[nodiscard]] std::optional<Standing> standing(const registry::StoredSubscription& subscription,
+                                                 const registry::StoredPublication& publication) const;
   [[nodiscard]] bool is_served(const registry::SubscriptionEntry& subscription) const;
   [[nodiscard]] bool is_used(const registry::PublicationEntry& publication) const;
 

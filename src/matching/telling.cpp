@@ -13,10 +13,11 @@ using registry::SubscriptionEntry;
 void Matcher::State::settle(const StoredSubscription& subscription) {
   const Verdict verdict = of(subscription).choice.settle([&] { refill(subscription); });
   forget_dropped(subscription);
-  for (const auto& gone : verdict.gone) {
+  const auto tell_gone = [&](const Verdict::Gone& gone) {
     tell_consumer(Change::del, subscription, *gone.publication, gone.told, gone.reason);
     tell_provider(Change::del, subscription, *gone.publication, gone.told, gone.reason);
-  }
+  };
+  for (const auto& gone : verdict.gone) tell_gone(gone);
   for (const auto& kept : verdict.kept) {
     const bool is_other_match = kept.told != kept.match;
     const bool is_other_publication = replaced_publication_.stored == kept.publication;
@@ -32,6 +33,8 @@ void Matcher::State::settle(const StoredSubscription& subscription) {
     tell_consumer(Change::add, subscription, *come.publication, come.match);
     tell_provider(Change::add, subscription, *come.publication, come.match);
   }
+  // Last, so that a consumer has the better one before the worse one goes, and is never without.
+  for (const auto& gone : verdict.outranked) tell_gone(gone);
 }
 
 void Matcher::State::tell_consumer(Change change, const StoredSubscription& subscription,

@@ -32,6 +32,35 @@ bool is_keyword(std::string_view word, std::string_view keyword) {
   return std::ranges::equal(word, keyword, {}, lower);
 }
 
+std::size_t count_digits(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
+}
+
+void skip_sign(std::string_view& text) {
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+}
+
+/// `[sign] digits [ "." digits ] [ "e" [sign] digits ]`, whatever its size.
+bool has_number_form(std::string_view text) {
+  const auto take_digits = [&text] {
+    const std::size_t count = count_digits(text);
+    text.remove_prefix(count);
+    return count != 0;
+  };
+  skip_sign(text);
+  if (!take_digits()) return false;
+  if (text.starts_with('.')) {
+    text.remove_prefix(1);
+    if (!take_digits()) return false;
+  }
+  if (text.starts_with('e') || text.starts_with('E')) {
+    text.remove_prefix(1);
+    skip_sign(text);
+    if (!take_digits()) return false;
+  }
+  return text.empty();
+}
+
 bool is_reserved(std::string_view word) {
   return std::ranges::any_of(std::array<std::string_view, 4>{"and", "or", "not", "has"},
                              [word](std::string_view keyword) { return is_keyword(word, keyword); });
@@ -40,20 +69,18 @@ bool is_reserved(std::string_view word) {
 }  // namespace
 
 bool is_number(std::string_view text) {
-  std::string_view digits = text;
-  if (!digits.empty() && (digits.front() == '-' || digits.front() == '+')) digits.remove_prefix(1);
-  if (digits.empty() || !is_digit(digits.front())) return false;
+  if (!has_number_form(text)) return false;
+  if (text.front() == '+') text.remove_prefix(1);
   double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  return error == std::errc() && end == digits.data() + digits.size() && std::isfinite(value);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
 }
 
-std::expected<std::vector<Node>, Error> WhereParser::parse() {
-  const Result root = any_of(0);
-  if (!root) return std::unexpected(root.error());
+std::expected<Where::Parsed, Error> WhereParser::parse() {
+  if (const Result root = any_of(0); !root) return std::unexpected(root.error());
   skip_blanks();
   if (at_ != text_.size()) return wrong("expected 'and', 'or' or the end");
-  return std::move(nodes_);
+  return std::move(parsed_);
 }
 
 WhereParser::Result WhereParser::any_of(std::size_t depth) { return chain(Node::Kind::any_of, "or", "||", depth); }
@@ -63,13 +90,13 @@ WhereParser::Result WhereParser::all_of(std::size_t depth) { return chain(Node::
 WhereParser::Result WhereParser::chain(Node::Kind kind, std::string_view joining, std::string_view sign,
                                        std::size_t depth) {
   const auto operand = [&] { return kind == Node::Kind::any_of ? all_of(depth) : unary(depth); };
-  Node node{kind, {}, {}, {}, {}};
+  const std::size_t first = parsed_.nodes.size();
+  Node node{.kind = kind};
   do {
-    const Result next = operand();
-    if (!next) return next;
-    node.children.push_back(*next);
+    if (Result next = operand(); !next) return next;
+    ++node.operands;
   } while (take_word(joining) || take_sign(sign));
-  return node.children.size() == 1 ? Result(node.children.front()) : add(std::move(node));
+  return node.operands == 1 ? Result() : add(node, first);
 }
 
 WhereParser::Result WhereParser::unary(std::size_t depth) {
@@ -82,8 +109,9 @@ WhereParser::Result WhereParser::unary(std::size_t depth) {
   if (take_word("not") || (!text_.substr(at_).starts_with("!=") && take_sign("!"))) {
     const auto level = deeper();
     if (!level) return std::unexpected(level.error());
-    const Result negated = unary(*level);
-    return negated ? add(Node{Node::Kind::negation, {*negated}, {}, {}, {}}) : negated;
+    const std::size_t first = parsed_.nodes.size();
+    Result negated = unary(*level);
+    return negated ? add(Node{.kind = Node::Kind::negation, .operands = 1}, first) : negated;
   }
   if (take_sign("(")) {
     const auto level = deeper();
@@ -96,22 +124,27 @@ WhereParser::Result WhereParser::unary(std::size_t depth) {
 }
 
 WhereParser::Result WhereParser::has() {
-  auto name = key("expected a key after 'has'");
+  const auto name = key("expected a key after 'has'");
   if (!name) return std::unexpected(name.error());
-  return add(Node{Node::Kind::has, {}, std::move(*name), {}, {}});
+  return add(Node{.kind = Node::Kind::has, .key = *name}, parsed_.nodes.size());
 }
 
 WhereParser::Result WhereParser::comparison() {
-  auto name = key("expected a key, 'has', 'not' or '('");
+  const auto name = key("expected a key, 'has', 'not' or '('");
   if (!name) return std::unexpected(name.error());
   const auto sign = operation();
   if (!sign) return std::unexpected(sign.error());
-  auto value = literal();
+  const auto value = literal();
   if (!value) return std::unexpected(value.error());
-  return add(Node{Node::Kind::comparison, {}, std::move(*name), *sign, std::move(*value)});
+  return add(Node{.kind = Node::Kind::comparison,
+                  .operation = *sign,
+                  .is_number = value->is_number,
+                  .key = *name,
+                  .value = value->text},
+             parsed_.nodes.size());
 }
 
-std::expected<std::string, Error> WhereParser::key(std::string_view wanted) {
+std::expected<Where::Slice, Error> WhereParser::key(std::string_view wanted) {
   skip_blanks();
   const std::string_view name = word();
   if (name.empty() || is_reserved(name)) return wrong(wanted);
@@ -121,7 +154,7 @@ std::expected<std::string, Error> WhereParser::key(std::string_view wanted) {
                  at_ + static_cast<std::size_t>(odd - name.begin()));
   }
   at_ += name.size();
-  return std::string(name);
+  return keep(name);
 }
 
 std::expected<Where::Operator, Error> WhereParser::operation() {
@@ -135,19 +168,23 @@ std::expected<Where::Operator, Error> WhereParser::operation() {
   return wrong("expected =, !=, <, <=, > or >=");
 }
 
-std::expected<Where::Literal, Error> WhereParser::literal() {
+std::expected<WhereParser::Literal, Error> WhereParser::literal() {
   skip_blanks();
   if (at_ < text_.size() && (text_[at_] == '"' || text_[at_] == '\'')) return quoted();
   const std::string_view bare = word();
   if (bare.empty() || is_reserved(bare)) return wrong("expected a number, a word or a quoted text");
+  const bool is_numeric = is_number(bare);
+  // As a text it would be compared by its digits, which nobody means.
+  if (!is_numeric && has_number_form(bare))
+    return wrong("this number is out of range: quote it to compare it as a text");
   at_ += bare.size();
-  return Where::Literal{std::string(bare), is_number(bare)};
+  return Literal{keep(bare), is_numeric};
 }
 
-std::expected<Where::Literal, Error> WhereParser::quoted() {
+std::expected<WhereParser::Literal, Error> WhereParser::quoted() {
   const std::size_t begin = at_;
   const char quote = text_[at_++];
-  Where::Literal read;
+  std::string read;
   while (at_ < text_.size() && text_[at_] != quote) {
     if (text_[at_] == '\\') {
       ++at_;
@@ -155,17 +192,24 @@ std::expected<Where::Literal, Error> WhereParser::quoted() {
       if (text_[at_] != '\\' && text_[at_] != '"' && text_[at_] != '\'')
         return wrong("only \\\\, \\\" and \\' are escapes");
     }
-    read.text += text_[at_++];
+    read += text_[at_++];
   }
   if (at_ >= text_.size()) return wrong("this text has no closing quote", begin);
   ++at_;
-  if (!base::is_valid_utf8(read.text)) return wrong("this text is no UTF-8", begin);
-  return read;
+  if (!base::is_valid_utf8(read)) return wrong("this text is no UTF-8", begin);
+  return Literal{keep(read), false};
 }
 
-WhereParser::Result WhereParser::add(Node node) {
-  nodes_.push_back(std::move(node));
-  return static_cast<std::uint32_t>(nodes_.size() - 1);
+WhereParser::Result WhereParser::add(Node node, std::size_t first) {
+  node.first = static_cast<std::uint16_t>(first);
+  parsed_.nodes.push_back(node);
+  return {};
+}
+
+Where::Slice WhereParser::keep(std::string_view text) {
+  const Where::Slice slice{static_cast<std::uint16_t>(parsed_.texts.size()), static_cast<std::uint16_t>(text.size())};
+  parsed_.texts += text;
+  return slice;
 }
 
 void WhereParser::skip_blanks() {

@@ -7,7 +7,6 @@
 #include <expected>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "geminga/error.hpp"
 #include "matching/where.hpp"
@@ -19,11 +18,16 @@ class WhereParser {
   /// Borrows the expression. Requires at most max_where_octets of it.
   explicit WhereParser(std::string_view expression) : text_(expression) {}
 
-  /// The nodes, children before parents, the root last.
-  [[nodiscard]] std::expected<std::vector<Where::Node>, Error> parse();
+  [[nodiscard]] std::expected<Where::Parsed, Error> parse();
 
  private:
-  using Result = std::expected<std::uint32_t, Error>;  ///< the number of a node
+  using Result = std::expected<void, Error>;  ///< its node is the last one then
+
+  /// What a comparison compares with: a text, and a number where it was written as one.
+  struct Literal {
+    Where::Slice text;
+    bool is_number = false;
+  };
 
   Result any_of(std::size_t depth);
   Result all_of(std::size_t depth);
@@ -33,12 +37,14 @@ class WhereParser {
   /// One or more operands joined by a word or its sign.
   Result chain(Where::Node::Kind kind, std::string_view word, std::string_view sign, std::size_t depth);
 
-  std::expected<std::string, Error> key(std::string_view wanted);
+  std::expected<Where::Slice, Error> key(std::string_view wanted);
   std::expected<Where::Operator, Error> operation();
-  std::expected<Where::Literal, Error> literal();
-  std::expected<Where::Literal, Error> quoted();
+  std::expected<Literal, Error> literal();
+  std::expected<Literal, Error> quoted();
 
-  Result add(Where::Node node);
+  /// Adds a node whose operands are the nodes from `first` on.
+  Result add(Where::Node node, std::size_t first);
+  Where::Slice keep(std::string_view text);
   void skip_blanks();
   /// The run of word octets at the current place, not consumed.
   [[nodiscard]] std::string_view word() const;
@@ -49,7 +55,7 @@ class WhereParser {
 
   std::string_view text_;
   std::size_t at_ = 0;
-  std::vector<Where::Node> nodes_;
+  Where::Parsed parsed_;
 };
 
 /// Whether the text is a number as WHERE.md defines it: decimal, finite, perhaps with sign, fraction and exponent.

@@ -15,6 +15,7 @@
 #include "participant/counters.hpp"
 #include "participant/expressions.hpp"
 #include "participant/ontology_state.hpp"
+#include "participant/ontology_watch.hpp"
 #include "participant/session.hpp"
 #include "participant/settings.hpp"
 
@@ -40,6 +41,7 @@ struct Core {
   const Settings settings;
   const el::Ontology* ontology;
   OntologyState ontology_state;
+  OntologyWatch ontology_watch;
   Expressions expressions;
   matching::Matcher matcher;
   beacon::NeighbourTable neighbours;

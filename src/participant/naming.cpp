@@ -118,7 +118,8 @@ NamedSubscription named(const el::Ontology* ontology, const Subscription& subscr
                            .priority = subscription.priority,
                            .port = subscription.port,
                            .address = subscription.address,
-                           .attributes = subscription.attributes};
+                           .attributes = subscription.attributes,
+                           .protocols = subscription.protocols};
 }
 
 std::string digest_word(std::uint64_t digest) { return digest == 0 ? "-" : base::to_hex(digest, 16); }

@@ -266,6 +266,7 @@ class Participant::State {
           fail();
           break;
       }
+      core.ontology_watch.look(core);
       close_closing();
       core.deliver_events();
       for (const auto& [stream, session] : core.sessions) {

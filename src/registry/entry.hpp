@@ -1,4 +1,4 @@
-// A publication or subscription as the registry keeps it: what was stated, by whom, and until when it counts.
+// A publication or subscription as the registry keeps it: what was stated, by whom, and when it was last heard.
 #ifndef GEMINGA_REGISTRY_ENTRY_HPP
 #define GEMINGA_REGISTRY_ENTRY_HPP
 
@@ -16,8 +16,7 @@ struct PublicationEntry {
   std::string peer_name;
   std::string participant_name;
   bool is_local = false;  ///< offered by a peer of this very participant
-  base::Instant updated;  ///< last heard; the timestamp index of paper section 3.6
-  base::Instant deadline = base::never;
+  base::Instant updated;  ///< last heard; shown as `age`. When it expires is the neighbour table's to decide.
   /// Whether a consumer would see a difference; provenance times do not count.
   [[nodiscard]] bool same_as(const PublicationEntry& other) const {
     return key == other.key && publication == other.publication && peer_name == other.peer_name &&
@@ -32,7 +31,6 @@ struct SubscriptionEntry {
   std::string participant_name;
   bool is_local = false;
   base::Instant updated;
-  base::Instant deadline = base::never;
   [[nodiscard]] bool same_as(const SubscriptionEntry& other) const {
     return key == other.key && subscription == other.subscription && peer_name == other.peer_name &&
            participant_name == other.participant_name;

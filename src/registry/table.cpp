@@ -23,9 +23,6 @@ namespace mi = boost::multi_index;
 
 struct ByKey {};
 struct InKeyOrder {};
-struct ByDescription {};
-struct ByUpdate {};
-struct ByDeadline {};
 
 /// Spreads the bits of a number over a word (the finaliser of splitmix64).
 std::size_t mixed(std::uint64_t bits) {
@@ -43,41 +40,10 @@ struct KeyHash {
   std::size_t operator()(const ServiceKey& key) const { return hash_of(key.participant, key.peer, key.number); }
 };
 
-/// A borrowed Description. Its hash uses the 32-bit identity, so that refreshing an entry never hashes a name.
-struct DescriptionView {
-  PeerId peer;
-  ParticipantId participant;
-  Id32 id;
-  const Identity* identity;
-  ChannelMode mode;
-  std::string_view address;
-};
-
-struct DescriptionHash {
-  std::size_t operator()(const DescriptionView& view) const {
-    return mixed(hash_of(view.participant, view.peer, view.id) + std::to_underlying(view.mode) +
-                 std::hash<std::string_view>{}(view.address));
-  }
-};
-
-struct SameDescription {
-  bool operator()(const DescriptionView& a, const DescriptionView& b) const {
-    return a.peer == b.peer && a.participant == b.participant && a.id == b.id && a.mode == b.mode &&
-           a.address == b.address && *a.identity == *b.identity;
-  }
-};
-
 /// The element of the container: a stored entry and the keys that are read from it.
 template <typename Entry>
 struct Element : Stored<Entry> {
   [[nodiscard]] const ServiceKey& key() const { return this->entry.key; }
-  [[nodiscard]] base::Instant updated() const { return this->entry.updated; }
-  [[nodiscard]] base::Instant deadline() const { return this->entry.deadline; }
-  [[nodiscard]] DescriptionView description() const {
-    const auto& about = this->entry;
-    return {about.key.peer,      about.key.participant, this->identity,
-            &identity_of(about), mode_of(about),        address_of(about)};
-  }
 };
 
 template <typename Entry>
@@ -87,14 +53,7 @@ using Container = mi::multi_index_container<
         mi::hashed_unique<mi::tag<ByKey>, mi::const_mem_fun<Element<Entry>, const ServiceKey&, &Element<Entry>::key>,
                           KeyHash>,
         mi::ordered_unique<mi::tag<InKeyOrder>,
-                           mi::const_mem_fun<Element<Entry>, const ServiceKey&, &Element<Entry>::key>>,
-        mi::hashed_non_unique<mi::tag<ByDescription>,
-                              mi::const_mem_fun<Element<Entry>, DescriptionView, &Element<Entry>::description>,
-                              DescriptionHash, SameDescription>,
-        mi::ordered_non_unique<mi::tag<ByUpdate>,
-                               mi::const_mem_fun<Element<Entry>, base::Instant, &Element<Entry>::updated>>,
-        mi::ordered_non_unique<mi::tag<ByDeadline>,
-                               mi::const_mem_fun<Element<Entry>, base::Instant, &Element<Entry>::deadline>>>>;
+                           mi::const_mem_fun<Element<Entry>, const ServiceKey&, &Element<Entry>::key>>>>;
 
 /// Compares keys by what is given of them, so that the entries of a participant or a peer are one range of the key
 /// order.
@@ -121,11 +80,6 @@ auto pointers(const Range& range) {
 template <typename Entry, typename Elements>
 std::vector<const Stored<Entry>*> plain(const Elements& elements) {
   return {elements.begin(), elements.end()};
-}
-
-template <typename Entry>
-void sort_by_key(std::vector<const Stored<Entry>*>& entries) {
-  std::ranges::sort(entries, {}, [](const Stored<Entry>* stored) { return stored->entry.key; });
 }
 
 }  // namespace
@@ -200,11 +154,9 @@ void Table<Entry>::replace(const StoredEntry& stored, Entry entry, const Filing&
 }
 
 template <typename Entry>
-void Table<Entry>::refresh(const StoredEntry& stored, base::Instant updated, base::Instant deadline) {
-  indexes_->container.modify(indexes_->position_of(stored), [&](Element<Entry>& element) {
-    element.entry.updated = updated;
-    element.entry.deadline = deadline;
-  });
+void Table<Entry>::refresh(const StoredEntry& stored, base::Instant updated) {
+  indexes_->container.modify(indexes_->position_of(stored),
+                             [&](Element<Entry>& element) { element.entry.updated = updated; });
 }
 
 template <typename Entry>
@@ -275,41 +227,8 @@ std::vector<const Stored<Entry>*> Table<Entry>::of_peer(ParticipantId participan
 }
 
 template <typename Entry>
-std::vector<const Stored<Entry>*> Table<Entry>::described(const Description& description) const {
-  const DescriptionView view{description.peer,      description.participant, id32(description.identity),
-                             &description.identity, description.mode,        description.address};
-  const auto& index = indexes_->container.template get<ByDescription>();
-  auto entries = plain<Entry>(pointers(index.equal_range(view)));
-  sort_by_key<Entry>(entries);
-  return entries;
-}
-
-template <typename Entry>
 void Table<Entry>::for_each(const std::function<void(const StoredEntry&)>& visit) const {
   for (const auto& element : indexes_->container.template get<InKeyOrder>()) visit(element);
-}
-
-template <typename Entry>
-base::Instant Table<Entry>::next_deadline() const {
-  const auto& index = indexes_->container.template get<ByDeadline>();
-  return index.empty() ? base::never : index.begin()->entry.deadline;
-}
-
-template <typename Entry>
-std::vector<const Stored<Entry>*> Table<Entry>::due(base::Instant now) const {
-  const auto& index = indexes_->container.template get<ByDeadline>();
-  auto entries = plain<Entry>(pointers(std::pair(index.begin(), index.upper_bound(now))));
-  sort_by_key<Entry>(entries);
-  return entries;
-}
-
-template <typename Entry>
-std::vector<const Stored<Entry>*> Table<Entry>::not_updated_since(base::Instant instant) const {
-  const auto& index = indexes_->container.template get<ByUpdate>();
-  auto entries = plain<Entry>(pointers(std::pair(index.begin(), index.lower_bound(instant))));
-  std::ranges::stable_sort(
-      entries, {}, [](const StoredEntry* stored) { return std::pair(stored->entry.updated, stored->entry.key); });
-  return entries;
 }
 
 template class Table<PublicationEntry>;

@@ -31,15 +31,6 @@ struct Filing {
   std::span<const ClassIndex> further_own{};
 };
 
-/// The five fields that describe a service in paper section 3.6.
-struct Description {
-  PeerId peer{};
-  ParticipantId participant{};
-  Identity identity;
-  ChannelMode mode = ChannelMode::one_to_one;
-  std::string address;
-};
-
 /// Entries of one kind, unique by ServiceKey. Resource: neither copied nor moved. Not thread-safe. Spans and vectors of
 /// entries that are given out are valid until the next change of the table.
 template <typename Entry>
@@ -56,8 +47,8 @@ class Table {
   const StoredEntry& insert(Entry entry, const Filing& filing);
   /// Puts another entry with the same key into the place of one; its slot and address stay. O(log n + filings).
   void replace(const StoredEntry& stored, Entry entry, const Filing& filing);
-  /// Moves an entry in the orders of time and nothing else.
-  void refresh(const StoredEntry& stored, base::Instant updated, base::Instant deadline);
+  /// Says that an entry was heard of again, as it is. O(1).
+  void refresh(const StoredEntry& stored, base::Instant updated);
   /// Removes an entry. O(log n + filings), however many entries share its buckets.
   void erase(const StoredEntry& stored);
 
@@ -81,16 +72,7 @@ class Table {
   /// In ascending order of key.
   [[nodiscard]] std::vector<const StoredEntry*> of_participant(ParticipantId participant) const;
   [[nodiscard]] std::vector<const StoredEntry*> of_peer(ParticipantId participant, PeerId peer) const;
-  /// The index of paper section 3.6. Several entries may share a description: they differ in their statement or port.
-  [[nodiscard]] std::vector<const StoredEntry*> described(const Description& description) const;
   void for_each(const std::function<void(const StoredEntry&)>& visit) const;
-
-  /// The earliest deadline, or base::never.
-  [[nodiscard]] base::Instant next_deadline() const;
-  /// Entries whose deadline is at or before `now`, in ascending order of key.
-  [[nodiscard]] std::vector<const StoredEntry*> due(base::Instant now) const;
-  /// Entries last updated before `instant`, the longest silent first; equal times by key.
-  [[nodiscard]] std::vector<const StoredEntry*> not_updated_since(base::Instant instant) const;
 
  private:
   struct Indexes;

@@ -70,6 +70,12 @@ TEST(Announceable, KeepsEachNamedLimitOfASubscription) {
   expect_limit(max_provider_filters, [](std::size_t n) {
     return subscription_code_of([&](Subscription& s) { s.providers.assign(n, {"robot2", "vision"}); });
   });
+  expect_limit(max_accepted_protocols, [](std::size_t n) {
+    return subscription_code_of([&](Subscription& s) { s.protocols.assign(n, "udp"); });
+  });
+  expect_limit(max_protocol_bytes, [](std::size_t n) {
+    return subscription_code_of([&](Subscription& s) { s.protocols = {std::string(n, 'p')}; });
+  });
 }
 
 TEST(Announceable, KeepsTheLimitOfAllTogetherExactly) {

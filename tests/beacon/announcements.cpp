@@ -90,6 +90,9 @@ Subscription random_subscription(Random& random) {
   subscription.port = static_cast<std::uint16_t>(random.below(65536));
   subscription.address = random_address(random);
   subscription.attributes = random_attributes(random);
+  for (auto count = random.below(3); count > 0; --count) {
+    subscription.protocols.push_back(random_text(random, 1, 6, "abc/+-1"));
+  }
   return subscription;
 }
 

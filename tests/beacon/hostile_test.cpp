@@ -166,6 +166,17 @@ TEST(Decode, RefusesEachViolationInAServiceByItsWord) {
       {"17 filters", [&](M& m) { set_filters(m, 17); }, DecodeError::bad_filter},
       {"filter without participant", [](M& m) { subscription(m).add_providers()->set_peer("p"); },
        DecodeError::bad_filter},
+      {"8 protocols",
+       [](M& m) {
+         for (int i = 0; i < 8; ++i) subscription(m).add_protocols("tcp");
+       },
+       {}},
+      {"9 protocols",
+       [](M& m) {
+         for (int i = 0; i < 9; ++i) subscription(m).add_protocols("tcp");
+       },
+       DecodeError::bad_protocol},
+      {"empty protocol", [](M& m) { subscription(m).add_protocols(""); }, DecodeError::bad_protocol},
       {"where of 400", [](M& m) { subscription(m).set_where(std::string(400, 'w')); }, {}},
       {"expression of 400",
        [](M& m) {

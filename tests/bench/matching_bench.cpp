@@ -49,7 +49,6 @@ registry::PublicationEntry service(std::uint32_t number, std::uint32_t of_class)
   entry.publication.identity = identity(of_class);
   entry.publication.address = "192.0.2.1";
   entry.publication.port = 5000;
-  entry.deadline = base::Instant(std::chrono::hours(1));
   return entry;
 }
 
@@ -133,7 +132,6 @@ void put_again(benchmark::State& state) {
     auto entry = providers.entries[i];
     now += std::chrono::microseconds(1);
     entry.updated = now;
-    entry.deadline = now + std::chrono::hours(1);
     providers.matcher.put(std::move(entry));
     i = (i + 1) % providers.entries.size();
   }

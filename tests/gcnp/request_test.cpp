@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
+
 #include "gcnp/limits.hpp"
 #include "gcnp/reserved.hpp"
 
@@ -87,17 +89,96 @@ TEST(Request, OfAModifyMayNameARepresentationAlone) {
   EXPECT_EQ(std::get<PubModify>(*request).identity, (IdentityChange{ConceptChange{std::nullopt, "s:Polar"}}));
 }
 
-TEST(Request, RefusesEveryReservedKeyAsAnAttribute) {
+TEST(Request, RefusesEveryReservedKeyAsAnAttributeWithoutItsPrefix) {
   for (const auto key : reserved_keys) {
-    const std::string line = "5 pub create mode=oto text=t port=1 " + std::string(key) + "=3";
-    const auto request = read(line);
+    const std::string line = "5 pub create mode=oto text=t port=1 ";
+    const std::string word(key);
+    const auto request = read(line + word + "=3");
     if (request) {
       EXPECT_THAT((std::vector<std::string_view>{"priority", "protocol"}), testing::Contains(key));
     } else if (key != "address") {
-      EXPECT_EQ(request.error().code, ErrorCode::malformed) << line;
+      EXPECT_EQ(request.error().code, ErrorCode::malformed) << word;
     }
-    EXPECT_TRUE(read("5 pub create mode=oto text=t port=1 my-" + std::string(key) + "=3")) << key;
+    EXPECT_TRUE(read(line + "my-" + word + "=3")) << word;
+    const auto prefixed = read(line + "attr." + word + "=3");
+    ASSERT_TRUE(prefixed) << word;
+    EXPECT_EQ(std::get<PubCreate>(*prefixed).publication.attributes, (Attributes{{word, "3"}}));
   }
+}
+
+/// Every word that is one slip away from `key`.
+std::vector<std::string> slips_of(const std::string& key) {
+  std::vector<std::string> slips;
+  for (std::size_t i = 0; i <= key.size(); ++i) slips.push_back(key.substr(0, i) + 'q' + key.substr(i));
+  for (std::size_t i = 0; i < key.size(); ++i) {
+    slips.push_back(key.substr(0, i) + key.substr(i + 1));
+    slips.push_back(key.substr(0, i) + 'q' + key.substr(i + 1));
+    slips.push_back(key.substr(0, i) + static_cast<char>(std::toupper(key[i])) + key.substr(i + 1));
+    if (i > 0) slips.push_back(key.substr(0, i - 1) + key[i] + key[i - 1] + key.substr(i + 1));
+  }
+  slips.push_back(key + 's');
+  std::erase_if(slips, [](const std::string& slip) { return is_reserved(slip); });
+  return slips;
+}
+
+TEST(Request, TakesNoMistypedKeyForAnAttribute) {
+  for (const auto key : reserved_keys) {
+    for (const std::string& slip : slips_of(std::string(key))) {
+      for (const std::string before :
+           {"5 pub create mode=oto id=1 port=1 ", "5 pub modify ", "5 sub create mode=oto id=1 ", "5 sub modify "}) {
+        const auto request = read(before + slip + "=1");
+        ASSERT_FALSE(request) << before << slip;
+        EXPECT_EQ(request.error().code, ErrorCode::malformed) << slip;
+        EXPECT_THAT(request.error().text, HasSubstr("did you mean ")) << slip;
+        EXPECT_TRUE(read(before + "attr." + slip + "=1")) << slip;
+      }
+    }
+  }
+}
+
+TEST(Request, SaysWhichKeyWasMeant) {
+  const auto text = [](const std::string& line) { return read(line).error().text; };
+  EXPECT_EQ(text("5 sub create mode=oto id=1 wehre=\"rate > 50\""),
+            "wehre is no key: did you mean where?; an attribute of this name is written attr.wehre");
+  EXPECT_THAT(text("5 sub modify Where=x"), HasSubstr("did you mean where?"));
+  EXPECT_THAT(text("5 pub create mode=oto id=1 port=1 ports=2"), HasSubstr("did you mean port?"));
+  EXPECT_THAT(text("5 pub create mode=oto id=1 port=1 Attr.rate=2"), HasSubstr("did you mean attr.rate?"));
+  EXPECT_THAT(text("5 pub create mode=oto id=1 port=1 where=x"), HasSubstr("is written attr.where"));
+  EXPECT_EQ(text("5 query match limti=3"), "limti is no key of query match: did you mean limit?");
+  EXPECT_EQ(text("5 query services colour=red"), "colour is no key of query services");
+  EXPECT_EQ(text("5 sub create mode=oto id=1 scope=team"), "scope has no effect yet in this version: leave it out");
+}
+
+TEST(Request, KeepsTheBareFormOfWhatIsNearNoKey) {
+  for (const std::string name : {"rate", "range", "frame", "camera", "colour", "shirt", "note", "period", "purpose",
+                                 "calibrated", "resolution", "fps", "side", "team", "role", "size", "a", "k1", "x.y"}) {
+    const auto request = read("5 pub create mode=oto id=1 port=1 " + name + "=1");
+    ASSERT_TRUE(request) << name << ": " << request.error().text;
+    EXPECT_EQ(to_line(to_statement(5, *request)), "5 pub create mode=oto id=1 port=1 " + name + "=1\r\n");
+  }
+}
+
+TEST(Request, AsksForProtocols) {
+  const auto create = read("5 sub create mode=oto id=1 protocol=udp,tcp");
+  ASSERT_TRUE(create);
+  EXPECT_EQ(std::get<SubCreate>(*create).subscription.protocols, (std::vector<std::string>{"udp", "tcp"}));
+  Subscription subscription = with_identity(std::get<SubCreate>(*create).subscription, NumericIdentity{1});
+  apply(std::get<SubModify>(*read("5 sub modify limit=1")), subscription);
+  EXPECT_EQ(subscription.protocols.size(), 2U);
+  apply(std::get<SubModify>(*read("5 sub modify protocol=\"\"")), subscription);
+  EXPECT_TRUE(subscription.protocols.empty());
+  for (const char* bad : {",", "udp,", ",udp", "udp,,tcp"}) {
+    EXPECT_EQ(read("5 sub create mode=oto id=1 protocol=" + std::string(bad)).error().code, ErrorCode::malformed)
+        << bad;
+  }
+  const auto count = [](std::size_t words) {
+    std::string list = "p";
+    for (std::size_t i = 1; i < words; ++i) list += ",p";
+    return read("5 sub create mode=oto id=1 protocol=" + list);
+  };
+  EXPECT_TRUE(count(max_accepted_protocols - 1));
+  EXPECT_TRUE(count(max_accepted_protocols));
+  EXPECT_EQ(count(max_accepted_protocols + 1).error().code, ErrorCode::too_large);
 }
 
 TEST(Request, HasTextsUpToTheirLimits) {
@@ -111,6 +192,8 @@ TEST(Request, HasTextsUpToTheirLimits) {
       {"5 pub create mode=oto port=1 id=1 protocol=", max_protocol_bytes},
       {"5 pub create mode=oto port=1 id=1 key=", max_attribute_value_bytes},
       {"5 pub create mode=oto port=1 id=1 ", max_attribute_key_bytes},
+      {"5 pub create mode=oto port=1 id=1 attr.", max_attribute_key_bytes},
+      {"5 sub create mode=oto id=1 protocol=udp,", max_protocol_bytes},
       {"5 sub create mode=oto id=1 where=", max_where_bytes},
       {"5 sub create mode=oto id=1 provider=", max_provider_name_bytes},
       {"5 sub create mode=oto id=1 provider=a/", max_provider_name_bytes},

@@ -50,6 +50,9 @@ class Arbitration : public testing::Test {
       words.push_back("-" + number(gone) + " " + std::string(to_string(gone.reason)));
     for (const auto& kept : verdict.kept) words.push_back("*" + number(kept));
     for (const auto& come : verdict.come) words.push_back("+" + number(come));
+    for (const auto& gone : verdict.outranked) {
+      words.push_back("-" + number(gone) + " " + std::string(to_string(gone.reason)));
+    }
     return words;
   }
 
@@ -83,13 +86,13 @@ TEST_F(Arbitration, WithoutALimitAllAreChosenBestFirst) {
   EXPECT_THAT(settle(), IsEmpty());
 }
 
-TEST_F(Arbitration, TheWorstGoesBeforeTheBetterOneComes) {
+TEST_F(Arbitration, TheBetterOneComesBeforeTheWorstGoes) {
   choice_.set_limit(2);
   offer(rank(1, 1));
   offer(rank(2, 2));
   EXPECT_THAT(settle(), ElementsAre("+2", "+1"));
   offer(rank(3, 3));
-  EXPECT_THAT(settle(), ElementsAre("-1 outranked", "+3"));
+  EXPECT_THAT(settle(), ElementsAre("+3", "-1 outranked"));
 }
 
 TEST_F(Arbitration, AnIncumbentWinsATieAndLosesToWhatIsBetter) {
@@ -103,7 +106,7 @@ TEST_F(Arbitration, AnIncumbentWinsATieAndLosesToWhatIsBetter) {
   choice_.withdraw(rank(5, 1), Reason::expired);
   EXPECT_THAT(settle(), ElementsAre("-5 expired", "+1"));
   offer(rank(9, 2));
-  EXPECT_THAT(settle(), ElementsAre("-1 outranked", "+9"));
+  EXPECT_THAT(settle(), ElementsAre("+9", "-1 outranked"));
 }
 
 TEST_F(Arbitration, NewcomersThatTieAreTakenByKey) {
@@ -132,11 +135,11 @@ TEST_F(Arbitration, AChosenOneThatChangesIsKeptWhereItStillWins) {
   choice_.change(rank(1, 3), rank(1, 2));
   EXPECT_THAT(settle(), ElementsAre("*1")) << "a tie now, and it is the incumbent";
   choice_.change(rank(1, 2), rank(1, 1));
-  EXPECT_THAT(settle(), ElementsAre("-1 outranked", "+2"));
+  EXPECT_THAT(settle(), ElementsAre("+2", "-1 outranked"));
   choice_.change(rank(1, 1), rank(1, 0));
   EXPECT_THAT(settle(), IsEmpty()) << "nobody sees a change of one that waits";
   choice_.change(rank(1, 0), rank(1, 9));
-  EXPECT_THAT(settle(), ElementsAre("-2 outranked", "+1"));
+  EXPECT_THAT(settle(), ElementsAre("+1", "-2 outranked"));
 }
 
 TEST_F(Arbitration, OneThatWasChosenUnseenIsAnIncumbent) {
@@ -186,7 +189,7 @@ TEST_F(Arbitration, SearchesAgainWhenAChosenOneFallsBehindTheDropped) {
   for (std::uint32_t number = 1; number <= most; ++number) choice_.withdraw(rank(number, 1), Reason::left);
   ranks_[1001] = rank(1001, 0);
   choice_.change(rank(1001, 9), rank(1001, 0));
-  EXPECT_THAT(settle(), ElementsAre("-1001 outranked", "+" + std::to_string(most + 1)));
+  EXPECT_THAT(settle(), ElementsAre("+" + std::to_string(most + 1), "-1001 outranked"));
   EXPECT_EQ(refills_, 1);
 }
 

@@ -49,48 +49,21 @@ TEST(Matcher, APeerMayUseItsOwnService) {
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.2 pub add p1.1.1 exact 0", "p1.1.1 sub add p1.1.2 exact 0"));
 }
 
-TEST(Matcher, APutOfWhatIsThereOnlyMovesItsDeadline) {
+TEST(Matcher, APutOfWhatIsThereOnlyMovesItsAge) {
   Matcher matcher(nullptr);
   auto service = offer(key(2, 1, 7), ball);
   auto wish = request(key(3, 1, 8), ball);
-  service.deadline = wish.deadline = at(5);
   matcher.put(offer(key(here, 1, 2), ball));
   matcher.put(request(key(here, 1, 1), ball));
   matcher.put(service);
   matcher.put(wish);
   EXPECT_EQ(matcher.take_events().size(), 4U);
-  EXPECT_EQ(matcher.next_deadline(), at(5));
-  service.deadline = wish.deadline = at(9);
   service.updated = wish.updated = at(4);
   matcher.put(service);
   matcher.put(wish);
   EXPECT_THAT(told(matcher), IsEmpty());
-  EXPECT_EQ(matcher.next_deadline(), at(9));
   EXPECT_EQ(matcher.find_publication(key(2, 1, 7))->updated, at(4));
   EXPECT_EQ(matcher.find_subscription(key(3, 1, 8))->updated, at(4));
-}
-
-TEST(Matcher, ExpiresAtTheDeadlineAndNotBefore) {
-  Matcher matcher(nullptr);
-  auto service = offer(key(2, 1, 7), ball);
-  service.deadline = at(5);
-  auto wish = request(key(2, 1, 8), ball);
-  wish.deadline = at(6);
-  matcher.put(request(key(here, 1, 1), ball));
-  matcher.put(offer(key(here, 1, 2), ball));
-  matcher.put(service);
-  matcher.put(wish);
-  told(matcher);
-  matcher.expire(at(5) - base::Duration(1));
-  EXPECT_THAT(told(matcher), IsEmpty());
-  matcher.expire(at(5));
-  EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub del p2.1.7 expired"));
-  EXPECT_EQ(matcher.next_deadline(), at(6));
-  matcher.expire(at(100));
-  EXPECT_THAT(told(matcher), ElementsAre("p1.1.2 sub del p2.1.8 expired"));
-  EXPECT_EQ(matcher.next_deadline(), base::never);
-  EXPECT_EQ(matcher.find_publication(key(2, 1, 7)), nullptr);
-  EXPECT_NE(matcher.find_publication(key(here, 1, 2)), nullptr);
 }
 
 TEST(Matcher, ProvidersAreToldOfConsumersWhereTheModeNeedsIt) {
@@ -139,8 +112,8 @@ TEST(Matcher, OneThatFellBehindAllOthersIsNotForgotten) {
   for (std::uint32_t number = 0; number < 30; ++number) matcher.put(offer(key(2, 1, number), ball, 1));
   matcher.put(offer(key(3, 1, 1), ball, 0));
   matcher.put(offer(key(3, 1, 1), ball, -1));
-  EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p3.1.1 exact 0", "p1.1.1 pub del p3.1.1 outranked",
-                                         "p1.1.1 pub add p2.1.0 exact 0"));
+  EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p3.1.1 exact 0", "p1.1.1 pub add p2.1.0 exact 0",
+                                         "p1.1.1 pub del p3.1.1 outranked"));
   matcher.remove_participant(ParticipantId{2}, Reason::left);
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub del p2.1.0 left", "p1.1.1 pub add p3.1.1 exact 0"));
 }
@@ -163,14 +136,14 @@ TEST(Matcher, NothingThatIsAboutToGoTakesAnothersPlace) {
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub del p2.1.1 left", "p1.1.1 pub add p3.1.1 exact 0"));
 }
 
-TEST(Matcher, AnOutrankedServiceGoesBeforeTheBetterOneComes) {
+TEST(Matcher, AConsumerHasTheBetterServiceBeforeTheOutrankedOneGoes) {
   Matcher matcher(nullptr);
   matcher.put(request(key(here, 1, 1), ball, 1));
   matcher.put(offer(key(2, 1, 1), ball, 1));
   matcher.put(offer(key(3, 1, 1), ball, 1));
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p2.1.1 exact 0")) << "a tie changes nothing";
   matcher.put(offer(key(3, 1, 1), ball, 2));
-  EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub del p2.1.1 outranked", "p1.1.1 pub add p3.1.1 exact 0"));
+  EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p3.1.1 exact 0", "p1.1.1 pub del p2.1.1 outranked"));
 }
 
 TEST(Matcher, ADelCarriesTheServiceAsItWasLastTold) {
@@ -303,6 +276,62 @@ TEST(Matcher, CollidingIdentitiesNeverMatchInWhateverOrderTheyCome) {
       } while (std::ranges::next_permutation(order).found);
     }
   }
+}
+
+TEST(Matcher, OnlyTheProtocolsThatAreAskedForMatch) {
+  Matcher matcher(nullptr);
+  auto service = offer(key(2, 1, 1), ball);
+  service.publication.protocol = "tcp";
+  auto wish = request(key(here, 1, 1), ball);
+  wish.subscription.protocols = {"udp", "rtp"};
+  matcher.put(service);
+  matcher.put(wish);
+  EXPECT_THAT(told(matcher), IsEmpty());
+  EXPECT_FALSE(matcher.is_served(wish));
+  EXPECT_EQ(matcher.why(wish, service).error(), "protocol: tcp is offered, and none of those asked for");
+  wish.subscription.protocols = {"udp", "tcp"};
+  matcher.put(wish);
+  EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p2.1.1 exact 0"));
+  service.publication.protocol = "TCP";
+  matcher.put(service);
+  EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub del p2.1.1 changed")) << "a protocol is a word with case";
+}
+
+TEST(Matcher, SaysWhoHasThePlaceThatAPublicationDoesNotGet) {
+  Matcher matcher(nullptr);
+  matcher.put(request(key(here, 1, 1), ball, 1));
+  matcher.put(offer(key(3, 1, 1), ball, 1));
+  matcher.put(offer(key(2, 1, 1), ball, 1));
+  matcher.put(offer(key(4, 1, 1), ball, 0));
+  matcher.put(offer(key(5, 1, 1), TextIdentity{"goal"}));
+  const auto standing = [&](std::uint32_t participant) {
+    return matcher.standing(key(here, 1, 1), key(participant, 1, 1));
+  };
+  ASSERT_TRUE(standing(2) && standing(3) && standing(4));
+  EXPECT_FALSE(standing(5)) << "it does not match";
+  EXPECT_TRUE(standing(3)->is_chosen) << "it was there first";
+  EXPECT_EQ(standing(3)->rank, 2U);
+  EXPECT_EQ(standing(3)->candidates, 3U);
+  EXPECT_EQ(standing(3)->decided, Standing::Decided::by_incumbent);
+  EXPECT_FALSE(standing(2)->is_chosen) << "its key is smaller, which does not count against one that was there first";
+  EXPECT_EQ(standing(2)->rival->key, key(3, 1, 1));
+  EXPECT_EQ(standing(2)->decided, Standing::Decided::by_incumbent);
+  EXPECT_FALSE(standing(4)->is_chosen);
+  EXPECT_EQ(standing(4)->decided, Standing::Decided::by_rank);
+  matcher.put(request(key(here, 1, 1), ball));
+  EXPECT_TRUE(standing(4)->is_chosen) << "without a limit everything is";
+}
+
+TEST(Matcher, OfAConsumerElsewhereItSaysWhatTheRankingSays) {
+  Matcher matcher(nullptr);
+  matcher.put(request(key(9, 1, 1), ball, 1, Degree::narrower, one_to_many_stream));
+  matcher.put(offer(key(3, 1, 1), ball, 1, one_to_many_stream));
+  matcher.put(offer(key(2, 1, 1), ball, 1, one_to_many_stream));
+  const auto standing = matcher.standing(key(9, 1, 1), key(3, 1, 1));
+  ASSERT_TRUE(standing);
+  EXPECT_EQ(standing->decided, Standing::Decided::elsewhere);
+  EXPECT_FALSE(standing->is_chosen);
+  EXPECT_EQ(standing->rival->key, key(2, 1, 1));
 }
 
 TEST(Matcher, ListsWhatMeetsARequestBestFirst) {

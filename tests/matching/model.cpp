@@ -64,14 +64,18 @@ View Model::view() const {
 
 std::string Replay::apply(const std::vector<Event>& events, Reason reason, const Model& model) {
   std::set<std::pair<ServiceKey, ServiceKey>> seen;
-  std::map<ServiceKey, Change> last;
-  // Within a step each consumer hears of what it loses first, then of what changed, then of what it gains.
-  const auto turn = [](Change change) { return change == Change::del ? 0 : change == Change::modify ? 1 : 2; };
+  std::map<ServiceKey, int> last;
+  // Within a step each consumer hears first of what matches no more, then of what changed, then of what it gains, and
+  // last of what that has outranked.
+  const auto turn = [](const Event& event) {
+    if (event.change == Change::del) return event.reason == Reason::outranked ? 3 : 0;
+    return event.change == Change::modify ? 1 : 2;
+  };
   for (const Event& event : events) {
     if (!seen.emplace(event.to, key_of(event)).second) return in_words(event) + ": a second event about one pair";
     if (std::holds_alternative<PublicationEntry>(event.about)) {
-      if (last.contains(event.to) && turn(last[event.to]) > turn(event.change)) return in_words(event) + ": too late";
-      last[event.to] = event.change;
+      if (last.contains(event.to) && last[event.to] > turn(event)) return in_words(event) + ": too late";
+      last[event.to] = turn(event);
     }
     if (auto wrong = apply(event, reason, model); !wrong.empty()) return in_words(event) + ": " + wrong;
   }

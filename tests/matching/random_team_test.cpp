@@ -84,17 +84,16 @@ class RandomTeam {
   /// In the midst of the others, so that ties are won by smaller and by greater keys.
   static bool is_local(const ServiceKey& of) { return of.participant == ParticipantId{3}; }
 
-  base::Instant deadline(const ServiceKey& of) {
-    return is_local(of) ? base::never : now_ + random_.between(base::Duration(1), lifetime);
-  }
-
   void put_publication() {
     const ServiceKey one = some_key(false);
     const auto known = model_.publications.find(one);
     PublicationEntry entry = known == model_.publications.end() ? offer(one, identity(), 0, mode()) : known->second;
-    switch (random_.below(6)) {
+    switch (random_.below(7)) {
       case 0:
         entry.publication.identity = identity();
+        break;
+      case 5:
+        entry.publication.protocol = one_of<2>({"udp", "tcp"});
         break;
       case 1:
         entry.publication.priority = static_cast<std::int32_t>(random_.below(3)) - 1;
@@ -115,7 +114,6 @@ class RandomTeam {
     // In a packed team the local ones come last, so that they are needed only after many have gone at once.
     if (crowd_ == Crowd::packed && entry.is_local) entry.publication.priority = -2;
     entry.updated = now_;
-    entry.deadline = deadline(one);
     model_.publications[one] = entry;
     matcher_.put(entry);
   }
@@ -128,9 +126,13 @@ class RandomTeam {
             ? request(one, identity(), static_cast<std::uint32_t>(random_.below(3)), Degree::narrower, mode())
             : known->second;
     Subscription& asked = entry.subscription;
-    switch (random_.below(9)) {
+    switch (random_.below(10)) {
       case 0:
         asked.identity = identity();
+        break;
+      case 7:
+        asked.protocols.clear();
+        if (crowd_ != Crowd::packed && random_.chance(0.5)) asked.protocols.push_back(one_of<2>({"udp", "tcp"}));
         break;
       case 1:
         asked.priority = static_cast<std::int32_t>(random_.below(2));
@@ -159,7 +161,6 @@ class RandomTeam {
     }
     entry.is_local = is_local(one);
     entry.updated = now_;
-    entry.deadline = deadline(one);
     model_.subscriptions[one] = entry;
     matcher_.put(entry);
   }
@@ -204,11 +205,17 @@ class RandomTeam {
     }
   }
 
+  /// Time goes by, and participants that were not heard of are given up, as the neighbour table does it.
   void expire() {
     reason_ = Reason::expired;
-    now_ += crowd_ == Crowd::packed ? lifetime : random_.between(base::Duration(0), lifetime / 4);
-    erase_from_model([&](const auto& entry) { return entry.deadline <= now_; });
-    matcher_.expire(now_);
+    now_ += lifetime;
+    for (const std::uint32_t number : {1U, 2U, 4U}) {
+      if (crowd_ != Crowd::packed && random_.chance(0.7)) continue;
+      const ParticipantId silent{number};
+      erase_from_model([&](const auto& entry) { return entry.key.participant == silent; });
+      matcher_.remove_participant(silent, Reason::expired);
+      compare(-1);
+    }
   }
 
   void set_ontology() {
@@ -220,12 +227,10 @@ class RandomTeam {
   void put_everything_again() {
     for (auto& [one, entry] : model_.publications) {
       entry.updated = now_;
-      entry.deadline = deadline(one);
       matcher_.put(entry);
     }
     for (auto& [one, entry] : model_.subscriptions) {
       entry.updated = now_;
-      entry.deadline = deadline(one);
       matcher_.put(entry);
     }
   }
@@ -240,15 +245,12 @@ class RandomTeam {
 
   /// What can be asked at any time, and changes nothing.
   void compare_questions() {
-    auto next = base::never;
     for (const auto& [one, entry] : model_.publications) {
-      next = std::min(next, entry.deadline);
       const bool is_used = std::ranges::any_of(
           model_.subscriptions, [&](const auto& row) { return model_.meets(row.second, entry).has_value(); });
       ASSERT_EQ(matcher_.is_used(entry), is_used) << name(one);
     }
     for (const auto& [one, entry] : model_.subscriptions) {
-      next = std::min(next, entry.deadline);
       std::vector<ServiceKey> meeting;
       for (const auto& [offer_key, publication] : model_.publications) {
         if (model_.meets(entry, publication)) meeting.push_back(offer_key);
@@ -259,7 +261,6 @@ class RandomTeam {
       ASSERT_EQ(matched, meeting) << name(one);
       ASSERT_EQ(matcher_.is_served(entry), !meeting.empty()) << name(one);
     }
-    ASSERT_EQ(matcher_.next_deadline(), next);
   }
 
   static constexpr base::Duration lifetime = std::chrono::seconds(20);

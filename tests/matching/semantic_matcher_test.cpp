@@ -56,10 +56,10 @@ TEST(SemanticMatcher, ABetterDegreeOutranksAndAGreaterPriorityOutranksThat) {
   matcher.put(offer(key(2, 1, 2), semantic("Sphere")));
   matcher.put(offer(key(2, 1, 3), semantic("Ball")));
   matcher.put(offer(key(2, 1, 4), semantic("OwnBall"), 1));
-  EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p2.1.1 narrower 1", "p1.1.1 pub del p2.1.1 outranked",
-                                         "p1.1.1 pub add p2.1.2 equivalent 0", "p1.1.1 pub del p2.1.2 outranked",
-                                         "p1.1.1 pub add p2.1.3 exact 0", "p1.1.1 pub del p2.1.3 outranked",
-                                         "p1.1.1 pub add p2.1.4 narrower 1"));
+  EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p2.1.1 narrower 1", "p1.1.1 pub add p2.1.2 equivalent 0",
+                                         "p1.1.1 pub del p2.1.1 outranked", "p1.1.1 pub add p2.1.3 exact 0",
+                                         "p1.1.1 pub del p2.1.2 outranked", "p1.1.1 pub add p2.1.4 narrower 1",
+                                         "p1.1.1 pub del p2.1.3 outranked"));
 }
 
 TEST(SemanticMatcher, AServiceThatBecomesNarrowerIsModifiedForThoseWhoKeepIt) {
@@ -128,7 +128,7 @@ TEST(SemanticMatcher, NamesEverythingThatDoesNotFit) {
   EXPECT_EQ(
       match.error(),
       "identity: goal is offered, ball is asked for; mode: oto is offered, otm/stream is asked for; provider: it is "
-      "not among those that are asked for; filter: rate > 3 does not hold");
+      "not among those that are asked for; filter: rate > 3 does not hold: rate is absent");
   wish.subscription.where = "rate >";
   EXPECT_THAT(matcher.why(wish, offer(key(2, 1, 1), TextIdentity{"goal"})).error(),
               HasSubstr("filter: it cannot be read"));

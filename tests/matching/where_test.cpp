@@ -206,8 +206,62 @@ TEST(Where, NumbersAreDecimalAndFinite) {
   EXPECT_TRUE(accepts("rate < inf"));
   EXPECT_TRUE(accepts("rate < nan"));
   EXPECT_TRUE(accepts("rate > 0x10"));
-  EXPECT_TRUE(accepts("rate > 1e999"));
   EXPECT_TRUE(accepts("rate > 1.2.3"));
+}
+
+TEST(Where, ANumberThatIsOutOfRangeIsNoTextBehindTheUsersBack) {
+  for (const char* number : {"1e999", "-1e999", "1e400"}) {
+    const auto error = check_where("rate > " + std::string(number));
+    ASSERT_TRUE(error) << number;
+    EXPECT_EQ(error->text, "where: this number is out of range: quote it to compare it as a text at octet 8");
+  }
+  EXPECT_TRUE(accepts("rate > '1e999'"));
+}
+
+TEST(Where, AnOddAttributeIsNoNumber) {
+  for (const char* odd :
+       {"NaN", "inf", "1e999", "0x10", "", " 5", "5 ", "5.", ".5", "1e", "--5", "+-5", "5,0", "\xc2\xb5"}) {
+    auto entry = camera();
+    entry.publication.attributes["rate"] = odd;
+    for (const char* expression : {"rate = 5", "rate < 5", "rate <= 5", "rate > 5", "rate >= 5"}) {
+      EXPECT_FALSE(Where::parse(expression)->accepts(entry)) << odd << ' ' << expression;
+    }
+    EXPECT_TRUE(Where::parse("rate != 5")->accepts(entry)) << odd;
+  }
+  auto entry = camera();
+  entry.publication.attributes["rate"] = "007";
+  EXPECT_TRUE(Where::parse("rate = 7")->accepts(entry)) << "leading zeros are digits";
+}
+
+TEST(Where, NamesAnAttributeThatAFieldWouldHideByItsPrefix) {
+  EXPECT_TRUE(accepts("port = 5000 and attr.port = 'shadowed by the field'"));
+  EXPECT_TRUE(accepts("attr.rate >= 30 and has attr.camera"));
+  EXPECT_FALSE(accepts("has attr.priority"));
+  EXPECT_FALSE(accepts("has attr."));
+}
+
+TEST(Where, SaysWhatKeepsItFromHolding) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"rate > 50", "rate is 30"},
+      {"speed > 50", "speed is absent"},
+      {"rate > 50 and camera = front", "rate is 30"},
+      {"rate > 50 or speed > 1 or camera = rear", "rate is 30, speed is absent, camera is front"},
+      {"not has rate", "rate is 30"},
+      {"not (rate = 30 or speed = 2)", "rate is 30"},
+      {"not (rate = 30 and camera = front)", "rate is 30, camera is front"},
+      {"rate > 50 or rate < 10", "rate is 30"},
+      {"camera > 7", "camera is front, which is no number"},
+      {"quote = x", "quote is 'it's'"},
+      {"has id", "id is absent"},
+      {"empty = x", "empty is ''"},
+      {"attr.port = 1", "attr.port is 'shadowed by the field', which is no number"},
+      {"a=1 or b=1 or c=1 or d=1 or e=1 or f=1 or g=1 or h=1 or i=1",
+       "a is absent, b is absent, c is absent, d is absent, e is absent, f is absent, g is absent, h is absent, ..."},
+      {"rate = 30", ""},
+      {"", ""},
+  };
+  for (const auto& [expression, words] : cases)
+    EXPECT_EQ(Where::parse(expression)->misses(camera()), words) << expression;
 }
 
 TEST(Where, ASharedPageOfExamplesHolds) {

@@ -120,6 +120,9 @@ void Transcript::direct(std::string_view words) {
       one->participant().ontology_begun();
     } else if (verb == "failed") {
       one->participant().ontology_failed({third + std::string(words)});
+    } else if (verb == "log" || verb == "no-log") {
+      expect_logged(*one, third + std::string(words), verb == "log");
+      return;
     } else if (verb == "limit") {
       set_limit(*one, third, std::stoul(next_word(words)));
     } else if (verb == "receive") {
@@ -145,6 +148,13 @@ void Transcript::clash(sim::Host& host, const std::string& id) {
     host.receive(host.ports().front().index, "10.0.0.99",
                  std::string_view(reinterpret_cast<const char*>(datagram.data()), datagram.size()));
   }
+}
+
+void Transcript::expect_logged(sim::Host& host, std::string_view pattern, bool is_expected) {
+  auto& logged = host.logged;
+  const auto found = std::ranges::find_if(logged, [&](const std::string& line) { return matches(pattern, line); });
+  EXPECT_EQ(found != logged.end(), is_expected) << at_ << "\n  the log: " << testing::PrintToString(logged);
+  if (found != logged.end()) logged.erase(logged.begin(), found + 1);
 }
 
 void Transcript::set_limit(sim::Host& host, const std::string& name, std::size_t value) {

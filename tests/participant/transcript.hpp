@@ -31,6 +31,8 @@ class Transcript {
   [[nodiscard]] sim::Host* host(const std::string& name);
   /// Somebody else announces a state under this identifier.
   void clash(sim::Host& host, const std::string& id);
+  /// Looks for a line of the log since the last one that was found.
+  void expect_logged(sim::Host& host, std::string_view pattern, bool is_expected);
   void set_limit(sim::Host& host, const std::string& name, std::size_t value);
 
   std::string path_;

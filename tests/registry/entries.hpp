@@ -17,13 +17,11 @@ inline ServiceKey key(std::uint32_t participant, std::uint32_t peer, std::uint32
 
 inline base::Instant at(int seconds) { return base::Instant(std::chrono::seconds(seconds)); }
 
-inline PublicationEntry offer(const ServiceKey& key, Identity identity, base::Instant updated = at(0),
-                              base::Instant deadline = base::never) {
+inline PublicationEntry offer(const ServiceKey& key, Identity identity, base::Instant updated = at(0)) {
   PublicationEntry entry;
   entry.key = key;
   entry.publication.identity = std::move(identity);
   entry.updated = updated;
-  entry.deadline = deadline;
   return entry;
 }
 

@@ -51,35 +51,6 @@ TEST(Registry, ListsByKeyByParticipantAndByPeer) {
   EXPECT_THAT(keys_of(table.of_peer(ParticipantId{2}, PeerId{2})), IsEmpty());
 }
 
-TEST(Registry, FindsByTheFiveFieldsOfThePaper) {
-  Publications table;
-  const auto described = [&](const Description& description) { return keys_of(table.described(description)); };
-  auto entry = offer(key(1, 2, 3), semantic("Ball", "Frame"));
-  entry.publication.mode = ChannelMode::one_to_many_stream;
-  entry.publication.address = "192.0.2.1";
-  table.insert(entry, {});
-  entry.key.number = 2;
-  table.insert(entry, {});
-  const Description whole{PeerId{2}, ParticipantId{1}, semantic("Ball", "Frame"), ChannelMode::one_to_many_stream,
-                          "192.0.2.1"};
-  EXPECT_THAT(described(whole), ElementsAre(key(1, 2, 2), key(1, 2, 3)));
-  auto other = whole;
-  other.peer = PeerId{1};
-  EXPECT_THAT(described(other), IsEmpty());
-  other = whole;
-  other.participant = ParticipantId{2};
-  EXPECT_THAT(described(other), IsEmpty());
-  other = whole;
-  other.identity = semantic("Ball");
-  EXPECT_THAT(described(other), IsEmpty());
-  other = whole;
-  other.mode = ChannelMode::one_to_one;
-  EXPECT_THAT(described(other), IsEmpty());
-  other = whole;
-  other.address = "192.0.2.2";
-  EXPECT_THAT(described(other), IsEmpty());
-}
-
 TEST(Registry, CollidingIdentitiesAreTwo) {
   for (const bool is_turned : {false, true}) {
     std::vector<Identity> names{TextIdentity{"service-3352"}, TextIdentity{"service-724358"},
@@ -117,44 +88,23 @@ TEST(Registry, AReplacedEntryIsFoundByWhatItIsNow) {
   Publications table;
   const auto& stored = table.insert(offer(key(1, 1, 1), semantic("Ball")), {});
   const auto slot = stored.slot;
-  table.replace(stored, offer(key(1, 1, 1), TextIdentity{"ball"}, at(5), at(9)), {});
+  table.replace(stored, offer(key(1, 1, 1), TextIdentity{"ball"}, at(5)), {});
   EXPECT_EQ(table.find(key(1, 1, 1)), &stored);
   EXPECT_EQ(stored.slot, slot);
   EXPECT_EQ(stored.identity, id32(TextIdentity{"ball"}));
   EXPECT_THAT(keys_of_filed(table.with_concept("http://example.org/Ball")), IsEmpty());
   EXPECT_THAT(keys_of_filed(table.with_identity(TextIdentity{"ball"}, id32(TextIdentity{"ball"}))),
               ElementsAre(key(1, 1, 1)));
-  EXPECT_THAT(
-      keys_of(table.described({PeerId{1}, ParticipantId{1}, TextIdentity{"ball"}, ChannelMode::one_to_one, ""})),
-      ElementsAre(key(1, 1, 1)));
-  EXPECT_EQ(table.next_deadline(), at(9));
+  EXPECT_EQ(stored.entry.updated, at(5));
 }
 
-TEST(Registry, AnEntryIsDueAtItsDeadlineAndNotBefore) {
+TEST(Registry, ARefreshedEntryIsTheSameButForItsAge) {
   Publications table;
-  EXPECT_EQ(table.next_deadline(), base::never);
-  table.insert(offer(key(1, 1, 1), TextIdentity{"a"}, at(0), at(10)), {});
-  table.insert(offer(key(3, 1, 1), TextIdentity{"a"}, at(0), at(5)), {});
-  table.insert(offer(key(2, 1, 1), TextIdentity{"a"}, at(0), at(5)), {});
-  table.insert(offer(key(4, 1, 1), TextIdentity{"a"}), {});
-  EXPECT_EQ(table.next_deadline(), at(5));
-  EXPECT_THAT(keys_of(table.due(at(5) - base::Duration(1))), IsEmpty());
-  EXPECT_THAT(keys_of(table.due(at(5))), ElementsAre(key(2, 1, 1), key(3, 1, 1)));
-  EXPECT_THAT(keys_of(table.due(at(10))), ElementsAre(key(1, 1, 1), key(2, 1, 1), key(3, 1, 1)));
-  table.refresh(*table.find(key(2, 1, 1)), at(4), at(20));
-  table.refresh(*table.find(key(3, 1, 1)), at(4), at(20));
-  EXPECT_EQ(table.next_deadline(), at(10));
-  EXPECT_EQ(table.find(key(2, 1, 1))->entry.updated, at(4));
-}
-
-TEST(Registry, ListsTheLongestSilentFirst) {
-  Publications table;
-  table.insert(offer(key(1, 1, 1), TextIdentity{"a"}, at(3)), {});
-  table.insert(offer(key(2, 1, 2), TextIdentity{"a"}, at(1)), {});
-  table.insert(offer(key(2, 1, 1), TextIdentity{"a"}, at(1)), {});
-  table.insert(offer(key(3, 1, 1), TextIdentity{"a"}, at(4)), {});
-  EXPECT_THAT(keys_of(table.not_updated_since(at(4))), ElementsAre(key(2, 1, 1), key(2, 1, 2), key(1, 1, 1)));
-  EXPECT_THAT(keys_of(table.not_updated_since(at(1))), IsEmpty());
+  const auto& stored = table.insert(offer(key(1, 1, 1), TextIdentity{"a"}, at(0)), {});
+  table.refresh(stored, at(4));
+  EXPECT_EQ(table.find(key(1, 1, 1)), &stored);
+  EXPECT_EQ(stored.entry.updated, at(4));
+  EXPECT_TRUE(stored.entry.same_as(offer(key(1, 1, 1), TextIdentity{"a"})));
 }
 
 TEST(Registry, SubscriptionsStandUnderTheSameKeys) {
@@ -162,13 +112,11 @@ TEST(Registry, SubscriptionsStandUnderTheSameKeys) {
   SubscriptionEntry entry;
   entry.key = key(1, 2, 3);
   entry.subscription.identity = semantic("Ball", "Frame");
-  entry.deadline = at(7);
   table.set_class_count(2);
   table.insert(entry, Filing{1, {}});
   EXPECT_THAT(keys_of_filed(table.own(1)), ElementsAre(key(1, 2, 3)));
   EXPECT_THAT(keys_of_filed(table.below(1)), IsEmpty());
   EXPECT_THAT(keys_of_filed(table.with_concept("http://example.org/Ball")), ElementsAre(key(1, 2, 3)));
-  EXPECT_EQ(table.next_deadline(), at(7));
 }
 
 }  // namespace

@@ -8,12 +8,17 @@ namespace geminga::sim {
 /// Enters the daemon's words into the trace: they must not depend on chance either.
 class Host::Log final : public base::LogSink {
  public:
-  Log(World& world, const std::string& who) : world_(world), who_(who) {}
-  void write(base::LogLevel, std::string_view line) override { world_.trace(who_, line); }
+  Log(World& world, const std::string& who, std::vector<std::string>& lines)
+      : world_(world), who_(who), lines_(lines) {}
+  void write(base::LogLevel, std::string_view line) override {
+    world_.trace(who_, line);
+    lines_.emplace_back(line);
+  }
 
  private:
   World& world_;
   const std::string& who_;
+  std::vector<std::string>& lines_;
 };
 
 Host::Host(World& world, std::string name, std::uint32_t number, std::uint64_t seed)
@@ -22,7 +27,7 @@ Host::Host(World& world, std::string name, std::uint32_t number, std::uint64_t s
       number_(number),
       random_(seed),
       clock_offset_(random_.between(std::chrono::seconds(1), std::chrono::hours(1000))),
-      log_(std::make_unique<Log>(world_, name_)) {
+      log_(std::make_unique<Log>(world_, name_, logged)) {
   settings.name = name_;
 }
 

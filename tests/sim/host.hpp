@@ -31,6 +31,8 @@ class Host final : public env::Env {
   /// Settings of the next participant that is switched on; its name is the host's until changed.
   participant::Settings settings;
   const el::Ontology* ontology = nullptr;
+  /// What it has written into its log.
+  std::vector<std::string> logged;
   /// The identifiers that random_bits() gives first, to bring about a clash.
   std::vector<std::uint64_t> forced_bits;
 

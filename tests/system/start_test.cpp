@@ -220,6 +220,17 @@ TEST(Reload, KeepsTheOntologyInForceWhenTheNewOneIsBroken) {
   Talk talk = lab.talk(0);
   talk.say("1 pub create mode=otm/stream concept=<http://zoo.example/#Cat> port=5000");
   EXPECT_THAT(talk.lines_until_pong(), IsEmpty());
+
+  // Whoever looks later sees it, too, until it is mended.
+  talk.say("2 query ontology");
+  EXPECT_TRUE(talk.line_with({"2 msg ontology failed=", file + ":8"}));
+  folder.write("zoo.ttl", animals);
+  lab.daemon(0).signal(SIGHUP);
+  ASSERT_TRUE(lab.daemon(0).wait_for("the failure is mended")) << lab.daemon(0).said();
+  talk.say("3 query status");
+  const auto status = talk.line_with({"3 msg status"});
+  ASSERT_TRUE(status);
+  EXPECT_THAT(*status, testing::Not(HasSubstr("ontology_failed")));
 }
 
 TEST(Reload, KeepsTheConfigurationInForceWhenTheNewOneIsBroken) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geminga/attribute.hpp"
 #include "geminga/client.hpp"
 #include "shell/describe.hpp"
 #include "shell/event_options.hpp"
@@ -32,6 +33,7 @@ also a name that the daemon's ontology does not know.)";
 struct Options {
   shell::EventOptions shared{program};
   std::vector<std::string> words;
+  std::vector<std::string> attributes;
   NamedPublication publication;
 };
 
@@ -47,8 +49,24 @@ void add_to(CLI::App& app, Options& options) {
       ->required();
   app.add_option("--address", options.publication.address, "Its IP address; else each interface's own is announced");
   app.add_option("--protocol", options.publication.protocol, "udp unless told");
+  app.add_option(
+         "--attribute", options.attributes,
+         "An attribute, also one whose name is near a key: as the word attr.KEY=VALUE; may be given several times")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
   app.add_option("--priority", options.publication.priority, "Greater wins where several providers match")
       ->type_name("K");
+}
+
+/// Adds the attribute of a word NAME=VALUE. Throws CLI::ValidationError.
+void add_attribute(Attributes& attributes, const std::string& word, const std::string& name) {
+  const auto equals = word.find('=');
+  if (name.empty() || equals == std::string::npos) {
+    throw CLI::ValidationError(word, "is no attribute: write KEY=VALUE");
+  }
+  if (!attributes.emplace(name, word.substr(equals + 1)).second) {
+    throw CLI::ValidationError(name, "is given twice: give each attribute once");
+  }
 }
 
 /// Reads the positional words and checks what flags cannot say alone. Throws CLI::ValidationError.
@@ -66,13 +84,14 @@ void complete(Options& options) {
   options.publication.identity = std::move(*identity);
   options.publication.mode = options.shared.mode_or_stream();
   for (; word != options.words.end(); ++word) {
-    const auto equals = word->find('=');
-    if (equals == 0 || equals == std::string::npos) {
-      throw CLI::ValidationError(*word, "is no attribute: write KEY=VALUE");
-    }
-    if (!options.publication.attributes.emplace(word->substr(0, equals), word->substr(equals + 1)).second) {
-      throw CLI::ValidationError(word->substr(0, equals), "is given twice: give each attribute once");
-    }
+    const auto name = attribute_name(word->substr(0, word->find('=')));
+    if (!name) throw CLI::ValidationError(*word, name.error().text);
+    add_attribute(options.publication.attributes, *word, *name);
+  }
+  for (const auto& stated : options.attributes) {
+    std::string name = stated.substr(0, stated.find('='));
+    if (name.starts_with(attribute_prefix)) name.erase(0, attribute_prefix.size());
+    add_attribute(options.publication.attributes, stated, name);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "query/command.hpp"
 #include "query/listing.hpp"
+#include "shell/describe.hpp"
 #include "shell/json.hpp"
 #include "shell/report.hpp"
 #include "shell/table.hpp"
@@ -19,6 +20,7 @@ struct Parts {
   std::vector<Record> left_out;
   std::vector<Record> gaps;
   std::vector<Record> others;
+  std::vector<Record> failures;  ///< why the last reading failed
 };
 
 Parts parts_of(const Answer& answer) {
@@ -34,6 +36,8 @@ Parts parts_of(const Answer& answer) {
       parts.left_out.push_back(record);
     } else if (!record["gap"].empty()) {
       parts.gaps.push_back(record);
+    } else if (!record["failed"].empty()) {
+      parts.failures.push_back(record);
     }
   }
   return parts;
@@ -66,12 +70,29 @@ void print_json(const Parts& parts) {
   for (const auto& record : parts.gaps) gaps.push_back(boost::json::string(record["gap"]));
   object["gaps"] = std::move(gaps);
   object["others"] = std::move(others);
+  object["loading"] = parts.head["loading"] == "1";
+  boost::json::array failures;
+  for (const auto& record : parts.failures) failures.push_back(boost::json::string(record["failed"]));
+  object["failed"] = std::move(failures);
   shell::print(std::cout, object);
 }
 
+void print_failures(const Context& context, const Parts& parts) {
+  if (parts.failures.empty()) return;
+  std::cout << coloured(context.terminal, shell::Colour::red, "Reading failed") << " "
+            << shell::duration_words(parts.failures.front()["age"])
+            << " ago; mend the files and send gemingad a SIGHUP:\n";
+  for (const auto& record : parts.failures) std::cout << "  " << shell::printable(record["failed"]) << '\n';
+  std::cout << '\n';
+}
+
 void print_words(const Context& context, const Parts& parts) {
+  print_failures(context, parts);
+  if (parts.head["loading"] == "1") std::cout << "Files are being read.\n\n";
   if (parts.head["loaded"] != "1") {
-    std::cout << "No ontology is loaded: start gemingad with --ontology FILE-OR-FOLDER\n";
+    if (parts.head["loading"] != "1" && parts.failures.empty()) {
+      std::cout << "No ontology is loaded: start gemingad with --ontology FILE-OR-FOLDER\n";
+    }
   } else {
     std::cout << shell::printable(parts.head["classes"]) << " classes, digest "
               << shell::printable(parts.head["digest"]) << "\n\n";

@@ -17,8 +17,14 @@ struct Pair {
   std::string service;
 };
 
+/// A pair that fits, whose consumer has better ones.
+bool is_outranked(const Answer& answer) { return answer.end["outranked"] == "1"; }
+
 void print_json(const Pair& pair, const Answer& answer, bool is_match) {
-  boost::json::object object{{"subscription", pair.subscription}, {"service", pair.service}, {"matches", is_match}};
+  boost::json::object object{{"subscription", pair.subscription},
+                             {"service", pair.service},
+                             {"matches", is_match},
+                             {"outranked", is_outranked(answer)}};
   for (const auto& member : shell::to_json(answer.end)) {
     if (member.key() == "degree" || member.key() == "distance") object[member.key()] = member.value();
   }
@@ -27,16 +33,15 @@ void print_json(const Pair& pair, const Answer& answer, bool is_match) {
 }
 
 void print_words(const Context& context, const Answer& answer, bool is_match) {
-  if (is_match) {
-    std::cout << coloured(context.terminal, shell::Colour::green, "yes") << ": they match";
-    if (!answer.end["degree"].empty()) {
-      std::cout << ", degree " << shell::printable(answer.end["degree"]) << ", distance "
-                << shell::printable(answer.end["distance"]);
-    }
-    std::cout << '\n';
-  } else {
-    std::cout << coloured(context.terminal, shell::Colour::red, "no") << ": they do not match\n";
+  std::cout << (is_match
+                    ? coloured(context.terminal, shell::Colour::green, "yes") + ": they match"
+                    : coloured(context.terminal, shell::Colour::red, "no") +
+                          (is_outranked(answer) ? ": they would match, and others are better" : ": they do not match"));
+  if (!answer.end["degree"].empty()) {
+    std::cout << ", degree " << shell::printable(answer.end["degree"]) << ", distance "
+              << shell::printable(answer.end["distance"]);
   }
+  std::cout << '\n';
   shell::Table table({{"CHECK"}, {"OK"}, {"WHY", false, 20}});
   for (const auto& record : answer.records) {
     table.add({std::string(record["check"]), record["ok"] == "1" ? "yes" : "no", std::string(record["text"])});
@@ -54,7 +59,8 @@ void add_why(CLI::App& app, Run& selected) {
   command->add_option("SERVICE", pair->service, "The word in the column SERVICE of geminga-query services")->required();
   command->footer(
       "Example: geminga-query why 5e6f7a8b/2/1 1a2b3c4d/1/42\n"
-      "Exit status 0: they match; 1: they do not, or one of them is not known.");
+      "Exit status 0: they match; 1: they do not, better ones take the places that the limit leaves, or one is not "
+      "known.");
   command->callback([pair, &selected] {
     selected = [pair](const Context& context, Client& client) {
       if (refuses_watch(context, "why")) return shell::ExitStatus::wrong_use;

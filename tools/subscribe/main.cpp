@@ -51,6 +51,11 @@ void add_to(CLI::App& app, Options& options) {
       ->type_name("PARTICIPANT[/PEER]")
       ->delimiter(',')
       ->allow_extra_args(false);
+  app.add_option("--protocol", options.subscription.protocols,
+                 "Only services with one of these protocols, with commas or given several times")
+      ->type_name("P")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   app.add_option("--priority", options.subscription.priority, "Told to the provider")->type_name("K");
   app.add_option("--port", options.subscription.port, "Where this consumer can be reached; told to the provider")
       ->type_name("1..65535")

@@ -8,8 +8,8 @@
 
 #include "base/text.hpp"
 #include "client/cpp/session.hpp"
+#include "gcnp/attribute.hpp"
 #include "gcnp/request.hpp"
-#include "gcnp/reserved.hpp"
 
 namespace geminga {
 namespace {
@@ -47,8 +47,9 @@ Record record_of(const gcnp::Statement& message) {
   record.kind = message.subcommand;
   const bool is_service = message.has("service") || message.has("subscription");
   for (const auto& parameter : message.parameters) {
-    if (is_service && !gcnp::is_reserved(parameter.key)) {
-      record.attributes.emplace(parameter.key, parameter.value.value_or(""));
+    const auto attribute = is_service ? gcnp::shown_attribute(parameter.key) : std::nullopt;
+    if (attribute) {
+      record.attributes.emplace(*attribute, parameter.value.value_or(""));
     } else {
       record.fields.emplace_back(parameter.key, parameter.value.value_or(""));
     }

@@ -25,6 +25,7 @@ Line line_of(const Core& core, const registry::SubscriptionEntry& entry) {
   append(line, "age", age(core, entry));
   append_flag(line, "local", entry.is_local);
   append_flag(line, "served", core.matcher.is_served(entry));
+  append_known(line, "protocol", joined(subscription.protocols));
   gcnp::append_attributes(line, subscription.attributes);
   return line;
 }

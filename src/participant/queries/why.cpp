@@ -45,6 +45,7 @@ registry::SubscriptionEntry only(const registry::SubscriptionEntry& request, con
   one.subscription.weakest = Degree::broader;
   one.subscription.providers.clear();
   one.subscription.where.clear();
+  one.subscription.protocols.clear();
   return one;
 }
 
@@ -87,6 +88,13 @@ Line check_provider(const Core& core, const registry::SubscriptionEntry& request
                    joined(request.subscription.providers));
 }
 
+Line check_protocol(const Subscription& asked, const Publication& offered) {
+  if (asked.protocols.empty()) return check("protocol", true, "any protocol is accepted");
+  const bool is_ok = std::ranges::find(asked.protocols, offered.protocol) != asked.protocols.end();
+  return check("protocol", is_ok,
+               offered.protocol + (is_ok ? " is accepted by " : " is none of ") + joined(asked.protocols));
+}
+
 Line check_where(const Core& core, const registry::SubscriptionEntry& request,
                  const registry::PublicationEntry& offer) {
   if (request.subscription.where.empty()) return check("where", true, "there is no filter");
@@ -96,20 +104,46 @@ Line check_where(const Core& core, const registry::SubscriptionEntry& request,
   return check("where", match.has_value(), match ? "the attributes meet " + request.subscription.where : match.error());
 }
 
+/// By what the rival is ahead; empty where it is by its key alone.
+std::string lead_of(const Core& core, const registry::SubscriptionEntry& request,
+                    const registry::PublicationEntry& rival, const registry::PublicationEntry& offer) {
+  const std::int32_t wanted = rival.publication.priority;
+  const std::int32_t given = offer.publication.priority;
+  if (wanted != given) {
+    return ", whose priority is " + std::to_string(wanted) + " against " + std::to_string(given);
+  }
+  const auto better = core.matcher.why(request, rival);
+  const auto worse = core.matcher.why(request, offer);
+  if (!better || !worse || *better == *worse) return "";
+  return ", which is " + std::string(to_string(better->degree)) + ", distance " + std::to_string(better->distance);
+}
+
+std::string outranked_words(const Core& core, const registry::SubscriptionEntry& request,
+                            const registry::PublicationEntry& offer, const matching::Standing& standing) {
+  if (standing.rival == nullptr) return ": it is not used";
+  const std::string lead = lead_of(core, request, *standing.rival, offer);
+  std::string text = ": outranked by " + to_string(standing.rival->key) + lead;
+  if (!lead.empty()) return text;
+  if (standing.decided == matching::Standing::Decided::elsewhere) {
+    return text + ", which is no better: the consumer's host keeps whichever was there first";
+  }
+  return text + (standing.decided == matching::Standing::Decided::by_incumbent || standing.rival->key > offer.key
+                     ? ", which was there first and is no worse"
+                     : ", which is as good and was there first or has the smaller key");
+}
+
+/// Whether the pair came to nothing although it fits, because others took the places.
 Line check_arbitration(const Core& core, const registry::SubscriptionEntry& request,
-                       const registry::PublicationEntry& offer) {
+                       const registry::PublicationEntry& offer, const matching::Standing& standing) {
   const std::uint32_t limit = request.subscription.limit;
-  const auto ranked = core.matcher.match(request.subscription);
-  const auto place = std::ranges::find(ranked, offer.key, [](const auto& one) { return one.publication->key; });
-  const auto rank = static_cast<std::size_t>(place - ranked.begin()) + 1;
-  if (place == ranked.end()) return check("arbitration", false, "it takes no part: it does not match");
-  std::string text = "it ranks " + std::to_string(rank) + " of " + std::to_string(ranked.size());
+  std::string text = "it ranks " + std::to_string(standing.rank) + " of " + std::to_string(standing.candidates);
   if (limit == 0) return check("arbitration", true, text + ", and there is no limit");
   text += ", the limit is " + std::to_string(limit);
-  if (rank <= limit) return check("arbitration", true, text);
-  // An incumbent of the same rank is kept, which the list does not know.
-  return check("arbitration", false,
-               text + ": outranked by " + to_string(ranked.front().publication->key) + " unless it was there first");
+  if (!standing.is_chosen) return check("arbitration", false, text + outranked_words(core, request, offer, standing));
+  if (standing.decided == matching::Standing::Decided::by_incumbent) {
+    text += ": it was there first, and none of those ahead of it is better but for its key";
+  }
+  return check("arbitration", true, std::move(text));
 }
 
 }  // namespace
@@ -125,16 +159,24 @@ Answered answer(Core& core, const gcnp::QueryWhy& query) {
                   : "there is no service " + to_string(query.service) + ": geminga-query services lists them"});
   }
   const auto match = core.matcher.why(*request, *offer);
-  Answer answer{.kind = "why",
-                .lines = {check_mode(request->subscription, offer->publication), check_identity(core, *request, *offer),
-                          check_provider(core, *request, *offer), check_where(core, *request, *offer)},
-                .end = {}};
-  if (match) answer.lines.push_back(check_arbitration(core, *request, *offer));
-  append_flag(answer.end, "matches", match.has_value());
+  Answer answer{
+      .kind = "why",
+      .lines = {check_mode(request->subscription, offer->publication), check_identity(core, *request, *offer),
+                check_provider(core, *request, *offer), check_protocol(request->subscription, offer->publication),
+                check_where(core, *request, *offer)},
+      .end = {}};
+  const auto standing = match ? core.matcher.standing(request->key, offer->key) : std::nullopt;
+  if (standing) {
+    answer.looked_through = standing->candidates;
+    answer.lines.push_back(check_arbitration(core, *request, *offer, *standing));
+  }
+  const bool is_outranked = standing && !standing->is_chosen;
+  append_flag(answer.end, "matches", match.has_value() && !is_outranked);
   if (match) {
     append(answer.end, "degree", std::string(to_string(match->degree)));
     append(answer.end, "distance", match->distance);
   }
+  if (is_outranked) append_flag(answer.end, "outranked", true);
   return answer;
 }
 

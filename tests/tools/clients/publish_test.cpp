@@ -55,6 +55,24 @@ TEST(Publish, EndsWithTwoOnANameThatTheOntologyDoesNotKnow) {
   EXPECT_EQ(bench.run("geminga-publish", {"--text", "x", "--port", "5000", "service=mine"}).status, 2);
 }
 
+TEST(Publish, TakesNoMistypedKeyForAnAttribute) {
+  Bench bench;
+  const auto outcome = bench.run("geminga-publish", {"--text", "x", "--port", "5000", "prority=5"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("did you mean priority?"));
+  Talk consumer = bench.talk();
+  consumer.say("1 sub create mode=otm/stream text=x");
+  auto publish = bench.start("geminga-publish", {"--text", "x", "--port", "5000", "rate=30", "attr.where=left",
+                                                 "--attribute", "prority=5", "--attribute", "attr.port=7"});
+  const auto added = consumer.line_with({"1 pub add"});
+  ASSERT_TRUE(added) << publish->said();
+  for (const char* part : {" port=5000", " rate=30", " attr.where=left", " prority=5", " attr.port=7"}) {
+    EXPECT_THAT(*added, HasSubstr(part));
+  }
+  EXPECT_EQ(bench.run("geminga-publish", {"--text", "x", "--port", "5000", "rate=1", "--attribute", "rate=2"}).status,
+            2);
+}
+
 TEST(Publish, EndsWithThreeWhenTheDaemonGoes) {
   Bench bench;
   auto publish = bench.start("geminga-publish", {"--text", "camera", "--port", "5000"});
