@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <map>
 #include <set>
 #include <sstream>
@@ -28,7 +27,6 @@ fs::path published(const std::string& path) {
        {fs::path(named == nullptr ? "" : named), fs::path(GEMINGA_SOURCE_DIR) / "../shared/data"}) {
     if (!root.empty() && fs::exists(root / path)) return root / path;
   }
-  std::cout << "There is no " << path << " in $GEMINGA_TEST_DATA or ../shared/data: nothing is compared.\n";
   return {};
 }
 
@@ -54,7 +52,7 @@ std::string missing(const Axioms& wanted, const Axioms& found) {
 
 TEST(Published, SomaHasTheSameAxiomsInBothSyntaxes) {
   const fs::path folder = published("ontologies/soma");
-  if (folder.empty()) return;
+  if (folder.empty()) GTEST_SKIP() << "no ontologies/soma in $GEMINGA_TEST_DATA or ../shared/data";
   el::OntologySource source;
   std::vector<std::string> others;
   std::size_t imports = 0;
@@ -115,7 +113,7 @@ std::map<std::string, std::map<std::string, std::string>> test_cases(const fs::p
 
 TEST(Published, TestCasesOfTheW3cHaveTheSameAxiomsInBothSyntaxes) {
   const fs::path file = published("owl2-testcases/all.rdf");
-  if (file.empty()) return;
+  if (file.empty()) GTEST_SKIP() << "no owl2-testcases/all.rdf in $GEMINGA_TEST_DATA or ../shared/data";
   // Where the two texts of one test case differ themselves.
   const std::map<std::string, std::string> different = {
       {"New-2DFeature-2DKeys-2D007", "the RDF lacks SubClassOf(:Man :Person)"},

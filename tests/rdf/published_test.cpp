@@ -4,7 +4,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <iostream>
 
 #include "rdf/load.hpp"
 
@@ -13,16 +12,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder of test data, or an empty path after saying that there is none.
+/// The folder of test data, or an empty path.
 fs::path data_folder() {
   const char* named = std::getenv("GEMINGA_TEST_DATA");
   for (const fs::path& folder :
        {fs::path(named == nullptr ? "" : named), fs::path(GEMINGA_SOURCE_DIR) / ".." / "shared" / "data"}) {
     if (!folder.empty() && fs::is_directory(folder / "ontologies")) return folder;
   }
-  std::cout
-      << "NOT TESTED: no published ontologies in $GEMINGA_TEST_DATA or ../shared/data; tests/rdf/cases still holds "
-         "every construct\n";
   return {};
 }
 
@@ -35,7 +31,7 @@ struct Published {
 
 TEST(Published, OntologiesAreReadInFull) {
   const fs::path data = data_folder();
-  if (data.empty()) return;
+  if (data.empty()) GTEST_SKIP() << "no published ontologies in $GEMINGA_TEST_DATA or ../shared/data";
   // Counts of triples as rapper -c gives them; what is left out was looked at in the files and is wrong there.
   const std::vector<Published> all{
       {"galen/galen.owl", 37'531, 7'705, {}},

@@ -181,15 +181,14 @@ TEST(Team, LosesAHostWithItsLinkAndFindsItAgainWhenTheLinkIsBack) {
 
 TEST(Team, WithoutIpv4MeetsOverIpv6) {
   Lab lab(2);
-  if (lab.has_namespaces()) {
-    for (const std::size_t host : {0U, 1U}) lab.take_ipv4(host);
-  }  // the loopback interface has no route for IPv6 multicast: there the team meets over IPv4
+  if (!lab.has_namespaces())
+    GTEST_SKIP() << "the loopback interface keeps its IPv4 and has no route for IPv6 multicast";
+  for (const std::size_t host : {0U, 1U}) lab.take_ipv4(host);
   lab.start_all(quick);
   for (const std::size_t host : {0U, 1U}) EXPECT_TRUE(lab.wait_for_participants(host, 2)) << lab.way();
   const auto interfaces = lab.talk(0).query("interfaces");
   ASSERT_THAT(interfaces, SizeIs(1));
-  const std::string expected = lab.has_namespaces() ? "fe80::" : "127.0.0.1";
-  EXPECT_THAT(field(interfaces[0], "addresses"), testing::StartsWith(expected));
+  EXPECT_THAT(field(interfaces[0], "addresses"), testing::StartsWith("fe80::"));
 }
 
 TEST(Team, MeetsByNamedPeersWhereMulticastDoesNotPass) {

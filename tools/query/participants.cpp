@@ -13,11 +13,11 @@ shell::Table table(const std::vector<Record>& records) {
                       {"NAME", false, 8},
                       {"ADDRESSES", false, 15, 1},
                       {"HEARD", true, 0, 2},
-                      {"INTERVAL", true, 0, 7},
-                      {"LOSS", true, 0, 6},
+                      {"INTERVAL", true, 0, 8},
+                      {"LOSS", true, 0, 7},
                       {"PUBS", true, 0, 4},
-                      {"SUBS", true, 0, 4},
-                      {"ONTOLOGY", false, 0, 5},
+                      {"SUBS", true, 0, 5},
+                      {"ONTOLOGY", false, 0, 6},
                       {"", false, 0, 3}});
   for (const auto& record : records) {
     const bool is_self = record["self"] == "1";

@@ -22,6 +22,15 @@ std::optional<std::uint32_t> number(std::string_view text) {
   return value;
 }
 
+/// What is wrong with a --timeout; empty: nothing. (CLI::Range would let NaN pass.)
+std::string complaint_about_seconds(const std::string& text) {
+  double seconds = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  const bool is_number = !text.empty() && read.ec == std::errc() && read.ptr == text.data() + text.size();
+  if (is_number && seconds >= 0 && seconds <= max_timeout_seconds) return {};
+  return "must be seconds from 0 to " + std::to_string(static_cast<long>(max_timeout_seconds));
+}
+
 }  // namespace
 
 void CommonOptions::add_to(CLI::App& app, const std::string& timeout_meaning) {
@@ -31,7 +40,7 @@ void CommonOptions::add_to(CLI::App& app, const std::string& timeout_meaning) {
   app.add_flag("--json", is_json, "Print JSON: one document, or one object a line for what goes on");
   app.add_option("--timeout", timeout_seconds, timeout_meaning)
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.0, max_timeout_seconds).description(""));
+      ->check(complaint_about_seconds, "", "");
   app.set_version_flag("--version", app.get_name() + " " GEMINGA_VERSION, "Print the version and exit");
 }
 

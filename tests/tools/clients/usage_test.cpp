@@ -68,6 +68,8 @@ TEST(Programs, EndWithTwoOnWrongUsage) {
       {"geminga-query", {"requests", "--unmatched", "--unused"}},
       {"geminga-query", {"--timeout", "soon", "status"}},
       {"geminga-query", {"--timeout", "-1", "status"}},
+      {"geminga-query", {"--timeout", "nan", "status"}},
+      {"geminga-query", {"--timeout", "31622401", "status"}},
       {"geminga-query", {"--connect", "robot2", "status"}},
       {"geminga-query", {"--connect", "127.0.0.1:99999", "status"}},
       {"geminga-publish", {}},
