@@ -77,21 +77,9 @@ std::optional<Address> parse_address(std::string_view text) {
   return address;
 }
 
-std::optional<std::string> canonical_address(std::string_view text) {
-  const auto address = parse_address(text);
-  return address ? std::optional(address->text()) : std::nullopt;
-}
-
 std::optional<AddressScope> address_scope(std::string_view text) {
   const auto address = parse_address(text);
   return address ? std::optional(address->scope()) : std::nullopt;
-}
-
-bool is_same_scope(std::string_view one, std::string_view other) {
-  if (one.empty() || other.empty()) return one.empty() && other.empty();
-  const auto first = parse_address(one);
-  const auto second = parse_address(other);
-  return first && second && first->is_ipv6() == second->is_ipv6() && first->scope() == second->scope();
 }
 
 int address_rank(const Address& address) {

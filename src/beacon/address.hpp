@@ -36,13 +36,8 @@ struct Address {
 /// The address of a numeric text, or nothing. IPv4 with four decimal parts; IPv6 in every form of RFC 4291; a zone only
 /// behind an IPv6 link-local address.
 [[nodiscard]] std::optional<Address> parse_address(std::string_view text);
-/// The canonical form of a numeric text, or nothing.
-[[nodiscard]] std::optional<std::string> canonical_address(std::string_view text);
 /// The scope of a numeric text, or nothing.
 [[nodiscard]] std::optional<AddressScope> address_scope(std::string_view text);
-
-/// Whether both are numeric addresses of the same family and scope, or both are empty.
-[[nodiscard]] bool is_same_scope(std::string_view one, std::string_view other);
 
 /// Which of several addresses of one host a consumer is given: the smaller number is better. IPv4 before IPv6; within
 /// each, private and global ones before link-local ones; loopback after all of them.
