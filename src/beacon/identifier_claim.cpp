@@ -13,17 +13,10 @@ IdentifierClaim::IdentifierClaim(std::uint64_t seed, std::function<bool(Particip
     : random_(seed), is_taken_(std::move(is_taken)) {}
 
 void IdentifierClaim::start(Instant now) {
-  if (phase_ == Phase::idle) draw(now);
+  if (phase_ == Phase::idle) (void)draw_first(now);
 }
 
-bool IdentifierClaim::draw(Instant now) {
-  if (attempts_ == max_claim_attempts) {
-    phase_ = Phase::failed;
-    id_ = {};
-    due_ = now;
-    return false;
-  }
-  ++attempts_;
+void IdentifierClaim::draw(Instant now) {
   const auto old = id_;
   // At most max_participants of 2^32 identifiers are known, so this ends at once; a wrong is_taken must not hang us.
   for (int tries = 0; tries < 64; ++tries) {
@@ -34,7 +27,18 @@ bool IdentifierClaim::draw(Instant now) {
   phase_ = Phase::claiming;
   claims_sent_ = 0;
   due_ = now;
-  return true;
+}
+
+IdentifierClaim::Verdict IdentifierClaim::draw_first(Instant now) {
+  if (attempts_ == max_claim_attempts) {
+    phase_ = Phase::failed;
+    id_ = {};
+    due_ = now;
+    return Verdict::failed;
+  }
+  ++attempts_;
+  draw(now);
+  return Verdict::redrawn;
 }
 
 IdentifierClaim::Step IdentifierClaim::step(Instant now) {
@@ -50,7 +54,7 @@ IdentifierClaim::Step IdentifierClaim::step(Instant now) {
     return Step::send_claim;
   }
   phase_ = Phase::held;
-  held_since_ = now;
+  has_held_ = true;
   due_ = never;
   return Step::claimed;
 }
@@ -59,10 +63,13 @@ Instant IdentifierClaim::due() const { return due_; }
 
 IdentifierClaim::Verdict IdentifierClaim::conflict(Kind kind, Instant now) {
   if (kind == Kind::goodbye || phase_ == Phase::idle || phase_ == Phase::failed) return Verdict::ignore;
-  if (phase_ == Phase::claiming) return draw(now) ? Verdict::redrawn : Verdict::failed;
-  if (kind == Kind::claim) return Verdict::answer;
-  if (now - held_since_ >= claim_settled_after) attempts_ = 0;
-  return draw(now) ? Verdict::dropped : Verdict::failed;
+  if (!has_held_) return draw_first(now);
+  const bool is_owner = phase_ == Phase::held;
+  if (is_owner && kind == Kind::claim) return Verdict::answer;
+  if (!redraws_.has(now)) return Verdict::kept;
+  redraws_.take(now);
+  draw(now);
+  return is_owner ? Verdict::dropped : Verdict::redrawn;
 }
 
 }  // namespace geminga::beacon

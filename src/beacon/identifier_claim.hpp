@@ -9,6 +9,7 @@
 #include "base/random.hpp"
 #include "base/time.hpp"
 #include "beacon/announcement.hpp"
+#include "beacon/token_bucket.hpp"
 #include "geminga/service.hpp"
 
 namespace geminga::beacon {
@@ -17,10 +18,13 @@ namespace geminga::beacon {
 /// at 30 % loss an owner misses all three with a probability of 2.7 %, and then the clash is found at run time.
 inline constexpr std::size_t claim_copies = 3;
 inline constexpr base::Duration claim_spacing = std::chrono::milliseconds(30);
-/// Candidates that are tried before the claim fails; the paper's iteration limit.
+/// Candidates that are tried before a first identifier is held; the paper's iteration limit.
 inline constexpr std::size_t max_claim_attempts = 8;
-/// An identifier that was held so long without a clash gives all attempts back.
-inline constexpr base::Duration claim_settled_after = std::chrono::seconds(60);
+/// Later on a participant draws anew at most so often at once, and once more each redraw_refill. A true clash is over
+/// with the first draw (the next one has a probability of 2^-32), so who needs more is being lied to, and then keeping
+/// the identifier serves its peers better than a further draw. Each one costs the team a goodbye, a claim and a state.
+inline constexpr std::int64_t redraw_capacity = 3;
+inline constexpr base::Duration redraw_refill = std::chrono::seconds(20);
 
 /// The claim of one participant. Deterministic for its seed and its calls.
 class IdentifierClaim {
@@ -36,7 +40,7 @@ class IdentifierClaim {
     wait,        ///< nothing to do before due()
     send_claim,  ///< announce Kind::claim for id() on all interfaces
     claimed,     ///< id() is ours from now on: announce the state. Said once for each identifier
-    failed,      ///< the attempts are used up: the participant shuts down (paper section 3.5.1). Said from then on
+    failed,      ///< no first identifier was found: the participant shuts down (paper section 3.5.1). Said from then on
   };
   /// Moves on. Call when due() has come, until it says wait or failed.
   [[nodiscard]] Step step(base::Instant now);
@@ -45,11 +49,11 @@ class IdentifierClaim {
 
   enum class Verdict : std::uint8_t {
     ignore,   ///< nothing follows: a goodbye, or nothing of ours
-    answer,   ///< the identifier is ours and a claimant wants it: announce the state at once (Schedule::contested())
+    answer,   ///< the identifier is ours and a claimant wants it: answer at once (Schedule::contested())
     redrawn,  ///< we were claiming it ourselves: another candidate was drawn; id() changed, step() goes on
-    dropped,  ///< two owners: both drop it. Say goodbye for the old identifier, withdraw what it offered; id() is a new
-              ///< candidate, step() goes on
-    failed,   ///< as redrawn or dropped, but the attempts are used up
+    dropped,  ///< two owners: both drop it. Say goodbye for the old identifier; id() is a new candidate, step() goes on
+    kept,     ///< too many draws of late: the identifier, or the candidate, stays ours whatever others say
+    failed,   ///< no first identifier was held after max_claim_attempts candidates
   };
   /// Our identifier (id()) was heard from another boot nonce in an announcement of this kind. Feed every one of them.
   [[nodiscard]] Verdict conflict(Kind kind, base::Instant now);
@@ -60,16 +64,18 @@ class IdentifierClaim {
 
  private:
   enum class Phase : std::uint8_t { idle, claiming, held, failed };
-  bool draw(base::Instant now);
+  void draw(base::Instant now);
+  Verdict draw_first(base::Instant now);
 
   base::Random random_;
   std::function<bool(ParticipantId)> is_taken_;
   Phase phase_ = Phase::idle;
   ParticipantId id_{};
-  std::size_t attempts_ = 0;
+  bool has_held_ = false;     ///< any identifier, ever
+  std::size_t attempts_ = 0;  ///< candidates drawn while none had been held
+  TokenBucket redraws_{redraw_capacity, redraw_refill};
   std::size_t claims_sent_ = 0;
   base::Instant due_ = base::never;
-  base::Instant held_since_;
 };
 
 }  // namespace geminga::beacon

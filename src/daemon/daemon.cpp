@@ -136,7 +136,7 @@ class Daemon::State final : private env::EventSink {
       log_.write(LogLevel::info, ready_words());
     }
     if (!participant_->is_stopped()) return;
-    if (!is_stopping_) return fail({"no participant identifier could be claimed: use another --group"});
+    if (!is_stopping_) return fail({participant_->failure()});
     finish();
   }
 

@@ -4,13 +4,26 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
+#include <string>
+#include <string_view>
 
 #include "beacon/announcement.hpp"
 #include "beacon/identifier_claim.hpp"
 #include "beacon/schedule.hpp"
 #include "participant/core.hpp"
+#include "participant/sent_datagrams.hpp"
 
 namespace geminga::participant {
+
+/// One announcement that came in. Everything is borrowed for the call.
+struct Heard {
+  const beacon::Announcement& announcement;
+  beacon::Hearing hearing;
+  std::span<const std::byte> datagram;
+  std::string_view source;
+  const env::Interface& on;
+};
 
 class Announcer {
  public:
@@ -33,16 +46,25 @@ class Announcer {
   /// When step_claim() or announce() has something to do, or base::never.
   [[nodiscard]] base::Instant due() const;
 
-  /// What was heard of others, so that newcomers are answered and claims contested.
-  enum class Consequence : std::uint8_t { nothing, dropped, failed };
-  /// `dropped`: the identifier was given up, and another one is being claimed.
-  [[nodiscard]] Consequence heard(beacon::Hearing hearing, beacon::Kind kind);
+  /// What was heard, so that newcomers are answered, claims contested and lies about us contradicted.
+  /// Where an identifier is given up, another one is claimed: step_claim() says when it is held.
+  enum class Consequence : std::uint8_t { nothing, failed };
+  [[nodiscard]] Consequence heard(const Heard& heard);
+  /// Says in the log that a contest is over; to be called now and then.
+  void end_contest();
+  /// After `failed`: why, with what to do.
+  [[nodiscard]] std::string failure() const;
 
   [[nodiscard]] ParticipantId id() const { return claim_.id(); }
   [[nodiscard]] beacon::BootNonce boot() const { return boot_; }
 
  private:
-  void send(beacon::Announcement announcement);
+  enum class Extent : std::uint8_t { whole, first_part };
+  /// Sends on all interfaces; returns the most datagrams that one of them took.
+  std::size_t send(beacon::Announcement announcement, Extent extent = Extent::whole);
+  Consequence heard_clash(const Heard& heard);
+  void heard_own(const Heard& heard);
+  void report(const Heard& heard);
   [[nodiscard]] beacon::Announcement header(beacon::Kind kind, ParticipantId id) const;
   [[nodiscard]] beacon::Announcement state() const;
 
@@ -53,6 +75,8 @@ class Announcer {
   std::uint64_t revision_ = 0;
   beacon::Announcement state_;  ///< what is announced at present, without anything of an interface
   std::map<env::InterfaceIndex, std::uint64_t> sequences_;
+  SentDatagrams sent_;
+  std::string clash_from_;  ///< where the last clash was heard
   bool is_stopping_ = false;
   ParticipantId farewell_{};  ///< whose goodbye is said after stop(); 0: nobody knows us
 };

@@ -12,6 +12,7 @@
 #include "beacon/neighbour_table.hpp"
 #include "env/env.hpp"
 #include "matching/matcher.hpp"
+#include "participant/contest.hpp"
 #include "participant/counters.hpp"
 #include "participant/expressions.hpp"
 #include "participant/ontology_state.hpp"
@@ -24,8 +25,8 @@ namespace geminga::participant {
 /// Where a participant is in its life.
 enum class Phase : std::uint8_t {
   created,   ///< start() has not been called
-  claiming,  ///< no identifier is held: statements wait
-  ready,     ///< the identifier is held, everything is announced
+  claiming,  ///< no identifier has been held: statements wait
+  ready,     ///< peers are served; while another identifier is claimed after a clash, under the one given up
   stopping,  ///< goodbyes are being said
   stopped,   ///< may be destroyed
   failed,    ///< no identifier could be claimed: may be destroyed
@@ -46,8 +47,10 @@ struct Core {
   matching::Matcher matcher;
   beacon::NeighbourTable neighbours;
   Counters counters;
+  Contest contest;
   Phase phase = Phase::created;
-  ParticipantId id{};  ///< 0 while no identifier is held
+  /// What our peers know us by; 0 until an identifier is held. After a clash it stays until another one is held.
+  ParticipantId id{};
   base::Instant started{};
   std::map<env::StreamId, std::unique_ptr<Session>> sessions;
   /// Something that is announced is not what was announced last.

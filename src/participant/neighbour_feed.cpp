@@ -67,12 +67,18 @@ Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceInde
     ++core.counters.undecodable.at(static_cast<std::size_t>(announcement.error()));
     return Announcer::Consequence::nothing;
   }
+  if (core.id != announcer.id() && announcement->participant == core.id) {
+    // Whoever else has the identifier that we are giving up is heard once our own services have another one.
+    ++core.counters.hearings[beacon::Hearing::clash];
+    return Announcer::Consequence::nothing;
+  }
   const beacon::Hearing hearing = core.neighbours.hear(
       *announcement, {.interface = interface, .interface_name = on->name, .source = source, .now = core.env.now()});
   ++core.counters.hearings[hearing];
   feed(core);
   if (core.expressions.take_waiting(core.env.now())) core.matcher.place_again();
-  return announcer.heard(hearing, announcement->kind);
+  return announcer.heard(
+      {.announcement = *announcement, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
 }
 
 void expire(Core& core) {

@@ -22,8 +22,8 @@ void tell_gone(Core& core, Session& session, std::uint32_t number, matching::Rea
 void withdraw_all(Core& core, Session& session);
 /// Everything of all peers, under the identifier that is held now.
 void enter_all(Core& core);
-/// The opposite, before another identifier is claimed: the peers' statements stay, and they are told that their
-/// services are gone.
+/// The opposite, right before another identifier takes its place: the peers' statements stay, and they are told that
+/// their services are gone.
 void leave_all(Core& core);
 /// Swaps the ontology. What it does not know is withdrawn and told to its peer; what an earlier one did not know comes
 /// back.

@@ -102,16 +102,7 @@ class Participant::State {
 
   void datagram(env::InterfaceIndex interface, std::string_view source, std::span<const std::byte> bytes) {
     if (core.phase != Phase::claiming && core.phase != Phase::ready) return;
-    switch (hear(core, announcer, interface, source, bytes)) {
-      case Announcer::Consequence::nothing:
-        break;
-      case Announcer::Consequence::dropped:
-        drop_identifier();
-        break;
-      case Announcer::Consequence::failed:
-        fail();
-        break;
-    }
+    if (hear(core, announcer, interface, source, bytes) == Announcer::Consequence::failed) fail();
     settle();
   }
 
@@ -204,6 +195,7 @@ class Participant::State {
   }
 
   void claimed() {
+    if (core.phase == Phase::ready) leave_all(core);
     core.id = announcer.id();
     core.phase = Phase::ready;
     core.is_changed = true;
@@ -216,18 +208,8 @@ class Participant::State {
     }
   }
 
-  void drop_identifier() {
-    core.log(base::LogLevel::warning,
-             "another participant has the identifier " + to_string(core.id) + ", too: both take a new one");
-    ++core.counters.clashes;
-    leave_all(core);
-    core.deliver_events();
-    core.id = ParticipantId{};
-    core.phase = Phase::claiming;
-  }
-
   void fail() {
-    core.log(base::LogLevel::error, "no identifier could be claimed: is another network bridged to this one?");
+    core.log(base::LogLevel::error, announcer.failure());
     core.phase = Phase::failed;
     close_all(Error{ErrorCode::not_ready, "not ready: no identifier could be claimed, the daemon ends"});
   }
@@ -256,6 +238,7 @@ class Participant::State {
   void settle() {
     if (core.phase == Phase::claiming || core.phase == Phase::ready) {
       expire(core);
+      announcer.end_contest();
       switch (announcer.step_claim()) {
         case Announcer::Step::nothing:
           break;
@@ -291,7 +274,9 @@ Participant::~Participant() = default;
 void Participant::start() { state_->start(); }
 void Participant::stop() { state_->stop(); }
 bool Participant::is_stopped() const { return state_->is_over(); }
-bool Participant::has_failed() const { return state_->core.phase == Phase::failed; }
+std::string Participant::failure() const {
+  return state_->core.phase == Phase::failed ? state_->announcer.failure() : std::string();
+}
 bool Participant::is_ready() const { return state_->core.phase == Phase::ready; }
 void Participant::on_timer() { state_->timer(); }
 void Participant::on_datagram(env::InterfaceIndex interface, std::string_view source,

@@ -41,9 +41,9 @@ class Participant {
   void stop();
   /// Whether stop() has done everything; then the participant may be destroyed.
   [[nodiscard]] bool is_stopped() const;
-  /// Whether no identifier could be claimed within the iteration limit (paper section 3.5.1): the clients were told 503
-  /// and closed, is_stopped() holds, and the daemon ends with an error.
-  [[nodiscard]] bool has_failed() const;
+  /// Why no first identifier could be claimed within the iteration limit (paper section 3.5.1), with what to do: the
+  /// clients were told 503 and closed, is_stopped() holds, and the daemon ends with this error. Empty otherwise.
+  [[nodiscard]] std::string failure() const;
   /// Whether the identifier is claimed and the participant not stopping.
   [[nodiscard]] bool is_ready() const;
 

@@ -9,6 +9,7 @@
 namespace geminga::beacon {
 namespace {
 
+using base::Duration;
 using base::Instant;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
@@ -159,20 +160,74 @@ TEST(IdentifierClaim, SucceedsWithItsLastAttempt) {
   settle(claim, Step::claimed);
 }
 
-TEST(IdentifierClaim, GetsItsAttemptsBackWhenItHasHeldAnIdentifierForLong) {
+/// What a forger does that answers everything with a clash: the verdicts of `count` of them, one each `spacing`.
+struct Attacked {
+  std::size_t dropped = 0;
+  std::size_t redrawn = 0;
+  std::size_t kept = 0;
+};
+Attacked attack(IdentifierClaim& claim, Instant from, Duration length, Duration spacing) {
+  Attacked result;
+  for (auto now = from; now < from + length; now += spacing) {
+    while (claim.due() <= now) (void)claim.step(now);
+    switch (claim.conflict(Kind::state, now)) {
+      case Verdict::dropped:
+        ++result.dropped;
+        break;
+      case Verdict::redrawn:
+        ++result.redrawn;
+        break;
+      case Verdict::kept:
+        ++result.kept;
+        break;
+      default:
+        ADD_FAILURE() << "a running participant gives up";
+    }
+  }
+  return result;
+}
+
+TEST(IdentifierClaim, NeverFailsOnceItHasHeldAnIdentifierAndDrawsABoundedNumberAMinute) {
+  auto claim = held();
+  const auto first = attack(claim, start + seconds(1), seconds(60), milliseconds(1));
+  EXPECT_EQ(first.dropped + first.redrawn, static_cast<std::size_t>(redraw_capacity) + 2);
+  const auto later = attack(claim, start + seconds(61), seconds(600), milliseconds(1));
+  EXPECT_EQ(later.dropped + later.redrawn, seconds(600) / redraw_refill);
+  EXPECT_GT(later.kept, 500'000U);
+}
+
+TEST(IdentifierClaim, IsHeldInSpiteOfAForgerNinetyMillisecondsAfterItsLastDraw) {
+  auto claim = held();
+  auto now = start + seconds(1);
+  ASSERT_EQ(claim.conflict(Kind::state, now), Verdict::dropped);
+  for (std::int64_t i = 1; i < redraw_capacity; ++i) {
+    now += milliseconds(1);
+    ASSERT_EQ(claim.conflict(Kind::claim, now), Verdict::redrawn);
+  }
+  const auto id = claim.id();
+  const auto until = now + milliseconds(90);
+  while (now < until) {
+    ASSERT_FALSE(claim.is_held());
+    now += milliseconds(1);
+    EXPECT_EQ(claim.conflict(Kind::state, now), Verdict::kept);
+    while (claim.due() <= now) (void)claim.step(now);
+  }
+  EXPECT_TRUE(claim.is_held());
+  EXPECT_EQ(claim.id(), id);
+  EXPECT_EQ(claim.conflict(Kind::state, now), Verdict::kept);
+  EXPECT_EQ(claim.conflict(Kind::claim, now), Verdict::answer);
+  EXPECT_EQ(claim.conflict(Kind::goodbye, now), Verdict::ignore);
+  EXPECT_TRUE(claim.is_held());
+}
+
+TEST(IdentifierClaim, DrawsAgainForAClashThatComesLaterThanAllItsDrawsAreBack) {
   auto claim = held();
   auto now = start;
-  for (std::size_t i = 0; i < 3 * max_claim_attempts; ++i) {
-    now += claim_settled_after + seconds(1);
+  for (int i = 0; i < 20; ++i) {
+    now += redraw_refill;
     ASSERT_EQ(claim.conflict(Kind::state, now), Verdict::dropped);
     now = settle(claim, Step::claimed);
   }
-  std::size_t drops = 0;
-  while (claim.conflict(Kind::state, now) == Verdict::dropped) {
-    now = settle(claim, Step::claimed) + seconds(1);
-    ++drops;
-  }
-  EXPECT_EQ(drops, max_claim_attempts - 1);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ using base::Duration;
 using base::Instant;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
+using Say = Schedule::Say;
 
 constexpr Instant start{seconds(100)};
 
@@ -29,8 +30,8 @@ std::vector<Instant> run(Schedule& schedule, Instant end, std::vector<Disturbanc
     const auto now = std::min(schedule.due(), disturbed);
     if (now > end) return sent;
     if (now == disturbed) disturbances[next].what(schedule, now), ++next;
-    if (schedule.take(now)) sent.push_back(now);
-    EXPECT_FALSE(schedule.take(now)) << "twice at one instant";
+    if (schedule.take(now) != Say::nothing) sent.push_back(now);
+    EXPECT_EQ(schedule.take(now), Say::nothing) << "twice at one instant";
   }
 }
 
@@ -45,7 +46,7 @@ TEST(Schedule, SaysNothingBeforeItBegins) {
   EXPECT_EQ(schedule.due(), base::never);
   schedule.newcomer(start);
   EXPECT_EQ(schedule.due(), base::never);
-  EXPECT_FALSE(schedule.take(start));
+  EXPECT_EQ(schedule.take(start), Say::nothing);
 }
 
 TEST(Schedule, TellsAChangeAtOnceAndFourTimesAgain) {
@@ -127,7 +128,7 @@ TEST(Schedule, AnswersANewcomerAfterAShortRandomTimeWithCopies) {
     const auto when = run(schedule, start + seconds(13)).back() + milliseconds(100);
     const auto sent =
         run(schedule, when + milliseconds(500), {{when, [](Schedule& s, Instant now) { s.newcomer(now); }}});
-    ASSERT_EQ(sent.size(), 5U) << "seed " << seed;
+    ASSERT_EQ(sent.size(), answer_delays.size() + 1) << "seed " << seed;
     EXPECT_GE(sent[0], when);
     EXPECT_LE(sent[0], when + max_newcomer_delay);
   }
@@ -140,16 +141,56 @@ TEST(Schedule, AnswersNewcomersThatComeTogetherTogether) {
   std::vector<Disturbance> newcomers;
   for (int i = 0; i < 30; ++i)
     newcomers.push_back({when + milliseconds(i), [](Schedule& s, Instant now) { s.newcomer(now); }});
-  EXPECT_EQ(run(schedule, when + milliseconds(600), std::move(newcomers)).size(), 5U);
+  EXPECT_EQ(run(schedule, when + milliseconds(600), std::move(newcomers)).size(), answer_delays.size() + 1);
+}
+
+/// What goes out in a minute with one newcomer a second, beyond what goes out without, in datagrams of one link.
+std::int64_t cost_of_newcomers(std::size_t size) {
+  const auto count = [size](bool has_newcomers) {
+    auto schedule = running(7);
+    schedule.set_size(size);
+    run(schedule, start + seconds(10));
+    std::vector<Disturbance> newcomers;
+    for (int i = 10; has_newcomers && i < 70; ++i)
+      newcomers.push_back({start + seconds(i), [](Schedule& s, Instant now) { s.newcomer(now); }});
+    return static_cast<std::int64_t>(run(schedule, start + seconds(70), std::move(newcomers)).size() * size);
+  };
+  return count(true) - count(false);
 }
 
 TEST(Schedule, DoesNotLetForgedNewcomersMakeItASourceOfTraffic) {
+  const auto refilled = seconds(60) / (answer_refill_intervals * seconds(2));
+  EXPECT_LE(cost_of_newcomers(1), answer_capacity + refilled + 1);
+  EXPECT_LE(cost_of_newcomers(8), answer_capacity + refilled + 2 * 8);
+  EXPECT_LE(cost_of_newcomers(300), 300) << "a large state is told once";
+}
+
+TEST(Schedule, AnswersNewcomersInTheLongRunForAQuarterOfWhatItsPeriodicAnnouncementsCost) {
   auto schedule = running(7);
+  const auto minutes = std::chrono::minutes(60);
   std::vector<Disturbance> newcomers;
-  for (int i = 0; i < 100'000; ++i)
-    newcomers.push_back({start + milliseconds(i), [](Schedule& s, Instant now) { s.newcomer(now); }});
-  const auto sent = run(schedule, start + seconds(100), std::move(newcomers));
-  EXPECT_LE(sent.size(), 5U * 100 + 10);
+  for (auto now = start; now < start + minutes; now += milliseconds(100))
+    newcomers.push_back({now, [](Schedule& s, Instant at) { s.newcomer(at); }});
+  const auto sent = run(schedule, start + minutes, std::move(newcomers));
+  EXPECT_LE(sent.size(), static_cast<std::size_t>(minutes / seconds(2) * 5 / 4) + 60);
+}
+
+TEST(Schedule, AnswersTenNewcomersThatComeOneBehindTheOtherAndAnswersAgainWhenTheBudgetIsBack) {
+  auto schedule = running(7);
+  run(schedule, start + seconds(10));
+  auto now = start + seconds(10);
+  const auto is_answered = [&] {
+    now += 2 * newcomer_spacing;
+    run(schedule, now);
+    const auto sent = run(schedule, now + max_newcomer_delay, {{now, [](Schedule& s, Instant at) { s.newcomer(at); }}});
+    return !sent.empty();
+  };
+  std::size_t answered = 0;
+  for (std::size_t i = 0; i < 10; ++i) answered += is_answered() ? 1 : 0;
+  EXPECT_EQ(answered, 10U);
+  now += answer_capacity * answer_refill_intervals * seconds(2);
+  run(schedule, now);
+  EXPECT_TRUE(is_answered());
 }
 
 TEST(Schedule, AnswersANewcomerThatCopiesDoNotReachWhenTheSpacingIsOver) {
@@ -159,8 +200,8 @@ TEST(Schedule, AnswersANewcomerThatCopiesDoNotReachWhenTheSpacingIsOver) {
   const auto newcomer = [](Schedule& s, Instant now) { s.newcomer(now); };
   const auto sent =
       run(schedule, first + milliseconds(1600), {{first, newcomer}, {first + milliseconds(500), newcomer}});
-  ASSERT_EQ(sent.size(), 10U);
-  EXPECT_EQ(sent[5], sent[0] + newcomer_spacing);
+  ASSERT_EQ(sent.size(), 2 * (answer_delays.size() + 1));
+  EXPECT_EQ(sent[answer_delays.size() + 1], sent[0] + newcomer_spacing);
 }
 
 TEST(Schedule, AnswersEachClaimToItsIdentifierAtOnceWithOneCopy) {
@@ -175,6 +216,51 @@ TEST(Schedule, AnswersEachClaimToItsIdentifierAtOnceWithOneCopy) {
   schedule.pause();
   schedule.contested(when + seconds(1));
   EXPECT_EQ(schedule.due(), base::never);
+}
+
+TEST(Schedule, AnswersAClaimBeforeItsNinetyMillisecondsAreOverEvenWhileAForgerClaimsWithoutEnd) {
+  auto schedule = running(12);
+  run(schedule, start + seconds(1));
+  std::vector<Disturbance> claims;
+  for (int i = 1000; i < 11'000; ++i)
+    claims.push_back({start + milliseconds(i), [](Schedule& s, Instant now) { s.contested(now); }});
+  const auto sent = run(schedule, start + seconds(11), std::move(claims));
+  for (std::size_t i = 1; i < sent.size(); ++i) EXPECT_LT(sent[i] - sent[i - 1], milliseconds(90));
+  EXPECT_LE(sent.size(), static_cast<std::size_t>(contest_capacity + seconds(10) / contest_refill) + 6);
+}
+
+TEST(Schedule, ShowsItsPresenceOnlyWhereItIsContestedAndItsStateIsNotDueAnyway) {
+  auto schedule = running(12);
+  schedule.contested(start);
+  EXPECT_EQ(schedule.take(start), Say::state);
+  run(schedule, start + seconds(1));
+  schedule.contested(start + seconds(1));
+  EXPECT_EQ(schedule.take(start + seconds(1)), Say::presence);
+}
+
+TEST(Schedule, DoesNotDelayAChangeWhileItIsContested) {
+  auto schedule = running(12);
+  std::vector<Disturbance> disturbances;
+  for (int i = 1000; i < 3000; ++i)
+    disturbances.push_back({start + milliseconds(i), [](Schedule& s, Instant now) { s.contested(now); }});
+  run(schedule, start + seconds(2), disturbances);
+  const auto when = start + seconds(2);
+  schedule.changed(when);
+  ASSERT_LE(schedule.due(), when + min_spacing);
+  EXPECT_EQ(schedule.take(schedule.due()), Say::state);
+}
+
+TEST(Schedule, ContradictsALieAtOnceAndABoundedNumberOfTimes) {
+  auto schedule = running(13);
+  run(schedule, start + seconds(10));
+  const auto when = run(schedule, start + seconds(13)).back() + milliseconds(100);
+  const auto contradict = [](Schedule& s, Instant now) { s.contradict(now); };
+  EXPECT_EQ(run(schedule, when + milliseconds(1), {{when, contradict}}), std::vector{when});
+  std::vector<Disturbance> lies;
+  for (int i = 2; i < 60'000; ++i) lies.push_back({when + milliseconds(i), contradict});
+  const auto sent = run(schedule, when + seconds(60), std::move(lies));
+  EXPECT_LE(sent.size(), static_cast<std::size_t>(contradiction_capacity + 30 * contradictions_per_interval));
+  EXPECT_GE(sent.size(), static_cast<std::size_t>(30 * contradictions_per_interval));
 }
 
 TEST(Schedule, IsSilentWhilePaused) {
@@ -203,8 +289,8 @@ TEST(Schedule, SaysGoodbyeAtOnceAndTwiceAgainAndThenNothing) {
 
 TEST(Schedule, IsNotHarmedByATimerThatComesLate) {
   auto schedule = running(11);
-  ASSERT_TRUE(schedule.take(start + seconds(1)));
-  EXPECT_FALSE(schedule.take(start + seconds(1)));
+  ASSERT_EQ(schedule.take(start + seconds(1)), Say::state);
+  EXPECT_EQ(schedule.take(start + seconds(1)), Say::nothing);
   EXPECT_GE(schedule.due(), start + milliseconds(2800));
 }
 

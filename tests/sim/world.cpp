@@ -63,6 +63,7 @@ void World::transmit(const Host& sender, env::InterfaceIndex interface, std::str
   trace(sender.name(), datagram);
   ++datagrams_;
   datagram_bytes_ += datagram.size();
+  if (on_transmit) on_transmit(sender, datagram);
   const auto bytes = std::make_shared<const std::string>(datagram);
   for (const auto& receiver : hosts_) {
     for (const Host::Port& to : receiver->ports()) {

@@ -65,6 +65,9 @@ class World {
   /// Hands a datagram to everybody on the sender's network, the sender too, as multicast does.
   void transmit(const Host& sender, env::InterfaceIndex interface, std::string_view datagram);
 
+  /// Called with each datagram that a host sends, before anybody hears it: for who listens in on the air.
+  std::function<void(const Host& sender, std::string_view datagram)> on_transmit;
+
   /// Enters something observable into the trace.
   void trace(std::string_view who, std::string_view what);
   [[nodiscard]] std::uint64_t trace_hash() const { return trace_; }

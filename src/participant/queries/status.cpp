@@ -36,6 +36,16 @@ void append_ontology_state(Line& line, const Core& core) {
   if (others != 0) append(line, "ontology_others", others);
 }
 
+/// What others do in our name, where they do.
+void append_contest(Line& line, const Core& core) {
+  if (core.counters.redraws != 0) append(line, "redraws", core.counters.redraws);
+  if (core.counters.contested != 0) append(line, "contested", core.counters.contested);
+  if (core.counters.contradicted != 0) append(line, "contradicted", core.counters.contradicted);
+  if (!core.contest.since()) return;
+  append(line, "contested_for", seconds(core.env.now() - *core.contest.since()));
+  append(line, "contested_from", core.contest.from());
+}
+
 }  // namespace
 
 Answered answer(Core& core, const gcnp::QueryStatus&) {
@@ -66,6 +76,7 @@ Answered answer(Core& core, const gcnp::QueryStatus&) {
   append(line, "ontology", digest_word(core.digest()));
   append_counters(line, core.counters);
   append_ontology_state(line, core);
+  append_contest(line, core);
   const Expressions::Counts& expressions = core.expressions.counts();
   if (expressions.classified != 0) append(line, "expressions_classified", expressions.classified);
   if (expressions.unknown != 0) append(line, "expressions_unknown", expressions.unknown);
