@@ -231,10 +231,19 @@ class Daemon::State final : private env::EventSink {
 
   [[nodiscard]] std::vector<gcnp::Parameter> status() const {
     const Usage usage = read_usage();
-    return {{"memory", std::to_string(usage.resident_bytes)},
-            {"peak_memory", std::to_string(usage.peak_resident_bytes)},
-            {"cpu", decimal(usage.processor_seconds)},
-            {"ontology_load", decimal(std::chrono::duration<double>(load_time_).count())}};
+    std::vector<gcnp::Parameter> line{{"memory", std::to_string(usage.resident_bytes)},
+                                      {"peak_memory", std::to_string(usage.peak_resident_bytes)},
+                                      {"cpu", decimal(usage.processor_seconds)},
+                                      {"ontology_load", decimal(std::chrono::duration<double>(load_time_).count())}};
+    const env::AirCounts& dropped = env_.air_counts();
+    const auto append = [&](const char* key, std::uint64_t count) {
+      if (count != 0) line.push_back({key, std::to_string(count)});
+    };
+    append("dropped_off_link", dropped.off_link);
+    append("dropped_no_peer", dropped.no_peer);
+    append("dropped_wrong_way", dropped.wrong_way);
+    append("dropped_overrun", dropped.overrun);
+    return line;
   }
 
   Configuration configuration_;

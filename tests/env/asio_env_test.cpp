@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <boost/asio/ip/multicast.hpp>
 #include <boost/asio/ip/udp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/read.hpp>
@@ -166,6 +167,8 @@ TEST(AsioEnvUnicast, ReachesANamedPeerAndTakesOnlyNamedPeers) {
   ASSERT_TRUE(run_until(context, [&] { return !b.events.datagrams.empty(); }));
   EXPECT_THAT(b.events.datagrams, SizeIs(1));
   EXPECT_EQ(b.events.datagrams[0].bytes, "hello b");
+  EXPECT_EQ(b.env.air_counts().no_peer, 1U) << "what is not taken is counted";
+  EXPECT_EQ(a.env.air_counts().no_peer, 0U);
   // A name is resolved while the loop runs: what is sent before goes nowhere.
   net::steady_timer again(context);
   const std::function<void()> send_again = [&] {
@@ -180,6 +183,27 @@ TEST(AsioEnvUnicast, ReachesANamedPeerAndTakesOnlyNamedPeers) {
   EXPECT_EQ(a.events.datagrams[0].bytes, "hello a");
   again.cancel();
   for (const auto& datagram : b.events.datagrams) EXPECT_NE(datagram.bytes, "hello a") << "a list that names oneself";
+}
+
+TEST(AsioEnvAir, CountsWhatTheKernelDropsInAFlood) {
+  net::io_context context;
+  const std::uint16_t port = free_port();
+  Station station(context);
+  station.open(port, {"239.192.47.17"});
+  // Nobody reads while these come: more than any receive buffer that we may have.
+  net::ip::udp::socket flood(context, {net::ip::make_address("127.0.0.1"), 0});
+  flood.set_option(net::ip::multicast::outbound_interface(net::ip::address_v4::loopback()));
+  const std::string bytes(1400, 'x');
+  for (int i = 0; i < 4000; ++i) {
+    flood.send_to(net::buffer(bytes), {net::ip::make_address("239.192.47.17"), port});
+  }
+  ASSERT_TRUE(run_until(context, [&] { return !station.events.datagrams.empty(); }));
+  // The count comes with the next datagram that found room.
+  std::size_t sent = 0;
+  EXPECT_TRUE(run_until(context, [&] {
+    if (sent++ < 10'000) flood.send_to(net::buffer("more", 4), {net::ip::make_address("239.192.47.17"), port});
+    return station.env.air_counts().overrun > 0;
+  }));
 }
 
 TEST(AsioEnvUnicast, SaysThatTheAddressIsInUseInsteadOfStealing) {

@@ -1,13 +1,10 @@
 // What strangers send over the network and over GCNP, and that it costs nobody else anything.
-#include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <net/if.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include "base/random.hpp"
 #include "system/lab.hpp"
+#include "system/stranger.hpp"
 
 namespace geminga::system {
 namespace {
@@ -17,40 +14,6 @@ using testing::IsEmpty;
 using testing::StartsWith;
 
 constexpr std::uint64_t seed = 4717;
-
-/// Sends datagrams to the team's group from a host of the lab, as any program there may.
-class Stranger {
- public:
-  Stranger(const Lab& lab, std::size_t host) {
-    lab.visit(host, [&] {
-      socket_ = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-      in_addr own{};
-      ::inet_pton(AF_INET, lab.address_of(host).c_str(), &own);
-      ip_mreqn interface{};
-      interface.imr_ifindex = static_cast<int>(::if_nametoindex(lab.interface_of(host).c_str()));
-      ::setsockopt(socket_, IPPROTO_IP, IP_MULTICAST_IF, &interface, sizeof interface);
-      sockaddr_in source{};
-      source.sin_family = AF_INET;
-      source.sin_addr = own;
-      ::bind(socket_, reinterpret_cast<const sockaddr*>(&source), sizeof source);
-    });
-    group_.sin_family = AF_INET;
-    group_.sin_port = htons(lab.udp_port());
-    ::inet_pton(AF_INET, "239.192.47.17", &group_.sin_addr);
-  }
-  ~Stranger() { ::close(socket_); }
-  Stranger(const Stranger&) = delete;
-  Stranger& operator=(const Stranger&) = delete;
-
-  [[nodiscard]] bool send(const std::string& bytes) const {
-    return ::sendto(socket_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&group_),
-                    sizeof group_) == static_cast<ssize_t>(bytes.size());
-  }
-
- private:
-  int socket_ = -1;
-  sockaddr_in group_{};
-};
 
 /// The sum of all counters of refused datagrams in an answer to `query status`.
 long refused(const std::vector<std::string>& lines) {

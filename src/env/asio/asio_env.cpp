@@ -71,7 +71,7 @@ class AsioEnv::State {
     unicast_.reset();
     if (!settings_.peers.empty()) {
       unicast_ = std::make_unique<Unicast>(
-          context_, settings_.peers, settings_.port, log_,
+          context_, settings_.peers, settings_.port, log_, air_counts_,
           [this](InterfaceIndex interface, const address& source, std::span<const std::byte> datagram) {
             receive(interface, source, datagram);
           });
@@ -105,6 +105,7 @@ class AsioEnv::State {
   Streams streams_;
   base::Instant now_;
   std::vector<Interface> interfaces_;
+  AirCounts air_counts_;
 
  private:
   void arm() {
@@ -159,7 +160,7 @@ class AsioEnv::State {
   /// Whether it can be used.
   bool open(const Link& link) {
     auto opened = std::make_unique<MulticastLink>(
-        context_, link, groups_, settings_.port,
+        context_, link, groups_, settings_.port, air_counts_,
         [this, index = link.interface.index](const address& source, std::span<const std::byte> datagram) {
           receive(index, source, datagram);
         });
@@ -234,6 +235,7 @@ void AsioEnv::open_air(AirSettings settings) { state_->open_air(std::move(settin
 void AsioEnv::serve(EventSink& sink) { state_->serve(sink); }
 void AsioEnv::stop_listening() { state_->streams_.stop_listening(); }
 void AsioEnv::event(const std::function<void()>& action) { state_->event(action); }
+const AirCounts& AsioEnv::air_counts() const { return state_->air_counts_; }
 bool AsioEnv::is_writing() const { return state_->streams_.is_writing(); }
 
 base::Instant AsioEnv::now() const { return state_->now_; }

@@ -11,6 +11,7 @@
 
 #include "env/asio/endpoint.hpp"
 #include "env/asio/event_sink.hpp"
+#include "env/asio/reception.hpp"
 #include "env/env.hpp"
 
 namespace boost::asio {
@@ -53,6 +54,8 @@ class AsioEnv final : public Env {
   void stop_listening();
   /// Calls `action` as one event: for what the owner itself does with the participant.
   void event(const std::function<void()>& action);
+  /// The datagrams that were not handed over.
+  [[nodiscard]] const AirCounts& air_counts() const;
   /// Whether bytes for a client are still on their way.
   [[nodiscard]] bool is_writing() const;
 

@@ -99,14 +99,15 @@ bool Link::has_address(const ip::address& address) const {
   return std::ranges::any_of(prefixes, [&](const Prefix& prefix) { return prefix.address == address; });
 }
 
+bool Link::has_network_of(const ip::address& address) const {
+  return std::ranges::any_of(prefixes, [&](const Prefix& prefix) { return share_prefix(address, prefix); });
+}
+
 bool Link::is_on_link(const ip::address& source) const {
-  if (interface.is_loopback || is_link_local(source)) return true;
-  bool has_family = false;
-  for (const Prefix& prefix : prefixes) {
-    if (share_prefix(source, prefix)) return true;
-    has_family = has_family || (prefix.address.is_v4() == source.is_v4() && !is_link_local(prefix.address));
-  }
-  return !has_family;
+  if (interface.is_loopback || is_link_local(source) || has_network_of(source)) return true;
+  return std::ranges::none_of(prefixes, [&](const Prefix& prefix) {
+    return prefix.address.is_v4() == source.is_v4() && !is_link_local(prefix.address);
+  });
 }
 
 std::vector<Link> scan_links(const std::vector<std::string>& names) {

@@ -26,6 +26,8 @@ struct Link {
 
   [[nodiscard]] std::optional<boost::asio::ip::address_v4> first_v4() const;
   [[nodiscard]] bool has_address(const boost::asio::ip::address& address) const;
+  /// Whether the address is in one of the interface's networks.
+  [[nodiscard]] bool has_network_of(const boost::asio::ip::address& address) const;
   /// Whether a datagram from this source can have been sent on this very link: it is in one of the interface's
   /// networks, or link-local. True where the interface is the loopback, or has no address of that family to judge by.
   [[nodiscard]] bool is_on_link(const boost::asio::ip::address& source) const;

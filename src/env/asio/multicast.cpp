@@ -74,14 +74,16 @@ address scoped(const address& group, int index) {
 }  // namespace
 
 struct MulticastLink::Sockets : std::enable_shared_from_this<MulticastLink::Sockets> {
-  struct Receiver {
+  struct Socket {
     udp::socket socket;
     bool is_v4;
+    Receiver receiver;
   };
 
   Link link;
   Receive receive;
-  std::vector<Receiver> receivers;
+  AirCounts* counts = nullptr;
+  std::vector<Socket> receivers;
   std::optional<udp::socket> sender;
   std::vector<udp::endpoint> targets;
   udp::endpoint own;  // of the sender; its address may be unspecified
@@ -108,7 +110,9 @@ struct MulticastLink::Sockets : std::enable_shared_from_this<MulticastLink::Sock
       return;
     }
     set_int(socket, SOL_SOCKET, SO_RCVBUF, receive_buffer_bytes);  // less is served as well
-    receivers.push_back({std::move(socket), group.is_v4()});
+    Receiver receiver;
+    receiver.watch_drops(socket);
+    receivers.push_back({std::move(socket), group.is_v4(), receiver});
   }
 
   void open_sender(net::io_context& context, const std::vector<address>& groups, std::uint16_t port) {
@@ -144,15 +148,16 @@ struct MulticastLink::Sockets : std::enable_shared_from_this<MulticastLink::Sock
   void drain(std::size_t number) {
     std::array<std::byte, max_datagram_bytes + 1> buffer;
     for (int turn = 0; turn < max_datagrams_per_turn && !is_closed; ++turn) {
-      udp::endpoint from;
-      auto length = static_cast<socklen_t>(from.capacity());
-      const ssize_t size = ::recvfrom(receivers[number].socket.native_handle(), buffer.data(), buffer.size(),
-                                      MSG_DONTWAIT, from.data(), &length);
-      if (size < 0) return;  // drained, or a pending error of the socket that reading has cleared
-      from.resize(length);
-      const address source = without_scope(from.address());
-      if (is_echo(source, from.port()) || !link.is_on_link(source)) continue;
-      receive(source, std::span(buffer).first(static_cast<std::size_t>(size)));
+      Socket& on = receivers[number];
+      const auto reception = on.receiver.receive(on.socket, buffer, *counts);
+      if (!reception) return;  // drained, or a pending error of the socket that reading has cleared
+      const address source = without_scope(reception->from.address());
+      if (is_echo(source, reception->from.port())) continue;
+      if (!link.is_on_link(source)) {
+        ++counts->off_link;
+        continue;
+      }
+      receive(source, std::span(buffer).first(reception->size));
     }
   }
 
@@ -166,9 +171,10 @@ struct MulticastLink::Sockets : std::enable_shared_from_this<MulticastLink::Sock
 };
 
 MulticastLink::MulticastLink(net::io_context& context, const Link& link, const std::vector<address>& groups,
-                             std::uint16_t port, Receive receive)
+                             std::uint16_t port, AirCounts& counts, Receive receive)
     : sockets_(std::make_shared<Sockets>()) {
   sockets_->link = link;
+  sockets_->counts = &counts;
   sockets_->receive = std::move(receive);
   for (const address& group : groups) sockets_->open_receiver(context, group, port);
   sockets_->open_sender(context, groups, port);
@@ -201,7 +207,7 @@ bool MulticastLink::update(const Link& link) {
 
 bool MulticastLink::is_sound() const {
   if (!sockets_->sender) return false;
-  return std::ranges::any_of(sockets_->receivers, [&](const Sockets::Receiver& receiver) {
+  return std::ranges::any_of(sockets_->receivers, [&](const Sockets::Socket& receiver) {
     return receiver.is_v4 == sockets_->own.address().is_v4();
   });
 }

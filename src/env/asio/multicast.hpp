@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "env/asio/links.hpp"
+#include "env/asio/reception.hpp"
 
 namespace geminga::env {
 
@@ -32,9 +33,10 @@ class MulticastLink {
   /// Takes one datagram with its sender. May not destroy the MulticastLink.
   using Receive = std::function<void(const boost::asio::ip::address& source, std::span<const std::byte> datagram)>;
 
-  /// Opens what can be opened; what cannot is in problems(), one line each.
+  /// Opens what can be opened; what cannot is in problems(), one line each. What is not taken is added to `counts`,
+  /// which is borrowed for the life of this object.
   MulticastLink(boost::asio::io_context& context, const Link& link, const std::vector<boost::asio::ip::address>& groups,
-                std::uint16_t port, Receive receive);
+                std::uint16_t port, AirCounts& counts, Receive receive);
   ~MulticastLink();
   MulticastLink(const MulticastLink&) = delete;
   MulticastLink& operator=(const MulticastLink&) = delete;

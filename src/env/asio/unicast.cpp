@@ -47,8 +47,15 @@ std::optional<address> source_towards(net::io_context& context, const udp::endpo
 
 class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
  public:
-  State(net::io_context& context, std::vector<HostPort> peers, std::uint16_t port, base::LogSink& log, Receive receive)
-      : context_(context), port_(port), log_(log), receive_(std::move(receive)), resolver_(context), timer_(context) {
+  State(net::io_context& context, std::vector<HostPort> peers, std::uint16_t port, base::LogSink& log,
+        AirCounts& counts, Receive receive)
+      : context_(context),
+        port_(port),
+        log_(log),
+        counts_(counts),
+        receive_(std::move(receive)),
+        resolver_(context),
+        timer_(context) {
     for (HostPort& peer : peers) peers_.push_back({std::move(peer), std::nullopt, std::nullopt, {}});
   }
 
@@ -69,6 +76,7 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
   }
 
   void set_links(const std::vector<Link>& links) {
+    links_ = links;
     std::map<address, InterfaceIndex> wanted;
     for (const Link& link : links) {
       for (const Prefix& prefix : link.prefixes) {
@@ -101,6 +109,7 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
   struct Socket {
     udp::socket socket;
     InterfaceIndex interface;
+    Receiver receiver;
   };
 
   void say(base::LogLevel level, std::string& last, std::string text) {
@@ -110,10 +119,12 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
   }
 
   void open(const address& own, InterfaceIndex interface) {
-    auto socket = std::make_shared<Socket>(udp::socket(context_), interface);
+    auto socket = std::make_shared<Socket>(udp::socket(context_), interface, Receiver());
     boost::system::error_code error;
     socket->socket.open(own.is_v4() ? udp::v4() : udp::v6(), error);
     if (!error && own.is_v6()) socket->socket.set_option(net::ip::v6_only(true), error);
+    if (!error && !Receiver::watch_interface(socket->socket, own.is_v4()))
+      error.assign(errno, boost::system::generic_category());
     if (!error) socket->socket.bind({own, port_}, error);
     if (error) {
       say(base::LogLevel::warning, complaints_[own],
@@ -121,6 +132,7 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
               (error == net::error::address_in_use ? ": another gemingad? give one of them another --port" : ""));
       return;
     }
+    socket->receiver.watch_drops(socket->socket);
     complaints_.erase(own);
     sockets_.emplace(own, socket);
     await(socket);
@@ -138,17 +150,31 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
   void drain(Socket& socket) {
     std::array<std::byte, max_datagram_bytes + 1> buffer;
     for (int turn = 0; turn < max_datagrams_per_turn && !is_stopped_; ++turn) {
-      udp::endpoint from;
-      auto length = static_cast<socklen_t>(from.capacity());
-      const ssize_t size =
-          ::recvfrom(socket.socket.native_handle(), buffer.data(), buffer.size(), MSG_DONTWAIT, from.data(), &length);
-      if (size < 0 && errno == ECONNREFUSED) continue;  // a peer that is not there yet
-      if (size < 0) return;
-      from.resize(length);
-      const bool is_peer = std::ranges::any_of(
-          peers_, [&](const Peer& peer) { return peer.endpoint && peer.endpoint->address() == from.address(); });
-      if (is_peer) receive_(socket.interface, from.address(), std::span(buffer).first(static_cast<std::size_t>(size)));
+      const auto reception = socket.receiver.receive(socket.socket, buffer, counts_);
+      if (!reception && errno == ECONNREFUSED) continue;  // a peer that is not there yet
+      if (!reception) return;
+      const address from = reception->from.address();
+      const auto peer = std::ranges::find_if(
+          peers_, [&](const Peer& each) { return each.endpoint && each.endpoint->address() == from; });
+      if (peer == peers_.end()) {
+        ++counts_.no_peer;
+      } else if (!can_come_in(*peer, InterfaceIndex{reception->interface})) {
+        ++counts_.wrong_way;
+      } else {
+        receive_(socket.interface, from, std::span(buffer).first(reception->size));
+      }
     }
+  }
+
+  /// Whether what this peer sends can come in on that interface.
+  [[nodiscard]] bool can_come_in(const Peer& peer, InterfaceIndex interface) const {
+    const address& from = peer.endpoint->address();
+    // Another daemon of this host: the kernel lets nothing in from outside that has an address of ours as its source.
+    if (sockets_.contains(from)) return true;
+    const auto way = peer.via ? sockets_.find(*peer.via) : sockets_.end();
+    if (way != sockets_.end() && way->second->interface == interface) return true;
+    return std::ranges::any_of(
+        links_, [&](const Link& link) { return link.interface.index == interface && link.has_network_of(from); });
   }
 
   void find_routes() {
@@ -214,10 +240,12 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
   net::io_context& context_;
   std::uint16_t port_;
   base::LogSink& log_;
+  AirCounts& counts_;
   Receive receive_;
   udp::resolver resolver_;
   net::steady_timer timer_;
   std::vector<Peer> peers_;
+  std::vector<Link> links_;
   std::map<address, std::shared_ptr<Socket>> sockets_;  // by our own address
   std::map<address, std::string> complaints_;
   bool has_names_ = false;
@@ -225,8 +253,8 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
 };
 
 Unicast::Unicast(net::io_context& context, std::vector<HostPort> peers, std::uint16_t port, base::LogSink& log,
-                 Receive receive)
-    : state_(std::make_shared<State>(context, std::move(peers), port, log, std::move(receive))) {
+                 AirCounts& counts, Receive receive)
+    : state_(std::make_shared<State>(context, std::move(peers), port, log, counts, std::move(receive))) {
   state_->start();
 }
 Unicast::~Unicast() { state_->stop(); }

@@ -14,6 +14,7 @@
 #include "base/log.hpp"
 #include "env/asio/endpoint.hpp"
 #include "env/asio/links.hpp"
+#include "env/asio/reception.hpp"
 
 namespace geminga::env {
 
@@ -25,15 +26,18 @@ inline constexpr std::chrono::seconds resolve_refresh{300};
 /// address sharing: a second daemon of this host cannot steal our datagrams (it is told that the address is in use),
 /// and the multicast sockets, which are bound to group addresses, are not in the way. A copy goes out when the
 /// participant sends on the interface that the kernel's route to the peer leads through, so that it carries the
-/// addresses that are valid on the way there. Only datagrams from the peers' own addresses are taken. Both sides name
-/// each other.
+/// addresses that are valid on the way there. Only datagrams from the peers' own addresses are taken, and only where
+/// the peer can be: on the interface that the route to it leads through, or on one whose network it is in. So a spoofed
+/// source from another network says nothing in a peer's name, whatever the kernel's rp_filter lets pass. Both sides
+/// name each other.
 class Unicast {
  public:
   using Receive = std::function<void(InterfaceIndex interface, const boost::asio::ip::address& source,
                                      std::span<const std::byte> datagram)>;
 
+  /// What is not taken is added to `counts`, which is borrowed for the life of this object.
   Unicast(boost::asio::io_context& context, std::vector<HostPort> peers, std::uint16_t port, base::LogSink& log,
-          Receive receive);
+          AirCounts& counts, Receive receive);
   ~Unicast();
   Unicast(const Unicast&) = delete;
   Unicast& operator=(const Unicast&) = delete;
