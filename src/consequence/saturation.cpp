@@ -1,9 +1,9 @@
 #include "consequence/saturation.hpp"
 
 #include <mutex>
-#include <thread>
 
 #include "consequence/worker.hpp"
+#include "el/crew.hpp"
 
 namespace geminga::consequence {
 namespace {
@@ -108,6 +108,7 @@ void Saturation::work(unsigned worker) {
   Worker works(*this, worker);
   while (true) {
     const std::uint32_t epoch = epoch_.load();
+    if (is_abandoned_.load()) break;
     if (Context* const context = take(worker); context != nullptr) {
       works.work(*context);
       // The count falls after what this context has scheduled was counted, so it is 0 only at the end.
@@ -119,16 +120,23 @@ void Saturation::work(unsigned worker) {
     epoch_.wait(epoch);
     sleepers_.fetch_sub(1);
   }
+  wake_all();
+}
+
+void Saturation::wake_all() {
   epoch_.fetch_add(1);
   epoch_.notify_all();
 }
 
 void Saturation::run(unsigned threads) {
-  while (stacks_.size() < threads) stacks_.emplace_back();
-  std::vector<std::thread> others;
-  for (unsigned worker = 1; worker < threads; ++worker) others.emplace_back([this, worker] { work(worker); });
-  work(0);
-  for (std::thread& other : others) other.join();
+  el::Crew crew(threads);
+  while (stacks_.size() < crew.size()) stacks_.emplace_back();
+  crew.run([this](unsigned worker) { work(worker); },
+           [this] {
+             is_abandoned_.store(true);
+             give_up();
+             wake_all();
+           });
 }
 
 bool Saturation::count(std::size_t clauses) {

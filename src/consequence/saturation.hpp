@@ -39,7 +39,8 @@ class Saturation {
             std::span<const Literal> head, unsigned worker);
   /// Where what is made before and after run() takes its memory from.
   [[nodiscard]] el::Arena& arena() { return stacks_[0].arena; }
-  /// Works until nothing is left to do, or the bound is reached.
+  /// Works until nothing is left to do, or the bound is reached. What one thread throws ends the work of all and is
+  /// thrown here; nothing is to be asked then.
   void run(unsigned threads);
 
   /// Counts clauses; false: there were too many, all stop.
@@ -76,6 +77,7 @@ class Saturation {
   void schedule(Context& context, unsigned worker);
   [[nodiscard]] Context* take(unsigned worker);
   void work(unsigned worker);
+  void wake_all();
 
   const Rules& rules_;
   std::vector<bool> is_wanted_;
@@ -90,6 +92,7 @@ class Saturation {
   std::atomic<std::size_t> context_count_{0};
   std::atomic<bool> is_cut_off_{false};
   std::atomic<bool> is_contradictory_{false};
+  std::atomic<bool> is_abandoned_{false};  ///< a thread has thrown
 };
 
 }  // namespace geminga::consequence

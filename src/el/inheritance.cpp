@@ -5,6 +5,7 @@
 #include <cstring>
 #include <thread>
 
+#include "el/claim.hpp"
 #include "el/heir_worker.hpp"
 #include "el/threads.hpp"
 
@@ -79,13 +80,14 @@ std::uint32_t HeirWorker::require(ExprId atom) {
       std::this_thread::yield();  // another thread is making it
       known = entry.load(std::memory_order_acquire);
     } else if (entry.compare_exchange_weak(known, Inheriting::claimed_node, std::memory_order_acq_rel)) {
+      Claim claim(entry, Inheriting::no_node_yet);
       const std::uint32_t created = nodes_.add();
       Node& node = nodes_[created];
       node.root = number(atom);
       node.is_nonempty = index_.is_nominal(atom);
       node.expected = shared_.expected[number(atom)];
       take_in_hand(created);
-      entry.store(created + 2, std::memory_order_release);
+      claim.settle(created + 2);
       return created;
     }
   }

@@ -5,6 +5,7 @@
 #include <thread>
 #include <utility>
 
+#include "el/claim.hpp"
 #include "el/interner.hpp"
 #include "el/threads.hpp"
 #include "el/worker.hpp"
@@ -61,11 +62,12 @@ std::uint32_t Worker::require(ExprId root) {
       std::this_thread::yield();  // another thread is making it
       known = entry.load(std::memory_order_acquire);
     } else if (entry.compare_exchange_weak(known, Saturating::claimed_context, std::memory_order_acq_rel)) {
+      Claim claim(entry, Saturating::no_context);
       const std::uint32_t created = contexts_.add();
       contexts_[created].root = root;
       start(created, {{root, top_expr}});
       if (index_.is_nominal(root)) require_nonempty(created);
-      entry.store(created + 2, std::memory_order_release);
+      claim.settle(created + 2);
       return created;
     }
   }

@@ -9,12 +9,15 @@
 #include <cstdint>
 #include <iterator>
 #include <new>
+#include <type_traits>
 
 namespace geminga::el {
 
 /// Blocks of growing size: memory is touched only where a thing is.
 template <typename Thing>
 class StableStore {
+  static_assert(std::is_nothrow_default_constructible_v<Thing>);
+
  public:
   StableStore() = default;
   StableStore(const StableStore&) = delete;
@@ -26,16 +29,11 @@ class StableStore {
 
   /// The number of a new thing. Who gets it is alone with it until it tells others.
   std::uint32_t add() {
-    const std::uint32_t number = count_.fetch_add(1, std::memory_order_relaxed);
-    const std::size_t block = block_of(number);
-    Thing* known = blocks_[block].load(std::memory_order_acquire);
-    if (known == nullptr) {
-      void* fresh = ::operator new((first_block << block) * sizeof(Thing), alignment);
-      // Of two threads that come here at once, one gives its memory back.
-      if (!blocks_[block].compare_exchange_strong(known, static_cast<Thing*>(fresh), std::memory_order_acq_rel)) {
-        ::operator delete(fresh, alignment);
-      }
-    }
+    // The block is there before the number is taken: where memory runs out, no number is without its thing.
+    std::uint32_t number = count_.load(std::memory_order_relaxed);
+    do {
+      need_block(block_of(number));
+    } while (!count_.compare_exchange_weak(number, number + 1, std::memory_order_relaxed));
     ::new (at(number)) Thing();
     return number;
   }
@@ -71,6 +69,15 @@ class StableStore {
   static constexpr std::size_t first_block_bits = 6;
   [[nodiscard]] static std::size_t block_of(std::size_t number) {
     return static_cast<std::size_t>(std::bit_width((number >> first_block_bits) + 1)) - 1;
+  }
+  void need_block(std::size_t block) {
+    Thing* known = blocks_[block].load(std::memory_order_acquire);
+    if (known != nullptr) return;
+    void* fresh = ::operator new((first_block << block) * sizeof(Thing), alignment);
+    // Of two threads that come here at once, one gives its memory back.
+    if (!blocks_[block].compare_exchange_strong(known, static_cast<Thing*>(fresh), std::memory_order_acq_rel)) {
+      ::operator delete(fresh, alignment);
+    }
   }
   [[nodiscard]] Thing* at(std::size_t number) const {
     const std::size_t block = block_of(number);

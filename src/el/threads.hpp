@@ -9,8 +9,10 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
-#include <thread>
+#include <span>
 #include <vector>
+
+#include "el/crew.hpp"
 
 namespace geminga::el {
 
@@ -29,13 +31,12 @@ struct Shelf {
 template <typename Shared, typename Worker>
 class Team {
  public:
-  Team(Shared& shared, std::vector<std::unique_ptr<Worker>>& workers)
+  Team(Shared& shared, std::span<const std::unique_ptr<Worker>> workers)
       : shared_(shared), workers_(workers), shelves_(workers.size()), seen_round_(workers.size(), 0) {}
 
-  void run() {
-    std::vector<std::jthread> threads;
-    for (std::size_t me = 1; me < workers_.size(); ++me) threads.emplace_back([this, me] { work(me); });
-    work(0);
+  /// The crew is as large as there are workers. What one of them throws ends the work of all, and is thrown here.
+  void run(Crew& crew) {
+    crew.run([this](unsigned me) { work(me); }, [this] { end(); });
   }
 
  private:
@@ -58,6 +59,10 @@ class Team {
       }
     } while (!is_done() && (take(me, me, false) || worker.begin_more() || take_from_any(me) || worker.release_one() ||
                             wait_for_work(me)));
+    end();
+  }
+
+  void end() {
     is_done_ = true;
     ring();
   }
@@ -143,7 +148,7 @@ class Team {
   }
 
   Shared& shared_;
-  std::vector<std::unique_ptr<Worker>>& workers_;
+  std::span<const std::unique_ptr<Worker>> workers_;
   std::vector<Shelf> shelves_;
   std::atomic<std::size_t> idle_ = 0;
   std::atomic<std::size_t> conclusions_ = 0;
@@ -154,16 +159,18 @@ class Team {
   std::vector<std::uint32_t> seen_round_;
 };
 
-/// Works with so many threads, the caller's among them. Workers are added as they are needed; those that are there keep
-/// their queues.
+/// Works with so many threads, the caller's among them, or with fewer where the system gives no more. Workers are added
+/// as they are needed. What a thread throws is thrown here when all have ended; what is shared is then of no use.
 template <typename Shared, typename Worker>
 void run_together(Shared& shared, std::vector<std::unique_ptr<Worker>>& workers, unsigned threads) {
-  while (workers.size() < threads) {
+  Crew crew(threads);
+  while (workers.size() < crew.size()) {
     workers.push_back(std::make_unique<Worker>(shared, static_cast<std::uint8_t>(workers.size() + 1)));
   }
-  for (const auto& worker : workers) worker->set_parallel(true);
-  Team(shared, workers).run();
-  for (const auto& worker : workers) worker->set_parallel(false);
+  const std::span<const std::unique_ptr<Worker>> working(workers.begin(), crew.size());
+  for (const auto& worker : working) worker->set_parallel(true);
+  Team<Shared, Worker>(shared, working).run(crew);
+  for (const auto& worker : working) worker->set_parallel(false);
 }
 
 }  // namespace geminga::el

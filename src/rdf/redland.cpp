@@ -8,11 +8,10 @@
 #include <condition_variable>
 #include <mutex>
 #include <new>
-#include <system_error>
-#include <thread>
 #include <utility>
 
 #include "base/text.hpp"
+#include "el/crew.hpp"
 
 namespace geminga::rdf {
 namespace {
@@ -27,6 +26,8 @@ struct ReadPiece {
   std::uint64_t triples = 0;
   std::optional<LoadError> error;
 };
+
+}  // namespace
 
 /// Hands out the pieces in their order, and takes them back in any.
 class PieceQueue {
@@ -45,7 +46,7 @@ class PieceQueue {
     done_[number] = std::move(piece);
     changed_.notify_all();
   }
-  /// Waits for a piece; none where memory was short.
+  /// Waits for a piece; none where the work was stopped.
   std::unique_ptr<ReadPiece> take(std::size_t number) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return is_stopped_ || done_[number] != nullptr; });
@@ -69,6 +70,8 @@ class PieceQueue {
   bool is_stopped_ = false;
 };
 
+namespace {
+
 /// Whether the address space that the process may use has room for threads. glibc gives each a heap of its own, and
 /// where there is no room for that it asks the kernel again at every allocation: a hundred times as slow.
 bool has_room_for(std::size_t threads) {
@@ -79,25 +82,13 @@ bool has_room_for(std::size_t threads) {
   return true;
 }
 
-const LoadError out_of_memory{{}, 0, "needs more memory than there is"};
-
-/// Stops at the end of a scope, however it is left.
-struct Stop {
-  PieceQueue& queue;
-  ~Stop() { queue.stop(); }
-};
-
 void parse_pieces(RaptorParser& parser, const FileText& text, PieceQueue& queue) {
-  try {
-    while (const auto number = queue.next()) {
-      auto piece = std::make_unique<ReadPiece>();
-      piece->error = parser.read(text, *number, piece->graph);
-      piece->prefixes = parser.prefixes();
-      piece->triples = parser.triple_count();
-      queue.give_back(*number, std::move(piece));
-    }
-  } catch (const std::exception&) {
-    queue.stop();
+  while (const auto number = queue.next()) {
+    auto piece = std::make_unique<ReadPiece>();
+    piece->error = parser.read(text, *number, piece->graph);
+    piece->prefixes = parser.prefixes();
+    piece->triples = parser.triple_count();
+    queue.give_back(*number, std::move(piece));
   }
 }
 
@@ -114,9 +105,17 @@ std::optional<LoadError> Redland::read(const std::string& path, Syntax syntax, F
   const FileText text{bytes, syntax, base_iri, blank_prefix, lines, pieces};
   known_prefixes_.clear();
   graph.begin_file();
-  auto error = threads_ == 1 || pieces.parts().size() == 1 ? read_in_turn(text, graph) : read_at_once(text, graph);
+  auto error = read_pieces(text, graph);
   if (error) error->file = base::printable(path, 4096);
   return error;
+}
+
+std::optional<LoadError> Redland::read_pieces(const FileText& text, Graph& graph) {
+  try {
+    return threads_ == 1 || text.pieces.parts().size() == 1 ? read_in_turn(text, graph) : read_at_once(text, graph);
+  } catch (const std::bad_alloc&) {
+    return LoadError{{}, 0, "needs more memory than there is"};
+  }
 }
 
 std::optional<LoadError> Redland::take_over(const std::vector<std::pair<std::string, std::string>>& prefixes,
@@ -152,27 +151,28 @@ std::optional<LoadError> Redland::read_at_once(const FileText& text, Graph& grap
   const std::size_t count = text.pieces.parts().size();
   const std::size_t threads = std::min<std::size_t>(threads_, count);
   if (!has_room_for(threads)) return read_in_turn(text, graph);
-  const auto& parsers = parsers_for(text.syntax, threads);
+  el::Crew crew(static_cast<unsigned>(threads) + 1);  // the caller's joins what the others parse
+  if (crew.size() == 1) return read_in_turn(text, graph);
+  const auto& parsers = parsers_for(text.syntax, crew.size() - 1);
   PieceQueue queue(count, 2 * threads);
-  std::vector<std::jthread> workers;
-  const Stop stop{queue};  // before the threads are waited for
-  try {
-    for (std::size_t number = 0; number < threads; ++number)
-      workers.emplace_back([&, number] { parse_pieces(*parsers[number], text, queue); });
-  } catch (const std::system_error&) {
-    if (workers.empty()) return read_in_turn(text, graph);  // fewer are enough
-  }
+  std::optional<LoadError> error;
+  const auto work = [&](unsigned me) {
+    if (me != 0) return parse_pieces(*parsers[me - 1], text, queue);
+    error = join_pieces(queue, count, graph);
+    queue.stop();
+  };
+  crew.run(work, [&] { queue.stop(); });
+  return error;
+}
+
+std::optional<LoadError> Redland::join_pieces(PieceQueue& queue, std::size_t count, Graph& graph) {
   const auto file = static_cast<std::uint32_t>(graph.file_count() - 1);
-  try {
-    for (std::size_t number = 0; number < count; ++number) {
-      const auto piece = queue.take(number);
-      if (piece == nullptr) return out_of_memory;
-      if (piece->error) return std::move(piece->error);
-      graph.append(piece->graph);
-      if (auto error = take_over(piece->prefixes, piece->triples, file)) return error;
-    }
-  } catch (const std::bad_alloc&) {
-    return out_of_memory;
+  for (std::size_t number = 0; number < count; ++number) {
+    const auto piece = queue.take(number);
+    if (piece == nullptr) return std::nullopt;  // a parser has thrown
+    if (piece->error) return std::move(piece->error);
+    graph.append(piece->graph);
+    if (auto error = take_over(piece->prefixes, piece->triples, file)) return error;
   }
   return std::nullopt;
 }

@@ -27,6 +27,8 @@ struct DeclaredPrefix {
   std::uint32_t file = 0;
 };
 
+class PieceQueue;
+
 /// Redland, opened once for all files of a load. It opens no file and no connection of its own, whatever a file asks.
 class Redland {
  public:
@@ -48,8 +50,10 @@ class Redland {
  private:
   /// As many parsers as are asked for, at least.
   std::vector<std::unique_ptr<RaptorParser>>& parsers_for(Syntax syntax, std::size_t count);
+  std::optional<LoadError> read_pieces(const FileText& text, Graph& graph);
   std::optional<LoadError> read_in_turn(const FileText& text, Graph& graph);
   std::optional<LoadError> read_at_once(const FileText& text, Graph& graph);
+  std::optional<LoadError> join_pieces(PieceQueue& queue, std::size_t count, Graph& graph);
   /// Counts what a piece held, against the limits of all files.
   std::optional<LoadError> take_over(const std::vector<std::pair<std::string, std::string>>& prefixes,
                                      std::uint64_t triples, std::uint32_t file);
