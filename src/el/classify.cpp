@@ -32,8 +32,9 @@ class Classifier {
     find_classes();
     add_axioms();
     if (!index_.finish(max_pairs)) {
-      return std::unexpected(ClassifyError{"the closure of the properties or of the told classes has more than " +
-                                           std::to_string(max_pairs) + " pairs"});
+      return std::unexpected(ClassifyError{"the closure of the properties has more than " +
+                                           std::to_string(max_role_pairs) + " pairs, or that of the told classes " +
+                                           std::to_string(max_pairs)});
     }
     find_roots();
     if (options_.inherits && Inheritance::is_for(index_)) {

@@ -115,7 +115,7 @@ ExprId Index::negative_self(RoleId role) const {
 }
 
 bool Index::finish(std::size_t max_pairs) {
-  if (!roles_.close(max_pairs)) return false;
+  if (!roles_.close(std::min(max_pairs, max_role_pairs))) return false;
   inherit_ranges();
   flatten_told();
   find_representatives();

@@ -14,6 +14,10 @@
 
 namespace geminga::el {
 
+/// Pairs of the closure of the property hierarchy, and of what chains make of it: at most 24 octets each. A chain of
+/// 1400 properties, each below the next, has so many.
+inline constexpr std::size_t max_role_pairs = std::size_t{1} << 20;
+
 /// A property, of objects or of data, as the rules see it. Dense.
 enum class RoleId : std::uint32_t {};
 

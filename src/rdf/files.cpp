@@ -11,22 +11,61 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <system_error>
 #include <utility>
 
 #include "base/text.hpp"
+#include "rdf/long_text.hpp"
+#include "rdf/syntax.hpp"
 
 namespace geminga::rdf {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t read_at_once = std::size_t{1} << 20;
+
 constexpr std::array<std::string_view, 7> extensions{".ttl", ".nt", ".rdf", ".owl", ".xml", ".ofn", ".fss"};
 
 std::unexpected<LoadError> refuse(std::string file, std::string text) {
   return std::unexpected(LoadError{base::printable(file, 4096), 0, std::move(text), true});
 }
+
+/// Where a file is large, a text that is beyond its limit refuses it before the rest of it is read.
+class LongTextWatch {
+ public:
+  LongTextWatch(const std::string& path, std::size_t size, const Limits& limits)
+      : path_(path), limits_(limits), is_needed_(size > limits.watched_bytes) {}
+
+  std::optional<LoadError> look_at(std::string_view stretch) {
+    if (!is_needed_) return std::nullopt;
+    if (!text_) {
+      const auto syntax = detect_syntax(path_, stretch);
+      is_needed_ = syntax.has_value();
+      if (!is_needed_) return std::nullopt;  // whoever asked for the bytes says why
+      is_xml_ = *syntax == Syntax::rdf_xml;
+      // A text may be half escapes, and in XML stand in a tag with others.
+      text_.emplace(*syntax, is_xml_ ? std::max(limits_.tag_bytes, limits_.literal_bytes) : 2 * limits_.literal_bytes,
+                    limits_.blank_bytes);
+    }
+    const auto line = text_->look_at(stretch);
+    if (!line) return std::nullopt;
+    const bool is_blank = text_->is_blank();
+    const std::string_view what = is_blank ? "white space and comments" : is_xml_ ? "a text" : "a literal";
+    return LoadError{base::printable(path_, 4096), *line,
+                     "has " + std::string(what) + " of more than " +
+                         std::to_string(is_blank ? limits_.blank_bytes : limits_.literal_bytes) + " bytes"};
+  }
+
+ private:
+  const std::string& path_;
+  const Limits& limits_;
+  bool is_needed_;
+  bool is_xml_ = false;
+  std::optional<LongText> text_;
+};
 
 std::string kernel_words(int error) { return std::generic_category().message(error); }
 
@@ -127,12 +166,15 @@ std::expected<FileBytes, LoadError> FileBytes::read(const std::string& path, con
   if (memory == MAP_FAILED) return refuse(path, "is too large for the memory: " + kernel_words(errno));
   bytes.data_ = static_cast<char*>(memory);
   bytes.mapped_ = size;
+  LongTextWatch watch(path, size, limits);
   while (bytes.size_ < size) {
-    const ssize_t count = ::read(file, bytes.data_ + bytes.size_, size - bytes.size_);
+    const ssize_t count = ::read(file, bytes.data_ + bytes.size_, std::min(size - bytes.size_, read_at_once));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return refuse(path, "cannot be read: " + kernel_words(errno));
     if (count == 0) return refuse(path, "became shorter while it was read: try again");
     bytes.size_ += static_cast<std::size_t>(count);
+    if (auto error = watch.look_at(bytes.view().substr(bytes.size_ - static_cast<std::size_t>(count))))
+      return std::unexpected(std::move(*error));
   }
   if (has_more()) return refuse(path, grew);
   return bytes;

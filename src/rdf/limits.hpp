@@ -12,12 +12,17 @@ namespace geminga::rdf {
 struct Limits {
   std::size_t files = 10'000;
   std::size_t file_bytes = std::size_t{1} << 30;
+  /// No limit: of a larger file, a text that is too long is found before the rest of the file is in memory.
+  std::size_t watched_bytes = std::size_t{8} << 20;
   /// No limit, but where large files are cut to be read by several threads; smaller ones are read whole.
   std::size_t piece_bytes = std::size_t{2} << 20;
   std::size_t triples = 100'000'000;  ///< of all files together
   /// Of one text: raptor's N-Triples reader is quadratic in it.
   std::size_t literal_bytes = std::size_t{1} << 20;
   std::size_t iri_bytes = 8192;
+  /// White space and comments of Turtle and N-Triples in a row: raptor's Turtle reader keeps what is before the next
+  /// statement, its N-Triples reader is quadratic in a line.
+  std::size_t blank_bytes = std::size_t{1} << 20;
   /// Of XML elements or Turtle brackets: raptor's RDF/XML reader is quadratic in it.
   std::size_t nesting = 512;
   /// Of one Turtle statement: raptor keeps it as a whole.

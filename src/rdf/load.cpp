@@ -210,6 +210,8 @@ class Loading {
       loaded_.source.set_ontology_iri(files.back(), headers_.own(number));
     }
     graph_.index();
+    loaded_.unknown_words = unknown_words(graph_);
+    loaded_.undeclared_predicates = undeclared_predicates(graph_);
     Mapping(graph_, loaded_.source, std::move(files)).run();
     loaded_.unresolved = headers_.settle(paths_, loaded_.source);
     if (const auto& problem = loaded_.source.problem()) return std::unexpected(LoadError{{}, 0, *problem});

@@ -14,6 +14,7 @@
 #include "el/source.hpp"
 #include "rdf/error.hpp"
 #include "rdf/limits.hpp"
+#include "rdf/used_names.hpp"
 
 namespace geminga::rdf {
 
@@ -51,8 +52,10 @@ using OtherReader = std::function<std::expected<OtherDocument, LoadError>(std::s
 struct Loaded {
   el::OntologySource source;
   std::uint64_t triples = 0;
-  std::vector<UnresolvedImport> unresolved;  ///< in the order of reading, each IRI once; in source's left-outs, too
-  std::vector<PrefixConflict> conflicts;     ///< sorted by prefix
+  std::vector<UnresolvedImport> unresolved;     ///< in the order of reading, each IRI once; in source's left-outs, too
+  std::vector<PrefixConflict> conflicts;        ///< sorted by prefix
+  std::vector<UsedName> unknown_words;          ///< of triples, in the order of reading (used_names.hpp)
+  std::vector<UsedName> undeclared_predicates;  ///< likewise
 };
 
 /// Reads RDF/XML, Turtle and N-Triples files, and every such file in the folders named. Opens nothing else, whatever

@@ -20,6 +20,7 @@ class TurtleScan {
     while (place_ < bytes_.size() && !problem_) {
       const std::size_t before = place_;
       step();
+      watch_for_blanks(before);
       watch_for_cuts(before);
       if (lines_.statement_triples() > limits_.statement_triples)
         fail(place_,
@@ -71,6 +72,13 @@ class TurtleScan {
       default:
         name();
     }
+  }
+
+  void watch_for_blanks(std::size_t before) {
+    const bool is_blank = std::string_view(" \t\r\n#").find(bytes_[before]) != std::string_view::npos;
+    if (!is_blank) blank_begin_ = place_;
+    if (place_ - blank_begin_ > limits_.blank_bytes)
+      too_long(blank_begin_, "white space and comments", limits_.blank_bytes);
   }
 
   /// Statements can be read one by one behind the directives at the begin of the file, where there are no later ones.
@@ -196,6 +204,7 @@ class TurtleScan {
   std::size_t counted_ = 0;
   std::uint32_t line_ = 1;
   std::size_t depth_ = 0;
+  std::size_t blank_begin_ = 0;  ///< of the white space and comments that go on to here
   std::optional<ScanProblem> problem_;
 };
 

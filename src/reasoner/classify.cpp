@@ -14,6 +14,10 @@
 namespace geminga::reasoner {
 namespace {
 
+/// What the clauses may have as consequences. It grows with what is written, so that a small file that means much takes
+/// the memory of a small one (a clause is about 150 octets), and ends at a bound that nothing known comes near.
+constexpr std::size_t always_derived = 400'000;
+constexpr std::size_t derived_per_axiom = 100;
 constexpr std::size_t max_derived_clauses = 5'000'000;
 
 /// Adds what the clauses have as consequences.
@@ -51,8 +55,9 @@ class Deepening {
       wanted.push_back(*found);
       classes.push_back(of);
     }
+    const std::size_t most = std::min(max_derived_clauses, always_derived + derived_per_axiom * source_.axiom_count());
     const consequence::Closure closure =
-        consequence::saturate(source_, clauses, wanted, {.threads = options_.threads, .clauses = max_derived_clauses});
+        consequence::saturate(source_, clauses, wanted, {.threads = options_.threads, .clauses = most});
     if (!closure.is_consistent) return contradict(result_, source_);
     Subsumptions more;
     for (std::size_t at = 0; at < classes.size(); ++at) {

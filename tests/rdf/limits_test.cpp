@@ -38,6 +38,8 @@ std::vector<Boundary> boundaries() {
        [](std::size_t n) { return xml("<e:A><e:p>" + times(n + 100, "x") + "</e:p></e:A>"); }},
       {"iri bytes", [](Limits& l, std::size_t n) { l.iri_bytes = n + 40; }, "a.owl",
        [](std::size_t n) { return xml("<e:A rdf:about=\"http://e/" + times(n + 31, "x") + "\"/>"); }},
+      {"blank bytes", [](Limits& l, std::size_t n) { l.blank_bytes = n; }, "a.nt",
+       [](std::size_t n) { return statement("\"x\"") + times(n - 1, "\n") + statement("\"x\""); }},
       {"brackets", [](Limits& l, std::size_t n) { l.nesting = n; }, "a.ttl", brackets},
       {"elements", [](Limits& l, std::size_t n) { l.nesting = (n - 1) / 2 * 2 + 1; }, "a.owl",
        [elements](std::size_t n) { return elements((n - 1) / 2 * 2 + 1); }},

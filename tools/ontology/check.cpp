@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "command.hpp"
+#include "el/similar.hpp"
 #include "findings.hpp"
 #include "words.hpp"
 
@@ -88,11 +89,52 @@ std::string problems_as_text(const Findings& findings) {
   return text;
 }
 
+/// At most so many lines of a list, unless all are wanted.
+std::string lines_of(const std::vector<std::string>& lines, bool shows_all) {
+  std::string text;
+  const std::size_t shown = shows_all ? lines.size() : std::min(lines.size(), max_shown);
+  for (std::size_t at = 0; at < shown; ++at) text += "  " + lines[at] + '\n';
+  if (shown < lines.size()) text += "  and " + std::to_string(lines.size() - shown) + " more: --all\n";
+  return text;
+}
+
+std::string names_as_text(const NameFindings& names, bool shows_all) {
+  std::string text;
+  const auto add = [&](std::string_view head, const std::vector<std::string>& lines) {
+    if (!lines.empty()) text += std::string(head) + '\n' + lines_of(lines, shows_all);
+  };
+  const auto doubtful = [](const std::vector<DoubtfulName>& found) {
+    std::vector<std::string> lines;
+    for (const DoubtfulName& name : found) {
+      const std::string what = name.kind == "word" ? "" : "  (" + std::string(name.kind) + ')';
+      const std::string meant = el::did_you_mean(name.similar);
+      lines.push_back(base::printable(name.name, 400) + what + meant + "   [" + place(name.file, name.line) + ']');
+    }
+    return lines;
+  };
+  add("Names that RDF, RDFS, OWL and XSD do not have (what is said with them is lost):", doubtful(names.unknown_words));
+  add("Names that are used and nowhere declared:", doubtful(names.undeclared));
+  std::vector<std::string> others;
+  for (const OtherNamespace& other : names.others)
+    others.push_back(other.iri + "  " + counted(other.names, "name", "names") + ", like " +
+                     base::printable(other.first, 400));
+  add("Namespaces of names that nothing here declares (no problem, unless their ontology was to be given, too):",
+      others);
+  std::vector<std::string> clashes;
+  for (const LabelClash& clash : names.clashes) {
+    std::string& line = clashes.emplace_back('"' + base::printable(clash.label, 200) + "\":");
+    for (const std::string& name : clash.classes) line += ' ' + base::printable(name, 400);
+  }
+  add("Labels of several classes (no problem, but robots must be given prefix:Name then):", clashes);
+  return text;
+}
+
 Exit report(const Findings& findings, const Request& request) {
   const std::string text =
       request.as_json ? as_json(findings)
                       : sources_as_text(findings.sources) + left_out_as_text(findings, request.shows_all) +
-                            doubts_as_text(findings.sources) + problems_as_text(findings) + verdict(findings) + '\n';
+                            doubts_as_text(findings.sources) + names_as_text(findings.names, request.shows_all) +
+                            problems_as_text(findings) + verdict(findings) + '\n';
   if (!print(text)) return say_error("standard output cannot be written");
   return findings.has_problem() ? Exit::no : Exit::yes;
 }
@@ -118,13 +160,17 @@ void add_check(CLI::App& program, Choice& choice) {
   auto request = std::make_shared<Request>();
   CLI::App* command = program.add_subcommand(
       "check",
-      "Load and classify; list what could not be used, classes that can have no instance, and hash collisions");
+      "Load and classify; list what could not be used, names that are nowhere declared, classes that can have no "
+      "instance, and hash collisions");
   add_files(*command, request->files);
   command->add_flag("--json", request->as_json, "print one JSON document, with every axiom that was left out");
   command->add_flag("--all", request->shows_all,
                     "list every axiom that was left out, not only " + std::to_string(max_shown) + " a construct");
   command->footer(
-      "\nExit status 1: a broken file, a contradiction, a class that can have no instance, or a hash collision.\n"
+      "\nExit status 1: a broken file, a contradiction, a class that can have no instance, a hash collision, a name "
+      "that\n"
+      "RDF, RDFS, OWL or XSD do not have, or one that nothing declares although the files declare others of its\n"
+      "namespace. Names of a namespace of which nothing is declared are summed up, and are no problem.\n"
       "A single file that compile wrote is verified and says what its sources said; status 1, too, if it is damaged "
       "or\n"
       "older than they are.\n"

@@ -19,8 +19,10 @@
 #include "base/text.hpp"
 #include "collisions.hpp"
 #include "command.hpp"
+#include "el/similar.hpp"
 #include "el/source_paths.hpp"
 #include "knowledge.hpp"
+#include "names.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {
@@ -64,6 +66,18 @@ Exit replace(const std::string& target, std::span<const std::byte> bytes) {
   return Exit::yes;
 }
 
+/// How many there are, and the first of them.
+void add_doubtful_names(const NameFindings& names, std::vector<std::string>& lines) {
+  const auto add = [&](const std::vector<DoubtfulName>& found, std::string_view what) {
+    if (found.empty()) return;
+    const DoubtfulName& first = found.front();
+    lines.push_back(counted(found.size(), "name", "names") + ' ' + std::string(what) + ", the first " + first.name +
+                    " at " + first.file + ':' + std::to_string(first.line) + el::did_you_mean(first.similar));
+  };
+  add(names.unknown_words, "that RDF, RDFS, OWL and XSD do not have");
+  add(names.undeclared, "used and nowhere declared");
+}
+
 /// What whoever starts a robot should read in its log, a line each. `geminga-ontology check` says more.
 std::vector<std::string> remarks(const Knowledge& knowledge, const el::Ontology& ontology) {
   std::vector<std::string> lines;
@@ -73,6 +87,7 @@ std::vector<std::string> remarks(const Knowledge& knowledge, const el::Ontology&
                     ">, which no given file answers: name its file, too");
   for (const rdf::PrefixConflict& conflict : knowledge.loaded.conflicts)
     lines.push_back("the prefix " + conflict.prefix + ": means several IRIs, and <" + conflict.chosen + "> is taken");
+  add_doubtful_names(find_doubtful_names(knowledge.loaded), lines);
   for (std::uint32_t number = 0; number < ontology.class_count() && knowledge.classification.is_consistent; ++number) {
     const el::ClassNumber named{number};
     if (named != knowledge.classification.nothing && is_unsatisfiable(knowledge.classification, named))

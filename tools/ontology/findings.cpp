@@ -91,6 +91,29 @@ boost::json::array left_out_as_json(const Findings& findings) {
   return list;
 }
 
+boost::json::array names_as_json(const std::vector<DoubtfulName>& names) {
+  boost::json::array list;
+  for (const DoubtfulName& name : names)
+    list.push_back(boost::json::object{{"name", name.name},
+                                       {"iri", name.iri},
+                                       {"kind", name.kind},
+                                       {"file", name.file},
+                                       {"line", name.line},
+                                       {"similar", boost::json::value_from(name.similar)}});
+  return list;
+}
+
+void add_names(boost::json::object& document, const NameFindings& names) {
+  document["unknown_words"] = names_as_json(names.unknown_words);
+  document["undeclared"] = names_as_json(names.undeclared);
+  boost::json::array& others = document["other_namespaces"].emplace_array();
+  for (const OtherNamespace& other : names.others)
+    others.push_back(boost::json::object{{"iri", other.iri}, {"names", other.names}, {"first", other.first}});
+  boost::json::array& clashes = document["label_clashes"].emplace_array();
+  for (const LabelClash& clash : names.clashes)
+    clashes.push_back(boost::json::object{{"label", clash.label}, {"classes", boost::json::value_from(clash.classes)}});
+}
+
 }  // namespace
 
 Findings find(const Knowledge& knowledge, const el::Ontology& ontology) {
@@ -104,6 +127,7 @@ Findings find(const Knowledge& knowledge, const el::Ontology& ontology) {
   findings.sources.conflicts = loaded.conflicts;
   findings.left_out = group(knowledge);
   findings.gaps = knowledge.classification.gaps;
+  findings.names = find_doubtful_names(loaded);
   find_problems(ontology, findings);
   return findings;
 }
@@ -162,6 +186,7 @@ std::string as_json(const Findings& findings) {
   for (const Collision& collision : findings.collisions.found)
     collisions.push_back(
         boost::json::object{{"id", collision.id}, {"names", boost::json::value_from(collision.names)}});
+  add_names(document, findings.names);
   return boost::json::serialize(document) + '\n';
 }
 

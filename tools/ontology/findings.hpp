@@ -10,6 +10,7 @@
 
 #include "collisions.hpp"
 #include "knowledge.hpp"
+#include "names.hpp"
 #include "reasoner/explain.hpp"
 
 namespace geminga::ontology {
@@ -51,10 +52,12 @@ struct Findings {
   bool is_consistent = true;
   std::vector<Unsatisfiable> unsatisfiable;
   Collisions collisions;
+  NameFindings names;  ///< of sources; a compiled ontology does not keep what was declared
 
   [[nodiscard]] bool is_complete() const { return left_out.empty() && gaps.empty(); }
   [[nodiscard]] bool has_problem() const {
-    return !unsatisfiable.empty() || !collisions.found.empty() || !is_consistent || sources.outgrown;
+    return !unsatisfiable.empty() || !collisions.found.empty() || !is_consistent || sources.outgrown ||
+           names.has_problem();
   }
 };
 

@@ -13,8 +13,8 @@
 #include "el/compile.hpp"
 #include "el/container.hpp"
 #include "el/print.hpp"
+#include "el/similar.hpp"
 #include "functional/read.hpp"
-#include "similar.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {
@@ -131,15 +131,8 @@ std::optional<el::Ontology> learn_ontology_or_say(const std::vector<std::string>
 }
 
 std::string describe(const el::Ontology& ontology, const std::string& name, const el::NameError& error) {
-  std::string text = error.text;
-  if (error.kind != el::NameError::Kind::unknown) return text;
-  const std::vector<std::string> similar = find_similar(ontology, name);
-  for (std::size_t at = 0; at < similar.size(); ++at) {
-    text += at == 0 ? ": did you mean " : at + 1 == similar.size() ? " or " : ", ";
-    text += base::printable(similar[at], 400);
-  }
-  if (!similar.empty()) text += '?';
-  return text;
+  if (error.kind != el::NameError::Kind::unknown) return error.text;
+  return error.text + el::did_you_mean(el::find_similar(ontology, name));
 }
 
 std::optional<el::ClassNumber> find_or_say(const el::Ontology& ontology, const std::string& name, bool as_json) {

@@ -1,0 +1,109 @@
+// Small or simple files that mean much, or hold one thing that is huge: what check and compile take for them at most.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tools/ontology/program.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+constexpr long mebibyte = 1024;  // in KiB, as the kernel counts
+
+/// Octets, in KiB, that one run of the program had resident at most. Its other children are none of this process's.
+long peak_kib(const Program& program, const std::vector<std::string>& arguments) {
+  const pid_t child = fork();
+  if (child == 0) {
+    // The child of this child is the program, and the only one that it waits for.
+    (void)program.run(arguments);
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    program.write("peak", std::to_string(usage.ru_maxrss));
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return std::stol(program.read("peak"));
+}
+
+void expect_peak(const Program& program, const std::string& file, long most_mib) {
+  EXPECT_LT(peak_kib(program, {"check", file}), most_mib * mebibyte) << file;
+  EXPECT_LT(peak_kib(program, {"compile", file, "-o", "out.geminga"}), most_mib * mebibyte) << file;
+}
+
+/// 61 lines, in each of which the next class stands twice.
+std::string doubling(const std::string& line) {
+  std::string text;
+  for (int at = 0; at < 60; ++at) {
+    std::string one = line;
+    for (std::size_t mark = one.find('@'); mark != std::string::npos; mark = one.find('@'))
+      one.replace(mark, 1, std::to_string(at));
+    for (std::size_t mark = one.find('$'); mark != std::string::npos; mark = one.find('$'))
+      one.replace(mark, 1, std::to_string(at + 1));
+    text += one + '\n';
+  }
+  return text;
+}
+
+TEST(Memory, FilesThatMeanTwoToTheSixtiethStayUnder128MiB) {
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"and.ttl", doubling("_:c@ a owl:Class ; owl:intersectionOf ( _:c$ _:c$ ) .")},
+      {"or.ttl",
+       doubling("_:c@ a owl:Class ; owl:unionOf ( [ a owl:Restriction ; owl:onProperty :p ; "
+                "owl:someValuesFrom _:c$ ] [ a owl:Restriction ; owl:onProperty :q ; owl:allValuesFrom _:c$ ] ) .")},
+      {"some.ttl", doubling(":C@ rdfs:subClassOf [ a owl:Restriction ; owl:onProperty :p ; owl:someValuesFrom :C$ ] , "
+                            "[ a owl:Restriction ; owl:onProperty :q ; owl:someValuesFrom :C$ ] .")},
+      {"not.ttl", doubling(":C@ owl:equivalentClass [ a owl:Class ; owl:unionOf ( [ a owl:Restriction ; owl:onProperty "
+                           ":p ; owl:someValuesFrom :C$ ] [ a owl:Class ; owl:complementOf [ a owl:Restriction ; "
+                           "owl:onProperty :q ; owl:someValuesFrom :C$ ] ] ) ] .")}};
+  for (const auto& [name, lines] : files) {
+    const Program program;
+    program.turtle(name, lines + "_:c60 a owl:Class ; owl:complementOf :B . :A rdfs:subClassOf _:c0 .\n");
+    expect_peak(program, name, 128);
+  }
+}
+
+TEST(Memory, ALiteralOfTwoHundredMegabytesStaysUnder64MiB) {
+  const std::string label = "http://www.w3.org/2000/01/rdf-schema#label";
+  const Program program;
+  const auto refused = [&](const std::string& name, const std::string& before, const std::string& after) {
+    {
+      // In pieces: what this process has resident counts for its children until they are another program.
+      std::ofstream file(program.folder() / "in" / name);
+      const std::string piece(1'000'000, 'x');
+      file << before;
+      for (int count = 0; count < 200; ++count) file << piece;
+      file << after;
+    }
+    expect_peak(program, name, 64);
+    std::filesystem::remove(program.folder() / "in" / name);
+  };
+  refused("a.nt", "<http://e/A> <" + label + "> \"", "\" .\n");
+  refused("a.ttl", "<http://e/A> <" + label + "> \"\"\"", "\"\"\" .\n");
+  refused("a.ofn", "Ontology(<http://e/o>\nAnnotationAssertion(<" + label + "> <http://e/A> \"", "\")\n)\n");
+  refused("a.owl",
+          "<?xml version=\"1.0\"?>\n<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
+          "xmlns:rdfs=\"http://www.w3.org/2000/01/rdf-schema#\"><rdf:Description rdf:about=\"http://e/A\"><rdfs:label>",
+          "</rdfs:label></rdf:Description></rdf:RDF>\n");
+}
+
+TEST(Memory, PropertiesWhoseClosureIsQuadraticAreRefused) {
+  std::string text;
+  for (int at = 0; at < 5000; ++at) {
+    text += ":p" + std::to_string(at) + " a owl:TransitiveProperty ; rdfs:subPropertyOf :p" + std::to_string(at + 1) +
+            " .\n";
+  }
+  const Program program;
+  program.turtle("roles.ttl", text);
+  expect_peak(program, "roles.ttl", 128);
+}
+
+}  // namespace
+}  // namespace geminga::ontology
