@@ -23,8 +23,8 @@ inline constexpr std::size_t max_where_depth = 32;
 /// How many keys misses() tells of.
 inline constexpr std::size_t max_missed_keys = 8;
 
-/// A parsed expression. A value: copies and moves. Thousands may come from the air, so it is kept small: less than six
-/// octets for each octet of its text.
+/// A parsed expression. A value: copies and moves. Thousands may come from the air, so it is kept small: about six
+/// octets for each octet of its text at most.
 class Where {
  public:
   /// Reads an expression; the empty one accepts everything. The error names the octet, counted from 1. O(length).

@@ -186,6 +186,8 @@ TEST(Where, IsReadUpToItsDepthAndNotDeeper) {
     EXPECT_EQ(error->code, ErrorCode::impossible);
   }
   EXPECT_TRUE(accepts(nested(max_where_depth, "not ", "")));
+  EXPECT_TRUE(accepts("not not has rate and not (not has rate) and not not not has nothing"));
+  EXPECT_FALSE(accepts("not not has nothing or not not not has rate"));
   EXPECT_FALSE(accepts(nested(max_where_depth - 1, "not ", "")));
 }
 

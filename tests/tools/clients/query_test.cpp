@@ -173,6 +173,21 @@ TEST_F(Query, SaysWhyAPairMatchesOrNot) {
   EXPECT_TRUE(document.at("checks").at(0).at("ok").is_bool());
 }
 
+TEST_F(Query, SaysOfAnOutrankedPairThatItDoesNotMatch) {
+  peer_.say("71 pub create mode=oto text=pick port=6001 priority=5");
+  peer_.say("72 pub create mode=oto text=pick port=6002");
+  peer_.say("73 sub create mode=oto text=pick");
+  ASSERT_TRUE(peer_.line_with({"73 pub add", "port=6001"}));
+  const std::string request = word({"requests", "text=pick"}, "subscription");
+  const std::string worse = request.substr(0, request.rfind('/')) + "/72";
+  const auto why = bench_.query({"why", request, worse});
+  EXPECT_EQ(why.status, 1);
+  EXPECT_THAT(why.out, StartsWith("no: they would match, and others are better"));
+  const auto document = bench_.json({"why", request, worse});
+  EXPECT_EQ(document.at("matches"), false);
+  EXPECT_EQ(document.at("outranked"), true);
+}
+
 TEST_F(Query, TellsOfTheOntologyAndTheStatus) {
   const auto ontology = bench_.query({"ontology"});
   EXPECT_EQ(ontology.status, 0);
