@@ -4,6 +4,7 @@
 #include <array>
 #include <regex>
 
+#include "geminga/attribute.hpp"
 #include "shell/options.hpp"
 
 namespace geminga::query {
@@ -12,13 +13,18 @@ namespace {
 constexpr std::array<std::string_view, 6> keys_of_the_daemon{"concept", "representation", "id",
                                                              "text",    "mode",           "provider"};
 
+/// The attribute of this name, also behind `attr.`.
+Attributes::const_iterator attribute_of(const Record& record, const std::string& key) {
+  return record.attributes.find(key.starts_with(attribute_prefix) ? key.substr(attribute_prefix.size()) : key);
+}
+
 bool has_key(const Record& record, const std::string& key) {
-  return record.attributes.contains(key) ||
+  return attribute_of(record, key) != record.attributes.end() ||
          std::ranges::any_of(record.fields, [&](const auto& field) { return field.first == key; });
 }
 
 bool has_value(const Record& record, const std::string& key, const std::string& value) {
-  const auto attribute = record.attributes.find(key);
+  const auto attribute = attribute_of(record, key);
   return record[key] == value || (attribute != record.attributes.end() && attribute->second == value);
 }
 

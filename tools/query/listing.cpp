@@ -4,6 +4,7 @@
 #include <iostream>
 #include <set>
 
+#include "base/edit_distance.hpp"
 #include "shell/json.hpp"
 #include "shell/report.hpp"
 
@@ -46,7 +47,12 @@ std::string complaint_about_keys(const Listing& listing, const Records& all) {
     for (const auto& field : record.fields) there.insert(field.first);
     for (const auto& attribute : record.attributes) there.insert(attribute.first);
   }
-  std::string text = "nothing that is known has a column or attribute '" + key + "': there are";
+  std::string text = "nothing that is known has a column or attribute '" + key + '\'';
+  const auto near = std::ranges::find_if(there, [&](const std::string& name) {
+    return base::edit_distance(name, key, base::tolerated_slips(key)) <= base::tolerated_slips(key);
+  });
+  if (near != there.end()) text += " (did you mean " + *near + "?)";
+  text += ": there are";
   for (const auto& name : there) text += (name == *there.begin() ? " " : ", ") + name;
   return text;
 }

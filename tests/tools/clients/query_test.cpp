@@ -251,7 +251,10 @@ TEST_F(Query, SaysThatNothingHasAKey) {
   const auto odd = bench_.query({"services", "rat=30"});
   EXPECT_EQ(odd.status, 1);
   EXPECT_THAT(odd.errors,
-              StartsWith("geminga-query: nothing that is known has a column or attribute 'rat': there are "));
+              StartsWith("geminga-query: nothing that is known has a column or attribute 'rat' (did you mean rate?): "
+                         "there are "));
+  EXPECT_EQ(bench_.query({"services", "attr.rate=30"}).status, 0);
+  EXPECT_EQ(bench_.query({"services", "attr.port=5000"}).status, 1) << "a column is no attribute";
   EXPECT_THAT(odd.errors, HasSubstr(", rate, "));
   EXPECT_THAT(bench_.query({"services", "rat=30", "--json"}).errors, HasSubstr("'rat'"));
   EXPECT_THAT(bench_.query({"services", "rate=31"}).errors, HasSubstr("no such service is known"));
