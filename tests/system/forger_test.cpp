@@ -64,8 +64,8 @@ TEST(Forger, ThatClashesWithEveryDatagramOfADaemonDoesNotEndItNorStopItFromServi
   EXPECT_GE(counted(status, "redraws"), 1);
   EXPECT_LE(counted(status, "redraws"), 6);
   EXPECT_THAT(status.at(0), HasSubstr("contested_from=\"" + lab.address_of(1) + " on "));
-  EXPECT_THAT(lab.daemon(0).said(), HasSubstr("announces in our name"));
-  EXPECT_THAT(lab.daemon(0).said(), HasSubstr("find that host, or keep it off this network"));
+  EXPECT_TRUE(lab.daemon(0).wait_for("announces in our name")) << lab.daemon(0).said();
+  EXPECT_TRUE(lab.daemon(0).wait_for("find that host, or keep it off this network"));
   lab.start(1, {"--interval", "0.1"});
   EXPECT_TRUE(lab.wait_for_participants(1, 2)) << "others find it";
 }
@@ -99,7 +99,7 @@ TEST(Forger, ThatSaysGoodbyeInADaemonsNameIsContradictedAtOnce) {
 }
 
 void ip(const std::string& words) {
-  std::vector<std::string> all{"ip"};
+  std::vector<std::string> all{"/bin/ip"};
   std::istringstream stream(words);
   for (std::string word; stream >> word;) all.push_back(word);
   const Ran ran = run({.words = all, .environment = {}, .before = {}});
