@@ -1,11 +1,13 @@
 #include "daemon/configuration_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <system_error>
 
+#include "base/edit_distance.hpp"
 #include "base/text.hpp"
 
 #define TOML_EXCEPTIONS 0
@@ -49,6 +51,14 @@ std::optional<std::string> as_text(const toml::node& node, Kind kind) {
   return std::nullopt;
 }
 
+/// `did you mean 'interval'? `, or nothing where no key is nearly so.
+std::string likely_key(std::string_view name) {
+  const std::size_t limit = base::tolerated_slips(name);
+  const auto distance = [&](const Key& key) { return base::edit_distance(name, key.name, limit); };
+  const auto nearest = std::ranges::min_element(keys, {}, distance);
+  return distance(*nearest) > limit ? "" : "did you mean '" + std::string(nearest->name) + "'? ";
+}
+
 class Reader {
  public:
   explicit Reader(std::string path) : path_(std::move(path)) {}
@@ -64,8 +74,8 @@ class Reader {
     if (name == "prefixes") return take_prefixes(node);
     const Key* key = find_key(name);
     if (key == nullptr || name == "config") {
-      errors_.push_back(place(path_, region) + ": unknown key '" + base::printable(name) +
-                        "': the keys are the long flags of gemingad --help");
+      errors_.push_back(place(path_, region) + ": unknown key '" + base::printable(name) + "': " + likely_key(name) +
+                        "the keys are the long flags of gemingad --help");
       return;
     }
     auto& values = layer_.values[name];

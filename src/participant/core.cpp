@@ -61,6 +61,9 @@ ServiceKey key_of(const matching::Event& event) {
   return std::visit([](const auto& about) { return about.key; }, event.about);
 }
 
+/// A name that was looked for in vain was compared with many.
+constexpr std::size_t statements_per_impossible = 40;
+
 }  // namespace
 
 std::string_view to_string(Phase phase) {
@@ -123,6 +126,7 @@ std::size_t Core::service_count() const {
 
 void Core::refuse(Session& session, std::uint32_t statement, const Error& error) {
   ++counters.errors;
+  if (error.code == ErrorCode::impossible) session.gate.charge(statements_per_impossible);
   session.say(statement, error);
 }
 

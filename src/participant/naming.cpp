@@ -2,6 +2,7 @@
 
 #include "base/text.hpp"
 #include "el/ontology.hpp"
+#include "el/similar.hpp"
 #include "manchester/parse.hpp"
 #include "participant/expressions.hpp"
 
@@ -18,7 +19,7 @@ std::expected<std::string, Error> resolve_class(const el::Ontology* ontology, st
   if (!found && manchester::is_compound(name)) {
     return impossible("a class expression can be asked for, not offered, and is no representation: name a class");
   }
-  if (!found) return impossible(found.error().text);
+  if (!found) return impossible(describe(*ontology, name, found.error()));
   if (!ontology->is_satisfiable(*found)) {
     return impossible("the class is unsatisfiable, nothing can be one: geminga-query explain says why");
   }
@@ -26,6 +27,11 @@ std::expected<std::string, Error> resolve_class(const el::Ontology* ontology, st
 }
 
 }  // namespace
+
+std::string describe(const el::Ontology& ontology, std::string_view name, const el::NameError& error) {
+  if (error.kind != el::NameError::Kind::unknown) return error.text;
+  return error.text + el::did_you_mean(el::find_similar(ontology, name, {.classes = max_compared_classes}));
+}
 
 std::expected<Identity, Error> resolve(const el::Ontology* ontology, const NamedIdentity& named) {
   if (const auto* number = std::get_if<NumericIdentity>(&named)) return *number;

@@ -2,6 +2,7 @@
 #ifndef GEMINGA_PARTICIPANT_NAMING_HPP
 #define GEMINGA_PARTICIPANT_NAMING_HPP
 
+#include <cstddef>
 #include <expected>
 #include <string>
 #include <string_view>
@@ -12,11 +13,19 @@
 
 namespace geminga::el {
 class Ontology;
-}
+struct NameError;
+}  // namespace geminga::el
 
 namespace geminga::participant {
 
 class Expressions;
+
+/// An unknown name is compared with so many classes of a larger ontology, those next to it in the order of IRIs: an
+/// event stays short however many there are.
+inline constexpr std::size_t max_compared_classes = 1024;
+
+/// What is wrong with a name, and which classes may have been meant.
+[[nodiscard]] std::string describe(const el::Ontology& ontology, std::string_view name, const el::NameError& error);
 
 /// The identity with full IRIs. 422 where no ontology is loaded (null), a name is unknown or ambiguous, or a class can
 /// have no instance. Numbers and texts need no ontology.

@@ -169,6 +169,7 @@ TEST(ConfigurationFile, IsRefusedWithFileAndLine) {
       {"ontology = [\"a\", 7]", "f.toml:1: ontology must be a text in quotes, or several"},
       {"colour = 1", "f.toml:1: unknown key 'colour'"},
       {"config = \"x\"", "f.toml:1: unknown key 'config'"},
+      {"intervall = 2", "f.toml:1: unknown key 'intervall': did you mean 'interval'? the keys are"},
       {"[port]\nx = 1", "f.toml:1: port must be a whole number"},
       {"port = 1\nport = 2", "f.toml:2: "},
       {"port = \n", "f.toml:1: "},

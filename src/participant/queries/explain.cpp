@@ -3,6 +3,7 @@
 
 #include "base/text.hpp"
 #include "el/ontology.hpp"
+#include "participant/naming.hpp"
 #include "participant/queries/lines.hpp"
 #include "reasoner/why_not.hpp"
 
@@ -18,8 +19,8 @@ std::expected<el::ClassNumber, Error> find(const el::Ontology& ontology, std::st
                                            const std::string& name) {
   const auto found = ontology.find(name);
   if (found) return *found;
-  return std::unexpected(
-      Error{ErrorCode::impossible, std::string(key) + "=" + base::printable(name) + ": " + found.error().text});
+  return std::unexpected(Error{ErrorCode::impossible, std::string(key) + "=" + base::printable(name) + ": " +
+                                                          describe(ontology, name, found.error())});
 }
 
 /// What is nearest, and what is missing.
