@@ -21,8 +21,9 @@ namespace geminga {
 
 /// Where the daemon is and who is calling.
 struct ClientOptions {
-  /// `ADDRESS:PORT` or `[ADDRESS]:PORT`, the address in numbers. Empty: the environment variable GEMINGA_CONNECT, and
-  /// where that is empty 127.0.0.1:4717 and then [::1]:4717.
+  /// `ADDRESS:PORT` or `[ADDRESS]:PORT`, the address in numbers; or the path of a Unix socket, as `/PATH` or
+  /// `unix:PATH`. Empty: the environment variable GEMINGA_CONNECT, and where that is empty 127.0.0.1:4717 and then
+  /// [::1]:4717.
   std::string connect;
   /// The peer's name as others see it, e.g. "vision": at most 64 octets without `/` and `,`. Empty: none.
   std::string name;

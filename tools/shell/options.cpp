@@ -35,8 +35,9 @@ std::string complaint_about_seconds(const std::string& text) {
 
 void CommonOptions::add_to(CLI::App& app, const std::string& timeout_meaning) {
   app.add_option("--connect", connect,
-                 "Where the daemon listens; else $GEMINGA_CONNECT, else 127.0.0.1:4717 and then [::1]:4717")
-      ->type_name("ADDRESS:PORT");
+                 "Where the daemon listens: an address or the path of a Unix socket; else $GEMINGA_CONNECT, else "
+                 "127.0.0.1:4717 and then [::1]:4717")
+      ->type_name("ADDRESS:PORT|PATH");
   app.add_flag("--json", is_json, "Print JSON: one document, or one object a line for what goes on");
   app.add_option("--timeout", timeout_seconds, timeout_meaning)
       ->type_name("SECONDS")

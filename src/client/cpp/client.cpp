@@ -26,7 +26,8 @@ std::expected<std::vector<client::Endpoint>, ClientError> endpoints_of(const std
   const auto endpoint = client::endpoint(text);
   if (!endpoint) {
     return std::unexpected(ClientError{
-        Kind::wrong_use, base::printable(text) + " is no address of a daemon: write ADDRESS:PORT or [ADDRESS]:PORT"});
+        Kind::wrong_use, base::printable(text) +
+                             " is no address of a daemon: write ADDRESS:PORT, [ADDRESS]:PORT or the path of a socket"});
   }
   return std::vector{*endpoint};
 }

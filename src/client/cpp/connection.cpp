@@ -1,10 +1,14 @@
 #include "client/cpp/connection.hpp"
 
+#include <sys/un.h>
+
 #include <array>
 #include <boost/asio/buffer.hpp>
+#include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/address.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
 #include <boost/system/error_code.hpp>
 #include <optional>
 
@@ -17,14 +21,14 @@ class Connection::Socket {
  public:
   std::expected<void, Failure> connect(const Endpoint& endpoint, Clock::time_point deadline) {
     error_code error;
-    const auto address = asio::ip::make_address(endpoint.address, error);
+    const auto at = generic(endpoint, error);
     if (error) return fail(Failure::bad_address, error);
     std::optional<error_code> result;
-    socket_.async_connect({address, endpoint.port}, [&](error_code code) { result = code; });
+    socket_.async_connect(at, [&](error_code code) { result = code; });
     if (!run_until(deadline, result)) return fail(Failure::timed_out, asio::error::timed_out);
     if (*result) return fail(Failure::unreachable, *result);
     socket_.non_blocking(true, error);
-    if (!error) socket_.set_option(tcp::no_delay(true), error);
+    if (!error && endpoint.path.empty()) socket_.set_option(tcp::no_delay(true), error);
     if (error) return fail(Failure::unreachable, error);
     return {};
   }
@@ -35,7 +39,7 @@ class Connection::Socket {
       const std::size_t count = socket_.write_some(asio::buffer(bytes.data(), bytes.size()), error);
       bytes.remove_prefix(count);
       if (error == asio::error::would_block || error == asio::error::try_again) {
-        if (auto ready = wait(tcp::socket::wait_write, deadline); !ready) return ready;
+        if (auto ready = wait(Protocol::socket::wait_write, deadline); !ready) return ready;
       } else if (error && error != asio::error::interrupted) {
         return fail(Failure::closed, error);
       }
@@ -49,7 +53,7 @@ class Connection::Socket {
       const std::size_t count = socket_.read_some(asio::buffer(buffer_), error);
       if (!error) return std::string_view(buffer_.data(), count);
       if (error == asio::error::would_block || error == asio::error::try_again) {
-        if (auto ready = wait(tcp::socket::wait_read, deadline); !ready) return std::unexpected(ready.error());
+        if (auto ready = wait(Protocol::socket::wait_read, deadline); !ready) return std::unexpected(ready.error());
       } else if (error != asio::error::interrupted) {
         fail(Failure::closed, error);
         return std::unexpected(Failure::closed);
@@ -61,7 +65,19 @@ class Connection::Socket {
   [[nodiscard]] int file_descriptor() { return socket_.native_handle(); }
 
  private:
-  std::expected<void, Failure> wait(tcp::socket::wait_type type, Clock::time_point deadline) {
+  using Protocol = asio::generic::stream_protocol;
+
+  static Protocol::endpoint generic(const Endpoint& endpoint, error_code& error) {
+    if (!endpoint.path.empty()) {
+      constexpr std::size_t longest = sizeof(sockaddr_un::sun_path) - 1;
+      if (endpoint.path.size() <= longest) return asio::local::stream_protocol::endpoint(endpoint.path);
+      error = asio::error::name_too_long;
+      return {};
+    }
+    return tcp::endpoint{asio::ip::make_address(endpoint.address, error), endpoint.port};
+  }
+
+  std::expected<void, Failure> wait(Protocol::socket::wait_type type, Clock::time_point deadline) {
     if (deadline <= Clock::now()) return fail(Failure::timed_out, asio::error::timed_out);
     std::optional<error_code> result;
     socket_.async_wait(type, [&](error_code code) { result = code; });
@@ -88,7 +104,7 @@ class Connection::Socket {
   }
 
   asio::io_context context_{1};
-  tcp::socket socket_{context_};
+  Protocol::socket socket_{context_};
   std::array<char, 16 * 1024> buffer_{};
   std::string reason_;
 };

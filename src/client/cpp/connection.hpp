@@ -1,4 +1,4 @@
-// A TCP connection whose calls wait at most until a deadline; the only place of the client that names Asio.
+// A connection whose calls wait at most until a deadline; the only place of the client that names Asio.
 #ifndef GEMINGA_CLIENT_CPP_CONNECTION_HPP
 #define GEMINGA_CLIENT_CPP_CONNECTION_HPP
 
@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 class Connection {
  public:
   enum class Failure {
-    bad_address,  ///< the address is not one in numbers
+    bad_address,  ///< the address is not one in numbers, or the path is too long
     unreachable,  ///< the system's reason is in reason()
     timed_out,    ///< the deadline came first; a write may have been done in part
     closed,       ///< by the other side, or by an error of the connection

@@ -1,4 +1,4 @@
-// Where a daemon listens, read from `ADDRESS:PORT`.
+// Where a daemon listens, read from `ADDRESS:PORT`, a path, or `unix:PATH`.
 #ifndef GEMINGA_CLIENT_CPP_ENDPOINT_HPP
 #define GEMINGA_CLIENT_CPP_ENDPOINT_HPP
 
@@ -13,13 +13,15 @@ namespace geminga::client {
 struct Endpoint {
   std::string address;  ///< in numbers, without brackets
   std::uint16_t port = 0;
+  std::string path{};  ///< of a Unix socket; where it is not empty the others mean nothing
   friend bool operator==(const Endpoint&, const Endpoint&) = default;
 };
 
-/// `127.0.0.1:4717`
+/// `127.0.0.1:4717`, or the path.
 [[nodiscard]] std::string to_string(const Endpoint& endpoint);
 
-/// The endpoint of `ADDRESS:PORT` or `[ADDRESS]:PORT`, or nothing. The address is not looked at.
+/// The endpoint of `ADDRESS:PORT`, `[ADDRESS]:PORT`, `/PATH` or `unix:PATH`, or nothing. Neither address nor path is
+/// looked at.
 [[nodiscard]] std::optional<Endpoint> endpoint(std::string_view text);
 
 /// Where gemingad listens unless it is told otherwise, in the order in which a client tries.

@@ -16,7 +16,9 @@ std::expected<void, ClientError> Session::connect(const std::vector<Endpoint>& e
     const auto connected = connection_->connect(endpoint, deadline);
     if (connected) return {};
     if (connected.error() == Connection::Failure::bad_address) {
-      return std::unexpected(broken(Kind::wrong_use, where_ + " has no IP address in numbers: write ADDRESS:PORT"));
+      const std::string what = endpoint.path.empty() ? " has no IP address in numbers: write ADDRESS:PORT"
+                                                     : " is too long for the path of a socket: use a shorter one";
+      return std::unexpected(broken(Kind::wrong_use, where_ + what));
     }
     if (connected.error() == Connection::Failure::timed_out) {
       return std::unexpected(
