@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "beacon/announceable.hpp"
 #include "beacon/limits.hpp"
+#include "env/asio/socket_file.hpp"
 
 namespace geminga::daemon {
 namespace {
@@ -132,22 +133,38 @@ class Resolver {
   }
 
   void read_gcnp() {
+    if (const Stated* path = single("gcnp-socket")) {
+      if (path->text.empty() || path->text.size() > env::max_socket_path_bytes ||
+          base::has_control_character(path->text)) {
+        fail(*path, '\'' + base::printable(path->text) + "' is no path of a socket: use 1 to " +
+                        std::to_string(env::max_socket_path_bytes) + " octets");
+      }
+      result_.gcnp_socket = path->text;
+    }
     if (stated("gcnp") == nullptr) {
       result_.gcnp = {{{"127.0.0.1", default_port}, false}, {{"::1", default_port}, true}};
       return;
     }
     const auto& given = list("gcnp", max_addresses);
+    const bool is_off = given.size() == 1 && given.front().text == "none";
     for (const Stated& text : given) {
-      const auto endpoint = env::parse_endpoint(text.text);
-      if (!endpoint) {
-        fail(text, endpoint.error());
-      } else if (!env::is_loopback(endpoint->address)) {
-        fail(text, env::to_string(*endpoint) + " is not on this host alone: GCNP is local, use 127.0.0.1 or [::1]");
-      } else if (std::ranges::none_of(result_.gcnp, [&](const auto& known) { return known.endpoint == *endpoint; })) {
-        result_.gcnp.push_back({*endpoint, false});
-      }
+      if (!is_off) read_gcnp_address(text);
+    }
+    if (is_off && result_.gcnp_socket.empty()) {
+      fail(given.front(), "nobody could reach the daemon without TCP: give --gcnp-socket PATH, too");
     }
     if (given.empty() && errors_.empty()) errors_.emplace_back("gcnp: an empty list: nobody could reach the daemon");
+  }
+
+  void read_gcnp_address(const Stated& text) {
+    const auto endpoint = env::parse_endpoint(text.text);
+    if (!endpoint) {
+      fail(text, endpoint.error());
+    } else if (!env::is_loopback(endpoint->address)) {
+      fail(text, env::to_string(*endpoint) + " is not on this host alone: GCNP is local, use 127.0.0.1 or [::1]");
+    } else if (std::ranges::none_of(result_.gcnp, [&](const auto& known) { return known.endpoint == *endpoint; })) {
+      result_.gcnp.push_back({*endpoint, false});
+    }
   }
 
   void read_air() {
@@ -282,7 +299,9 @@ std::string to_toml(const Configuration& configuration) {
   text += line("interface", quoted(configuration.air.interfaces));
   text += line("peer", quoted(peers));
   if (!configuration.name.empty()) text += line("name", quoted(configuration.name));
+  if (gcnp.empty()) gcnp.emplace_back("none");
   text += line("gcnp", quoted(gcnp));
+  if (!configuration.gcnp_socket.empty()) text += line("gcnp-socket", quoted(configuration.gcnp_socket));
   text += line("port", std::to_string(configuration.air.port));
   text += line("multicast", quoted(configuration.air.groups));
   text += line("interval", std::to_string(milliseconds / 1000) + '.' + fraction);

@@ -37,7 +37,8 @@ struct Configuration {
   std::map<std::string, std::string> prefixes;  ///< of names, beside those of the ontologies
   std::string group = "default";
   std::string name;
-  std::vector<GcnpAddress> gcnp;
+  std::vector<GcnpAddress> gcnp;  ///< empty: not over TCP
+  std::string gcnp_socket;        ///< path of a Unix socket; empty: none
   env::AirSettings air;
   base::Duration interval = std::chrono::seconds(2);
   base::LogLevel log_level = base::LogLevel::info;

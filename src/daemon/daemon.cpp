@@ -92,6 +92,10 @@ class Daemon::State final : private env::EventSink {
       const auto listening = env_.listen(address.endpoint, address.may_be_missing);
       if (!listening) return fail({listening.error()});
     }
+    if (!configuration_.gcnp_socket.empty()) {
+      const auto listening = env_.listen(configuration_.gcnp_socket);
+      if (!listening) return fail({listening.error()});
+    }
     ontology_ = std::move(loaded.ontology);
     env_.open_air(configuration_.air);
     participant::Settings settings;
@@ -122,11 +126,14 @@ class Daemon::State final : private env::EventSink {
     participant_->on_interfaces_changed();
     after_event();
   }
-  void on_stream_opened(env::StreamId stream) override { participant_->on_stream_opened(stream); }
+  void on_stream_opened(env::StreamId stream, std::string_view user) override {
+    participant_->on_stream_opened(stream, user);
+  }
   void on_stream_bytes(env::StreamId stream, std::string_view bytes) override {
     participant_->on_stream_bytes(stream, bytes);
     after_event();
   }
+  void on_stream_drained(env::StreamId stream) override { participant_->on_stream_drained(stream); }
   void on_stream_closed(env::StreamId stream) override { participant_->on_stream_closed(stream); }
 
   /// Looks whether the participant has come to be ready, or to its end.
@@ -181,8 +188,9 @@ class Daemon::State final : private env::EventSink {
     const Configuration before = std::exchange(configuration_, std::move(*read));
     log_.set(configuration_.log_level, configuration_.log_format);
     if (configuration_.name != before.name || configuration_.group != before.group ||
-        configuration_.gcnp != before.gcnp || configuration_.interval != before.interval) {
-      log_.write(LogLevel::warning, "name, group, gcnp and interval take effect at the next start");
+        configuration_.gcnp != before.gcnp || configuration_.gcnp_socket != before.gcnp_socket ||
+        configuration_.interval != before.interval) {
+      log_.write(LogLevel::warning, "name, group, gcnp, gcnp-socket and interval take effect at the next start");
     }
     if (configuration_.air != before.air) env_.open_air(configuration_.air);
     reload_ontologies();
@@ -225,6 +233,7 @@ class Daemon::State final : private env::EventSink {
   [[nodiscard]] std::string ready_words() const {
     std::vector<std::string> addresses;
     for (const GcnpAddress& address : configuration_.gcnp) addresses.push_back(env::to_string(address.endpoint));
+    if (!configuration_.gcnp_socket.empty()) addresses.push_back(base::printable(configuration_.gcnp_socket));
     return "ready: gcnp " + joined(addresses) + "; interfaces " + interface_words() + "; ontology " +
            digest_of(ontology_.get());
   }

@@ -22,6 +22,7 @@ Examples:
   gemingad --ontology /usr/share/geminga/ontology/robot-soccer.ttl
   gemingad --config /etc/geminga.toml --check-config
   gemingad --interface wlan0 --name robot2 --interval 1
+  gemingad --gcnp none --gcnp-socket /run/geminga/gcnp
 Two daemons on one host, for a try:
   gemingad --interface lo --name a --gcnp 127.0.0.1:4717 &
   gemingad --interface lo --name b --gcnp 127.0.0.1:4718 &)";

@@ -26,7 +26,7 @@ struct Key {
   std::string_view refused;  ///< not empty: known, not there yet, and why
 };
 
-inline constexpr std::array<Key, 14> keys{{
+inline constexpr std::array<Key, 15> keys{{
     {"ontology", Kind::texts, "FILE-OR-FOLDER",
      "Ontology to load; a folder means every ontology file in it. May be given many times", ""},
     {"group", Kind::text, "NAME", "Only participants of the same group see each other (default: default)", ""},
@@ -38,7 +38,11 @@ inline constexpr std::array<Key, 14> keys{{
      ""},
     {"name", Kind::text, "NAME", "What the team calls this participant (default: the host's name)", ""},
     {"gcnp", Kind::texts, "ADDRESS:PORT",
-     "Listen for local clients there; may be given many times (default: 127.0.0.1:4717 and [::1]:4717)", ""},
+     "Listen for local clients there; may be given many times; none: not over TCP (default: 127.0.0.1:4717 and "
+     "[::1]:4717)",
+     ""},
+    {"gcnp-socket", Kind::text, "PATH",
+     "Listen for local clients at this Unix socket, too: for the daemon's user and group only", ""},
     {"port", Kind::number, "UDP-PORT", "UDP port of announcements (default: 4717)", ""},
     {"multicast", Kind::texts, "ADDRESS",
      "Multicast group of announcements; may be given many times (default: 239.192.47.17 and ff02::4717)", ""},

@@ -49,8 +49,15 @@ class Env {
   /// Multicasts one datagram on one interface. What cannot be sent is lost, like anything on the air.
   virtual void send(InterfaceIndex interface, std::span<const std::byte> datagram) = 0;
 
-  /// Queues bytes to a client. A client that reads too slowly is closed by the world, and on_stream_closed() says so.
+  /// Queues bytes to a client. Who writes looks at unsent(): a client for which far too much waits is closed by the
+  /// world, and on_stream_closed() says so.
   virtual void write(StreamId stream, std::string_view bytes) = 0;
+  /// Octets that were written to a client and for which it has left no room yet. When all of them have gone on their
+  /// way, on_stream_drained() says so. 0 for a client that is gone.
+  [[nodiscard]] virtual std::size_t unsent(StreamId stream) const = 0;
+  /// Whether more of what a client says is wanted, as it is from the start. What it says meanwhile waits with the
+  /// system, which holds the client back.
+  virtual void want(StreamId stream, bool is_wanted) = 0;
   /// Closes a client after what is queued has been written; on_stream_closed() is not called for it.
   virtual void close(StreamId stream) = 0;
 

@@ -30,13 +30,24 @@ class LineReader {
   void feed(std::string_view bytes);
   /// The next line, or nothing until more is fed. An empty line is a line.
   [[nodiscard]] std::optional<Line> next();
+  /// Whether next() would give one.
+  [[nodiscard]] bool has_line();
 
  private:
+  /// A line by its place in the buffer.
+  struct Found {
+    std::size_t begin = 0;
+    std::size_t size = 0;
+    bool is_too_long = false;
+  };
+  std::optional<Found> find();
+
   std::size_t max_bytes_;
   std::string buffer_;
-  std::size_t begin_ = 0;    ///< where the first line that was not given begins
+  std::size_t begin_ = 0;    ///< where the first line that was not found yet begins
   std::size_t scanned_ = 0;  ///< up to where no LF has been found
   bool is_skipping_ = false;
+  std::optional<Found> found_;  ///< found by has_line() and not given yet
 };
 
 }  // namespace geminga::gcnp

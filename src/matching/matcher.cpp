@@ -18,7 +18,7 @@ Matcher::~Matcher() = default;
 
 void Matcher::put(registry::PublicationEntry entry) { state_->put(std::move(entry)); }
 
-void Matcher::put(registry::SubscriptionEntry entry) { state_->put(std::move(entry)); }
+void Matcher::put(registry::SubscriptionEntry entry, Telling telling) { state_->put(std::move(entry), telling); }
 
 bool Matcher::remove_publication(const ServiceKey& key, Reason reason) {
   const StoredPublication* stored = state_->publications_.find(key);
@@ -61,20 +61,55 @@ std::optional<Standing> Matcher::standing(const ServiceKey& subscription, const 
   return state_->standing(*asked, *offered);
 }
 
+std::shared_ptr<const Request> Matcher::prepare(const Subscription& asked) const {
+  return std::make_shared<const Request>(prepared(asked, state_->ontology_, state_->placing_));
+}
+
+std::optional<Match> Matcher::meets(const Subscription& asked, const Request& request,
+                                    const registry::PublicationEntry& publication) const {
+  return state_->meets(asked, request, publication);
+}
+
+std::optional<std::vector<ServiceKey>> Matcher::candidates(const Subscription& asked, const Request& request,
+                                                           std::size_t most) const {
+  std::vector<ServiceKey> keys;
+  visit_publications(state_->publications_, asked.identity, request.classes, asked.weakest, state_->ontology_,
+                     [&](const StoredPublication& publication) {
+                       keys.push_back(publication.entry.key);
+                       return keys.size() > most;
+                     });
+  if (keys.size() > most) return std::nullopt;
+  return keys;
+}
+
 std::expected<Match, std::string> Matcher::why(const registry::SubscriptionEntry& request,
                                                const registry::PublicationEntry& offer) const {
   const el::Ontology* ontology = state_->ontology_;
+  ++state_->judged_;
   return explained(request.subscription, state_->prepare(request), offer,
                    classes_of(offer.publication.identity, ontology), ontology);
 }
 
-void Matcher::for_each_publication(const std::function<void(const registry::PublicationEntry&)>& visit) const {
-  state_->publications_.for_each([&visit](const StoredPublication& stored) { visit(stored.entry); });
+bool Matcher::walk_publications(const std::optional<ServiceKey>& after, const VisitPublication& visit) const {
+  return state_->publications_.visit_after(after,
+                                           [&visit](const StoredPublication& stored) { return visit(stored.entry); });
 }
 
-void Matcher::for_each_subscription(const std::function<void(const registry::SubscriptionEntry&)>& visit) const {
-  state_->subscriptions_.for_each([&visit](const StoredSubscription& stored) { visit(stored.entry); });
+bool Matcher::walk_subscriptions(const std::optional<ServiceKey>& after, const VisitSubscription& visit) const {
+  return state_->subscriptions_.visit_after(after,
+                                            [&visit](const StoredSubscription& stored) { return visit(stored.entry); });
 }
+
+std::size_t Matcher::publication_count() const { return state_->publications_.size(); }
+std::size_t Matcher::subscription_count() const { return state_->subscriptions_.size(); }
+std::vector<ServiceKey> Matcher::chosen(const ServiceKey& subscription) const { return state_->chosen(subscription); }
+std::vector<ServiceKey> Matcher::consumers(const ServiceKey& publication) const {
+  return state_->consumers(publication);
+}
+std::optional<Match> Matcher::given(const ServiceKey& subscription, const ServiceKey& publication) const {
+  return state_->given(subscription, publication);
+}
+std::uint64_t Matcher::judged() const { return state_->judged_; }
 
 const registry::PublicationEntry* Matcher::find_publication(const ServiceKey& key) const {
   const StoredPublication* stored = state_->publications_.find(key);

@@ -2,6 +2,8 @@
 #ifndef GEMINGA_MATCHING_MATCHER_HPP
 #define GEMINGA_MATCHING_MATCHER_HPP
 
+#include <cstddef>
+#include <cstdint>
 #include <expected>
 #include <functional>
 #include <memory>
@@ -20,7 +22,9 @@
 
 namespace geminga::matching {
 
-/// One line of `geminga-query match`.
+struct Request;
+
+/// A publication that meets a request.
 struct Ranked {
   const registry::PublicationEntry* publication = nullptr;  ///< borrowed until the next change of the matcher
   Match match;
@@ -48,6 +52,12 @@ struct Ranked {
 /// A peer is never told of the end of its own request: after its subscription is removed there are no dels for it.
 class Matcher {
  public:
+  /// Who is told by an event of what a new or changed subscription is given at once.
+  enum class Telling : std::uint8_t {
+    all,
+    providers,  ///< the consumer is not: it asks by chosen(), piece by piece
+  };
+
   /// `ontology` may be null: then semantic identities match exactly or not at all. Borrowed until set_ontology().
   /// `placing` gives the places of expressions that are asked for; without it they meet nothing.
   explicit Matcher(const el::Ontology* ontology, Placing placing = {});
@@ -56,7 +66,7 @@ class Matcher {
   /// Adds or changes an entry. Its identity is resolved by the caller (IRIs). An entry of another participant whose
   /// `where` cannot be read never matches.
   void put(registry::PublicationEntry entry);
-  void put(registry::SubscriptionEntry entry);
+  void put(registry::SubscriptionEntry entry, Telling telling = Telling::all);
   /// Removes one; false where there was none.
   bool remove_publication(const ServiceKey& key, Reason reason);
   bool remove_subscription(const ServiceKey& key, Reason reason);
@@ -74,14 +84,36 @@ class Matcher {
 
   /// The publications that meet a request, best first, arbitration's limit not applied.
   [[nodiscard]] std::vector<Ranked> match(const Subscription& request) const;
+  /// What meets() needs of a request, for as long as the ontology stays.
+  [[nodiscard]] std::shared_ptr<const Request> prepare(const Subscription& asked) const;
+  /// How a publication of the registry meets `asked`, from which `request` was prepared; its mode and its identity may
+  /// have been set to the publication's own since.
+  [[nodiscard]] std::optional<Match> meets(const Subscription& asked, const Request& request,
+                                           const registry::PublicationEntry& publication) const;
+  /// The publications whose identity may meet the request's, in no particular order; nothing where they are more than
+  /// `most`.
+  [[nodiscard]] std::optional<std::vector<ServiceKey>> candidates(const Subscription& asked, const Request& request,
+                                                                  std::size_t most) const;
   /// How this offer meets this request by identity, mode, provider and filter; the error says what does not fit.
   [[nodiscard]] std::expected<Match, std::string> why(const registry::SubscriptionEntry& request,
                                                       const registry::PublicationEntry& offer) const;
   /// How a publication stands in the arbitration of a subscription, both known here; nothing where they do not match.
   [[nodiscard]] std::optional<Standing> standing(const ServiceKey& subscription, const ServiceKey& publication) const;
-  /// In ascending order of key.
-  void for_each_publication(const std::function<void(const registry::PublicationEntry&)>& visit) const;
-  void for_each_subscription(const std::function<void(const registry::SubscriptionEntry&)>& visit) const;
+  /// Those behind `after`, or all, in ascending order of key, until `visit` gives false. Whether all were visited.
+  using VisitPublication = std::function<bool(const registry::PublicationEntry&)>;
+  using VisitSubscription = std::function<bool(const registry::SubscriptionEntry&)>;
+  bool walk_publications(const std::optional<ServiceKey>& after, const VisitPublication& visit) const;
+  bool walk_subscriptions(const std::optional<ServiceKey>& after, const VisitSubscription& visit) const;
+  [[nodiscard]] std::size_t publication_count() const;
+  [[nodiscard]] std::size_t subscription_count() const;
+  /// What a local subscription is given, best first; nothing where it is not known.
+  [[nodiscard]] std::vector<ServiceKey> chosen(const ServiceKey& subscription) const;
+  /// Whom a local publication is told of, in no particular order.
+  [[nodiscard]] std::vector<ServiceKey> consumers(const ServiceKey& publication) const;
+  /// The match of a pair that stands in chosen().
+  [[nodiscard]] std::optional<Match> given(const ServiceKey& subscription, const ServiceKey& publication) const;
+  /// How many pairs were judged since the start: what matching has cost.
+  [[nodiscard]] std::uint64_t judged() const;
   [[nodiscard]] const registry::PublicationEntry* find_publication(const ServiceKey& key) const;
   [[nodiscard]] const registry::SubscriptionEntry* find_subscription(const ServiceKey& key) const;
   /// Whether anybody known, anywhere in the team, serves this subscription / asks for this publication.

@@ -13,8 +13,17 @@ using registry::SubscriptionEntry;
 
 std::optional<Match> Matcher::State::meets(const StoredSubscription& subscription,
                                            const StoredPublication& publication) const {
+  ++judged_;
   return matching::meets(subscription.entry.subscription, of_subscription_[subscription.slot].request,
                          publication.entry, of_publication_[publication.slot].classes, ontology_);
+}
+
+std::optional<Match> Matcher::State::meets(const Subscription& asked, const Request& request,
+                                           const PublicationEntry& publication) const {
+  const StoredPublication* stored = publications_.find(publication.key);
+  if (stored == nullptr) return std::nullopt;
+  ++judged_;
+  return matching::meets(asked, request, stored->entry, of_publication_[stored->slot].classes, ontology_);
 }
 
 const StoredPublication& Matcher::State::store(PublicationEntry entry, const StoredPublication* known) {
@@ -72,7 +81,7 @@ void Matcher::State::put(PublicationEntry entry) {
   replaced_publication_ = {};
 }
 
-void Matcher::State::put(SubscriptionEntry entry) {
+void Matcher::State::put(SubscriptionEntry entry, Telling telling) {
   const StoredSubscription* known = subscriptions_.find(entry.key);
   if (known != nullptr && known->entry.is_local != entry.is_local) {
     remove({}, {known}, Reason::changed);
@@ -83,8 +92,10 @@ void Matcher::State::put(SubscriptionEntry entry) {
     return;
   }
   const StoredSubscription& stored = store(std::move(entry), known);
+  if (telling == Telling::providers) untold_ = &stored;
   judge_all(stored);
   settle(stored);
+  untold_ = nullptr;
   replaced_subscription_ = {};
 }
 
@@ -227,6 +238,7 @@ std::vector<Ranked> Matcher::State::match(const Subscription& asked, const Reque
   std::vector<Ranked> ranked;
   visit_publications(publications_, asked.identity, request.classes, asked.weakest, ontology_,
                      [&](const StoredPublication& publication) {
+                       ++judged_;
                        const auto match = matching::meets(asked, request, publication.entry,
                                                           of_publication_[publication.slot].classes, ontology_);
                        if (match) ranked.push_back({&publication.entry, *match});
@@ -244,6 +256,7 @@ bool Matcher::State::is_served(const SubscriptionEntry& subscription) const {
   bool served = false;
   visit_publications(publications_, asked.identity, request.classes, asked.weakest, ontology_,
                      [&](const StoredPublication& publication) {
+                       ++judged_;
                        served = matching::meets(asked, request, publication.entry,
                                                 of_publication_[publication.slot].classes, ontology_)
                                     .has_value();
@@ -256,6 +269,7 @@ bool Matcher::State::is_used(const PublicationEntry& publication) const {
   const Classes classes = classes_of(publication.publication.identity, ontology_);
   const auto standing = standing_subscriptions(subscriptions_, publication.publication.identity, classes, ontology_);
   return std::ranges::any_of(standing, [&](const StoredSubscription* subscription) {
+    ++judged_;
     return matching::meets(subscription->entry.subscription, of_subscription_[subscription->slot].request, publication,
                            classes, ontology_)
         .has_value();

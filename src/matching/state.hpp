@@ -29,7 +29,7 @@ class Matcher::State {
   State(const el::Ontology* ontology, Placing placing) : placing_(std::move(placing)) { set_ontology(ontology); }
 
   void put(registry::PublicationEntry entry);
-  void put(registry::SubscriptionEntry entry);
+  void put(registry::SubscriptionEntry entry, Telling telling);
   /// Removes all of these at once, so that nothing that is about to go takes another's place.
   void remove(const std::vector<const registry::StoredPublication*>& publications,
               const std::vector<const registry::StoredSubscription*>& subscriptions, Reason reason);
@@ -42,6 +42,11 @@ class Matcher::State {
   [[nodiscard]] std::vector<Ranked> match(const Subscription& asked, const Request& request) const;
   [[nodiscard]] std::optional<Standing> standing(const registry::StoredSubscription& subscription,
                                                  const registry::StoredPublication& publication) const;
+  [[nodiscard]] std::optional<Match> meets(const Subscription& asked, const Request& request,
+                                           const registry::PublicationEntry& publication) const;
+  [[nodiscard]] std::vector<ServiceKey> chosen(const ServiceKey& subscription) const;
+  [[nodiscard]] std::vector<ServiceKey> consumers(const ServiceKey& publication) const;
+  [[nodiscard]] std::optional<Match> given(const ServiceKey& subscription, const ServiceKey& publication) const;
   [[nodiscard]] bool is_served(const registry::SubscriptionEntry& subscription) const;
   [[nodiscard]] bool is_used(const registry::PublicationEntry& publication) const;
 
@@ -50,6 +55,7 @@ class Matcher::State {
   registry::Publications publications_;
   registry::Subscriptions subscriptions_;
   std::vector<Event> events_;
+  mutable std::uint64_t judged_ = 0;
 
  private:
   struct OfPublication {
@@ -105,6 +111,7 @@ class Matcher::State {
   Replaced<registry::PublicationEntry> replaced_publication_;
   Replaced<registry::SubscriptionEntry> replaced_subscription_;
   Request replaced_request_;
+  const registry::StoredSubscription* untold_ = nullptr;  ///< the one whose consumer is told by nobody here
 };
 
 }  // namespace geminga::matching

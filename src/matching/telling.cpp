@@ -39,7 +39,7 @@ void Matcher::State::settle(const StoredSubscription& subscription) {
 
 void Matcher::State::tell_consumer(Change change, const StoredSubscription& subscription,
                                    const StoredPublication& publication, Match match, Reason reason) {
-  if (!subscription.entry.is_local) return;
+  if (!subscription.entry.is_local || untold_ == &subscription) return;
   const PublicationEntry& about = change == Change::del ? as_told(publication) : publication.entry;
   events_.push_back({change, subscription.entry.key, about, match, reason});
 }
@@ -52,6 +52,36 @@ void Matcher::State::tell_provider(Change change, const StoredSubscription& subs
   if (mode == ChannelMode::one_to_many_stream) return;
   const SubscriptionEntry& about = is_over ? as_told(subscription) : subscription.entry;
   events_.push_back({change, publication.entry.key, about, match, reason});
+}
+
+std::vector<ServiceKey> Matcher::State::chosen(const ServiceKey& subscription) const {
+  std::vector<ServiceKey> keys;
+  const StoredSubscription* stored = subscriptions_.find(subscription);
+  if (stored == nullptr) return keys;
+  for (const auto& one : of_subscription_[stored->slot].choice.chosen()) keys.push_back(one.publication->entry.key);
+  return keys;
+}
+
+std::vector<ServiceKey> Matcher::State::consumers(const ServiceKey& publication) const {
+  std::vector<ServiceKey> keys;
+  const StoredPublication* stored = publications_.find(publication);
+  if (stored == nullptr || stored->entry.publication.mode == ChannelMode::one_to_many_stream) return keys;
+  for (const auto& [slot, rank] : of_publication_[stored->slot].considered_by) {
+    const OfSubscription& one = of_subscription_[slot];
+    if (one.choice.is_chosen(rank)) keys.push_back(one.stored->entry.key);
+  }
+  return keys;
+}
+
+std::optional<Match> Matcher::State::given(const ServiceKey& subscription, const ServiceKey& publication) const {
+  const StoredSubscription* asks = subscriptions_.find(subscription);
+  const StoredPublication* offers = publications_.find(publication);
+  if (asks == nullptr || offers == nullptr) return std::nullopt;
+  const auto& considered_by = of_publication_[offers->slot].considered_by;
+  const auto known = considered_by.find(asks->slot);
+  if (known == considered_by.end() || !of_subscription_[asks->slot].choice.is_chosen(known->second))
+    return std::nullopt;
+  return known->second.match;
 }
 
 const PublicationEntry& Matcher::State::as_told(const StoredPublication& publication) const {

@@ -19,6 +19,7 @@
 #include "participant/ontology_watch.hpp"
 #include "participant/session.hpp"
 #include "participant/settings.hpp"
+#include "participant/work.hpp"
 
 namespace geminga::participant {
 
@@ -53,6 +54,7 @@ struct Core {
   ParticipantId id{};
   base::Instant started{};
   std::map<env::StreamId, std::unique_ptr<Session>> sessions;
+  std::uint32_t next_peer = 1;
   /// Something that is announced is not what was announced last.
   bool is_changed = false;
   std::function<std::vector<gcnp::Parameter>()> status_source;
@@ -64,13 +66,20 @@ struct Core {
   /// In ascending order of peer.
   [[nodiscard]] std::vector<const Session*> peers() const;
   [[nodiscard]] const env::Interface* find(env::InterfaceIndex index) const;
+  /// Peers whose connection is not over.
+  [[nodiscard]] std::size_t peer_count() const;
   /// Publications and subscriptions of all peers.
   [[nodiscard]] std::size_t service_count() const;
 
+  /// All the work that was done for clients since the start, whoever caused it.
+  [[nodiscard]] Work work() const;
+  /// Work that nothing else counts: statements, and lines of answers.
+  Work worked = 0;
+
   /// Writes an error to a peer, and counts it.
   void refuse(Session& session, std::uint32_t id, const Error& error);
-  /// Hands what the matcher has to tell to the peers, in its order.
-  void deliver_events();
+  /// Octets that wait for a peer, here and in Env.
+  [[nodiscard]] std::size_t backlog(const Session& session) const;
   void log(base::LogLevel level, const std::string& line) { env.log().write(level, line); }
 };
 

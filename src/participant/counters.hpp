@@ -24,6 +24,8 @@ struct Counters {
   std::uint64_t events = 0;      ///< event lines to clients
   std::uint64_t clients = 0;     ///< connections taken since the start
   std::uint64_t clients_refused = 0;
+  std::uint64_t clients_closed = 0;  ///< by us: silent, stalled, flooding, or of another protocol
+  std::uint64_t lags = 0;            ///< times that a client was too far behind to be told of every change
   std::uint64_t datagrams_sent = 0;
   std::uint64_t bytes_sent = 0;
   std::uint64_t datagrams_received = 0;

@@ -9,12 +9,13 @@
 namespace geminga::participant {
 
 Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubCreate& create) {
-  if (auto refusal = check_room(core, session, id, session.publications.size())) return refusal;
+  if (auto refusal = check_new(core, session, id, session.publications.size())) return refusal;
   auto identity = resolve(core.ontology, create.publication.identity);
   if (!identity) return identity.error();
   StatedPublication stated{.named = create.publication.identity,
                            .publication = gcnp::with_identity(create.publication, std::move(*identity))};
   if (auto refusal = beacon::check(stated.publication)) return refusal;
+  if (auto refusal = make_room(core, session)) return refusal;
   enter(core, session, id, session.publications.emplace(id, std::move(stated)).first->second);
   return std::nullopt;
 }
@@ -42,9 +43,7 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubModify
 
 Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubRemove&) {
   if (!session.publications.contains(id)) return unknown_request(id, "publication", session.subscriptions.contains(id));
-  withdraw_publication(core, session, id, matching::Reason::withdrawn);
-  session.publications.erase(id);
-  session.told.erase(id);
+  forget_publication(core, session, id);
   return std::nullopt;
 }
 

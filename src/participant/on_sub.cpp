@@ -21,14 +21,18 @@ std::uint32_t default_limit(ChannelMode mode) { return mode == ChannelMode::one_
 }  // namespace
 
 Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::SubCreate& create) {
-  if (auto refusal = check_room(core, session, id, session.subscriptions.size())) return refusal;
+  if (auto refusal = check_new(core, session, id, session.subscriptions.size())) return refusal;
   auto identity = resolve(core.expressions, core.ontology, create.subscription.identity);
   if (!identity) return identity.error();
   StatedSubscription stated{.named = create.subscription.identity,
                             .subscription = gcnp::with_identity(create.subscription, std::move(*identity)),
                             .has_limit = create.subscription.limit.has_value()};
   if (auto refusal = check(stated.subscription)) return refusal;
-  enter(core, session, id, session.subscriptions.emplace(id, std::move(stated)).first->second);
+  if (auto refusal = make_room(core, session)) return refusal;
+  // All that it is given is told piece by piece, however much that is.
+  enter(core, session, id, session.subscriptions.emplace(id, std::move(stated)).first->second,
+        matching::Matcher::Telling::providers);
+  session.pictures[id] = {};
   return std::nullopt;
 }
 
@@ -60,9 +64,7 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::SubRemove
   if (!session.subscriptions.contains(id)) {
     return unknown_request(id, "subscription", session.publications.contains(id));
   }
-  withdraw_subscription(core, session, id, matching::Reason::withdrawn);
-  session.subscriptions.erase(id);
-  session.told.erase(id);
+  forget_subscription(core, session, id);
   return std::nullopt;
 }
 

@@ -21,15 +21,13 @@ Refusal check_name(const std::string& name) {
   return std::nullopt;
 }
 
-/// Tells everybody who knows this peer its new name.
+/// Tells everybody who knows this peer its new name, one service after the other where they are many.
 void rename(Core& core, Session& session, const std::string& name) {
   session.name = name;
-  for (const auto& [number, stated] : session.publications) {
-    if (stated.is_in_force) enter(core, session, number, stated);
-  }
-  for (const auto& [number, stated] : session.subscriptions) {
-    if (stated.is_in_force) enter(core, session, number, stated);
-  }
+  for (const auto& [number, stated] : session.publications) session.to_rename.insert(number);
+  for (const auto& [number, stated] : session.subscriptions) session.to_rename.insert(number);
+  if (!is_small(core, session)) return;
+  while (!session.to_rename.empty()) rename_one(core, session);
 }
 
 }  // namespace
@@ -55,8 +53,8 @@ void on(Core&, Session& session, const gcnp::Ping&) {
   session.say(gcnp::Statement{.id = 0, .command = "msg", .subcommand = "pong", .parameters = {}});
 }
 
-void on(Core& core, Session& session, const gcnp::Bye&) {
-  withdraw_all(core, session);
+void on(Core&, Session& session, const gcnp::Bye&) {
+  session.says_bye = true;
   session.is_closing = true;
 }
 

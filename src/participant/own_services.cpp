@@ -2,8 +2,8 @@
 
 #include <type_traits>
 
-#include "gcnp/event.hpp"
 #include "participant/naming.hpp"
+#include "participant/telling.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -42,7 +42,8 @@ void enter(Core& core, const Session& session, std::uint32_t number, const State
   core.is_changed = true;
 }
 
-void enter(Core& core, const Session& session, std::uint32_t number, const StatedSubscription& stated) {
+void enter(Core& core, const Session& session, std::uint32_t number, const StatedSubscription& stated,
+           matching::Matcher::Telling telling) {
   registry::SubscriptionEntry entry{.key = key_of(core, session, number),
                                     .subscription = stated.subscription,
                                     .peer_name = session.name,
@@ -50,7 +51,7 @@ void enter(Core& core, const Session& session, std::uint32_t number, const State
                                     .is_local = true,
                                     .updated = core.env.now()};
   if (entry.subscription.address.empty()) entry.subscription.address = local_address;
-  core.matcher.put(std::move(entry));
+  core.matcher.put(std::move(entry), telling);
   core.is_changed = true;
 }
 
@@ -62,35 +63,55 @@ void withdraw_subscription(Core& core, const Session& session, std::uint32_t num
   core.is_changed |= core.matcher.remove_subscription(key_of(core, session, number), reason);
 }
 
-void tell_gone(Core& core, Session& session, std::uint32_t number, matching::Reason reason) {
-  core.deliver_events();  // What is on its way may tell a part of it.
-  const auto told = session.told.find(number);
-  if (told == session.told.end()) return;
-  for (const ServiceKey& key : told->second) {
-    ++core.counters.events;
-    if (session.publications.contains(number)) {
-      ConsumerEvent event;
-      event.change = Change::del;
-      event.subscription = key;
-      event.reason = to_string(reason);
-      session.say(gcnp::to_statement(number, event));
-    } else {
-      ServiceEvent event;
-      event.change = Change::del;
-      event.service = key;
-      event.reason = to_string(reason);
-      session.say(gcnp::to_statement(number, event));
-    }
-  }
-  session.told.erase(told);
+void forget_publication(Core& core, Session& session, std::uint32_t number) {
+  withdraw_publication(core, session, number, matching::Reason::withdrawn);
+  session.publications.erase(number);
+  session.told.erase(number);
+  session.pictures.erase(number);
+  session.to_rename.erase(number);
+}
+
+void forget_subscription(Core& core, Session& session, std::uint32_t number) {
+  withdraw_subscription(core, session, number, matching::Reason::withdrawn);
+  session.subscriptions.erase(number);
+  session.told.erase(number);
+  session.pictures.erase(number);
+  session.to_rename.erase(number);
+}
+
+bool is_small(const Core& core, const Session& session) {
+  return session.service_count() * core.service_count() <= max_pairs_at_once;
 }
 
 void withdraw_all(Core& core, Session& session) {
-  core.is_changed |= !session.publications.empty() || !session.subscriptions.empty();
+  core.is_changed |= session.service_count() > 0;
   core.matcher.remove_peer(core.id, session.peer(), matching::Reason::withdrawn);
   session.publications.clear();
   session.subscriptions.clear();
   session.told.clear();
+  session.pictures.clear();
+  session.to_rename.clear();
+}
+
+void withdraw_one(Core& core, Session& session) {
+  if (!session.subscriptions.empty()) {
+    forget_subscription(core, session, session.subscriptions.rbegin()->first);
+  } else if (!session.publications.empty()) {
+    forget_publication(core, session, session.publications.rbegin()->first);
+  }
+}
+
+void rename_one(Core& core, Session& session) {
+  const std::uint32_t number = *session.to_rename.begin();
+  session.to_rename.erase(session.to_rename.begin());
+  const auto publication = session.publications.find(number);
+  if (publication != session.publications.end() && publication->second.is_in_force) {
+    enter(core, session, number, publication->second);
+  }
+  const auto subscription = session.subscriptions.find(number);
+  if (subscription != session.subscriptions.end() && subscription->second.is_in_force) {
+    enter(core, session, number, subscription->second);
+  }
 }
 
 void enter_all(Core& core) {
@@ -106,7 +127,7 @@ void enter_all(Core& core) {
 
 void leave_all(Core& core) {
   core.matcher.remove_participant(core.id, matching::Reason::renamed);
-  core.deliver_events();
+  deliver_events(core);
   for (const auto& [stream, session] : core.sessions) {
     for (const auto& [number, stated] : session->publications) {
       tell_gone(core, *session, number, matching::Reason::renamed);
@@ -122,7 +143,7 @@ void change_ontology(Core& core, const el::Ontology* ontology) {
   core.ontology = ontology;
   core.expressions.set_ontology(ontology);
   core.matcher.set_ontology(ontology);
-  core.deliver_events();
+  deliver_events(core);
   for (const auto& [stream, session] : core.sessions) {
     for (auto& [number, stated] : session->publications) {
       const bool knows = resolve_again(core, *session, number, stated, stated.publication);
@@ -135,7 +156,7 @@ void change_ontology(Core& core, const el::Ontology* ontology) {
       if (is_held && !knows) withdraw_subscription(core, *session, number, matching::Reason::changed);
     }
   }
-  core.deliver_events();
+  deliver_events(core);
   core.is_changed = true;  // The digest is announced, too.
 }
 

@@ -13,13 +13,25 @@ inline constexpr const char* local_address = "127.0.0.1";
 
 /// Enters a statement, or its change, into the registry; it is announced at the end of the event.
 void enter(Core& core, const Session& session, std::uint32_t number, const StatedPublication& stated);
-void enter(Core& core, const Session& session, std::uint32_t number, const StatedSubscription& stated);
+void enter(Core& core, const Session& session, std::uint32_t number, const StatedSubscription& stated,
+           matching::Matcher::Telling telling = matching::Matcher::Telling::all);
 void withdraw_publication(Core& core, const Session& session, std::uint32_t number, matching::Reason reason);
 void withdraw_subscription(Core& core, const Session& session, std::uint32_t number, matching::Reason reason);
-/// Tells a peer that everything is gone that it was told of for this request, which it keeps.
-void tell_gone(Core& core, Session& session, std::uint32_t number, matching::Reason reason);
-/// Everything of one peer, which forgets it.
+/// Withdraws one, and all that is known of it here.
+void forget_publication(Core& core, Session& session, std::uint32_t number);
+void forget_subscription(Core& core, Session& session, std::uint32_t number);
+
+/// Pairs of services on one host that may change in one event: a change of one service never makes more events for
+/// local peers than the host has services.
+inline constexpr std::size_t max_pairs_at_once = 4096;
+/// Whether all services of the peer may change at once.
+[[nodiscard]] bool is_small(const Core& core, const Session& session);
+/// Everything of one peer at once, so that nothing that is about to go takes another's place.
 void withdraw_all(Core& core, Session& session);
+/// One of the peer's services, which must have one: for a peer that is not small.
+void withdraw_one(Core& core, Session& session);
+/// Enters the next service of a peer under its new name; there must be one.
+void rename_one(Core& core, Session& session);
 /// Everything of all peers, under the identifier that is held now.
 void enter_all(Core& core);
 /// The opposite, right before another identifier takes its place: the peers' statements stay, and they are told that

@@ -34,7 +34,7 @@ class Participant {
   Participant& operator=(const Participant&) = delete;
 
   /// Begins to claim an identifier (paper section 3.5.1). Once, before any other event. Clients may connect at once;
-  /// their statements are held until the identifier is claimed, and then handled in their order.
+  /// their statements wait until the identifier is claimed, and then handled in their order.
   void start();
   /// Withdraws everything, says goodbye on the air and closes the clients. The goodbye is repeated for a few hundredths
   /// of a second against loss: feed on_timer() until is_stopped().
@@ -54,11 +54,14 @@ class Participant {
   /// Env::interfaces() gives something new.
   void on_interfaces_changed();
 
-  void on_stream_opened(env::StreamId stream);
-  /// Bytes in the order of the stream, cut anywhere.
+  /// `user` is who connected, where the system tells; else empty.
+  void on_stream_opened(env::StreamId stream, std::string_view user);
+  /// Bytes in the order of the stream, cut anywhere. What they ask for is done in a later on_timer(), in turns.
   void on_stream_bytes(env::StreamId stream, std::string_view bytes);
   /// The client is gone: all it offered and asked for is withdrawn. Not called after Env::close().
   void on_stream_closed(env::StreamId stream);
+  /// What was written to the client has gone on its way, after some of it had to wait.
+  void on_stream_drained(env::StreamId stream);
 
   /// Takes another ontology, or none. Peers are told what follows: a publication or subscription whose names the new
   /// one does not know gets one error 422 and its events `del reason=changed`, and comes back by itself when a later
@@ -71,7 +74,7 @@ class Participant {
   void ontology_failed(const std::vector<std::string>& lines);
 
   /// Fields that only the owner knows (memory, processor time, files), appended to the answer of `query status`. Called
-  /// within on_stream_bytes(); must not call back.
+  /// within on_timer(); must not call back.
   using StatusSource = std::function<std::vector<gcnp::Parameter>()>;
   void set_status_source(StatusSource source);
 

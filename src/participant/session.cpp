@@ -2,29 +2,24 @@
 
 #include <utility>
 
-#include "base/assert.hpp"
-
 namespace geminga::participant {
 
-Session::Session(env::StreamId stream, PeerId peer, const Limits& limits)
+Session::Session(env::StreamId stream, PeerId peer, std::string_view the_user, const Limits& limits)
     : name("peer-" + std::to_string(static_cast<std::uint32_t>(peer))),
+      user(the_user),
       gate(limits.statements_per_second, limits.flood_per_second),
       stream_(stream),
       peer_(peer) {}
 
-bool Session::hold(std::string_view line, const Limits& limits) {
-  if (held_.size() >= limits.held_statements || held_bytes_ + line.size() > limits.held_bytes) return false;
-  held_.emplace_back(line);
-  held_bytes_ += line.size();
-  return true;
+Work Session::used(base::Instant now) const {
+  const auto halvings = (now - used_at_) / half_life;
+  return halvings >= 64 ? 0 : used_ >> halvings;
 }
 
-std::string Session::take_held() {
-  GEMINGA_ASSERT(!held_.empty());
-  std::string line = std::move(held_.front());
-  held_.pop_front();
-  held_bytes_ -= line.size();
-  return line;
+void Session::use(Work work, base::Instant now) {
+  const auto halvings = (now - used_at_) / half_life;
+  used_ = used(now) + work;
+  used_at_ += halvings * half_life;  // what is left of a half-life is not lost
 }
 
 std::string Session::take_outbox() { return std::exchange(outbox_, {}); }

@@ -1,23 +1,27 @@
-// One connected peer: its name, what it stated, the lines that wait for it and those that it waits for.
+// One connected peer: its name, what it stated, what it was told, and what it still waits for.
 #ifndef GEMINGA_PARTICIPANT_SESSION_HPP
 #define GEMINGA_PARTICIPANT_SESSION_HPP
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 
 #include "env/env.hpp"
+#include "gcnp/first_word.hpp"
 #include "gcnp/line_reader.hpp"
 #include "gcnp/statement.hpp"
 #include "geminga/error.hpp"
 #include "geminga/named.hpp"
 #include "geminga/service.hpp"
+#include "participant/picture.hpp"
+#include "participant/queries/answering.hpp"
 #include "participant/rate_gate.hpp"
 #include "participant/settings.hpp"
+#include "participant/work.hpp"
 
 namespace geminga::participant {
 
@@ -38,13 +42,15 @@ struct StatedSubscription {
 /// The numbers of publications and subscriptions are one space: an event is about one of them only.
 class Session {
  public:
-  Session(env::StreamId stream, PeerId peer, const Limits& limits);
+  Session(env::StreamId stream, PeerId peer, std::string_view user, const Limits& limits);
 
   [[nodiscard]] env::StreamId stream() const { return stream_; }
   [[nodiscard]] PeerId peer() const { return peer_; }
 
   /// "peer-N" until the peer says hello with a name.
   std::string name;
+  /// Who runs the peer, where the system tells; else empty.
+  const std::string user;
   gcnp::LineReader reader;
   RateGate gate;
   std::map<std::uint32_t, StatedPublication> publications;
@@ -52,18 +58,35 @@ class Session {
   /// By request, what its peer was told of and not told off again; so that it can be told when the request itself,
   /// which the peer keeps, is out of force for a while.
   std::map<std::uint32_t, std::set<ServiceKey>> told;
+  /// By request, what is still to be told of it before events alone keep the peer up to date.
+  std::map<std::uint32_t, Picture> pictures;
+  /// The answer under way, behind which the next statement waits.
+  std::optional<Answering> answering;
+  /// Its services that are still to be entered under its new name.
+  std::set<std::uint32_t> to_rename;
   std::uint64_t statements = 0;
+  std::uint64_t events = 0;
+  gcnp::FirstWord first_word;
+  base::Instant heard{};  ///< when its last line was handled, or it connected
+  /// Since when it is too far behind to be told of every change; nothing: it is not. It is told so (`msg lagged`) when
+  /// it reads again.
+  std::optional<base::Instant> lags_since;
   /// Set by `sys bye`, by a flood or by a client that does not speak GCNP: nothing is read from it any more, and at the
   /// end of the event it is closed.
   bool is_closing = false;
+  bool says_bye = false;  ///< it asked for that itself
+  /// The connection is over, and what it offered and asked for is being withdrawn.
+  bool is_leaving = false;
+  bool is_wanted = true;  ///< as Env was told last
 
-  /// Keeps a line until the identifier is claimed. False, and nothing kept, when too many wait already.
-  [[nodiscard]] bool hold(std::string_view line, const Limits& limits);
-  /// The oldest line that was kept; requires has_held().
-  [[nodiscard]] std::string take_held();
-  [[nodiscard]] bool has_held() const { return !held_.empty(); }
+  [[nodiscard]] std::size_t service_count() const { return publications.size() + subscriptions.size(); }
+  /// Work that was done for it lately: each half-life counts half of it.
+  [[nodiscard]] Work used(base::Instant now) const;
+  void use(Work work, base::Instant now);
 
   void say(const gcnp::Statement& statement) { outbox_ += gcnp::to_line(statement); }
+  /// A line with its end.
+  void say(std::string_view line) { outbox_ += line; }
   void say(std::uint32_t id, const Error& error) { outbox_ += gcnp::to_line(id, error); }
   [[nodiscard]] std::size_t outbox_bytes() const { return outbox_.size(); }
   /// Everything said since the last call, to be written at once.
@@ -72,8 +95,8 @@ class Session {
  private:
   env::StreamId stream_;
   PeerId peer_;
-  std::deque<std::string> held_;
-  std::size_t held_bytes_ = 0;
+  Work used_ = 0;
+  base::Instant used_at_{};
   std::string outbox_;
 };
 

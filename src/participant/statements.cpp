@@ -1,8 +1,10 @@
 #include "participant/statements.hpp"
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 
+#include "participant/own_services.hpp"
 #include "participant/queries/queries.hpp"
 
 namespace geminga::participant {
@@ -18,14 +20,49 @@ Refusal handle(Core& core, Session& session, std::uint32_t id, const gcnp::Reque
           return std::nullopt;
         } else if constexpr (requires { on(core, session, id, one); }) {
           return on(core, session, id, one);
+        } else if constexpr (requires { begin(core, one); }) {
+          return reply(core, session, id, begin(core, one));
         } else {
-          return reply(session, id, answer(core, one));
+          auto answered = answer(core, one);
+          if (!answered) return std::move(answered.error());
+          return reply(core, session, id, telling(std::move(*answered)));
         }
       },
       request);
 }
 
-Refusal check_room(const Core& core, const Session& session, std::uint32_t id, std::size_t of_its_kind) {
+namespace {
+
+/// Takes one service back from the peer that has the most, if that leaves it no less than the one that asks gets: what
+/// was free a peer may have, but nobody's share. False where nobody has so much more.
+bool take_back_one(Core& core, const Session& asking) {
+  const auto most = std::ranges::max_element(core.sessions, {}, [](const auto& entry) {
+    // What is on its way out goes first.
+    return std::pair(entry.second->is_leaving && entry.second->service_count() > 0, entry.second->service_count());
+  });
+  Session& greediest = *most->second;
+  if (greediest.is_leaving && greediest.service_count() > 0) {
+    withdraw_one(core, greediest);
+    return true;
+  }
+  if (greediest.service_count() < asking.service_count() + 2) return false;
+  const auto last_number = [](const auto& services) { return services.empty() ? 0 : services.rbegin()->first; };
+  const std::uint32_t number = std::max(last_number(greediest.publications), last_number(greediest.subscriptions));
+  if (greediest.publications.contains(number)) {
+    forget_publication(core, greediest, number);
+  } else {
+    forget_subscription(core, greediest, number);
+  }
+  core.refuse(greediest, number,
+              {ErrorCode::too_many, "taken back: the peers of one host may have " +
+                                        std::to_string(core.settings.limits.services) +
+                                        " publications and subscriptions together, and another one has fewer"});
+  return true;
+}
+
+}  // namespace
+
+Refusal check_new(const Core& core, const Session& session, std::uint32_t id, std::size_t of_its_kind) {
   if (session.publications.contains(id) || session.subscriptions.contains(id)) {
     return Error{ErrorCode::already_exists,
                  std::to_string(id) + " is in use already: choose another number, or modify it"};
@@ -35,11 +72,14 @@ Refusal check_room(const Core& core, const Session& session, std::uint32_t id, s
     return Error{ErrorCode::too_many,
                  "too many: a peer may have " + std::to_string(limits.services_per_peer) + " of each kind"};
   }
-  if (core.service_count() >= limits.services) {
-    return Error{ErrorCode::too_many, "too many: the peers of one host may have " + std::to_string(limits.services) +
-                                          " publications and subscriptions together"};
-  }
   return std::nullopt;
+}
+
+Refusal make_room(Core& core, const Session& session) {
+  const std::size_t limit = core.settings.limits.services;
+  if (core.service_count() < limit || take_back_one(core, session)) return std::nullopt;
+  return Error{ErrorCode::too_many, "too many: the peers of one host may have " + std::to_string(limit) +
+                                        " publications and subscriptions together"};
 }
 
 Error unknown_request(std::uint32_t id, const char* kind, bool is_other_kind) {

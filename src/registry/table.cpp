@@ -231,6 +231,16 @@ void Table<Entry>::for_each(const std::function<void(const StoredEntry&)>& visit
   for (const auto& element : indexes_->container.template get<InKeyOrder>()) visit(element);
 }
 
+template <typename Entry>
+bool Table<Entry>::visit_after(const std::optional<ServiceKey>& after,
+                               const std::function<bool(const StoredEntry&)>& visit) const {
+  const auto& index = indexes_->container.template get<InKeyOrder>();
+  for (auto at = after ? index.upper_bound(*after) : index.begin(); at != index.end(); ++at) {
+    if (!visit(*at)) return false;
+  }
+  return true;
+}
+
 template class Table<PublicationEntry>;
 template class Table<SubscriptionEntry>;
 

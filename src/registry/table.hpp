@@ -73,6 +73,9 @@ class Table {
   [[nodiscard]] std::vector<const StoredEntry*> of_participant(ParticipantId participant) const;
   [[nodiscard]] std::vector<const StoredEntry*> of_peer(ParticipantId participant, PeerId peer) const;
   void for_each(const std::function<void(const StoredEntry&)>& visit) const;
+  /// Those behind `after`, or all, in ascending order of key, until `visit` gives false. Whether all were visited.
+  /// O(log n + visited), so that a walk can be interrupted and go on after changes.
+  bool visit_after(const std::optional<ServiceKey>& after, const std::function<bool(const StoredEntry&)>& visit) const;
 
  private:
   struct Indexes;

@@ -38,6 +38,26 @@ TEST(Configuration, HasTheDefaultsOfTheContract) {
   EXPECT_EQ(result->log_level, base::LogLevel::info);
 }
 
+TEST(Configuration, ListensOnAPathBesideTcpOrInsteadOfIt) {
+  const auto both = resolved(layer_of({{"gcnp-socket", "/run/geminga/gcnp"}}));
+  ASSERT_TRUE(both);
+  EXPECT_EQ(both->gcnp_socket, "/run/geminga/gcnp");
+  EXPECT_EQ(both->gcnp.size(), 2U);
+  const auto alone = resolved(layer_of({{"gcnp", "none"}, {"gcnp-socket", "/run/geminga/gcnp"}}));
+  ASSERT_TRUE(alone);
+  EXPECT_THAT(alone->gcnp, IsEmpty());
+  EXPECT_THAT(to_toml(*alone), testing::AllOf(testing::HasSubstr("gcnp = [\"none\"]\n"),
+                                              testing::HasSubstr("gcnp-socket = \"/run/geminga/gcnp\"\n")));
+  EXPECT_FALSE(resolved(layer_of({{"gcnp", "none"}}))) << "nobody could reach it";
+  EXPECT_FALSE(resolved(layer_of({{"gcnp", "none"}, {"gcnp", "127.0.0.1:1"}, {"gcnp-socket", "/a"}})));
+}
+
+TEST(Configuration, HasAPathOfASocketWithinItsLimit) {
+  for (const auto& [length, is_good] : {std::pair(0U, false), {1U, true}, {106U, true}, {107U, true}, {108U, false}}) {
+    EXPECT_EQ(resolved(layer_of({{"gcnp-socket", std::string(length, 'x')}})).has_value(), is_good) << length;
+  }
+}
+
 TEST(Configuration, TakesTheStrongestLayerThatSaysAnything) {
   const Layer flags = layer_of({{"port", "1"}, {"interface", "a"}});
   const Layer environment = layer_of({{"port", "2"}, {"name", "b"}}, "GEMINGA");

@@ -68,12 +68,17 @@ class KeptEvents final : public EventSink {
     ++changes;
     tell();
   }
-  void on_stream_opened(StreamId stream) override {
+  void on_stream_opened(StreamId stream, std::string_view user) override {
     opened.push_back(stream);
+    users.emplace_back(user);
     tell();
   }
   void on_stream_bytes(StreamId stream, std::string_view bytes) override {
     said[stream] += bytes;
+    tell();
+  }
+  void on_stream_drained(StreamId stream) override {
+    drained.push_back(stream);
     tell();
   }
   void on_stream_closed(StreamId stream) override {
@@ -86,6 +91,8 @@ class KeptEvents final : public EventSink {
   std::vector<Datagram> datagrams;
   std::vector<StreamId> opened;
   std::map<StreamId, std::string> said;
+  std::vector<std::string> users;
+  std::vector<StreamId> drained;
   std::vector<StreamId> closed;
   std::function<void()> on_event = [] {};
 

@@ -122,7 +122,7 @@ TEST_F(StreamsTest, WriteWhatIsQueuedBeforeTheyClose) {
   EXPECT_THAT(events.closed, IsEmpty()) << "who closes is not told";
 }
 
-TEST_F(StreamsTest, CloseAClientThatDoesNotReadAndTellTheParticipant) {
+TEST_F(StreamsTest, CloseAClientThatHoldsFarTooMuchAndTellTheParticipant) {
   tcp::socket slow = connect();
   tcp::socket other = connect();
   const std::string chunk(1024 * 1024, 'x');
@@ -134,30 +134,60 @@ TEST_F(StreamsTest, CloseAClientThatDoesNotReadAndTellTheParticipant) {
     context.poll();
   }
   EXPECT_THAT(events.closed, ElementsAre(events.opened[0]));
-  EXPECT_GT(written, max_queued_bytes);
   env.event([&] { env.write(events.opened[1], "you are served"); });
   ASSERT_TRUE(run_until(context, [&] { return other.available() == 14; }));
   EXPECT_FALSE(env.is_writing());
 }
 
-TEST_F(StreamsTest, AreNotReadFromWhileTheirAnswersWait) {
+TEST_F(StreamsTest, CloseTheGreediestWhereAllTogetherHoldTooMuch) {
+  std::vector<tcp::socket> stalled;
+  for (std::size_t number = 0; number < 20; ++number) stalled.push_back(connect());
+  tcp::socket innocent = connect();
+  const std::string share(max_queued_bytes / 2 - 1, 'x');
+  env.event([&] { env.write(events.opened[7], share + share); });
+  env.event([&] {
+    for (std::size_t number = 0; number < stalled.size(); ++number) {
+      if (number != 7) env.write(events.opened[number], share);
+    }
+    env.write(events.opened.back(), "you are served");
+  });
+  ASSERT_TRUE(run_until(context, [&] { return !events.closed.empty() && innocent.available() == 14; }));
+  EXPECT_EQ(events.closed.front(), events.opened[7]) << "the one that held the most";
+  EXPECT_THAT(events.closed, testing::Not(testing::Contains(events.opened.back())));
+}
+
+TEST_F(StreamsTest, SayWhatIsUnsentAndWhenItHasGone) {
   tcp::socket client = connect();
   const StreamId id = events.opened[0];
-  const std::string answer(8192, 'x');
-  events.on_event = [&] { env.write(id, answer); };
+  EXPECT_EQ(env.unsent(id), 0U);
+  env.event([&] { env.write(id, std::string(max_queued_bytes / 2, 'x')); });
+  EXPECT_GT(env.unsent(id), 0U) << "the kernel has not so much room";
+  EXPECT_THAT(events.drained, IsEmpty());
   client.non_blocking(true);
-  boost::system::error_code error;
-  std::size_t asked = 0;
-  // Asks until neither side takes any more: then the daemon must not have read all that was asked.
-  for (int quiet = 0; quiet < 3;) {
-    const std::size_t size = client.write_some(net::buffer(answer), error);
-    asked += size;
-    context.restart();
-    quiet = size == 0 && context.poll() == 0 ? quiet + 1 : 0;
-  }
-  EXPECT_LT(events.said[id].size(), asked);
-  EXPECT_THAT(events.closed, IsEmpty());
-  EXPECT_TRUE(env.is_writing());
+  std::string chunk(65536, ' ');
+  ASSERT_TRUE(run_until(context, [&] {
+    boost::system::error_code error;
+    client.read_some(net::buffer(chunk), error);
+    net::post(context, [] {});  // look again
+    return !events.drained.empty();
+  }));
+  EXPECT_THAT(events.drained, ElementsAre(id));
+  EXPECT_EQ(env.unsent(id), 0U);
+}
+
+TEST_F(StreamsTest, AreNotReadFromWhileNothingIsWanted) {
+  tcp::socket client = connect();
+  const StreamId id = events.opened[0];
+  env.event([&] { env.want(id, false); });
+  net::write(client, net::buffer("one", 3));
+  client.shutdown(tcp::socket::shutdown_send);
+  context.restart();
+  context.run_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(events.said.count(id), 0U);
+  EXPECT_THAT(events.closed, IsEmpty()) << "its end is behind what it said";
+  env.event([&] { env.want(id, true); });
+  ASSERT_TRUE(run_until(context, [&] { return !events.closed.empty(); }));
+  EXPECT_EQ(events.said[id], "one");
 }
 
 TEST_F(StreamsTest, OfAClientThatGoesOnTalkingAfterItsEndAreClosedHard) {
@@ -192,6 +222,14 @@ TEST_F(StreamsTest, AreAtMostMaxConnections) {
   EXPECT_THAT(events.opened, SizeIs(max_connections));
   clients.pop_back();
   ASSERT_TRUE(run_until(context, [&] { return events.closed.size() == 1; }));
+  tcp::socket next = connect();
+  EXPECT_THAT(events.opened, SizeIs(max_connections + 1));
+}
+
+TEST_F(StreamsTest, ThatAreClosedAlreadyGiveWayToANewClient) {
+  std::vector<tcp::socket> clients;
+  for (std::size_t number = 0; number < max_connections; ++number) clients.push_back(connect());
+  env.event([&] { env.close(events.opened[3]); });
   tcp::socket next = connect();
   EXPECT_THAT(events.opened, SizeIs(max_connections + 1));
 }

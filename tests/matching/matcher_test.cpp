@@ -366,8 +366,14 @@ TEST(Matcher, ListsEntriesByKey) {
   }
   std::vector<ServiceKey> publications;
   std::vector<ServiceKey> subscriptions;
-  matcher.for_each_publication([&](const auto& entry) { publications.push_back(entry.key); });
-  matcher.for_each_subscription([&](const auto& entry) { subscriptions.push_back(entry.key); });
+  EXPECT_TRUE(matcher.walk_publications(std::nullopt, [&](const auto& entry) {
+    publications.push_back(entry.key);
+    return true;
+  }));
+  EXPECT_TRUE(matcher.walk_subscriptions(std::nullopt, [&](const auto& entry) {
+    subscriptions.push_back(entry.key);
+    return true;
+  }));
   EXPECT_THAT(publications, ElementsAre(key(1, 2, 1), key(2, 1, 4), key(2, 1, 5), key(3, 1, 1)));
   EXPECT_EQ(subscriptions, publications);
 }

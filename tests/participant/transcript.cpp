@@ -98,6 +98,8 @@ void Transcript::direct(std::string_view words) {
     const auto count = base::parse_number<int>(name);
     ASSERT_TRUE(count && (third == "ms" || third == "s")) << at_;
     run(*count * (third == "s" ? std::chrono::seconds(1) : base::Duration(std::chrono::milliseconds(1))));
+  } else if (verb == "deaf" || verb == "reading") {
+    clients_.at(name)->set_reading(verb == "reading");
   } else if (verb == "hang-up") {
     clients_.at(name)->hang_up();
   } else if (verb == "closed") {
@@ -164,7 +166,8 @@ void Transcript::set_limit(sim::Host& host, const std::string& name, std::size_t
                                                   {"services", &limits.services},
                                                   {"statements_per_second", &limits.statements_per_second},
                                                   {"flood_per_second", &limits.flood_per_second},
-                                                  {"held_statements", &limits.held_statements}};
+                                                  {"unread", &limits.unread},
+                                                  {"unread_before_more", &limits.unread_before_more}};
   ASSERT_TRUE(known.contains(name)) << at_;
   *known.at(name) = value;
 }

@@ -29,6 +29,12 @@ void Client::send_bytes(std::string bytes) {
   if (host_ != nullptr) host_->from_client(stream_, std::move(bytes));
 }
 
+void Client::set_reading(bool is_reading) {
+  if (host_ != nullptr) host_->set_reading(stream_, is_reading);
+}
+
+std::size_t Client::unread() const { return host_ == nullptr ? 0 : host_->unsent(stream_); }
+
 void Client::hang_up() {
   if (host_ == nullptr) return;
   host_->client_closed(stream_);

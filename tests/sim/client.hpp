@@ -34,6 +34,10 @@ class Client {
   /// Sends one statement.
   void say(std::string_view line);
   void send_bytes(std::string bytes);
+  /// Octets that wait for it at the host.
+  [[nodiscard]] std::size_t unread() const;
+  /// Whether it reads what it is told; it does from the start.
+  void set_reading(bool is_reading);
   /// Closes the connection from this side.
   void hang_up();
   [[nodiscard]] bool is_connected() const { return host_ != nullptr; }

@@ -67,7 +67,7 @@ void Host::end_of_event() {
 }
 
 void Host::drop_clients() {
-  for (const auto& [stream, client] : std::exchange(streams_, {})) client->connection_lost();
+  for (const auto& [stream, one] : std::exchange(streams_, {})) one.client->connection_lost();
 }
 
 void Host::attach(const std::string& interface, std::uint32_t segment, bool is_loopback) {
@@ -109,24 +109,56 @@ void Host::connect(Client& client) {
     client.connection_lost();
     return;
   }
-  streams_.emplace(stream, &client);
-  participant_->on_stream_opened(stream);
+  streams_.emplace(stream, Stream{.client = &client});
+  participant_->on_stream_opened(stream, "");
 }
 
 void Host::from_client(env::StreamId stream, std::string bytes) {
   world_.after(base::Duration(0), [this, stream, bytes = std::move(bytes), life = life_] {
     if (life != life_ || !streams_.contains(stream)) return;
-    participant_->on_stream_bytes(stream, bytes);
-    end_of_event();
+    streams_.at(stream).unheard += bytes;
+    hear(stream);
   });
 }
 
 void Host::client_closed(env::StreamId stream) {
   world_.after(base::Duration(0), [this, stream, life = life_] {
-    if (life != life_ || streams_.erase(stream) == 0) return;
-    participant_->on_stream_closed(stream);
-    end_of_event();
+    if (life != life_ || !streams_.contains(stream)) return;
+    streams_.at(stream).has_hung_up = true;
+    hear(stream);
   });
+}
+
+/// As a socket is read: in pieces, while the participant wants more, and the end last.
+void Host::hear(env::StreamId stream) {
+  constexpr std::size_t piece = std::size_t{16} * 1024;
+  const auto found = streams_.find(stream);
+  if (found == streams_.end() || !found->second.is_wanted) return;
+  Stream& one = found->second;
+  if (!one.unheard.empty()) {
+    const std::string bytes = one.unheard.substr(0, piece);
+    one.unheard.erase(0, piece);
+    participant_->on_stream_bytes(stream, bytes);
+    world_.after(base::Duration(0), [this, stream, life = life_] {
+      if (life == life_) hear(stream);
+    });
+  } else if (one.has_hung_up) {
+    streams_.erase(found);
+    participant_->on_stream_closed(stream);
+  } else {
+    return;
+  }
+  end_of_event();
+}
+
+void Host::set_reading(env::StreamId stream, bool is_reading) {
+  const auto found = streams_.find(stream);
+  if (found == streams_.end()) return;
+  found->second.is_reading = is_reading;
+  if (!is_reading || found->second.unsent.empty()) return;
+  give(stream, std::exchange(found->second.unsent, {}));
+  participant_->on_stream_drained(stream);
+  end_of_event();
 }
 
 base::Instant Host::now() const { return world_.now() + clock_offset_; }
@@ -156,15 +188,39 @@ void Host::write(env::StreamId stream, std::string_view bytes) {
   const auto found = streams_.find(stream);
   if (found == streams_.end()) return;
   world_.trace(name_, bytes);
-  // Through the queue, so that what a client does about a line is an event of its own.
-  world_.after(base::Duration(0),
-               [client = found->second, stream, text = std::string(bytes)] { client->receive(stream, text); });
+  if (!found->second.is_reading) {
+    found->second.unsent += bytes;
+  } else {
+    give(stream, std::string(bytes));
+  }
+}
+
+/// Through the queue, so that what a client does about a line is an event of its own.
+void Host::give(env::StreamId stream, std::string bytes) {
+  world_.after(base::Duration(0), [client = streams_.at(stream).client, stream, text = std::move(bytes)] {
+    client->receive(stream, text);
+  });
+}
+
+std::size_t Host::unsent(env::StreamId stream) const {
+  const auto found = streams_.find(stream);
+  return found == streams_.end() ? 0 : found->second.unsent.size();
+}
+
+void Host::want(env::StreamId stream, bool is_wanted) {
+  const auto found = streams_.find(stream);
+  if (found == streams_.end()) return;
+  found->second.is_wanted = is_wanted;
+  world_.after(base::Duration(0), [this, stream, life = life_] {
+    if (life == life_) hear(stream);
+  });
 }
 
 void Host::close(env::StreamId stream) {
   const auto found = streams_.find(stream);
   if (found == streams_.end()) return;
-  world_.after(base::Duration(0), [client = found->second, stream] { client->closed_by_host(stream); });
+  if (!found->second.unsent.empty()) give(stream, std::exchange(found->second.unsent, {}));
+  world_.after(base::Duration(0), [client = found->second.client, stream] { client->closed_by_host(stream); });
   streams_.erase(found);
 }
 

@@ -68,6 +68,8 @@ class Host final : public env::Env {
   /// The client's side of a connection.
   void from_client(env::StreamId stream, std::string bytes);
   void client_closed(env::StreamId stream);
+  /// Whether the client reads what it is told; what it does not read waits here, all of it.
+  void set_reading(env::StreamId stream, bool is_reading);
 
   [[nodiscard]] base::Instant now() const override;
   void wake_at(base::Instant instant) override;
@@ -75,6 +77,8 @@ class Host final : public env::Env {
   [[nodiscard]] const std::vector<env::Interface>& interfaces() const override { return interfaces_; }
   void send(env::InterfaceIndex interface, std::span<const std::byte> datagram) override;
   void write(env::StreamId stream, std::string_view bytes) override;
+  [[nodiscard]] std::size_t unsent(env::StreamId stream) const override;
+  void want(env::StreamId stream, bool is_wanted) override;
   void close(env::StreamId stream) override;
   [[nodiscard]] base::LogSink& log() override;
 
@@ -100,7 +104,19 @@ class Host final : public env::Env {
   int island_ = 0;
   std::vector<Port> ports_;
   std::vector<env::Interface> interfaces_;
-  std::map<env::StreamId, Client*> streams_;
+  /// One connection: what waits in either direction.
+  struct Stream {
+    Client* client = nullptr;
+    bool is_reading = true;  ///< the client
+    bool is_wanted = true;   ///< by the participant
+    bool has_hung_up = false;
+    std::string unsent{};
+    std::string unheard{};
+  };
+  void give(env::StreamId stream, std::string bytes);
+  void hear(env::StreamId stream);
+
+  std::map<env::StreamId, Stream> streams_;
 };
 
 }  // namespace geminga::sim

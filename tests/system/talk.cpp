@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,7 +19,13 @@ namespace geminga::system {
 Talk::Talk(const std::string& address, std::uint16_t port) {
   sockaddr_storage storage{};
   socklen_t length = 0;
-  if (address.find(':') == std::string::npos) {
+  if (address.starts_with('/')) {
+    sockaddr_un path{};
+    path.sun_family = AF_UNIX;
+    address.copy(path.sun_path, sizeof path.sun_path - 1);
+    length = sizeof path;
+    std::memcpy(&storage, &path, sizeof path);
+  } else if (address.find(':') == std::string::npos) {
     sockaddr_in v4{};
     v4.sin_family = AF_INET;
     v4.sin_port = htons(port);

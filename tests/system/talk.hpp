@@ -14,7 +14,7 @@ namespace geminga::system {
 /// One connection to a daemon. Lines are read in their order; each is given out once.
 class Talk {
  public:
-  /// Connects to a loopback address; throws std::runtime_error where nobody listens.
+  /// Connects to a loopback address, or to a Unix socket by its path; throws std::runtime_error where nobody listens.
   Talk(const std::string& address, std::uint16_t port);
   ~Talk();
   Talk(Talk&& other) noexcept;

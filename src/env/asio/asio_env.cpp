@@ -41,11 +41,15 @@ class AsioEnv::State {
         log_(log),
         timer_(context),
         streams_(context,
-                 {.opened = [this](StreamId id) { tell([&](EventSink& sink) { sink.on_stream_opened(id); }); },
+                 {.opened =
+                      [this](StreamId id, const std::string& user) {
+                        tell([&](EventSink& sink) { sink.on_stream_opened(id, user); });
+                      },
                   .bytes =
                       [this](StreamId id, std::string_view bytes) {
                         tell([&](EventSink& sink) { sink.on_stream_bytes(id, bytes); });
                       },
+                  .drained = [this](StreamId id) { tell([&](EventSink& sink) { sink.on_stream_drained(id); }); },
                   .closed = [this](StreamId id) { tell([&](EventSink& sink) { sink.on_stream_closed(id); }); }}),
         now_(read_clock()) {}
 
@@ -231,6 +235,8 @@ std::expected<void, std::string> AsioEnv::listen(const Endpoint& endpoint, bool 
   return std::unexpected("cannot listen on " + to_string(endpoint) + ": " + error.text);
 }
 
+std::expected<void, std::string> AsioEnv::listen(const std::string& path) { return state_->streams_.listen(path); }
+
 void AsioEnv::open_air(AirSettings settings) { state_->open_air(std::move(settings)); }
 void AsioEnv::serve(EventSink& sink) { state_->serve(sink); }
 void AsioEnv::stop_listening() { state_->streams_.stop_listening(); }
@@ -253,6 +259,8 @@ std::uint64_t AsioEnv::random_bits() {
 const std::vector<Interface>& AsioEnv::interfaces() const { return state_->interfaces_; }
 void AsioEnv::send(InterfaceIndex interface, std::span<const std::byte> datagram) { state_->send(interface, datagram); }
 void AsioEnv::write(StreamId stream, std::string_view bytes) { state_->streams_.write(stream, bytes); }
+std::size_t AsioEnv::unsent(StreamId stream) const { return state_->streams_.unsent(stream); }
+void AsioEnv::want(StreamId stream, bool is_wanted) { state_->streams_.want(stream, is_wanted); }
 void AsioEnv::close(StreamId stream) { state_->streams_.close(stream); }
 base::LogSink& AsioEnv::log() { return state_->log_; }
 

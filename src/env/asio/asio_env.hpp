@@ -45,6 +45,8 @@ class AsioEnv final : public Env {
   /// Listens for GCNP clients, who wait until serve(). An address that `may_be_missing` and does not exist on this host
   /// is left out with a line in the log. The error is one line that says what to do.
   [[nodiscard]] std::expected<void, std::string> listen(const Endpoint& endpoint, bool may_be_missing);
+  /// The same at a path: a Unix socket (env/asio/socket_file.hpp).
+  [[nodiscard]] std::expected<void, std::string> listen(const std::string& path);
   /// Opens the interfaces; interfaces() is filled when this returns. Called again, it changes to other settings and
   /// tells the sink of the change.
   void open_air(AirSettings settings);
@@ -65,6 +67,8 @@ class AsioEnv final : public Env {
   [[nodiscard]] const std::vector<Interface>& interfaces() const override;
   void send(InterfaceIndex interface, std::span<const std::byte> datagram) override;
   void write(StreamId stream, std::string_view bytes) override;
+  [[nodiscard]] std::size_t unsent(StreamId stream) const override;
+  void want(StreamId stream, bool is_wanted) override;
   void close(StreamId stream) override;
   [[nodiscard]] base::LogSink& log() override;
 

@@ -21,8 +21,11 @@ class EventSink {
   /// so that it can be counted and refused.
   virtual void on_datagram(InterfaceIndex interface, std::string_view source, std::span<const std::byte> datagram) = 0;
   virtual void on_interfaces_changed() = 0;
-  virtual void on_stream_opened(StreamId stream) = 0;
+  /// `user` is who connected, where the system tells: over a Unix socket. Empty over TCP.
+  virtual void on_stream_opened(StreamId stream, std::string_view user) = 0;
   virtual void on_stream_bytes(StreamId stream, std::string_view bytes) = 0;
+  /// All that was written has gone on its way, after some of it had to wait.
+  virtual void on_stream_drained(StreamId stream) = 0;
   virtual void on_stream_closed(StreamId stream) = 0;
 };
 

@@ -2,51 +2,42 @@
 
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/ip/v6_only.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <cerrno>
 #include <map>
+#include <utility>
+
+#include "env/asio/send_queue.hpp"
 
 namespace geminga::env {
 namespace {
 
 namespace net = boost::asio;
-using net::ip::tcp;
-
-/// How long accepting pauses when the process has no descriptor left.
-constexpr std::chrono::milliseconds accept_pause{100};
 
 struct Connection {
-  Connection(StreamId number, tcp::socket accepted)
+  Connection(StreamId number, Doors::Socket accepted)
       : id(number), socket(std::move(accepted)), linger(socket.get_executor()) {}
 
   StreamId id;
-  tcp::socket socket;
+  Doors::Socket socket;
   net::steady_timer linger;
-  std::string queue;
-  std::size_t sent = 0;       // of the queue
+  SendQueue queue;
   std::size_t lingering = 0;  // octets thrown away since it was closed
   bool is_open = true;        // the participant knows it
+  bool is_wanted = true;      // the participant wants to hear more of it
   bool is_dirty = false;      // waits for flush()
   bool is_reading = false;    // a wait for readability is under way
   bool is_writing = false;    // a wait for writability is under way
+  bool is_behind = false;     // something had to wait, and the participant waits for it to have gone
   bool is_shut = false;       // our side has said all
   bool has_ended = false;     // its side has said all
 
-  [[nodiscard]] std::size_t waiting() const { return queue.size() - sent; }
+  [[nodiscard]] std::size_t waiting() const { return queue.waiting().size(); }
 };
-
-ListenError listen_error(const boost::system::error_code& error) {
-  auto kind = ListenError::Kind::other;
-  if (error == net::error::address_in_use) kind = ListenError::Kind::in_use;
-  if (error == boost::system::errc::address_not_available || error == net::error::address_family_not_supported) {
-    kind = ListenError::Kind::not_available;
-  }
-  return {kind, error.message()};
-}
 
 }  // namespace
 
@@ -54,35 +45,17 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
  public:
   State(net::io_context& context, Handlers handlers) : context_(context), handlers_(std::move(handlers)) {}
 
-  std::expected<void, ListenError> listen(const Endpoint& endpoint) {
-    tcp::acceptor acceptor(context_);
-    boost::system::error_code error;
-    const auto address = net::ip::make_address(endpoint.address, error);
-    if (!error) acceptor.open(address.is_v4() ? tcp::v4() : tcp::v6(), error);
-    if (!error) acceptor.set_option(net::socket_base::reuse_address(true), error);
-    if (!error && address.is_v6()) acceptor.set_option(net::ip::v6_only(true), error);
-    if (!error) acceptor.bind({address, endpoint.port}, error);
-    if (!error) acceptor.listen(net::socket_base::max_listen_connections, error);
-    if (error) return std::unexpected(listen_error(error));
-    doors_.push_back({std::move(acceptor), net::steady_timer(context_)});
-    return {};
-  }
+  Doors& doors() { return *doors_; }
 
   void serve() {
-    for (std::size_t number = 0; number < doors_.size(); ++number) accept(number);
-  }
-
-  void stop_listening() {
-    boost::system::error_code ignored;
-    for (Door& door : doors_) {
-      door.acceptor.close(ignored);
-      door.retry.cancel();
-    }
+    doors_->serve([weak = weak_from_this()](Doors::Socket socket) {
+      if (const auto self = weak.lock()) self->take(std::move(socket));
+    });
   }
 
   void shut_down() {
     is_down_ = true;
-    stop_listening();
+    doors_->close();
     boost::system::error_code ignored;
     for (auto& [id, connection] : connections_) {
       connection->socket.close(ignored);
@@ -95,12 +68,25 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
     const auto found = connections_.find(stream);
     if (found == connections_.end() || !found->second->is_open) return;
     Connection& connection = *found->second;
-    connection.queue.append(bytes);
-    queued_ += bytes.size();
+    append(connection, bytes);
     mark(found->second);
-    if (connection.waiting() <= max_queued_bytes && queued_ <= max_queued_bytes_in_all) return;
-    send(connection);  // the kernel may have room for what this event has written
-    if (connection.waiting() > max_queued_bytes || queued_ > max_queued_bytes_in_all) lose(found->second);
+    if (connection.queue.held() > max_queued_bytes) {
+      send(connection);  // the kernel may have room for what this event has written
+      if (connection.queue.held() > max_queued_bytes) return lose(found->second);
+    }
+    if (held_ > max_queued_bytes_in_all) lose_greediest();
+  }
+
+  [[nodiscard]] std::size_t unsent(StreamId stream) const {
+    const auto found = connections_.find(stream);
+    return found == connections_.end() || !found->second->is_open ? 0 : found->second->waiting();
+  }
+
+  void want(StreamId stream, bool is_wanted) {
+    const auto found = connections_.find(stream);
+    if (found == connections_.end() || found->second->is_wanted == is_wanted) return;
+    found->second->is_wanted = is_wanted;
+    if (is_wanted) mark(found->second);
   }
 
   void close(StreamId stream) {
@@ -121,45 +107,33 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
   }
 
   [[nodiscard]] std::size_t connection_count() const { return connections_.size(); }
-  [[nodiscard]] bool is_writing() const { return queued_ > 0; }
+  [[nodiscard]] bool is_writing() const {
+    return std::ranges::any_of(connections_, [](const auto& entry) { return entry.second->waiting() > 0; });
+  }
 
  private:
   using Pointer = std::shared_ptr<Connection>;
-  struct Door {
-    tcp::acceptor acceptor;
-    net::steady_timer retry;
-  };
 
-  void accept(std::size_t number) {
-    doors_[number].acceptor.async_accept(
-        [self = shared_from_this(), number](const boost::system::error_code& error, tcp::socket socket) {
-          if (self->is_down_ || !self->doors_[number].acceptor.is_open()) return;
-          if (!error) self->take(std::move(socket));
-          if (error && error != net::error::connection_aborted) return self->accept_later(number);
-          self->accept(number);
-        });
-  }
-
-  /// No descriptor is left: trying again at once would only spin.
-  void accept_later(std::size_t number) {
-    doors_[number].retry.expires_after(accept_pause);
-    doors_[number].retry.async_wait([self = shared_from_this(), number](const boost::system::error_code& error) {
-      if (!error && self->doors_[number].acceptor.is_open()) self->accept(number);
-    });
-  }
-
-  void take(tcp::socket socket) {
+  void take(Doors::Socket socket) {
     boost::system::error_code error;
-    if (connections_.size() >= max_connections) {
+    if (connections_.size() >= max_connections && !drop_oldest_closed()) {
       socket.close(error);
       return;
     }
-    socket.set_option(tcp::no_delay(true), error);
+    socket.set_option(net::ip::tcp::no_delay(true), error);  // a Unix socket has no such option and needs none
     const StreamId id{++last_id_};
     const auto connection = std::make_shared<Connection>(id, std::move(socket));
     connections_.emplace(id, connection);
-    handlers_.opened(id);
+    handlers_.opened(id, user_of(connection->socket.native_handle()));
     proceed(connection);
+  }
+
+  /// One that is closed already and only takes its last words has no claim to the room that a new one needs.
+  bool drop_oldest_closed() {
+    const auto found = std::ranges::find_if(connections_, [](const auto& entry) { return !entry.second->is_open; });
+    if (found == connections_.end()) return false;
+    drop(found->second);
+    return true;
   }
 
   void mark(const Pointer& connection) {
@@ -171,31 +145,33 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
   /// Hands what is queued to the kernel, as far as it takes it.
   void send(Connection& connection) {
     while (connection.waiting() > 0) {
-      const ssize_t size = ::send(connection.socket.native_handle(), connection.queue.data() + connection.sent,
-                                  connection.waiting(), MSG_DONTWAIT | MSG_NOSIGNAL);
+      const std::string_view bytes = connection.queue.waiting();
+      const ssize_t size =
+          ::send(connection.socket.native_handle(), bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
       if (size < 0) {
         if (errno == EINTR) continue;
         if (errno == EAGAIN || errno == EWOULDBLOCK) break;
         forget_queue(connection);  // the client is gone; reading will say so
         return;
       }
-      connection.sent += static_cast<std::size_t>(size);
-      queued_ -= static_cast<std::size_t>(size);
-    }
-    if (connection.waiting() == 0) {
-      connection.sent = 0;
-      if (connection.queue.capacity() > read_chunk_bytes) {
-        std::string().swap(connection.queue);  // a long answer's room is given back
-      } else {
-        connection.queue.clear();
-      }
+      change_queue(connection, [&] { connection.queue.drop(static_cast<std::size_t>(size)); });
     }
   }
 
+  /// Every change of a queue, so that what all of them hold is known.
+  template <typename Action>
+  void change_queue(Connection& connection, Action&& action) {
+    held_ -= connection.queue.held();
+    action();
+    held_ += connection.queue.held();
+  }
+
+  void append(Connection& connection, std::string_view bytes) {
+    change_queue(connection, [&] { connection.queue.append(bytes); });
+  }
+
   void forget_queue(Connection& connection) {
-    queued_ -= connection.waiting();
-    connection.queue.clear();
-    connection.sent = 0;
+    change_queue(connection, [&] { connection.queue.clear(); });
   }
 
   /// Sends, and waits for what the connection needs next. The one place that decides this.
@@ -207,16 +183,29 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
     } else if (!connection->is_open && !connection->is_shut) {
       connection->is_shut = true;
       boost::system::error_code ignored;
-      connection->socket.shutdown(tcp::socket::shutdown_send, ignored);
+      connection->socket.shutdown(net::socket_base::shutdown_send, ignored);
     }
     if (connection->is_shut && connection->has_ended) return drop(connection);
-    if (!connection->has_ended && connection->waiting() <= pause_reading_bytes) await_readable(connection);
+    if (!connection->has_ended && (connection->is_wanted || !connection->is_open)) await_readable(connection);
+    if (connection->waiting() > 0) {
+      connection->is_behind = true;
+    } else if (std::exchange(connection->is_behind, false) && connection->is_open) {
+      tell_drained(connection->id);
+    }
+  }
+
+  /// In an event of its own: this one may be the end of another.
+  void tell_drained(StreamId id) {
+    net::post(context_, [self = shared_from_this(), id] {
+      const auto found = self->connections_.find(id);
+      if (found != self->connections_.end() && found->second->is_open) self->handlers_.drained(id);
+    });
   }
 
   void await_writable(const Pointer& connection) {
     if (connection->is_writing) return;
     connection->is_writing = true;
-    connection->socket.async_wait(tcp::socket::wait_write,
+    connection->socket.async_wait(net::socket_base::wait_write,
                                   [self = shared_from_this(), connection](const boost::system::error_code& error) {
                                     connection->is_writing = false;
                                     if (!error) self->proceed(connection);
@@ -226,7 +215,7 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
   void await_readable(const Pointer& connection) {
     if (connection->is_reading) return;
     connection->is_reading = true;
-    connection->socket.async_wait(tcp::socket::wait_read,
+    connection->socket.async_wait(net::socket_base::wait_read,
                                   [self = shared_from_this(), connection](const boost::system::error_code& error) {
                                     connection->is_reading = false;
                                     if (!error) self->read(connection);
@@ -234,6 +223,7 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
   }
 
   void read(const Pointer& connection) {
+    if (connection->is_open && !connection->is_wanted) return;  // it was, when the wait began
     std::array<char, read_chunk_bytes> chunk;
     const ssize_t size = ::recv(connection->socket.native_handle(), chunk.data(), chunk.size(), MSG_DONTWAIT);
     if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR)) return proceed(connection);
@@ -268,6 +258,14 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
     });
   }
 
+  /// The one that holds the most pays for all, not the one that comes next.
+  void lose_greediest() {
+    const auto greediest =
+        std::ranges::max_element(connections_, {}, [](const auto& entry) { return entry.second->queue.held(); });
+    if (greediest->second->is_open) return lose(greediest->second);
+    drop(greediest->second);
+  }
+
   void start_lingering(const Pointer& connection) {
     connection->linger.expires_after(linger_time);
     connection->linger.async_wait([self = shared_from_this(), connection](const boost::system::error_code& error) {
@@ -285,21 +283,24 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
 
   net::io_context& context_;
   Handlers handlers_;
-  std::vector<Door> doors_;
+  std::shared_ptr<Doors> doors_ = std::make_shared<Doors>(context_);
   std::map<StreamId, Pointer> connections_;
   std::vector<Pointer> dirty_;
   std::uint64_t last_id_ = 0;
-  std::size_t queued_ = 0;
+  std::size_t held_ = 0;  // by all queues
   bool is_down_ = false;
 };
 
 Streams::Streams(net::io_context& context, Handlers handlers)
     : state_(std::make_shared<State>(context, std::move(handlers))) {}
 Streams::~Streams() { state_->shut_down(); }
-std::expected<void, ListenError> Streams::listen(const Endpoint& endpoint) { return state_->listen(endpoint); }
+std::expected<void, ListenError> Streams::listen(const Endpoint& endpoint) { return state_->doors().listen(endpoint); }
+std::expected<void, std::string> Streams::listen(const std::string& path) { return state_->doors().listen(path); }
 void Streams::serve() { state_->serve(); }
-void Streams::stop_listening() { state_->stop_listening(); }
+void Streams::stop_listening() { state_->doors().close(); }
 void Streams::write(StreamId stream, std::string_view bytes) { state_->write(stream, bytes); }
+std::size_t Streams::unsent(StreamId stream) const { return state_->unsent(stream); }
+void Streams::want(StreamId stream, bool is_wanted) { state_->want(stream, is_wanted); }
 void Streams::close(StreamId stream) { state_->close(stream); }
 void Streams::flush() { state_->flush(); }
 std::size_t Streams::connection_count() const { return state_->connection_count(); }

@@ -24,6 +24,7 @@ Answered answer(Core& core, const gcnp::QueryPeers&) {
     Line line;
     append(line, "peer", static_cast<std::uint32_t>(session->peer()));
     append(line, "name", session->name);
+    append_known(line, "user", session->user);
     append(line, "publications", session->publications.size());
     append(line, "subscriptions", session->subscriptions.size());
     append(line, "statements", session->statements);

@@ -80,7 +80,7 @@ void append_channel(Line& line, const Publication& publication) {
 }
 
 std::expected<Sieve, Error> Sieve::make(Core& core, const gcnp::ListFilter& filter) {
-  Sieve sieve(core, filter);
+  Sieve sieve(filter);
   if (filter.identity) {
     auto identity = resolve(core.expressions, core.ontology, *filter.identity);
     if (!identity) return std::unexpected(identity.error());
@@ -93,10 +93,10 @@ std::expected<Sieve, Error> Sieve::make(Core& core, const gcnp::ListFilter& filt
   return sieve;
 }
 
-bool Sieve::passes(const ServiceKey& key, const std::string& participant_name, const std::string& peer_name,
-                   const Identity& identity, ChannelMode mode) const {
+bool Sieve::passes(const Core& core, const ServiceKey& key, const std::string& participant_name,
+                   const std::string& peer_name, const Identity& identity, ChannelMode mode) const {
   if (filter_.mode && *filter_.mode != mode) return false;
-  if (identity_ && !is_same_or_narrower(core_.ontology, identity, *identity_, place_.get())) return false;
+  if (identity_ && !is_same_or_narrower(core.ontology, identity, *identity_, place_.get())) return false;
   return filter_.providers.empty() || std::ranges::any_of(filter_.providers, [&](const ProviderFilter& one) {
            return is_accepted(one, key, participant_name, peer_name);
          });

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "participant/queries/queries.hpp"
@@ -44,20 +45,19 @@ template <typename Entry>
 /// `mode address port protocol priority`, as in events.
 void append_channel(Line& line, const Publication& publication);
 
-/// What a FILTER leaves over, with its names resolved.
+/// What a FILTER leaves over, with its names resolved in the ontology that is loaded when it is made.
 class Sieve {
  public:
   [[nodiscard]] static std::expected<Sieve, Error> make(Core& core, const gcnp::ListFilter& filter);
   /// Whether an entry by this peer, with this identity and mode, is let through.
-  [[nodiscard]] bool passes(const ServiceKey& key, const std::string& participant_name, const std::string& peer_name,
-                            const Identity& identity, ChannelMode mode) const;
+  [[nodiscard]] bool passes(const Core& core, const ServiceKey& key, const std::string& participant_name,
+                            const std::string& peer_name, const Identity& identity, ChannelMode mode) const;
   /// Whether the finished line is let through.
   [[nodiscard]] bool passes(const Line& line) const;
 
  private:
-  Sieve(const Core& core, const gcnp::ListFilter& filter) : core_(core), filter_(filter) {}
-  const Core& core_;
-  const gcnp::ListFilter& filter_;
+  explicit Sieve(gcnp::ListFilter filter) : filter_(std::move(filter)) {}
+  gcnp::ListFilter filter_;
   std::optional<Identity> identity_;
   Expressions::Place place_;  ///< of the identity where it is an expression
 };

@@ -13,11 +13,9 @@
 #include "gcnp/statement.hpp"
 #include "geminga/error.hpp"
 #include "participant/core.hpp"
+#include "participant/queries/answering.hpp"
 
 namespace geminga::participant {
-
-/// The parameters of one line.
-using Line = std::vector<gcnp::Parameter>;
 
 /// `N msg KIND ...` for each line, and what `N msg end count=K` says beside the count.
 struct Answer {
@@ -29,11 +27,8 @@ struct Answer {
 };
 using Answered = std::expected<Answer, Error>;
 
-// None of these changes anything. Cost: linear in what they look through.
+// None of these changes anything. Cost: linear in what they look through, which is little.
 [[nodiscard]] Answered answer(Core& core, const gcnp::QueryParticipants& query);
-[[nodiscard]] Answered answer(Core& core, const gcnp::QueryServices& query);
-[[nodiscard]] Answered answer(Core& core, const gcnp::QueryRequests& query);
-[[nodiscard]] Answered answer(Core& core, const gcnp::QueryMatch& query);
 [[nodiscard]] Answered answer(Core& core, const gcnp::QueryExplain& query);
 [[nodiscard]] Answered answer(Core& core, const gcnp::QueryWhy& query);
 [[nodiscard]] Answered answer(Core& core, const gcnp::QueryOntology& query);
@@ -41,8 +36,19 @@ using Answered = std::expected<Answer, Error>;
 [[nodiscard]] Answered answer(Core& core, const gcnp::QueryInterfaces& query);
 [[nodiscard]] Answered answer(Core& core, const gcnp::QueryPeers& query);
 
-/// Writes an answer to the peer; an error is the caller's to write.
-[[nodiscard]] std::optional<Error> reply(Session& session, std::uint32_t id, const Answered& answered);
+// Those that go through the registry do so piece by piece.
+[[nodiscard]] std::expected<Answering, Error> begin(Core& core, const gcnp::QueryServices& query);
+[[nodiscard]] std::expected<Answering, Error> begin(Core& core, const gcnp::QueryRequests& query);
+[[nodiscard]] std::expected<Answering, Error> begin(Core& core, const gcnp::QueryMatch& query);
+/// An answer that is ready, to be told piece by piece.
+[[nodiscard]] Answering telling(Answer answer);
+
+/// Begins to tell an answer to the peer: the first piece at once, the others by proceed_answer(). An error is the
+/// caller's to write.
+[[nodiscard]] std::optional<Error> reply(Core& core, Session& session, std::uint32_t id,
+                                         std::expected<Answering, Error> answering);
+/// Tells the next piece of the answer under way, which there must be.
+void proceed_answer(Core& core, Session& session);
 
 }  // namespace geminga::participant
 

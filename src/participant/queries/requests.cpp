@@ -1,4 +1,7 @@
 // `query requests`: every known subscription, or those that nobody serves.
+#include <optional>
+#include <utility>
+
 #include "gcnp/event.hpp"
 #include "participant/naming.hpp"
 #include "participant/queries/lines.hpp"
@@ -32,22 +35,24 @@ Line line_of(const Core& core, const registry::SubscriptionEntry& entry) {
 
 }  // namespace
 
-Answered answer(Core& core, const gcnp::QueryRequests& query) {
-  if (query.unused) return answer(core, gcnp::QueryServices{.filter = query.filter, .unused = true});
-  const auto sieve = Sieve::make(core, query.filter);
+std::expected<Answering, Error> begin(Core& core, const gcnp::QueryRequests& query) {
+  if (query.unused) return begin(core, gcnp::QueryServices{.filter = query.filter, .unused = true});
+  auto sieve = Sieve::make(core, query.filter);
   if (!sieve) return std::unexpected(sieve.error());
-  Answer answer{.kind = "requests", .lines = {}, .end = {}};
-  core.matcher.for_each_subscription([&](const registry::SubscriptionEntry& entry) {
-    ++answer.looked_through;
-    if (query.unmatched && core.matcher.is_served(entry)) return;
-    if (!sieve->passes(entry.key, entry.participant_name, entry.peer_name, entry.subscription.identity,
-                       entry.subscription.mode)) {
-      return;
-    }
-    Line line = line_of(core, entry);
-    if (sieve->passes(line)) answer.lines.push_back(std::move(line));
-  });
-  return answer;
+  return Answering{.kind = "requests",
+                   .proceed = [sieve = std::move(*sieve), is_unmatched_only = query.unmatched,
+                               last = std::optional<ServiceKey>()](Core& all, Piece& piece) mutable {
+                     return all.matcher.walk_subscriptions(last, [&](const registry::SubscriptionEntry& entry) {
+                       last = entry.key;
+                       piece.look_at_one();
+                       const bool passes = sieve.passes(all, entry.key, entry.participant_name, entry.peer_name,
+                                                        entry.subscription.identity, entry.subscription.mode) &&
+                                           !(is_unmatched_only && all.matcher.is_served(entry));
+                       Line line = passes ? line_of(all, entry) : Line{};
+                       if (passes && sieve.passes(line)) piece.tell(std::move(line));
+                       return !piece.is_full();
+                     });
+                   }};
 }
 
 }  // namespace geminga::participant

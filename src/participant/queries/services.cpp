@@ -1,4 +1,7 @@
 // `query services`: every known publication, or those that nobody asks for.
+#include <optional>
+#include <utility>
+
 #include "gcnp/event.hpp"
 #include "participant/naming.hpp"
 #include "participant/queries/lines.hpp"
@@ -23,21 +26,23 @@ Line line_of(const Core& core, const registry::PublicationEntry& entry) {
 
 }  // namespace
 
-Answered answer(Core& core, const gcnp::QueryServices& query) {
-  const auto sieve = Sieve::make(core, query.filter);
+std::expected<Answering, Error> begin(Core& core, const gcnp::QueryServices& query) {
+  auto sieve = Sieve::make(core, query.filter);
   if (!sieve) return std::unexpected(sieve.error());
-  Answer answer{.kind = "services", .lines = {}, .end = {}};
-  core.matcher.for_each_publication([&](const registry::PublicationEntry& entry) {
-    ++answer.looked_through;
-    if (query.unused && core.matcher.is_used(entry)) return;
-    if (!sieve->passes(entry.key, entry.participant_name, entry.peer_name, entry.publication.identity,
-                       entry.publication.mode)) {
-      return;
-    }
-    Line line = line_of(core, entry);
-    if (sieve->passes(line)) answer.lines.push_back(std::move(line));
-  });
-  return answer;
+  return Answering{.kind = "services",
+                   .proceed = [sieve = std::move(*sieve), is_unused_only = query.unused,
+                               last = std::optional<ServiceKey>()](Core& all, Piece& piece) mutable {
+                     return all.matcher.walk_publications(last, [&](const registry::PublicationEntry& entry) {
+                       last = entry.key;
+                       piece.look_at_one();
+                       const bool passes = sieve.passes(all, entry.key, entry.participant_name, entry.peer_name,
+                                                        entry.publication.identity, entry.publication.mode) &&
+                                           !(is_unused_only && all.matcher.is_used(entry));
+                       Line line = passes ? line_of(all, entry) : Line{};
+                       if (passes && sieve.passes(line)) piece.tell(std::move(line));
+                       return !piece.is_full();
+                     });
+                   }};
 }
 
 }  // namespace geminga::participant

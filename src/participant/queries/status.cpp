@@ -1,10 +1,21 @@
 // `query status`: the daemon itself.
+#include <map>
+
 #include "beacon/codec.hpp"
 #include "participant/naming.hpp"
 #include "participant/queries/lines.hpp"
 
 namespace geminga::participant {
 namespace {
+
+/// How many peers each user of the host runs, e.g. "robot:2,tcp:1".
+std::string users(const Core& core) {
+  std::map<std::string, std::size_t> counts;
+  for (const Session* session : core.peers()) ++counts[session->user.empty() ? "tcp" : session->user];
+  std::vector<std::string> words;
+  for (const auto& [user, count] : counts) words.push_back(user + ":" + std::to_string(count));
+  return joined(words);
+}
 
 void append_counters(Line& line, const Counters& counters) {
   append(line, "statements", counters.statements);
@@ -55,10 +66,8 @@ Answered answer(Core& core, const gcnp::QueryStatus&) {
     own_publications += session->publications.size();
     own_subscriptions += session->subscriptions.size();
   }
-  std::size_t publications = 0;
-  std::size_t subscriptions = 0;
-  core.matcher.for_each_publication([&](const auto&) { ++publications; });
-  core.matcher.for_each_subscription([&](const auto&) { ++subscriptions; });
+  const std::size_t publications = core.matcher.publication_count();
+  const std::size_t subscriptions = core.matcher.subscription_count();
   Line line;
   append(line, "version", core.settings.version);
   append(line, "state", std::string(to_string(core.phase)));
@@ -67,7 +76,7 @@ Answered answer(Core& core, const gcnp::QueryStatus&) {
   append(line, "group", core.settings.group);
   append(line, "uptime", seconds(core.env.now() - core.started));
   append(line, "interval", seconds(core.settings.interval));
-  append(line, "peers", core.sessions.size());
+  append(line, "peers", core.peer_count());
   append(line, "participants", core.neighbours.size() + 1);
   append(line, "publications", publications);
   append(line, "subscriptions", subscriptions);
@@ -82,11 +91,13 @@ Answered answer(Core& core, const gcnp::QueryStatus&) {
   if (expressions.unknown != 0) append(line, "expressions_unknown", expressions.unknown);
   if (expressions.postponed != 0) append(line, "expressions_postponed", expressions.postponed);
   if (core.neighbours.refused_services() != 0) append(line, "refused_services", core.neighbours.refused_services());
+  append(line, "clients_closed", core.counters.clients_closed);
+  append(line, "lags", core.counters.lags);
+  append_known(line, "users", users(core));
   if (core.status_source) {
     for (gcnp::Parameter& parameter : core.status_source()) line.push_back(std::move(parameter));
   }
-  return Answer{
-      .kind = "status", .lines = {std::move(line)}, .end = {}, .looked_through = publications + subscriptions};
+  return Answer{.kind = "status", .lines = {std::move(line)}, .end = {}};
 }
 
 }  // namespace geminga::participant

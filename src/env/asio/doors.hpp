@@ -1,0 +1,61 @@
+// Where clients come in: listening sockets on loopback addresses, and on a path.
+#ifndef GEMINGA_ENV_ASIO_DOORS_HPP
+#define GEMINGA_ENV_ASIO_DOORS_HPP
+
+#include <boost/asio/basic_socket_acceptor.hpp>
+#include <boost/asio/generic/stream_protocol.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <expected>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "env/asio/endpoint.hpp"
+#include "env/asio/socket_file.hpp"
+
+namespace geminga::env {
+
+/// Why a GCNP address cannot be listened on.
+struct ListenError {
+  enum class Kind { in_use, not_available, other } kind = Kind::other;
+  std::string text;  ///< the system's own words
+};
+
+/// Accepts on all of them alike. Not thread-safe; outlives the handlers that it posts, since they hold it.
+class Doors : public std::enable_shared_from_this<Doors> {
+ public:
+  using Socket = boost::asio::generic::stream_protocol::socket;
+  /// Given each client that came in.
+  using Take = std::function<void(Socket)>;
+
+  explicit Doors(boost::asio::io_context& context) : context_(context) {}
+
+  /// Binds and listens; clients wait in the backlog until serve().
+  [[nodiscard]] std::expected<void, ListenError> listen(const Endpoint& endpoint);
+  /// The same at a path; the error is one line that says what to do.
+  [[nodiscard]] std::expected<void, std::string> listen(const std::string& path);
+  void serve(Take take);
+  /// Accepts nobody any more, removes the path and forgets whom to give clients to.
+  void close();
+
+ private:
+  using Acceptor = boost::asio::basic_socket_acceptor<boost::asio::generic::stream_protocol>;
+  struct Door {
+    Acceptor acceptor;
+    boost::asio::steady_timer retry;
+  };
+
+  void accept(std::size_t number);
+  void accept_later(std::size_t number);
+
+  boost::asio::io_context& context_;
+  std::vector<Door> doors_;
+  std::vector<SocketFile> files_;
+  Take take_;
+};
+
+}  // namespace geminga::env
+
+#endif

@@ -1,0 +1,155 @@
+#include "participant/sessions.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "participant/own_services.hpp"
+#include "participant/turns.hpp"
+
+namespace geminga::participant {
+namespace {
+
+void refuse_connection(Core& core, env::StreamId stream, const Error& error) {
+  ++core.counters.clients_refused;
+  core.env.write(stream, gcnp::to_line(0, error));
+  core.env.close(stream);
+}
+
+using Sessions = std::map<env::StreamId, std::unique_ptr<Session>>;
+
+/// Ends the connection. What the peer offered and asked for goes at once, or is withdrawn in later turns where it is
+/// much. Gives the next session.
+Sessions::iterator leave(Core& core, Sessions::iterator one) {
+  Session& session = *one->second;
+  if (is_small(core, session)) {
+    withdraw_all(core, session);
+    return core.sessions.erase(one);
+  }
+  session.is_leaving = true;
+  session.is_closing = false;
+  session.answering.reset();
+  session.to_rename.clear();
+  session.pictures.clear();
+  return std::next(one);
+}
+
+Sessions::iterator close(Core& core, Sessions::iterator one) {
+  core.env.write(one->first, one->second->take_outbox());
+  core.env.close(one->first);
+  return leave(core, one);
+}
+
+/// Whom a new client may take the place of: the first of those that never said anything, else the one that has been
+/// quiet for longest among those that could come again without anybody noticing.
+Sessions::iterator find_silent(Core& core) {
+  auto quietest = core.sessions.end();
+  for (auto one = core.sessions.begin(); one != core.sessions.end(); ++one) {
+    const Session& session = *one->second;
+    if (session.is_leaving) continue;
+    if (session.statements == 0 && !has_work(core, *one->second)) return one;  // they stand in the order of arrival
+    if (session.service_count() > 0 || core.env.now() - session.heard < core.settings.limits.quiet_patience) continue;
+    if (quietest == core.sessions.end() || session.heard < quietest->second->heard) quietest = one;
+  }
+  return quietest;
+}
+
+bool make_place(Core& core) {
+  const auto silent = find_silent(core);
+  if (silent == core.sessions.end()) return false;
+  core.refuse(*silent->second, 0,
+              {ErrorCode::too_many, "closed: this connection is silent, and another one needs its place"});
+  ++core.counters.clients_closed;
+  close(core, silent);
+  return true;
+}
+
+bool is_stuck(const Core& core, const Session& session) {
+  return session.lags_since && core.env.now() - *session.lags_since >= core.settings.limits.lag_patience;
+}
+
+}  // namespace
+
+void open_session(Core& core, env::StreamId stream, std::string_view user) {
+  if (core.phase == Phase::stopping || core.phase == Phase::stopped || core.phase == Phase::failed) {
+    return refuse_connection(core, stream, {ErrorCode::not_ready, "not ready: the daemon is stopping"});
+  }
+  const std::size_t limit = core.settings.limits.peers;
+  if (core.peer_count() >= limit && !make_place(core)) {
+    return refuse_connection(core, stream,
+                             {ErrorCode::too_many, "too many clients: the limit is " + std::to_string(limit)});
+  }
+  ++core.counters.clients;
+  auto session = std::make_unique<Session>(stream, PeerId(core.next_peer++), user, core.settings.limits);
+  session->heard = core.env.now();
+  core.sessions.emplace(stream, std::move(session));
+}
+
+void hear_session(Core& core, env::StreamId stream, std::string_view bytes) {
+  const auto found = core.sessions.find(stream);
+  if (found == core.sessions.end() || found->second->is_leaving || found->second->is_closing) return;
+  Session& session = *found->second;
+  if (session.first_word.take(bytes) == gcnp::FirstWord::Verdict::foreign) {
+    core.refuse(session, 0,
+                {ErrorCode::malformed,
+                 "octet 1: this port speaks GCNP, whose lines begin with a number: no HTTP, TLS or anything else"});
+    session.is_closing = true;
+    return;
+  }
+  session.reader.feed(bytes);
+}
+
+void lose_session(Core& core, env::StreamId stream) {
+  const auto found = core.sessions.find(stream);
+  if (found != core.sessions.end() && !found->second->is_leaving) leave(core, found);
+}
+
+void close_due_sessions(Core& core) {
+  for (auto next = core.sessions.begin(); next != core.sessions.end();) {
+    const auto one = next++;
+    Session& session = *one->second;
+    if (session.is_leaving) {
+      if (session.service_count() == 0) core.sessions.erase(one);
+      continue;
+    }
+    if (is_stuck(core, session)) {
+      core.log(base::LogLevel::warning, "peer " + session.name + " does not read what it is told: it is closed");
+      core.refuse(session, 0, {ErrorCode::too_many, "closed: nothing that this client is told was read for too long"});
+      session.is_closing = true;
+    }
+    if (!session.is_closing) continue;
+    if (!session.says_bye) ++core.counters.clients_closed;
+    close(core, one);
+  }
+}
+
+void write_sessions(Core& core) {
+  for (const auto& [stream, session] : core.sessions) {
+    if (session->is_leaving) continue;
+    if (session->outbox_bytes() > 0) core.env.write(stream, session->take_outbox());
+    const bool is_wanted = !has_business(*session);
+    if (is_wanted == session->is_wanted) continue;
+    session->is_wanted = is_wanted;
+    core.env.want(stream, is_wanted);
+  }
+}
+
+void close_all_sessions(Core& core, const std::optional<Error>& error) {
+  for (const auto& [stream, session] : core.sessions) {
+    if (session->is_leaving) continue;
+    if (error) core.refuse(*session, 0, *error);
+    core.env.write(stream, session->take_outbox());
+    core.env.close(stream);
+  }
+  core.sessions.clear();
+}
+
+base::Instant session_deadline(const Core& core) {
+  base::Instant first = base::never;
+  for (const auto& [stream, session] : core.sessions) {
+    if (session->lags_since) first = std::min(first, *session->lags_since + core.settings.limits.lag_patience);
+  }
+  return first;
+}
+
+}  // namespace geminga::participant
