@@ -44,16 +44,38 @@ inline constexpr std::size_t max_addresses = 8;
 inline constexpr std::size_t max_services_per_participant = 1024;
 /// Parts of one state: enough for the most services, each alone in its part.
 inline constexpr std::size_t max_parts = max_services_per_participant;
-/// Participants that are remembered. One more is not: a known participant never gives way to a new one.
+/// Participants that are remembered. One more takes the place of somebody less proved (admission.hpp), or none.
 inline constexpr std::size_t max_participants = 256;
-/// Publications and subscriptions of all remote participants together; further ones are not taken.
+/// Those of one source address that never give way to a stranger, however much of it there is; a host has one daemon.
+inline constexpr std::size_t max_seasoned_per_source = 32;
+/// Strangers that are remembered while all places are taken, so that they can prove themselves by a second datagram. At
+/// ten thousand forged ones a second each is remembered for 0.8 s on average, which outlasts the copies of a newcomer.
+inline constexpr std::size_t max_waiting = 8192;
+/// What every known participant has room for, whatever others take: twice the sixteen services of a robot.
+inline constexpr std::size_t reserved_services = 32;
+/// Publications and subscriptions of all remote participants together beyond what is reserved for each.
 inline constexpr std::size_t max_remote_services = 8192;
+/// Services of all participants that are remembered for a short while after they were withdrawn, in case that was a
+/// lie.
+inline constexpr std::size_t max_withdrawn_services = 4096;
 /// Ways on which one participant is heard (our interface and its interface); further ones are not used.
 inline constexpr std::size_t max_paths = 4;
 
 /// The announced interval. A shorter one would be a flood, a longer one would keep the dead for minutes.
 inline constexpr base::Duration min_interval = std::chrono::milliseconds(50);
 inline constexpr base::Duration max_interval = std::chrono::seconds(60);
+
+/// The interval of a stranger counts only up to this, the usual one, until it is heard again.
+inline constexpr base::Duration stranger_interval = std::chrono::seconds(2);
+/// Who was heard for so long never gives way to a stranger.
+inline constexpr base::Duration seasoned_after = std::chrono::seconds(60);
+/// What a sender has said counts for so many of its intervals against another word, once somebody lies in its name; and
+/// what it has said for less is undone then.
+inline constexpr int hold_intervals = 2;
+/// A datagram may be overtaken by later ones for so long. What comes later than that was not overtaken.
+inline constexpr base::Duration overtaken_time = std::chrono::milliseconds(200);
+/// How far a revision may be from the one before it at its first word: a change each 10 us for all of ten seconds.
+inline constexpr std::uint64_t max_revision_step = std::uint64_t{1} << 20;
 
 }  // namespace geminga::beacon
 

@@ -14,9 +14,7 @@ class LossWindow {
   /// A datagram with this number was heard. A number from before the window means that the sender counts anew.
   void count(std::uint64_t sequence) {
     if (span_ == 0 || (sequence < newest_ && newest_ - sequence >= width)) {
-      newest_ = sequence;
-      heard_ = 1;
-      span_ = 1;
+      restart(sequence);
     } else if (sequence > newest_) {
       const auto step = sequence - newest_;
       heard_ = step >= width ? 1 : (heard_ << step) | 1;
@@ -28,6 +26,22 @@ class LossWindow {
       heard_ |= std::uint64_t{1} << back;
       span_ = std::max(span_, static_cast<int>(back) + 1);
     }
+  }
+
+  /// Counts anew from this number: what was counted until now was not the sender's.
+  void restart(std::uint64_t sequence) {
+    newest_ = sequence;
+    heard_ = 1;
+    span_ = 1;
+  }
+
+  [[nodiscard]] bool is_empty() const { return span_ == 0; }
+  /// The highest number since the last new beginning.
+  [[nodiscard]] std::uint64_t newest() const { return newest_; }
+  /// Whether this number is in the window and was heard.
+  [[nodiscard]] bool has(std::uint64_t sequence) const {
+    return span_ != 0 && sequence <= newest_ && newest_ - sequence < width &&
+           ((heard_ >> (newest_ - sequence)) & 1) != 0;
   }
 
   /// The share of the numbers in the window that were not heard, in [0, 1); 0 before the first.

@@ -1,4 +1,4 @@
-// One participant: how announcements become changes.
+// One participant: which of its datagrams are believed, and what follows.
 #include "beacon/neighbour_record.hpp"
 
 #include <algorithm>
@@ -13,275 +13,290 @@ namespace {
 
 using base::Duration;
 using base::Instant;
+using Order = NeighbourWay::Order;
 
-/// Earlier lives that are remembered, so that their late datagrams are told from a further restart.
-constexpr std::size_t max_retired = 4;
 /// What was heard again without a change is told again at most once in this share of the interval (and this time), so
 /// that copies on several interfaces and the quick copies of a change cost the caller nothing.
 constexpr int refreshes_per_interval = 16;
 constexpr Duration min_refresh_time = std::chrono::milliseconds(20);
 
-/// The addresses of a sender as they are used here: link-local ones of IPv6 need our interface.
-std::vector<std::string> usable(const Announcement& announcement, const Arrival& arrival) {
-  std::vector<std::string> addresses;
-  const auto add = [&](std::string_view text) {
-    auto address = parse_address(text);
-    if (!address) return;
-    const bool needs_zone = address->is_ipv6() && address->scope() == AddressScope::link_local;
-    address->zone = needs_zone ? std::string(arrival.interface_name) : std::string();
-    addresses.push_back(address->text());
-  };
-  for (const auto& address : announcement.addresses) add(address);
-  if (addresses.empty()) add(arrival.source);
-  return addresses;
-}
-
 }  // namespace
 
-NeighbourRecord::NeighbourRecord(const Announcement& first, ServiceRoom& room)
-    : id_(first.participant), boot_(first.boot), room_(room) {}
-
-NeighbourRecord::~NeighbourRecord() { room_.taken -= entries_.size(); }
-
-bool NeighbourRecord::is_retired(BootNonce boot) const { return std::ranges::find(retired_, boot) != retired_.end(); }
-
-void NeighbourRecord::restart(BootNonce boot) {
-  if (retired_.size() == max_retired) retired_.erase(retired_.begin());
-  retired_.push_back(boot_);
-  boot_ = boot;
-  revision_ = 0;
-  is_complete_ = false;
-  ways_.clear();
+NeighbourRecord::Header NeighbourRecord::header_of(const Announcement& announcement) {
+  return {announcement.name.empty() ? to_string(announcement.participant) : announcement.name,
+          announcement.ontology_digest, announcement.interval};
 }
 
-Duration NeighbourRecord::refresh_time() const {
-  return std::max(interval_ / refreshes_per_interval, min_refresh_time);
+NeighbourRecord::NeighbourRecord(const Announcement& first, const Arrival& arrival, ServiceRoom& room)
+    : id_(first.participant),
+      boot_(first.boot),
+      source_(arrival.source),
+      standing_{arrival.now, arrival.now},
+      header_(header_of(first), arrival.now),
+      heard_(arrival.now),
+      deadline_(deadline_of(arrival.now, std::min(first.interval, stranger_interval), 0)),
+      revision_(first.revision),
+      raised_(arrival.now),
+      services_(Owner{first.participant, header_.value().name, {}, {}}, room) {}
+
+Duration NeighbourRecord::settled_interval(Instant now) const {
+  // Of a former interval, how long it counts is reckoned in itself: a forged one cannot outlast or outrun it.
+  const auto* former = header_.former(now, hold_intervals * max_interval);
+  if (former != nullptr && header_.former(now, hold_intervals * former->interval) != nullptr) return former->interval;
+  return header_.value().interval;
 }
 
-Instant NeighbourRecord::way_deadline(const Way& way) const {
-  return deadline_of(way.path.heard, interval_, way.losses.loss());
+Duration NeighbourRecord::lasting_interval(Instant now) const {
+  const auto settled = settled_interval(now);
+  auto interval = header_.value().interval;
+  if (interval < settled || (interval > settled && !header_.is_repeated())) interval = settled;
+  return standing_.is_confirmed ? interval : std::min(interval, stranger_interval);
 }
 
 double NeighbourRecord::loss() const {
   double best = ways_.empty() ? 0 : 1;
-  for (const auto& way : ways_) best = std::min(best, way.losses.loss());
+  for (const auto& way : ways_) best = std::min(best, way.loss());
   return best;
 }
 
-NeighbourRecord::Way* NeighbourRecord::find_way(const Announcement& announcement, const Arrival& arrival) {
-  const auto position =
-      std::ranges::lower_bound(ways_, std::tuple(arrival.interface, announcement.link), {},
-                               [](const Way& way) { return std::tuple(way.path.interface, way.path.link); });
-  if (position != ways_.end() && position->path.interface == arrival.interface &&
-      position->path.link == announcement.link) {
-    return &*position;
+Moment NeighbourRecord::moment(Instant now, bool is_heard) const {
+  return {.now = now,
+          .deadline = deadline_of(now, lasting_interval(now), loss()),
+          .hold = hold(now),
+          .refresh = std::max(header_.value().interval / refreshes_per_interval, min_refresh_time),
+          .is_contested = is_contested_,
+          .is_complete = is_complete_,
+          .is_heard = is_heard};
+}
+
+NeighbourWay* NeighbourRecord::find_way(const Announcement& announcement, const Arrival& arrival) {
+  const auto way = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
+    return each.interface() == arrival.interface && each.link() == announcement.link;
+  });
+  return way == ways_.end() ? nullptr : &*way;
+}
+
+bool NeighbourRecord::may_open(const Announcement& announcement, const Arrival& arrival) {
+  if (ways_.empty()) return true;
+  const auto is_alive = [&](const NeighbourWay& way) { return arrival.now - way.heard() < hold(arrival.now); };
+  const auto is_of_source = [&](const NeighbourWay& way) { return way.source() == arrival.source; };
+  const auto is_here = [&](const NeighbourWay& way) { return way.is_on(arrival.interface); };
+  if (is_contested_ && std::ranges::any_of(ways_, is_alive)) return false;
+  // Where one way is alive, another one from the same link of ours is not needed.
+  const auto here = std::ranges::find_if(ways_, [&](const NeighbourWay& way) { return is_here(way) && is_alive(way); });
+  if (here != ways_.end() && !is_of_source(*here)) return false;
+  if (here == ways_.end() && std::ranges::any_of(ways_, is_of_source)) return true;
+  // A new address, or an address with another number for its interface: it must say so twice, and nobody else between.
+  const bool is_repeated = opening_ && opening_->interface == arrival.interface &&
+                           opening_->link == announcement.link && opening_->source == arrival.source &&
+                           announcement.sequence > opening_->sequence;
+  opening_ = Opening{arrival.interface, announcement.link, std::string(arrival.source), announcement.sequence};
+  return is_repeated;
+}
+
+NeighbourWay* NeighbourRecord::open_way(const Announcement& announcement, const Arrival& arrival) {
+  if (ways_.size() == max_paths || !may_open(announcement, arrival)) return nullptr;
+  opening_.reset();
+  const auto place = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
+    return std::tuple(each.interface(), each.link()) > std::tuple(arrival.interface, announcement.link);
+  });
+  auto way = ways_.emplace(place, announcement, arrival);
+  way->deadline = deadline_of(arrival.now, lasting_interval(arrival.now), 0);
+  return &*way;
+}
+
+bool NeighbourRecord::close_later_ways(const NeighbourWay& way, const Arrival& arrival) {
+  if (opening_ && opening_->interface == arrival.interface) opening_.reset();
+  const auto opened = way.opened();
+  return std::erase_if(ways_, [&](const NeighbourWay& each) {
+           return each.is_on(arrival.interface) && each.source() == arrival.source && each.opened() > opened;
+         }) > 0;
+}
+
+Order NeighbourRecord::order(const NeighbourWay& way, const Announcement& announcement, const Arrival& arrival) const {
+  const auto order = way.order(announcement, arrival.now);
+  if (order != Order::next) return order;
+  if (announcement.revision < revision_) {
+    // Another way was ahead of this one; but no way is behind for long.
+    return arrival.now - raised_ < overtaken_time ? Order::overtaken : Order::contradiction;
   }
-  if (ways_.size() == max_paths) return nullptr;
-  Way way;
-  way.path.interface = arrival.interface;
-  way.path.link = announcement.link;
-  return &*ways_.insert(position, std::move(way));
+  if (announcement.revision > revision_) return order;
+  const bool is_denied = header_of(announcement) != header_.value() || way.denies(announcement, arrival) ||
+                         services_.denies(announcement, is_complete_ ? &complete_ : nullptr);
+  return is_denied ? Order::contradiction : order;
 }
 
-void NeighbourRecord::hear_on(Way& way, const Announcement& announcement, const Arrival& arrival) {
-  way.losses.count(announcement.sequence);
-  way.path.heard = arrival.now;
-  way.path.loss = way.losses.loss();
-  if (announcement.revision < way.revision) return;
-  way.revision = announcement.revision;
-  way.path.interface_name = arrival.interface_name;
-  way.path.addresses = usable(announcement, arrival);
-}
-
-void NeighbourRecord::update_header(const Announcement& announcement) {
-  interval_ = announcement.interval;
-  ontology_digest_ = announcement.ontology_digest;
-  auto name = announcement.name.empty() ? to_string(id_) : announcement.name;
-  if (name == name_) return;
-  name_ = std::move(name);
-  for (auto& [number, entry] : entries_) entry.is_changed = true;
-}
-
-void NeighbourRecord::hear(const Announcement& announcement, const Arrival& arrival, std::vector<Change>& changes) {
-  heard_ = arrival.now;
-  const bool is_current = announcement.revision >= revision_;
-  if (is_current) update_header(announcement);
-  deadline_ = std::max(deadline_, deadline_of(heard_, interval_, loss()));
+Hearing NeighbourRecord::hear(const Announcement& announcement, const Arrival& arrival, std::vector<Change>& changes) {
+  const auto now = arrival.now;
+  end_contest(now);
+  bool is_forged = false;  // something that was believed until now
   auto* way = find_way(announcement, arrival);
   if (way != nullptr) {
-    hear_on(*way, announcement, arrival);
-    choose_address();
+    const auto origin = way->origin(announcement, arrival, is_contested_, hold(now));
+    if (origin == NeighbourWay::Origin::copied) return Hearing::copied;
+    if (origin == NeighbourWay::Origin::elsewhere) return Hearing::elsewhere;
+    is_forged = origin == NeighbourWay::Origin::back;
+    is_forged |= close_later_ways(*way, arrival);
+    way = find_way(announcement, arrival);
+  } else {
+    way = open_way(announcement, arrival);
+    if (way == nullptr) return Hearing::elsewhere;
   }
-  // An overtaken datagram proves that its sender lives, but what it says is out of date.
-  if (!is_current) return;
-  if (announcement.revision > revision_) {
+  if (way->leaps(announcement, revision_)) return Hearing::leap;
+  const auto order = is_forged ? Order::contradiction : this->order(*way, announcement, arrival);
+  if (std::exchange(has_spoken_, true) && way->is_next(announcement.sequence)) standing_.hear(now);
+  way->count(announcement, arrival, order == Order::contradiction);
+  heard_ = now;
+  rival_.reset();
+  if (order == Order::contradiction) contest(now, changes);
+  if (order != Order::overtaken) take_in(*way, announcement, arrival, changes);
+  set_deadlines(*way, now);
+  return order == Order::contradiction ? Hearing::contradiction : Hearing::known;
+}
+
+void NeighbourRecord::take_in(NeighbourWay& way, const Announcement& announcement, const Arrival& arrival,
+                              std::vector<Change>& changes) {
+  const auto now = arrival.now;
+  const auto held = hold(now);
+  auto header = header_of(announcement);
+  if (header == header_.value()) {
+    header_.affirm(now);
+  } else if (!is_contested_ || !header_.is_held(now, held)) {
+    header_.replace(std::move(header), now, held);
+    services_.set_name(header_.value().name);
+  }
+  way.say(announcement, arrival, is_contested_, held);
+  choose_address();
+  take_revision(way, announcement, now, changes);
+  services_.apply(announcement, moment(now, true), changes);
+  services_.tell(moment(now, true), changes);
+}
+
+void NeighbourRecord::take_revision(NeighbourWay& way, const Announcement& announcement, Instant now,
+                                    std::vector<Change>& changes) {
+  if (announcement.revision != revision_) {
     revision_ = announcement.revision;
+    raised_ = now;
     is_complete_ = false;
+    next_service_deadline_ = services_.earliest_deadline();
   }
-  if (!is_complete_ && way != nullptr && way->assembly.add(announcement)) {
+  if (is_contested_) return;
+  if (!is_complete_ && way.assembly().add(announcement)) {
     is_complete_ = true;
-    remove_absent(way->assembly.services(), changes);
-    for (auto& each : ways_) each.assembly.clear();
+    complete_ = way.assembly().services();
+    services_.withdraw_absent(complete_, moment(now, true), changes);
+    for (auto& each : ways_) each.assembly().clear();
   }
-  apply_part(announcement, changes);
-  tell(arrival.now, changes);
+  if (is_complete_) affirmed_ = now;
+}
+
+void NeighbourRecord::set_deadlines(NeighbourWay& way, Instant now) {
+  way.deadline = deadline_of(now, lasting_interval(now), way.loss());
+  deadline_ = deadline_of(now, lasting_interval(now), loss());
+  // Until the next one, every service that was not heard of keeps the deadline that it had.
+  next_service_deadline_ = std::min(next_service_deadline_, deadline_);
+}
+
+void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
+  const bool is_first = !is_contested_;
+  const auto at = moment(now, false);
+  is_contested_ = true;
+  contested_until_ = now + at.hold;
+  if (!is_first) return;
+  services_.roll_back(is_complete_ ? affirmed_ : Instant::min(), at, changes);
+  for (auto& way : ways_) {
+    way.roll_back(now, at.hold);
+    way.assembly().clear();
+  }
+  header_.roll_back(now, at.hold);
+  services_.set_name(header_.value().name);
+  choose_address();
+  is_complete_ = false;
+  complete_.clear();
+  // What the lie made longer is as it was.
+  const auto latest = moment(now, false).deadline;
+  for (auto& way : ways_) way.deadline = std::min(way.deadline, latest);
+  services_.shorten(latest);
+  next_service_deadline_ = services_.earliest_deadline();
+  next_lapse_ = now;
+}
+
+void NeighbourRecord::end_contest(Instant now) {
+  if (!is_contested_ || now < contested_until_) return;
+  is_contested_ = false;
+  next_lapse_ = base::never;
+  for (auto& way : ways_) way.assembly().clear();
+  next_service_deadline_ = services_.earliest_deadline();
+}
+
+Hearing NeighbourRecord::hear_goodbye(const Announcement& announcement, const Arrival& arrival) {
+  end_contest(arrival.now);
+  const auto is_bound = [&](const NeighbourWay& way) {
+    return way.is_on(arrival.interface) && way.link() == announcement.link && way.source() == arrival.source;
+  };
+  if (std::ranges::none_of(ways_, is_bound)) return Hearing::elsewhere;
+  if (!is_contested_) return Hearing::goodbye;
+  deadline_ = std::min(deadline_, arrival.now + hold(arrival.now));
+  contested_until_ = arrival.now + hold(arrival.now);
+  return Hearing::contradiction;
+}
+
+bool NeighbourRecord::yields_to(const Announcement& rival, const Arrival& arrival) {
+  const bool is_repeated =
+      rival_ && rival_->boot == rival.boot && rival_->source == arrival.source && rival.sequence > rival_->sequence;
+  const bool is_silent = arrival.now - heard_ >= hold(arrival.now);
+  if (is_repeated && is_silent) return true;
+  rival_ = Rival{rival.boot, std::string(arrival.source), rival.sequence};
+  return false;
 }
 
 void NeighbourRecord::choose_address() {
   // (rank, not the one in use, interface, link, place in its list): the smallest is chosen.
-  using Order = std::tuple<int, bool, env::InterfaceIndex, std::uint32_t, std::size_t>;
+  using Preference = std::tuple<int, bool, std::size_t, std::size_t>;
+  const auto& owner = services_.owner();
   const std::string* chosen = nullptr;
-  const Way* chosen_way = nullptr;
-  Order best{};
-  for (const auto& way : ways_) {
-    for (std::size_t i = 0; i < way.path.addresses.size(); ++i) {
-      const auto& text = way.path.addresses[i];
-      const auto address = parse_address(text);
+  const NeighbourWay* chosen_way = nullptr;
+  Preference best{};
+  for (std::size_t w = 0; w < ways_.size(); ++w) {
+    const auto& addresses = ways_[w].addresses();
+    for (std::size_t i = 0; i < addresses.size(); ++i) {
+      const auto address = parse_address(addresses[i]);
       if (!address) continue;
-      const bool is_other = text != address_ || way.path.interface_name != zone_;
-      const Order order{address_rank(*address), is_other, way.path.interface, way.path.link, i};
-      if (chosen != nullptr && best < order) continue;
-      best = order;
-      chosen = &text;
-      chosen_way = &way;
+      const bool is_other = addresses[i] != owner.address || ways_[w].interface_name() != owner.zone;
+      const Preference preference{address_rank(*address), is_other, w, i};
+      if (chosen != nullptr && best < preference) continue;
+      best = preference;
+      chosen = &addresses[i];
+      chosen_way = &ways_[w];
     }
   }
-  if (chosen == nullptr || (*chosen == address_ && chosen_way->path.interface_name == zone_)) return;
-  address_ = *chosen;
-  zone_ = chosen_way->path.interface_name;
-  for (auto& [number, entry] : entries_) {
-    if (depends_on_way(entry)) entry.is_changed = true;
-  }
-}
-
-void NeighbourRecord::remove_absent(const std::vector<ServiceNumber>& present, std::vector<Change>& changes) {
-  std::erase_if(entries_, [&](const auto& item) {
-    const auto& [number, entry] = item;
-    if (std::ranges::binary_search(present, number)) return false;
-    if (std::holds_alternative<Publication>(entry.service)) {
-      changes.emplace_back(RemovePublication{key(number), Departure::withdrawn});
-    } else {
-      changes.emplace_back(RemoveSubscription{key(number), Departure::withdrawn});
-    }
-    --room_.taken;
-    return true;
-  });
-}
-
-template <typename Service>
-void NeighbourRecord::apply(ServiceNumber number, const Service& service, const std::string& peer_name,
-                            std::vector<Change>& changes) {
-  auto position = entries_.lower_bound(number);
-  if (position == entries_.end() || position->first != number) {
-    if (entries_.size() == max_services_per_participant || room_.taken == max_remote_services) {
-      ++room_.refused;
-      return;
-    }
-    ++room_.taken;
-    entries_.emplace_hint(position, number, Entry{service, peer_name, {}, {}});
-    return;
-  }
-  auto& entry = position->second;
-  entry.is_present = true;
-  if (!std::holds_alternative<Service>(entry.service)) {
-    // The number was given back and used for the other kind between two announcements that we heard.
-    if (std::holds_alternative<Publication>(entry.service)) {
-      changes.emplace_back(RemovePublication{key(number), Departure::withdrawn});
-    } else {
-      changes.emplace_back(RemoveSubscription{key(number), Departure::withdrawn});
-    }
-  } else if (std::get<Service>(entry.service) == service && entry.peer_name == peer_name) {
-    return;
-  }
-  entry.service = service;
-  entry.peer_name = peer_name;
-  entry.is_changed = true;
-}
-
-void NeighbourRecord::apply_part(const Announcement& announcement, std::vector<Change>& changes) {
-  // In a complete revision everything is present in every datagram, as the revision number proves.
-  for (auto& [number, entry] : entries_) entry.is_present = is_complete_;
-  for (const auto& peer : announcement.peers) {
-    const auto name = peer.name.empty() ? std::to_string(std::to_underlying(peer.id)) : peer.name;
-    for (const auto& entry : peer.publications) apply({peer.id, entry.number}, entry.publication, name, changes);
-    for (const auto& entry : peer.subscriptions) apply({peer.id, entry.number}, entry.subscription, name, changes);
-  }
-}
-
-void NeighbourRecord::tell(Instant now, std::vector<Change>& changes) {
-  for (auto& [number, entry] : entries_) {
-    if (entry.is_present && (entry.is_changed || now - entry.heard >= refresh_time())) {
-      entry.heard = now;
-      entry.deadline = deadline_of(now, interval_, loss());
-      entry.is_changed = true;
-    }
-    if (!entry.is_changed) continue;
-    put(number, entry, changes);
-    entry.is_changed = false;
-  }
-}
-
-void NeighbourRecord::put(ServiceNumber number, const Entry& entry, std::vector<Change>& changes) const {
-  if (const auto* publication = std::get_if<Publication>(&entry.service)) {
-    auto& put = std::get<PutPublication>(changes.emplace_back(
-        PutPublication{key(number), *publication, entry.peer_name, name_, entry.heard, entry.deadline}));
-    put.publication.address = effective_address(publication->address);
-  } else {
-    const auto& subscription = std::get<Subscription>(entry.service);
-    auto& put = std::get<PutSubscription>(changes.emplace_back(
-        PutSubscription{key(number), subscription, entry.peer_name, name_, entry.heard, entry.deadline}));
-    put.subscription.address = effective_address(subscription.address);
-  }
-}
-
-std::string NeighbourRecord::effective_address(const std::string& announced) const {
-  if (announced.empty()) return address_;
-  auto address = parse_address(announced);
-  if (!address || !address->is_ipv6() || address->scope() != AddressScope::link_local) return announced;
-  address->zone = zone_;
-  return address->text();
-}
-
-bool NeighbourRecord::depends_on_way(const Entry& entry) const {
-  const auto& announced =
-      std::visit([](const auto& service) -> const std::string& { return service.address; }, entry.service);
-  if (announced.empty()) return true;
-  const auto address = parse_address(announced);
-  return address && address->is_ipv6() && address->scope() == AddressScope::link_local;
+  if (chosen == nullptr || (*chosen == owner.address && chosen_way->interface_name() == owner.zone)) return;
+  services_.set_address(*chosen, chosen_way->interface_name());
 }
 
 void NeighbourRecord::expire(Instant now, std::vector<Change>& changes) {
-  const auto lost = std::erase_if(ways_, [&](const Way& way) { return way_deadline(way) <= now; });
+  const auto lost = std::erase_if(ways_, [&](const NeighbourWay& way) { return way.deadline <= now; });
   if (lost > 0) choose_address();
-  if (!is_complete_) {
-    std::vector<ServiceNumber> alive;
-    for (const auto& [number, entry] : entries_) {
-      if (entry.deadline > now) alive.push_back(number);
-    }
-    const auto first = changes.size();
-    remove_absent(alive, changes);
-    for (auto i = first; i < changes.size(); ++i) {
-      if (auto* publication = std::get_if<RemovePublication>(&changes[i])) publication->reason = Departure::expired;
-      if (auto* subscription = std::get_if<RemoveSubscription>(&changes[i])) subscription->reason = Departure::expired;
-    }
+  if (is_contested_ && next_lapse_ <= now) next_lapse_ = services_.lapse(moment(now, false), changes);
+  end_contest(now);
+  if (!is_complete_ && next_service_deadline_ <= now) {
+    services_.expire(moment(now, false), changes);
+    next_service_deadline_ = services_.earliest_deadline();
   }
-  for (auto& [number, entry] : entries_) entry.is_present = false;
-  tell(now, changes);
+  services_.tell(moment(now, false), changes);
 }
 
 void NeighbourRecord::forget_interface(env::InterfaceIndex interface, std::vector<Change>& changes) {
-  if (std::erase_if(ways_, [&](const Way& way) { return way.path.interface == interface; }) == 0) return;
+  if (std::erase_if(ways_, [&](const NeighbourWay& way) { return way.is_on(interface); }) == 0) return;
   choose_address();
-  for (auto& [number, entry] : entries_) entry.is_present = false;
-  tell(heard_, changes);
+  services_.tell(moment(heard_, false), changes);
 }
 
 Instant NeighbourRecord::next_deadline() const {
   auto next = deadline_;
-  for (const auto& way : ways_) next = std::min(next, way_deadline(way));
-  if (!is_complete_) {
-    for (const auto& [number, entry] : entries_) next = std::min(next, entry.deadline);
-  }
+  for (const auto& way : ways_) next = std::min(next, way.deadline);
+  if (!is_complete_) next = std::min(next, next_service_deadline_);
+  if (is_contested_) next = std::min({next, contested_until_, next_lapse_});
   return next;
 }
 
@@ -289,19 +304,27 @@ Neighbour NeighbourRecord::snapshot() const {
   Neighbour neighbour;
   neighbour.id = id_;
   neighbour.boot = boot_;
-  neighbour.name = name_;
-  neighbour.ontology_digest = ontology_digest_;
-  neighbour.interval = interval_;
+  neighbour.name = header_.value().name;
+  neighbour.ontology_digest = header_.value().ontology_digest;
+  neighbour.interval = header_.value().interval;
   neighbour.heard = heard_;
   neighbour.deadline = deadline_;
-  neighbour.address = address_;
-  for (const auto& way : ways_) neighbour.paths.push_back(way.path);
+  neighbour.address = services_.owner().address;
+  for (const auto& way : ways_) neighbour.paths.push_back(way.path());
   neighbour.loss = loss();
-  neighbour.publications = static_cast<std::size_t>(std::ranges::count_if(
-      entries_, [](const auto& item) { return std::holds_alternative<Publication>(item.second.service); }));
-  neighbour.subscriptions = entries_.size() - neighbour.publications;
+  neighbour.publications = services_.publications();
+  neighbour.subscriptions = services_.size() - neighbour.publications;
   neighbour.is_complete = is_complete_;
   return neighbour;
+}
+
+Life NeighbourRecord::life() const {
+  Life life;
+  life.id = id_;
+  life.boot = boot_;
+  life.standing = standing_;
+  for (const auto& way : ways_) life.voices.push_back(way.voice());
+  return life;
 }
 
 }  // namespace geminga::beacon

@@ -1,103 +1,134 @@
-// Everything the neighbour table keeps of one participant: its ways, its services and their deadlines.
+// Everything the neighbour table keeps of one participant, and which word counts when somebody lies in its name.
 #ifndef GEMINGA_BEACON_NEIGHBOUR_RECORD_HPP
 #define GEMINGA_BEACON_NEIGHBOUR_RECORD_HPP
 
-#include <cstddef>
 #include <cstdint>
-#include <map>
+#include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "base/time.hpp"
-#include "beacon/loss_window.hpp"
+#include "beacon/former_lives.hpp"
+#include "beacon/neighbour_services.hpp"
 #include "beacon/neighbour_table.hpp"
-#include "beacon/state_assembly.hpp"
+#include "beacon/neighbour_way.hpp"
+#include "beacon/service_room.hpp"
+#include "beacon/settled.hpp"
+#include "beacon/standing.hpp"
 
 namespace geminga::beacon {
 
-/// A share of the room for remote services that all records take from.
-struct ServiceRoom {
-  std::size_t taken = 0;
-  std::uint64_t refused = 0;
-};
-
-/// One known participant. Appends what changes to the list it is given; deciding whether a datagram counts at all
-/// (group, boot, goodbyes) is the table's.
+/// One known participant: one life of it, that is one boot nonce. Appends what changes to the list it is given.
+///
+/// A sender numbers its datagrams in rising order and its revision never falls. Datagrams that do not fit together
+/// prove that one of them is forged, and nothing tells which. From then on the participant is *contested* until all has
+/// fitted for `hold_intervals`: what was changed within that time is undone, and what is believed stays believed as
+/// long as it is repeated. New services are taken in; one that nobody speaks of any more lapses. So a lie in the name
+/// of a participant lasts until it speaks, and the next lie does nothing to what it keeps saying.
 class NeighbourRecord {
  public:
-  NeighbourRecord(const Announcement& first, ServiceRoom& room);
-  ~NeighbourRecord();
+  NeighbourRecord(const Announcement& first, const Arrival& arrival, ServiceRoom& room);
   NeighbourRecord(const NeighbourRecord&) = delete;
   NeighbourRecord& operator=(const NeighbourRecord&) = delete;
 
   [[nodiscard]] BootNonce boot() const { return boot_; }
-  /// Whether this nonce belongs to an earlier life of the participant.
-  [[nodiscard]] bool is_retired(BootNonce boot) const;
-  /// The participant has started anew: its services stay until the new state is complete, its ways and counters do not.
-  void restart(BootNonce boot);
+  /// The source address that it was first heard from: whose share its place is of.
+  [[nodiscard]] const std::string& source() const { return source_; }
+  [[nodiscard]] const Standing& standing() const { return standing_; }
+  void set_standing(const Standing& standing) { standing_ = standing; }
 
-  /// Takes in a state announcement of the current boot.
-  void hear(const Announcement& announcement, const Arrival& arrival, std::vector<Change>& changes);
+  /// Takes in a state of this life. Says `known`, or why it was ignored (copied, elsewhere, leap) or doubted
+  /// (contradiction).
+  Hearing hear(const Announcement& announcement, const Arrival& arrival, std::vector<Change>& changes);
+  /// Whether a goodbye of this life ends it at once. One of a contested participant only shortens its deadline, so that
+  /// it stays if it goes on speaking.
+  [[nodiscard]] Hearing hear_goodbye(const Announcement& announcement, const Arrival& arrival);
+  /// Another life speaks under this identifier: whether this one has been silent for so long meanwhile that it is over.
+  [[nodiscard]] bool yields_to(const Announcement& rival, const Arrival& arrival);
+  /// Somebody has lied in its name.
+  void contest(base::Instant now, std::vector<Change>& changes);
+
   /// Drops ways and services that have their deadline at or before `now`; the participant itself is the table's.
   void expire(base::Instant now, std::vector<Change>& changes);
   void forget_interface(env::InterfaceIndex interface, std::vector<Change>& changes);
 
   [[nodiscard]] base::Instant deadline() const { return deadline_; }
-  /// When expire() has something to do.
+  /// When expire() has something to do, or a little before. Its cost is constant.
   [[nodiscard]] base::Instant next_deadline() const;
   [[nodiscard]] Neighbour snapshot() const;
+  /// What is to be remembered of it when it leaves.
+  [[nodiscard]] Life life() const;
+  [[nodiscard]] NeighbourServices& services() { return services_; }
+  [[nodiscard]] const NeighbourServices& services() const { return services_; }
 
  private:
-  struct Way {
-    Path path;
-    std::uint64_t revision = 0;  ///< of the announcement that its addresses are from
-    LossWindow losses;
-    StateAssembly assembly;
+  /// What an announcement says of the participant itself.
+  struct Header {
+    std::string name;
+    std::uint64_t ontology_digest = 0;
+    base::Duration interval{};
+    friend bool operator==(const Header&, const Header&) = default;
   };
-  struct Entry {
-    std::variant<Publication, Subscription> service;  ///< as announced
-    std::string peer_name;
-    base::Instant heard;
-    base::Instant deadline;
-    bool is_changed = true;  ///< the caller has not been told of it as it is now
-    bool is_present = true;  ///< in the part that is being taken in
+  /// Who wants this identifier in another life.
+  struct Rival {
+    BootNonce boot{};
+    std::string source;
+    std::uint64_t sequence = 0;
+  };
+  /// A way that somebody wants to open.
+  struct Opening {
+    env::InterfaceIndex interface{};
+    std::uint32_t link = 0;
+    std::string source;
+    std::uint64_t sequence = 0;
   };
 
-  [[nodiscard]] base::Instant way_deadline(const Way& way) const;
-  Way* find_way(const Announcement& announcement, const Arrival& arrival);
-  void hear_on(Way& way, const Announcement& announcement, const Arrival& arrival);
-  void update_header(const Announcement& announcement);
-  /// Picks the address for services without one; marks what is changed by it.
+  static Header header_of(const Announcement& announcement);
+  [[nodiscard]] NeighbourWay* find_way(const Announcement& announcement, const Arrival& arrival);
+  [[nodiscard]] NeighbourWay* open_way(const Announcement& announcement, const Arrival& arrival);
+  [[nodiscard]] bool may_open(const Announcement& announcement, const Arrival& arrival);
+  /// Whether ways were closed that somebody has opened in the name of this one.
+  bool close_later_ways(const NeighbourWay& way, const Arrival& arrival);
+  [[nodiscard]] NeighbourWay::Order order(const NeighbourWay& way, const Announcement& announcement,
+                                          const Arrival& arrival) const;
+  void take_in(NeighbourWay& way, const Announcement& announcement, const Arrival& arrival,
+               std::vector<Change>& changes);
+  void take_revision(NeighbourWay& way, const Announcement& announcement, base::Instant now,
+                     std::vector<Change>& changes);
+  void end_contest(base::Instant now);
+  void set_deadlines(NeighbourWay& way, base::Instant now);
+  /// Picks the address for services without one.
   void choose_address();
-  void remove_absent(const std::vector<ServiceNumber>& present, std::vector<Change>& changes);
-  template <typename Service>
-  void apply(ServiceNumber number, const Service& service, const std::string& peer_name, std::vector<Change>& changes);
-  void apply_part(const Announcement& announcement, std::vector<Change>& changes);
-  /// Tells what has changed, and again what was heard of and not told for a while.
-  void tell(base::Instant now, std::vector<Change>& changes);
-  void put(ServiceNumber number, const Entry& entry, std::vector<Change>& changes) const;
-  [[nodiscard]] std::string effective_address(const std::string& announced) const;
-  [[nodiscard]] bool depends_on_way(const Entry& entry) const;
-  [[nodiscard]] ServiceKey key(ServiceNumber number) const { return {id_, number.peer, number.number}; }
-  [[nodiscard]] base::Duration refresh_time() const;
+
+  /// The interval that was announced before the last `hold_intervals` of it.
+  [[nodiscard]] base::Duration settled_interval(base::Instant now) const;
+  [[nodiscard]] base::Duration hold(base::Instant now) const { return hold_intervals * settled_interval(now); }
+  /// The interval that deadlines are made of: no single word makes them shorter or longer.
+  [[nodiscard]] base::Duration lasting_interval(base::Instant now) const;
+  [[nodiscard]] Moment moment(base::Instant now, bool is_heard) const;
   [[nodiscard]] double loss() const;
 
   ParticipantId id_;
   BootNonce boot_;
-  std::vector<BootNonce> retired_;
-  std::string name_;
-  std::uint64_t ontology_digest_ = 0;
-  base::Duration interval_{};
+  std::string source_;
+  bool has_spoken_ = false;
+  Standing standing_;
+  Settled<Header> header_;
   base::Instant heard_;
   base::Instant deadline_;
-  std::uint64_t revision_ = 0;  ///< the newest one heard
+  std::uint64_t revision_;  ///< the one that is believed
+  base::Instant raised_;    ///< when it was first heard
   bool is_complete_ = false;
-  std::vector<Way> ways_;
-  std::string address_;
-  std::string zone_;  ///< of the way that the address was chosen from
-  std::map<ServiceNumber, Entry> entries_;
-  ServiceRoom& room_;
+  std::vector<ServiceNumber> complete_;  ///< the services of a complete revision
+  base::Instant affirmed_;               ///< when a datagram last proved that a complete revision is as it was
+  bool is_contested_ = false;
+  base::Instant contested_until_;
+  base::Instant next_lapse_ = base::never;             ///< while contested: when a service may not be held any more
+  base::Instant next_service_deadline_ = base::never;  ///< while not complete: no service has an earlier one
+  std::optional<Rival> rival_;
+  std::optional<Opening> opening_;
+  std::vector<NeighbourWay> ways_;  ///< by interface and link
+  NeighbourServices services_;
 };
 
 }  // namespace geminga::beacon

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
 #include <map>
+#include <set>
+#include <tuple>
 #include <utility>
 
+#include "beacon/admission.hpp"
+#include "beacon/former_lives.hpp"
 #include "beacon/limits.hpp"
 #include "beacon/neighbour_record.hpp"
 
@@ -15,15 +18,9 @@ namespace {
 
 using base::Instant;
 
-constexpr std::array<std::string_view, 9> words = {"own",     "clash",       "claim", "newcomer", "known",
-                                                   "goodbye", "other-group", "stale", "full"};
-
-/// A life that has said goodbye; its late datagrams bring nobody back.
-struct Departed {
-  ParticipantId id{};
-  BootNonce boot{};
-  Instant until;
-};
+constexpr std::array<std::string_view, 15> words = {"own",       "clash",       "claim", "newcomer",      "known",
+                                                    "goodbye",   "other-group", "stale", "full",          "copied",
+                                                    "elsewhere", "rival",       "leap",  "contradiction", "returned"};
 
 }  // namespace
 
@@ -34,20 +31,21 @@ Instant deadline_of(Instant heard, base::Duration interval, [[maybe_unused]] dou
   return heard + deadline_intervals * interval;
 }
 
-class NeighbourTable::State {
+class NeighbourTable::State final : private ServiceRoom {
  public:
-  explicit State(std::string group) : group_(std::move(group)) {}
+  State(std::string group, std::uint64_t secret) : group_(std::move(group)), admission_(secret) {}
 
   Hearing hear(const Announcement& announcement, const Arrival& arrival) {
     if (announcement.group != group_) return Hearing::other_group;
     if (announcement.boot == self_boot_) return Hearing::own;
     if (announcement.participant == self_) return Hearing::clash;
-    if (has_departed(announcement, arrival.now)) return Hearing::stale;
+    is_room_sought_ = false;
+    if (former_.contains(announcement, arrival.now)) return hear_former(announcement, arrival);
     switch (announcement.kind) {
       case Kind::claim:
         return Hearing::claim;
       case Kind::goodbye:
-        return hear_goodbye(announcement, arrival.now);
+        return hear_goodbye(announcement, arrival);
       case Kind::state:
         break;
     }
@@ -55,14 +53,26 @@ class NeighbourTable::State {
   }
 
   void expire(Instant now) {
-    for (auto position = records.begin(); position != records.end();) {
-      if (position->second.deadline() > now) {
-        if (position->second.next_deadline() <= now) position->second.expire(now, changes);
-        ++position;
+    std::set<ParticipantId> due;
+    for (const auto& [instant, id] : due_) {
+      if (instant > now) break;
+      due.insert(id);
+    }
+    for (const auto id : due) {
+      const auto known = records_.find(id);
+      if (known->second.record.deadline() <= now) {
+        remove(known, Departure::expired);
       } else {
-        changes.emplace_back(RemoveParticipant{position->first, Departure::expired});
-        position = records.erase(position);
+        known->second.record.expire(now, changes);
+        set_due(*known);
       }
+    }
+  }
+
+  void forget_interface(env::InterfaceIndex interface) {
+    for (auto& known : records_) {
+      known.second.record.forget_interface(interface, changes);
+      set_due(known);
     }
   }
 
@@ -71,51 +81,164 @@ class NeighbourTable::State {
     self_boot_ = boot;
   }
 
-  ServiceRoom room;  // before the records, which give back to it at their end
-  std::map<ParticipantId, NeighbourRecord> records;
+  [[nodiscard]] Instant next_deadline() const { return due_.empty() ? base::never : due_.begin()->first; }
+  [[nodiscard]] const NeighbourRecord* find(ParticipantId id) const {
+    const auto known = records_.find(id);
+    return known == records_.end() ? nullptr : &known->second.record;
+  }
+  void for_each(const std::function<void(const Neighbour&)>& visit) const {
+    for (const auto& [id, known] : records_) visit(known.record.snapshot());
+  }
+  [[nodiscard]] std::size_t size() const { return records_.size(); }
+  using ServiceRoom::refused;
+
   std::vector<Change> changes;
 
  private:
-  bool has_departed(const Announcement& announcement, Instant now) {
-    while (!departed_.empty() && departed_.front().until <= now) departed_.pop_front();
-    return std::ranges::any_of(departed_, [&](const Departed& each) {
-      return each.id == announcement.participant && each.boot == announcement.boot;
-    });
+  struct Known {
+    Known(const Announcement& first, const Arrival& arrival, ServiceRoom& room) : record(first, arrival, room) {}
+    NeighbourRecord record;
+    Instant due = base::never;
+  };
+  using Records = std::map<ParticipantId, Known>;
+
+  Hearing hear_goodbye(const Announcement& announcement, const Arrival& arrival) {
+    const auto known = records_.find(announcement.participant);
+    if (known == records_.end() || known->second.record.boot() != announcement.boot) return Hearing::stale;
+    const auto hearing = known->second.record.hear_goodbye(announcement, arrival);
+    if (hearing == Hearing::goodbye) {
+      former_.remember(known->second.record.life(), arrival.now);
+      former_.hear_goodbye(announcement, arrival);
+      remove(known, Departure::left);
+    } else {
+      set_due(*known);
+    }
+    return hearing;
   }
 
-  Hearing hear_goodbye(const Announcement& announcement, Instant now) {
-    const auto known = records.find(announcement.participant);
-    if (known == records.end() || known->second.boot() != announcement.boot) return Hearing::stale;
-    if (departed_.size() == max_participants) departed_.pop_front();
-    departed_.push_back({announcement.participant, announcement.boot, now + goodbye_memory});
-    changes.emplace_back(RemoveParticipant{announcement.participant, Departure::left});
-    records.erase(known);
-    return Hearing::goodbye;
+  Hearing hear_former(const Announcement& announcement, const Arrival& arrival) {
+    if (announcement.kind == Kind::goodbye) former_.hear_goodbye(announcement, arrival);
+    if (announcement.kind != Kind::state) return Hearing::stale;
+    const auto life = former_.take_alive(announcement, arrival);
+    if (!life) return Hearing::stale;
+    // Whoever took its identifier meanwhile did so on the strength of a lie.
+    if (const auto other = records_.find(life->id); other != records_.end()) remove(other, Departure::left);
+    if (records_.size() == max_participants) {
+      const auto gives_way = admission_.decide(arrival.source, life->standing, arrival.now);
+      if (!gives_way) return Hearing::full;
+      displace(*gives_way);
+    }
+    (void)add(announcement, arrival, life->standing, true);
+    return Hearing::returned;
   }
 
   Hearing hear_state(const Announcement& announcement, const Arrival& arrival) {
-    auto hearing = Hearing::known;
-    auto known = records.find(announcement.participant);
-    if (known == records.end()) {
-      if (records.size() == max_participants) return Hearing::full;
-      known = records.try_emplace(announcement.participant, announcement, room).first;
-      hearing = Hearing::newcomer;
-    } else if (known->second.boot() != announcement.boot) {
-      if (known->second.is_retired(announcement.boot)) return Hearing::stale;
-      known->second.restart(announcement.boot);
-      hearing = Hearing::newcomer;
+    const auto known = records_.find(announcement.participant);
+    if (known == records_.end()) return hear_newcomer(announcement, arrival);
+    auto& record = known->second.record;
+    if (record.boot() != announcement.boot) {
+      if (!record.yields_to(announcement, arrival)) return Hearing::rival;
+      former_.remember(record.life(), arrival.now);
+      remove(known, Departure::expired);
+      return hear_newcomer(announcement, arrival);
     }
-    known->second.hear(announcement, arrival, changes);
+    const auto hearing = record.hear(announcement, arrival, changes);
+    admission_.update(known->first, record.standing());
+    set_due(*known);
     return hearing;
+  }
+
+  Hearing hear_newcomer(const Announcement& announcement, const Arrival& arrival) {
+    std::optional<Standing> standing;
+    if (records_.size() == max_participants) {
+      const auto decision = admission_.decide(announcement, arrival);
+      if (!decision.gives_way) return Hearing::full;
+      standing = decision.standing;
+      displace(*decision.gives_way);
+    }
+    return add(announcement, arrival, standing, false);
+  }
+
+  Hearing add(const Announcement& announcement, const Arrival& arrival, const std::optional<Standing>& standing,
+              bool is_contested) {
+    auto known = records_.try_emplace(announcement.participant, announcement, arrival, room()).first;
+    auto& record = known->second.record;
+    if (standing) record.set_standing(*standing);
+    if (is_contested) record.contest(arrival.now, changes);
+    (void)record.hear(announcement, arrival, changes);
+    admission_.add(known->first, record.source(), record.standing());
+    set_due(*known);
+    return Hearing::newcomer;
+  }
+
+  ServiceRoom& room() { return *this; }
+
+  void displace(ParticipantId id) {
+    const auto known = records_.find(id);
+    admission_.remember(known->second.record.life());
+    remove(known, Departure::expired);
+  }
+
+  void remove(Records::iterator known, Departure reason) {
+    changes.emplace_back(RemoveParticipant{known->first, reason});
+    admission_.remove(known->first);
+    due_.erase({known->second.due, known->first});
+    records_.erase(known);
+  }
+
+  void set_due(Records::value_type& known) {
+    const auto next = known.second.record.next_deadline();
+    if (next == known.second.due) return;
+    due_.erase({known.second.due, known.first});
+    known.second.due = next;
+    due_.emplace(next, known.first);
+  }
+
+  // Whoever has more than the one who asks gives up a service: first of another source that has more altogether, then
+  // of the same one. A stranger is given nothing, and takes nothing from those who are known for long.
+  bool make_room(const NeighbourServices& who) override {
+    if (std::exchange(is_room_sought_, true) && !was_room_found_) return false;
+    was_room_found_ = false;
+    const auto asks = records_.find(who.owner().id);
+    if (asks == records_.end() || !asks->second.record.standing().is_confirmed) return false;
+    const auto beyond_reserve = [](const NeighbourRecord& record) {
+      return record.services().size() - std::min(record.services().size(), reserved_services);
+    };
+    std::map<std::string_view, std::size_t> shares;
+    for (const auto& [id, known] : records_) shares[known.record.source()] += beyond_reserve(known.record);
+    const auto& source = asks->second.record.source();
+    const auto own = beyond_reserve(asks->second.record);
+    std::tuple<bool, bool, std::size_t, std::size_t> most{};
+    NeighbourRecord* greediest = nullptr;
+    for (auto& [id, known] : records_) {
+      const auto count = beyond_reserve(known.record);
+      const bool is_seasoned = admission_.is_seasoned(id);
+      const bool is_same = known.record.source() == source;
+      const auto share = shares[known.record.source()];
+      if (count == 0 || (is_seasoned && !admission_.is_seasoned(asks->first))) continue;
+      if (is_same ? count <= own + 1 : share <= shares[source] + 1) continue;
+      const std::tuple order{!is_seasoned, !is_same, share, count};
+      if (greediest != nullptr && order <= most) continue;
+      most = order;
+      greediest = &known.record;
+    }
+    was_room_found_ = greediest != nullptr && greediest->services().give_way(changes);
+    return was_room_found_;
   }
 
   std::string group_;
   ParticipantId self_{};
   BootNonce self_boot_{};
-  std::deque<Departed> departed_;  // in the order of `until`
+  FormerLives former_;
+  Admission admission_;
+  Records records_;
+  std::set<std::pair<Instant, ParticipantId>> due_;  ///< when expire() has something to do for whom
+  bool is_room_sought_ = false;                      ///< for the datagram that is being taken in
+  bool was_room_found_ = false;
 };
 
-NeighbourTable::NeighbourTable(std::string group) : state_(std::make_unique<State>(std::move(group))) {}
+NeighbourTable::NeighbourTable(std::string group, std::uint64_t secret)
+    : state_(std::make_unique<State>(std::move(group), secret)) {}
 NeighbourTable::~NeighbourTable() = default;
 
 void NeighbourTable::set_self(ParticipantId id, BootNonce boot) { state_->set_self(id, boot); }
@@ -126,32 +249,24 @@ Hearing NeighbourTable::hear(const Announcement& announcement, const Arrival& ar
 
 void NeighbourTable::expire(base::Instant now) { state_->expire(now); }
 
-base::Instant NeighbourTable::next_deadline() const {
-  auto next = base::never;
-  for (const auto& [id, record] : state_->records) next = std::min(next, record.next_deadline());
-  return next;
-}
+base::Instant NeighbourTable::next_deadline() const { return state_->next_deadline(); }
 
-void NeighbourTable::forget_interface(env::InterfaceIndex interface) {
-  for (auto& [id, record] : state_->records) record.forget_interface(interface, state_->changes);
-}
+void NeighbourTable::forget_interface(env::InterfaceIndex interface) { state_->forget_interface(interface); }
 
 std::vector<Change> NeighbourTable::take_changes() { return std::exchange(state_->changes, {}); }
 
-bool NeighbourTable::is_known(ParticipantId id) const { return state_->records.contains(id); }
+bool NeighbourTable::is_known(ParticipantId id) const { return state_->find(id) != nullptr; }
 
 std::optional<Neighbour> NeighbourTable::find(ParticipantId id) const {
-  const auto known = state_->records.find(id);
-  if (known == state_->records.end()) return std::nullopt;
-  return known->second.snapshot();
+  const auto* known = state_->find(id);
+  if (known == nullptr) return std::nullopt;
+  return known->snapshot();
 }
 
-void NeighbourTable::for_each(const std::function<void(const Neighbour&)>& visit) const {
-  for (const auto& [id, record] : state_->records) visit(record.snapshot());
-}
+void NeighbourTable::for_each(const std::function<void(const Neighbour&)>& visit) const { state_->for_each(visit); }
 
-std::size_t NeighbourTable::size() const { return state_->records.size(); }
+std::size_t NeighbourTable::size() const { return state_->size(); }
 
-std::uint64_t NeighbourTable::refused_services() const { return state_->room.refused; }
+std::uint64_t NeighbourTable::refused_services() const { return state_->refused(); }
 
 }  // namespace geminga::beacon

@@ -66,15 +66,21 @@ using Change = std::variant<PutPublication, PutSubscription, RemovePublication, 
 
 /// What an announcement was to the table.
 enum class Hearing : std::uint8_t {
-  own,          ///< our own datagram, come back
-  clash,        ///< our identifier from another boot nonce: feed IdentifierClaim::conflict() with its kind
-  claim,        ///< somebody claims an identifier: it is new here, so Schedule::newcomer()
-  newcomer,     ///< a participant that was not known, or has restarted: Schedule::newcomer()
-  known,        ///< a known participant's; changes may follow
-  goodbye,      ///< a known participant has left
-  other_group,  ///< not for us
-  stale,        ///< from before its sender's goodbye or restart, or the goodbye of somebody unknown
-  full,         ///< an unknown participant beyond max_participants: not remembered
+  own,            ///< our own datagram, come back
+  clash,          ///< our identifier from another boot nonce: feed IdentifierClaim::conflict() with its kind
+  claim,          ///< somebody claims an identifier: it is new here, so Schedule::newcomer()
+  newcomer,       ///< a participant that was not known, or has restarted: Schedule::newcomer()
+  known,          ///< a known participant's; changes may follow
+  goodbye,        ///< a known participant has left
+  other_group,    ///< not for us
+  stale,          ///< from before its sender's goodbye or restart, or the goodbye of somebody unknown
+  full,           ///< an unknown participant, while all places are taken by somebody with a better right to them
+  copied,         ///< a datagram that was heard, sent again from another source address: ignored
+  elsewhere,      ///< in the name of a known participant from another source address: ignored until it is repeated
+  rival,          ///< a known identifier from another boot nonce, while its owner is there: ignored
+  leap,           ///< a revision too far from the one before it: ignored until it is repeated
+  contradiction,  ///< does not fit to what was heard: somebody lies in the name of this participant
+  returned,       ///< a participant goes on after a goodbye in its name: it is known again
 };
 /// "own", "clash", ... Static storage.
 [[nodiscard]] std::string_view to_string(Hearing hearing);
@@ -83,7 +89,8 @@ enum class Hearing : std::uint8_t {
 struct Arrival {
   env::InterfaceIndex interface{};
   std::string_view interface_name;  ///< becomes the zone of IPv6 link-local addresses
-  /// The sender's numeric address: used for a sender that announces no address of its own. May be empty.
+  /// The sender's numeric address, which its ways belong to; also used for a sender that announces no address of its
+  /// own. May be empty.
   std::string_view source;
   base::Instant now;
 };
@@ -123,13 +130,14 @@ inline constexpr int deadline_intervals = 5;
 inline constexpr base::Duration goodbye_memory = std::chrono::seconds(10);
 
 /// The table of one participant. Not thread-safe. Deterministic: no clock, no chance, no order of a hash map. What a
-/// participant announces is kept by (participant, peer, number); a newer revision always wins over an older one; what
-/// is in no part of a completely heard revision is withdrawn; a datagram of the newest, complete revision keeps all
-/// alive. The address of a path is kept as long as the path is alive and none of a better rank (address_rank()) turns
-/// up.
+/// participant announces is kept by (participant, peer, number); a newer revision wins over an older one; what is in no
+/// part of a completely heard revision is withdrawn; a datagram of the newest, complete revision keeps all alive. Who
+/// is believed when a datagram may be forged is told in ANNOUNCEMENT.md. The address of a path is kept as long as the
+/// path is alive and none of a better rank (address_rank()) turns up.
 class NeighbourTable {
  public:
-  explicit NeighbourTable(std::string group);
+  /// `secret`: random bits, so that nobody can foresee whom a flood makes the table forget.
+  explicit NeighbourTable(std::string group, std::uint64_t secret = 0);
   ~NeighbourTable();
   NeighbourTable(const NeighbourTable&) = delete;
   NeighbourTable& operator=(const NeighbourTable&) = delete;
@@ -137,12 +145,13 @@ class NeighbourTable {
   /// Who we are, to be told from others; again after each draw of IdentifierClaim.
   void set_self(ParticipantId id, BootNonce boot);
 
-  /// Takes in one decoded announcement. Cost: its entries times the logarithm of the sender's, and once in a while
-  /// (when a revision is complete, or half an interval has gone by) all entries of its sender.
+  /// Takes in one decoded announcement. Cost: its entries times the logarithm of the sender's, and when something has
+  /// changed (or a sixteenth of an interval has gone by) all entries of its sender; while all room for services is
+  /// taken also a look at every participant for each service that others make room for.
   [[nodiscard]] Hearing hear(const Announcement& announcement, const Arrival& arrival);
   /// Removes what has its deadline at or before `now`.
   void expire(base::Instant now);
-  /// The earliest deadline, or base::never.
+  /// When expire() has something to do, or a little before; base::never: nothing. Its cost is constant.
   [[nodiscard]] base::Instant next_deadline() const;
   /// An interface of ours is gone: its paths are, and addresses are chosen anew. Participants stay until their
   /// deadline.

@@ -43,14 +43,18 @@ TEST(NeighbourServices, AreNotOverwrittenByAnOvertakenDatagram) {
   auto newer = speaker(1, 3, {6});
   newer.name = "renamed";
   newer.addresses = {"10.0.0.200"};
+  newer.sequence = 30;
   (void)rig.hear(newer);
   rig.lines();
-  EXPECT_EQ(rig.hear(speaker(1, 2, {5, 6}), rig_start + seconds(1)), Hearing::known);
+  auto older = speaker(1, 2, {5, 6});
+  older.sequence = 20;
+  const auto overtaken = rig_start + overtaken_time - base::Duration(1);
+  EXPECT_EQ(rig.hear(older, overtaken), Hearing::known);
   EXPECT_THAT(rig.lines(), IsEmpty());
   const auto known = rig.table.find(ParticipantId{1});
   EXPECT_EQ(known->name, "renamed");
   EXPECT_EQ(known->address, "10.0.0.200");
-  EXPECT_EQ(known->heard, rig_start + seconds(1)) << "an overtaken datagram is a sign of life";
+  EXPECT_EQ(known->heard, overtaken) << "an overtaken datagram is a sign of life";
 }
 
 TEST(NeighbourServices, MayTurnFromPublicationIntoSubscription) {
@@ -111,10 +115,14 @@ TEST(NeighbourServices, DoNotMixPartsOfDifferentRevisions) {
   (void)rig.hear(speaker(1, 1, {5}));
   (void)rig.hear(part_of(speaker(1, 2, {6, 7}), 0, 2, {6}));
   rig.lines();
-  (void)rig.hear(part_of(speaker(1, 3, {6, 8}), 1, 2, {8}));
+  auto newer = part_of(speaker(1, 3, {6, 8}), 1, 2, {8});
+  newer.sequence = 6;
+  (void)rig.hear(newer);
   EXPECT_THAT(rig.lines(), ElementsAre("put pub 00000001/1/8 at 10.0.0.1"));
   EXPECT_FALSE(rig.table.find(ParticipantId{1})->is_complete);
-  (void)rig.hear(part_of(speaker(1, 2, {6, 7}), 1, 2, {7}));
+  auto overtaken = part_of(speaker(1, 2, {6, 7}), 1, 2, {7});
+  overtaken.sequence = 3;
+  (void)rig.hear(overtaken);
   EXPECT_THAT(rig.lines(), IsEmpty());
   (void)rig.hear(part_of(speaker(1, 3, {6, 8}), 0, 2, {6}));
   EXPECT_THAT(rig.lines(), ElementsAre("remove pub 00000001/1/5 withdrawn"));
@@ -285,18 +293,36 @@ TEST(NeighbourServices, AreTakenUpToTheNamedNumberOfOneParticipant) {
   }
 }
 
-TEST(NeighbourServices, AreTakenUpToTheNamedNumberOfAll) {
+TEST(NeighbourServices, AreTakenUpToTheNamedNumberOfAllBeyondTheReserveOfEach) {
   TableRig rig;
-  const auto full = static_cast<std::uint32_t>(max_remote_services / max_services_per_participant);
+  constexpr auto beyond = max_services_per_participant - reserved_services;
+  const auto full = static_cast<std::uint32_t>(max_remote_services / beyond);
   for (std::uint32_t id = 1; id <= full; ++id) hear_many(rig, id, 1, max_services_per_participant);
+  const auto left = max_remote_services - full * beyond;
   EXPECT_EQ(rig.table.refused_services(), 0U);
-  (void)rig.hear(speaker(full + 1, 1));
+  hear_many(rig, full + 1, 1, static_cast<std::uint32_t>(reserved_services + left));
+  EXPECT_EQ(rig.table.refused_services(), 0U);
+  hear_many(rig, full + 2, 1, reserved_services);
+  EXPECT_EQ(rig.table.refused_services(), 0U);
+  EXPECT_EQ(rig.table.find(ParticipantId{full + 2})->publications, reserved_services);
+  // The stranger is given nothing beyond its reserve.
+  rig.source = "10.0.0.66";
+  (void)rig.hear(speaker(full + 3, 1, {1}));
+  auto greedy = speaker(full + 3, 2, {});
+  for (std::uint32_t number = 1; number <= reserved_services + 1; ++number) {
+    greedy.peers[0].publications.push_back({number, simple_publication()});
+  }
+  greedy.participant = ParticipantId{full + 4};
+  greedy.boot = BootNonce{full + 4};
+  (void)rig.hear(greedy);
   EXPECT_EQ(rig.table.refused_services(), 1U);
-  EXPECT_EQ(rig.table.find(ParticipantId{full + 1})->publications, 0U);
+  EXPECT_EQ(rig.table.find(ParticipantId{full + 4})->publications, reserved_services);
   // Room that is given back is used again.
+  rig.source.clear();
   (void)rig.hear(speaker(1, 2, {1}));
-  (void)rig.hear(speaker(full + 1, 1));
-  EXPECT_EQ(rig.table.find(ParticipantId{full + 1})->publications, 1U);
+  rig.source = "10.0.0.66";
+  (void)rig.hear(greedy);
+  EXPECT_EQ(rig.table.find(ParticipantId{full + 4})->publications, reserved_services + 1);
 }
 
 TEST(NeighbourServices, UseAtMostTheNamedNumberOfWays) {
@@ -304,7 +330,7 @@ TEST(NeighbourServices, UseAtMostTheNamedNumberOfWays) {
   for (std::uint32_t link = 1; link <= max_paths + 1; ++link) {
     auto announcement = speaker(1, 1);
     announcement.link = link;
-    (void)rig.hear(announcement);
+    (void)rig.hear(announcement, rig_start, env::InterfaceIndex{link});
     EXPECT_EQ(rig.table.find(ParticipantId{1})->paths.size(), std::min<std::size_t>(link, max_paths));
   }
 }
@@ -334,7 +360,7 @@ TEST(NeighbourServices, EndUpRightWhateverIsLostCopiedOrOvertaken) {
     };
     std::vector<Flying> air;
     auto now = rig_start;
-    std::uint64_t sequence = 0;
+    std::uint64_t sequence = 1;
     const auto send = [&](std::uint64_t revision, double loss) {
       auto state = speaker(1, revision, {});
       // Enough octets in each service that it takes several datagrams.

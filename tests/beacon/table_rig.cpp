@@ -55,7 +55,6 @@ Announcement part_of(Announcement announcement, std::uint32_t part, std::uint32_
                      const std::vector<std::uint32_t>& numbers) {
   announcement.part = part;
   announcement.part_count = count;
-  announcement.sequence += part;
   std::erase_if(announcement.peers[0].publications,
                 [&](const auto& entry) { return std::ranges::find(numbers, entry.number) == numbers.end(); });
   return announcement;

@@ -2,7 +2,10 @@
 #ifndef GEMINGA_TESTS_BEACON_TABLE_RIG_HPP
 #define GEMINGA_TESTS_BEACON_TABLE_RIG_HPP
 
+#include <algorithm>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "beacon/announcements.hpp"
@@ -25,7 +28,11 @@ std::string line_of(const Change& change);
 struct TableRig {
   TableRig() { table.set_self(self_id, self_boot); }
 
-  Hearing hear(const Announcement& announcement, base::Instant now = rig_start, env::InterfaceIndex on = eth) {
+  /// Hears an announcement from `source`. One without a sequence number gets the next of its life and link.
+  Hearing hear(Announcement announcement, base::Instant now = rig_start, env::InterfaceIndex on = eth) {
+    auto& last = sequences[{announcement.boot, announcement.link}];
+    if (announcement.sequence == 0) announcement.sequence = last + 1;
+    last = std::max(last, announcement.sequence);
     const std::string_view name = on == eth ? "eth0" : "wlan0";
     return table.hear(announcement, {on, name, source, now});
   }
@@ -38,6 +45,7 @@ struct TableRig {
 
   NeighbourTable table{"default"};
   std::string source;
+  std::map<std::pair<BootNonce, std::uint32_t>, std::uint64_t> sequences;  ///< the last ones
 };
 
 /// A participant with one peer, and as many publications as it has numbers.
