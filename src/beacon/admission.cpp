@@ -52,10 +52,10 @@ std::optional<Standing> WaitingList::hear(const Announcement& announcement, Inst
   return stranger.standing;
 }
 
-void WaitingList::put(const Life& life) {
-  if (!life.standing.is_confirmed || life.voices.empty()) return;
-  const auto key = key_of(life.id, life.boot);
-  place_of(key) = {key, life.voices.front().sequence, life.standing};
+void WaitingList::put(ParticipantId id, BootNonce boot, std::uint64_t sequence, const Standing& standing) {
+  if (!standing.is_confirmed) return;
+  const auto key = key_of(id, boot);
+  place_of(key) = {key, sequence, standing};
 }
 
 void Admission::insert(ParticipantId id, Place& place) {

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "beacon/announcement.hpp"
-#include "beacon/former_lives.hpp"
 #include "beacon/neighbour_table.hpp"
 #include "beacon/standing.hpp"
 
@@ -28,7 +27,7 @@ class WaitingList {
   /// Hears a stranger; its standing from the second time on.
   [[nodiscard]] std::optional<Standing> hear(const Announcement& announcement, base::Instant now);
   /// Somebody who has had to give its place away, and need not begin anew.
-  void put(const Life& life);
+  void put(ParticipantId id, BootNonce boot, std::uint64_t sequence, const Standing& standing);
 
  private:
   struct Stranger {
@@ -53,7 +52,9 @@ class Admission {
   void update(ParticipantId id, const Standing& standing);
   void remove(ParticipantId id);
   /// It was removed for a newcomer, and may come back.
-  void remember(const Life& life) { waiting_.put(life); }
+  void remember(ParticipantId id, BootNonce boot, std::uint64_t sequence, const Standing& standing) {
+    waiting_.put(id, boot, sequence, standing);
+  }
   /// Whether it was heard for seasoned_after and has one of its source's max_seasoned_per_source.
   [[nodiscard]] bool is_seasoned(ParticipantId id) const;
 

@@ -72,6 +72,8 @@ inline constexpr base::Duration seasoned_after = std::chrono::seconds(60);
 /// What a sender has said counts for so many of its intervals against another word, once somebody lies in its name; and
 /// what it has said for less is undone then.
 inline constexpr int hold_intervals = 2;
+/// So many intervals without a contradiction end it: what it takes to believe that somebody is gone.
+inline constexpr int contest_intervals = 5;
 /// A datagram may be overtaken by later ones for so long. What comes later than that was not overtaken.
 inline constexpr base::Duration overtaken_time = std::chrono::milliseconds(200);
 /// How far a revision may be from the one before it at its first word: a change each 10 us for all of ten seconds.

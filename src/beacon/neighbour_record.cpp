@@ -36,7 +36,7 @@ NeighbourRecord::NeighbourRecord(const Announcement& first, const Arrival& arriv
       heard_(arrival.now),
       deadline_(deadline_of(arrival.now, std::min(first.interval, stranger_interval), 0)),
       revision_(first.revision),
-      raised_(arrival.now),
+      raised_(first.revision, arrival.now),
       services_(Owner{first.participant, header_.value().name, {}, {}}, room) {}
 
 Duration NeighbourRecord::settled_interval(Instant now) const {
@@ -51,6 +51,11 @@ Duration NeighbourRecord::lasting_interval(Instant now) const {
   auto interval = header_.value().interval;
   if (interval < settled || (interval > settled && !header_.is_repeated())) interval = settled;
   return standing_.is_confirmed ? interval : std::min(interval, stranger_interval);
+}
+
+Duration NeighbourRecord::hold(Instant now) const {
+  const auto known_for = std::max<Duration>(stranger_interval, now - standing_.first);
+  return hold_intervals * std::min(settled_interval(now), known_for);
 }
 
 double NeighbourRecord::loss() const {
@@ -76,12 +81,19 @@ NeighbourWay* NeighbourRecord::find_way(const Announcement& announcement, const 
   return way == ways_.end() ? nullptr : &*way;
 }
 
+const NeighbourWay* NeighbourRecord::find_bound(const Announcement& announcement, const Arrival& arrival) const {
+  const auto way = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
+    return each.interface() == arrival.interface && each.link() == announcement.link && each.source() == arrival.source;
+  });
+  return way == ways_.end() ? nullptr : &*way;
+}
+
 bool NeighbourRecord::may_open(const Announcement& announcement, const Arrival& arrival) {
   if (ways_.empty()) return true;
   const auto is_alive = [&](const NeighbourWay& way) { return arrival.now - way.heard() < hold(arrival.now); };
   const auto is_of_source = [&](const NeighbourWay& way) { return way.source() == arrival.source; };
   const auto is_here = [&](const NeighbourWay& way) { return way.is_on(arrival.interface); };
-  if (is_contested_ && std::ranges::any_of(ways_, is_alive)) return false;
+  if ((is_contested_ || was_misled_) && std::ranges::any_of(ways_, is_alive)) return false;
   // Where one way is alive, another one from the same link of ours is not needed.
   const auto here = std::ranges::find_if(ways_, [&](const NeighbourWay& way) { return is_here(way) && is_alive(way); });
   if (here != ways_.end() && !is_of_source(*here)) return false;
@@ -118,7 +130,7 @@ Order NeighbourRecord::order(const NeighbourWay& way, const Announcement& announ
   if (order != Order::next) return order;
   if (announcement.revision < revision_) {
     // Another way was ahead of this one; but no way is behind for long.
-    return arrival.now - raised_ < overtaken_time ? Order::overtaken : Order::contradiction;
+    return raised_.is_late(announcement.revision, arrival.now) ? Order::contradiction : Order::overtaken;
   }
   if (announcement.revision > revision_) return order;
   const bool is_denied = header_of(announcement) != header_.value() || way.denies(announcement, arrival) ||
@@ -136,20 +148,20 @@ Hearing NeighbourRecord::hear(const Announcement& announcement, const Arrival& a
     if (origin == NeighbourWay::Origin::copied) return Hearing::copied;
     if (origin == NeighbourWay::Origin::elsewhere) return Hearing::elsewhere;
     is_forged = origin == NeighbourWay::Origin::back;
-    is_forged |= close_later_ways(*way, arrival);
+    if (close_later_ways(*way, arrival)) was_misled_ = is_forged = true;
     way = find_way(announcement, arrival);
   } else {
     way = open_way(announcement, arrival);
     if (way == nullptr) return Hearing::elsewhere;
   }
-  if (way->leaps(announcement, revision_)) return Hearing::leap;
+  if (!is_contested_ && way->leaps(announcement, revision_)) return Hearing::leap;
   const auto order = is_forged ? Order::contradiction : this->order(*way, announcement, arrival);
   if (std::exchange(has_spoken_, true) && way->is_next(announcement.sequence)) standing_.hear(now);
   way->count(announcement, arrival, order == Order::contradiction);
   heard_ = now;
   rival_.reset();
   if (order == Order::contradiction) contest(now, changes);
-  if (order != Order::overtaken) take_in(*way, announcement, arrival, changes);
+  if (order != Order::overtaken || is_contested_) take_in(*way, announcement, arrival, changes);
   set_deadlines(*way, now);
   return order == Order::contradiction ? Hearing::contradiction : Hearing::known;
 }
@@ -175,8 +187,9 @@ void NeighbourRecord::take_in(NeighbourWay& way, const Announcement& announcemen
 void NeighbourRecord::take_revision(NeighbourWay& way, const Announcement& announcement, Instant now,
                                     std::vector<Change>& changes) {
   if (announcement.revision != revision_) {
+    if (announcement.revision < revision_) raised_.restart(announcement.revision, now);
+    raised_.rise(announcement.revision, now);
     revision_ = announcement.revision;
-    raised_ = now;
     is_complete_ = false;
     next_service_deadline_ = services_.earliest_deadline();
   }
@@ -201,7 +214,7 @@ void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
   const bool is_first = !is_contested_;
   const auto at = moment(now, false);
   is_contested_ = true;
-  contested_until_ = now + at.hold;
+  contested_until_ = now + std::max(contest_intervals * settled_interval(now), at.hold);
   if (!is_first) return;
   services_.roll_back(is_complete_ ? affirmed_ : Instant::min(), at, changes);
   for (auto& way : ways_) {
@@ -231,14 +244,32 @@ void NeighbourRecord::end_contest(Instant now) {
 
 Hearing NeighbourRecord::hear_goodbye(const Announcement& announcement, const Arrival& arrival) {
   end_contest(arrival.now);
-  const auto is_bound = [&](const NeighbourWay& way) {
-    return way.is_on(arrival.interface) && way.link() == announcement.link && way.source() == arrival.source;
-  };
-  if (std::ranges::none_of(ways_, is_bound)) return Hearing::elsewhere;
+  if (find_bound(announcement, arrival) == nullptr) return Hearing::elsewhere;
   if (!is_contested_) return Hearing::goodbye;
   deadline_ = std::min(deadline_, arrival.now + hold(arrival.now));
-  contested_until_ = arrival.now + hold(arrival.now);
+  contested_until_ = std::max(contested_until_, deadline_);
   return Hearing::contradiction;
+}
+
+void NeighbourRecord::note_goodbye(const Announcement& announcement, const Arrival& arrival) {
+  if (find_bound(announcement, arrival) == nullptr) return;
+  auto& goodbye = find_way(announcement, arrival)->goodbye;
+  if (!goodbye) goodbye = announcement.sequence;
+}
+
+bool NeighbourRecord::is_proved_alive(const Announcement& announcement, const Arrival& arrival, Instant left) const {
+  const auto* way = find_bound(announcement, arrival);
+  if (way == nullptr || way->has(announcement.sequence)) return false;
+  // Nothing comes after a true goodbye. What has a lower number than the goodbye may have been overtaken by it, but not
+  // for long.
+  const bool is_after = way->goodbye && announcement.sequence >= *way->goodbye;
+  return is_after || arrival.now - left >= overtaken_time;
+}
+
+void NeighbourRecord::come_back(Instant now, std::vector<Change>& changes) {
+  for (auto& way : ways_) way.goodbye.reset();
+  services_.forget_told();
+  contest(now, changes);
 }
 
 bool NeighbourRecord::yields_to(const Announcement& rival, const Arrival& arrival) {
@@ -316,15 +347,6 @@ Neighbour NeighbourRecord::snapshot() const {
   neighbour.subscriptions = services_.size() - neighbour.publications;
   neighbour.is_complete = is_complete_;
   return neighbour;
-}
-
-Life NeighbourRecord::life() const {
-  Life life;
-  life.id = id_;
-  life.boot = boot_;
-  life.standing = standing_;
-  for (const auto& way : ways_) life.voices.push_back(way.voice());
-  return life;
 }
 
 }  // namespace geminga::beacon

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "base/time.hpp"
-#include "beacon/former_lives.hpp"
 #include "beacon/neighbour_services.hpp"
 #include "beacon/neighbour_table.hpp"
 #include "beacon/neighbour_way.hpp"
+#include "beacon/passed.hpp"
 #include "beacon/service_room.hpp"
 #include "beacon/settled.hpp"
 #include "beacon/standing.hpp"
@@ -43,10 +43,15 @@ class NeighbourRecord {
   /// Whether a goodbye of this life ends it at once. One of a contested participant only shortens its deadline, so that
   /// it stays if it goes on speaking.
   [[nodiscard]] Hearing hear_goodbye(const Announcement& announcement, const Arrival& arrival);
+  /// A goodbye was heard on this way: what has a higher number is not from before it.
+  void note_goodbye(const Announcement& announcement, const Arrival& arrival);
+  /// Whether a state proves that it did not leave at `left`, when it seemed to.
+  [[nodiscard]] bool is_proved_alive(const Announcement& announcement, const Arrival& arrival,
+                                     base::Instant left) const;
+  /// It is back: all that is known of it is to be told again, and somebody has lied in its name.
+  void come_back(base::Instant now, std::vector<Change>& changes);
   /// Another life speaks under this identifier: whether this one has been silent for so long meanwhile that it is over.
   [[nodiscard]] bool yields_to(const Announcement& rival, const Arrival& arrival);
-  /// Somebody has lied in its name.
-  void contest(base::Instant now, std::vector<Change>& changes);
 
   /// Drops ways and services that have their deadline at or before `now`; the participant itself is the table's.
   void expire(base::Instant now, std::vector<Change>& changes);
@@ -56,8 +61,8 @@ class NeighbourRecord {
   /// When expire() has something to do, or a little before. Its cost is constant.
   [[nodiscard]] base::Instant next_deadline() const;
   [[nodiscard]] Neighbour snapshot() const;
-  /// What is to be remembered of it when it leaves.
-  [[nodiscard]] Life life() const;
+  /// The highest sequence number that was heard of it; of its first way.
+  [[nodiscard]] std::uint64_t newest() const { return ways_.empty() ? 0 : ways_.front().newest(); }
   [[nodiscard]] NeighbourServices& services() { return services_; }
   [[nodiscard]] const NeighbourServices& services() const { return services_; }
 
@@ -85,6 +90,8 @@ class NeighbourRecord {
 
   static Header header_of(const Announcement& announcement);
   [[nodiscard]] NeighbourWay* find_way(const Announcement& announcement, const Arrival& arrival);
+  /// The same if the datagram is from the address that the way belongs to.
+  [[nodiscard]] const NeighbourWay* find_bound(const Announcement& announcement, const Arrival& arrival) const;
   [[nodiscard]] NeighbourWay* open_way(const Announcement& announcement, const Arrival& arrival);
   [[nodiscard]] bool may_open(const Announcement& announcement, const Arrival& arrival);
   /// Whether ways were closed that somebody has opened in the name of this one.
@@ -95,6 +102,8 @@ class NeighbourRecord {
                std::vector<Change>& changes);
   void take_revision(NeighbourWay& way, const Announcement& announcement, base::Instant now,
                      std::vector<Change>& changes);
+  /// Somebody has lied in its name.
+  void contest(base::Instant now, std::vector<Change>& changes);
   void end_contest(base::Instant now);
   void set_deadlines(NeighbourWay& way, base::Instant now);
   /// Picks the address for services without one.
@@ -102,7 +111,8 @@ class NeighbourRecord {
 
   /// The interval that was announced before the last `hold_intervals` of it.
   [[nodiscard]] base::Duration settled_interval(base::Instant now) const;
-  [[nodiscard]] base::Duration hold(base::Instant now) const { return hold_intervals * settled_interval(now); }
+  /// How long a word counts against another one. An interval counts up to the time for which the participant is known.
+  [[nodiscard]] base::Duration hold(base::Instant now) const;
   /// The interval that deadlines are made of: no single word makes them shorter or longer.
   [[nodiscard]] base::Duration lasting_interval(base::Instant now) const;
   [[nodiscard]] Moment moment(base::Instant now, bool is_heard) const;
@@ -117,7 +127,7 @@ class NeighbourRecord {
   base::Instant heard_;
   base::Instant deadline_;
   std::uint64_t revision_;  ///< the one that is believed
-  base::Instant raised_;    ///< when it was first heard
+  Passed raised_;           ///< when it and those before it were first heard
   bool is_complete_ = false;
   std::vector<ServiceNumber> complete_;  ///< the services of a complete revision
   base::Instant affirmed_;               ///< when a datagram last proved that a complete revision is as it was
@@ -127,6 +137,7 @@ class NeighbourRecord {
   base::Instant next_service_deadline_ = base::never;  ///< while not complete: no service has an earlier one
   std::optional<Rival> rival_;
   std::optional<Opening> opening_;
+  bool was_misled_ = false;         ///< a way was opened beside another one that went on speaking
   std::vector<NeighbourWay> ways_;  ///< by interface and link
   NeighbourServices services_;
 };

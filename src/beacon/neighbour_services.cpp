@@ -13,8 +13,18 @@ using base::Instant;
 
 NeighbourServices::NeighbourServices(Owner owner, ServiceRoom& room) : owner_(std::move(owner)), room_(room) {}
 
-NeighbourServices::~NeighbourServices() {
+NeighbourServices::~NeighbourServices() { clear(); }
+
+void NeighbourServices::clear() {
   while (!entries_.empty()) drop(entries_.begin());
+}
+
+void NeighbourServices::forget_told() {
+  for (auto& [number, entry] : entries_) {
+    entry.told = Told::nothing;
+    entry.is_changed = true;
+  }
+  has_changes_ = true;
 }
 
 template <typename Visit>

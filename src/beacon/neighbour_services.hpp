@@ -64,6 +64,9 @@ class NeighbourServices {
   bool give_way(std::vector<Change>& changes);
   /// Tells what has changed, and again what was heard of and not told for a while.
   void tell(const Moment& moment, std::vector<Change>& changes);
+  /// Whoever is told of changes has forgotten all services.
+  void forget_told();
+  void clear();
   /// No deadline is later than this.
   void shorten(base::Instant deadline);
 

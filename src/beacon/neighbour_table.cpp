@@ -60,10 +60,10 @@ class NeighbourTable::State final : private ServiceRoom {
     }
     for (const auto id : due) {
       const auto known = records_.find(id);
-      if (known->second.record.deadline() <= now) {
+      if (known->second.record->deadline() <= now) {
         remove(known, Departure::expired);
       } else {
-        known->second.record.expire(now, changes);
+        known->second.record->expire(now, changes);
         set_due(*known);
       }
     }
@@ -71,7 +71,7 @@ class NeighbourTable::State final : private ServiceRoom {
 
   void forget_interface(env::InterfaceIndex interface) {
     for (auto& known : records_) {
-      known.second.record.forget_interface(interface, changes);
+      known.second.record->forget_interface(interface, changes);
       set_due(known);
     }
   }
@@ -84,10 +84,10 @@ class NeighbourTable::State final : private ServiceRoom {
   [[nodiscard]] Instant next_deadline() const { return due_.empty() ? base::never : due_.begin()->first; }
   [[nodiscard]] const NeighbourRecord* find(ParticipantId id) const {
     const auto known = records_.find(id);
-    return known == records_.end() ? nullptr : &known->second.record;
+    return known == records_.end() ? nullptr : known->second.record.get();
   }
   void for_each(const std::function<void(const Neighbour&)>& visit) const {
-    for (const auto& [id, known] : records_) visit(known.record.snapshot());
+    for (const auto& [id, known] : records_) visit(known.record->snapshot());
   }
   [[nodiscard]] std::size_t size() const { return records_.size(); }
   using ServiceRoom::refused;
@@ -96,20 +96,18 @@ class NeighbourTable::State final : private ServiceRoom {
 
  private:
   struct Known {
-    Known(const Announcement& first, const Arrival& arrival, ServiceRoom& room) : record(first, arrival, room) {}
-    NeighbourRecord record;
+    std::unique_ptr<NeighbourRecord> record;
     Instant due = base::never;
   };
   using Records = std::map<ParticipantId, Known>;
 
   Hearing hear_goodbye(const Announcement& announcement, const Arrival& arrival) {
     const auto known = records_.find(announcement.participant);
-    if (known == records_.end() || known->second.record.boot() != announcement.boot) return Hearing::stale;
-    const auto hearing = known->second.record.hear_goodbye(announcement, arrival);
+    if (known == records_.end() || known->second.record->boot() != announcement.boot) return Hearing::stale;
+    const auto hearing = known->second.record->hear_goodbye(announcement, arrival);
     if (hearing == Hearing::goodbye) {
-      former_.remember(known->second.record.life(), arrival.now);
+      former_.remember(remove(known, Departure::left), arrival.now);
       former_.hear_goodbye(announcement, arrival);
-      remove(known, Departure::left);
     } else {
       set_due(*known);
     }
@@ -119,27 +117,29 @@ class NeighbourTable::State final : private ServiceRoom {
   Hearing hear_former(const Announcement& announcement, const Arrival& arrival) {
     if (announcement.kind == Kind::goodbye) former_.hear_goodbye(announcement, arrival);
     if (announcement.kind != Kind::state) return Hearing::stale;
-    const auto life = former_.take_alive(announcement, arrival);
-    if (!life) return Hearing::stale;
+    auto record = former_.take_alive(announcement, arrival);
+    if (!record) return Hearing::stale;
     // Whoever took its identifier meanwhile did so on the strength of a lie.
-    if (const auto other = records_.find(life->id); other != records_.end()) remove(other, Departure::left);
+    if (const auto other = records_.find(announcement.participant); other != records_.end()) {
+      remove(other, Departure::left);
+    }
     if (records_.size() == max_participants) {
-      const auto gives_way = admission_.decide(arrival.source, life->standing, arrival.now);
+      const auto gives_way = admission_.decide(record->source(), record->standing(), arrival.now);
       if (!gives_way) return Hearing::full;
       displace(*gives_way);
     }
-    (void)add(announcement, arrival, life->standing, true);
+    record->come_back(arrival.now, changes);
+    add(std::move(record), announcement, arrival);
     return Hearing::returned;
   }
 
   Hearing hear_state(const Announcement& announcement, const Arrival& arrival) {
     const auto known = records_.find(announcement.participant);
     if (known == records_.end()) return hear_newcomer(announcement, arrival);
-    auto& record = known->second.record;
+    auto& record = *known->second.record;
     if (record.boot() != announcement.boot) {
       if (!record.yields_to(announcement, arrival)) return Hearing::rival;
-      former_.remember(record.life(), arrival.now);
-      remove(known, Departure::expired);
+      former_.remember(remove(known, Departure::expired), arrival.now);
       return hear_newcomer(announcement, arrival);
     }
     const auto hearing = record.hear(announcement, arrival, changes);
@@ -156,38 +156,39 @@ class NeighbourTable::State final : private ServiceRoom {
       standing = decision.standing;
       displace(*decision.gives_way);
     }
-    return add(announcement, arrival, standing, false);
+    auto record = std::make_unique<NeighbourRecord>(announcement, arrival, room());
+    if (standing) record->set_standing(*standing);
+    add(std::move(record), announcement, arrival);
+    return Hearing::newcomer;
   }
 
-  Hearing add(const Announcement& announcement, const Arrival& arrival, const std::optional<Standing>& standing,
-              bool is_contested) {
-    auto known = records_.try_emplace(announcement.participant, announcement, arrival, room()).first;
-    auto& record = known->second.record;
-    if (standing) record.set_standing(*standing);
-    if (is_contested) record.contest(arrival.now, changes);
-    (void)record.hear(announcement, arrival, changes);
+  void add(std::unique_ptr<NeighbourRecord> one, const Announcement& announcement, const Arrival& arrival) {
+    auto known = records_.try_emplace(announcement.participant, Known{std::move(one), base::never}).first;
+    auto& record = *known->second.record;
     admission_.add(known->first, record.source(), record.standing());
+    (void)record.hear(announcement, arrival, changes);
+    admission_.update(known->first, record.standing());
     set_due(*known);
-    return Hearing::newcomer;
   }
 
   ServiceRoom& room() { return *this; }
 
   void displace(ParticipantId id) {
-    const auto known = records_.find(id);
-    admission_.remember(known->second.record.life());
-    remove(known, Departure::expired);
+    const auto record = remove(records_.find(id), Departure::expired);
+    admission_.remember(id, record->boot(), record->newest(), record->standing());
   }
 
-  void remove(Records::iterator known, Departure reason) {
+  std::unique_ptr<NeighbourRecord> remove(Records::iterator known, Departure reason) {
     changes.emplace_back(RemoveParticipant{known->first, reason});
     admission_.remove(known->first);
     due_.erase({known->second.due, known->first});
+    auto record = std::move(known->second.record);
     records_.erase(known);
+    return record;
   }
 
   void set_due(Records::value_type& known) {
-    const auto next = known.second.record.next_deadline();
+    const auto next = known.second.record->next_deadline();
     if (next == known.second.due) return;
     due_.erase({known.second.due, known.first});
     known.second.due = next;
@@ -198,29 +199,30 @@ class NeighbourTable::State final : private ServiceRoom {
   // of the same one. A stranger is given nothing, and takes nothing from those who are known for long.
   bool make_room(const NeighbourServices& who) override {
     if (std::exchange(is_room_sought_, true) && !was_room_found_) return false;
-    was_room_found_ = false;
+    was_room_found_ = former_.give_way();
+    if (was_room_found_) return true;
     const auto asks = records_.find(who.owner().id);
-    if (asks == records_.end() || !asks->second.record.standing().is_confirmed) return false;
+    if (asks == records_.end() || !asks->second.record->standing().is_confirmed) return false;
     const auto beyond_reserve = [](const NeighbourRecord& record) {
       return record.services().size() - std::min(record.services().size(), reserved_services);
     };
     std::map<std::string_view, std::size_t> shares;
-    for (const auto& [id, known] : records_) shares[known.record.source()] += beyond_reserve(known.record);
-    const auto& source = asks->second.record.source();
-    const auto own = beyond_reserve(asks->second.record);
+    for (const auto& [id, known] : records_) shares[known.record->source()] += beyond_reserve(*known.record);
+    const auto& source = asks->second.record->source();
+    const auto own = beyond_reserve(*asks->second.record);
     std::tuple<bool, bool, std::size_t, std::size_t> most{};
     NeighbourRecord* greediest = nullptr;
     for (auto& [id, known] : records_) {
-      const auto count = beyond_reserve(known.record);
+      const auto count = beyond_reserve(*known.record);
       const bool is_seasoned = admission_.is_seasoned(id);
-      const bool is_same = known.record.source() == source;
-      const auto share = shares[known.record.source()];
+      const bool is_same = known.record->source() == source;
+      const auto share = shares[known.record->source()];
       if (count == 0 || (is_seasoned && !admission_.is_seasoned(asks->first))) continue;
       if (is_same ? count <= own + 1 : share <= shares[source] + 1) continue;
       const std::tuple order{!is_seasoned, !is_same, share, count};
       if (greediest != nullptr && order <= most) continue;
       most = order;
-      greediest = &known.record;
+      greediest = known.record.get();
     }
     was_room_found_ = greediest != nullptr && greediest->services().give_way(changes);
     return was_room_found_;
@@ -229,8 +231,8 @@ class NeighbourTable::State final : private ServiceRoom {
   std::string group_;
   ParticipantId self_{};
   BootNonce self_boot_{};
-  FormerLives former_;
   Admission admission_;
+  FormerLives former_;
   Records records_;
   std::set<std::pair<Instant, ParticipantId>> due_;  ///< when expire() has something to do for whom
   bool is_room_sought_ = false;                      ///< for the datagram that is being taken in

@@ -33,7 +33,7 @@ NeighbourWay::NeighbourWay(const Announcement& first, const Arrival& arrival)
     : opened_(arrival.now),
       source_(arrival.source),
       addresses_(usable(first, arrival), arrival.now),
-      rose_(arrival.now),
+      passed_(first.sequence, arrival.now),
       revision_(first.revision),
       part_count_(first.part_count) {
   path_.interface = arrival.interface;
@@ -49,13 +49,16 @@ NeighbourWay::Origin NeighbourWay::origin(const Announcement& announcement, cons
     return Origin::bound;
   }
   if (home_ && arrival.source == home_->source) {
-    if (announcement.sequence <= home_->sequence) return Origin::copied;
+    const bool may_be_overtaken = arrival.now - home_->left < overtaken_time;
+    if (announcement.sequence <= home_->sequence && may_be_overtaken) return Origin::copied;
     source_ = std::exchange(home_, std::nullopt)->source;
     mover_.reset();
     has_moved_ = true;
+    was_misled_ = true;
     return Origin::back;
   }
-  if (!is_next(announcement.sequence)) return Origin::copied;
+  const bool is_silent = arrival.now - path_.heard >= hold;
+  if (has(announcement.sequence) || (!is_next(announcement.sequence) && !is_silent)) return Origin::copied;
   if (!mover_ || mover_->source != arrival.source) {
     mover_ = Mover{std::string(arrival.source), announcement.sequence};
     return Origin::elsewhere;
@@ -63,7 +66,7 @@ NeighbourWay::Origin NeighbourWay::origin(const Announcement& announcement, cons
   if (announcement.sequence <= mover_->sequence) return Origin::copied;
   mover_->sequence = announcement.sequence;
   // A datagram of the bound address would have ended the mover.
-  if (needs_silence && arrival.now - path_.heard < hold) return Origin::elsewhere;
+  if ((needs_silence || was_misled_) && !is_silent) return Origin::elsewhere;
   move(arrival, hold);
   return Origin::bound;
 }
@@ -84,10 +87,11 @@ NeighbourWay::Order NeighbourWay::order(const Announcement& announcement, Instan
     // A sender's revision never falls, and one datagram has one number.
     return announcement.revision < revision_ ? Order::contradiction : Order::next;
   }
-  if (losses_.has(announcement.sequence)) return Order::overtaken;
+  const bool is_late = passed_.is_late(announcement.sequence, now);
+  if (losses_.has(announcement.sequence) && !is_late) return Order::overtaken;
   if (announcement.revision > revision_) return Order::contradiction;
   if (announcement.revision == revision_) return Order::next;
-  return now - rose_ < overtaken_time ? Order::overtaken : Order::contradiction;
+  return is_late ? Order::contradiction : Order::overtaken;
 }
 
 bool NeighbourWay::leaps(const Announcement& announcement, std::uint64_t believed) {
@@ -109,13 +113,12 @@ void NeighbourWay::count(const Announcement& announcement, const Arrival& arriva
   const auto sequence = announcement.sequence;
   const bool is_lower = !is_next(sequence) && sequence != losses_.newest();
   // What comes so late was not overtaken: its sender is where it says.
-  const bool is_late = arrival.now - rose_ >= overtaken_time;
-  if (is_lower && !losses_.has(sequence) && (is_contradiction || is_late)) {
+  if (is_lower && (is_contradiction || passed_.is_late(sequence, arrival.now))) {
     losses_.restart(sequence);
-    rose_ = arrival.now;
+    passed_.restart(sequence, arrival.now);
   } else {
-    if (is_next(sequence)) rose_ = arrival.now;
     losses_.count(sequence);
+    passed_.rise(sequence, arrival.now);
   }
   path_.heard = arrival.now;
   path_.interface_name = arrival.interface_name;

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "beacon/former_lives.hpp"
 #include "beacon/loss_window.hpp"
 #include "beacon/neighbour_table.hpp"
+#include "beacon/passed.hpp"
 #include "beacon/settled.hpp"
 #include "beacon/state_assembly.hpp"
 
@@ -60,11 +60,14 @@ class NeighbourWay {
   [[nodiscard]] const std::string& source() const { return source_; }
   [[nodiscard]] const std::vector<std::string>& addresses() const { return addresses_.value(); }
   [[nodiscard]] bool is_next(std::uint64_t sequence) const { return losses_.is_empty() || sequence > losses_.newest(); }
+  [[nodiscard]] bool has(std::uint64_t sequence) const { return losses_.has(sequence); }
   [[nodiscard]] double loss() const { return losses_.loss(); }
   [[nodiscard]] StateAssembly& assembly() { return assembly_; }
-  [[nodiscard]] Voice voice() const { return {path_.interface, path_.link, source_, losses_.newest(), {}}; }
+  /// The highest sequence number.
+  [[nodiscard]] std::uint64_t newest() const { return losses_.newest(); }
 
-  base::Instant deadline;  ///< when the way is lost unless it is heard again
+  base::Instant deadline;                ///< when the way is lost unless it is heard again
+  std::optional<std::uint64_t> goodbye;  ///< the number of a goodbye that was heard here
 
  private:
   /// Another source address that speaks in the name of this way.
@@ -85,10 +88,11 @@ class NeighbourWay {
   std::string source_;
   std::optional<Home> home_;
   std::optional<Mover> mover_;
-  bool has_moved_ = false;  ///< and has not been heard since: its addresses are new with it
+  bool was_misled_ = false;  ///< it has moved, and the address that it left went on speaking
+  bool has_moved_ = false;   ///< and has not been heard since: its addresses are new with it
   Settled<std::vector<std::string>> addresses_;
   LossWindow losses_;
-  base::Instant rose_;                 ///< when the highest sequence number was heard
+  Passed passed_;
   std::uint64_t revision_;             ///< the last one heard here
   std::uint32_t part_count_;           ///< of that revision
   std::optional<std::uint64_t> leap_;  ///< sequence number of a datagram whose revision leapt

@@ -1,6 +1,8 @@
 // Words for changes, and participants for table tests.
 #include "beacon/table_rig.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 
 namespace geminga::beacon {
@@ -37,6 +39,25 @@ struct Line {
 }  // namespace
 
 std::string line_of(const Change& change) { return std::visit(Line{}, change); }
+
+void Registry::take(NeighbourTable& table) {
+  for (const auto& change : table.take_changes()) {
+    if (const auto* publication = std::get_if<PutPublication>(&change)) {
+      services[publication->key] = publication->publication.address + ":" +
+                                   std::to_string(publication->publication.port) + " of " +
+                                   publication->participant_name + "/" + publication->peer_name;
+    } else if (const auto* subscription = std::get_if<PutSubscription>(&change)) {
+      services[subscription->key] = "sub of " + subscription->participant_name + "/" + subscription->peer_name;
+    } else if (const auto* lost = std::get_if<RemovePublication>(&change)) {
+      EXPECT_EQ(services.erase(lost->key), 1U) << "removed what was never put: " << line_of(change);
+    } else if (const auto* ended = std::get_if<RemoveSubscription>(&change)) {
+      EXPECT_EQ(services.erase(ended->key), 1U) << "removed what was never put: " << line_of(change);
+    } else {
+      const auto gone = std::get<RemoveParticipant>(change).participant;
+      std::erase_if(services, [&](const auto& item) { return item.first.participant == gone; });
+    }
+  }
+}
 
 Announcement speaker(std::uint32_t id, std::uint64_t revision, const std::vector<std::uint32_t>& numbers) {
   Announcement announcement;

@@ -25,6 +25,14 @@ inline constexpr env::InterfaceIndex wlan{3};
 /// One change as a line: "put pub 00000001/1/5 at 10.0.0.1", "remove pub 00000001/1/5 withdrawn", ...
 std::string line_of(const Change& change);
 
+/// What a registry holds after it has done all changes.
+struct Registry {
+  /// Does the changes since the last call. Removing what was never put is a failure.
+  void take(NeighbourTable& table);
+
+  std::map<ServiceKey, std::string> services;  ///< "10.0.0.1:5000 of robot1/vision"
+};
+
 struct TableRig {
   TableRig() { table.set_self(self_id, self_boot); }
 

@@ -1,0 +1,226 @@
+// Who keeps a place, and room for services, when more is heard than can be remembered.
+#include <gmock/gmock.h>
+
+#include <array>
+#include <string>
+
+#include "beacon/limits.hpp"
+#include "beacon/table_rig.hpp"
+
+namespace geminga::beacon {
+namespace {
+
+constexpr auto interval = seconds(2);
+constexpr ParticipantId robot{7};
+
+/// A table in a flood of ten thousand datagrams a second, and a true robot that announces itself as robots do: at once,
+/// four quick copies, then each interval.
+struct Flood {
+  /// Every identity is sent `copies` times from one of `sources` addresses, `gap` between two copies.
+  struct Shape {
+    std::size_t sources = 1;
+    std::size_t copies = 1;
+    base::Duration gap = std::chrono::microseconds(100);
+    bool is_of_robots_address = false;
+  };
+
+  Hearing hear(Announcement announcement, const std::string& source) {
+    rig.source = source;
+    const auto hearing = rig.hear(std::move(announcement), now);
+    (void)rig.table.take_changes();
+    return hearing;
+  }
+  Hearing say() {
+    auto state = speaker(std::to_underlying(robot), 1);
+    state.sequence = ++sequence;
+    return hear(state, robots_address);
+  }
+  void pass_to(base::Instant instant) {
+    now = instant;
+    if (rig.table.next_deadline() <= now) rig.table.expire(now);
+    (void)rig.table.take_changes();
+  }
+  /// The datagram with this number of the flood; 10^4 a second.
+  void forge(const Shape& shape, std::uint64_t number) {
+    // Copies of one identity are `gap` apart: as many others come between them.
+    const auto between = static_cast<std::uint64_t>(shape.gap / std::chrono::microseconds(100));
+    const auto round = number / (between * shape.copies);
+    const auto within = number % (between * shape.copies);
+    const auto identity = static_cast<std::uint32_t>(1000 + round * between + within % between);
+    auto state = speaker(identity, 1);
+    state.sequence = 1 + within / between;
+    state.interval = max_interval;
+    const auto which = identity % shape.sources;
+    (void)hear(state, shape.is_of_robots_address
+                          ? robots_address
+                          : "10.0." + std::to_string(1 + which / 250) + "." + std::to_string(1 + which % 250));
+  }
+  /// Lets the flood go on; in it the robot arrives after `arrival`. How long it was unknown from then on, altogether.
+  base::Duration run(const Shape& shape, base::Duration arrival, base::Duration time) {
+    const std::array<base::Duration, 5> copies = {milliseconds(0), milliseconds(20), milliseconds(60),
+                                                  milliseconds(140), milliseconds(300)};
+    const auto arrives = now + arrival;
+    const auto end = now + time;
+    std::size_t said = 0;
+    auto next = arrives;
+    base::Duration unknown{};
+    for (std::uint64_t number = 0; now < end; ++number) {
+      pass_to(now + std::chrono::microseconds(100));
+      forge(shape, number);
+      if (now >= next) {
+        (void)say();
+        ++said;
+        next = said < copies.size() ? arrives + copies.at(said) : next + interval;
+      }
+      if (now >= arrives && !rig.table.is_known(robot)) unknown += std::chrono::microseconds(100);
+    }
+    return unknown;
+  }
+
+  TableRig rig;
+  std::string robots_address = "10.0.0.7";
+  base::Instant now = rig_start;
+  std::uint64_t sequence = 0;
+};
+
+TEST(Flood, OfAHundredThousandIdentitiesKeepsNoTrueRobotOut) {
+  const std::vector<Flood::Shape> shapes = {
+      {.sources = 1, .copies = 1},
+      {.sources = 250, .copies = 1},
+      {.sources = 250, .copies = 2},
+      {.sources = 250, .copies = 5},
+      {.sources = 250, .copies = 5, .gap = milliseconds(75)},
+      {.sources = 250, .copies = 5, .gap = interval},
+      {.sources = 2500, .copies = 1},
+      {.sources = 1, .copies = 1, .is_of_robots_address = true},
+      {.sources = 1, .copies = 2, .is_of_robots_address = true},
+      {.sources = 1, .copies = 5, .is_of_robots_address = true},
+  };
+  for (const auto& shape : shapes) {
+    Flood flood;
+    const auto unknown = flood.run(shape, seconds(3), seconds(13));
+    const auto what = std::to_string(shape.sources) + " sources, " + std::to_string(shape.copies) + " copies";
+    EXPECT_LE(unknown, 2 * interval) << what;
+    EXPECT_TRUE(flood.rig.table.is_known(robot)) << what;
+    EXPECT_LE(flood.rig.table.size(), max_participants) << what;
+    RecordProperty(what, static_cast<int>(unknown / milliseconds(1)));
+    std::printf("%s: unknown for %d ms\n", what.c_str(), static_cast<int>(unknown / milliseconds(1)));
+  }
+}
+
+TEST(Flood, ThatIsOverKeepsNoTrueRobotOut) {
+  for (const auto copies : {1U, 2U, 5U}) {
+    for (const bool is_same : {false, true}) {
+      Flood flood;
+      for (std::uint64_t number = 0; number < 10'000; ++number) {
+        flood.pass_to(flood.now + std::chrono::microseconds(100));
+        flood.forge({.sources = 1, .copies = copies, .is_of_robots_address = is_same}, number);
+      }
+      flood.pass_to(flood.now + milliseconds(100));
+      EXPECT_EQ(flood.rig.table.size(), max_participants);
+      (void)flood.say();
+      flood.pass_to(flood.now + milliseconds(20));
+      (void)flood.say();
+      EXPECT_TRUE(flood.rig.table.is_known(robot)) << copies << " copies, the same address: " << is_same;
+    }
+  }
+}
+
+TEST(Flood, PushesNobodyOutWhoIsKnownForLong) {
+  for (const auto known_for : {seasoned_after - milliseconds(1), base::Duration(seasoned_after)}) {
+    Flood flood;
+    // Four robots behind one address, which so has the most of all places; the newest would go first.
+    const auto say_all = [&] {
+      for (std::uint32_t id = 1; id <= 4; ++id) (void)flood.hear(speaker(id, 1), "10.0.0.9");
+    };
+    say_all();
+    for (base::Duration time{}; time < known_for;) {
+      const auto step = std::min(known_for - time, base::Duration(interval));
+      flood.pass_to(flood.now + step);
+      time += step;
+      say_all();
+    }
+    for (std::uint32_t id = 0; id < 1000; ++id) {
+      (void)flood.hear(speaker(1000 + id, 1), "10.1." + std::to_string(id / 250) + "." + std::to_string(id % 250));
+    }
+    std::size_t left = 0;
+    for (std::uint32_t id = 1; id <= 4; ++id) left += flood.rig.table.is_known(ParticipantId{id}) ? 1 : 0;
+    if (known_for == seasoned_after) {
+      EXPECT_EQ(left, 4U);
+    } else {
+      EXPECT_EQ(left, 1U) << "a share of one, since there are more addresses than places";
+    }
+  }
+}
+
+TEST(Flood, LetsOneAddressHaveOnlyTheNamedNumberForGood) {
+  for (const auto count : {max_seasoned_per_source - 1, max_seasoned_per_source, max_seasoned_per_source + 1}) {
+    Flood flood;
+    for (base::Duration time{}; time <= seasoned_after; time += interval) {
+      for (std::uint32_t id = 1; id <= count; ++id) (void)flood.hear(speaker(id, 1), "10.0.0.9");
+      flood.pass_to(flood.now + interval);
+    }
+    for (std::uint32_t id = 1; id <= count; ++id) (void)flood.hear(speaker(id, 1), "10.0.0.9");
+    for (std::uint32_t id = 0; id < 1000; ++id) {
+      (void)flood.hear(speaker(1000 + id, 1), "10.1." + std::to_string(id / 250) + "." + std::to_string(id % 250));
+    }
+    std::size_t left = 0;
+    for (std::uint32_t id = 1; id <= count; ++id) left += flood.rig.table.is_known(ParticipantId{id}) ? 1 : 0;
+    EXPECT_EQ(left, std::min(count, max_seasoned_per_source));
+  }
+}
+
+TEST(Flood, TakesPlacesUpToTheNamedNumberAndFromTheGreediestAddressAfterThat) {
+  TableRig rig;
+  rig.source = "10.0.0.66";
+  for (std::uint32_t id = 1; id <= max_participants; ++id) {
+    EXPECT_EQ(rig.table.size(), id - 1);
+    EXPECT_EQ(rig.hear(speaker(id, 1)), Hearing::newcomer) << id;
+  }
+  EXPECT_EQ(rig.hear(speaker(max_participants + 1, 1)), Hearing::full);
+  rig.source = "10.0.0.7";
+  EXPECT_EQ(rig.hear(speaker(max_participants + 2, 1)), Hearing::newcomer);
+  EXPECT_EQ(rig.table.size(), max_participants);
+  EXPECT_TRUE(rig.table.is_known(ParticipantId{max_participants + 2}));
+  rig.source = "10.0.0.66";
+  auto goodbye = speaker(max_participants, 1);
+  goodbye.kind = Kind::goodbye;
+  EXPECT_EQ(rig.hear(goodbye), Hearing::goodbye);
+  EXPECT_EQ(rig.hear(speaker(max_participants + 1, 1)), Hearing::newcomer);
+}
+
+/// All services from 1 to `count`, in as many parts as it takes.
+void offer(Flood& flood, std::uint32_t id, std::uint32_t count, const std::string& source) {
+  const auto parts = (count + 99) / 100;
+  for (std::uint32_t part = 0; part < parts; ++part) {
+    std::vector<std::uint32_t> numbers;
+    for (auto number = part * 100 + 1; number <= std::min(count, (part + 1) * 100); ++number) numbers.push_back(number);
+    auto state = speaker(id, count, numbers);
+    state.part = part;
+    state.part_count = parts;
+    (void)flood.hear(state, source);
+  }
+}
+
+TEST(Flood, OfServicesLeavesRoomForThoseOfARobot) {
+  for (const auto* source : {"10.0.0.66", "10.0.0.7"}) {
+    Flood flood;
+    offer(flood, std::to_underlying(robot), 10, "10.0.0.7");
+    for (std::uint32_t id = 1001; id <= 1009; ++id) offer(flood, id, max_services_per_participant, source);
+    EXPECT_GT(flood.rig.table.refused_services(), 0U);
+    for (const std::uint32_t count : {11U, 16U, 32U, 33U, 200U}) {
+      offer(flood, std::to_underlying(robot), count, "10.0.0.7");
+      EXPECT_EQ(flood.rig.table.find(robot)->publications, count) << source;
+    }
+  }
+}
+
+TEST(Flood, OfServicesLeavesTheReserveToEveryStranger) {
+  Flood flood;
+  for (std::uint32_t id = 1001; id <= 1009; ++id) offer(flood, id, max_services_per_participant, "10.0.0.66");
+  offer(flood, std::to_underlying(robot), reserved_services, "10.0.0.66");
+  EXPECT_EQ(flood.rig.table.find(robot)->publications, reserved_services);
+}
+
+}  // namespace
+}  // namespace geminga::beacon
