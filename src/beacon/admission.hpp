@@ -22,8 +22,8 @@ namespace geminga::beacon {
 /// lowest rank gives way. Uses no memory before the first.
 class WaitingList {
  public:
-  /// `secret`: random bits, so that nobody can aim at the place of another.
-  explicit WaitingList(std::uint64_t secret) : secret_(secret) {}
+  /// Random bits, so that nobody can aim at the place of another.
+  void set_secret(std::uint64_t secret) { secret_ = secret; }
   /// Hears a stranger; its standing from the second time on.
   [[nodiscard]] std::optional<Standing> hear(const Announcement& announcement, base::Instant now);
   /// Somebody who has had to give its place away, and need not begin anew.
@@ -38,7 +38,7 @@ class WaitingList {
   [[nodiscard]] std::uint64_t key_of(ParticipantId id, BootNonce boot) const;
   /// The stranger with this key, or the place that it gets.
   [[nodiscard]] Stranger& place_of(std::uint64_t key);
-  std::uint64_t secret_;
+  std::uint64_t secret_ = 0;
   std::vector<Stranger> strangers_;
 };
 
@@ -46,7 +46,7 @@ class WaitingList {
 /// Costs of all calls are logarithmic. Deterministic for its secret and its calls.
 class Admission {
  public:
-  explicit Admission(std::uint64_t secret) : waiting_(secret) {}
+  void set_secret(std::uint64_t secret) { waiting_.set_secret(secret); }
 
   void add(ParticipantId id, const std::string& source, const Standing& standing);
   void update(ParticipantId id, const Standing& standing);

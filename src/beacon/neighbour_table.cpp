@@ -33,7 +33,7 @@ Instant deadline_of(Instant heard, base::Duration interval, [[maybe_unused]] dou
 
 class NeighbourTable::State final : private ServiceRoom {
  public:
-  State(std::string group, std::uint64_t secret) : group_(std::move(group)), admission_(secret) {}
+  explicit State(std::string group) : group_(std::move(group)) {}
 
   Hearing hear(const Announcement& announcement, const Arrival& arrival) {
     if (announcement.group != group_) return Hearing::other_group;
@@ -80,6 +80,8 @@ class NeighbourTable::State final : private ServiceRoom {
     self_ = id;
     self_boot_ = boot;
   }
+
+  void set_secret(std::uint64_t secret) { admission_.set_secret(secret); }
 
   [[nodiscard]] Instant next_deadline() const { return due_.empty() ? base::never : due_.begin()->first; }
   [[nodiscard]] const NeighbourRecord* find(ParticipantId id) const {
@@ -239,11 +241,12 @@ class NeighbourTable::State final : private ServiceRoom {
   bool was_room_found_ = false;
 };
 
-NeighbourTable::NeighbourTable(std::string group, std::uint64_t secret)
-    : state_(std::make_unique<State>(std::move(group), secret)) {}
+NeighbourTable::NeighbourTable(std::string group) : state_(std::make_unique<State>(std::move(group))) {}
 NeighbourTable::~NeighbourTable() = default;
 
 void NeighbourTable::set_self(ParticipantId id, BootNonce boot) { state_->set_self(id, boot); }
+
+void NeighbourTable::set_secret(std::uint64_t secret) { state_->set_secret(secret); }
 
 Hearing NeighbourTable::hear(const Announcement& announcement, const Arrival& arrival) {
   return state_->hear(announcement, arrival);

@@ -136,14 +136,17 @@ inline constexpr base::Duration goodbye_memory = std::chrono::seconds(10);
 /// path is alive and none of a better rank (address_rank()) turns up.
 class NeighbourTable {
  public:
-  /// `secret`: random bits, so that nobody can foresee whom a flood makes the table forget.
-  explicit NeighbourTable(std::string group, std::uint64_t secret = 0);
+  explicit NeighbourTable(std::string group);
   ~NeighbourTable();
   NeighbourTable(const NeighbourTable&) = delete;
   NeighbourTable& operator=(const NeighbourTable&) = delete;
 
   /// Who we are, to be told from others; again after each draw of IdentifierClaim.
   void set_self(ParticipantId id, BootNonce boot);
+
+  /// Random bits that nobody else knows, so that nobody can aim a flood at the places of others. Before anything is
+  /// heard.
+  void set_secret(std::uint64_t secret);
 
   /// Takes in one decoded announcement. Cost: its entries times the logarithm of the sender's, and when something has
   /// changed (or a sixteenth of an interval has gone by) all entries of its sender; while all room for services is

@@ -30,6 +30,7 @@ class Participant::State {
     core.started = core.env.now();
     core.phase = Phase::claiming;
     remember_interfaces();
+    core.neighbours.set_secret(core.env.random_bits());
     announcer.start();
     settle();
   }

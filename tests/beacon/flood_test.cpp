@@ -1,8 +1,10 @@
 // Who keeps a place, and room for services, when more is heard than can be remembered.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 #include "beacon/limits.hpp"
 #include "beacon/table_rig.hpp"
@@ -103,8 +105,6 @@ TEST(Flood, OfAHundredThousandIdentitiesKeepsNoTrueRobotOut) {
     EXPECT_LE(unknown, 2 * interval) << what;
     EXPECT_TRUE(flood.rig.table.is_known(robot)) << what;
     EXPECT_LE(flood.rig.table.size(), max_participants) << what;
-    RecordProperty(what, static_cast<int>(unknown / milliseconds(1)));
-    std::printf("%s: unknown for %d ms\n", what.c_str(), static_cast<int>(unknown / milliseconds(1)));
   }
 }
 
@@ -220,6 +220,73 @@ TEST(Flood, OfServicesLeavesTheReserveToEveryStranger) {
   for (std::uint32_t id = 1001; id <= 1009; ++id) offer(flood, id, max_services_per_participant, "10.0.0.66");
   offer(flood, std::to_underlying(robot), reserved_services, "10.0.0.66");
   EXPECT_EQ(flood.rig.table.find(robot)->publications, reserved_services);
+}
+
+/// The numbers 1 to `count` in as many parts of at most 200 as it takes.
+void hear_many(TableRig& rig, std::uint32_t id, std::uint64_t revision, std::uint32_t count) {
+  const auto parts = (count + 199) / 200;
+  for (std::uint32_t part = 0; part < parts; ++part) {
+    std::vector<std::uint32_t> numbers;
+    for (auto number = part * 200 + 1; number <= std::min(count, (part + 1) * 200); ++number) numbers.push_back(number);
+    auto announcement = speaker(id, revision, numbers);
+    announcement.part = part;
+    announcement.part_count = parts;
+    (void)rig.hear(announcement);
+  }
+}
+
+TEST(NeighbourServices, AreTakenUpToTheNamedNumberOfOneParticipant) {
+  for (const auto count :
+       {max_services_per_participant - 1, max_services_per_participant, max_services_per_participant + 1}) {
+    TableRig rig;
+    hear_many(rig, 1, 1, static_cast<std::uint32_t>(count));
+    EXPECT_EQ(rig.table.find(ParticipantId{1})->publications, std::min(count, max_services_per_participant));
+    EXPECT_EQ(rig.table.refused_services(), count > max_services_per_participant ? 1U : 0U);
+    // What was told cannot be trusted to be all, so nothing would be withdrawn by it.
+    EXPECT_EQ(rig.table.find(ParticipantId{1})->is_complete, count <= max_services_per_participant);
+  }
+}
+
+TEST(NeighbourServices, AreTakenUpToTheNamedNumberOfAllBeyondTheReserveOfEach) {
+  TableRig rig;
+  constexpr auto beyond = max_services_per_participant - reserved_services;
+  const auto full = static_cast<std::uint32_t>(max_remote_services / beyond);
+  for (std::uint32_t id = 1; id <= full; ++id) hear_many(rig, id, 1, max_services_per_participant);
+  const auto left = max_remote_services - full * beyond;
+  EXPECT_EQ(rig.table.refused_services(), 0U);
+  hear_many(rig, full + 1, 1, static_cast<std::uint32_t>(reserved_services + left));
+  EXPECT_EQ(rig.table.refused_services(), 0U);
+  hear_many(rig, full + 2, 1, reserved_services);
+  EXPECT_EQ(rig.table.refused_services(), 0U);
+  EXPECT_EQ(rig.table.find(ParticipantId{full + 2})->publications, reserved_services);
+  // The stranger is given nothing beyond its reserve.
+  rig.source = "10.0.0.66";
+  (void)rig.hear(speaker(full + 3, 1, {1}));
+  auto greedy = speaker(full + 3, 2, {});
+  for (std::uint32_t number = 1; number <= reserved_services + 1; ++number) {
+    greedy.peers[0].publications.push_back({number, simple_publication()});
+  }
+  greedy.participant = ParticipantId{full + 4};
+  greedy.boot = BootNonce{full + 4};
+  (void)rig.hear(greedy);
+  EXPECT_EQ(rig.table.refused_services(), 1U);
+  EXPECT_EQ(rig.table.find(ParticipantId{full + 4})->publications, reserved_services);
+  // Room that is given back is used again.
+  rig.source.clear();
+  (void)rig.hear(speaker(1, 2, {1}));
+  rig.source = "10.0.0.66";
+  (void)rig.hear(greedy);
+  EXPECT_EQ(rig.table.find(ParticipantId{full + 4})->publications, reserved_services + 1);
+}
+
+TEST(NeighbourServices, UseAtMostTheNamedNumberOfWays) {
+  TableRig rig;
+  for (std::uint32_t link = 1; link <= max_paths + 1; ++link) {
+    auto announcement = speaker(1, 1);
+    announcement.link = link;
+    (void)rig.hear(announcement, rig_start, env::InterfaceIndex{link});
+    EXPECT_EQ(rig.table.find(ParticipantId{1})->paths.size(), std::min<std::size_t>(link, max_paths));
+  }
 }
 
 }  // namespace

@@ -3,63 +3,13 @@
 
 #include <functional>
 #include <limits>
-#include <set>
 #include <string>
 
+#include "beacon/forged_rig.hpp"
 #include "beacon/limits.hpp"
-#include "beacon/table_rig.hpp"
 
 namespace geminga::beacon {
 namespace {
-
-using ::testing::IsEmpty;
-
-constexpr auto interval = seconds(2);
-constexpr ParticipantId victim{1};
-
-/// A participant that speaks each interval, whoever else speaks in its name, and what a registry makes of it all.
-struct Air {
-  Air() { rig.source = "10.0.0.1"; }
-
-  [[nodiscard]] Announcement truth() const {
-    auto state = speaker(1, revision, {5, 6});
-    state.peers[0].publications[0].publication.port = port;
-    state.peers[0].subscriptions.push_back({7, simple_subscription()});
-    return state;
-  }
-  Hearing say(Announcement state) {
-    state.sequence = ++sequence;
-    return hear(std::move(state), "10.0.0.1");
-  }
-  Hearing say() { return say(truth()); }
-  Hearing hear(Announcement state, const std::string& source) {
-    rig.source = source;
-    const auto hearing = rig.hear(std::move(state), now);
-    registry.take(rig.table);
-    return hearing;
-  }
-  void pass(base::Duration time) {
-    for (const auto end = now + time; now < end;) {
-      now = std::min(end, std::max(now + base::Duration(1), rig.table.next_deadline()));
-      rig.table.expire(now);
-      registry.take(rig.table);
-    }
-  }
-  /// What is told of the services of the victim is what it says, and nothing else.
-  [[nodiscard]] bool is_right() const {
-    const auto at = [](std::uint16_t p) { return "10.0.0.1:" + std::to_string(p) + " of robot1/vision"; };
-    return registry.services == std::map<ServiceKey, std::string>{{{victim, PeerId{1}, 5}, at(port)},
-                                                                  {{victim, PeerId{1}, 6}, at(5000)},
-                                                                  {{victim, PeerId{1}, 7}, "sub of robot1/vision"}};
-  }
-
-  TableRig rig;
-  Registry registry;
-  base::Instant now = rig_start;
-  std::uint64_t sequence = 0;
-  std::uint64_t revision = 1;
-  std::uint16_t port = 5000;
-};
 
 struct Lie {
   std::string what;
@@ -297,79 +247,6 @@ TEST(Forged, WaysFromElsewhereAreNotOpenedBesideOneThatLives) {
       EXPECT_TRUE(air.is_right());
     }
     EXPECT_EQ(air.rig.table.find(victim)->paths.size(), 1U);
-  }
-}
-
-Announcement goodbye_of(const Air& air) {
-  auto goodbye = speaker(1, 0, {});
-  goodbye.kind = Kind::goodbye;
-  goodbye.peers.clear();
-  goodbye.sequence = air.sequence + 1;
-  return goodbye;
-}
-
-TEST(Forged, GoodbyeFromAnotherAddressIsIgnored) {
-  Air air;
-  (void)air.say();
-  for (int i = 0; i < 5; ++i) EXPECT_EQ(air.hear(goodbye_of(air), "10.0.0.66"), Hearing::elsewhere);
-  EXPECT_TRUE(air.is_right());
-}
-
-TEST(Forged, GoodbyeIsUndoneByTheFirstDatagramAfterIt) {
-  for (const std::uint64_t step : {0U, 1U, 2U, 1000U}) {
-    Air air;
-    for (int i = 0; i < 5; ++i, air.pass(interval)) (void)air.say();
-    auto goodbye = goodbye_of(air);
-    goodbye.sequence = air.sequence + step;
-    EXPECT_EQ(air.hear(goodbye, "10.0.0.1"), Hearing::goodbye);
-    EXPECT_THAT(air.registry.services, IsEmpty());
-    air.pass(overtaken_time);
-    EXPECT_EQ(air.say(), Hearing::returned) << step;
-    expect_truth(air, "step " + std::to_string(step));
-  }
-}
-
-TEST(Forged, GoodbyeWithTheNextNumberIsUndoneAtOnce) {
-  Air air;
-  (void)air.say();
-  EXPECT_EQ(air.hear(goodbye_of(air), "10.0.0.1"), Hearing::goodbye);
-  EXPECT_EQ(air.say(), Hearing::returned);
-  EXPECT_TRUE(air.is_right());
-}
-
-TEST(Forged, GoodbyesEverySecondHideNobodyAfterTheFirst) {
-  Air air;
-  for (int i = 0; i < 5; ++i, air.pass(interval)) (void)air.say();
-  (void)air.hear(goodbye_of(air), "10.0.0.1");
-  air.pass(seconds(1));
-  (void)air.say();
-  for (int i = 1; i <= 120; ++i) {
-    EXPECT_EQ(air.hear(goodbye_of(air), "10.0.0.1"), Hearing::contradiction);
-    air.pass(seconds(1));
-    if (i % 2 == 0) (void)air.say();
-    EXPECT_TRUE(air.is_right()) << i;
-  }
-  // A true one then is believed when nothing follows it for two intervals.
-  (void)air.hear(goodbye_of(air), "10.0.0.1");
-  air.pass(2 * interval);
-  EXPECT_FALSE(air.rig.table.is_known(victim));
-  EXPECT_THAT(air.registry.services, IsEmpty());
-}
-
-TEST(Forged, LifeUnderAKnownIdentifierAfterAForgedGoodbyeGivesWayToTheTrueOne) {
-  Air air;
-  for (int i = 0; i < 5; ++i, air.pass(interval)) (void)air.say();
-  (void)air.hear(goodbye_of(air), "10.0.0.1");
-  auto usurper = air.truth();
-  usurper.boot = BootNonce{66};
-  EXPECT_EQ(air.hear(usurper, "10.0.0.66"), Hearing::newcomer);
-  air.pass(seconds(1));
-  EXPECT_EQ(air.say(), Hearing::returned);
-  for (int i = 0; i < 100; ++i) {
-    EXPECT_EQ(air.hear(usurper, "10.0.0.66"), Hearing::rival);
-    if (i % 10 == 0) (void)air.say();
-    air.pass(milliseconds(200));
-    EXPECT_TRUE(air.is_right());
   }
 }
 

@@ -75,6 +75,15 @@ void World::transmit(const Host& sender, env::InterfaceIndex interface, std::str
   }
 }
 
+void World::inject(const std::string& source, std::string_view datagram) {
+  const auto bytes = std::make_shared<const std::string>(datagram);
+  for (const auto& receiver : hosts_) {
+    for (const Host::Port& to : receiver->ports()) {
+      if (to.segment == 0) deliver(*receiver, to.index, source, bytes);
+    }
+  }
+}
+
 void World::deliver(Host& receiver, env::InterfaceIndex interface, const std::string& source,
                     const std::shared_ptr<const std::string>& datagram) {
   after(random_.between(air.shortest_delay, air.longest_delay),

@@ -1,0 +1,40 @@
+// Somebody on the simulated link who hears everything and says what others would: the attacker of the liar scenarios.
+#ifndef GEMINGA_TESTS_SIM_LIAR_HPP
+#define GEMINGA_TESTS_SIM_LIAR_HPP
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "beacon/announcement.hpp"
+#include "sim/host.hpp"
+#include "sim/world.hpp"
+
+namespace geminga::sim {
+
+/// Needs no secret: what it says is made of what it has heard. It may use any source address.
+class Liar {
+ public:
+  /// Listens to `world` from now on, instead of anybody who did before.
+  explicit Liar(World& world);
+
+  /// The last state that this host has announced, a part of it as it was sent.
+  [[nodiscard]] beacon::Announcement last_state(const Host& host) const { return states_.at(host.name()); }
+  [[nodiscard]] static std::string address_of(const Host& host) { return host.ports().front().address; }
+
+  /// Says it to everybody, from a source address.
+  void say(const beacon::Announcement& announcement, const std::string& source);
+  /// Everything that this host has said so far, again.
+  void replay(const Host& host, const std::string& source);
+
+ private:
+  World& world_;
+  std::map<std::string, beacon::Announcement> states_;  ///< by the name of the host
+  std::map<std::string, std::vector<std::string>> datagrams_;
+};
+
+}  // namespace geminga::sim
+
+#endif
