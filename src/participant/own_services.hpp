@@ -23,7 +23,7 @@ void forget_subscription(Core& core, Session& session, std::uint32_t number);
 
 /// Pairs of services on one host that may change in one event: a change of one service never makes more events for
 /// local peers than the host has services.
-inline constexpr std::size_t max_pairs_at_once = 4096;
+inline constexpr std::size_t max_pairs_at_once = 1024;
 /// Whether all services of the peer may change at once.
 [[nodiscard]] bool is_small(const Core& core, const Session& session);
 /// Everything of one peer at once, so that nothing that is about to go takes another's place.
