@@ -12,6 +12,8 @@
 #include <cstring>
 #include <string>
 
+#include "el/container_header.hpp"
+
 namespace geminga::el {
 namespace {
 
@@ -98,39 +100,50 @@ void seal(std::span<std::byte> file) {
   }
 }
 
-std::expected<Container, CompiledError> Container::open(std::span<const std::byte> file) {
-  if (file.size() < compiled_magic.size() + sizeof(std::uint32_t)) {
-    return refused("not a compiled ontology: " + std::to_string(file.size()) + " bytes are less than its header");
+std::expected<void, CompiledError> check_header(std::span<const std::byte> beginning, std::uint64_t size) {
+  if (beginning.size() < compiled_magic.size() + sizeof(std::uint32_t)) {
+    return refused("not a compiled ontology: " + std::to_string(size) + " bytes are less than its header");
   }
-  if (file.size() > max_compiled_bytes) {
+  if (size > max_compiled_bytes) {
     return refused("the compiled ontology is over the limit of " + std::to_string(max_compiled_bytes) + " bytes");
   }
-  if (std::memcmp(file.data(), compiled_magic.data(), compiled_magic.size()) != 0) {
+  if (std::memcmp(beginning.data(), compiled_magic.data(), compiled_magic.size()) != 0) {
     return refused("not a compiled ontology: the magic at offset 0 is wrong");
   }
-  const auto version = get<std::uint32_t>(file, version_at);
+  const auto version = get<std::uint32_t>(beginning, version_at);
   if (version != compiled_version) {
     return refused("the compiled ontology has version " + std::to_string(version) + ", this program reads " +
                    std::to_string(compiled_version) + ": compile it again");
   }
-  if (file.size() < container_header_bytes) {
-    return refused("the compiled ontology is damaged: " + std::to_string(file.size()) +
-                   " bytes are less than its header of " + std::to_string(container_header_bytes));
+  if (beginning.size() < container_header_bytes) {
+    return refused("the compiled ontology is damaged: " + std::to_string(size) + " bytes are less than its header of " +
+                   std::to_string(container_header_bytes));
   }
-  if (get<std::uint32_t>(file, count_at) != section_count) {
+  if (get<std::uint32_t>(beginning, count_at) != section_count) {
     return refused("the compiled ontology is damaged: the number of sections at offset 12 is wrong");
   }
+  std::uint64_t rest = size - container_header_bytes;
+  for (std::size_t at = 0; at < section_count; ++at) {
+    const auto section = get<std::uint64_t>(beginning, size_at(at));
+    if (section > rest || section % section_alignment != 0 || (at + 1 == section_count && section != rest)) {
+      return refused("the compiled ontology is damaged: its header at offset " + std::to_string(size_at(at)) +
+                     " promises " + std::to_string(section) + " bytes, and there are " + std::to_string(rest));
+    }
+    rest -= section;
+  }
+  return {};
+}
+
+std::expected<Container, CompiledError> Container::open(std::span<const std::byte> file) {
+  if (auto looked = check_header(file.first(std::min(file.size(), container_header_bytes)), file.size()); !looked)
+    return std::unexpected(looked.error());
   Container container;
   container.file_ = file;
   std::span<const std::byte> rest = file.subspan(container_header_bytes);
   for (std::size_t at = 0; at < section_count; ++at) {
-    const auto size = get<std::uint64_t>(file, size_at(at));
-    if (size > rest.size() || size % section_alignment != 0 || (at + 1 == section_count && size != rest.size())) {
-      return refused("the compiled ontology is damaged: its header at offset " + std::to_string(size_at(at)) +
-                     " promises " + std::to_string(size) + " bytes, and there are " + std::to_string(rest.size()));
-    }
-    container.sections_[at] = rest.first(static_cast<std::size_t>(size));
-    rest = rest.subspan(static_cast<std::size_t>(size));
+    const auto size = static_cast<std::size_t>(get<std::uint64_t>(file, size_at(at)));
+    container.sections_[at] = rest.first(size);
+    rest = rest.subspan(size);
   }
   if (auto whole = container.verify(Section::taxonomy); !whole) return std::unexpected(whole.error());
   return container;

@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "el/compiled_view.hpp"
 #include "el/container.hpp"
+#include "el/container_header.hpp"
 #include "el/mapped_file.hpp"
 #include "el/module.hpp"
 #include "el/print.hpp"
@@ -58,6 +59,12 @@ std::vector<ClassNumber> to_classes(std::span<const std::uint32_t> numbers) {
 
 std::unexpected<NameError> name_error(NameError::Kind kind, std::string text) {
   return std::unexpected(NameError{kind, std::move(text)});
+}
+
+std::expected<void, std::string> looks_compiled(std::span<const std::byte> beginning, std::uint64_t size) {
+  static_assert(MappedFile::beginning_bytes == container_header_bytes);
+  if (auto looked = check_header(beginning, size); !looked) return std::unexpected(looked.error().text);
+  return {};
 }
 
 /// The first of `count` pieces, which ascend, that is not before `wanted`.
@@ -161,7 +168,7 @@ void Ontology::Mapped::add_members(std::uint32_t node, std::vector<ClassNumber>&
 }
 
 std::expected<Ontology, CompiledError> Ontology::map(const std::string& path) {
-  auto file = MappedFile::open(path);
+  auto file = MappedFile::copy_of(path, looks_compiled);
   if (!file) return std::unexpected(CompiledError{file.error()});
   auto mapped = std::make_unique<Mapped>();
   mapped->mapping = std::move(*file);

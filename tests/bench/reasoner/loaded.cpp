@@ -75,7 +75,7 @@ void measure_explanations(const el::Ontology& ontology, const std::string& name,
     times.push_back(milliseconds_since(began));
   }
   if (times.empty()) return row_without(name + ": an explanation", size, "nothing is there to explain");
-  row(name + ": an explanation, median", size, quantile(times, 0.5), "ms", {.limit = 10});
+  row(name + ": an explanation, median", size, quantile(times, 0.5), "ms", {.limit = 40});
   row(name + ": an explanation, worst", size, quantile(times, 1), "ms");
 }
 
@@ -135,7 +135,7 @@ void measure_loaded(const std::filesystem::path& compiled, const std::string& na
       return row_without(name + ": mapped until the first answer", size, "a wrong answer");
     times.push_back(milliseconds_since(began));
   }
-  row(name + ": mapped until the first answer", size, quantile(times, 0.5), "ms", {.limit = 10});
+  row(name + ": mapped until the first answer", size, quantile(times, 0.5), "ms", {.limit = 40});
   const auto ontology = el::Ontology::map(compiled);
   row(name + ": compiled file, a class", size,
       static_cast<double>(std::filesystem::file_size(compiled)) / ontology->class_count(), "B");
