@@ -1,9 +1,6 @@
 #include "daemon/child.hpp"
 
 #include <fcntl.h>
-#include <linux/audit.h>
-#include <linux/filter.h>
-#include <linux/seccomp.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -18,8 +15,12 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
+#include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
+
+#include "cage/cage.hpp"
 
 namespace geminga::daemon {
 namespace {
@@ -33,43 +34,44 @@ constexpr int reads_per_turn = 32;
 
 std::string reason() { return std::generic_category().message(errno); }
 
-/// Makes socket(2) fail with EACCES for this process and all that it becomes. A few instructions of classic BPF, so
-/// that the daemon needs no library for it; on another architecture the call is left alone.
-void forbid_sockets() {
-#if defined(__x86_64__)
-  constexpr std::uint32_t architecture = AUDIT_ARCH_X86_64;
-#elif defined(__aarch64__)
-  constexpr std::uint32_t architecture = AUDIT_ARCH_AARCH64;
-#else
-  constexpr std::uint32_t architecture = 0;
-#endif
-  const auto load = [](std::size_t offset) {
-    return sock_filter{BPF_LD | BPF_W | BPF_ABS, 0, 0, static_cast<std::uint32_t>(offset)};
-  };
-  const auto skip_unless = [](std::uint32_t value, std::uint8_t count) {
-    return sock_filter{BPF_JMP | BPF_JEQ | BPF_K, 0, count, value};
-  };
-  const auto result = [](std::uint32_t value) { return sock_filter{BPF_RET | BPF_K, 0, 0, value}; };
-  std::array<sock_filter, 6> program{load(offsetof(seccomp_data, arch)), skip_unless(architecture, 3),
-                                     load(offsetof(seccomp_data, nr)),   skip_unless(__NR_socket, 1),
-                                     result(SECCOMP_RET_ERRNO | EACCES), result(SECCOMP_RET_ALLOW)};
-  const sock_fprog filter{static_cast<unsigned short>(program.size()), program.data()};
-  ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-  ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter);
-}
-
 void limit(__rlimit_resource resource, std::size_t most) {
   const rlimit value{most, most};
   ::setrlimit(resource, &value);
 }
 
-/// Everything between fork() and exec(): only calls that are safe there. Does not return.
-[[noreturn]] void become(const char* program, char* const* arguments, int words, const ChildLimits& limits) {
+/// While it lives, nobody without CAP_SYS_PTRACE opens /proc/PID/mem of this process, whoever runs it.
+class Undumpable {
+ public:
+  Undumpable() : before_(::prctl(PR_GET_DUMPABLE)) { ::prctl(PR_SET_DUMPABLE, 0); }
+  ~Undumpable() {
+    if (before_ == 1) ::prctl(PR_SET_DUMPABLE, 1);
+  }
+  Undumpable(const Undumpable&) = delete;
+  Undumpable& operator=(const Undumpable&) = delete;
+
+ private:
+  int before_;
+};
+
+/// Shuts itself in before it is the program, and the program may only make that narrower.
+void close_cage() {
+  cage::Freedom freedom;
+  freedom.may_become = true;
+  freedom.may_read_all = true;  // what the program needs to begin is the loader's to know
+  if (cage::close(freedom).by_system_calls) return;
+  constexpr std::string_view words = "this system has no seccomp: what reads the ontologies is not confined\n";
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, words.data(), words.size());
+}
+
+/// Everything between fork() and exec(). Does not return.
+[[noreturn]] void become(pid_t parent, const char* program, char* const* arguments, int words, int output,
+                         const ChildLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(cannot_execute);  // it has died before it could be noticed
   ::setpgid(0, 0);
   const int nothing = ::open("/dev/null", O_RDWR);
   ::dup2(nothing, STDIN_FILENO);
-  ::dup2(nothing, STDOUT_FILENO);
+  ::dup2(output < 0 ? nothing : output, STDOUT_FILENO);
   ::dup2(words, STDERR_FILENO);
   ::close_range(3, ~0U, CLOSE_RANGE_UNSHARE);
   ::signal(SIGPIPE, SIG_DFL);
@@ -82,7 +84,7 @@ void limit(__rlimit_resource resource, std::size_t most) {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // their shadow memory is terabytes wide
   limit(RLIMIT_AS, limits.address_space);
 #endif
-  forbid_sockets();
+  close_cage();
   ::execv(program, arguments);
   ::_exit(cannot_execute);
 }
@@ -94,7 +96,8 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
   State(net::io_context& context, const ChildLimits& limits, Done done)
       : limits_(limits), done_(std::move(done)), words_(context), process_(context), timer_(context) {}
 
-  std::expected<void, std::string> start(const std::string& program, const std::vector<std::string>& arguments) {
+  std::expected<void, std::string> start(const std::string& program, const std::vector<std::string>& arguments,
+                                         int output) {
     std::vector<std::string> texts{program};
     texts.insert(texts.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
@@ -102,8 +105,10 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
     pointers.push_back(nullptr);
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) return std::unexpected(reason());
+    undumpable_.emplace();
+    const pid_t parent = ::getpid();
     pid_ = ::fork();
-    if (pid_ == 0) become(program.c_str(), pointers.data(), ends[1], limits_);
+    if (pid_ == 0) become(parent, program.c_str(), pointers.data(), ends[1], output, limits_);
     const int fork_error = errno;
     ::close(ends[1]);
     if (pid_ < 0) {
@@ -143,6 +148,7 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
     while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
     }
     pid_ = -1;
+    undumpable_.reset();
   }
 
  private:
@@ -183,6 +189,7 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
     int status = 0;
     if (::waitpid(pid_, &status, WNOHANG) != pid_) return;
     pid_ = -1;
+    undumpable_.reset();
     timer_.cancel();
     take_words();  // what it wrote just before its end
     end_.has_succeeded = WIFEXITED(status) && WEXITSTATUS(status) == 0 && !is_late_;
@@ -207,15 +214,16 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
   net::posix::stream_descriptor process_;
   net::steady_timer timer_;
   ChildEnd end_;
+  std::optional<Undumpable> undumpable_;  ///< while the child lives
   pid_t pid_ = -1;
   bool is_late_ = false;
 };
 
 std::expected<std::unique_ptr<Child>, std::string> Child::start(net::io_context& context, const std::string& program,
                                                                 const std::vector<std::string>& arguments,
-                                                                const ChildLimits& limits, Done done) {
+                                                                const ChildLimits& limits, Done done, int output) {
   auto state = std::make_shared<State>(context, limits, std::move(done));
-  if (const auto started = state->start(program, arguments); !started) return std::unexpected(started.error());
+  if (const auto started = state->start(program, arguments, output); !started) return std::unexpected(started.error());
   return std::unique_ptr<Child>(new Child(std::move(state)));
 }
 

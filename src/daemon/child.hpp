@@ -1,4 +1,4 @@
-// One child process with bounds on everything: memory, time, what it may say, and no network.
+// One child process with bounds on everything: memory, time, what it may say, and a cage (src/cage).
 #ifndef GEMINGA_DAEMON_CHILD_HPP
 #define GEMINGA_DAEMON_CHILD_HPP
 
@@ -36,12 +36,13 @@ class Child {
  public:
   using Done = std::function<void(const ChildEnd&)>;
 
-  /// Starts `program` with these arguments (argv[0] not among them); standard input is empty, standard output dropped.
-  /// `done` is called once, from the event loop, unless the Child is destroyed before. The error is the system's
-  /// reason.
+  /// Starts `program` with these arguments (argv[0] not among them); standard input is empty, standard output goes to
+  /// the descriptor `output`, which is borrowed for the call, or is dropped. It can start no other process, open
+  /// nothing for writing and reach nobody; while it lives, this process's memory is closed to it. `done` is called
+  /// once, from the event loop, unless the Child is destroyed before. The error is the system's reason.
   [[nodiscard]] static std::expected<std::unique_ptr<Child>, std::string> start(
       boost::asio::io_context& context, const std::string& program, const std::vector<std::string>& arguments,
-      const ChildLimits& limits, Done done);
+      const ChildLimits& limits, Done done, int output = -1);
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;

@@ -1,5 +1,8 @@
 #include "daemon/configuration_file.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -133,7 +136,13 @@ std::expected<Layer, Errors> read_configuration_text(const std::string& text, co
 }
 
 std::expected<Layer, Errors> read_configuration_file(const std::string& path) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), &std::fclose);
+  // Asked by name first: a FIFO would wait for a writer, and opening a device can have effects of its own.
+  struct stat status{};
+  const bool is_there = ::stat(path.c_str(), &status) == 0;
+  if (is_there && !S_ISREG(status.st_mode)) return std::unexpected(Errors{path + ": is not a regular file"});
+  const int descriptor = is_there ? ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC) : -1;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(descriptor < 0 ? nullptr : ::fdopen(descriptor, "rb"),
+                                                             &std::fclose);
   if (!file) return std::unexpected(Errors{path + ": " + std::generic_category().message(errno)});
   std::string text(max_configuration_bytes + 1, '\0');
   text.resize(std::fread(text.data(), 1, text.size(), file.get()));

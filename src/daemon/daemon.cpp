@@ -6,6 +6,8 @@
 #include <charconv>
 #include <chrono>
 #include <csignal>
+#include <filesystem>
+#include <system_error>
 
 #include "base/text.hpp"
 #include "daemon/ontology_loader.hpp"
@@ -19,11 +21,27 @@ namespace net = boost::asio;
 using Lines = std::vector<std::string>;
 using base::LogLevel;
 
-/// How long a stop may take when a client does not read its last lines or the participant its goodbyes.
-constexpr std::chrono::milliseconds stop_patience{500};
+/// How long a stop may take when a client does not read its last lines: with what the loop is just busy with, less than
+/// the half second that is promised.
+constexpr std::chrono::milliseconds stop_patience{400};
 
 std::string digest_of(const el::Ontology* ontology) {
   return ontology == nullptr ? "none" : base::to_hex(ontology->digest(), 16);
+}
+
+/// How long a start waits for the ontology before it serves without it.
+constexpr std::chrono::milliseconds start_patience{500};
+
+/// A line for each file or folder that is not there: a slip in a flag, which nobody should find in a log days later.
+Lines missing_files(const std::vector<std::string>& paths) {
+  Lines lines;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    if (std::filesystem::exists(path, error)) continue;
+    lines.push_back(path + ": cannot be opened: " +
+                    (error ? error : std::make_error_code(std::errc::no_such_file_or_directory)).message());
+  }
+  return lines;
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -47,17 +65,21 @@ class Daemon::State final : private env::EventSink {
         reread_(std::move(reread)),
         log_(log),
         signals_(context_, SIGTERM, SIGINT, SIGHUP),
+        start_patience_(context_),
         patience_(context_),
         loader_(context_, find_compiler()) {}
 
   std::expected<void, Lines> check() {
-    load([](LoadedOntology) {});
+    load([this](Loaded loaded) {
+      if (!loaded) fail(std::move(loaded.error()));
+    });
     return go();
   }
 
   std::expected<void, Lines> run() {
+    if (Lines missing = missing_files(configuration_.ontologies); !missing.empty()) return std::unexpected(missing);
     await_signal();
-    load([this](LoadedOntology loaded) { begin(std::move(loaded)); });
+    open();
     return go();
   }
 
@@ -73,21 +95,24 @@ class Daemon::State final : private env::EventSink {
     context_.stop();
   }
 
-  /// Loads the configured ontologies before anything is open; what is wrong with them ends the daemon.
+  using Loaded = std::expected<LoadedOntology, Lines>;
+
+  /// Starts to load the configured ontologies; a load that is under way is given up.
   template <typename Then>
   void load(Then then) {
     const auto began = std::chrono::steady_clock::now();
-    loader_.load(configuration_.ontologies, configuration_.prefixes,
-                 [this, then, began](std::expected<LoadedOntology, Lines> loaded) {
-                   if (!loaded) return fail(std::move(loaded.error()));
-                   load_time_ = std::chrono::steady_clock::now() - began;
-                   for (const std::string& remark : loaded->remarks)
-                     log_.write(LogLevel::warning, "ontology: " + remark);
-                   then(std::move(*loaded));
-                 });
+    loader_.load(configuration_.ontologies, configuration_.prefixes, [this, then, began](Loaded loaded) {
+      if (loaded) {
+        load_time_ = std::chrono::steady_clock::now() - began;
+        for (const std::string& remark : loaded->remarks) log_.write(LogLevel::warning, "ontology: " + remark);
+      }
+      then(std::move(loaded));
+    });
   }
 
-  void begin(LoadedOntology loaded) {
+  /// Opens the doors and begins to load. Clients wait in the backlog until the ontology is there, so that with a small
+  /// one nobody ever sees a daemon without; a large or hard one is waited for only so long.
+  void open() {
     for (const GcnpAddress& address : configuration_.gcnp) {
       const auto listening = env_.listen(address.endpoint, address.may_be_missing);
       if (!listening) return fail({listening.error()});
@@ -96,7 +121,16 @@ class Daemon::State final : private env::EventSink {
       const auto listening = env_.listen(configuration_.gcnp_socket);
       if (!listening) return fail({listening.error()});
     }
-    ontology_ = std::move(loaded.ontology);
+    start_patience_.expires_after(start_patience);
+    start_patience_.async_wait([this](const boost::system::error_code& error) {
+      if (!error && participant_ == nullptr) begin();
+    });
+    load([this](Loaded loaded) { take(std::move(loaded)); });
+  }
+
+  /// Serves, with what is there of the ontology.
+  void begin() {
+    start_patience_.cancel();
     env_.open_air(configuration_.air);
     participant::Settings settings;
     settings.name = configuration_.name;
@@ -106,10 +140,35 @@ class Daemon::State final : private env::EventSink {
     env_.event([&] {
       participant_ = std::make_unique<participant::Participant>(env_, settings, ontology_.get());
       participant_->set_status_source([this] { return status(); });
+      if (loader_.is_loading()) participant_->ontology_begun();
       participant_->start();
     });
     env_.serve(*this);
     after_event();
+    if (must_reload_) reload();
+  }
+
+  /// Puts in force what was loaded. What could not be loaded changes nothing but what is said about it.
+  void take(Loaded loaded) {
+    if (is_stopping_) return;
+    if (participant_ == nullptr) return take_first(std::move(loaded));
+    if (!loaded) {
+      say_kept(loaded.error(), ontology_ == nullptr ? "serving without an ontology: mend it and send SIGHUP"
+                                                    : "the ontology in force is kept: " + digest_of(ontology_.get()));
+      env_.event([&] { participant_->ontology_failed(loaded.error()); });
+    } else {
+      env_.event([&] { participant_->set_ontology(loaded->ontology.get()); });
+      ontology_ = std::move(loaded->ontology);
+      log_.write(LogLevel::info, "ontology: " + digest_of(ontology_.get()) + " is in force");
+    }
+    after_event();
+  }
+
+  /// The same before anybody is served.
+  void take_first(Loaded loaded) {
+    if (loaded) ontology_ = std::move(loaded->ontology);
+    begin();
+    if (!loaded) take(std::move(loaded));
   }
 
   void on_timer() override {
@@ -138,6 +197,7 @@ class Daemon::State final : private env::EventSink {
 
   /// Looks whether the participant has come to be ready, or to its end.
   void after_event() {
+    log_.catch_up();
     if (!is_announced_ && participant_->is_ready()) {
       is_announced_ = true;
       log_.write(LogLevel::info, ready_words());
@@ -178,7 +238,8 @@ class Daemon::State final : private env::EventSink {
   }
 
   void reload() {
-    if (participant_ == nullptr || is_stopping_) return;
+    must_reload_ = participant_ == nullptr;  // not yet, and then with what is configured at that time
+    if (must_reload_ || is_stopping_) return;
     log_.write(LogLevel::info, "reading configuration and ontologies again");
     auto read = reread_();
     if (!read) {
@@ -193,33 +254,13 @@ class Daemon::State final : private env::EventSink {
       log_.write(LogLevel::warning, "name, group, gcnp, gcnp-socket and interval take effect at the next start");
     }
     if (configuration_.air != before.air) env_.open_air(configuration_.air);
-    reload_ontologies();
-  }
-
-  /// The old ontology serves until the new one is whole.
-  void reload_ontologies() {
-    const auto began = std::chrono::steady_clock::now();
-    participant_->ontology_begun();
-    loader_.load(configuration_.ontologies, configuration_.prefixes,
-                 [this, began](std::expected<LoadedOntology, Lines> loaded) {
-                   if (is_stopping_) return;
-                   if (!loaded) {
-                     participant_->ontology_failed(loaded.error());
-                     say_kept(loaded.error(), "the ontology in force is kept: " + digest_of(ontology_.get()));
-                     return;
-                   }
-                   load_time_ = std::chrono::steady_clock::now() - began;
-                   for (const std::string& remark : loaded->remarks)
-                     log_.write(LogLevel::warning, "ontology: " + remark);
-                   env_.event([&] { participant_->set_ontology(loaded->ontology.get()); });
-                   ontology_ = std::move(loaded->ontology);
-                   log_.write(LogLevel::info, "ontology: " + digest_of(ontology_.get()) + " is in force");
-                 });
+    env_.event([&] { participant_->ontology_begun(); });
+    load([this](Loaded loaded) { take(std::move(loaded)); });
   }
 
   void say_kept(const Lines& errors, const std::string& kept) {
     for (const std::string& error : errors) log_.write(LogLevel::error, error);
-    log_.write(LogLevel::error, "reading again failed: " + kept);
+    log_.write(LogLevel::error, "reading failed: " + kept);
   }
 
   [[nodiscard]] std::string interface_words() const {
@@ -235,7 +276,7 @@ class Daemon::State final : private env::EventSink {
     for (const GcnpAddress& address : configuration_.gcnp) addresses.push_back(env::to_string(address.endpoint));
     if (!configuration_.gcnp_socket.empty()) addresses.push_back(base::printable(configuration_.gcnp_socket));
     return "ready: gcnp " + joined(addresses) + "; interfaces " + interface_words() + "; ontology " +
-           digest_of(ontology_.get());
+           (loader_.is_loading() ? "is being loaded" : digest_of(ontology_.get()));
   }
 
   [[nodiscard]] std::vector<gcnp::Parameter> status() const {
@@ -243,7 +284,8 @@ class Daemon::State final : private env::EventSink {
     std::vector<gcnp::Parameter> line{{"memory", std::to_string(usage.resident_bytes)},
                                       {"peak_memory", std::to_string(usage.peak_resident_bytes)},
                                       {"cpu", decimal(usage.processor_seconds)},
-                                      {"ontology_load", decimal(std::chrono::duration<double>(load_time_).count())}};
+                                      {"ontology_load", decimal(std::chrono::duration<double>(load_time_).count())},
+                                      {"log_dropped", std::to_string(log_.dropped())}};
     const env::AirCounts& dropped = env_.air_counts();
     const auto append = [&](const char* key, std::uint64_t count) {
       if (count != 0) line.push_back({key, std::to_string(count)});
@@ -260,6 +302,7 @@ class Daemon::State final : private env::EventSink {
   Log& log_;
   net::io_context context_{1};
   net::signal_set signals_;
+  net::steady_timer start_patience_;
   net::steady_timer patience_;
   OntologyLoader loader_;
   env::AsioEnv env_{context_, log_};
@@ -269,6 +312,7 @@ class Daemon::State final : private env::EventSink {
   Lines failure_;
   bool is_announced_ = false;
   bool is_stopping_ = false;
+  bool must_reload_ = false;
 };
 
 Daemon::Daemon(Configuration configuration, Reread reread, Log& log)

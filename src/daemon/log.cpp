@@ -1,13 +1,15 @@
 #include "daemon/log.hpp"
 
+#include <spdlog/details/null_mutex.h>
 #include <spdlog/logger.h>
-#include <spdlog/pattern_formatter.h>
-#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/sinks/base_sink.h>
+#include <unistd.h>
 
 #include <boost/json/serialize.hpp>
 #include <boost/json/string.hpp>
 
 #include "base/text.hpp"
+#include "daemon/log_writer.hpp"
 
 namespace geminga::daemon {
 namespace {
@@ -29,39 +31,79 @@ spdlog::level::level_enum severity(base::LogLevel level) {
   return spdlog::level::err;
 }
 
+/// Hands formatted lines to the writer.
+class Sink final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
+ public:
+  [[nodiscard]] bool is_written() const { return is_written_; }
+
+ private:
+  void sink_it_(const spdlog::details::log_msg& message) override {
+    spdlog::memory_buf_t line;
+    formatter_->format(message, line);
+    is_written_ = writer_.write({line.data(), line.size()});
+  }
+  void flush_() override {}
+
+  LogWriter writer_{STDERR_FILENO};
+  bool is_written_ = true;  ///< the last line
+};
+
 }  // namespace
 
 class Log::State {
  public:
-  State() : logger("gemingad", std::make_shared<spdlog::sinks::stderr_sink_st>()) {
-    logger.set_error_handler([](const std::string&) {});
-    logger.flush_on(spdlog::level::debug);
+  State() : sink_(std::make_shared<Sink>()), logger_("gemingad", sink_) {
+    logger_.set_error_handler([](const std::string&) {});
+    logger_.set_level(spdlog::level::trace);  // write() has the level
   }
 
-  spdlog::logger logger;
-  LogFormat format = LogFormat::text;
+  void set(base::LogLevel level, LogFormat format) {
+    level_ = level;
+    format_ = format;
+    logger_.set_pattern(format == LogFormat::json ? R"({"time":"%Y-%m-%dT%H:%M:%S.%e%z","level":"%l","text":%v})"
+                                                  : "%Y-%m-%dT%H:%M:%S.%e %-7l %v");
+  }
+
+  void write(base::LogLevel level, std::string_view line) {
+    if (level < level_) return;
+    if (!catch_up() || !put(level, base::printable(line, max_line_bytes))) ++dropped_;
+  }
+
+  /// True where nothing is left to be said.
+  bool catch_up() {
+    const std::uint64_t missing = dropped_ - told_;
+    if (missing == 0) return true;
+    // Said whatever the level is: whoever wants errors only has to know that some are missing.
+    if (!put(base::LogLevel::warning, std::to_string(missing) + (missing == 1 ? " line" : " lines") +
+                                          " of this log dropped: nobody was reading it")) {
+      return false;
+    }
+    told_ = dropped_;
+    return true;
+  }
+
+  [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
+
+ private:
+  bool put(base::LogLevel level, const std::string& text) {
+    const std::string words = format_ == LogFormat::text ? text : boost::json::serialize(boost::json::string(text));
+    logger_.log(severity(level), spdlog::string_view_t(words));
+    return sink_->is_written();
+  }
+
+  std::shared_ptr<Sink> sink_;
+  spdlog::logger logger_;
+  base::LogLevel level_ = base::LogLevel::info;
+  LogFormat format_ = LogFormat::text;
+  std::uint64_t dropped_ = 0;
+  std::uint64_t told_ = 0;  ///< of those dropped
 };
 
 Log::Log(base::LogLevel level, LogFormat format) : state_(std::make_unique<State>()) { set(level, format); }
 Log::~Log() = default;
-
-void Log::set(base::LogLevel level, LogFormat format) {
-  state_->format = format;
-  state_->logger.set_level(severity(level));
-  state_->logger.set_pattern(format == LogFormat::json ? R"({"time":"%Y-%m-%dT%H:%M:%S.%e%z","level":"%l","text":%v})"
-                                                       : "%Y-%m-%dT%H:%M:%S.%e %-7l %v");
-}
-
-void Log::write(base::LogLevel level, std::string_view line) {
-  const auto severe = severity(level);
-  if (!state_->logger.should_log(severe)) return;
-  const std::string text = base::printable(line, max_line_bytes);
-  if (state_->format == LogFormat::text) {
-    state_->logger.log(severe, spdlog::string_view_t(text));
-    return;
-  }
-  const std::string quoted = boost::json::serialize(boost::json::string(text));
-  state_->logger.log(severe, spdlog::string_view_t(quoted));
-}
+void Log::set(base::LogLevel level, LogFormat format) { state_->set(level, format); }
+void Log::write(base::LogLevel level, std::string_view line) { state_->write(level, line); }
+void Log::catch_up() { state_->catch_up(); }
+std::uint64_t Log::dropped() const { return state_->dropped(); }
 
 }  // namespace geminga::daemon

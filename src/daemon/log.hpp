@@ -2,6 +2,7 @@
 #ifndef GEMINGA_DAEMON_LOG_HPP
 #define GEMINGA_DAEMON_LOG_HPP
 
+#include <cstdint>
 #include <memory>
 #include <string_view>
 
@@ -19,8 +20,14 @@ class Log final : public base::LogSink {
 
   /// What is less severe than `level` is dropped from now on.
   void set(base::LogLevel level, LogFormat format);
-  /// A line that cannot be written (a full disk, a closed terminal) is lost; nobody else is to suffer from it.
+  /// Never waits. A line that cannot be written (a reader that does not read, a full disk, a closed terminal) is
+  /// dropped and counted; nobody else is to suffer from it.
   void write(base::LogLevel level, std::string_view line) override;
+  /// Says how many lines were dropped since this was said last, as soon as there is room for it. Costs nothing where
+  /// none was.
+  void catch_up();
+  /// Lines dropped since the start.
+  [[nodiscard]] std::uint64_t dropped() const;
 
  private:
   class State;

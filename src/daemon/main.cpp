@@ -1,4 +1,5 @@
 // gemingad: reads its configuration, then hands over to Daemon.
+#include <fcntl.h>
 #include <malloc.h>
 #include <unistd.h>
 
@@ -41,6 +42,17 @@ std::expected<Configuration, Errors> configure(const Layer& flags, const Layer& 
   return geminga::daemon::resolve({&flags, &environment, &file}, host_name());
 }
 
+/// Standard input, output and error are open from now on. A socket that took one of their numbers would get our words.
+void hold_standard_descriptors() {
+  while (true) {
+    const int descriptor = ::open("/dev/null", O_RDWR);
+    if (descriptor < 0) return;
+    if (descriptor <= STDERR_FILENO) continue;
+    ::close(descriptor);
+    return;
+  }
+}
+
 int refuse(const Errors& errors) {
   for (const std::string& error : errors) std::fprintf(stderr, "gemingad: %s\n", error.c_str());
   return geminga::daemon::exit_wrong;
@@ -51,6 +63,7 @@ int refuse(const Errors& errors) {
 int main(int argc, char** argv) {
   ::mallopt(M_ARENA_MAX, 1);
   std::signal(SIGPIPE, SIG_IGN);
+  hold_standard_descriptors();
   const auto flags = geminga::daemon::read_flags(argc, argv);
   if (!flags) return refuse({flags.error()});
   if (!flags->answer.empty()) {

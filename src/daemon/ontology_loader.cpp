@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
-#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <system_error>
 #include <utility>
 
+#include "base/private_file.hpp"
 #include "base/text.hpp"
+#include "el/mapped_file.hpp"
 
 namespace geminga::daemon {
 namespace {
@@ -39,60 +39,24 @@ std::vector<std::string> lines_of(std::string_view words) {
   return lines;
 }
 
-/// A folder of our own that nobody else can look into, removed with all that is in it.
-class PrivateFolder {
- public:
-  PrivateFolder() = default;
-  PrivateFolder(PrivateFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
-  PrivateFolder& operator=(PrivateFolder&& other) noexcept {
-    std::swap(path_, other.path_);
-    return *this;
-  }
-  ~PrivateFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-
-  /// In XDG_RUNTIME_DIR, TMPDIR or /tmp, whichever is the first that works.
-  static std::optional<PrivateFolder> make() {
-    for (const char* variable : {"XDG_RUNTIME_DIR", "TMPDIR", ""}) {
-      const char* parent = *variable == '\0' ? "/tmp" : std::getenv(variable);
-      if (parent == nullptr || *parent == '\0') continue;
-      std::string path = std::string(parent) + "/gemingad-XXXXXX";
-      if (::mkdtemp(path.data()) == nullptr) continue;
-      PrivateFolder folder;
-      folder.path_ = std::move(path);
-      return folder;
-    }
-    return std::nullopt;
-  }
-
-  [[nodiscard]] const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
-/// Prefixes as an ontology file without axioms: so they go the way of every other prefix, and the digest of the
-/// ontology does not depend on them.
-std::optional<std::string> write_prefixes(const std::string& folder, const Prefixes& prefixes) {
-  std::string path = folder + "/configured-prefixes.ttl";
-  std::ofstream file(path);
-  for (const auto& [name, iri] : prefixes) file << "@prefix " << name << ": <" << iri << "> .\n";
-  file.close();
-  if (!file) return std::nullopt;
-  return path;
-}
-
 bool is_executable(const std::string& path) {
   std::error_code ignored;
   return fs::is_regular_file(path, ignored) && ::access(path.c_str(), X_OK) == 0;
 }
 
+/// Maps a copy. `shown` names the file in errors.
 std::expected<LoadedOntology, std::vector<std::string>> map(const std::string& path, const std::string& shown) {
+  LoadedOntology loaded;
+  if (el::MappedFile::needs_memory(path))
+    loaded.remarks.push_back(shown + " is held in memory: no local disk has room for a copy, set TMPDIR");
   auto mapped = el::Ontology::map(path);
-  if (!mapped) return std::unexpected(std::vector<std::string>{shown + ": " + mapped.error().text});
-  return LoadedOntology{std::make_unique<el::Ontology>(std::move(*mapped)), {}};
+  if (!mapped) {
+    const std::string& text = mapped.error().text;
+    const bool is_named = text.starts_with(path + ": ");
+    return std::unexpected(std::vector<std::string>{shown + ": " + (is_named ? text.substr(path.size() + 2) : text)});
+  }
+  loaded.ontology = std::make_unique<el::Ontology>(std::move(*mapped));
+  return loaded;
 }
 
 /// A compiled ontology that the user keeps: one that its sources have outgrown would match by what is no longer said.
@@ -141,22 +105,17 @@ class OntologyLoader::State {
     if (files.size() == 1 && files.front().ends_with(compiled_suffix)) {
       return answer_later(map_current(files.front(), !has_loaded_));
     }
-    auto folder = PrivateFolder::make();
-    if (!folder) {
-      return answer_later(failure("no place for the compiled ontology: set TMPDIR to a folder that may be written to"));
-    }
-    folder_ = std::move(*folder);
-    output_ = folder_.path() + "/ontology.geminga";
+    auto output = base::PrivateFile::in_memory();
+    if (!output) return answer_later(failure(output.error()));
+    output_.emplace(std::move(*output));
     std::vector<std::string> arguments{"compile"};
-    // A path that looks like a flag stays a path.
-    for (const std::string& file : files) arguments.push_back(file.starts_with('-') ? "./" + file : file);
-    if (!prefixes.empty()) {
-      auto file = write_prefixes(folder_.path(), prefixes);
-      if (!file) return answer_later(failure("cannot write into " + folder_.path() + ": is there room?"));
-      arguments.push_back(std::move(*file));
-    }
-    arguments.insert(arguments.end(), {"-o", output_});
-    auto started = Child::start(context_, compiler_, arguments, limits_, [this](const ChildEnd& end) { finish(end); });
+    for (const auto& [name, iri] : prefixes) arguments.insert(arguments.end(), {"--prefix", name + '=' + iri});
+    arguments.insert(arguments.end(), {"-o", "-"});
+    // From the root, so that no path looks like a flag, and the compiled form names its sources wherever it is read.
+    std::error_code ignored;
+    for (const std::string& file : files) arguments.push_back(fs::absolute(file, ignored).string());
+    auto started = Child::start(
+        context_, compiler_, arguments, limits_, [this](const ChildEnd& end) { finish(end); }, output_->descriptor());
     if (!started) return answer_later(failure("cannot start " + compiler_ + ": " + started.error()));
     child_ = std::move(*started);
   }
@@ -174,14 +133,14 @@ class OntologyLoader::State {
       if (lines.empty() || !end.how.starts_with("exit status")) lines.push_back(compiler_ + ": " + end.how);
       return answer_later(std::unexpected(std::move(lines)));
     }
-    auto mapped = map(output_, "the compiled ontology");
-    if (mapped) mapped->remarks = std::move(lines);
+    auto mapped = map("/proc/self/fd/" + std::to_string(output_->descriptor()), "the compiled ontology");
+    if (mapped) mapped->remarks.insert(mapped->remarks.begin(), lines.begin(), lines.end());
     answer_later(std::move(mapped));
   }
 
   /// In an event of its own, so that `done` may start the next load.
   void answer_later(std::expected<LoadedOntology, std::vector<std::string>> result) {
-    folder_ = PrivateFolder();  // what is mapped stays mapped
+    output_.reset();
     auto kept = std::make_shared<decltype(result)>(std::move(result));
     boost::asio::post(context_, [this, kept, generation = generation_, alive = std::weak_ptr<int>(alive_)] {
       if (alive.expired() || generation != generation_) return;
@@ -195,8 +154,7 @@ class OntologyLoader::State {
   std::string compiler_;
   ChildLimits limits_;
   Done done_;
-  PrivateFolder folder_;
-  std::string output_;
+  std::optional<base::PrivateFile> output_;  ///< where the child writes the compiled form
   std::unique_ptr<Child> child_;
   std::uint64_t generation_ = 0;
   bool has_loaded_ = false;  ///< an ontology, once

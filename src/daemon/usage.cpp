@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -18,7 +19,8 @@ Usage read_usage() {
   }
   rusage counted{};
   if (::getrusage(RUSAGE_SELF, &counted) == 0) {
-    usage.peak_resident_bytes = static_cast<std::uint64_t>(counted.ru_maxrss) * 1024;
+    // The kernel samples its peak now and then, and may have missed what is there at this moment.
+    usage.peak_resident_bytes = std::max(static_cast<std::uint64_t>(counted.ru_maxrss) * 1024, usage.resident_bytes);
     const auto seconds = [](const timeval& time) {
       return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;
     };

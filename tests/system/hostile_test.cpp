@@ -2,6 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <csignal>
+#include <thread>
+
 #include "base/random.hpp"
 #include "system/lab.hpp"
 #include "system/stranger.hpp"
@@ -83,6 +87,31 @@ TEST(HostileClient, ThatAsksWithoutReadingHoldsNobodyUp) {
   int answers = 0;
   while (answers < 4000 && hostile.line_with({" msg end"})) ++answers;
   EXPECT_EQ(answers, 4000) << "who reads late gets everything";
+}
+
+TEST(End, ComesUnderAFloodOfDatagramsAndStatements) {
+  Lab lab(1);
+  lab.start(0);
+  const Stranger stranger(lab, 0);
+  std::atomic<bool> is_over = false;
+  std::vector<std::jthread> floods;
+  floods.emplace_back([&] {
+    const std::string junk(200, 'x');
+    while (!is_over) (void)stranger.send(junk);
+  });
+  std::vector<Talk> talks;
+  for (int number = 0; number < 4; ++number) talks.push_back(lab.talk(0));
+  for (Talk& talk : talks) {
+    floods.emplace_back([&] {
+      std::string questions;
+      for (int number = 1; number <= 100; ++number) questions += std::to_string(number) + " query status\r\n";
+      while (!is_over && talk.send(questions)) (void)talk.lines_until_pong();
+    });
+  }
+  EXPECT_TRUE(lab.talk(0).wait_until("status", [](const auto& lines) { return refused(lines) > 1000; }));
+  lab.daemon(0).signal(SIGTERM);
+  EXPECT_EQ(lab.daemon(0).wait(), 0);
+  is_over = true;
 }
 
 TEST(Client, ThatEndsItsSideGetsItsAnswers) {

@@ -125,7 +125,10 @@ void add_classify(CLI::App& program, Choice& choice) {
       "everything; a class that can have no instance has the one line CLASS<TAB>owl:Nothing.\n"
       "\nExamples:\n  geminga-ontology classify team/ --closure --stats run.json\n"
       "  geminga-ontology classify team/ --properties");
-  command->callback([request, &choice] { choice.run = [request] { return classify(*request); }; });
+  command->callback([request, &choice] {
+    if (!request->stats.empty()) choice.outputs.push_back(request->stats);
+    choice.run = [request] { return classify(*request); };
+  });
 }
 
 }  // namespace geminga::ontology

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -22,9 +23,11 @@ enum class Exit : int {
 /// What the chosen command wants to be run with, once the whole command line has been read.
 struct Choice {
   std::function<Exit()> run;
-  bool may_execute = false;       ///< runs another program
-  unsigned memory_limit_mib = 0;  ///< 0: none
-  unsigned time_limit_s = 0;      ///< 0: none
+  /// What must be done before this program shuts itself in, e.g. starting another; Exit::yes where it goes on.
+  std::function<Exit()> prepare;
+  std::vector<std::string> outputs;  ///< files that it writes
+  unsigned memory_limit_mib = 0;     ///< 0: none
+  unsigned time_limit_s = 0;         ///< 0: none
 };
 
 void add_check(CLI::App& program, Choice& choice);

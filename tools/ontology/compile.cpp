@@ -28,10 +28,17 @@
 namespace geminga::ontology {
 namespace {
 
+/// Behind -o: the compiled form goes there, and no file is written at all.
+constexpr std::string_view to_standard_output = "-";
+
 struct Request {
   std::vector<std::string> files;
+  std::vector<std::string> prefixes;  ///< NAME=IRI
   std::string out;
 };
+
+/// Files of programs that were killed while they wrote, and had the number of this one.
+constexpr unsigned max_left_over = 100;
 
 bool write_all(int file, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
@@ -50,13 +57,19 @@ Exit replace(const std::string& target, std::span<const std::byte> bytes) {
   if (stat(target.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
     return say_error(target + " is not a regular file: name another one behind -o");
   const std::filesystem::path folder = std::filesystem::path(target).parent_path();
-  std::string temporary = (folder / ".geminga-ontology-XXXXXX").string();
+  std::string temporary;
   const auto fail = [&](int error) {
     unlink(temporary.c_str());
     return say_error(target + " cannot be written: " + std::generic_category().message(error));
   };
-  const int file = mkostemp(temporary.data(), O_CLOEXEC);
-  if (file < 0) return fail(errno);
+  // For writing only: the folder of the output need not be one that may be read.
+  int file = -1;
+  errno = EEXIST;
+  for (unsigned number = 0; file < 0 && errno == EEXIST && number < max_left_over; ++number) {
+    temporary = (folder / (".geminga-ontology-" + std::to_string(getpid()) + '-' + std::to_string(number))).string();
+    file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  }
+  if (file < 0) return say_error(target + " cannot be written: " + std::generic_category().message(errno));
   const mode_t mask = umask(0);
   umask(mask);
   const bool is_written = write_all(file, bytes) && fchmod(file, static_cast<mode_t>(0666 & ~mask)) == 0;
@@ -76,6 +89,22 @@ void add_doubtful_names(const NameFindings& names, std::vector<std::string>& lin
   };
   add(names.unknown_words, "that RDF, RDFS, OWL and XSD do not have");
   add(names.undeclared, "used and nowhere declared");
+}
+
+Exit put(const std::string& out, std::span<const std::byte> bytes) {
+  if (out != to_standard_output) return replace(out, bytes);
+  return write_all(STDOUT_FILENO, bytes) ? Exit::yes : say_error("standard output cannot be written");
+}
+
+/// The prefixes of the command line, beside those of the files. A line where one is none.
+std::optional<std::string> add_prefixes(const std::vector<std::string>& prefixes, el::OntologySource& source) {
+  for (const std::string& prefix : prefixes) {
+    const std::size_t equals = prefix.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == prefix.size())
+      return base::printable(prefix) + " is no prefix: write --prefix NAME=IRI";
+    source.add_prefix(prefix.substr(0, equals), prefix.substr(equals + 1));
+  }
+  return std::nullopt;
 }
 
 /// What whoever starts a robot should read in its log, a line each. `geminga-ontology check` says more.
@@ -113,19 +142,21 @@ bool is_source(const std::string& target, const Request& request, const Knowledg
 
 Exit compile(const Request& request) {
   constexpr std::size_t max_remarks = 20;
-  const auto knowledge = learn_or_say(request.files);
+  auto knowledge = learn_or_say(request.files);
   if (!knowledge) return Exit::usage;
+  if (const auto problem = add_prefixes(request.prefixes, knowledge->loaded.source)) return say_error(*problem);
   if (is_source(request.out, request, *knowledge)) {
     return say_error(request.out + " is one of the sources: name another file behind -o");
   }
   const std::vector<std::byte> bytes =
       el::compile(knowledge->loaded.source, knowledge->classification,
-                  {.gaps = knowledge->classification.gaps, .folder = el::folder_of(request.out)});
+                  {.gaps = knowledge->classification.gaps,
+                   .folder = request.out == to_standard_output ? "" : el::folder_of(request.out)});
   // What cannot be read back is not written.
   const auto ontology = el::Ontology::from_bytes(bytes);
   if (!ontology) return say_error(ontology.error().text);
   if (const auto whole = ontology->check_whole(); !whole) return say_error(whole.error().text);
-  const Exit exit = replace(request.out, bytes);
+  const Exit exit = put(request.out, bytes);
   if (exit != Exit::yes) return exit;
   const auto lines = remarks(*knowledge, *ontology);
   for (std::size_t line = 0; line < std::min(lines.size(), max_remarks); ++line) say_error(lines[line]);
@@ -140,15 +171,26 @@ void add_compile(CLI::App& program, Choice& choice) {
   auto request = std::make_shared<Request>();
   CLI::App* command = program.add_subcommand("compile", "Write the compiled form that the daemon maps at start");
   add_files(*command, request->files);
-  command->add_option("-o,--output", request->out, "the file to write; replaced as a whole or not at all")
+  command
+      ->add_option("-o,--output", request->out,
+                   "the file to write, replaced as a whole or not at all; - is standard output")
       ->required()
       ->type_name("OUT");
+  command
+      ->add_option("--prefix", request->prefixes,
+                   "a prefix of names beside those of the files; may be given many times")
+      ->type_name("NAME=IRI")
+      ->type_size(1)
+      ->allow_extra_args(false);
   add_number(*command, "--memory-limit", choice.memory_limit_mib, 64, 1'000'000,
              "most address space to use, in MiB; more memory is a longer start, less refuses large ontologies");
   add_number(*command, "--time-limit", choice.time_limit_s, 1, 1'000'000,
              "most processor time to use, in seconds; then exit 4");
   command->footer("\nExample:\n  geminga-ontology compile team/ -o team.geminga --memory-limit 512 --time-limit 30");
-  command->callback([request, &choice] { choice.run = [request] { return compile(*request); }; });
+  command->callback([request, &choice] {
+    if (request->out != to_standard_output) choice.outputs.push_back(request->out);
+    choice.run = [request] { return compile(*request); };
+  });
 }
 
 }  // namespace geminga::ontology

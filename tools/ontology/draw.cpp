@@ -1,11 +1,13 @@
 // `geminga-ontology draw`: a picture of the taxonomy, one box for each node of equivalent classes.
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cerrno>
-#include <cstdio>
+#include <csignal>
 #include <memory>
 
 #include "command.hpp"
@@ -26,31 +28,49 @@ struct Request {
   bool is_compact = false;
 };
 
-/// Runs Graphviz over the text; its picture goes to our standard output.
-Exit print_svg(const std::string& dot_text) {
-  std::FILE* file = std::tmpfile();
-  if (file == nullptr || std::fwrite(dot_text.data(), 1, dot_text.size(), file) != dot_text.size() ||
-      std::fflush(file) != 0 || std::fseek(file, 0, SEEK_SET) != 0)
-    return say_error("a temporary file cannot be written: set TMPDIR to a folder with space");
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, fileno(file), STDIN_FILENO);
-  std::string program = "dot";
-  std::string flag = "-Tsvg";
-  char* arguments[] = {program.data(), flag.data(), nullptr};
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ);
-  posix_spawn_file_actions_destroy(&actions);
-  std::fclose(file);
-  if (error != 0) return say_error("the program dot cannot be run: install graphviz, or ask for --format dot");
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+/// Graphviz, which makes the picture on our standard output from the text that it is given in the end. It is started
+/// before a file is read: this program may start none later.
+class Graphviz {
+ public:
+  /// False where there is none.
+  bool start() {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) return false;
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+    std::string program = "dot";
+    std::string flag = "-Tsvg";
+    char* arguments[] = {program.data(), flag.data(), nullptr};
+    const int error = posix_spawnp(&child_, program.c_str(), &actions, nullptr, arguments, environ);
+    posix_spawn_file_actions_destroy(&actions);
+    close(ends[0]);
+    input_ = ends[1];
+    return error == 0;
   }
-  if (status != 0) return say_error("the program dot failed: ask for --format dot, or draw less with --root");
-  return Exit::yes;
-}
 
-Exit draw(const Request& request) {
+  /// Gives it the text and waits for its end. False where it failed.
+  [[nodiscard]] bool draw(std::string_view text) const {
+    std::signal(SIGPIPE, SIG_IGN);
+    while (!text.empty()) {
+      const ssize_t count = write(input_, text.data(), text.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) break;
+      text.remove_prefix(static_cast<std::size_t>(count));
+    }
+    close(input_);
+    int status = 0;
+    while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+    }
+    return text.empty() && status == 0;
+  }
+
+ private:
+  int input_ = -1;
+  pid_t child_ = 0;
+};
+
+Exit draw(const Request& request, const Graphviz& graphviz) {
   const auto knowledge = learn_or_say(request.files);
   if (!knowledge) return Exit::usage;
   const auto ontology = open_or_say(*knowledge);
@@ -63,7 +83,11 @@ Exit draw(const Request& request) {
   const std::optional<unsigned> depth = request.depth == 0 ? std::nullopt : std::optional(request.depth);
   Picture picture = make_picture(knowledge->loaded.source, knowledge->classification, *ontology, root, depth);
   if (request.is_compact) picture = with_lists_of_leaves(std::move(picture));
-  if (request.format == "svg") return print_svg(as_dot(picture));
+  if (request.format == "svg") {
+    return graphviz.draw(as_dot(picture))
+               ? Exit::yes
+               : say_error("the program dot failed: ask for --format dot, or draw less with --root");
+  }
   return print(request.format == "dot" ? as_dot(picture) : as_mermaid(picture))
              ? Exit::yes
              : say_error("standard output cannot be written");
@@ -86,8 +110,15 @@ void add_draw(CLI::App& program, Choice& choice) {
       "\nExamples:\n  geminga-ontology draw team/ --root soccer:BallInfo --format svg > ball.svg\n"
       "  geminga-ontology draw team/ --root geminga:Observation --depth 2 --format svg > observations.svg");
   command->callback([request, &choice] {
-    choice.may_execute = request->format == "svg";
-    choice.run = [request] { return draw(*request); };
+    const auto graphviz = std::make_shared<Graphviz>();
+    if (request->format == "svg") {
+      choice.prepare = [graphviz] {
+        return graphviz->start()
+                   ? Exit::yes
+                   : say_error("the program dot cannot be run: install graphviz, or ask for --format dot");
+      };
+    }
+    choice.run = [request, graphviz] { return draw(*request, *graphviz); };
   });
 }
 

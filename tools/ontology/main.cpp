@@ -8,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "command.hpp"
+#include "confinement.hpp"
 #include "sandbox.hpp"
 #include "words.hpp"
 
@@ -68,7 +69,10 @@ int run(int argc, char** argv) {
   }
   limit_memory(choice.memory_limit_mib);
   limit_time(choice.time_limit_s);
-  forbid_the_world(choice.may_execute);
+  if (choice.prepare) {
+    if (const Exit prepared = choice.prepare(); prepared != Exit::yes) return static_cast<int>(prepared);
+  }
+  shut_in(*program.get_subcommands().front(), choice.outputs);
   return static_cast<int>(choice.run());
 }
 

@@ -1,12 +1,10 @@
-// seccomp by a list of what is forbidden: what is read here needs files and memory, and nothing of the rest.
+// rlimits, and what is said when one is reached.
 #include "sandbox.hpp"
 
-#include <seccomp.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <csignal>
 #include <string_view>
 
@@ -24,25 +22,6 @@ void on_time_out(int) {
 }
 
 }  // namespace
-
-void forbid_the_world(bool may_execute) {
-  constexpr std::array always{SCMP_SYS(socket),  SCMP_SYS(socketpair), SCMP_SYS(connect),
-                              SCMP_SYS(bind),    SCMP_SYS(listen),     SCMP_SYS(accept),
-                              SCMP_SYS(accept4), SCMP_SYS(sendto),     SCMP_SYS(sendmsg)};
-  constexpr std::array traces{SCMP_SYS(ptrace), SCMP_SYS(process_vm_readv), SCMP_SYS(process_vm_writev)};
-  constexpr std::array programs{SCMP_SYS(execve), SCMP_SYS(execveat)};
-  scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
-  if (filter == nullptr) return;
-  for (const int call : always) seccomp_rule_add(filter, SCMP_ACT_ERRNO(EACCES), call, 0);
-  if (!may_trace) {
-    for (const int call : traces) seccomp_rule_add(filter, SCMP_ACT_ERRNO(EACCES), call, 0);
-  }
-  if (!may_execute) {
-    for (const int call : programs) seccomp_rule_add(filter, SCMP_ACT_ERRNO(EACCES), call, 0);
-  }
-  seccomp_load(filter);
-  seccomp_release(filter);
-}
 
 void limit_memory(unsigned mebibytes) {
   if (mebibytes == 0) return;

@@ -1,20 +1,8 @@
-// What this program forbids itself before it reads a file that somebody else wrote.
+// How much memory and time this program may take.
 #ifndef GEMINGA_ONTOLOGY_SANDBOX_HPP
 #define GEMINGA_ONTOLOGY_SANDBOX_HPP
 
 namespace geminga::ontology {
-
-/// AddressSanitizer looks for leaks at the end of a process by tracing it, so a build with it may trace.
-#ifdef __SANITIZE_ADDRESS__
-inline constexpr bool may_trace = true;
-#else
-inline constexpr bool may_trace = false;
-#endif
-
-/// From now on sockets, traces of other processes and, unless `may_execute`, other programs fail with EACCES, in this
-/// process and its children. Where the kernel has no seccomp nothing is forbidden; Redland is still told to open
-/// nothing.
-void forbid_the_world(bool may_execute);
 
 /// Limits the address space of this process; 0: not at all.
 void limit_memory(unsigned mebibytes);
