@@ -226,8 +226,7 @@ TEST(Cage, OpensOnlyWhatIsNamed) {
   EXPECT_EQ(first, 0);
   EXPECT_EQ(open_error(folder / "team" / "deep" / "b.ttl"), 0);
   EXPECT_EQ(open_error(folder / "named.ttl"), 0);
-  for (const fs::path& forbidden : {folder / "secret", folder / "team" / "link.ttl", fs::path("/etc/passwd"),
-                                    folder})
+  for (const fs::path& forbidden : {folder / "secret", folder / "team" / "link.ttl", fs::path("/etc/passwd"), folder})
     EXPECT_EQ(open_error(forbidden), EACCES) << forbidden;
   // With a folder to write to.
   fs::create_directory(folder / "out");

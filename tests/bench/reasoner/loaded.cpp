@@ -75,7 +75,7 @@ void measure_explanations(const el::Ontology& ontology, const std::string& name,
     times.push_back(milliseconds_since(began));
   }
   if (times.empty()) return row_without(name + ": an explanation", size, "nothing is there to explain");
-  row(name + ": an explanation, median", size, quantile(times, 0.5), "ms", {.limit = 40});
+  row(name + ": an explanation, median", size, quantile(times, 0.5), "ms", {.limit = 10});
   row(name + ": an explanation, worst", size, quantile(times, 1), "ms");
 }
 
