@@ -43,6 +43,15 @@ std::unique_ptr<NeighbourRecord> FormerLives::take_alive(const Announcement& ann
   return record;
 }
 
+const NeighbourRecord* FormerLives::find(BootNonce boot, std::string_view source) const {
+  const NeighbourRecord* oldest = nullptr;
+  for (const auto& [key, life] : lives_) {
+    if (key.second != boot || life.record->source() != source) continue;
+    if (oldest == nullptr || life.record->standing().first < oldest->standing().first) oldest = life.record.get();
+  }
+  return oldest;
+}
+
 bool FormerLives::give_way() {
   for (const auto& [left, key] : order_) {
     const auto life = lives_.find(key);

@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "beacon/announcement.hpp"
@@ -22,6 +23,9 @@ class FormerLives {
   void hear_goodbye(const Announcement& announcement, const Arrival& arrival);
   /// The life that this state proves to be alive; nothing if it may have been sent before the life left, or not by it.
   [[nodiscard]] std::unique_ptr<NeighbourRecord> take_alive(const Announcement& announcement, const Arrival& arrival);
+  /// The oldest life that left with this boot nonce, heard from this source, whatever its identifier was; or null. A
+  /// look at every life.
+  [[nodiscard]] const NeighbourRecord* find(BootNonce boot, std::string_view source) const;
   /// Forgets the services of the oldest that has any, to make room; false: none has.
   bool give_way();
 

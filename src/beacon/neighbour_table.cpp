@@ -140,14 +140,27 @@ class NeighbourTable::State final : private ServiceRoom {
     if (known == records_.end()) return hear_newcomer(announcement, arrival);
     auto& record = *known->second.record;
     if (record.boot() != announcement.boot) {
-      if (!record.yields_to(announcement, arrival)) return Hearing::rival;
-      former_.remember(remove(known, Departure::expired), arrival.now);
+      if (record.yields_to(announcement, arrival)) {
+        former_.remember(remove(known, Departure::expired), arrival.now);
+      } else if (has_moved_here(announcement, arrival, record)) {
+        remove(known, Departure::expired);
+      } else {
+        return Hearing::rival;
+      }
       return hear_newcomer(announcement, arrival);
     }
     const auto hearing = record.hear(announcement, arrival, changes);
     admission_.update(known->first, record.standing());
     set_due(*known);
     return hearing;
+  }
+
+  /// Whether a life that gave its identifier up after a clash is taking this one, and was known before whoever has it:
+  /// a forger hears every claim, and can always be the first to announce something under what is claimed.
+  [[nodiscard]] bool has_moved_here(const Announcement& announcement, const Arrival& arrival,
+                                    const NeighbourRecord& holder) const {
+    const auto* life = former_.find(announcement.boot, arrival.source);
+    return life != nullptr && life->standing().first < holder.standing().first;
   }
 
   Hearing hear_newcomer(const Announcement& announcement, const Arrival& arrival) {

@@ -188,6 +188,36 @@ TEST(NeighbourTable, LetsANewLifeReplaceTheOldOneWhenThatIsSilentForTwoIntervals
   EXPECT_EQ(rig.table.find(ParticipantId{1})->boot, BootNonce{1});
 }
 
+TEST(NeighbourTable, GivesAnIdentifierToTheLifeThatMovesThereAndWasKnownBeforeWhoAnticipatedIt) {
+  TableRig rig;
+  auto owner = speaker(1, 9, {5});
+  (void)rig.hear(owner);
+  auto goodbye = speaker(1, 9, {});
+  goodbye.kind = Kind::goodbye;
+  EXPECT_EQ(rig.hear(goodbye, rig_start + seconds(1)), Hearing::goodbye);
+  auto forged = speaker(2, 1, {6});
+  forged.boot = BootNonce{77};
+  EXPECT_EQ(rig.hear(forged, rig_start + seconds(1)), Hearing::newcomer);
+  rig.lines();
+  owner.participant = ParticipantId{2};
+  EXPECT_EQ(rig.hear(owner, rig_start + seconds(1)), Hearing::newcomer);
+  EXPECT_THAT(rig.lines(), ElementsAre("remove 00000002 expired", "put pub 00000002/1/5 at 10.0.0.1"));
+  EXPECT_EQ(rig.hear(forged, rig_start + seconds(1)), Hearing::rival);
+}
+
+TEST(NeighbourTable, GivesNoIdentifierToALifeThatMovesButWasKnownAfterItsOwner) {
+  TableRig rig;
+  (void)rig.hear(speaker(2, 1, {6}));
+  auto forged = speaker(1, 9, {5});
+  forged.boot = BootNonce{77};
+  (void)rig.hear(forged, rig_start + seconds(1));
+  auto goodbye = forged;
+  goodbye.kind = Kind::goodbye;
+  (void)rig.hear(goodbye, rig_start + seconds(1));
+  forged.participant = ParticipantId{2};
+  EXPECT_EQ(rig.hear(forged, rig_start + seconds(1)), Hearing::rival);
+}
+
 TEST(NeighbourTable, IgnoresAnotherLifeUnderAnIdentifierWhoseOwnerIsThere) {
   TableRig rig;
   auto other = speaker(1, 1, {});
