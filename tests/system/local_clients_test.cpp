@@ -29,6 +29,7 @@ class UnixSocket : public testing::Test {
     std::string pattern = fs::temp_directory_path() / "geminga-socket-XXXXXX";
     if (::mkdtemp(pattern.data()) != nullptr) folder = pattern;
     path = folder + "/gcnp";
+    flags = {"--gcnp", "none", "--gcnp-socket", path};
   }
   void SetUp() override {
     if (!lab.has_namespaces()) GTEST_SKIP() << "hosts of this lab are told apart by their TCP port";
@@ -39,7 +40,7 @@ class UnixSocket : public testing::Test {
   std::string folder;
   std::string path;
   Lab lab{1};
-  std::vector<std::string> flags{"--gcnp", "none", "--gcnp-socket", path};
+  std::vector<std::string> flags;
 };
 
 TEST_F(UnixSocket, ServesWhereTcpIsOffAndShowsWhoConnected) {
@@ -162,8 +163,10 @@ TEST(StalledClients, CostAnInnocentOneNothingAndAreBroughtUpToDate) {
   std::string last;
   for (int serial = 0; serial < 4000; ++serial) {
     last = std::to_string(serial);
-    provider.say("1 pub modify serial=" + last + " note=" + note + " more=" + note);
-    if (serial % 500 == 0) EXPECT_THAT(provider.lines_until_pong(), IsEmpty());
+    provider.say("1 pub modify attr.serial=" + last + " attr.first=" + note + " attr.second=" + note);
+    if (serial % 500 == 0) {
+      EXPECT_THAT(provider.lines_until_pong(), IsEmpty());
+    }
   }
   EXPECT_THAT(provider.lines_until_pong(), IsEmpty());
   EXPECT_THAT(lab.talk(0).lines_until_pong(), IsEmpty()) << "an innocent one";
