@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "beacon/announceable.hpp"
-#include "participant/naming.hpp"
+#include "participant/identities.hpp"
 #include "participant/own_services.hpp"
 #include "participant/statements.hpp"
 
@@ -10,10 +10,14 @@ namespace geminga::participant {
 
 Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubCreate& create) {
   if (auto refusal = check_new(core, session, id, session.publications.size())) return refusal;
-  auto identity = resolve(core.ontology, create.publication.identity);
-  if (!identity) return identity.error();
+  auto identity = resolve_offered(core, create.publication.identity);
+  const bool must_wait = is_awaited(identity);
+  if (!identity && !must_wait) return identity.error();
   StatedPublication stated{.named = create.publication.identity,
-                           .publication = gcnp::with_identity(create.publication, std::move(*identity))};
+                           .publication = gcnp::with_identity(create.publication, {}),
+                           .is_in_force = !must_wait,
+                           .is_awaited = must_wait};
+  if (identity) stated.publication.identity = std::move(*identity);
   if (auto refusal = beacon::check(stated.publication)) return refusal;
   if (auto refusal = make_room(core, session)) return refusal;
   enter(core, session, id, session.publications.emplace(id, std::move(stated)).first->second);
@@ -31,11 +35,14 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubModify
     if (!named) return named.error();
     stated.named = std::move(*named);
   }
-  auto identity = resolve(core.ontology, stated.named);
-  if (!identity) return identity.error();
-  stated.publication.identity = std::move(*identity);
-  stated.is_in_force = true;
+  auto identity = resolve_offered(core, stated.named);
+  const bool must_wait = is_awaited(identity);
+  if (!identity && !must_wait) return identity.error();
+  if (identity) stated.publication.identity = std::move(*identity);
+  stated.is_in_force = !must_wait;
+  stated.is_awaited = must_wait;
   if (auto refusal = beacon::check(stated.publication)) return refusal;
+  if (must_wait) suspend(core, session, id, found->second);
   found->second = std::move(stated);
   enter(core, session, id, found->second);
   return std::nullopt;

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "beacon/announceable.hpp"
-#include "participant/naming.hpp"
+#include "participant/identities.hpp"
 #include "participant/own_services.hpp"
 #include "participant/statements.hpp"
 
@@ -22,17 +22,21 @@ std::uint32_t default_limit(ChannelMode mode) { return mode == ChannelMode::one_
 
 Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::SubCreate& create) {
   if (auto refusal = check_new(core, session, id, session.subscriptions.size())) return refusal;
-  auto identity = resolve(core.expressions, core.ontology, create.subscription.identity);
-  if (!identity) return identity.error();
+  auto identity = resolve_asked(core, create.subscription.identity);
+  const bool must_wait = is_awaited(identity);
+  if (!identity && !must_wait) return identity.error();
   StatedSubscription stated{.named = create.subscription.identity,
-                            .subscription = gcnp::with_identity(create.subscription, std::move(*identity)),
-                            .has_limit = create.subscription.limit.has_value()};
+                            .subscription = gcnp::with_identity(create.subscription, {}),
+                            .has_limit = create.subscription.limit.has_value(),
+                            .is_in_force = !must_wait,
+                            .is_awaited = must_wait};
+  if (identity) stated.subscription.identity = std::move(*identity);
   if (auto refusal = check(stated.subscription)) return refusal;
   if (auto refusal = make_room(core, session)) return refusal;
   // All that it is given is told piece by piece, however much that is.
   enter(core, session, id, session.subscriptions.emplace(id, std::move(stated)).first->second,
         matching::Matcher::Telling::providers);
-  session.pictures[id] = {};
+  if (!must_wait) session.pictures[id] = {};
   return std::nullopt;
 }
 
@@ -50,11 +54,14 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::SubModify
     if (!named) return named.error();
     stated.named = std::move(*named);
   }
-  auto identity = resolve(core.expressions, core.ontology, stated.named);
-  if (!identity) return identity.error();
-  stated.subscription.identity = std::move(*identity);
-  stated.is_in_force = true;
+  auto identity = resolve_asked(core, stated.named);
+  const bool must_wait = is_awaited(identity);
+  if (!identity && !must_wait) return identity.error();
+  if (identity) stated.subscription.identity = std::move(*identity);
+  stated.is_in_force = !must_wait;
+  stated.is_awaited = must_wait;
   if (auto refusal = check(stated.subscription)) return refusal;
+  if (must_wait) suspend(core, session, id, found->second);
   found->second = std::move(stated);
   enter(core, session, id, found->second);
   return std::nullopt;

@@ -18,10 +18,14 @@ inline constexpr std::size_t max_failure_bytes = 400;
 /// The owner of a participant reads ontologies and says how it goes; queries show it until it is mended.
 struct OntologyState {
   bool is_loading = false;
+  base::Instant begun_at{};          ///< meaningful while it is loading
   std::vector<std::string> failure;  ///< why the last reading failed, made printable; empty: it did not
   base::Instant failed_at{};         ///< meaningful where it failed
 
-  void begin() { is_loading = true; }
+  void begin(base::Instant now) {
+    is_loading = true;
+    begun_at = now;
+  }
   void fail(const std::vector<std::string>& lines, base::Instant now) {
     is_loading = false;
     failed_at = now;

@@ -2,6 +2,8 @@
 
 #include <type_traits>
 
+#include "beacon/announceable.hpp"
+#include "participant/identities.hpp"
 #include "participant/naming.hpp"
 #include "participant/telling.hpp"
 
@@ -12,18 +14,24 @@ ServiceKey key_of(const Core& core, const Session& session, std::uint32_t number
   return ServiceKey{.participant = core.id, .peer = session.peer(), .number = number};
 }
 
-/// Sets the identity that the ontology gives to the names. False where it knows them no more; then the peer was told.
+/// Sets the identity that the ontology gives to the names. False where it does not know them; then the peer was told.
 template <typename Stated, typename Service>
 bool resolve_again(Core& core, Session& session, std::uint32_t number, Stated& stated, Service& service) {
-  const bool was_in_force = stated.is_in_force;
-  auto identity = std::is_same_v<Stated, StatedSubscription> ? resolve(core.expressions, core.ontology, stated.named)
-                                                             : resolve(core.ontology, stated.named);
-  stated.is_in_force = identity.has_value();
+  const bool must_tell = stated.is_in_force || stated.is_awaited;
+  auto identity = std::is_same_v<Stated, StatedSubscription> ? resolve_asked(core, stated.named)
+                                                             : resolve_offered(core, stated.named);
+  std::optional<Error> refusal;
   if (identity) {
     service.identity = std::move(*identity);
-  } else if (was_in_force) {
+    refusal = beacon::check(service);  // full IRIs may be longer than what can be announced
+  } else {
+    refusal = identity.error();
+  }
+  stated.is_in_force = !refusal;
+  stated.is_awaited = false;
+  if (refusal && must_tell) {
     tell_gone(core, session, number, matching::Reason::changed);
-    core.refuse(session, number, identity.error());
+    core.refuse(session, number, *refusal);
   }
   return stated.is_in_force;
 }
@@ -31,6 +39,7 @@ bool resolve_again(Core& core, Session& session, std::uint32_t number, Stated& s
 }  // namespace
 
 void enter(Core& core, const Session& session, std::uint32_t number, const StatedPublication& stated) {
+  if (!stated.is_in_force) return;
   registry::PublicationEntry entry{.key = key_of(core, session, number),
                                    .publication = stated.publication,
                                    .peer_name = session.name,
@@ -44,6 +53,7 @@ void enter(Core& core, const Session& session, std::uint32_t number, const State
 
 void enter(Core& core, const Session& session, std::uint32_t number, const StatedSubscription& stated,
            matching::Matcher::Telling telling) {
+  if (!stated.is_in_force) return;
   registry::SubscriptionEntry entry{.key = key_of(core, session, number),
                                     .subscription = stated.subscription,
                                     .peer_name = session.name,
@@ -83,6 +93,18 @@ bool is_small(const Core& core, const Session& session) {
   return session.service_count() * core.service_count() <= max_pairs_at_once;
 }
 
+void suspend(Core& core, Session& session, std::uint32_t number, const StatedPublication& stated) {
+  if (!stated.is_in_force) return;
+  tell_gone(core, session, number, matching::Reason::changed);
+  withdraw_publication(core, session, number, matching::Reason::changed);
+}
+
+void suspend(Core& core, Session& session, std::uint32_t number, const StatedSubscription& stated) {
+  if (!stated.is_in_force) return;
+  tell_gone(core, session, number, matching::Reason::changed);
+  withdraw_subscription(core, session, number, matching::Reason::changed);
+}
+
 void withdraw_all(Core& core, Session& session) {
   core.is_changed |= session.service_count() > 0;
   core.matcher.remove_peer(core.id, session.peer(), matching::Reason::withdrawn);
@@ -117,10 +139,10 @@ void rename_one(Core& core, Session& session) {
 void enter_all(Core& core) {
   for (const auto& [stream, session] : core.sessions) {
     for (const auto& [number, stated] : session->publications) {
-      if (stated.is_in_force) enter(core, *session, number, stated);
+      enter(core, *session, number, stated);
     }
     for (const auto& [number, stated] : session->subscriptions) {
-      if (stated.is_in_force) enter(core, *session, number, stated);
+      enter(core, *session, number, stated);
     }
   }
 }

@@ -11,12 +11,16 @@ namespace geminga::participant {
 /// What a consumer on our host is told when a publication states no address, and the other way round.
 inline constexpr const char* local_address = "127.0.0.1";
 
-/// Enters a statement, or its change, into the registry; it is announced at the end of the event.
+/// Enters a statement that is in force, or its change, into the registry; it is announced at the end of the event.
 void enter(Core& core, const Session& session, std::uint32_t number, const StatedPublication& stated);
 void enter(Core& core, const Session& session, std::uint32_t number, const StatedSubscription& stated,
            matching::Matcher::Telling telling = matching::Matcher::Telling::all);
 void withdraw_publication(Core& core, const Session& session, std::uint32_t number, matching::Reason reason);
 void withdraw_subscription(Core& core, const Session& session, std::uint32_t number, matching::Reason reason);
+/// Takes a statement that is in force out of it until the ontology is there: the peer is told that what it was told of
+/// is gone, and keeps its request.
+void suspend(Core& core, Session& session, std::uint32_t number, const StatedPublication& stated);
+void suspend(Core& core, Session& session, std::uint32_t number, const StatedSubscription& stated);
 /// Withdraws one, and all that is known of it here.
 void forget_publication(Core& core, Session& session, std::uint32_t number);
 void forget_subscription(Core& core, Session& session, std::uint32_t number);

@@ -99,6 +99,13 @@ class Participant::State {
     if (core.phase != Phase::created && !is_over()) settle();
   }
 
+  void ontology_failed(const std::vector<std::string>& lines) {
+    core.ontology_state.fail(lines, core.env.now());
+    if (core.ontology != nullptr) return;
+    change_ontology(core, nullptr);  // what waited for one is told that there is none
+    if (core.phase != Phase::created && !is_over()) settle();
+  }
+
  private:
   /// The rest of an answer would be about classes that are none any more.
   void end_answers() {
@@ -188,10 +195,8 @@ void Participant::on_stream_bytes(env::StreamId stream, std::string_view bytes) 
 void Participant::on_stream_drained(env::StreamId) { state_->drained(); }
 void Participant::on_stream_closed(env::StreamId stream) { state_->closed(stream); }
 void Participant::set_ontology(const el::Ontology* ontology) { state_->set_ontology(ontology); }
-void Participant::ontology_begun() { state_->core.ontology_state.begin(); }
-void Participant::ontology_failed(const std::vector<std::string>& lines) {
-  state_->core.ontology_state.fail(lines, state_->core.env.now());
-}
+void Participant::ontology_begun() { state_->core.ontology_state.begin(state_->core.env.now()); }
+void Participant::ontology_failed(const std::vector<std::string>& lines) { state_->ontology_failed(lines); }
 void Participant::set_status_source(StatusSource source) { state_->core.status_source = std::move(source); }
 
 }  // namespace geminga::participant

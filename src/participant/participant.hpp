@@ -67,7 +67,9 @@ class Participant {
   /// one does not know gets one error 422 and its events `del reason=changed`, and comes back by itself when a later
   /// ontology knows them. The earlier ontology is not used any more when this returns.
   void set_ontology(const el::Ontology* ontology);
-  /// Ontologies are being read: `query status` and `query ontology` say so until one of the other two is called.
+  /// Ontologies are being read: `query status` and `query ontology` say so until one of the other two is called. Where
+  /// none is in force meanwhile, statements with concepts are kept without an answer and come into force with the
+  /// ontology, or get their 422 then; queries that need it are answered 503 at once.
   void ontology_begun();
   /// They could not be read, and these lines say why. What was in force stays; queries show the lines until a later
   /// reading ends in set_ontology().

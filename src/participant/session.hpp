@@ -29,7 +29,8 @@ namespace geminga::participant {
 struct StatedPublication {
   NamedIdentity named;
   Publication publication;  ///< its identity is resolved while it is in force; the address is the stated one
-  bool is_in_force = true;  ///< false: the loaded ontology does not know its names
+  bool is_in_force = true;  ///< false: the loaded ontology does not know its names, or there is none yet
+  bool is_awaited = false;  ///< not in force, and nobody has told its peer: the ontology is being loaded
 };
 
 struct StatedSubscription {
@@ -37,6 +38,7 @@ struct StatedSubscription {
   Subscription subscription;
   bool has_limit = false;  ///< the limit was stated; else it follows the mode
   bool is_in_force = true;
+  bool is_awaited = false;
 };
 
 /// The numbers of publications and subscriptions are one space: an event is about one of them only.

@@ -3,6 +3,7 @@
 
 #include "base/text.hpp"
 #include "el/ontology.hpp"
+#include "participant/identities.hpp"
 #include "participant/naming.hpp"
 #include "participant/queries/lines.hpp"
 #include "reasoner/why_not.hpp"
@@ -40,9 +41,7 @@ void append_reason(Line& line, const el::Ontology& ontology, el::ClassNumber sub
 }  // namespace
 
 Answered answer(Core& core, const gcnp::QueryExplain& query) {
-  if (core.ontology == nullptr) {
-    return std::unexpected(Error{ErrorCode::impossible, "no ontology is loaded: start gemingad with --ontology"});
-  }
+  if (core.ontology == nullptr) return std::unexpected(no_ontology(core));
   const el::Ontology& ontology = *core.ontology;
   const auto sub = find(ontology, "sub", query.sub);
   if (!sub) return std::unexpected(sub.error());

@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "el/ontology.hpp"
+#include "participant/identities.hpp"
 #include "participant/naming.hpp"
 
 namespace geminga::participant {
@@ -82,7 +83,7 @@ void append_channel(Line& line, const Publication& publication) {
 std::expected<Sieve, Error> Sieve::make(Core& core, const gcnp::ListFilter& filter) {
   Sieve sieve(filter);
   if (filter.identity) {
-    auto identity = resolve(core.expressions, core.ontology, *filter.identity);
+    auto identity = resolve_asked(core, *filter.identity);
     if (!identity) return std::unexpected(identity.error());
     sieve.identity_ = std::move(*identity);
     if (has_expression(*sieve.identity_)) {

@@ -6,6 +6,7 @@
 
 #include "gcnp/event.hpp"
 #include "matching/request.hpp"
+#include "participant/identities.hpp"
 #include "participant/naming.hpp"
 #include "participant/queries/lines.hpp"
 
@@ -120,7 +121,7 @@ std::expected<Answering, Error> begin(Core& core, const gcnp::QueryMatch& query)
   asked.providers = query.providers;
   asked.where = query.where;
   if (query.identity) {
-    auto identity = resolve(core.expressions, core.ontology, *query.identity);
+    auto identity = resolve_asked(core, *query.identity);
     if (!identity) return std::unexpected(identity.error());
     asked.identity = std::move(*identity);
   }

@@ -6,6 +6,12 @@
 #include "participant/queries/lines.hpp"
 
 namespace geminga::participant {
+namespace {
+
+/// owl:Thing and owl:Nothing, which no file declares: geminga-ontology counts the others, too.
+constexpr std::uint32_t unnamed_classes = 2;
+
+}  // namespace
 
 Answered answer(Core& core, const gcnp::QueryOntology&) {
   Answer answer{.kind = "ontology", .lines = {{}}, .end = {}};
@@ -14,7 +20,7 @@ Answered answer(Core& core, const gcnp::QueryOntology&) {
   if (core.ontology != nullptr) {
     const auto files = core.ontology->files();
     const auto left_out = core.ontology->left_out();
-    append(answer.lines.front(), "classes", core.ontology->class_count());
+    append(answer.lines.front(), "classes", core.ontology->class_count() - unnamed_classes);
     append(answer.lines.front(), "files", files.size());
     append(answer.lines.front(), "left_out", left_out.size());
     const auto gaps = core.ontology->gaps();

@@ -1,0 +1,28 @@
+// The identities of what peers offer and ask for, by way of the ontology that is in force.
+#ifndef GEMINGA_PARTICIPANT_IDENTITIES_HPP
+#define GEMINGA_PARTICIPANT_IDENTITIES_HPP
+
+#include <expected>
+
+#include "geminga/error.hpp"
+#include "geminga/named.hpp"
+#include "geminga/service.hpp"
+#include "participant/core.hpp"
+
+namespace geminga::participant {
+
+/// resolve() (naming.hpp) of what is offered. Where none is in force a concept has no identity: 503 while the first
+/// ontology is being read, 422 where there is none.
+[[nodiscard]] std::expected<Identity, Error> resolve_offered(Core& core, const NamedIdentity& named);
+/// The same of what is asked for, which may be a class expression.
+[[nodiscard]] std::expected<Identity, Error> resolve_asked(Core& core, const NamedIdentity& named);
+
+/// Whether an identity is only not there yet: a statement with it is kept and comes into force with the ontology.
+[[nodiscard]] bool is_awaited(const std::expected<Identity, Error>& identity);
+
+/// Why nothing can be said of classes where no ontology is in force.
+[[nodiscard]] Error no_ontology(const Core& core);
+
+}  // namespace geminga::participant
+
+#endif
