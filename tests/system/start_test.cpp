@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "system/folder.hpp"
 #include "system/lab.hpp"
 
 namespace geminga::system {
@@ -24,44 +25,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
-
-/// A folder for the files of one test, removed with it.
-class Folder {
- public:
-  Folder() {
-    std::string path = fs::temp_directory_path() / "geminga-test-XXXXXX";
-    if (::mkdtemp(path.data()) != nullptr) path_ = path;
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name) << text;
-    return path_ / name;
-  }
-  [[nodiscard]] std::string path(const std::string& name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
-
-constexpr const char* animals = R"(@prefix : <http://zoo.example/#> .
-@prefix owl: <http://www.w3.org/2002/07/owl#> .
-@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
-<http://zoo.example/> a owl:Ontology .
-:Animal a owl:Class .
-:Cat a owl:Class ; rdfs:subClassOf :Animal .
-)";
-
-std::string shipped(const std::string& name) { return std::string(GEMINGA_SOURCE_DIR) + "/ontology/" + name; }
-
-/// Starts a gemingad that is expected to refuse.
-Ran refused(const std::vector<std::string>& flags, std::map<std::string, std::string> environment = {}) {
-  std::vector<std::string> words{program("gemingad")};
-  words.insert(words.end(), flags.begin(), flags.end());
-  return run({.words = words, .environment = std::move(environment), .before = {}});
-}
 
 TEST(Start, AnswersOverIpv6) {
   Lab lab(1);
@@ -170,113 +133,6 @@ TEST(Start, RefusesAnOntologyThatIsNotThere) {
   EXPECT_EQ(ran.said, "gemingad: " + missing + ": cannot be opened: No such file or directory\n");
 }
 
-TEST(Start, ServesWithoutAnOntologyThatCannotBeRead) {
-  const Folder folder;
-  const std::string good = folder.write("good.ttl", animals);
-  const std::string broken =
-      folder.write("broken.ttl", std::string(animals) + ":Dog a owl:Class\n:Fox a owl:Class .\n");
-  Lab lab(1);
-  lab.start(0, {"--ontology", good, "--ontology", broken});
-  ASSERT_TRUE(lab.daemon(0).wait_for("serving without an ontology")) << lab.daemon(0).said();
-  EXPECT_THAT(lab.daemon(0).said(), HasSubstr(broken + ":8"));
-  Talk talk = lab.talk(0);
-  talk.say("1 pub create mode=otm/stream id=5 port=5000");
-  talk.say("2 pub create mode=otm/stream concept=<http://zoo.example/#Cat> port=5001");
-  EXPECT_THAT(talk.lines_until_pong(), testing::ElementsAre(AllOf(StartsWith("2 422 "), HasSubstr(broken + ":8"))));
-  EXPECT_TRUE(talk.wait_until("status", [&](const auto& lines) {
-    return lines.size() == 1 && lines[0].find("ontology_failed=") != std::string::npos;
-  }));
-
-  folder.write("broken.ttl", "");
-  lab.daemon(0).signal(SIGHUP);
-  ASSERT_TRUE(lab.daemon(0).wait_for("is in force")) << lab.daemon(0).said();
-  talk.say("2 pub create mode=otm/stream concept=<http://zoo.example/#Cat> port=5001");
-  EXPECT_THAT(talk.lines_until_pong(), IsEmpty());
-  EXPECT_THAT(talk.query("status")[0], Not(HasSubstr("ontology_failed")));
-  EXPECT_EQ(refused({"--ontology", good, "--check-config"}).status, 0);
-  folder.write("broken.ttl", ":Dog a owl:Class\n");
-  EXPECT_EQ(refused({"--ontology", broken, "--check-config"}).status, 2) << "a check says that it will not do";
-}
-
-/// A gemingad beside a geminga-ontology of our own making, a shell script without other programs.
-class WithCompiler {
- public:
-  WithCompiler(const Folder& folder, const std::string& script) {
-    daemon_ = folder.path("gemingad");
-    fs::copy_file(program("gemingad"), daemon_);
-    const std::string compiler = folder.write("geminga-ontology", "#!/bin/sh\n" + script + "\n");
-    fs::permissions(compiler, fs::perms::owner_all);
-  }
-  [[nodiscard]] const std::string& daemon() const { return daemon_; }
-
- private:
-  std::string daemon_;
-};
-
-TEST(Start, ServesFromItsFirstSecondWhileAHardOntologyIsStillBeingRead) {
-  const Folder folder;
-  const std::string zoo = folder.write("zoo.ttl", animals);
-  const std::string compiled = folder.path("zoo.geminga");
-  ASSERT_EQ(
-      run({.words = {program("geminga-ontology"), "compile", zoo, "-o", compiled}, .environment = {}, .before = {}})
-          .status,
-      0);
-  const WithCompiler slow(folder,
-                          "while [ ! -e '" + folder.path("go") + "' ]; do :; done; exec cat '" + compiled + "'");
-  Lab lab(1);
-  const std::string address = "127.0.0.1:" + std::to_string(lab.gcnp_port(0));
-  Process daemon(lab.on(0, {slow.daemon(), "--interface", "lo", "--gcnp", address, "--ontology", zoo}));
-  ASSERT_TRUE(daemon.wait_for("ready: ")) << daemon.said();
-  EXPECT_TRUE(daemon.wait_for("ontology is being loaded"));
-  Talk provider = lab.talk(0);
-  Talk consumer = lab.talk(0);
-  provider.say("1 pub create mode=otm/stream text=ball port=5001");
-  consumer.say("1 sub create mode=otm/stream text=ball");
-  EXPECT_TRUE(consumer.line_with({"1 pub add", "port=5001"})) << "texts wait for nothing";
-  provider.say("2 pub create mode=otm/stream concept=<http://zoo.example/#Cat> port=5002");
-  provider.say("3 pub create mode=otm/stream concept=<http://zoo.example/#Unicorn> port=5003");
-  consumer.say("2 sub create mode=otm/stream concept=<http://zoo.example/#Animal>");
-  EXPECT_THAT(provider.lines_until_pong(), IsEmpty());
-  EXPECT_THAT(consumer.lines_until_pong(), IsEmpty());
-  consumer.say("3 query match concept=<http://zoo.example/#Animal>");
-  EXPECT_THAT(consumer.lines_until_pong(), testing::ElementsAre(StartsWith("3 503 not ready: the ontology is being")));
-  EXPECT_THAT(consumer.query("status")[0], HasSubstr("ontology_loading=1"));
-
-  folder.write("go", "");
-  EXPECT_TRUE(consumer.line_with({"2 pub add", "port=5002"})) << daemon.said();
-  EXPECT_TRUE(provider.line_with({"3 422 "}));
-  EXPECT_THAT(consumer.query("status")[0], Not(HasSubstr("ontology_loading")));
-  daemon.signal(SIGTERM);
-  EXPECT_EQ(daemon.wait(), 0);
-}
-
-TEST(Start, EndsAtOnceWhenItIsAskedToWhileItsOntologyIsBeingRead) {
-  const Folder folder;
-  const WithCompiler endless(folder, "exec sleep 1000");
-  Lab lab(1);
-  const std::string address = "127.0.0.1:" + std::to_string(lab.gcnp_port(0));
-  Process daemon(lab.on(
-      0, {endless.daemon(), "--interface", "lo", "--gcnp", address, "--ontology", folder.write("zoo.ttl", animals)}));
-  ASSERT_TRUE(daemon.wait_for("ready: ")) << daemon.said();
-  daemon.signal(SIGTERM);
-  EXPECT_EQ(daemon.wait(), 0);
-}
-
-TEST(Start, NeedsNoFolderForTemporaryFiles) {
-  const Folder folder;
-  Lab lab(1);
-  const std::string address = "127.0.0.1:" + std::to_string(lab.gcnp_port(0));
-  auto start = lab.on(
-      0, {program("gemingad"), "--interface", "lo", "--gcnp", address, "--ontology", folder.write("zoo.ttl", animals)});
-  start.environment["TMPDIR"] = "/no/such/folder";
-  start.environment["XDG_RUNTIME_DIR"] = "/no/such/folder";
-  Process daemon(std::move(start));
-  ASSERT_TRUE(daemon.wait_for("ready: ")) << daemon.said();
-  Talk talk = lab.talk(0);
-  talk.say("1 pub create mode=otm/stream concept=<http://zoo.example/#Cat> port=5000");
-  EXPECT_THAT(talk.lines_until_pong(), IsEmpty());
-}
-
 TEST(Start, IsNotHeldUpByAFifo) {
   const Folder folder;
   ASSERT_EQ(::mkfifo(folder.path("fifo.toml").c_str(), 0600), 0);
@@ -291,33 +147,6 @@ TEST(Start, IsNotHeldUpByAFifo) {
     EXPECT_EQ(ran.status, 2);
     EXPECT_THAT(ran.said, AllOf(StartsWith("gemingad: "), HasSubstr(path)));
   }
-}
-
-TEST(Ontology, InUseMayBeOverwritten) {
-  const Folder folder;
-  const std::string zoo = folder.write("zoo.ttl", animals);
-  const std::string compiled = folder.path("zoo.geminga");
-  ASSERT_EQ(
-      run({.words = {program("geminga-ontology"), "compile", zoo, "-o", compiled}, .environment = {}, .before = {}})
-          .status,
-      0);
-  const auto size = fs::file_size(compiled);
-  Lab lab(1);
-  lab.start(0, {"--ontology", compiled});
-  Talk talk = lab.talk(0);
-  const auto asks = [&](const std::string& id) {
-    talk.say(id + " pub create mode=otm/stream concept=Cat port=5000");  // by label, which is read late
-    talk.say(id + "1 query explain sub=<http://zoo.example/#Cat> super=<http://zoo.example/#Animal>");
-    const auto lines = talk.lines_until_pong();
-    EXPECT_THAT(lines, Contains(HasSubstr("subsumed=1"))) << "after " << id;
-  };
-  std::fstream(compiled, std::ios::binary | std::ios::in | std::ios::out) << std::string(size, '\xff');
-  asks("1");
-  fs::resize_file(compiled, 0);
-  asks("2");
-  lab.daemon(0).signal(SIGHUP);
-  ASSERT_TRUE(lab.daemon(0).wait_for("the ontology in force is kept")) << lab.daemon(0).said();
-  asks("3");
 }
 
 TEST(Log, ThatNobodyReadsHoldsUpNobody) {

@@ -1,0 +1,158 @@
+// A daemon and its ontology: one that is not there yet, one that cannot be read, one that is overwritten while in use.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include "system/folder.hpp"
+#include "system/lab.hpp"
+
+namespace geminga::system {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+TEST(Start, ServesWithoutAnOntologyThatCannotBeRead) {
+  const Folder folder;
+  const std::string good = folder.write("good.ttl", animals);
+  const std::string broken =
+      folder.write("broken.ttl", std::string(animals) + ":Dog a owl:Class\n:Fox a owl:Class .\n");
+  Lab lab(1);
+  lab.start(0, {"--ontology", good, "--ontology", broken});
+  ASSERT_TRUE(lab.daemon(0).wait_for("serving without an ontology")) << lab.daemon(0).said();
+  EXPECT_THAT(lab.daemon(0).said(), HasSubstr(broken + ":8"));
+  Talk talk = lab.talk(0);
+  talk.say("1 pub create mode=otm/stream id=5 port=5000");
+  talk.say("2 pub create mode=otm/stream concept=<http://zoo.example/#Cat> port=5001");
+  EXPECT_THAT(talk.lines_until_pong(), testing::ElementsAre(AllOf(StartsWith("2 422 "), HasSubstr(broken + ":8"))));
+  EXPECT_TRUE(talk.wait_until("status", [&](const auto& lines) {
+    return lines.size() == 1 && lines[0].find("ontology_failed=") != std::string::npos;
+  }));
+
+  folder.write("broken.ttl", "");
+  lab.daemon(0).signal(SIGHUP);
+  ASSERT_TRUE(lab.daemon(0).wait_for("is in force")) << lab.daemon(0).said();
+  talk.say("2 pub create mode=otm/stream concept=<http://zoo.example/#Cat> port=5001");
+  EXPECT_THAT(talk.lines_until_pong(), IsEmpty());
+  EXPECT_THAT(talk.query("status")[0], Not(HasSubstr("ontology_failed")));
+  EXPECT_EQ(refused({"--ontology", good, "--check-config"}).status, 0);
+  folder.write("broken.ttl", ":Dog a owl:Class\n");
+  EXPECT_EQ(refused({"--ontology", broken, "--check-config"}).status, 2) << "a check says that it will not do";
+}
+
+/// A gemingad beside a geminga-ontology of our own making, a shell script without other programs.
+class WithCompiler {
+ public:
+  WithCompiler(const Folder& folder, const std::string& script) {
+    daemon_ = folder.path("gemingad");
+    fs::copy_file(program("gemingad"), daemon_);
+    const std::string compiler = folder.write("geminga-ontology", "#!/bin/sh\n" + script + "\n");
+    fs::permissions(compiler, fs::perms::owner_all);
+  }
+  [[nodiscard]] const std::string& daemon() const { return daemon_; }
+
+ private:
+  std::string daemon_;
+};
+
+TEST(Start, ServesFromItsFirstSecondWhileAHardOntologyIsStillBeingRead) {
+  const Folder folder;
+  const std::string zoo = folder.write("zoo.ttl", animals);
+  const std::string compiled = folder.path("zoo.geminga");
+  ASSERT_EQ(
+      run({.words = {program("geminga-ontology"), "compile", zoo, "-o", compiled}, .environment = {}, .before = {}})
+          .status,
+      0);
+  const WithCompiler slow(folder,
+                          "while [ ! -e '" + folder.path("go") + "' ]; do :; done; exec cat '" + compiled + "'");
+  Lab lab(1);
+  const std::string address = "127.0.0.1:" + std::to_string(lab.gcnp_port(0));
+  Process daemon(lab.on(0, {slow.daemon(), "--interface", "lo", "--gcnp", address, "--ontology", zoo}));
+  ASSERT_TRUE(daemon.wait_for("ready: ")) << daemon.said();
+  EXPECT_TRUE(daemon.wait_for("ontology is being loaded"));
+  Talk provider = lab.talk(0);
+  Talk consumer = lab.talk(0);
+  provider.say("1 pub create mode=otm/stream text=ball port=5001");
+  consumer.say("1 sub create mode=otm/stream text=ball");
+  EXPECT_TRUE(consumer.line_with({"1 pub add", "port=5001"})) << "texts wait for nothing";
+  provider.say("2 pub create mode=otm/stream concept=<http://zoo.example/#Cat> port=5002");
+  provider.say("3 pub create mode=otm/stream concept=<http://zoo.example/#Unicorn> port=5003");
+  consumer.say("2 sub create mode=otm/stream concept=<http://zoo.example/#Animal>");
+  EXPECT_THAT(provider.lines_until_pong(), IsEmpty());
+  EXPECT_THAT(consumer.lines_until_pong(), IsEmpty());
+  consumer.say("3 query match concept=<http://zoo.example/#Animal>");
+  EXPECT_THAT(consumer.lines_until_pong(), testing::ElementsAre(StartsWith("3 503 not ready: the ontology is being")));
+  EXPECT_THAT(consumer.query("status")[0], HasSubstr("ontology_loading=1"));
+
+  folder.write("go", "");
+  EXPECT_TRUE(consumer.line_with({"2 pub add", "port=5002"})) << daemon.said();
+  EXPECT_TRUE(provider.line_with({"3 422 "}));
+  EXPECT_THAT(consumer.query("status")[0], Not(HasSubstr("ontology_loading")));
+  daemon.signal(SIGTERM);
+  EXPECT_EQ(daemon.wait(), 0);
+}
+
+TEST(Start, EndsAtOnceWhenItIsAskedToWhileItsOntologyIsBeingRead) {
+  const Folder folder;
+  const WithCompiler endless(folder, "exec sleep 1000");
+  Lab lab(1);
+  const std::string address = "127.0.0.1:" + std::to_string(lab.gcnp_port(0));
+  Process daemon(lab.on(
+      0, {endless.daemon(), "--interface", "lo", "--gcnp", address, "--ontology", folder.write("zoo.ttl", animals)}));
+  ASSERT_TRUE(daemon.wait_for("ready: ")) << daemon.said();
+  daemon.signal(SIGTERM);
+  EXPECT_EQ(daemon.wait(), 0);
+}
+
+TEST(Start, NeedsNoFolderForTemporaryFiles) {
+  const Folder folder;
+  Lab lab(1);
+  const std::string address = "127.0.0.1:" + std::to_string(lab.gcnp_port(0));
+  auto start = lab.on(
+      0, {program("gemingad"), "--interface", "lo", "--gcnp", address, "--ontology", folder.write("zoo.ttl", animals)});
+  start.environment["TMPDIR"] = "/no/such/folder";
+  start.environment["XDG_RUNTIME_DIR"] = "/no/such/folder";
+  Process daemon(std::move(start));
+  ASSERT_TRUE(daemon.wait_for("ready: ")) << daemon.said();
+  Talk talk = lab.talk(0);
+  talk.say("1 pub create mode=otm/stream concept=<http://zoo.example/#Cat> port=5000");
+  EXPECT_THAT(talk.lines_until_pong(), IsEmpty());
+}
+
+TEST(Ontology, InUseMayBeOverwritten) {
+  const Folder folder;
+  const std::string zoo = folder.write("zoo.ttl", animals);
+  const std::string compiled = folder.path("zoo.geminga");
+  ASSERT_EQ(
+      run({.words = {program("geminga-ontology"), "compile", zoo, "-o", compiled}, .environment = {}, .before = {}})
+          .status,
+      0);
+  const auto size = fs::file_size(compiled);
+  Lab lab(1);
+  lab.start(0, {"--ontology", compiled});
+  Talk talk = lab.talk(0);
+  const auto asks = [&](const std::string& id) {
+    talk.say(id + " pub create mode=otm/stream concept=Cat port=5000");  // by label, which is read late
+    talk.say(id + "1 query explain sub=<http://zoo.example/#Cat> super=<http://zoo.example/#Animal>");
+    const auto lines = talk.lines_until_pong();
+    EXPECT_THAT(lines, Contains(HasSubstr("subsumed=1"))) << "after " << id;
+  };
+  std::fstream(compiled, std::ios::binary | std::ios::in | std::ios::out) << std::string(size, '\xff');
+  asks("1");
+  fs::resize_file(compiled, 0);
+  asks("2");
+  lab.daemon(0).signal(SIGHUP);
+  ASSERT_TRUE(lab.daemon(0).wait_for("the ontology in force is kept")) << lab.daemon(0).said();
+  asks("3");
+}
+
+}  // namespace
+}  // namespace geminga::system
