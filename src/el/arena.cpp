@@ -22,10 +22,18 @@ Arena::~Arena() {
 }
 
 void* Arena::new_piece(std::size_t bytes) {
-  void* piece = ::operator new(bytes, std::align_val_t{alignment_of(bytes)});
+  // The place in the list first: where either has no memory, nothing is left that nobody gives back.
+  pieces_.push_back({nullptr, 0});
+  void* piece = nullptr;
+  try {
+    piece = ::operator new(bytes, std::align_val_t{alignment_of(bytes)});
+  } catch (...) {
+    pieces_.pop_back();
+    throw;
+  }
   // Advice only: where it cannot be followed, ordinary pages do.
   if (bytes >= huge_page_bytes) (void)::madvise(piece, bytes, MADV_HUGEPAGE);
-  pieces_.push_back({piece, bytes});
+  pieces_.back() = {piece, bytes};
   return piece;
 }
 
