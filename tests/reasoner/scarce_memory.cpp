@@ -40,6 +40,15 @@ void* operator new(std::size_t bytes) { return geminga::reasoner::allocate(bytes
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
   return geminga::reasoner::allocate(bytes, static_cast<std::size_t>(alignment));
 }
+// std::stable_sort asks by this one, and does with less where it gets nothing.
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  try {
+    return geminga::reasoner::allocate(bytes, 1);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+void operator delete(void* block, const std::nothrow_t&) noexcept { std::free(block); }
 void operator delete(void* block) noexcept { std::free(block); }
 void operator delete(void* block, std::size_t) noexcept { std::free(block); }
 void operator delete(void* block, std::align_val_t) noexcept { std::free(block); }
