@@ -11,6 +11,7 @@
 
 #include "base/text.hpp"
 #include "daemon/ontology_loader.hpp"
+#include "daemon/preparation.hpp"
 #include "daemon/usage.hpp"
 #include "participant/participant.hpp"
 
@@ -67,7 +68,8 @@ class Daemon::State final : private env::EventSink {
         signals_(context_, SIGTERM, SIGINT, SIGHUP),
         start_patience_(context_),
         patience_(context_),
-        loader_(context_, find_compiler()) {}
+        loader_(context_, find_compiler()),
+        preparation_(context_) {}
 
   std::expected<void, Lines> check() {
     load([this](Loaded loaded) {
@@ -82,6 +84,8 @@ class Daemon::State final : private env::EventSink {
     open();
     return go();
   }
+
+  [[nodiscard]] bool is_at_work() const { return preparation_.is_at_work(); }
 
  private:
   std::expected<void, Lines> go() {
@@ -156,12 +160,38 @@ class Daemon::State final : private env::EventSink {
       say_kept(loaded.error(), ontology_ == nullptr ? "serving without an ontology: mend it and send SIGHUP"
                                                     : "the ontology in force is kept: " + digest_of(ontology_.get()));
       env_.event([&] { participant_->ontology_failed(loaded.error()); });
+    } else if (loaded->ontology != nullptr && participant_->uses_expressions()) {
+      // The one in force goes on until this one is ready for what is asked for: nobody loses a match for that time.
+      next_ontology_ = std::move(loaded->ontology);
+      preparation_.start(next_ontology_, [this](Prepared prepared) {
+        if (is_stopping_) return;
+        put_in_force(std::exchange(next_ontology_, nullptr), std::move(prepared));
+        after_event();
+      });
     } else {
-      env_.event([&] { participant_->set_ontology(loaded->ontology.get()); });
-      ontology_ = std::move(loaded->ontology);
-      log_.write(LogLevel::info, "ontology: " + digest_of(ontology_.get()) + " is in force");
+      put_in_force(std::move(loaded->ontology), nullptr);
     }
     after_event();
+  }
+
+  using Prepared = std::unique_ptr<const participant::PreparedOntology>;
+
+  void put_in_force(std::shared_ptr<const el::Ontology> ontology, Prepared prepared) {
+    preparation_.cancel();
+    env_.event([&] { participant_->set_ontology(ontology.get(), std::move(prepared)); });
+    ontology_ = std::move(ontology);
+    log_.write(LogLevel::info, "ontology: " + digest_of(ontology_.get()) + " is in force");
+  }
+
+  /// Has the ontology in force prepared where an event has asked for that.
+  void look_for_expressions() {
+    const el::Ontology* wanted = participant_->wants_prepared();
+    if (wanted == nullptr || wanted != ontology_.get() || next_ontology_ != nullptr) return;
+    if (preparation_.current() == wanted) return;
+    preparation_.start(ontology_, [this](Prepared prepared) {
+      env_.event([&] { participant_->on_prepared(std::move(prepared)); });
+      after_event();
+    });
   }
 
   /// The same before anybody is served.
@@ -198,6 +228,7 @@ class Daemon::State final : private env::EventSink {
   /// Looks whether the participant has come to be ready, or to its end.
   void after_event() {
     log_.catch_up();
+    look_for_expressions();
     if (!is_announced_ && participant_->is_ready()) {
       is_announced_ = true;
       log_.write(LogLevel::info, ready_words());
@@ -254,6 +285,7 @@ class Daemon::State final : private env::EventSink {
       log_.write(LogLevel::warning, "name, group, gcnp, gcnp-socket and interval take effect at the next start");
     }
     if (configuration_.air != before.air) env_.open_air(configuration_.air);
+    if (std::exchange(next_ontology_, nullptr) != nullptr) preparation_.cancel();  // what is read now is newer
     env_.event([&] { participant_->ontology_begun(); });
     load([this](Loaded loaded) { take(std::move(loaded)); });
   }
@@ -306,8 +338,10 @@ class Daemon::State final : private env::EventSink {
   net::steady_timer patience_;
   OntologyLoader loader_;
   env::AsioEnv env_{context_, log_};
-  std::unique_ptr<el::Ontology> ontology_;
+  std::shared_ptr<const el::Ontology> ontology_;
+  std::shared_ptr<const el::Ontology> next_ontology_;  ///< loaded, and not in force until it is prepared
   std::unique_ptr<participant::Participant> participant_;
+  Preparation preparation_;
   std::chrono::steady_clock::duration load_time_{};
   Lines failure_;
   bool is_announced_ = false;
@@ -318,6 +352,7 @@ class Daemon::State final : private env::EventSink {
 Daemon::Daemon(Configuration configuration, Reread reread, Log& log)
     : state_(std::make_unique<State>(std::move(configuration), std::move(reread), log)) {}
 Daemon::~Daemon() = default;
+bool Daemon::is_at_work() const { return state_->is_at_work(); }
 std::expected<void, std::vector<std::string>> Daemon::check() { return state_->check(); }
 std::expected<void, std::vector<std::string>> Daemon::run() { return state_->run(); }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "daemon/configuration.hpp"
@@ -58,12 +59,7 @@ int refuse(const Errors& errors) {
   return geminga::daemon::exit_wrong;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  ::mallopt(M_ARENA_MAX, 1);
-  std::signal(SIGPIPE, SIG_IGN);
-  hold_standard_descriptors();
+int serve(int argc, char** argv) {
   const auto flags = geminga::daemon::read_flags(argc, argv);
   if (!flags) return refuse({flags.error()});
   if (!flags->answer.empty()) {
@@ -75,12 +71,26 @@ int main(int argc, char** argv) {
   const auto configuration = reread();
   if (!configuration) return refuse(configuration.error());
   geminga::daemon::Log log(configuration->log_level, configuration->log_format);
-  geminga::daemon::Daemon daemon(*configuration, reread, log);
-  if (flags->is_check_only) {
-    if (const auto checked = daemon.check(); !checked) return refuse(checked.error());
-    std::fputs(geminga::daemon::to_toml(*configuration).c_str(), stdout);
-    return geminga::daemon::exit_done;
+  int status = geminga::daemon::exit_done;
+  bool is_at_work = false;
+  {
+    geminga::daemon::Daemon daemon(*configuration, reread, log);
+    const auto done = flags->is_check_only ? daemon.check() : daemon.run();
+    if (!done) status = refuse(done.error());
+    is_at_work = daemon.is_at_work();
   }
-  if (const auto served = daemon.run(); !served) return refuse(served.error());
-  return geminga::daemon::exit_done;
+  if (flags->is_check_only && status == geminga::daemon::exit_done) {
+    std::fputs(geminga::daemon::to_toml(*configuration).c_str(), stdout);
+  }
+  if (is_at_work) std::_Exit(status);  // the end waits for no thread whose work nobody wants any more
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ::mallopt(M_ARENA_MAX, 1);
+  std::signal(SIGPIPE, SIG_IGN);
+  hold_standard_descriptors();
+  return serve(argc, argv);
 }

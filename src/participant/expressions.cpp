@@ -23,21 +23,29 @@ bool count(Window& window, std::size_t limit, base::Instant now) {
 
 }  // namespace
 
-void Expressions::set_ontology(const el::Ontology* ontology) {
+void Expressions::set_ontology(const el::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared) {
   ontology_ = ontology;
-  classifier_.reset();
-  names_.reset();
+  is_wanted_ = false;
+  prepared_.reset();
   remembered_.clear();
   waiting_since_.reset();
+  give(std::move(prepared));
 }
 
-std::optional<Error> Expressions::prepare() {
-  if (!classifier_) {
-    classifier_.emplace(el::ExpressionClassifier::build(*ontology_));
-    names_.emplace(*ontology_);
+bool Expressions::give(std::unique_ptr<const PreparedOntology> prepared) {
+  if (prepared == nullptr || prepared_ != nullptr || &prepared->ontology() != ontology_) return false;
+  prepared_ = std::move(prepared);
+  return true;
+}
+
+std::expected<const PreparedOntology::Parts*, Error> Expressions::parts() {
+  is_wanted_ = true;
+  if (prepared_ == nullptr) {
+    return std::unexpected(
+        Error{ErrorCode::not_ready, "not ready: the ontology is being prepared for class expressions"});
   }
-  if (classifier_->has_value()) return std::nullopt;
-  return Error{ErrorCode::impossible, classifier_->error().text};
+  if (!prepared_->parts()) return std::unexpected(prepared_->parts().error());
+  return &*prepared_->parts();
 }
 
 Expressions::Place Expressions::remember(const std::string& canonical, Place place) {
@@ -48,10 +56,12 @@ Expressions::Place Expressions::remember(const std::string& canonical, Place pla
 }
 
 std::expected<std::string, Error> Expressions::resolve(std::string_view text) {
-  if (auto error = prepare()) return std::unexpected(std::move(*error));
+  const auto ready = parts();
+  if (!ready) return std::unexpected(ready.error());
+  const auto& [classifier, names] = **ready;
   manchester::Limits limits;
   limits.text_bytes = gcnp::max_concept_bytes;
-  const auto expression = manchester::parse(text, *names_, limits);
+  const auto expression = manchester::parse(text, names, limits);
   if (!expression) {
     const bool is_large = expression.error().kind == manchester::ParseError::Kind::too_large;
     return std::unexpected(
@@ -64,7 +74,7 @@ std::expected<std::string, Error> Expressions::resolve(std::string_view text) {
     place = known->second.place;
   } else {
     ++counts_.classified;
-    auto found = (*classifier_)->classify(expression->source, expression->term);
+    auto found = classifier.classify(expression->source, expression->term);
     place = remember(canonical, std::make_shared<const el::ExpressionPlace>(std::move(found)));
   }
   if (!place->is_satisfiable) {
@@ -99,16 +109,18 @@ Expressions::Place Expressions::place(const std::string& canonical, std::optiona
     known->second.used = ++uses_;
     return known->second.place;
   }
+  const auto ready = parts();
+  if (!ready) return nullptr;
   if (from && !take_turn(*from, now)) return nullptr;
-  if (prepare()) return nullptr;
+  const auto& [classifier, names] = **ready;
   // A text in which only what it means counts: it may be none of ours, and is read as strictly as a peer's.
-  const auto expression = manchester::parse(canonical, *names_);
+  const auto expression = manchester::parse(canonical, names);
   if (!expression) {
     if (from) ++counts_.unknown;
     return remember(canonical, nullptr);
   }
   ++counts_.classified;
-  auto found = (*classifier_)->classify(expression->source, expression->term);
+  auto found = classifier.classify(expression->source, expression->term);
   if (!found.is_satisfiable) {
     if (from) ++counts_.unknown;
     return remember(canonical, nullptr);

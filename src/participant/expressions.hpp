@@ -12,10 +12,9 @@
 #include <string_view>
 
 #include "base/time.hpp"
-#include "el/expression_classifier.hpp"
 #include "geminga/error.hpp"
 #include "geminga/service.hpp"
-#include "manchester/names.hpp"
+#include "participant/prepared_ontology.hpp"
 
 namespace geminga::participant {
 
@@ -28,18 +27,26 @@ inline constexpr std::size_t max_expressions_from_air = 32;
 /// A peer's expression that had to be classified counts as so many statements (Limits::statements_per_second).
 inline constexpr std::size_t statements_per_expression = 100;
 
-/// Classifies expressions over one ontology and remembers where they stand. What it needs of the ontology is made when
-/// the first expression comes. Not thread-safe.
+/// Classifies expressions over one ontology and remembers where they stand. What it needs of the ontology is made
+/// elsewhere, and asked for when the first expression comes. Not thread-safe.
 class Expressions {
  public:
   using Place = std::shared_ptr<const el::ExpressionPlace>;
 
   explicit Expressions(const el::Ontology* ontology) : ontology_(ontology) {}
-  /// Forgets everything. The ontology must outlive this, or be replaced before it goes.
-  void set_ontology(const el::Ontology* ontology);
+  /// Forgets everything. The ontology must outlive this, or be replaced before it goes. `prepared` may be null; of
+  /// another ontology it is dropped.
+  void set_ontology(const el::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared);
+  /// The ontology that is to be prepared, because an expression has come: null where none is, or it was given.
+  [[nodiscard]] const el::Ontology* wanted() const { return is_wanted_ && !prepared_ ? ontology_ : nullptr; }
+  /// Whether an expression has come since the ontology is in force.
+  [[nodiscard]] bool is_used() const { return is_wanted_; }
+  /// Takes what was wanted. False where it is of another ontology, or there already; then it is dropped.
+  bool give(std::unique_ptr<const PreparedOntology> prepared);
 
   /// What a peer's expression is asked for as: the full IRI of the class that it is equivalent to, or its canonical
-  /// text. 422 where it cannot be read or can have no instance, or the ontology is too large; 413 over a limit.
+  /// text. 422 where it cannot be read or can have no instance, or the ontology is too large; 413 over a limit; 503
+  /// while the ontology is wanted().
   [[nodiscard]] std::expected<std::string, Error> resolve(std::string_view text);
   /// Where a canonical text stands; null where it is unknown here, can have no instance, or must wait. `from` is null
   /// for our own; its text is one that resolve() gave.
@@ -65,14 +72,14 @@ class Expressions {
     std::size_t seen = 0;
   };
 
-  /// Makes what expressions need of the ontology, once. An error where that is impossible.
-  [[nodiscard]] std::optional<Error> prepare();
+  /// What expressions need of the ontology, or why it is not there; 503: not yet.
+  [[nodiscard]] std::expected<const PreparedOntology::Parts*, Error> parts();
   [[nodiscard]] bool take_turn(ParticipantId from, base::Instant now);
   Place remember(const std::string& canonical, Place place);
 
   const el::Ontology* ontology_;
-  std::optional<std::expected<el::ExpressionClassifier, el::ExpressionError>> classifier_;
-  std::optional<manchester::Names> names_;
+  std::unique_ptr<const PreparedOntology> prepared_;
+  bool is_wanted_ = false;
   std::map<std::string, Remembered, std::less<>> remembered_;
   std::uint64_t uses_ = 0;
   std::map<ParticipantId, Window> windows_;

@@ -30,8 +30,8 @@ std::expected<Identity, Error> resolve_asked(Core& core, const NamedIdentity& na
   return resolve(core.expressions, core.ontology, named);
 }
 
-bool is_awaited(const std::expected<Identity, Error>& identity) {
-  return !identity && identity.error().code == ErrorCode::not_ready;
+bool is_awaited(const Core& core, const std::expected<Identity, Error>& identity) {
+  return core.ontology == nullptr && !identity && identity.error().code == ErrorCode::not_ready;
 }
 
 Error no_ontology(const Core& core) {

@@ -11,7 +11,7 @@ namespace geminga::participant {
 Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubCreate& create) {
   if (auto refusal = check_new(core, session, id, session.publications.size())) return refusal;
   auto identity = resolve_offered(core, create.publication.identity);
-  const bool must_wait = is_awaited(identity);
+  const bool must_wait = is_awaited(core, identity);
   if (!identity && !must_wait) return identity.error();
   StatedPublication stated{.named = create.publication.identity,
                            .publication = gcnp::with_identity(create.publication, {}),
@@ -36,7 +36,7 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubModify
     stated.named = std::move(*named);
   }
   auto identity = resolve_offered(core, stated.named);
-  const bool must_wait = is_awaited(identity);
+  const bool must_wait = is_awaited(core, identity);
   if (!identity && !must_wait) return identity.error();
   if (identity) stated.publication.identity = std::move(*identity);
   stated.is_in_force = !must_wait;

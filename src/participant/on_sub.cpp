@@ -23,7 +23,7 @@ std::uint32_t default_limit(ChannelMode mode) { return mode == ChannelMode::one_
 Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::SubCreate& create) {
   if (auto refusal = check_new(core, session, id, session.subscriptions.size())) return refusal;
   auto identity = resolve_asked(core, create.subscription.identity);
-  const bool must_wait = is_awaited(identity);
+  const bool must_wait = is_awaited(core, identity);
   if (!identity && !must_wait) return identity.error();
   StatedSubscription stated{.named = create.subscription.identity,
                             .subscription = gcnp::with_identity(create.subscription, {}),
@@ -55,7 +55,7 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::SubModify
     stated.named = std::move(*named);
   }
   auto identity = resolve_asked(core, stated.named);
-  const bool must_wait = is_awaited(identity);
+  const bool must_wait = is_awaited(core, identity);
   if (!identity && !must_wait) return identity.error();
   if (identity) stated.subscription.identity = std::move(*identity);
   stated.is_in_force = !must_wait;

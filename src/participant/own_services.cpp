@@ -14,7 +14,8 @@ ServiceKey key_of(const Core& core, const Session& session, std::uint32_t number
   return ServiceKey{.participant = core.id, .peer = session.peer(), .number = number};
 }
 
-/// Sets the identity that the ontology gives to the names. False where it does not know them; then the peer was told.
+/// Sets the identity that the ontology gives to the names. False where it does not know them, or is not prepared for
+/// them yet; then the peer was told.
 template <typename Stated, typename Service>
 bool resolve_again(Core& core, Session& session, std::uint32_t number, Stated& stated, Service& service) {
   const bool must_tell = stated.is_in_force || stated.is_awaited;
@@ -28,10 +29,10 @@ bool resolve_again(Core& core, Session& session, std::uint32_t number, Stated& s
     refusal = identity.error();
   }
   stated.is_in_force = !refusal;
-  stated.is_awaited = false;
+  stated.is_awaited = refusal && refusal->code == ErrorCode::not_ready;
   if (refusal && must_tell) {
     tell_gone(core, session, number, matching::Reason::changed);
-    core.refuse(session, number, *refusal);
+    if (!stated.is_awaited) core.refuse(session, number, *refusal);
   }
   return stated.is_in_force;
 }
@@ -160,10 +161,10 @@ void leave_all(Core& core) {
   }
 }
 
-void change_ontology(Core& core, const el::Ontology* ontology) {
+void change_ontology(Core& core, const el::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared) {
   const bool is_held = core.phase == Phase::ready;
   core.ontology = ontology;
-  core.expressions.set_ontology(ontology);
+  core.expressions.set_ontology(ontology, std::move(prepared));
   core.matcher.set_ontology(ontology);
   deliver_events(core);
   for (const auto& [stream, session] : core.sessions) {
@@ -180,6 +181,18 @@ void change_ontology(Core& core, const el::Ontology* ontology) {
   }
   deliver_events(core);
   core.is_changed = true;  // The digest is announced, too.
+}
+
+void take_up_expressions(Core& core) {
+  for (const auto& [stream, session] : core.sessions) {
+    for (auto& [number, stated] : session->subscriptions) {
+      if (!stated.is_awaited) continue;
+      const bool knows = resolve_again(core, *session, number, stated, stated.subscription);
+      if (knows && core.phase == Phase::ready) enter(core, *session, number, stated);
+    }
+  }
+  core.matcher.place_again();
+  deliver_events(core);
 }
 
 }  // namespace geminga::participant

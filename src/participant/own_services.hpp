@@ -3,6 +3,7 @@
 #define GEMINGA_PARTICIPANT_OWN_SERVICES_HPP
 
 #include <cstdint>
+#include <memory>
 
 #include "participant/core.hpp"
 
@@ -42,8 +43,10 @@ void enter_all(Core& core);
 /// their services are gone.
 void leave_all(Core& core);
 /// Swaps the ontology. What it does not know is withdrawn and told to its peer; what an earlier one did not know comes
-/// back.
-void change_ontology(Core& core, const el::Ontology* ontology);
+/// back. `prepared` is of it, or null: then what asks for a class expression waits for it.
+void change_ontology(Core& core, const el::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared);
+/// The ontology is prepared for class expressions: what waits for that comes into force, or gets its 422.
+void take_up_expressions(Core& core);
 
 }  // namespace geminga::participant
 

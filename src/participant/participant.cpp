@@ -90,19 +90,25 @@ class Participant::State {
     settle();
   }
 
-  void set_ontology(const el::Ontology* ontology) {
+  void set_ontology(const el::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared) {
     if (!core.ontology_state.failure.empty())
       core.log(base::LogLevel::info, "ontology: read at last, the failure is mended");
     core.ontology_state.succeed();
     end_answers();
-    change_ontology(core, ontology);
+    change_ontology(core, ontology, std::move(prepared));
+    if (core.phase != Phase::created && !is_over()) settle();
+  }
+
+  void prepared(std::unique_ptr<const PreparedOntology> prepared) {
+    if (!core.expressions.give(std::move(prepared))) return;
+    take_up_expressions(core);
     if (core.phase != Phase::created && !is_over()) settle();
   }
 
   void ontology_failed(const std::vector<std::string>& lines) {
     core.ontology_state.fail(lines, core.env.now());
     if (core.ontology != nullptr) return;
-    change_ontology(core, nullptr);  // what waited for one is told that there is none
+    change_ontology(core, nullptr, nullptr);  // what waited for one is told that there is none
     if (core.phase != Phase::created && !is_over()) settle();
   }
 
@@ -194,7 +200,14 @@ void Participant::on_stream_opened(env::StreamId stream, std::string_view user) 
 void Participant::on_stream_bytes(env::StreamId stream, std::string_view bytes) { state_->read(stream, bytes); }
 void Participant::on_stream_drained(env::StreamId) { state_->drained(); }
 void Participant::on_stream_closed(env::StreamId stream) { state_->closed(stream); }
-void Participant::set_ontology(const el::Ontology* ontology) { state_->set_ontology(ontology); }
+void Participant::set_ontology(const el::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared) {
+  state_->set_ontology(ontology, std::move(prepared));
+}
+const el::Ontology* Participant::wants_prepared() const { return state_->core.expressions.wanted(); }
+bool Participant::uses_expressions() const { return state_->core.expressions.is_used(); }
+void Participant::on_prepared(std::unique_ptr<const PreparedOntology> prepared) {
+  state_->prepared(std::move(prepared));
+}
 void Participant::ontology_begun() { state_->core.ontology_state.begin(state_->core.env.now()); }
 void Participant::ontology_failed(const std::vector<std::string>& lines) { state_->ontology_failed(lines); }
 void Participant::set_status_source(StatusSource source) { state_->core.status_source = std::move(source); }

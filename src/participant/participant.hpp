@@ -13,11 +13,8 @@
 
 #include "env/env.hpp"
 #include "gcnp/statement.hpp"
+#include "participant/prepared_ontology.hpp"
 #include "participant/settings.hpp"
-
-namespace geminga::el {
-class Ontology;
-}
 
 namespace geminga::participant {
 
@@ -65,8 +62,18 @@ class Participant {
 
   /// Takes another ontology, or none. Peers are told what follows: a publication or subscription whose names the new
   /// one does not know gets one error 422 and its events `del reason=changed`, and comes back by itself when a later
-  /// ontology knows them. The earlier ontology is not used any more when this returns.
-  void set_ontology(const el::Ontology* ontology);
+  /// ontology knows them. The earlier ontology is not used any more when this returns. `prepared` is what
+  /// PreparedOntology::make() gave of it, or null; without it, requests for class expressions are out of force until
+  /// on_prepared(), and their peers are told so.
+  void set_ontology(const el::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared = nullptr);
+  /// The ontology that is to be prepared for class expressions, because one has come; null: none. To be looked at after
+  /// each event: who owns the participant prepares it elsewhere, since that is long work, and brings it by
+  /// on_prepared(). Statements that need it wait meanwhile, and with them what their clients say behind them.
+  [[nodiscard]] const el::Ontology* wants_prepared() const;
+  /// Whether class expressions are in use with the ontology in force: then the next one had better come prepared.
+  [[nodiscard]] bool uses_expressions() const;
+  /// The ontology is prepared. Of one that is not in force any more it is dropped.
+  void on_prepared(std::unique_ptr<const PreparedOntology> prepared);
   /// Ontologies are being read: `query status` and `query ontology` say so until one of the other two is called. Where
   /// none is in force meanwhile, statements with concepts are kept without an answer and come into force with the
   /// ontology, or get their 422 then; queries that need it are answered 503 at once.

@@ -30,7 +30,7 @@ struct StatedPublication {
   NamedIdentity named;
   Publication publication;  ///< its identity is resolved while it is in force; the address is the stated one
   bool is_in_force = true;  ///< false: the loaded ontology does not know its names, or there is none yet
-  bool is_awaited = false;  ///< not in force, and nobody has told its peer: the ontology is being loaded
+  bool is_awaited = false;  ///< not in force, and nobody has told its peer why: the ontology is not ready
 };
 
 struct StatedSubscription {
@@ -64,6 +64,8 @@ class Session {
   std::map<std::uint32_t, Picture> pictures;
   /// The answer under way, behind which the next statement waits.
   std::optional<Answering> answering;
+  /// A statement with a class expression that waits for the ontology to be prepared, and behind which the next waits.
+  std::optional<std::string> held;
   /// Its services that are still to be entered under its new name.
   std::set<std::uint32_t> to_rename;
   std::uint64_t statements = 0;

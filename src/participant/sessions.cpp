@@ -29,6 +29,7 @@ Sessions::iterator leave(Core& core, Sessions::iterator one) {
   session.is_leaving = true;
   session.is_closing = false;
   session.answering.reset();
+  session.held.reset();
   session.to_rename.clear();
   session.pictures.clear();
   return std::next(one);

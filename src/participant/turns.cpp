@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "base/text.hpp"
 #include "participant/own_services.hpp"
@@ -15,6 +16,11 @@ namespace {
 Error too_fast(const Core& core) {
   return {ErrorCode::too_many, "too many statements: the limit is " +
                                    std::to_string(core.settings.limits.statements_per_second) + " in a second"};
+}
+
+/// Whether there is more to do about what the client has said before its next statement.
+bool is_being_told(const Session& session) {
+  return has_picture(session) || session.answering || !session.to_rename.empty();
 }
 
 /// Answers a line that was not read, by the id that it begins with.
@@ -34,6 +40,10 @@ void take_statement(Core& core, Session& session, std::string_view line) {
   const std::uint64_t classified = core.expressions.counts().classified;
   const auto request = gcnp::read_request(*statement);
   const Refusal refusal = request ? handle(core, session, statement->id, *request) : Refusal(request.error());
+  if (refusal && refusal->code == ErrorCode::not_ready && core.expressions.wanted() != nullptr) {
+    session.held = line;  // a refused statement has changed nothing, and is handled anew
+    return;
+  }
   if (refusal) core.refuse(session, statement->id, *refusal);
   // Now, so that an answer to what comes next stands behind the events of this.
   if (has_picture(session) && !session.lags_since) proceed_picture(core, session);
@@ -78,6 +88,8 @@ void do_next(Core& core, Session& session) {
     proceed_picture(core, session);
   } else if (session.answering) {
     proceed_answer(core, session);
+  } else if (session.held) {
+    take_statement(core, session, *std::exchange(session.held, std::nullopt));
   } else if (const auto line = session.reader.next()) {
     take_line(core, session, *line);
   }
@@ -110,12 +122,14 @@ Session* find_next(Core& core) {
 bool has_business(Session& session) {
   if (session.is_leaving) return session.service_count() > 0;
   if (session.is_closing) return false;
-  return has_picture(session) || session.answering || !session.to_rename.empty() || session.reader.has_line();
+  return is_being_told(session) || session.held || session.reader.has_line();
 }
 
 bool has_work(Core& core, Session& session) {
   if (!has_business(session)) return false;
-  return session.is_leaving || core.backlog(session) <= core.settings.limits.unread_before_more;
+  if (session.is_leaving) return true;
+  const bool must_wait = session.held && core.expressions.wanted() != nullptr && !is_being_told(session);
+  return !must_wait && core.backlog(session) <= core.settings.limits.unread_before_more;
 }
 
 bool is_turn_due(Core& core) {

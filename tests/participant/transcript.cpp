@@ -117,7 +117,14 @@ void Transcript::direct(std::string_view words) {
       one->stop();
     } else if (verb == "ontology") {
       one->ontology = sim::small_ontology(third);
-      if (one->is_on()) one->participant().set_ontology(one->ontology);
+      if (one->is_on()) one->reload(one->ontology);
+    } else if (verb == "unprepared") {
+      one->ontology = sim::small_ontology(third);
+      one->participant().set_ontology(one->ontology);
+    } else if (verb == "preparing") {
+      const auto count = base::parse_number<int>(third);
+      ASSERT_TRUE(count && words == " ms") << at_;
+      one->preparing_takes = std::chrono::milliseconds(*count);
     } else if (verb == "loading") {
       one->participant().ontology_begun();
     } else if (verb == "failed") {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "participant/prepared_ontology.hpp"
+
 namespace geminga::sim {
 
 /// Enters the daemon's words into the trace: they must not depend on chance either.
@@ -36,6 +38,7 @@ Host::~Host() = default;
 void Host::switch_on() {
   ++life_;
   is_stopping_ = false;
+  in_preparation_ = nullptr;
   world_.trace(name_, "on");
   participant_ = std::make_unique<participant::Participant>(*this, settings, ontology);
   participant_->start();
@@ -58,7 +61,39 @@ void Host::stop() {
   end_of_event();
 }
 
+void Host::prepare_for(const el::Ontology& wanted, std::function<void()> then) {
+  in_preparation_ = &wanted;
+  const std::uint64_t number = ++preparing_;
+  const auto done = [this, number, then = std::move(then), life = life_] {
+    if (life != life_ || number != preparing_) return;
+    in_preparation_ = nullptr;
+    then();
+    end_of_event();
+  };
+  if (preparing_takes == base::Duration(0)) return done();
+  world_.after(preparing_takes, done);
+}
+
+void Host::prepare() {
+  const el::Ontology* wanted = participant_->wants_prepared();
+  if (wanted == nullptr || in_preparation_ != nullptr) return;
+  prepare_for(*wanted, [this, wanted] { participant_->on_prepared(participant::PreparedOntology::make(*wanted)); });
+}
+
+void Host::reload(const el::Ontology* another) {
+  ontology = another;
+  ++preparing_;
+  in_preparation_ = nullptr;
+  if (another == nullptr || !participant_->uses_expressions()) {
+    participant_->set_ontology(another);
+    return end_of_event();
+  }
+  prepare_for(*another,
+              [this, another] { participant_->set_ontology(another, participant::PreparedOntology::make(*another)); });
+}
+
 void Host::end_of_event() {
+  if (participant_ != nullptr) prepare();
   if (!is_stopping_ || participant_ == nullptr || !participant_->is_stopped()) return;
   ++life_;
   ++timer_;

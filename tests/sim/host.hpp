@@ -31,6 +31,8 @@ class Host final : public env::Env {
   /// Settings of the next participant that is switched on; its name is the host's until changed.
   participant::Settings settings;
   const el::Ontology* ontology = nullptr;
+  /// How long it takes to prepare an ontology for class expressions; 0: it is there within the event that asks for it.
+  base::Duration preparing_takes{};
   /// What it has written into its log.
   std::vector<std::string> logged;
   /// The identifiers that random_bits() gives first, to bring about a clash.
@@ -48,6 +50,9 @@ class Host final : public env::Env {
   void stop();
   [[nodiscard]] bool is_on() const { return participant_ != nullptr; }
   [[nodiscard]] participant::Participant& participant() { return *participant_; }
+  /// Reads another ontology while the participant runs, as gemingad does: where expressions are in use it comes into
+  /// force when it is prepared for them.
+  void reload(const el::Ontology* another);
   /// Counts the times it was switched on or off, so that what was meant for an earlier life does not reach a later one.
   [[nodiscard]] std::uint64_t life() const { return life_; }
 
@@ -86,6 +91,8 @@ class Host final : public env::Env {
   class Log;
 
   void end_of_event();
+  void prepare();
+  void prepare_for(const el::Ontology& wanted, std::function<void()> then);
   void drop_clients();
 
   World& world_;
@@ -117,6 +124,8 @@ class Host final : public env::Env {
   void hear(env::StreamId stream);
 
   std::map<env::StreamId, Stream> streams_;
+  std::uint64_t preparing_ = 0;  ///< counts, so that one that is given up brings nothing
+  const el::Ontology* in_preparation_ = nullptr;
 };
 
 }  // namespace geminga::sim

@@ -1,0 +1,99 @@
+// An ontology is prepared beside an event loop that goes on reading it; what is given up brings nothing.
+#include "daemon/preparation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <string>
+
+#include "el/classify.hpp"
+#include "el/compile.hpp"
+
+namespace geminga::daemon {
+namespace {
+
+using Prepared = std::unique_ptr<const participant::PreparedOntology>;
+
+/// A chain of classes, each with a label.
+std::shared_ptr<const el::Ontology> ontology_of(int classes) {
+  el::OntologySource source;
+  const el::FileId file = source.add_file("chain.ttl");
+  const auto iri = [](int number) { return "http://chain.example/#C" + std::to_string(number); };
+  for (int number = 1; number < classes; ++number) {
+    source.add(el::AxiomKind::sub_class_of, {source.named_class(iri(number)), source.named_class(iri(number - 1))},
+               file, static_cast<std::uint32_t>(number));
+    source.add_label(iri(number), "class " + std::to_string(number));
+  }
+  return std::make_shared<const el::Ontology>(
+      el::Ontology::from_bytes(el::compile(source, el::classify(source).value())).value());
+}
+
+class PreparationTest : public testing::Test {
+ protected:
+  /// Looks at the parts of the ontology that are verified when they are needed, again and again while it is prepared.
+  void read(const el::Ontology& ontology) {
+    if (!preparation.is_at_work()) return;
+    ++reads;
+    EXPECT_TRUE(ontology.find("class 7"));
+    EXPECT_TRUE(ontology.check_whole());
+    boost::asio::post(context, [&] { read(ontology); });
+  }
+
+  boost::asio::io_context context{1};
+  Preparation preparation{context};
+  int reads = 0;
+};
+
+TEST_F(PreparationTest, GoesOnBesideAnEventLoopThatReadsTheSameOntology) {
+  const auto ontology = ontology_of(2000);
+  Prepared result;
+  preparation.start(ontology, [&](Prepared prepared) { result = std::move(prepared); });
+  EXPECT_EQ(preparation.current(), ontology.get());
+  boost::asio::post(context, [&] { read(*ontology); });
+  context.run();
+  EXPECT_GT(reads, 0);
+  EXPECT_FALSE(preparation.is_at_work());
+  EXPECT_EQ(preparation.current(), nullptr);
+  ASSERT_NE(result, nullptr);
+  EXPECT_EQ(&result->ontology(), ontology.get());
+  EXPECT_TRUE(result->parts());
+}
+
+TEST_F(PreparationTest, DropsWhatIsGivenUpForAnother) {
+  const auto second = ontology_of(10);
+  std::weak_ptr<const el::Ontology> given_up;
+  int stale = 0;
+  Prepared result;
+  {
+    const auto first = ontology_of(500);
+    given_up = first;
+    preparation.start(first, [&](const Prepared&) { ++stale; });
+  }
+  preparation.start(second, [&](Prepared prepared) { result = std::move(prepared); });
+  context.run();
+  EXPECT_EQ(stale, 0);
+  ASSERT_NE(result, nullptr);
+  EXPECT_EQ(&result->ontology(), second.get());
+}
+
+TEST_F(PreparationTest, BringsNothingOnceItIsCancelled) {
+  int brought = 0;
+  preparation.start(ontology_of(100), [&](const Prepared&) { ++brought; });
+  preparation.cancel();
+  context.run();
+  EXPECT_EQ(brought, 0);
+  EXPECT_FALSE(preparation.is_at_work());
+}
+
+TEST(Preparation, MayEndBeforeItsThread) {
+  boost::asio::io_context context(1);
+  for (int round = 0; round < 20; ++round) {
+    Preparation preparation(context);
+    preparation.start(ontology_of(50), [](const Prepared&) { FAIL(); });
+  }
+  context.run();
+}
+
+}  // namespace
+}  // namespace geminga::daemon
