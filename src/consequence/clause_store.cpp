@@ -131,6 +131,12 @@ void ClauseStore::drop_implied(const Record& by, const Pooled<std::uint32_t>& ca
   }
 }
 
+void ClauseStore::drop_alternatives() {
+  for (Record& record : clauses_) {
+    if (record.head > 1) record.state = State::redundant;
+  }
+}
+
 void ClauseStore::clear() { *this = {}; }
 
 }  // namespace geminga::consequence

@@ -38,7 +38,7 @@ Closure saturate(const el::OntologySource& source, const clauses::ClauseSet& cla
   const CentredRules& vocabulary = rules.vocabulary();
   std::vector<std::uint32_t> wanted_predicates;
   for (const ConceptId asked : wanted) wanted_predicates.push_back(vocabulary.predicate_of[number(asked)]);
-  Saturation saturation(rules, wanted_predicates, options.clauses);
+  Saturation saturation(rules, wanted_predicates, {options.clauses, options.alternatives});
   const ArenaUse use(saturation.arena());
   // Something exists, and each individual does.
   const auto exists = [&](ContextKey&& key) {
@@ -58,6 +58,7 @@ Closure saturate(const el::OntologySource& source, const clauses::ClauseSet& cla
   if (saturation.is_cut_off() && !saturation.is_contradictory()) {
     closure.gaps.push_back("more than " + std::to_string(options.clauses) + " clauses were derived");
   }
+  if (saturation.has_cut_context() && !saturation.is_contradictory()) closure.gaps.emplace_back(alternative_gap);
   std::ranges::sort(closure.gaps);
   closure.gaps.erase(std::ranges::unique(closure.gaps).begin(), closure.gaps.end());
   closure.contexts = saturation.context_count();

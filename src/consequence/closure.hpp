@@ -7,6 +7,7 @@
 #define GEMINGA_CONSEQUENCE_CLOSURE_HPP
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,6 +24,9 @@ struct Options {
   /// Derived clauses of all contexts together (long ones count several times, vain attempts a little): beyond it the
   /// closure is incomplete. A million takes at most some hundred megabytes.
   std::size_t clauses = 5'000'000;
+  /// Conclusions with alternatives (more than one literal in the head) in one context: beyond it the context keeps what
+  /// it has without alternatives, and the closure has alternative_gap. Horn clauses are not bounded by it.
+  std::uint32_t alternatives = std::numeric_limits<std::uint32_t>::max();
 };
 
 /// Gaps. The first two are about facts alone: where there is no other, the subsumers of named classes are complete as
@@ -31,6 +35,7 @@ inline constexpr std::string_view fact_gap = "facts about properties, together w
 inline constexpr std::string_view key_gap = "owl:hasKey";
 inline constexpr std::string_view nominal_gap = "owl:oneOf, owl:hasValue";
 inline constexpr std::string_view range_gap = "data ranges that are more than datatypes and single values";
+inline constexpr std::string_view alternative_gap = "classes with many alternatives";
 inline constexpr std::string_view value_gap = "numbers of values of finite data ranges";
 
 /// What follows. Always sound; complete where `gaps` is empty.

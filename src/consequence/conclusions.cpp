@@ -35,6 +35,7 @@ void Worker::end_conclusion(std::span<const Literal> head) {
     }
     return;
   }
+  if (conclusion_head_.size() + head.size() > 1 && !may_have_alternatives()) return;
   if (literals_.size() > max_waiting_literals) {
     saturation_.give_up();
     is_stopped_ = true;

@@ -90,9 +90,11 @@ struct Context {
   /// Whether its units answer questions, see Rules::is_query().
   bool answers_queries = false;
   bool is_unsatisfiable = false;
-  bool has_open = false;      ///< something open is in the head of a clause, see CentredRules::is_open
-  bool has_replaced = false;  ///< some successor is known to be another term
-  bool is_nonempty = false;   ///< some thing is in it for certain; see nominals.cpp
+  bool has_open = false;           ///< something open is in the head of a clause, see CentredRules::is_open
+  bool has_replaced = false;       ///< some successor is known to be another term
+  bool is_nonempty = false;        ///< some thing is in it for certain; see nominals.cpp
+  bool is_cut = false;             ///< it had too many alternatives and keeps what has none, see Worker::cut()
+  std::uint32_t alternatives = 0;  ///< work done on clauses with more than one literal in the head
   ClauseStore store;
   Pooled<Literal> unit_queue;
   Pooled<ClauseNumber> clause_queue;

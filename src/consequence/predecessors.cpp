@@ -105,6 +105,7 @@ void Worker::receive_clause(const Message& message, std::span<const Literal> bod
 }
 
 void Worker::resolve_foreign(std::uint32_t foreign, Premise premise) {
+  if (context_->is_cut && context_->foreign[foreign].head.size() > 1) return;
   premises_.assign(1, premise);
   join_foreign(context_->foreign[foreign], 0);
 }

@@ -16,8 +16,8 @@ namespace {
 
 }  // namespace
 
-Saturation::Saturation(const Rules& rules, std::span<const std::uint32_t> wanted, std::size_t max_clauses)
-    : rules_(rules), is_wanted_(rules.vocabulary().predicate_count), max_clauses_(max_clauses), stacks_(1) {
+Saturation::Saturation(const Rules& rules, std::span<const std::uint32_t> wanted, const SaturationLimits& limits)
+    : rules_(rules), is_wanted_(rules.vocabulary().predicate_count), limits_(limits), stacks_(1) {
   for (const std::uint32_t predicate : wanted) is_wanted_[predicate] = true;
 }
 
@@ -140,13 +140,13 @@ void Saturation::run(unsigned threads) {
 }
 
 bool Saturation::count(std::size_t clauses) {
-  if (clauses_.fetch_add(clauses, std::memory_order_relaxed) + clauses > max_clauses_) give_up();
+  if (clauses_.fetch_add(clauses, std::memory_order_relaxed) + clauses > limits_.clauses) give_up();
   return !is_cut_off();
 }
 
 bool Saturation::count_attempts(std::size_t attempts) {
   const std::size_t all = attempts_.fetch_add(attempts, std::memory_order_relaxed) + attempts;
-  if (all / attempts_per_clause > max_clauses_) give_up();
+  if (all / attempts_per_clause > limits_.clauses) give_up();
   return !is_cut_off();
 }
 

@@ -20,10 +20,15 @@
 
 namespace geminga::consequence {
 
+struct SaturationLimits {
+  std::size_t clauses = 0;         ///< of all contexts together
+  std::uint32_t alternatives = 0;  ///< of one context, see Options
+};
+
 class Saturation {
  public:
-  /// Each of `wanted` (predicates) answers queries. `max_clauses` bounds what all contexts derive together.
-  Saturation(const Rules& rules, std::span<const std::uint32_t> wanted, std::size_t max_clauses);
+  /// Each of `wanted` (predicates) answers queries.
+  Saturation(const Rules& rules, std::span<const std::uint32_t> wanted, const SaturationLimits& limits);
 
   /// The context with this key; made where there is none.
   [[nodiscard]] Context& context_for(ContextKey&& key, unsigned worker);
@@ -53,6 +58,9 @@ class Saturation {
     give_up();
   }
   [[nodiscard]] bool is_contradictory() const { return is_contradictory_.load(std::memory_order_relaxed); }
+  [[nodiscard]] std::uint32_t max_alternatives() const { return limits_.alternatives; }
+  void note_cut_context() { has_cut_context_.store(true, std::memory_order_relaxed); }
+  [[nodiscard]] bool has_cut_context() const { return has_cut_context_.load(std::memory_order_relaxed); }
   void give_up() { is_cut_off_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool is_cut_off() const { return is_cut_off_.load(std::memory_order_relaxed); }
   [[nodiscard]] std::size_t clause_count() const { return clauses_.load(std::memory_order_relaxed); }
@@ -81,7 +89,7 @@ class Saturation {
 
   const Rules& rules_;
   std::vector<bool> is_wanted_;
-  std::size_t max_clauses_;
+  SaturationLimits limits_;
   std::deque<Stack> stacks_;
   std::array<Part, parts> parts_;  ///< after the stacks, whose arenas the contexts are in
   std::atomic<std::size_t> scheduled_{0};
@@ -92,6 +100,7 @@ class Saturation {
   std::atomic<std::size_t> context_count_{0};
   std::atomic<bool> is_cut_off_{false};
   std::atomic<bool> is_contradictory_{false};
+  std::atomic<bool> has_cut_context_{false};
   std::atomic<bool> is_abandoned_{false};  ///< a thread has thrown
 };
 

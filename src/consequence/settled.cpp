@@ -9,7 +9,7 @@ namespace geminga::consequence {
 Settled::Settled(const Saturation& saturation, std::span<const std::string> gaps) {
   const auto is_about_facts = [](std::string_view gap) { return gap == fact_gap || gap == key_gap; };
   const auto is_local = [&](std::string_view gap) {
-    return is_about_facts(gap) || gap == nominal_gap || gap == range_gap;
+    return is_about_facts(gap) || gap == nominal_gap || gap == range_gap || gap == alternative_gap;
   };
   is_open_.assign(saturation.context_count(), !std::ranges::all_of(gaps, is_local));
   if (!std::ranges::all_of(gaps, is_about_facts) && std::ranges::all_of(gaps, is_local)) find_open(saturation);
@@ -22,7 +22,7 @@ void Settled::find_open(const Saturation& saturation) {
     for (const Successor& successor : context.successors) {
       if (successor.target != nullptr) predecessors[successor.target->number].push_back(context.number);
     }
-    if (context.has_open && !context.is_unsatisfiable) open.push_back(context.number);
+    if ((context.has_open || context.is_cut) && !context.is_unsatisfiable) open.push_back(context.number);
   });
   for (const std::uint32_t number : open) is_open_[number] = true;
   while (!open.empty()) {

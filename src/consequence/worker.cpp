@@ -262,6 +262,20 @@ bool Worker::simplify_head(std::vector<Literal>& head) {
   });
 }
 
+bool Worker::may_have_alternatives() {
+  if (context_->is_cut) return false;
+  if (++context_->alternatives > saturation_.max_alternatives()) cut();
+  return !context_->is_cut;
+}
+
+// A context with many alternatives would derive every combination of them. It goes on without: what it derives from the
+// rest is sound, and what may be missing is the gap.
+void Worker::cut() {
+  context_->is_cut = true;
+  context_->store.drop_alternatives();
+  saturation_.note_cut_context();
+}
+
 void Worker::add(std::vector<Literal>& body, std::vector<Literal>& head) {
   Context& self = *context_;
   if (!simplify_head(head)) return;
@@ -272,6 +286,8 @@ void Worker::add(std::vector<Literal>& body, std::vector<Literal>& head) {
     is_false_derived_ = true;
   } else if (body.empty() && head.size() == 1) {
     add_unit(head[0]);
+  } else if (head.size() > 1 && self.is_cut) {
+    return;
   } else if (body.size() > std::numeric_limits<std::uint16_t>::max() ||
              head.size() > std::numeric_limits<std::uint16_t>::max()) {
     saturation_.give_up();

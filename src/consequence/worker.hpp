@@ -55,6 +55,9 @@ class Worker {
   void note_open(Literal literal) {
     if (literal.kind() == LiteralKind::unary && rules_.is_open(literal.predicate())) context_->has_open = true;
   }
+  /// Counts a conclusion with alternatives; false: the context keeps no more of these.
+  [[nodiscard]] bool may_have_alternatives();
+  void cut();
   [[nodiscard]] bool simplify_head(std::vector<Literal>& head);
   void file_conclusions();
 

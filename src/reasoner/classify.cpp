@@ -57,7 +57,8 @@ class Deepening {
     }
     const std::size_t most = std::min(max_derived_clauses, always_derived + derived_per_axiom * source_.axiom_count());
     const consequence::Closure closure =
-        consequence::saturate(source_, clauses, wanted, {.threads = options_.threads, .clauses = most});
+        consequence::saturate(source_, clauses, wanted,
+                              {.threads = options_.threads, .clauses = most, .alternatives = options_.alternatives});
     if (!closure.is_consistent) return contradict(result_, source_);
     Subsumptions more;
     for (std::size_t at = 0; at < classes.size(); ++at) {

@@ -27,8 +27,11 @@ using tableau::Verdict;
 
 struct Options {
   unsigned threads = 1;
+  /// Conclusions by cases that are derived for one class before it is left to models. Deriving wins where there are
+  /// few, as in SOMA; beyond, a model settles in a few steps what takes every combination to derive.
+  std::uint32_t alternatives = 200;
   /// Called now and then with what is being done and how far it is, in [0, 1]; on the caller's thread.
-  std::function<void(std::string_view phase, double done)> progress;
+  std::function<void(std::string_view phase, double done)> progress{};
 };
 
 /// The taxonomy as the engines together know it.

@@ -50,13 +50,21 @@ el::OntologySource copy_of(const el::OntologySource& source) {
 
 }  // namespace
 
-Opinion of_the_reasoner(const el::OntologySource& source) {
-  const auto classification = reasoner::classify(source);
+namespace {
+
+Opinion of_the_reasoner(const el::OntologySource& source, const reasoner::Options& options) {
+  const auto classification = reasoner::classify(source, options);
   if (!classification) return {{}, false, {classification.error().text}};
   return {cases::closure_of(source, *classification, false),
           classification->unused.empty() && classification->gaps.empty(),
           {}};
 }
+
+}  // namespace
+
+Opinion of_the_reasoner(const el::OntologySource& source) { return of_the_reasoner(source, {}); }
+
+Opinion of_models(const el::OntologySource& source) { return of_the_reasoner(source, {.alternatives = 0}); }
 
 Opinion of_el(const el::OntologySource& source) {
   const auto classification = el::classify(source);

@@ -19,6 +19,8 @@ struct Opinion {
 
 /// The face of the reasoner.
 [[nodiscard]] Opinion of_the_reasoner(const el::OntologySource& source);
+/// The same where nothing is derived by cases: what EL and Horn clauses leave open is settled by models.
+[[nodiscard]] Opinion of_models(const el::OntologySource& source);
 /// The fast engine alone.
 [[nodiscard]] Opinion of_el(const el::OntologySource& source);
 /// The consequence-based engine alone.

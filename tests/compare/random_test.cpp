@@ -26,9 +26,12 @@ TEST_P(RandomOntologies, AreUnderstoodByEachEngineAsByTheOthers) {
                  told(source));
     const Opinion tableau = of_the_tableau(source);
     const Opinion consequence = of_consequence(source);
+    const Opinion models = of_models(source);
     const Opinion whole = of_the_reasoner(source);
     EXPECT_THAT(contradictions(of_el(source), tableau), IsEmpty()) << "el and tableau";
     EXPECT_THAT(contradictions(consequence, tableau), IsEmpty()) << "consequence and tableau";
+    EXPECT_THAT(contradictions(models, tableau), IsEmpty()) << "models and tableau";
+    EXPECT_THAT(contradictions(models, whole), IsEmpty()) << "models and the reasoner";
     EXPECT_THAT(contradictions(whole, tableau), IsEmpty()) << "the reasoner and tableau";
     EXPECT_THAT(contradictions(whole, consequence), IsEmpty()) << "the reasoner and consequence";
     complete += whole.is_complete ? 1U : 0U;

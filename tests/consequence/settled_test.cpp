@@ -74,6 +74,34 @@ TEST(Settled, IsEveryClassWhereOnlyFactsAndKeysAreNotUnderstood) {
               ElementsAre("A", "B", "C", "D"));
 }
 
+constexpr std::string_view by_cases = R"(SubClassOf(:A ObjectUnionOf(:B :C)) SubClassOf(:B :D) SubClassOf(:C :D)
+                                         SubClassOf(:E ObjectSomeValuesFrom(:r :A)) SubClassOf(:F :B))";
+
+/// How many conclusions by cases the context of :A has: the least limit under which there is no gap.
+std::uint32_t needed_alternatives() {
+  const el::OntologySource source = written(by_cases);
+  const clauses::ClauseSet clauses = clauses_of(source);
+  for (std::uint32_t limit = 0;; ++limit) {
+    if (saturate(source, clauses, named_classes(clauses), {.alternatives = limit}).gaps.empty()) return limit;
+  }
+}
+
+TEST(Settled, IsNoClassThatLeadsToOneWithMoreAlternativesThanAreDerived) {
+  const std::uint32_t needed = needed_alternatives();
+  ASSERT_GT(needed, 0U);
+  EXPECT_THAT(settled_of(by_cases, {.alternatives = needed - 1}), ElementsAre("B", "C", "D", "F"));
+  EXPECT_THAT(settled_of(by_cases, {.alternatives = needed}), ElementsAre("A", "B", "C", "D", "E", "F"));
+  EXPECT_THAT(settled_of(by_cases, {.alternatives = needed + 1}), ElementsAre("A", "B", "C", "D", "E", "F"));
+}
+
+TEST(Settled, NamesTheGapWhereAlternativesAreNotDerivedAndKeepsWhatHasNone) {
+  const el::OntologySource source = written(by_cases);
+  const clauses::ClauseSet clauses = clauses_of(source);
+  const Closure closure = saturate(source, clauses, named_classes(clauses), {.alternatives = 0});
+  EXPECT_THAT(closure.gaps, ElementsAre(alternative_gap));
+  EXPECT_THAT(lines_of(source, clauses, closure), ElementsAre("B D", "C D", "F B", "F D"));
+}
+
 TEST(Settled, IsNoClassWhereWhatIsNotUnderstoodMayMatterToAny) {
   EXPECT_THAT(settled_of("DataPropertyRange(:u xsd:boolean) SubClassOf(:A DataMinCardinality(3 :u)) SubClassOf(:B :C)"),
               IsEmpty());
