@@ -120,6 +120,33 @@ TEST_F(TurnsTest, APeerWithManyServicesLeavesPieceByPiece) {
   EXPECT_EQ(consumer.view(7).size(), services);
 }
 
+/// What one change of a service costs others: one event for each that asked for it, and no more in a turn than one
+/// statement may make.
+TEST_F(TurnsTest, APingWaitsForOneStatementOfAFloodOfChangesThatManyAskedToHearOf) {
+  constexpr int requests = 250;
+  for (const char* name : {"a", "b", "c"}) {
+    sim::Client& curious = client(name);
+    for (int number = 1; number <= requests; ++number) {
+      curious.say(std::to_string(number) + " sub create mode=otm/pubsub text=flood");
+    }
+  }
+  sim::Client& flooder = client("flooder");
+  flooder.say("1 pub create mode=otm/pubsub text=flood port=1");
+  world.run_for(milliseconds(10));
+  sim::Client& victim = client("victim");
+  int events_before_pong = -1;
+  victim.on_line = [&](std::string_view, const gcnp::Statement&) { events_before_pong = events; };
+  events = 0;
+  std::string changes;
+  for (int number = 1; number <= 200; ++number) changes += "1 pub modify rate=" + std::to_string(number) + "\n";
+  flooder.send_bytes(changes);
+  victim.say("0 sys ping");
+  world.run_for(milliseconds(10));
+  EXPECT_GE(events_before_pong, 0) << "no pong came";
+  EXPECT_LE(events_before_pong, 2 * 3 * requests);
+  EXPECT_EQ(events, 200 * 3 * requests);
+}
+
 TEST_F(TurnsTest, AnHonestPublisherIsNotChargedForWhatOthersAskedFor) {
   for (int number = 0; number < 3; ++number) {
     sim::Client& curious = client("curious");
