@@ -131,6 +131,11 @@ void ClauseStore::drop_implied(const Record& by, const Pooled<std::uint32_t>& ca
   }
 }
 
+bool ClauseStore::has_alternatives() const {
+  return std::ranges::any_of(clauses_,
+                             [](const Record& record) { return record.head > 1 && record.state != State::redundant; });
+}
+
 void ClauseStore::drop_alternatives() {
   for (Record& record : clauses_) {
     if (record.head > 1) record.state = State::redundant;

@@ -97,6 +97,8 @@ class ClauseStore {
   /// Adds a clause that is not redundant and drops those that it makes redundant. The first `maximal` literals of the
   /// head are maximal ones.
   ClauseNumber insert(std::span<const Literal> body, std::span<const Literal> head, std::size_t maximal);
+  /// Whether some clause has more than one literal in its head.
+  [[nodiscard]] bool has_alternatives() const;
   /// Drops every clause with more than one literal in its head.
   void drop_alternatives();
   void clear();

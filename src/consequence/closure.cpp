@@ -69,11 +69,14 @@ Closure saturate(const el::OntologySource& source, const clauses::ClauseSet& cla
     if (!closure.is_consistent || asked == clauses::nothing) {
       closure.subsumers.push_back({clauses::nothing});
       closure.is_settled.push_back(true);
+      closure.is_plain.push_back(false);
       continue;
     }
     const Context& context = *saturation.find(key_of(vocabulary, asked));
     closure.subsumers.push_back(subsumers_of(vocabulary, context, asked));
     closure.is_settled.push_back(settled.is_settled(context));
+    closure.is_plain.push_back(settled.is_settled(context) && !context.is_unsatisfiable &&
+                               !context.store.has_alternatives());
   }
   return closure;
 }

@@ -49,6 +49,9 @@ struct Closure {
   /// Of each concept that was asked for, whether no gap matters to it: all its subsumers are there, if the ontology is
   /// consistent.
   std::vector<bool> is_settled;
+  /// Of each concept that was asked for, whether it is settled without alternatives: if the ontology is consistent, it
+  /// has a model with an instance of which its subsumers hold and no other named class.
+  std::vector<bool> is_plain;
   std::size_t contexts = 0;
   std::size_t derived = 0;  ///< clauses
 };

@@ -6,6 +6,7 @@
 #ifndef GEMINGA_CONSEQUENCE_SATURATION_HPP
 #define GEMINGA_CONSEQUENCE_SATURATION_HPP
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -58,9 +59,14 @@ class Saturation {
     give_up();
   }
   [[nodiscard]] bool is_contradictory() const { return is_contradictory_.load(std::memory_order_relaxed); }
-  [[nodiscard]] std::uint32_t max_alternatives() const { return limits_.alternatives; }
-  void note_cut_context() { has_cut_context_.store(true, std::memory_order_relaxed); }
-  [[nodiscard]] bool has_cut_context() const { return has_cut_context_.load(std::memory_order_relaxed); }
+  /// Of one context. Where many had more, it is likely that others have, too.
+  [[nodiscard]] std::uint32_t max_alternatives() const {
+    return cut_contexts_.load(std::memory_order_relaxed) < many_cut_contexts
+               ? limits_.alternatives
+               : std::min(limits_.alternatives, few_alternatives);
+  }
+  void note_cut_context() { cut_contexts_.fetch_add(1, std::memory_order_relaxed); }
+  [[nodiscard]] bool has_cut_context() const { return cut_contexts_.load(std::memory_order_relaxed) > 0; }
   void give_up() { is_cut_off_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool is_cut_off() const { return is_cut_off_.load(std::memory_order_relaxed); }
   [[nodiscard]] std::size_t clause_count() const { return clauses_.load(std::memory_order_relaxed); }
@@ -71,6 +77,8 @@ class Saturation {
   static constexpr std::size_t parts = 64;
   /// As many attempts are worth a clause: what derives little must end, too.
   static constexpr std::size_t attempts_per_clause = 100;
+  static constexpr std::size_t many_cut_contexts = 256;
+  static constexpr std::uint32_t few_alternatives = 16;
   struct Part {
     mutable SpinLock lock;
     std::vector<std::unique_ptr<Context>> contexts;
@@ -100,7 +108,7 @@ class Saturation {
   std::atomic<std::size_t> context_count_{0};
   std::atomic<bool> is_cut_off_{false};
   std::atomic<bool> is_contradictory_{false};
-  std::atomic<bool> has_cut_context_{false};
+  std::atomic<std::size_t> cut_contexts_{0};
   std::atomic<bool> is_abandoned_{false};  ///< a thread has thrown
 };
 

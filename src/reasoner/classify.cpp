@@ -70,11 +70,15 @@ class Deepening {
     extend(result_, more);
     result_.gaps = closure.gaps;
     is_settled_.assign(result_.class_count(), false);
-    for (std::size_t at = 0; at < classes.size(); ++at) is_settled_[classes[at]] = closure.is_settled[at];
+    is_plain_.assign(result_.class_count(), false);
+    for (std::size_t at = 0; at < classes.size(); ++at) {
+      is_settled_[classes[at]] = closure.is_settled[at];
+      is_plain_[classes[at]] = closure.is_plain[at];
+    }
   }
 
   void search(const clauses::ClauseSet& clauses) {
-    Completion completion = complete(source_, {result_, clauses, is_settled_}, options_);
+    Completion completion = complete(source_, {result_, clauses, is_settled_, is_plain_}, options_);
     if (!completion.is_consistent) return contradict(result_, source_);
     extend(result_, completion.found);
     if (completion.gaps.empty()) {
@@ -111,6 +115,7 @@ class Deepening {
   const Options& options_;
   Classified& result_;
   std::vector<bool> is_settled_;  ///< by class: that no gap matters to it
+  std::vector<bool> is_plain_;    ///< by class: see Closure::is_plain
 };
 
 }  // namespace

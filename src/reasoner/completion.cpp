@@ -43,6 +43,7 @@ class Completing {
     known_ = find_ancestors(classification_);
     possible_.resize(known_.size());
     is_empty_.assign(known_.size(), false);
+    has_model_.assign(known_.size(), false);
     for (std::uint32_t of = 0; of < known_.size(); ++of) {
       if (given_.is_settled[of]) possible_[representative(of)] = known_[representative(of)];
     }
@@ -90,9 +91,20 @@ class Completing {
     for (const auto& label : model.labels) labels.push_back(classes_of(label, concepts));
     std::ranges::sort(labels);
     labels.erase(std::ranges::unique(labels).begin(), labels.end());
-    for (const Numbers& label : labels) {
-      narrow(top_, label, known_[top_].size());
-      for (const std::uint32_t of : label) narrow(of, label, known_[of].size() + 1);
+    for (const Numbers& label : labels) learn(label);
+  }
+  void learn(const Numbers& label) {
+    narrow(top_, label, known_[top_].size());
+    for (const std::uint32_t of : label) narrow(of, label, known_[of].size() + 1);
+  }
+
+  /// Derivation has shown for each of these what a model with an instance of it looks like.
+  void learn_plain() {
+    for (std::uint32_t of = 0; of < known_.size(); ++of) {
+      if (!given_.is_plain[of] || !is_asked(of)) continue;
+      Numbers label = known_[of];
+      insert(label, of);
+      learn(label);
     }
   }
 
@@ -125,6 +137,16 @@ class Completing {
     }
   }
 
+  void inherit(std::uint32_t of) {
+    if (result_.found.empty()) return;
+    const Numbers direct = known_[of];
+    for (const std::uint32_t above : direct) {
+      for (const std::uint32_t higher : known_[above]) {
+        if (higher != of) insert(known_[of], higher);
+      }
+    }
+  }
+
   void set_empty(std::uint32_t of) {
     is_empty_[of] = true;
     result_.found.emplace_back(of, static_cast<std::uint32_t>(classification_.nothing));
@@ -147,24 +169,51 @@ class Completing {
     tableau::Tableau tableau(source_, clauses, limits_.question);
     const Verdict world = note(tableau.is_consistent());
     if (world == Verdict::no) result_.is_consistent = false;
-    if (world == Verdict::yes) learn(tableau.model(), concepts);
     if (world == Verdict::no) return;
+    if (world == Verdict::yes) {
+      learn(tableau.model(), concepts);
+      learn_plain();
+    }
     const Numbers order = lowest_first();
     for (std::size_t at = 0; at < order.size(); ++at) {
-      const std::uint32_t of = order[at];
-      const auto asked = concepts.concept_of(of);
-      // What no clause speaks of has nothing above it.
-      if (!asked) possible_[of] = known_[of];
-      if (possible_[of]) continue;
-      if (!may_ask(0.5 * static_cast<double>(at) / static_cast<double>(order.size()))) return;
-      const Verdict verdict = note(tableau.is_satisfiable({*asked}));
-      if (verdict == Verdict::no) set_empty(of);
-      if (verdict != Verdict::yes) continue;
-      for (const std::uint32_t above : classes_of(tableau.model().certain, concepts)) {
-        if (above != of && !contains(known_[of], above)) add(of, above);
+      const double done = 0.5 * static_cast<double>(at) / static_cast<double>(order.size());
+      if (!find_model(order[at], tableau, concepts, done)) return;
+      if (!is_empty_[order[at]]) continue;
+      // It is often empty because of what is above it, and then its brothers are, too: the highest first.
+      Numbers above = known_[order[at]];
+      std::ranges::stable_sort(above, {}, [&](std::uint32_t of) { return known_[of].size(); });
+      for (std::size_t next = 0; next < above.size() && (next == 0 || !is_empty_[above[next - 1]]); ++next) {
+        if (!find_model(above[next], tableau, concepts, done)) return;
       }
-      learn(tableau.model(), concepts);
     }
+  }
+
+  /// Whether it is known what is above the class, or that nothing can be in it.
+  [[nodiscard]] bool is_closed(std::uint32_t of) const {
+    return is_empty_[of] || (possible_[of] && possible_[of]->size() <= known_[of].size() + 1);
+  }
+
+  /// Asks for a model with an instance of the class where other models have not said all. False: no more may be asked.
+  bool find_model(std::uint32_t of, tableau::Tableau& tableau, const NamedConcepts& concepts, double done) {
+    if (!is_asked(of) || is_closed(of) || has_model_[of]) return true;
+    if (std::ranges::any_of(known_[of], [&](std::uint32_t above) { return is_empty_[above]; })) {
+      set_empty(of);
+      return true;
+    }
+    const auto asked = concepts.concept_of(of);
+    // What no clause speaks of has nothing above it.
+    if (!asked) possible_[of] = known_[of];
+    if (!asked) return true;
+    if (!may_ask(done)) return false;
+    has_model_[of] = true;
+    const Verdict verdict = note(tableau.is_satisfiable({*asked}));
+    if (verdict == Verdict::no) set_empty(of);
+    if (verdict != Verdict::yes) return true;
+    for (const std::uint32_t above : classes_of(tableau.model().certain, concepts)) {
+      if (above != of && !contains(known_[of], above)) add(of, above);
+    }
+    learn(tableau.model(), concepts);
+    return true;
   }
 
   [[nodiscard]] Numbers open_above(std::uint32_t of) const {
@@ -181,9 +230,10 @@ class Completing {
   }
 
   void ask_pairs() {
-    // What is above everything need not be asked again of each class.
+    // What is above a class need not be asked again of what is below it.
     Numbers order = lowest_first();
-    order.insert(order.begin(), top_);
+    order.push_back(top_);
+    std::ranges::reverse(order);
     std::set<std::uint32_t> supers;
     for (const std::uint32_t of : order) {
       for (const std::uint32_t above : open_above(of)) supers.insert(above);
@@ -202,6 +252,7 @@ class Completing {
     for (std::size_t at = 0; at < order.size(); ++at) {
       const std::uint32_t of = order[at];
       const auto sub = concepts.concept_of(of);
+      inherit(of);
       for (const std::uint32_t above : open_above(of)) {
         if (!sub || contains(known_[of], above) || contains(known_[top_], above)) continue;
         if (!contains(*possible_[of], above)) continue;
@@ -228,6 +279,7 @@ class Completing {
   std::vector<el::TermId> terms_;                 ///< by class
   std::vector<Numbers> known_;                    ///< by representative: what is strictly above it, ascending
   std::vector<std::optional<Numbers>> possible_;  ///< by representative: what may be above it, itself (but T) included
+  std::vector<bool> has_model_;                   ///< by representative: a model of it was looked for
   std::vector<bool> is_empty_;                    ///< by representative: found to be below owl:Nothing
 };
 

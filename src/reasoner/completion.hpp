@@ -18,9 +18,9 @@ namespace geminga::reasoner {
 
 /// Counted, so that the same ontology has the same taxonomy everywhere.
 struct CompletionLimits {
-  std::size_t classes = 20'000;    ///< of an ontology; beyond it no model is looked for
-  std::size_t questions = 20'000;  ///< to the tableau, of all kinds
-  std::size_t unanswered = 20;     ///< questions that were too hard
+  std::size_t classes = 50'000;     ///< of an ontology; beyond it no model is looked for
+  std::size_t questions = 100'000;  ///< to the tableau, of all kinds
+  std::size_t unanswered = 20;      ///< questions that were too hard
   tableau::Limits question{.nodes = 20'000, .steps = 500'000};
 };
 
@@ -36,6 +36,8 @@ struct Incomplete {
   const clauses::ClauseSet& clauses;  ///< of the source
   /// By class: nothing is missing above it, if the source is consistent.
   const std::vector<bool>& is_settled;
+  /// By class: some model, if there is one, has an instance that is in this class, in those above it and in no other.
+  const std::vector<bool>& is_plain;
 };
 
 /// Looks for what follows from the source beyond the taxonomy given.

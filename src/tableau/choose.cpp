@@ -8,17 +8,20 @@ namespace geminga::tableau {
 
 namespace {
 
-/// As many open disjunctions are compared before one is taken.
+/// As many open disjunctions are compared before one is taken: few as long as every guess was right, as in most models.
+constexpr std::size_t few_compared = 16;
 constexpr std::size_t max_compared = 256;
 
 }  // namespace
 
 /// Whether something was done: a branch, a fact without alternatives, or a clash.
 bool Tableau::Search::choose() {
-  Open best;
+  Open& one = open_;
+  Open& best = best_open_;
+  const std::size_t most = has_failed_ ? max_compared : few_compared;
   std::size_t compared = 0;
-  for (std::size_t at = next_disjunction_; at < disjunctions_.size() && compared < max_compared; ++at) {
-    Open one = open(disjunctions_[at]);
+  for (std::size_t at = next_disjunction_; at < disjunctions_.size() && compared < most; ++at) {
+    open(disjunctions_[at], one);
     if (one.is_done) {
       // What holds goes on holding as long as this branch is.
       if (at == next_disjunction_) ++next_disjunction_;
@@ -32,10 +35,10 @@ bool Tableau::Search::choose() {
       apply(one.alternatives.front(), one.dependency);
       return true;
     }
-    if (compared++ == 0 || one.alternatives.size() < best.alternatives.size()) best = std::move(one);
+    if (compared++ == 0 || one.alternatives.size() < best.alternatives.size()) std::swap(one, best);
   }
   if (compared == 0) return choose_for_bound();
-  branch(std::move(best.alternatives), best.dependency, {none, none});
+  branch(best.alternatives, best.dependency, {none, none});
   return true;
 }
 
@@ -51,18 +54,17 @@ bool Tableau::Search::choose_for_bound() {
   return false;
 }
 
-Tableau::Search::Open Tableau::Search::open(const Disjunction& disjunction) {
-  Open result;
+void Tableau::Search::open(const Disjunction& disjunction, Open& result) {
+  result.alternatives.clear();
   result.dependency = disjunction.dependency;
   for (std::uint32_t at = disjunction.begin; at < disjunction.end; ++at) {
     Choice choice = choices_[at];
     choice.a = graph_.current(choice.a, sets_, result.dependency);
     choice.b = graph_.current(choice.b, sets_, result.dependency);
     result.is_done = !graph_.is_active(choice.a) || !graph_.is_active(choice.b) || holds(choice);
-    if (result.is_done) return result;
+    if (result.is_done) return;
     if (!is_excluded(choice, result.dependency)) result.alternatives.push_back(choice);
   }
-  return result;
 }
 
 bool Tableau::Search::is_excluded(const Choice& choice, DependencySet& dependency) {

@@ -1,11 +1,7 @@
-// At-least restrictions, and blocking, which keeps their expansion finite.
+// At-least restrictions.
 //
 //   >=-rule:  >= n R.B(x), x not blocked, without n different R-neighbours in B: n new ones.
-//   x is blocked by an older y that is not, if both are in the same concepts and so are their parents, with the same
-//   edges between (pairwise anywhere blocking); where no clause looks back along an edge, the node alone is compared.
-//   What is under a blocked node is blocked.
 #include <algorithm>
-#include <unordered_map>
 
 #include "tableau/search.hpp"
 
@@ -18,7 +14,9 @@ bool Tableau::Search::expand() {
   find_blocked();
   bool has_expanded = false;
   const std::size_t count = existentials_.size();
-  for (std::uint32_t at = 0; at < count; ++at) {
+  // Without nominals nothing reaches into the models of earlier questions, where what is not done is blocked.
+  const std::size_t settled = base_ && !program_.has_nominals() ? base_->existentials : 0;
+  for (auto at = static_cast<std::uint32_t>(settled); at < count; ++at) {
     if (existentials_[at].is_done) continue;
     const Fact fact = graph_.fact(existentials_[at].fact);
     if (!graph_.is_active(fact.a) || graph_.node(fact.a).is_blocked) continue;
@@ -32,7 +30,7 @@ bool Tableau::Search::expand() {
       expand_data(fact);
     }
     // What follows from a guess is looked at before more is built on it.
-    if (has_clash_ || is_over_limit() || !branches_.empty()) break;
+    if (has_clash_ || is_over_limit() || branches_.size() > base_branches_) break;
   }
   return has_expanded;
 }
@@ -127,67 +125,6 @@ void Tableau::Search::expand_data(const Fact& fact) {
     for (NodeId other = first; other < node; ++other) add_unequal(other, node, fact.dependency);
     if (is_over_limit()) return;
   }
-}
-
-/// So many nodes are looked at in the time that a fact takes.
-constexpr std::size_t nodes_a_step = 16;
-
-void Tableau::Search::find_blocked() {
-  // What is older than any change is as it was.
-  const NodeId changed = graph_.take_changed();
-  if (changed == none) return;
-  steps_ += graph_.node_count() / nodes_a_step;  // or questions with many nodes would take no steps and no end
-  std::unordered_map<std::uint64_t, NodeId> newest;
-  std::vector<NodeId> older(graph_.node_count(), none);
-  for (NodeId node = 0; node < graph_.node_count(); ++node) {
-    const Node& one = graph_.node(node);
-    if (one.kind != NodeKind::tree || one.state != NodeState::active) continue;
-    if (node < changed && one.is_blocked) continue;
-    if (node >= changed && graph_.node(one.parent).is_blocked) {
-      graph_.set_blocked(node, true);
-      continue;
-    }
-    std::uint64_t key = one.label_hash;
-    if (program_.has_inverses()) {
-      key = key * 0x9e3779b97f4a7c15U + one.edge_hash;
-      key = key * 0x9e3779b97f4a7c15U + graph_.node(one.parent).label_hash;
-    }
-    const auto [found, is_new] = newest.try_emplace(key, none);
-    bool is_blocked = false;
-    for (NodeId blocker = found->second; node >= changed && blocker != none && !is_blocked; blocker = older[blocker]) {
-      is_blocked = blocks(blocker, node);
-    }
-    graph_.set_blocked(node, is_blocked);
-    if (is_blocked) continue;
-    older[node] = found->second;
-    found->second = node;
-  }
-}
-
-bool Tableau::Search::blocks(NodeId blocker, NodeId node) const {
-  if (!graph_.has_label_of(node, blocker)) return false;
-  if (!program_.has_inverses()) return true;
-  const NodeId parent = graph_.node(node).parent;
-  const NodeId other = graph_.node(blocker).parent;
-  return graph_.has_label_of(parent, other) && has_same_edges(node, blocker);
-}
-
-/// Whether the same roles lead between the nodes and their parents.
-bool Tableau::Search::has_same_edges(NodeId node, NodeId other) const {
-  const Node& first = graph_.node(node);
-  const Node& second = graph_.node(other);
-  if (first.edge_count != second.edge_count || first.edge_hash != second.edge_hash) return false;
-  for (FactId id = second.in; id != none; id = graph_.fact(id).next_b) {
-    const Fact& fact = graph_.fact(id);
-    if (fact.kind != FactKind::role || fact.a != second.parent) continue;
-    if (graph_.find(FactKind::role, fact.predicate, first.parent, node) == none) return false;
-  }
-  for (FactId id = second.out; id != none; id = graph_.fact(id).next_a) {
-    const Fact& fact = graph_.fact(id);
-    if (fact.kind != FactKind::role || fact.b != second.parent) continue;
-    if (graph_.find(FactKind::role, fact.predicate, node, first.parent) == none) return false;
-  }
-  return true;
 }
 
 }  // namespace geminga::tableau

@@ -14,6 +14,8 @@ constexpr std::uint64_t mixed(std::uint64_t word) {
   return word ^ (word >> 33);
 }
 
+bool is_value(NodeKind kind) { return kind == NodeKind::constant || kind == NodeKind::value; }
+
 bool is_edge(FactKind kind) { return kind == FactKind::role || kind == FactKind::data_role; }
 
 bool is_label(FactKind kind) {
@@ -54,6 +56,7 @@ NodeId Graph::add_node(NodeKind kind, NodeId parent) {
   node.kind = kind;
   node.parent = parent;
   note_change(id);
+  if (is_value(kind)) ++value_count_;
   if (parent != none) {
     node.depth = nodes_[parent].depth + 1;
     node.next_child = nodes_[parent].first_child;
@@ -200,6 +203,7 @@ void Graph::cut(const Mark& mark) {
   while (nodes_.size() > mark.nodes) {
     const Node& node = nodes_.back();
     if (node.parent != none) nodes_[node.parent].first_child = node.next_child;
+    if (is_value(node.kind)) --value_count_;
     nodes_.pop_back();
     note_change(static_cast<NodeId>(nodes_.size()));
   }

@@ -80,6 +80,8 @@ class Graph {
   [[nodiscard]] const Fact& fact(FactId id) const { return facts_[id]; }
   [[nodiscard]] std::size_t node_count() const { return nodes_.size(); }
   [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
+  /// How many nodes are values.
+  [[nodiscard]] std::size_t value_count() const { return value_count_; }
   [[nodiscard]] bool is_active(NodeId id) const { return nodes_[id].state == NodeState::active; }
   void set_blocked(NodeId id, bool is_blocked) { nodes_[id].is_blocked = is_blocked; }
 
@@ -124,6 +126,7 @@ class Graph {
   std::vector<FactId> slots_;
   std::vector<NodeId> trail_;  ///< nodes that were merged or pruned
   NodeId changed_ = 0;
+  std::size_t value_count_ = 0;
 };
 
 }  // namespace geminga::tableau

@@ -8,6 +8,13 @@ namespace geminga::tableau {
 
 using clauses::number;
 
+namespace {
+
+/// Beyond this the models of earlier questions make room.
+constexpr std::size_t max_kept_nodes = 20'000;
+
+}  // namespace
+
 void Tableau::Search::load_individuals() {
   // There is at least one thing.
   if (set_.individuals.empty()) {
@@ -73,55 +80,79 @@ Answer Tableau::Search::answer(Outcome outcome) {
   return {Verdict::unknown, reason_};
 }
 
-Answer Tableau::Search::is_consistent() {
+Tableau::Search::Outcome Tableau::Search::find_consistency() {
   has_question_ = false;
-  if (!consistency_ || (*consistency_ == Outcome::model && program_.has_nominals() && !base_)) {
-    reset();
-    steps_ = 0;
-    reason_.clear();
-    load_facts();
-    consistency_ = run();
-    consistency_reason_ = reason_;
-    if (*consistency_ == Outcome::model && program_.has_nominals()) {
-      base_ = state();
-      base_branches_ = branches_.size();
-    }
-    if (*consistency_ == Outcome::model) {
-      write_model();
-      consistent_model_ = model_;
-    }
-  }
-  reason_ = consistency_reason_;
+  if (consistency_ && (*consistency_ != Outcome::model || !program_.has_nominals() || base_)) return *consistency_;
+  reset();
+  steps_ = 0;
+  has_failed_ = false;
+  reason_.clear();
+  load_facts();
+  consistency_ = run();
+  consistency_reason_ = reason_;
   if (*consistency_ == Outcome::model) {
-    model_ = consistent_model_;
-    return {Verdict::yes, {}};
+    write_model();
+    consistent_model_ = model_;
+    if (program_.has_nominals()) keep_model();
   }
-  return answer(*consistency_);
+  return *consistency_;
+}
+
+Answer Tableau::Search::is_consistent() {
+  const Outcome outcome = find_consistency();
+  reason_ = consistency_reason_;
+  if (outcome != Outcome::model) return answer(outcome);
+  model_ = consistent_model_;
+  return {Verdict::yes, {}};
+}
+
+/// What the question is put onto. Without nominals facts and questions have nothing to do with each other.
+bool Tableau::Search::prepare_base() {
+  if (find_consistency() != Outcome::model) return false;
+  if (!program_.has_nominals() && (!base_ || base_->mark.nodes > max_kept_nodes)) {
+    reset();
+    keep_model();
+  }
+  return true;
 }
 
 Answer Tableau::Search::is_satisfiable(std::vector<clauses::ConceptId> together) {
-  if (const Answer consistent = is_consistent(); consistent.verdict != Verdict::yes) return consistent;
-  if (!base_) reset();
+  if (!prepare_base()) {
+    reason_ = consistency_reason_;
+    return answer(*consistency_);
+  }
   question_ = std::move(together);
   has_question_ = true;
   steps_ = 0;
+  has_failed_ = false;
   reason_.clear();
   ask();
   const Outcome outcome = run();
   const Answer result = answer(outcome);
   has_question_ = false;
   has_clash_ = false;
-  if (base_) {
+  if (!base_) return result;
+  const bool has_values = graph_.value_count() > 0;
+  if (outcome == Outcome::model && !program_.has_nominals() && !has_values) {
+    keep_model();
+  } else {
     branches_.resize(base_branches_);
     restore(*base_);
   }
   return result;
 }
 
+/// Questions that come are put beside what there is, whose nodes block theirs. Nothing leads from one model to another,
+/// so that nothing in a kept model changes; values, which models would share, are not kept.
+void Tableau::Search::keep_model() {
+  base_ = state();
+  base_branches_ = branches_.size();
+}
+
 void Tableau::Search::ask() {
   question_mark_ = graph_.mark().facts;
   question_node_ = add_node(NodeKind::root, none, no_dependency);
-  if (!program_.needs_thing()) {
+  if (!program_.needs_thing() && question_.empty()) {
     // So that cutting it off is seen.
     add_fact(FactKind::concept_of, number(clauses::thing), question_node_, 0, no_dependency);
   }
@@ -130,37 +161,52 @@ void Tableau::Search::ask() {
   }
 }
 
+void Tableau::Search::write_label(NodeId node) {
+  std::vector<clauses::ConceptId> label;
+  for (FactId id = graph_.node(node).labels; id != none; id = graph_.fact(id).next_a) {
+    if (graph_.fact(id).predicate < set_.concepts.size())
+      label.push_back(clauses::ConceptId{graph_.fact(id).predicate});
+  }
+  std::ranges::sort(label);
+  model_.labels.push_back(std::move(label));
+}
+
 void Tableau::Search::write_model() {
   model_ = {};
   DependencySet dependency = no_dependency;
   const NodeId asked = has_question_ ? graph_.current(question_node_, sets_, dependency) : none;
-  const auto write = [&](NodeId node) {
-    std::vector<clauses::ConceptId> label;
-    for (FactId id = graph_.node(node).labels; id != none; id = graph_.fact(id).next_a) {
+  if (asked != none) {
+    write_label(asked);
+    for (FactId id = graph_.node(asked).labels; id != none; id = graph_.fact(id).next_a) {
       const Fact& fact = graph_.fact(id);
-      if (fact.predicate >= set_.concepts.size()) continue;
-      label.push_back(clauses::ConceptId{fact.predicate});
       // What came to it by a merge that was not certain has that merge among its dependencies.
-      if (node == asked && unite(fact.dependency, dependency) == no_dependency) {
+      if (fact.predicate < set_.concepts.size() && unite(fact.dependency, dependency) == no_dependency)
         model_.certain.push_back(clauses::ConceptId{fact.predicate});
-      }
     }
-    std::ranges::sort(label);
-    model_.labels.push_back(std::move(label));
-  };
-  if (asked != none) write(asked);
-  for (NodeId node = 0; node < graph_.node_count(); ++node) {
+    std::ranges::sort(model_.certain);
+  }
+  const auto write = [&](NodeId node) {
     const NodeKind kind = graph_.node(node).kind;
     const bool is_object = kind == NodeKind::root || kind == NodeKind::tree;
     const bool is_blocked = kind == NodeKind::tree && graph_.node(node).is_blocked;
-    if (node != asked && is_object && graph_.is_active(node) && !is_blocked) write(node);
+    if (node != asked && is_object && graph_.is_active(node) && !is_blocked) write_label(node);
+  };
+  // What is older than the question and as it was has been written before.
+  const Mark before = base_ ? base_->mark : Mark{};
+  std::vector<NodeId> changed;
+  for (auto id = static_cast<FactId>(before.facts); id < graph_.facts().size(); ++id) {
+    const Fact& fact = graph_.fact(id);
+    if (fact.kind == FactKind::concept_of && fact.a < before.nodes) changed.push_back(fact.a);
   }
-  std::ranges::sort(model_.certain);
+  std::ranges::sort(changed);
+  changed.erase(std::ranges::unique(changed).begin(), changed.end());
+  std::ranges::for_each(changed, write);
+  for (auto node = static_cast<NodeId>(before.nodes); node < graph_.node_count(); ++node) write(node);
 }
 
 void Tableau::Search::check_keys() {
   // of(a), of(b), R(a,c), R(b,c), ..., U(a,v), U(b,v), ... -> a = b for named individuals a, b, c
-  if (individuals_.empty()) return;
+  if (individuals_.empty() || set_.keys.empty()) return;
   is_named_.assign(graph_.node_count(), false);
   for (std::size_t at = 0; at < individuals_.size(); ++at) {
     const el::TermId term = set_.individuals[at];

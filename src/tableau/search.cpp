@@ -17,7 +17,7 @@ void Tableau::Search::clash(DependencySet dependency) {
 }
 
 bool Tableau::Search::is_over_limit() {
-  if (graph_.node_count() > limits_.nodes) {
+  if (graph_.node_count() - (base_ ? base_->mark.nodes : 0) > limits_.nodes) {
     reason_ = "more than " + std::to_string(limits_.nodes) + " nodes were needed";
   } else if (steps_ > limits_.steps) {
     reason_ = "more than " + std::to_string(limits_.steps) + " steps were needed";
@@ -93,6 +93,7 @@ bool Tableau::Search::go_back() {
     base_.reset();
     base_branches_ = 0;
   }
+  has_failed_ = true;
   ++failures_[failure_key(branch.alternatives[branch.next])];
   const Choice choice = branch.alternatives[++branch.next];
   const Suspect suspect = branch.suspect;
@@ -110,6 +111,7 @@ bool Tableau::Search::go_back() {
 }
 
 void Tableau::Search::check_values() {
+  if (graph_.value_count() == 0) return;
   if (const auto dependency = values_.clash(graph_, sets_, unknown_value_)) clash(*dependency);
 }
 

@@ -14,6 +14,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "tableau/blockers.hpp"
 #include "tableau/graph.hpp"
 #include "tableau/program.hpp"
 #include "tableau/tableau.hpp"
@@ -123,7 +124,7 @@ class Tableau::Search {
   // choose.cpp: which disjunction is next
   bool choose();
   bool choose_for_bound();
-  Open open(const Disjunction& disjunction);
+  void open(const Disjunction& disjunction, Open& result);
   /// Whether what holds excludes the choice; unites the reasons into `dependency`.
   bool is_excluded(const Choice& choice, DependencySet& dependency);
   bool is_excluded(std::uint32_t id, NodeId node, DependencySet& dependency);
@@ -136,7 +137,11 @@ class Tableau::Search {
   void load_facts();
   void ask();
   Answer answer(Outcome outcome);
+  Outcome find_consistency();
+  bool prepare_base();
+  void keep_model();
   void write_model();
+  void write_label(NodeId node);
   void check_keys();
   bool agree(const clauses::Key& key, NodeId first, NodeId second, DependencySet& dependency);
   DependencySet unite(DependencySet first, DependencySet second) { return sets_.unite(first, second); }
@@ -177,13 +182,17 @@ class Tableau::Search {
   [[nodiscard]] bool is_kept(NodeId node, NodeId other) const;
   void copy_facts(NodeId from, NodeId to, DependencySet dependency);
 
-  // expand.cpp: at-least and blocking
+  // expand.cpp: at-least
   bool expand();
   void expand_object(const Fact& fact);
   void expand_data(const Fact& fact);
   [[nodiscard]] bool is_satisfied(const Fact& fact);
   bool give_to_neighbour(const Fact& fact);
+
+  // blocking.cpp
   void find_blocked();
+  [[nodiscard]] bool may_block_as_root(const Node& node) const;
+  [[nodiscard]] std::uint64_t blocking_key(const Node& node) const;
   [[nodiscard]] bool blocks(NodeId blocker, NodeId node) const;
   [[nodiscard]] bool has_same_edges(NodeId node, NodeId other) const;
 
@@ -199,6 +208,7 @@ class Tableau::Search {
   ValueCheck values_;
   DependencySets sets_;
   Graph graph_;
+  Blockers blockers_;
 
   FactId processed_ = 0;
   bool has_clash_ = false;
@@ -209,6 +219,9 @@ class Tableau::Search {
   std::vector<Choice> choices_;
   std::vector<Disjunction> disjunctions_;
   std::size_t next_disjunction_ = 0;
+  bool has_failed_ = false;  ///< some choice of this question did
+  Open open_;                ///< room of choose()
+  Open best_open_;
   /// Bounds that can be enforced by a choice only.
   std::vector<Suspect> demands_;
   std::size_t next_demand_ = 0;
@@ -234,7 +247,9 @@ class Tableau::Search {
   std::optional<Outcome> consistency_;
   std::string consistency_reason_;
   Model consistent_model_;
-  std::optional<State> base_;  ///< a model of the facts, onto which questions are put
+  /// Onto which questions are put: where there are nominals a model of the facts, otherwise the models of the questions
+  /// that were answered with yes.
+  std::optional<State> base_;
   std::size_t base_branches_ = 0;
   Model model_;
 };

@@ -28,9 +28,11 @@ struct Limits {
   std::size_t steps = 20'000'000;  ///< facts derived and nodes looked at for blocking, over all branches
 };
 
-/// A model as far as it tells what is not entailed: what holds of each of its nodes that is not blocked.
+/// A model as far as it tells what is not entailed: what holds of each of its nodes that is not blocked. Nodes that it
+/// shares with the models of earlier questions, or with that of the facts, and that are as they were there, are left
+/// out.
 struct Model {
-  /// Ascending concepts of each node; node 0 is the instance of the concept that was asked for.
+  /// Ascending concepts of each node; the first is the instance of the concept that was asked for.
   std::vector<std::vector<clauses::ConceptId>> labels;
   /// Concepts of node 0 that hold in every model: derived without a choice. Ascending.
   std::vector<clauses::ConceptId> certain;

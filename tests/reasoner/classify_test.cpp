@@ -125,7 +125,8 @@ Completion completed(const el::OntologySource& source, const CompletionLimits& l
   const el::Classification known = el::classified(source);
   const auto clauses = clauses::clausify(source, std::nullopt, {});
   if (!clauses) ADD_FAILURE() << clauses.error().text;
-  return complete(source, {known, *clauses, std::vector<bool>(known.class_count(), false)}, {}, limits);
+  const std::vector<bool> none(known.class_count(), false);
+  return complete(source, {known, *clauses, none, none}, {}, limits);
 }
 
 constexpr const char* by_cases =
