@@ -275,8 +275,10 @@ class Daemon::State final : private env::EventSink {
     auto read = reread_();
     if (!read) {
       say_kept(read.error(), "the configuration in force is kept");
+      configuration_failure_ = read.error().empty() ? "unknown" : read.error().front();
       return;
     }
+    configuration_failure_.clear();
     const Configuration before = std::exchange(configuration_, std::move(*read));
     log_.set(configuration_.log_level, configuration_.log_format);
     if (configuration_.name != before.name || configuration_.group != before.group ||
@@ -326,6 +328,7 @@ class Daemon::State final : private env::EventSink {
     append("dropped_no_peer", dropped.no_peer);
     append("dropped_wrong_way", dropped.wrong_way);
     append("dropped_overrun", dropped.overrun);
+    if (!configuration_failure_.empty()) line.push_back({"configuration_failed", configuration_failure_});
     return line;
   }
 
@@ -344,6 +347,7 @@ class Daemon::State final : private env::EventSink {
   Preparation preparation_;
   std::chrono::steady_clock::duration load_time_{};
   Lines failure_;
+  std::string configuration_failure_;  ///< the first line of why it could not be read again; empty: it could
   bool is_announced_ = false;
   bool is_stopping_ = false;
   bool must_reload_ = false;

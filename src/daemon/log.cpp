@@ -35,6 +35,8 @@ spdlog::level::level_enum severity(base::LogLevel level) {
 class Sink final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
  public:
   [[nodiscard]] bool is_written() const { return is_written_; }
+  /// Of a line of which the beginning is out.
+  bool write_rest() { return writer_.finish_begun(); }
 
  private:
   void sink_it_(const spdlog::details::log_msg& message) override {
@@ -71,6 +73,7 @@ class Log::State {
 
   /// True where nothing is left to be said.
   bool catch_up() {
+    if (!sink_->write_rest()) return false;
     const std::uint64_t missing = dropped_ - told_;
     if (missing == 0) return true;
     // Said whatever the level is: whoever wants errors only has to know that some are missing.

@@ -22,6 +22,8 @@ class LogWriter {
 
   /// Writes a line, its end included. False: there was no room, and it is dropped as a whole.
   [[nodiscard]] bool write(std::string_view line);
+  /// Writes what is left of a line that was begun. False: it is still not whole.
+  bool finish_begun();
 
  private:
   enum class Way : std::uint8_t {
@@ -33,8 +35,6 @@ class LogWriter {
 
   /// How many octets were taken; 0 where there is no room, or an error.
   [[nodiscard]] std::size_t put(std::string_view bytes) const;
-  /// Writes what is left of a line that was begun. False: it is still not whole.
-  bool finish_begun();
 
   int descriptor_;
   Way way_ = Way::plain;

@@ -52,8 +52,8 @@ class Env {
   /// Queues bytes to a client. Who writes looks at unsent(): a client for which far too much waits is closed by the
   /// world, and on_stream_closed() says so.
   virtual void write(StreamId stream, std::string_view bytes) = 0;
-  /// Octets that were written to a client and for which it has left no room yet. When all of them have gone on their
-  /// way, on_stream_drained() says so. 0 for a client that is gone.
+  /// Octets that were written to a client and have not gone on their way: nothing goes before the end of an event.
+  /// Wherever this gave more than 0, on_stream_drained() comes when all of them have gone. 0 for a client that is gone.
   [[nodiscard]] virtual std::size_t unsent(StreamId stream) const = 0;
   /// Whether more of what a client says is wanted, as it is from the start. What it says meanwhile waits with the
   /// system, which holds the client back.

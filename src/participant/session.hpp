@@ -72,9 +72,11 @@ class Session {
   std::uint64_t events = 0;
   gcnp::FirstWord first_word;
   base::Instant heard{};  ///< when its last line was handled, or it connected
-  /// Since when it is too far behind to be told of every change; nothing: it is not. It is told so (`msg lagged`) when
-  /// it reads again.
+  /// Since when it is too far behind to be told of every change and has read nothing; nothing: it is not behind. It is
+  /// told so (`msg lagged`) when it has caught up.
   std::optional<base::Instant> lags_since;
+  /// Octets that waited for it when it began to lag, or when it had read something since then: `lags_since` moves on.
+  std::size_t lag_backlog = 0;
   /// Set by `sys bye`, by a flood or by a client that does not speak GCNP: nothing is read from it any more, and at the
   /// end of the event it is closed.
   bool is_closing = false;

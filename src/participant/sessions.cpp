@@ -5,6 +5,7 @@
 #include <string>
 
 #include "participant/own_services.hpp"
+#include "participant/telling.hpp"
 #include "participant/turns.hpp"
 
 namespace geminga::participant {
@@ -65,8 +66,19 @@ bool make_place(Core& core) {
   return true;
 }
 
-bool is_stuck(const Core& core, const Session& session) {
-  return session.lags_since && core.env.now() - *session.lags_since >= core.settings.limits.lag_patience;
+/// Whether it lags and has read nothing for too long.
+bool is_stuck(Core& core, Session& session) {
+  if (!session.lags_since) return false;
+  if (!has_picture(session)) {
+    session.lags_since.reset();  // what it has missed is about no request that it still has
+    return false;
+  }
+  const std::size_t backlog = core.backlog(session);
+  if (backlog < session.lag_backlog) {
+    session.lag_backlog = backlog;
+    session.lags_since = core.env.now();
+  }
+  return core.env.now() - *session.lags_since >= core.settings.limits.lag_patience;
 }
 
 }  // namespace

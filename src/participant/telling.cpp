@@ -99,6 +99,7 @@ bool must_wait(Core& core, Session& session, std::uint32_t number) {
   if (core.backlog(session) <= core.settings.limits.unread) return false;
   if (!session.lags_since) {
     session.lags_since = core.env.now();
+    session.lag_backlog = core.backlog(session);
     ++core.counters.lags;
   }
   session.pictures[number] = {};

@@ -31,6 +31,12 @@ void LongText::note_blank(bool is_blank) {
 void LongText::step(char c) {
   switch (within_) {
     case Within::nothing:
+      // A mark that is part of a name, as in ex:O\'Brien; no name has a quotation mark in it.
+      if (is_escaped_ && c != '"') {
+        is_escaped_ = false;
+        return;
+      }
+      is_escaped_ = c == '\\';
       note_blank(c == '#' || c == ' ' || c == '\t' || c == '\r' || c == '\n');
       // Two quotation marks are an empty text, and three the begin of a long one.
       if (quotes_ == 2 && c == quote_) return begin_text(Within::long_text);

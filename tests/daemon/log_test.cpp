@@ -111,6 +111,25 @@ TEST(Log, DoesNotWaitForAPipeThatNobodyReads) {
   ::close(ends[1]);
 }
 
+TEST(Log, FinishesALineThatWasBegunWithoutWaitingForTheNext) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  {
+    const AsStandardError standard_error(ends[1]);
+    Log log(LogLevel::info, LogFormat::text);
+    const std::string line(4000, 'x');
+    // The time stamp makes each longer than what a pipe takes whole or not at all.
+    while (log.dropped() == 0) log.write(LogLevel::info, line + std::string(96, 'y'));
+    std::string said = read_all(ends[0]);
+    log.catch_up();
+    said += read_all(ends[0]);
+    EXPECT_THAT(said, testing::EndsWith("nobody was reading it\n"));
+    EXPECT_EQ(std::ranges::count(said, 'x') % 4000, 0);
+  }
+  ::close(ends[0]);
+  ::close(ends[1]);
+}
+
 TEST(Log, DoesNotWaitForASocketThatNobodyReads) {
   std::array<int, 2> ends{};
   ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()), 0);

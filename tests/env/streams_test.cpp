@@ -175,6 +175,17 @@ TEST_F(StreamsTest, SayWhatIsUnsentAndWhenItHasGone) {
   EXPECT_EQ(env.unsent(id), 0U);
 }
 
+TEST_F(StreamsTest, SayThatAllHasGoneToWhomeverHeardThatItWaits) {
+  tcp::socket first = connect();
+  tcp::socket second = connect();
+  env.event([&] {
+    for (const StreamId id : events.opened) env.write(id, "the kernel takes this at the end of the event");
+    EXPECT_GT(env.unsent(events.opened[1]), 0U);
+  });
+  ASSERT_TRUE(run_until(context, [&] { return !events.drained.empty(); }));
+  EXPECT_THAT(events.drained, ElementsAre(events.opened[1])) << "nobody has asked about the other";
+}
+
 TEST_F(StreamsTest, AreNotReadFromWhileNothingIsWanted) {
   tcp::socket client = connect();
   const StreamId id = events.opened[0];

@@ -1,6 +1,7 @@
 // A client that reads now and then: what it missed in between does not matter when it has caught up.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "sim/client.hpp"
@@ -97,6 +98,53 @@ TEST(Lagging, BoundsWhatWaitsForAClientThatNeverReads) {
     ASSERT_LE(stalled.unread(), bound + longest_line);
   }
   EXPECT_GT(stalled.unread(), bound - longest_line);
+}
+
+/// A consumer that does not read, and so many changes that it lags.
+class Laggard : public testing::Test {
+ protected:
+  Laggard() {
+    host.settings.limits.unread = 4000;
+    host.settings.limits.unread_before_more = 2000;
+    host.settings.limits.services = 3;
+    host.switch_on();
+    world.run_for(milliseconds(200));
+    provider.connect(host);
+    slow.connect(host);
+    slow.say("1 sub create mode=otm/stream text=other");
+    slow.say("2 sub create mode=otm/stream text=x");
+    provider.say("1 pub create mode=otm/stream text=x port=1");
+    world.run_for(milliseconds(1));
+    slow.set_reading(false);
+    for (int port = 1; port <= 100; ++port) provider.say("1 pub modify port=" + std::to_string(port));
+    world.run_for(milliseconds(10));
+  }
+
+  sim::World world{1};
+  sim::Host& host = world.add_host("robot1");
+  sim::Client& provider = world.add_client("provider");
+  sim::Client& slow = world.add_client("slow");
+};
+
+TEST_F(Laggard, IsNotClosedWhileItReadsHoweverSlowly) {
+  for (int tick = 0; tick < 10; ++tick) {
+    world.run_for(std::chrono::seconds(20));
+    slow.read(100);
+  }
+  ASSERT_TRUE(slow.is_connected());
+  world.run_for(std::chrono::seconds(51));
+  EXPECT_FALSE(slow.is_connected()) << "it has read nothing between two looks";
+}
+
+TEST_F(Laggard, IsNotClosedWhenItHasCaughtUpAndTheRequestIsTakenBack) {
+  sim::Client& another = world.add_client("another");
+  another.connect(host);
+  another.say("1 pub create mode=otm/stream text=y port=1");
+  world.run_for(milliseconds(10));
+  slow.set_reading(true);
+  world.run_for(std::chrono::seconds(60));
+  EXPECT_TRUE(slow.is_connected());
+  EXPECT_TRUE(std::ranges::any_of(slow.lines, [](const auto& line) { return line.starts_with("2 429 taken back"); }));
 }
 
 }  // namespace

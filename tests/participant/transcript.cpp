@@ -120,15 +120,16 @@ void Transcript::direct(std::string_view words) {
       if (one->is_on()) one->reload(one->ontology);
     } else if (verb == "unprepared") {
       one->ontology = sim::small_ontology(third);
-      one->participant().set_ontology(one->ontology);
+      one->event([&](participant::Participant& participant) { participant.set_ontology(one->ontology); });
     } else if (verb == "preparing") {
       const auto count = base::parse_number<int>(third);
       ASSERT_TRUE(count && words == " ms") << at_;
       one->preparing_takes = std::chrono::milliseconds(*count);
     } else if (verb == "loading") {
-      one->participant().ontology_begun();
+      one->event([](participant::Participant& participant) { participant.ontology_begun(); });
     } else if (verb == "failed") {
-      one->participant().ontology_failed({third + std::string(words)});
+      one->event(
+          [&](participant::Participant& participant) { participant.ontology_failed({third + std::string(words)}); });
     } else if (verb == "log" || verb == "no-log") {
       expect_logged(*one, third + std::string(words), verb == "log");
       return;

@@ -147,6 +147,19 @@ TEST_F(TurnsTest, APingWaitsForOneStatementOfAFloodOfChangesThatManyAskedToHearO
   EXPECT_EQ(events, 200 * 3 * requests);
 }
 
+TEST_F(TurnsTest, ALongAnswerGoesOnAsSoonAsWhatWasSaidHasGone) {
+  sim::Client& wordy = client("wordy");
+  const std::string long_value(200, 'x');
+  for (int number = 1; number <= services; ++number) {
+    wordy.say(std::to_string(number) + " pub create mode=otm/pubsub text=y port=1 a=" + long_value +
+              " b=" + long_value);
+  }
+  world.run_for(milliseconds(5));
+  wordy.say("999 query services text=y");
+  world.run_for(milliseconds(5));
+  EXPECT_EQ(ends, 1) << "more than may be unread is said in one turn, and the client reads it all";
+}
+
 TEST_F(TurnsTest, AnHonestPublisherIsNotChargedForWhatOthersAskedFor) {
   for (int number = 0; number < 3; ++number) {
     sim::Client& curious = client("curious");

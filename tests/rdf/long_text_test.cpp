@@ -35,6 +35,11 @@ TEST(LongText, FindsWhatIsBeyondItsLimitInAnyStretches) {
   }
 }
 
+TEST(LongText, TakesAMarkInANameForNoText) {
+  EXPECT_EQ(found(Syntax::turtle, "ex:O\\'Brien a ex:ThatIsLonger, ex:O\\#Neill , \"y\" .\n", 3), std::nullopt);
+  EXPECT_EQ(found(Syntax::turtle, "ex:a\\\"0123456789a", 3), 1U) << "a quotation mark is in no name";
+}
+
 TEST(LongText, CountsTheLastOctetOfItsLimitAndNotBefore) {
   EXPECT_EQ(found(Syntax::rdf_xml, "<a>012345678</a>", 4), std::nullopt);
   EXPECT_EQ(found(Syntax::rdf_xml, "<a>0123456789</a>", 4), std::nullopt);

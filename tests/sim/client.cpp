@@ -33,6 +33,10 @@ void Client::set_reading(bool is_reading) {
   if (host_ != nullptr) host_->set_reading(stream_, is_reading);
 }
 
+void Client::read(std::size_t octets) {
+  if (host_ != nullptr) host_->read(stream_, octets);
+}
+
 std::size_t Client::unread() const { return host_ == nullptr ? 0 : host_->unsent(stream_); }
 
 void Client::hang_up() {

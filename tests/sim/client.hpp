@@ -38,6 +38,8 @@ class Client {
   [[nodiscard]] std::size_t unread() const;
   /// Whether it reads what it is told; it does from the start.
   void set_reading(bool is_reading);
+  /// Reads so many octets, though it does not read otherwise.
+  void read(std::size_t octets);
   /// Closes the connection from this side.
   void hang_up();
   [[nodiscard]] bool is_connected() const { return host_ != nullptr; }

@@ -42,6 +42,7 @@ void Host::switch_on() {
   world_.trace(name_, "on");
   participant_ = std::make_unique<participant::Participant>(*this, settings, ontology);
   participant_->start();
+  end_of_event();
 }
 
 void Host::crash() {
@@ -85,14 +86,14 @@ void Host::reload(const el::Ontology* another) {
   ++preparing_;
   in_preparation_ = nullptr;
   if (another == nullptr || !participant_->uses_expressions()) {
-    participant_->set_ontology(another);
-    return end_of_event();
+    return event([&](participant::Participant& participant) { participant.set_ontology(another); });
   }
   prepare_for(*another,
               [this, another] { participant_->set_ontology(another, participant::PreparedOntology::make(*another)); });
 }
 
 void Host::end_of_event() {
+  flush();
   if (participant_ != nullptr) prepare();
   if (!is_stopping_ || participant_ == nullptr || !participant_->is_stopped()) return;
   ++life_;
@@ -115,7 +116,7 @@ void Host::attach(const std::string& interface, std::uint32_t segment, bool is_l
                                        .addresses = {ipv4, is_loopback ? "::1" : "fe80::" + tail},
                                        .is_loopback = is_loopback});
   std::ranges::sort(interfaces_, {}, &env::Interface::index);
-  if (is_on()) participant_->on_interfaces_changed();
+  event([](participant::Participant& participant) { participant.on_interfaces_changed(); });
 }
 
 void Host::detach(const std::string& interface) {
@@ -123,7 +124,13 @@ void Host::detach(const std::string& interface) {
   if (found == interfaces_.end()) return;
   std::erase_if(ports_, [&](const Port& port) { return port.index == found->index; });
   interfaces_.erase(found);
-  if (is_on()) participant_->on_interfaces_changed();
+  event([](participant::Participant& participant) { participant.on_interfaces_changed(); });
+}
+
+void Host::event(const std::function<void(participant::Participant&)>& what) {
+  if (!is_on()) return;
+  what(*participant_);
+  end_of_event();
 }
 
 const Host::Port* Host::port(env::InterfaceIndex index) const {
@@ -146,6 +153,7 @@ void Host::connect(Client& client) {
   }
   streams_.emplace(stream, Stream{.client = &client});
   participant_->on_stream_opened(stream, "");
+  end_of_event();
 }
 
 void Host::from_client(env::StreamId stream, std::string bytes) {
@@ -190,10 +198,29 @@ void Host::set_reading(env::StreamId stream, bool is_reading) {
   const auto found = streams_.find(stream);
   if (found == streams_.end()) return;
   found->second.is_reading = is_reading;
-  if (!is_reading || found->second.unsent.empty()) return;
-  give(stream, std::exchange(found->second.unsent, {}));
-  participant_->on_stream_drained(stream);
-  end_of_event();
+  flush();
+}
+
+void Host::read(env::StreamId stream, std::size_t octets) {
+  const auto found = streams_.find(stream);
+  if (found == streams_.end()) return;
+  std::string& unsent = found->second.unsent;
+  give(stream, unsent.substr(0, octets));
+  unsent.erase(0, octets);
+}
+
+/// As the real one does: what was written goes at the end of the event, and who has heard that it waits is told so.
+void Host::flush() {
+  for (auto& [stream, one] : streams_) {
+    if (!one.is_reading || one.unsent.empty()) continue;
+    give(stream, std::exchange(one.unsent, {}));
+    if (!std::exchange(one.is_behind, false)) continue;
+    world_.after(base::Duration(0), [this, id = stream, life = life_] {
+      if (life != life_ || !streams_.contains(id)) return;
+      participant_->on_stream_drained(id);
+      end_of_event();
+    });
+  }
 }
 
 base::Instant Host::now() const { return world_.now() + clock_offset_; }
@@ -223,11 +250,7 @@ void Host::write(env::StreamId stream, std::string_view bytes) {
   const auto found = streams_.find(stream);
   if (found == streams_.end()) return;
   world_.trace(name_, bytes);
-  if (!found->second.is_reading) {
-    found->second.unsent += bytes;
-  } else {
-    give(stream, std::string(bytes));
-  }
+  found->second.unsent += bytes;
 }
 
 /// Through the queue, so that what a client does about a line is an event of its own.
@@ -239,7 +262,9 @@ void Host::give(env::StreamId stream, std::string bytes) {
 
 std::size_t Host::unsent(env::StreamId stream) const {
   const auto found = streams_.find(stream);
-  return found == streams_.end() ? 0 : found->second.unsent.size();
+  if (found == streams_.end()) return 0;
+  if (!found->second.unsent.empty()) found->second.is_behind = true;
+  return found->second.unsent.size();
 }
 
 void Host::want(env::StreamId stream, bool is_wanted) {

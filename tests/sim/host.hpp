@@ -49,7 +49,9 @@ class Host final : public env::Env {
   /// The participant is asked to stop, and is destroyed when it has.
   void stop();
   [[nodiscard]] bool is_on() const { return participant_ != nullptr; }
-  [[nodiscard]] participant::Participant& participant() { return *participant_; }
+  [[nodiscard]] const participant::Participant& participant() const { return *participant_; }
+  /// Lets something happen to the participant; what it says about it goes on its way at the end.
+  void event(const std::function<void(participant::Participant&)>& what);
   /// Reads another ontology while the participant runs, as gemingad does: where expressions are in use it comes into
   /// force when it is prepared for them.
   void reload(const el::Ontology* another);
@@ -75,6 +77,8 @@ class Host final : public env::Env {
   void client_closed(env::StreamId stream);
   /// Whether the client reads what it is told; what it does not read waits here, all of it.
   void set_reading(env::StreamId stream, bool is_reading);
+  /// A client that does not read otherwise reads so many octets of what waits for it.
+  void read(env::StreamId stream, std::size_t octets);
 
   [[nodiscard]] base::Instant now() const override;
   void wake_at(base::Instant instant) override;
@@ -117,9 +121,11 @@ class Host final : public env::Env {
     bool is_reading = true;  ///< the client
     bool is_wanted = true;   ///< by the participant
     bool has_hung_up = false;
+    mutable bool is_behind = false;  ///< the participant knows that something waits
     std::string unsent{};
     std::string unheard{};
   };
+  void flush();
   void give(env::StreamId stream, std::string bytes);
   void hear(env::StreamId stream);
 

@@ -239,10 +239,16 @@ TEST(Reload, KeepsTheConfigurationInForceWhenTheNewOneIsBroken) {
   lab.daemon(0).signal(SIGHUP);
   EXPECT_TRUE(lab.daemon(0).wait_for(file + ":1: log-level must be a text in quotes")) << lab.daemon(0).said();
   EXPECT_TRUE(lab.daemon(0).wait_for("the configuration in force is kept"));
+  Talk talk = lab.talk(0);
+  talk.say("1 query status");
+  EXPECT_TRUE(talk.line_with({"1 msg status", "configuration_failed=", file + ":1"}));
   folder.write("geminga.toml", "log-level = \"debug\"\nlog-format = \"json\"\n");
   lab.daemon(0).signal(SIGHUP);
   EXPECT_TRUE(lab.daemon(0).wait_for(R"("text":"ontology: none is in force")")) << lab.daemon(0).said();
-  EXPECT_THAT(lab.talk(0).lines_until_pong(), IsEmpty());
+  talk.say("2 query status");
+  const auto status = talk.line_with({"2 msg status"});
+  ASSERT_TRUE(status);
+  EXPECT_THAT(*status, testing::Not(HasSubstr("configuration_failed")));
 }
 
 TEST(End, ComesWithStatusZeroOnSigint) {

@@ -32,7 +32,7 @@ struct Connection {
   bool is_dirty = false;      // waits for flush()
   bool is_reading = false;    // a wait for readability is under way
   bool is_writing = false;    // a wait for writability is under way
-  bool is_behind = false;     // something had to wait, and the participant waits for it to have gone
+  bool is_behind = false;     // the participant knows that something waits, and waits for it to have gone
   bool is_shut = false;       // our side has said all
   bool has_ended = false;     // its side has said all
 
@@ -79,7 +79,11 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
 
   [[nodiscard]] std::size_t unsent(StreamId stream) const {
     const auto found = connections_.find(stream);
-    return found == connections_.end() || !found->second->is_open ? 0 : found->second->waiting();
+    if (found == connections_.end() || !found->second->is_open) return 0;
+    // Whoever hears now that something waits may be waiting for it to have gone, even if the end of this event sends
+    // it.
+    if (found->second->waiting() > 0) found->second->is_behind = true;
+    return found->second->waiting();
   }
 
   void want(StreamId stream, bool is_wanted) {
@@ -187,11 +191,8 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
     }
     if (connection->is_shut && connection->has_ended) return drop(connection);
     if (!connection->has_ended && (connection->is_wanted || !connection->is_open)) await_readable(connection);
-    if (connection->waiting() > 0) {
-      connection->is_behind = true;
-    } else if (std::exchange(connection->is_behind, false) && connection->is_open) {
-      tell_drained(connection->id);
-    }
+    if (connection->waiting() > 0) return;
+    if (std::exchange(connection->is_behind, false) && connection->is_open) tell_drained(connection->id);
   }
 
   /// In an event of its own: this one may be the end of another.
