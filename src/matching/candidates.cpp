@@ -41,7 +41,13 @@ std::vector<const registry::StoredSubscription*> standing_subscriptions(const re
     for (const auto& one : filed) standing.push_back(one.stored);
   };
   const auto* semantic = std::get_if<SemanticIdentity>(&offered);
-  if (semantic == nullptr) {
+  if (semantic != nullptr) {
+    const NumericIdentity number{id32(offered)};
+    add_all(subscriptions.with_identity(number, number.number));
+  }
+  if (std::holds_alternative<NumericIdentity>(offered)) {
+    std::ranges::for_each(subscriptions.with_number(id32(offered)), add_all);
+  } else if (semantic == nullptr) {
     add_all(subscriptions.with_identity(offered, id32(offered)));
   } else if (!classes.concept_class) {
     add_all(subscriptions.with_concept(semantic->concept_iri));

@@ -66,9 +66,19 @@ void visit_publications(const registry::Publications& publications, const Identi
     return false;
   };
   const auto* semantic = std::get_if<SemanticIdentity>(&requested);
+  if (std::holds_alternative<NumericIdentity>(requested)) {
+    std::ranges::any_of(publications.with_number(id32(requested)), visit_all);
+    return;
+  }
   if (semantic == nullptr) {
     visit_all(publications.with_identity(requested, id32(requested)));
-  } else if (classes.place) {
+    return;
+  }
+  if (!has_expression(requested)) {
+    const NumericIdentity number{id32(requested)};
+    if (visit_all(publications.with_identity(number, number.number))) return;
+  }
+  if (classes.place) {
     visit_publications_around(publications, *classes.place, weakest, *ontology, visit);
   } else if (!classes.concept_class) {
     visit_all(publications.with_concept(semantic->concept_iri));

@@ -49,13 +49,20 @@ std::optional<Match> degree_of_expression(std::optional<el::ClassNumber> offered
   return std::nullopt;
 }
 
+bool is_number_of(const Identity& number, const Identity& named) {
+  const auto* numeric = std::get_if<NumericIdentity>(&number);
+  return numeric != nullptr && std::holds_alternative<SemanticIdentity>(named) && !has_expression(named) &&
+         numeric->number == id32(named);
+}
+
 std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
                                         const Identity& requested, const Classes& requested_classes,
                                         const el::Ontology* ontology) {
   const auto* offer = std::get_if<SemanticIdentity>(&offered);
   const auto* request = std::get_if<SemanticIdentity>(&requested);
   if (offer == nullptr || request == nullptr) {
-    return offered == requested ? std::optional(Match{Degree::exact, 0}) : std::nullopt;
+    const bool is_met = offered == requested || is_number_of(offered, requested) || is_number_of(requested, offered);
+    return is_met ? std::optional(Match{Degree::exact, 0}) : std::nullopt;
   }
   const bool is_expression = has_expression(*request) && offer->concept_iri != request->concept_iri;
   const auto by_concept =

@@ -56,8 +56,12 @@ using Placing =
                                                         const el::ExpressionPlace* requested,
                                                         const el::Ontology* ontology);
 
+/// Whether the first is a number and the second a concept with that 32-bit identity.
+[[nodiscard]] bool is_number_of(const Identity& number, const Identity& named);
+
 /// The degree of the whole identity, however weak; the caller compares it with what the subscription allows. Identities
-/// of different kinds never match, numbers and texts only when they are equal. The 32-bit identity plays no part.
+/// of different kinds never match, but for a number and the concept whose 32-bit identity it is: exactly. Numbers and
+/// texts match only when they are equal.
 [[nodiscard]] std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
                                                       const Identity& requested, const Classes& requested_classes,
                                                       const el::Ontology* ontology);

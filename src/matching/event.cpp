@@ -23,16 +23,4 @@ std::string_view to_string(Reason reason) {
   base::assertion_failed("a reason has a word", __FILE__, __LINE__);
 }
 
-std::string_view to_string(Change change) {
-  switch (change) {
-    case Change::add:
-      return "add";
-    case Change::modify:
-      return "modify";
-    case Change::del:
-      return "del";
-  }
-  base::assertion_failed("a change has a word", __FILE__, __LINE__);
-}
-
 }  // namespace geminga::matching

@@ -3,9 +3,11 @@
 #define GEMINGA_MATCHING_EVENT_HPP
 
 #include <cstdint>
+#include <memory>
 #include <string_view>
 #include <variant>
 
+#include "geminga/event.hpp"
 #include "geminga/service.hpp"
 #include "matching/degree.hpp"
 #include "registry/entry.hpp"
@@ -23,16 +25,14 @@ enum class Reason : std::uint8_t {
 };
 [[nodiscard]] std::string_view to_string(Reason reason);
 
-enum class Change : std::uint8_t { add, modify, del };
-[[nodiscard]] std::string_view to_string(Change change);
-
 /// What a local peer is to be told. `to` is its own subscription (for a PublicationEntry) or publication (for a
 /// SubscriptionEntry).
 struct Event {
   Change change = Change::add;
   ServiceKey to;
-  /// As it is now; for del as it was last told.
-  std::variant<registry::PublicationEntry, registry::SubscriptionEntry> about;
+  /// As it is now; for del as it was last told. Never null; the events of one cause share it.
+  std::variant<std::shared_ptr<const registry::PublicationEntry>, std::shared_ptr<const registry::SubscriptionEntry>>
+      about;
   Match match;                        ///< for del as it was last told
   Reason reason = Reason::withdrawn;  ///< for del only
 };

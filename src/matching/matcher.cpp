@@ -50,6 +50,8 @@ void Matcher::place_again() { state_->place_again(); }
 
 std::vector<Event> Matcher::take_events() { return std::exchange(state_->events_, {}); }
 
+std::vector<Clash> Matcher::take_clashes() { return std::exchange(state_->clashes_, {}); }
+
 std::vector<Ranked> Matcher::match(const Subscription& request) const {
   return state_->match(request, prepared(request, state_->ontology_, state_->placing_));
 }

@@ -14,6 +14,7 @@
 #include "base/time.hpp"
 #include "el/ontology.hpp"
 #include "geminga/service.hpp"
+#include "matching/clash.hpp"
 #include "matching/degree.hpp"
 #include "matching/event.hpp"
 #include "matching/standing.hpp"
@@ -81,6 +82,8 @@ class Matcher {
 
   /// The events since the last call, in the order in which they must be written.
   [[nodiscard]] std::vector<Event> take_events();
+  /// Whose number turned out to be that of two different concepts since the last call (clash.hpp).
+  [[nodiscard]] std::vector<Clash> take_clashes();
 
   /// The publications that meet a request, best first, arbitration's limit not applied.
   [[nodiscard]] std::vector<Ranked> match(const Subscription& request) const;

@@ -17,7 +17,8 @@ std::optional<Standing> Matcher::State::standing(const StoredSubscription& subsc
   const auto at = std::ranges::find(ranked, &publication.entry, &Ranked::publication);
   if (at == ranked.end()) return std::nullopt;
   Standing standing{.rank = static_cast<std::size_t>(at - ranked.begin()) + 1, .candidates = ranked.size()};
-  const std::size_t limit = subscription.entry.subscription.limit;
+  const std::size_t limit =
+      subscription.entry.is_local ? limit_of(subscription.entry) : subscription.entry.subscription.limit;
   const bool is_within = limit == 0 || standing.rank <= limit;
   standing.is_chosen = is_within;
   if (!is_within) standing.rival = ranked[limit - 1].publication;

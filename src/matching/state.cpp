@@ -14,6 +14,8 @@ using registry::SubscriptionEntry;
 std::optional<Match> Matcher::State::meets(const StoredSubscription& subscription,
                                            const StoredPublication& publication) const {
   ++judged_;
+  if (is_kept_apart(publication.entry.publication.identity, subscription.entry.subscription.identity))
+    return std::nullopt;
   return matching::meets(subscription.entry.subscription, of_subscription_[subscription.slot].request,
                          publication.entry, of_publication_[publication.slot].classes, ontology_);
 }
@@ -60,6 +62,7 @@ const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const S
 }
 
 void Matcher::State::put(PublicationEntry entry) {
+  begin_cause();
   const StoredPublication* known = publications_.find(entry.key);
   if (known != nullptr && known->entry.is_local != entry.is_local) {
     remove({known}, {}, Reason::changed);
@@ -69,19 +72,29 @@ void Matcher::State::put(PublicationEntry entry) {
     publications_.refresh(*known, entry.updated);
     return;
   }
+  const Id32 number_before = known == nullptr ? id32(entry.publication.identity) : known->identity;
   const StoredPublication& stored = store(std::move(entry), known);
+  auto anew = review(stored.identity, &stored.entry.key);
+  if (number_before != stored.identity) {
+    const auto further = review(number_before, nullptr);
+    anew.insert(anew.end(), further.begin(), further.end());
+  }
   auto concerned =
       standing_subscriptions(subscriptions_, stored.entry.publication.identity, of(stored).classes, ontology_);
   for (const auto& [slot, rank] : of(stored).considered_by) concerned.push_back(of_subscription_[slot].stored);
   order_by_key(concerned);
   for (const auto* subscription : concerned) {
+    if (std::ranges::find(anew, subscription) != anew.end()) continue;
     judge(*subscription, stored);
     settle(*subscription);
   }
+  judge_anew(anew);
   replaced_publication_ = {};
+  relieve();
 }
 
 void Matcher::State::put(SubscriptionEntry entry, Telling telling) {
+  begin_cause();
   const StoredSubscription* known = subscriptions_.find(entry.key);
   if (known != nullptr && known->entry.is_local != entry.is_local) {
     remove({}, {known}, Reason::changed);
@@ -91,16 +104,26 @@ void Matcher::State::put(SubscriptionEntry entry, Telling telling) {
     subscriptions_.refresh(*known, entry.updated);
     return;
   }
+  const Id32 number_before = known == nullptr ? id32(entry.subscription.identity) : known->identity;
   const StoredSubscription& stored = store(std::move(entry), known);
+  auto anew = review(stored.identity, &stored.entry.key);
+  if (number_before != stored.identity) {
+    const auto further = review(number_before, nullptr);
+    anew.insert(anew.end(), further.begin(), further.end());
+  }
+  std::erase(anew, &stored);
   if (telling == Telling::providers) untold_ = &stored;
   judge_all(stored);
   settle(stored);
   untold_ = nullptr;
   replaced_subscription_ = {};
+  judge_anew(anew);
+  relieve();
 }
 
 void Matcher::State::remove(const std::vector<const StoredPublication*>& publications,
                             const std::vector<const StoredSubscription*>& subscriptions, Reason reason) {
+  begin_cause();
   for (const auto* publication : publications) of(*publication).is_leaving = true;
   for (const auto* subscription : subscriptions) forget(*subscription, reason);
   std::vector<const StoredSubscription*> concerned;
@@ -113,11 +136,22 @@ void Matcher::State::remove(const std::vector<const StoredPublication*>& publica
   }
   order_by_key(concerned);
   for (const auto* subscription : concerned) settle(*subscription);
-  for (const auto* publication : publications) publications_.erase(*publication);
+  std::set<Id32> numbers;  // of those whose going may end a clash
+  const auto note = [&](Id32 number) {
+    if (clashing_.contains(number)) numbers.insert(number);
+  };
+  for (const auto* publication : publications) {
+    note(publication->identity);
+    publications_.erase(*publication);
+  }
   for (const auto* subscription : subscriptions) {
+    note(subscription->identity);
     of(*subscription) = {};
     subscriptions_.erase(*subscription);
   }
+  begin_cause();
+  for (const Id32 number : numbers) judge_anew(review(number, nullptr));
+  relieve();
 }
 
 void Matcher::State::forget(const StoredSubscription& subscription, Reason reason) {
@@ -130,6 +164,7 @@ void Matcher::State::forget(const StoredSubscription& subscription, Reason reaso
 }
 
 void Matcher::State::set_ontology(const el::Ontology* ontology) {
+  begin_cause();
   ontology_ = ontology;
   const std::size_t classes = ontology == nullptr ? 0 : ontology->class_count();
   publications_.set_class_count(classes);
@@ -150,6 +185,7 @@ void Matcher::State::set_ontology(const el::Ontology* ontology) {
 }
 
 void Matcher::State::place_again() {
+  begin_cause();
   std::vector<const StoredSubscription*> waiting;
   subscriptions_.for_each([&](const StoredSubscription& stored) {
     const bool is_placed = of(stored).request.classes.place != nullptr;
@@ -167,7 +203,8 @@ void Matcher::State::place_again() {
 
 std::uint32_t Matcher::State::limit_of(const SubscriptionEntry& subscription) {
   const std::uint32_t limit = subscription.subscription.limit;
-  return subscription.is_local || limit <= max_counted_providers ? limit : 0;
+  if (subscription.is_local) return limit == 0 ? max_given : std::min(limit, max_given);
+  return limit <= max_counted_providers ? limit : 0;
 }
 
 bool Matcher::State::is_of_interest(const SubscriptionEntry& subscription, const PublicationEntry& publication) {
@@ -200,6 +237,7 @@ void Matcher::State::judge(const StoredSubscription& subscription, const StoredP
   if (known != considered_by.end()) {
     choice.change(std::exchange(known->second, rank), rank);
   } else {
+    if (is_turned_away(subscription, publication)) return;
     considered_by.emplace(subscription.slot, rank);
     choice.offer(rank, publication, was_chosen_unseen(publication));
   }

@@ -4,15 +4,19 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "matching/arbitration.hpp"
 #include "matching/candidates.hpp"
+#include "matching/clash.hpp"
 #include "matching/matcher.hpp"
 #include "matching/request.hpp"
 #include "matching/standing.hpp"
+#include "registry/fields.hpp"
 #include "registry/table.hpp"
 
 namespace geminga::matching {
@@ -21,6 +25,14 @@ namespace geminga::matching {
 /// other candidates than our own publications. The price is that a provider may be told of a consumer that has better
 /// ones.
 inline constexpr std::uint32_t max_counted_providers = 16;
+
+/// A consumer of our own that asks for all is given the best of so many. What one pair costs is memory here and with
+/// its peer, and the air may bring more services than a host has room for pairs.
+inline constexpr std::uint32_t max_given = 1024;
+
+/// Consumers of other hosts without a limit that a publication of our own is told of. One more waits until half of them
+/// have gone: so the walk through all that ask for it is made once for many departures.
+inline constexpr std::size_t max_consumers = 1024;
 
 /// Every change runs in three steps: the registry takes it, the pairs that it concerns are judged again, and each
 /// subscription whose candidates changed is settled once, which gives the events.
@@ -55,6 +67,7 @@ class Matcher::State {
   registry::Publications publications_;
   registry::Subscriptions subscriptions_;
   std::vector<Event> events_;
+  std::vector<Clash> clashes_;
   mutable std::uint64_t judged_ = 0;
 
  private:
@@ -82,6 +95,18 @@ class Matcher::State {
   /// Whether the pair can ever cause an event or decide about another one that can.
   [[nodiscard]] static bool is_of_interest(const registry::SubscriptionEntry& subscription,
                                            const registry::PublicationEntry& publication);
+  /// Whether a number and a concept do not meet because the number is that of another concept, too.
+  [[nodiscard]] bool is_kept_apart(const Identity& offered, const Identity& requested) const;
+  /// Finds out whether the number is that of two concepts, after what has come or gone. Gives the subscriptions that
+  /// must be judged anew. `newcomer` is whose coming it is; null: somebody has gone.
+  [[nodiscard]] std::vector<const registry::StoredSubscription*> review(Id32 number, const ServiceKey* newcomer);
+  void tell_clash(Id32 number, const std::set<Identity>& concepts);
+  void judge_anew(const std::vector<const registry::StoredSubscription*>& subscriptions);
+  /// Whether the publication has as many consumers as it can be told of, and this one has to wait.
+  [[nodiscard]] bool is_turned_away(const registry::StoredSubscription& subscription,
+                                    const registry::StoredPublication& publication);
+  /// Takes up those that wait for a publication that has room again.
+  void relieve();
   void judge(const registry::StoredSubscription& subscription, const registry::StoredPublication& publication);
   void judge_all(const registry::StoredSubscription& subscription);
   /// Offers every candidate that the choice does not hold.
@@ -99,6 +124,8 @@ class Matcher::State {
   [[nodiscard]] const registry::PublicationEntry& as_told(const registry::StoredPublication& publication) const;
   [[nodiscard]] const registry::SubscriptionEntry& as_told(const registry::StoredSubscription& subscription) const;
 
+  std::set<ServiceKey> crowded_;                 ///< publications that somebody waits for
+  std::set<Id32> clashing_;                      ///< numbers of two concepts or more
   std::vector<OfPublication> of_publication_;    ///< by slot
   std::vector<OfSubscription> of_subscription_;  ///< by slot
 
@@ -108,6 +135,23 @@ class Matcher::State {
     const registry::Stored<Entry>* stored = nullptr;
     Entry before;
   };
+  /// What was told last, so that many events about it share one copy. Forgotten when another cause begins.
+  template <typename Entry>
+  struct Snapshot {
+    const Entry* of = nullptr;
+    std::shared_ptr<const Entry> copy;
+  };
+  template <typename Entry>
+  static std::shared_ptr<const Entry> snapshot(Snapshot<Entry>& last, const Entry& entry) {
+    if (last.of != &entry) last = {&entry, std::make_shared<const Entry>(entry)};
+    return last.copy;
+  }
+  void begin_cause() {
+    told_publication_ = {};
+    told_subscription_ = {};
+  }
+  Snapshot<registry::PublicationEntry> told_publication_;
+  Snapshot<registry::SubscriptionEntry> told_subscription_;
   Replaced<registry::PublicationEntry> replaced_publication_;
   Replaced<registry::SubscriptionEntry> replaced_subscription_;
   Request replaced_request_;

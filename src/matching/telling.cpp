@@ -41,7 +41,7 @@ void Matcher::State::tell_consumer(Change change, const StoredSubscription& subs
                                    const StoredPublication& publication, Match match, Reason reason) {
   if (!subscription.entry.is_local || untold_ == &subscription) return;
   const PublicationEntry& about = change == Change::del ? as_told(publication) : publication.entry;
-  events_.push_back({change, subscription.entry.key, about, match, reason});
+  events_.push_back({change, subscription.entry.key, snapshot(told_publication_, about), match, reason});
 }
 
 void Matcher::State::tell_provider(Change change, const StoredSubscription& subscription,
@@ -51,7 +51,7 @@ void Matcher::State::tell_provider(Change change, const StoredSubscription& subs
   const ChannelMode mode = is_over ? as_told(publication).publication.mode : publication.entry.publication.mode;
   if (mode == ChannelMode::one_to_many_stream) return;
   const SubscriptionEntry& about = is_over ? as_told(subscription) : subscription.entry;
-  events_.push_back({change, publication.entry.key, about, match, reason});
+  events_.push_back({change, publication.entry.key, snapshot(told_subscription_, about), match, reason});
 }
 
 std::vector<ServiceKey> Matcher::State::chosen(const ServiceKey& subscription) const {

@@ -81,7 +81,6 @@ void Announcer::announce() {
   if (!claim_.is_held()) return;
   if (std::exchange(core_.is_changed, false)) {
     ++revision_;
-    state_ = state();
     schedule_.changed(now);
   }
   for (;;) {
@@ -90,13 +89,18 @@ void Announcer::announce() {
       case beacon::Schedule::Say::goodbye:
         return;
       case beacon::Schedule::Say::state:
-        schedule_.set_size(send(state_));
+        schedule_.set_size(send(current_state()));
         break;
       case beacon::Schedule::Say::presence:
-        send(state_, Extent::first_part);
+        send(current_state(), Extent::first_part);
         break;
     }
   }
+}
+
+const beacon::Announcement& Announcer::current_state() {
+  if (state_.revision != revision_ || state_.participant != claim_.id()) state_ = state();
+  return state_;
 }
 
 base::Instant Announcer::due() const {
@@ -215,7 +219,7 @@ beacon::Announcement Announcer::state() const {
   return state;
 }
 
-std::size_t Announcer::send(beacon::Announcement announcement, Extent extent) {
+std::size_t Announcer::send(const beacon::Announcement& announcement, Extent extent) {
   std::size_t most = 0;
   const auto& interfaces = core_.env.interfaces();
   for (const env::Interface& interface : interfaces) {

@@ -61,7 +61,10 @@ class Announcer {
  private:
   enum class Extent : std::uint8_t { whole, first_part };
   /// Sends on all interfaces; returns the most datagrams that one of them took.
-  std::size_t send(beacon::Announcement announcement, Extent extent = Extent::whole);
+  std::size_t send(const beacon::Announcement& announcement, Extent extent = Extent::whole);
+  /// What is announced at present. Made when it is sent and not with every change: of a hundred changes between two
+  /// datagrams only the last counts.
+  [[nodiscard]] const beacon::Announcement& current_state();
   Consequence heard_clash(const Heard& heard);
   void heard_own(const Heard& heard);
   void report(const Heard& heard);
@@ -73,7 +76,7 @@ class Announcer {
   beacon::IdentifierClaim claim_;
   beacon::Schedule schedule_;
   std::uint64_t revision_ = 0;
-  beacon::Announcement state_;  ///< what is announced at present, without anything of an interface
+  beacon::Announcement state_;  ///< as it was sent last, without anything of an interface
   std::map<env::InterfaceIndex, std::uint64_t> sequences_;
   SentDatagrams sent_;
   std::string clash_from_;  ///< where the last clash was heard

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "gcnp/event.hpp"
+#include "geminga/event.hpp"
 #include "participant/naming.hpp"
 
 namespace geminga::participant {
@@ -26,60 +28,79 @@ struct News {
   std::string reason;  ///< for del
 };
 
-/// What was said last of a service. Many subscriptions are told the same of it, but for their number in front.
-struct Said {
+/// What was said last of an entry. Many requests are told the same of it, but for their number in front.
+template <typename Entry>
+struct SaidOf {
   News news;
-  registry::PublicationEntry publication;
+  std::shared_ptr<const Entry> entry;
   std::string behind_number;
+
+  [[nodiscard]] bool fits(const News& other, const std::shared_ptr<const Entry>& about) const {
+    if (entry == nullptr || about == nullptr || news.change != other.change || news.match != other.match ||
+        news.reason != other.reason) {
+      return false;
+    }
+    return entry == about || entry->same_as(*about);
+  }
 };
 
-bool is_same(const Said& said, const News& news, const registry::PublicationEntry& publication) {
-  return !said.behind_number.empty() && said.news.change == news.change && said.news.match == news.match &&
-         said.news.reason == news.reason && said.publication.same_as(publication);
+struct Said {
+  SaidOf<registry::PublicationEntry> publication;
+  SaidOf<registry::SubscriptionEntry> subscription;
+
+  SaidOf<registry::PublicationEntry>& of(const registry::PublicationEntry*) { return publication; }
+  SaidOf<registry::SubscriptionEntry>& of(const registry::SubscriptionEntry*) { return subscription; }
+};
+
+void describe(const Core& core, const registry::PublicationEntry& entry, ServiceEvent& told) {
+  told.publication = named(core.ontology, entry.publication);
 }
 
+void describe(const Core& core, const registry::SubscriptionEntry& entry, ConsumerEvent& told) {
+  told.subscribed = named(core.ontology, entry.subscription);
+}
+
+ServiceEvent event_about(const registry::PublicationEntry*, const ServiceKey& key) {
+  ServiceEvent told;
+  told.service = key;
+  return told;
+}
+
+ConsumerEvent event_about(const registry::SubscriptionEntry*, const ServiceKey& key) {
+  ConsumerEvent told;
+  told.subscription = key;
+  return told;
+}
+
+/// `entry` may be null for del.
+template <typename Entry>
 void say(Core& core, Session& session, std::uint32_t number, const News& news,
-         const registry::PublicationEntry* publication, Said& said) {
-  if (publication != nullptr && is_same(said, news, *publication)) {
-    session.say(std::to_string(number) + said.behind_number);
+         const std::shared_ptr<const Entry>& entry, Said& said) {
+  SaidOf<Entry>& last = said.of(entry.get());
+  if (last.fits(news, entry)) {
+    session.say(std::to_string(number) + last.behind_number);
     return;
   }
-  ServiceEvent told;
+  auto told = event_about(entry.get(), news.about);
   told.change = news.change;
-  told.service = news.about;
   told.reason = news.reason;
   if (news.change != Change::del) {
-    told.peer_name = publication->peer_name;
-    told.participant_name = publication->participant_name;
-    told.publication = named(core.ontology, publication->publication);
+    told.peer_name = entry->peer_name;
+    told.participant_name = entry->participant_name;
     told.degree = news.match.degree;
     told.distance = news.match.distance;
+    describe(core, *entry, told);
   }
-  const std::string line = gcnp::to_line(gcnp::to_statement(number, told));
+  std::string line = gcnp::to_line(gcnp::to_statement(number, told));
   session.say(line);
-  if (publication != nullptr) said = {news, *publication, line.substr(line.find(' '))};
-}
-
-void say(Core& core, Session& session, std::uint32_t number, const News& news,
-         const registry::SubscriptionEntry* subscription, Said&) {
-  ConsumerEvent told;
-  told.change = news.change;
-  told.subscription = news.about;
-  told.reason = news.reason;
-  if (news.change != Change::del) {
-    told.peer_name = subscription->peer_name;
-    told.participant_name = subscription->participant_name;
-    told.subscribed = named(core.ontology, subscription->subscription);
-    told.degree = news.match.degree;
-    told.distance = news.match.distance;
-  }
-  session.say(gcnp::to_statement(number, told));
+  if (entry != nullptr) last = {news, entry, line.substr(line.find(' '))};
 }
 
 /// Says it in the word that fits what the peer knows: of what it knows there is no `add`, of what it does not know no
 /// `del`.
 template <typename Entry>
-void tell(Core& core, Session& session, std::uint32_t number, News news, const Entry* entry, Said& said) {
+void tell(Core& core, Session& session, std::uint32_t number, News news, const std::shared_ptr<const Entry>& entry,
+          Said& said) {
   auto& told = session.told[number];
   const bool is_known = told.contains(news.about);
   if (news.change == Change::del) {
@@ -106,34 +127,28 @@ bool must_wait(Core& core, Session& session, std::uint32_t number) {
   return true;
 }
 
-Change public_change(matching::Change change) {
-  switch (change) {
-    case matching::Change::add:
-      return Change::add;
-    case matching::Change::modify:
-      return Change::modify;
-    case matching::Change::del:
-      return Change::del;
-  }
-  return Change::del;
-}
-
 void deliver(Core& core, Session& session, const matching::Event& event, Said& said) {
   const std::uint32_t number = event.to.number;
   std::visit(
       [&](const auto& about) {
         const auto picture = session.pictures.find(number);
-        if (picture != session.pictures.end() && picture->second.will_tell(about.key)) return;
+        if (picture != session.pictures.end() && picture->second.will_tell(about->key)) return;
         if (must_wait(core, session, number)) return;
-        News news{.change = public_change(event.change), .about = about.key, .match = event.match, .reason = {}};
-        if (event.change == matching::Change::del) news.reason = to_string(event.reason);
-        tell(core, session, number, std::move(news), &about, said);
+        News news{.change = event.change, .about = about->key, .match = event.match, .reason = {}};
+        if (event.change == Change::del) news.reason = to_string(event.reason);
+        tell(core, session, number, std::move(news), about, said);
       },
       event.about);
 }
 
 ServiceKey own_key(const Core& core, const Session& session, std::uint32_t number) {
   return ServiceKey{.participant = core.id, .peer = session.peer(), .number = number};
+}
+
+/// An entry of the registry as an event has it, without a copy: for the length of one call.
+template <typename Entry>
+std::shared_ptr<const Entry> borrowed(const Entry* entry) {
+  return {std::shared_ptr<const Entry>(), entry};
 }
 
 /// How things stand between a request and one service or consumer, told as a change.
@@ -146,9 +161,9 @@ void tell_state(Core& core, Session& session, std::uint32_t number, const Servic
   if (match) news.reason.clear();
   Said said;
   if (is_offer) {
-    tell(core, session, number, std::move(news), core.matcher.find_subscription(about), said);
+    tell(core, session, number, std::move(news), borrowed(core.matcher.find_subscription(about)), said);
   } else {
-    tell(core, session, number, std::move(news), core.matcher.find_publication(about), said);
+    tell(core, session, number, std::move(news), borrowed(core.matcher.find_publication(about)), said);
   }
 }
 
@@ -175,6 +190,11 @@ void deliver_events(Core& core) {
   for (const matching::Event& event : core.matcher.take_events()) {
     if (session == nullptr || session->peer() != event.to.peer) session = core.find(event.to.peer);
     if (session != nullptr) deliver(core, *session, event, said);  // else its peer has gone
+  }
+  for (const matching::Clash& clash : core.matcher.take_clashes()) {
+    Session* told = core.find(clash.to.peer);
+    if (told == nullptr || core.backlog(*told) > core.settings.limits.unread) continue;
+    core.refuse(*told, clash.to.number, {ErrorCode::already_exists, clash.text});
   }
 }
 

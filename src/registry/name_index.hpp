@@ -7,8 +7,10 @@
 #include <boost/multi_index/member.hpp>
 #include <boost/multi_index_container.hpp>
 #include <cstring>
+#include <span>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "registry/fields.hpp"
 #include "registry/stored.hpp"
@@ -99,6 +101,15 @@ class NameIndex {
       if (candidate->text.is(view)) return &*candidate;
     }
     return nullptr;
+  }
+
+  /// The entries of each full identity with this 32-bit one.
+  [[nodiscard]] std::vector<std::span<const Filed<Entry>>> find_all(Id32 id) const {
+    std::vector<std::span<const Filed<Entry>>> found;
+    for (auto name = names_.find(id); name != names_.end() && name->id == id; ++name) {
+      if (!name->same.is_empty()) found.push_back(name->same.entries());
+    }
+    return found;
   }
 
  private:

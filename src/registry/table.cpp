@@ -198,6 +198,11 @@ std::span<const Filed<Entry>> Table<Entry>::with_identity(const Identity& identi
 }
 
 template <typename Entry>
+std::vector<std::span<const Filed<Entry>>> Table<Entry>::with_number(Id32 id) const {
+  return indexes_->names.find_all(id);
+}
+
+template <typename Entry>
 std::span<const Filed<Entry>> Table<Entry>::with_concept(std::string_view concept_iri) const {
   const Identity alone = SemanticIdentity{std::string(concept_iri), {}};
   const auto* name = indexes_->names.find(alone, id32(alone));

@@ -62,6 +62,9 @@ class Table {
   /// Entries with exactly this identity: candidates by `id`, which must be id32(identity), then the full identity.
   /// O(1).
   [[nodiscard]] std::span<const Filed<Entry>> with_identity(const Identity& identity, Id32 id) const;
+  /// Entries whose identity has this 32-bit form, those of one full identity together: more than one such group where
+  /// a number is that of a concept, or two names have the same. O(groups).
+  [[nodiscard]] std::vector<std::span<const Filed<Entry>>> with_number(Id32 id) const;
   /// Entries with this concept and any representation or none. O(1). For concepts that the ontology does not know.
   [[nodiscard]] std::span<const Filed<Entry>> with_concept(std::string_view concept_iri) const;
   /// Entries filed under exactly this class. O(1).

@@ -81,7 +81,7 @@ TEST(Degree, AnUnstatedRepresentationMeetsOnlyARequestWithoutOne) {
              &ontology);
 }
 
-TEST(Degree, KindsNeverMatchAcross) {
+TEST(Degree, KindsNeverMatchAcrossButForANumberAndTheConceptWhoseHashItIs) {
   const auto ontology = soccer();
   const Identity text = TextIdentity{"<http://example.org/Ball>"};
   EXPECT_EQ(canonical_form(text), canonical_form(semantic("Ball")));
@@ -89,7 +89,9 @@ TEST(Degree, KindsNeverMatchAcross) {
               {semantic("Ball"), text, std::nullopt},
               {NumericIdentity{id32(text)}, text, std::nullopt},
               {text, NumericIdentity{id32(text)}, std::nullopt},
-              {NumericIdentity{id32(text)}, semantic("Ball"), std::nullopt},
+              {NumericIdentity{id32(text)}, semantic("Ball"), Match{exact, 0}},
+              {semantic("Ball"), NumericIdentity{id32(text)}, Match{exact, 0}},
+              {NumericIdentity{id32(text) + 1}, semantic("Ball"), std::nullopt},
               {NumericIdentity{7}, TextIdentity{"7"}, std::nullopt}},
              &ontology);
 }

@@ -38,7 +38,7 @@ TEST(Matcher, AnEventCarriesTheWholeEntry) {
   matcher.put(request(key(here, 1, 1), ball));
   const auto events = matcher.take_events();
   ASSERT_EQ(events.size(), 1U);
-  EXPECT_TRUE(std::get<registry::PublicationEntry>(events[0].about).same_as(entry));
+  EXPECT_TRUE(std::get<0>(events[0].about)->same_as(entry));
   EXPECT_EQ(events[0].to, key(here, 1, 1));
 }
 
@@ -155,7 +155,7 @@ TEST(Matcher, ADelCarriesTheServiceAsItWasLastTold) {
   const auto events = matcher.take_events();
   ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(in_words(events[0]), "p1.1.1 pub del p2.1.1 changed");
-  EXPECT_TRUE(std::get<registry::PublicationEntry>(events[0].about).same_as(offer(key(2, 1, 1), ball, 4)));
+  EXPECT_TRUE(std::get<0>(events[0].about)->same_as(offer(key(2, 1, 1), ball, 4)));
 }
 
 TEST(Matcher, AModifiedServiceIsToldOnceAndOnlyToThoseWhoHaveIt) {
@@ -259,7 +259,7 @@ TEST(Matcher, CollidingIdentitiesNeverMatchInWhateverOrderTheyCome) {
   // Two services and two requests with colliding names, in each of the 24 orders.
   for (std::size_t i = 0; i < names.size(); ++i) {
     for (std::size_t j = 0; j < names.size(); ++j) {
-      if (i == j) continue;
+      if (i == j || is_number_of(names[i], names[j]) || is_number_of(names[j], names[i])) continue;
       std::vector<int> order{0, 1, 2, 3};
       do {
         Matcher matcher(nullptr);

@@ -12,10 +12,10 @@ using registry::SubscriptionEntry;
 
 bool is_same(const Told& a, const Told& b) {
   if (a.about.index() != b.about.index() || a.match != b.match) return false;
-  if (const auto* publication = std::get_if<PublicationEntry>(&a.about)) {
-    return publication->same_as(std::get<PublicationEntry>(b.about));
+  if (a.about.index() == 0) {
+    return std::get<0>(a.about)->same_as(*std::get<0>(b.about));
   }
-  return std::get<SubscriptionEntry>(a.about).same_as(std::get<SubscriptionEntry>(b.about));
+  return std::get<1>(a.about)->same_as(*std::get<1>(b.about));
 }
 
 std::optional<Match> Model::meets(const SubscriptionEntry& subscription, const PublicationEntry& publication) const {
@@ -53,9 +53,9 @@ View Model::view() const {
     const SubscriptionEntry& subscription = subscriptions.at(key);
     for (const auto& [offer_key, match] : chosen) {
       const PublicationEntry& publication = publications.at(offer_key);
-      if (subscription.is_local) view[{key, offer_key}] = {publication, match};
+      if (subscription.is_local) view[{key, offer_key}] = {std::make_shared<const PublicationEntry>(publication), match};
       if (publication.is_local && publication.publication.mode != ChannelMode::one_to_many_stream) {
-        view[{offer_key, key}] = {subscription, match};
+        view[{offer_key, key}] = {std::make_shared<const SubscriptionEntry>(subscription), match};
       }
     }
   }
@@ -73,7 +73,7 @@ std::string Replay::apply(const std::vector<Event>& events, Reason reason, const
   };
   for (const Event& event : events) {
     if (!seen.emplace(event.to, key_of(event)).second) return in_words(event) + ": a second event about one pair";
-    if (std::holds_alternative<PublicationEntry>(event.about)) {
+    if (event.about.index() == 0) {
       if (last.contains(event.to) && last[event.to] > turn(event)) return in_words(event) + ": too late";
       last[event.to] = turn(event);
     }
@@ -95,7 +95,7 @@ std::string Replay::apply(const Event& event, Reason reason, const Model& model)
   }
   if (!is_same(known->second, told)) return "not as last told";
   view_.erase(known);
-  const bool is_offer = std::holds_alternative<PublicationEntry>(event.about);
+  const bool is_offer = event.about.index() == 0;
   const auto publication = model.publications.find(is_offer ? key_of(event) : event.to);
   const auto subscription = model.subscriptions.find(is_offer ? event.to : key_of(event));
   Reason wanted = reason;

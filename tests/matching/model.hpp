@@ -16,7 +16,7 @@ namespace geminga::matching {
 
 /// What one peer has been told about one thing.
 struct Told {
-  std::variant<registry::PublicationEntry, registry::SubscriptionEntry> about;
+  decltype(Event::about) about;
   Match match;
 };
 

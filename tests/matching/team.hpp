@@ -26,7 +26,7 @@ inline std::string name(const ServiceKey& key) {
 }
 
 inline const ServiceKey& key_of(const Event& event) {
-  return std::visit([](const auto& entry) -> const ServiceKey& { return entry.key; }, event.about);
+  return std::visit([](const auto& entry) -> const ServiceKey& { return entry->key; }, event.about);
 }
 
 /// Builds entries from what matters to a test; everything else is as by default.
@@ -59,10 +59,14 @@ inline registry::SubscriptionEntry request(const ServiceKey& key, Identity ident
   return entry;
 }
 
+inline std::string word(Change change) {
+  return change == Change::add ? "add" : change == Change::modify ? "modify" : "del";
+}
+
 /// "p1.1.1 pub add p2.1.7 narrower 2", "p1.1.1 pub del p2.1.7 expired", "p1.1.9 sub add p2.1.8 exact 0".
 inline std::string in_words(const Event& event) {
-  const bool is_publication = std::holds_alternative<registry::PublicationEntry>(event.about);
-  std::string words = name(event.to) + (is_publication ? " pub " : " sub ") + std::string(to_string(event.change)) +
+  const bool is_publication = event.about.index() == 0;
+  std::string words = name(event.to) + (is_publication ? " pub " : " sub ") + word(event.change) +
                       " " + name(key_of(event));
   if (event.change == Change::del) return words + " " + std::string(to_string(event.reason));
   return words + " " + std::string(to_string(event.match.degree)) + " " + std::to_string(event.match.distance);
