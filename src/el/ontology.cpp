@@ -12,6 +12,7 @@
 #include "el/mapped_file.hpp"
 #include "el/module.hpp"
 #include "el/print.hpp"
+#include "el/similar.hpp"
 #include "el/source_paths.hpp"
 
 namespace geminga::el {
@@ -275,9 +276,9 @@ std::expected<ClassNumber, NameError> Ontology::find(std::string_view name) cons
   found.erase(std::unique(found.begin(), found.end()), found.end());
   if (found.size() == 1) return ClassNumber{found.front()};
   if (found.size() > 1) {
-    return name_error(Kind::ambiguous, "'" + shown + "' may be " + short_name(ClassNumber{found[0]}) + " or " +
-                                           short_name(ClassNumber{found[1]}) + (found.size() > 2 ? " or another" : "") +
-                                           ": say which");
+    std::vector<std::string> names;
+    for (const std::uint32_t number : found) names.push_back(short_name(ClassNumber{number}));
+    return name_error(Kind::ambiguous, "'" + shown + "' may be " + alternatives(names) + ": say which");
   }
   if (colon != std::string_view::npos && !has_known_prefix && name.find("//") == std::string_view::npos) {
     std::string known;

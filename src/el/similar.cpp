@@ -82,14 +82,18 @@ std::vector<std::string> find_similar(const Ontology& ontology, std::string_view
   return names;
 }
 
-std::string did_you_mean(const std::vector<std::string>& names) {
+std::string alternatives(const std::vector<std::string>& names, std::size_t most) {
   std::string text;
-  for (std::size_t at = 0; at < names.size(); ++at) {
-    text += at == 0 ? ": did you mean " : at + 1 == names.size() ? " or " : ", ";
+  const std::size_t shown = std::min(names.size(), most);
+  for (std::size_t at = 0; at < shown; ++at) {
+    text += at == 0 ? "" : at + 1 == names.size() ? " or " : ", ";
     text += base::printable(names[at], 400);
   }
-  if (!names.empty()) text += '?';
-  return text;
+  return shown == names.size() ? text : text + " or one of " + std::to_string(names.size() - shown) + " more";
+}
+
+std::string did_you_mean(const std::vector<std::string>& names) {
+  return names.empty() ? std::string() : ": did you mean " + alternatives(names) + '?';
 }
 
 }  // namespace geminga::el

@@ -26,6 +26,9 @@ struct SimilarLimits {
 [[nodiscard]] std::vector<std::string> find_similar(const Ontology& ontology, std::string_view name,
                                                     const SimilarLimits& limits = {});
 
+/// "A", "A or B", "A, B or C"; of more than `most`, how many more there are.
+[[nodiscard]] std::string alternatives(const std::vector<std::string>& names, std::size_t most = 20);
+
 /// `: did you mean A, B or C?`, or nothing where there are none; behind the text of an error.
 [[nodiscard]] std::string did_you_mean(const std::vector<std::string>& names);
 

@@ -39,8 +39,9 @@ std::string describe(const Token& token) {
 
 }  // namespace
 
-Parser::Parser(std::string_view bytes, el::FileId file, el::OntologySource& source, const Limits& limits)
-    : source_(source), file_(file), limits_(limits), bytes_(bytes), tokens_(bytes, limits) {
+Parser::Parser(std::string_view bytes, el::FileId file, el::OntologySource& source, const Limits& limits,
+               std::vector<el::Annotation>* annotations)
+    : source_(source), file_(file), limits_(limits), bytes_(bytes), annotations_(annotations), tokens_(bytes, limits) {
   // OWL 2, table 2: every document knows these.
   prefixes_.emplace("owl", Prefix{"http://www.w3.org/2002/07/owl#", false});
   prefixes_.emplace("rdf", Prefix{"http://www.w3.org/1999/02/22-rdf-syntax-ns#", false});
@@ -108,6 +109,7 @@ bool Parser::ontology() {
     const bool is_word = tokens_.is(TokenKind::word);
     const Production* production = is_word ? find_production(tokens_.token().text) : nullptr;
     const Form form = production == nullptr ? Form::axiom : production->form;
+    is_of_ontology_ = form == Form::annotation;
     const bool is_read = form == Form::import ? import() : form == Form::annotation ? annotation() : axiom();
     if (!is_read) return false;
   }

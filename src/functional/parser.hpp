@@ -27,7 +27,8 @@ namespace geminga::functional {
 class Parser {
  public:
   /// The bytes have passed check_text(). All arguments must outlive the parser.
-  Parser(std::string_view bytes, el::FileId file, el::OntologySource& source, const Limits& limits);
+  Parser(std::string_view bytes, el::FileId file, el::OntologySource& source, const Limits& limits,
+         std::vector<el::Annotation>* annotations);
 
   [[nodiscard]] std::expected<Document, Problem> run();
 
@@ -58,6 +59,8 @@ class Parser {
   bool annotations();
   bool annotation_value();
   bool annotation_assertion();
+  /// Hands over what was read last as an annotation of something with a name.
+  void keep(const std::string& subject, const std::string& property, bool is_literal);
 
   // parser_expressions.cpp
   bool operand(Operand wanted);
@@ -100,6 +103,7 @@ class Parser {
   const el::FileId file_;
   const Limits& limits_;
   const std::string_view bytes_;
+  std::vector<el::Annotation>* const annotations_;  ///< nullptr: nobody wants them
   Tokenizer tokens_;
   Document document_;
 
@@ -118,6 +122,7 @@ class Parser {
 
   std::vector<el::TermId> terms_;
   std::size_t depth_ = 0;           ///< of expressions or annotations
+  bool is_of_ontology_ = false;     ///< what is read now is an annotation of the ontology
   const char* obstacle_ = nullptr;  ///< what in the current axiom has no term
   std::vector<bool> declared_;      ///< by term
 };

@@ -20,11 +20,26 @@ bool Parser::annotations() {
 bool Parser::annotation() {
   if (!descend()) return false;
   tokens_.advance();
-  const bool is_read = expect(TokenKind::open, "'(' behind Annotation") && annotations() && iri(property_name) &&
-                       annotation_value() && expect(TokenKind::close, "')' behind the annotation");
+  bool is_read = expect(TokenKind::open, "'(' behind Annotation") && annotations() && iri(property_name);
+  const std::string property(annotations_ != nullptr && is_read ? iri_ : std::string_view());
+  const TokenKind kind = tokens_.token().kind;
+  is_read = is_read && annotation_value();
+  if (is_read && is_of_ontology_ && depth_ == 1 && kind != TokenKind::node_id)
+    keep(document_.ontology_iri, property, kind == TokenKind::string);
+  is_read = is_read && expect(TokenKind::close, "')' behind the annotation");
   --depth_;
   ++document_.annotations;
   return is_read;
+}
+
+void Parser::keep(const std::string& subject, const std::string& property, bool is_literal) {
+  if (annotations_ == nullptr || subject.empty()) return;
+  if (is_literal) {
+    annotations_->push_back(
+        {subject, property, true, std::string(lexical_), std::string(iri_), std::string(language_)});
+  } else {
+    annotations_->push_back({subject, property, false, std::string(iri_), {}, {}});
+  }
 }
 
 bool Parser::annotation_value() {
@@ -36,16 +51,19 @@ bool Parser::annotation_value() {
 bool Parser::annotation_assertion() {
   if (!iri(property_name)) return false;
   const bool is_label = iri_ == rdfs_label || iri_ == skos_pref_label;
+  const std::string property(annotations_ != nullptr ? iri_ : std::string_view());
   std::string subject;
   if (is_name()) {
     if (!iri("an IRI")) return false;
-    if (is_label) subject = iri_;
+    if (is_label || annotations_ != nullptr) subject = iri_;
   } else if (!expect(TokenKind::node_id, "an IRI or a blank node")) {
     return false;
   }
   const bool is_text = tokens_.is(TokenKind::string);
+  const bool is_blank = tokens_.is(TokenKind::node_id);
   if (!annotation_value()) return false;
-  if (!subject.empty() && is_text) source_.add_label(subject, lexical_, language_);
+  if (!is_blank) keep(subject, property, is_text);
+  if (is_label && !subject.empty() && is_text) source_.add_label(subject, lexical_, language_);
   return true;
 }
 

@@ -38,7 +38,7 @@ bool is_functional(std::string_view bytes) {
 }
 
 std::expected<Document, ReadError> read(std::string_view bytes, el::FileId file, el::OntologySource& source,
-                                        const Limits& limits) {
+                                        const Limits& limits, std::vector<el::Annotation>* annotations) {
   const auto refuse = [&](Problem problem) {
     const std::string& path = source.files()[static_cast<std::size_t>(file)].path;
     return std::unexpected(ReadError{base::printable(path, 4096), problem.line, std::move(problem.text)});
@@ -47,7 +47,7 @@ std::expected<Document, ReadError> read(std::string_view bytes, el::FileId file,
     return refuse({0, "larger than " + std::to_string(limits.file_bytes) + " bytes: split it"});
   bytes = without_mark(bytes);
   if (auto problem = check_text(bytes)) return refuse(std::move(*problem));
-  auto document = Parser(bytes, file, source, limits).run();
+  auto document = Parser(bytes, file, source, limits, annotations).run();
   if (!document) return refuse(std::move(document.error()));
   return std::move(*document);
 }

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "el/annotation.hpp"
 #include "el/source.hpp"
 #include "functional/error.hpp"
 #include "functional/limits.hpp"
@@ -53,9 +54,12 @@ struct Document {
 /// counts is settled among all files. What no axiom kind can express is left out there by name; annotations have no
 /// meaning for a reasoner, and are only counted.
 ///
+/// Annotations of names and of the ontology are put where they are wanted.
+///
 /// On an error the source holds an unknown part of the file: the caller drops it. Linear in the file.
 [[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, el::FileId file,
-                                                      el::OntologySource& source, const Limits& limits = {});
+                                                      el::OntologySource& source, const Limits& limits = {},
+                                                      std::vector<el::Annotation>* annotations = nullptr);
 
 }  // namespace geminga::functional
 

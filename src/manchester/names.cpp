@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "el/compiled_view.hpp"
 #include "el/datatypes.hpp"
+#include "el/similar.hpp"
 
 namespace geminga::manchester {
 namespace {
@@ -137,9 +138,8 @@ std::expected<std::string, std::string> Names::find(TermKind kind, std::string_v
   found.erase(std::unique(found.begin(), found.end()), found.end());
   if (found.size() == 1) return std::move(found.front());
   if (found.empty()) return std::unexpected("no " + std::string(word_of(kind)) + " is '" + shown + "'");
-  return std::unexpected("'" + shown + "' may be " + ontology_.short_name(std::string_view(found[0])) + " or " +
-                         ontology_.short_name(std::string_view(found[1])) + (found.size() > 2 ? " or another" : "") +
-                         ": say which");
+  for (std::string& iri : found) iri = ontology_.short_name(std::string_view(iri));
+  return std::unexpected("'" + shown + "' may be " + el::alternatives(found) + ": say which");
 }
 
 }  // namespace geminga::manchester

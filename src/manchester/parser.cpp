@@ -28,12 +28,6 @@ Parser::Level::Level(Parser& parser) : parser_(parser) {
               "more than " + std::to_string(parser.limits_.nesting) + " levels of nesting");
 }
 
-el::TermId Parser::read() {
-  const Term term = description();
-  if (tokens_.token().kind != TokenKind::end) return expected("'and', 'or' or the end");
-  return term;
-}
-
 // description = conjunction *( "or" conjunction )
 el::TermId Parser::description() {
   const Level level(*this);
@@ -148,13 +142,9 @@ el::TermId Parser::property() {
     return failed() ? of : source_.term(TermKind::object_inverse_of, {of});
   }
   const Token name = take();
-  const bool is_object = names_.find(TermKind::object_property, name.text).has_value();
-  const bool is_data = names_.find(TermKind::data_property, name.text).has_value();
-  if (is_object && is_data) {
-    return fail(ParseError::Kind::name, name.begin,
-                "'" + base::printable(name.text) + "' is an object property and a data property: say which by its IRI");
-  }
-  return entity(is_data ? TermKind::data_property : TermKind::object_property, name);
+  const auto kind = kind_of_property(name);
+  if (!kind) return fail(ParseError::Kind::name, name.begin, kind.error());
+  return entity(*kind, name);
 }
 
 el::TermId Parser::entity(el::TermKind kind, const Token& token) {
@@ -163,7 +153,7 @@ el::TermId Parser::entity(el::TermKind kind, const Token& token) {
     return fail(ParseError::Kind::too_large, token.begin,
                 "more than " + std::to_string(limits_.parts) + " names and values");
   }
-  const auto iri = names_.find(kind, token.kind == TokenKind::label ? std::string_view(token.value) : token.text);
+  const auto iri = iri_of(kind, token);
   if (!iri) return fail(ParseError::Kind::name, token.begin, iri.error());
   return source_.entity(kind, *iri);
 }
@@ -172,6 +162,11 @@ bool Parser::is_restriction_next() const {
   Tokenizer ahead = tokens_;
   ahead.advance();
   return begins_restriction(ahead.token());
+}
+
+bool Parser::is_literal() const {
+  const TokenKind kind = tokens_.token().kind;
+  return kind == TokenKind::string || kind == TokenKind::number || is_keyword("true") || is_keyword("false");
 }
 
 bool Parser::has_filler() const {
@@ -217,7 +212,7 @@ el::TermId Parser::expected(std::string_view what) {
 }
 
 el::TermId Parser::fail(ParseError::Kind kind, std::size_t octet, std::string text) {
-  if (!problem_) problem_ = ParseError{kind, tokens_.column_of(octet), std::move(text)};
+  if (!problem_) problem_ = Problem{kind, octet, std::move(text)};
   return el::thing_term;
 }
 

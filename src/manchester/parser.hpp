@@ -1,32 +1,42 @@
-// The productions of the grammar, one function each.
+// The productions of class expressions, one function each, whatever their names mean.
 #ifndef GEMINGA_MANCHESTER_PARSER_HPP
 #define GEMINGA_MANCHESTER_PARSER_HPP
 
 #include <cstddef>
+#include <expected>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "el/source.hpp"
 #include "manchester/error.hpp"
 #include "manchester/limits.hpp"
-#include "manchester/names.hpp"
 #include "manchester/tokenizer.hpp"
 
 namespace geminga::manchester {
 
-/// Reads one text into a source. The first problem ends everything: from then on each function gives owl:Thing.
+/// What is wrong, and at which octet of the text.
+struct Problem {
+  ParseError::Kind kind = ParseError::Kind::malformed;
+  std::size_t octet = 0;
+  std::string text;
+};
+
+/// Reads a text into a source. What names mean is said by whoever derives from it. The first problem ends everything:
+/// from then on each function gives owl:Thing.
 class Parser {
  public:
-  Parser(std::string_view text, const Names& names, const Limits& limits, el::OntologySource& source)
-      : tokens_(text), names_(names), limits_(limits), source_(source) {}
+  Parser(Tokenizer tokens, const Limits& limits, el::OntologySource& source)
+      : tokens_(std::move(tokens)), limits_(limits), source_(source) {}
+  Parser(const Parser&) = delete;
+  Parser& operator=(const Parser&) = delete;
+  virtual ~Parser() = default;
 
-  /// description, then the end of the text.
-  [[nodiscard]] el::TermId read();
-  [[nodiscard]] const std::optional<ParseError>& problem() const { return problem_; }
+  [[nodiscard]] const std::optional<Problem>& problem() const { return problem_; }
 
- private:
+ protected:
   using Term = el::TermId;
 
   Term description();
@@ -37,7 +47,7 @@ class Parser {
   Term restriction();
   Term object_restriction(Term property);
   Term cardinality(Term property, bool is_data);
-  Term individual();
+  virtual Term individual();
 
   // Data (parser_data.cpp).
   Term data_restriction(Term property);
@@ -52,6 +62,12 @@ class Parser {
   // Names.
   Term property();
   Term entity(el::TermKind kind, const Token& token);
+  /// The IRI of an entity, or why there is none.
+  [[nodiscard]] virtual std::expected<std::string, std::string> iri_of(el::TermKind kind, const Token& token) = 0;
+  /// Whether a property, which was taken just now, is one of objects or of data, or why it is neither.
+  [[nodiscard]] virtual std::expected<el::TermKind, std::string> kind_of_property(const Token& token) = 0;
+  /// A literal with a datatype or a language, neither or not both.
+  virtual Term literal_of(const Token& text, std::string_view datatype, std::string_view language) = 0;
   [[nodiscard]] bool is_restriction_next() const;
 
   // Tokens.
@@ -59,6 +75,7 @@ class Parser {
   [[nodiscard]] bool is_keyword(std::string_view word) const { return is(TokenKind::keyword, word); }
   [[nodiscard]] bool is_symbol(std::string_view symbol) const { return is(TokenKind::symbol, symbol); }
   [[nodiscard]] bool is_name() const;
+  [[nodiscard]] bool is_literal() const;
   [[nodiscard]] bool has_filler() const;
   bool take_keyword(std::string_view word);
   bool take_symbol(std::string_view symbol);
@@ -71,12 +88,11 @@ class Parser {
   class Level;
 
   Tokenizer tokens_;
-  const Names& names_;
   const Limits& limits_;
   el::OntologySource& source_;
   std::size_t depth_ = 0;
   std::size_t parts_ = 0;
-  std::optional<ParseError> problem_;
+  std::optional<Problem> problem_;
 };
 
 /// One level of nesting.

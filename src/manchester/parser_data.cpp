@@ -127,16 +127,13 @@ el::TermId Parser::literal() {
   const Token text = take();
   if (tokens_.token().kind == TokenKind::language) {
     if (tokens_.token().value.empty()) return expected("a language behind '@'");
-    return source_.literal(text.value, {}, take().value);
+    return literal_of(text, {}, take().value);
   }
-  if (tokens_.token().kind != TokenKind::carets) return source_.literal(text.value, {});
+  if (tokens_.token().kind != TokenKind::carets) return literal_of(text, {}, {});
   take();
   if (!is_name()) return expected("a datatype");
   const Term datatype = entity(TermKind::datatype, take());
-  if (failed()) return datatype;
-  const Term made = source_.literal(text.value, source_.name_of(datatype));
-  if (source_.is_well_typed(made)) return made;
-  return fail(ParseError::Kind::malformed, text.begin, "a literal that is not of its datatype");
+  return failed() ? datatype : literal_of(text, source_.name_of(datatype), {});
 }
 
 // A whole number is an xsd:integer, one with a point an xsd:decimal, one with an exponent or f an xsd:float.

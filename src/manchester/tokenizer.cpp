@@ -94,11 +94,20 @@ void Tokenizer::take_word() {
   if (is_one_of(keywords, word)) kind = TokenKind::keyword;
   if (is_number(word)) kind = TokenKind::number;
   if (are_facets_ && is_one_of(facet_words, word)) kind = TokenKind::facet;
+  if (is_document_ && word.ends_with(':') && std::ranges::binary_search(sections_, word)) kind = TokenKind::section;
   finish(kind, word.size());
+}
+
+void Tokenizer::skip_comments() {
+  while (place_ < text_.size() && text_[place_] == '#') {
+    place_ = std::min(text_.find_first_of("\r\n", place_), text_.size());
+    place_ = std::min(text_.find_first_not_of(blanks, place_), text_.size());
+  }
 }
 
 void Tokenizer::advance() {
   place_ = std::min(text_.find_first_not_of(blanks, place_), text_.size());
+  if (is_document_) skip_comments();
   token_ = {.kind = TokenKind::end, .text = {}, .value = {}, .begin = place_};
   if (place_ == text_.size()) return;
   const char first = text_[place_];

@@ -1,9 +1,10 @@
-// Cuts a class expression into its terminal symbols, one at a time.
+// Cuts a class expression, or a document, into its terminal symbols, one at a time.
 #ifndef GEMINGA_MANCHESTER_TOKENIZER_HPP
 #define GEMINGA_MANCHESTER_TOKENIZER_HPP
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,7 @@ enum class TokenKind : std::uint8_t {
   end,       ///< of the text
   bad,       ///< no token: `value` says what is wrong
   name,      ///< soma:Ball, Ball, or <IRI> with its brackets
+  section,   ///< SubClassOf:, in documents
   label,     ///< 'left eye'; value: without the quotes
   keyword,   ///< and, or, not, that, some, only, value, Self, min, max, exactly, inverse, true, false
   number,    ///< 17, -3.5, 1e3f
@@ -34,6 +36,12 @@ struct Token {
 class Tokenizer {
  public:
   explicit Tokenizer(std::string_view text) : text_(text) { advance(); }
+  /// Of a document: these words begin frames and sections and are no names, and comments are passed over. The words are
+  /// sorted and outlive the tokenizer.
+  Tokenizer(std::string_view text, std::span<const std::string_view> sections)
+      : text_(text), sections_(sections), is_document_(true) {
+    advance();
+  }
 
   [[nodiscard]] const Token& token() const { return token_; }
   void advance();
@@ -49,7 +57,11 @@ class Tokenizer {
   void take_iri();
   void take_word();
 
+  void skip_comments();
+
   std::string_view text_;
+  std::span<const std::string_view> sections_;
+  bool is_document_ = false;
   std::size_t place_ = 0;
   bool are_facets_ = false;
   Token token_;

@@ -1,4 +1,3 @@
-// Lists folders and reads files with nothing but plain system calls, so that what is opened is plain, too.
 #include "rdf/files.hpp"
 
 #include <fcntl.h>
@@ -7,65 +6,22 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <optional>
-#include <set>
 #include <system_error>
 #include <utility>
 
 #include "base/text.hpp"
-#include "rdf/long_text.hpp"
-#include "rdf/syntax.hpp"
+#include "rdf/long_text_watch.hpp"
 
 namespace geminga::rdf {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t read_at_once = std::size_t{1} << 20;
-
-constexpr std::array<std::string_view, 7> extensions{".ttl", ".nt", ".rdf", ".owl", ".xml", ".ofn", ".fss"};
 
 std::unexpected<LoadError> refuse(std::string file, std::string text) {
   return std::unexpected(LoadError{base::printable(file, 4096), 0, std::move(text), true});
 }
-
-/// Where a file is large, a text that is beyond its limit refuses it before the rest of it is read.
-class LongTextWatch {
- public:
-  LongTextWatch(const std::string& path, std::size_t size, const Limits& limits)
-      : path_(path), limits_(limits), is_needed_(size > limits.watched_bytes) {}
-
-  std::optional<LoadError> look_at(std::string_view stretch) {
-    if (!is_needed_) return std::nullopt;
-    if (!text_) {
-      const auto syntax = detect_syntax(path_, stretch);
-      is_needed_ = syntax.has_value();
-      if (!is_needed_) return std::nullopt;  // whoever asked for the bytes says why
-      is_xml_ = *syntax == Syntax::rdf_xml;
-      // A text may be half escapes, and in XML stand in a tag with others.
-      text_.emplace(*syntax, is_xml_ ? std::max(limits_.tag_bytes, limits_.literal_bytes) : 2 * limits_.literal_bytes,
-                    limits_.blank_bytes);
-    }
-    const auto line = text_->look_at(stretch);
-    if (!line) return std::nullopt;
-    const bool is_blank = text_->is_blank();
-    const std::string_view what = is_blank ? "white space and comments" : is_xml_ ? "a text" : "a literal";
-    return LoadError{base::printable(path_, 4096), *line,
-                     "has " + std::string(what) + " of more than " +
-                         std::to_string(is_blank ? limits_.blank_bytes : limits_.literal_bytes) + " bytes"};
-  }
-
- private:
-  const std::string& path_;
-  const Limits& limits_;
-  bool is_needed_;
-  bool is_xml_ = false;
-  std::optional<LongText> text_;
-};
 
 std::string kernel_words(int error) { return std::generic_category().message(error); }
 
@@ -75,39 +31,6 @@ std::string_view kind_of(mode_t mode) {
   if (S_ISFIFO(mode)) return "is a FIFO";
   if (S_ISSOCK(mode)) return "is a socket";
   return "is a device";
-}
-
-bool is_ontology_name(std::string_view name) {
-  if (name.starts_with('.') || name.starts_with("catalog-v")) return false;
-  return std::ranges::any_of(extensions, [&](std::string_view extension) { return name.ends_with(extension); });
-}
-
-std::expected<std::vector<std::string>, LoadError> list_folder(const std::string& folder) {
-  std::error_code error;
-  std::vector<std::string> names;
-  fs::directory_iterator entries(folder, error);
-  for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
-    std::string name = entries->path().filename().string();
-    if (is_ontology_name(name)) names.push_back(std::move(name));
-  }
-  if (error) return refuse(folder, "cannot be listed: " + error.message());
-  std::ranges::sort(names);
-  const fs::path inside = fs::canonical(folder, error);
-  if (error) return refuse(folder, "cannot be resolved: " + error.message());
-  std::vector<std::string> files;
-  for (const std::string& name : names) {
-    const fs::path path = fs::path(folder) / name;
-    const fs::path target = fs::canonical(path, error);
-    if (error) return refuse(path.string(), "cannot be resolved: " + error.message());
-    const auto [end, rest] = std::mismatch(inside.begin(), inside.end(), target.begin(), target.end());
-    if (end != inside.end())
-      return refuse(path.string(), "is a link that leads out of its folder: name the file itself");
-    if (fs::is_directory(target, error)) continue;
-    files.push_back(path.string());
-  }
-  if (files.empty())
-    return refuse(folder, "holds no ontology file: put files named .ttl, .nt, .rdf, .owl, .xml or .ofn there");
-  return files;
 }
 
 }  // namespace
@@ -180,28 +103,29 @@ std::expected<FileBytes, LoadError> FileBytes::read(const std::string& path, con
   return bytes;
 }
 
-std::expected<std::vector<std::string>, LoadError> list_files(std::span<const std::string> arguments,
-                                                              const Limits& limits) {
-  std::vector<std::string> files;
-  std::set<std::pair<dev_t, ino_t>> seen;
-  const auto take = [&](std::string path) {
-    struct stat status{};
-    if (stat(path.c_str(), &status) == 0 && !seen.emplace(status.st_dev, status.st_ino).second) return;
-    files.push_back(std::move(path));
-  };
-  for (const std::string& argument : arguments) {
-    std::error_code error;
-    if (!fs::is_directory(argument, error)) {
-      take(argument);
-      continue;
-    }
-    auto inside = list_folder(argument);
-    if (!inside) return std::unexpected(std::move(inside.error()));
-    for (std::string& path : *inside) take(std::move(path));
-  }
-  if (files.size() > limits.files)
-    return refuse("", "more than " + std::to_string(limits.files) + " ontology files are named: merge some");
-  return files;
+char* FileBytes::room_for(std::size_t count) {
+  constexpr std::size_t step = std::size_t{1} << 20;
+  if (mapped_ - size_ >= count) return data_ + size_;
+  const std::size_t wanted = (std::max(size_ + count, mapped_ + mapped_ / 2) + step - 1) / step * step;
+  void* memory = mapped_ == 0 ? mmap(nullptr, wanted, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)
+                              : mremap(data_, mapped_, wanted, MREMAP_MAYMOVE);
+  if (memory == MAP_FAILED) return nullptr;
+  data_ = static_cast<char*>(memory);
+  mapped_ = wanted;
+  return data_ + size_;
+}
+
+std::string_view FileBytes::take_room(std::size_t count) {
+  const std::string_view taken(data_ + size_, count);
+  size_ += count;
+  return taken;
+}
+
+void FileBytes::give_back_room() {
+  constexpr std::size_t page = std::size_t{1} << 16;
+  const std::size_t needed = (std::max<std::size_t>(size_, 1) + page - 1) / page * page;
+  if (needed >= mapped_ || mremap(data_, mapped_, needed, 0) == MAP_FAILED) return;
+  mapped_ = needed;
 }
 
 }  // namespace geminga::rdf

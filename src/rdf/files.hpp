@@ -1,13 +1,11 @@
-// From what the user names, files and folders, to the bytes of ontology files, without touching anything else.
+// The bytes of one file, read with nothing but plain system calls, so that what is opened is plain, too.
 #ifndef GEMINGA_RDF_FILES_HPP
 #define GEMINGA_RDF_FILES_HPP
 
 #include <cstddef>
 #include <expected>
-#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "rdf/error.hpp"
 #include "rdf/limits.hpp"
@@ -30,18 +28,18 @@ class FileBytes {
   /// reads as zero. Gives the end of what was released. Several threads may release what only they read.
   std::size_t release(std::size_t begin, std::size_t end);
 
+  /// Room for so many bytes behind those that are there; what was there may move. nullptr: there is no memory.
+  [[nodiscard]] char* room_for(std::size_t count);
+  /// The first `count` bytes of that room belong to the file from now on, and are these.
+  std::string_view take_room(std::size_t count);
+  /// No more will come.
+  void give_back_room();
+
  private:
   char* data_ = nullptr;
   std::size_t size_ = 0;
   std::size_t mapped_ = 0;
 };
-
-/// The files that the arguments mean: a file is itself; a folder is every ontology file in it (.ttl .nt .rdf .owl
-/// .xml .ofn .fss), sorted by name, not those in folders below, not hidden ones and not a Protégé catalogue. What is
-/// named twice is taken once. A folder without any is an error, and so is one that holds a link that leads out of it, a
-/// FIFO or a device.
-[[nodiscard]] std::expected<std::vector<std::string>, LoadError> list_files(std::span<const std::string> arguments,
-                                                                            const Limits& limits);
 
 }  // namespace geminga::rdf
 

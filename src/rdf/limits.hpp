@@ -11,7 +11,15 @@ namespace geminga::rdf {
 /// it.
 struct Limits {
   std::size_t files = 10'000;
+  /// What a folder holds, its ontologies or not, and all folders below it.
+  std::size_t folder_entries = 100'000;
+  /// Folders in each other below the one that is named.
+  std::size_t folder_levels = 64;
   std::size_t file_bytes = std::size_t{1} << 30;
+  /// A packed file may unpack to so many times its size, or to `inflated_free_bytes` where that is more, and never to
+  /// more than file_bytes. Ontologies come to 5 to 60 times, a bomb to 1000.
+  std::size_t inflated_growth = 200;
+  std::size_t inflated_free_bytes = std::size_t{1} << 20;
   /// No limit: of a larger file, a text that is too long is found before the rest of the file is in memory.
   std::size_t watched_bytes = std::size_t{8} << 20;
   /// No limit, but where large files are cut to be read by several threads; smaller ones are read whole.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include "rdf/catalog.hpp"
 #include "rdf/files.hpp"
 #include "rdf/graph.hpp"
+#include "rdf/inflate.hpp"
 #include "rdf/mapping.hpp"
 #include "rdf/redland.hpp"
 #include "rdf/scan.hpp"
@@ -29,7 +31,7 @@ constexpr std::size_t max_imports = 1000;
 /// What a file's relative IRIs are relative to: its name, not its place, so that they are the same on every robot.
 std::string base_iri(const std::string& path) {
   std::string iri = "file:///";
-  for (const char c : std::filesystem::path(path).filename().string()) {
+  for (const char c : std::filesystem::path(name_without_gz(path)).filename().string()) {
     const auto byte = static_cast<unsigned char>(c);
     const bool is_plain =
         (byte > 0x20 && byte < 0x7f && std::string_view("<>\"{}|\\^`%#?").find(c) == std::string_view::npos);
@@ -156,7 +158,7 @@ std::vector<PrefixConflict> settle_prefixes(const std::vector<DeclaredPrefix>& d
 /// One load, file by file.
 class Loading {
  public:
-  Loading(const std::vector<std::string>& paths, const Limits& limits, const OtherReader& other, unsigned threads)
+  Loading(const std::vector<std::string>& paths, const Limits& limits, OtherReader* other, unsigned threads)
       : paths_(paths), limits_(limits), other_(other), redland_(limits, threads), headers_(paths) {}
 
   std::optional<LoadError> read(std::size_t number) {
@@ -165,13 +167,23 @@ class Loading {
     auto bytes = FileBytes::read(path, limits_);
     if (!bytes) return std::move(bytes.error());
     loaded_.source.set_content(file, el::fingerprint_of(bytes->view()));
+    if (is_gzip(bytes->view())) bytes = inflate(path, *bytes, limits_);
+    if (!bytes) return std::move(bytes.error());
     auto syntax = detect_syntax(path, bytes->view());
     if (!syntax) return LoadError{base::printable(path, 4096), 0, syntax.error()};
-    if (*syntax == Syntax::functional) return read_other(number, file, bytes->view());
+    loaded_.syntaxes.push_back(*syntax);
     TurtleLines lines;
     Pieces pieces(limits_.piece_bytes);
     if (auto problem = scan(*syntax, bytes->view(), limits_, lines, pieces))
       return LoadError{base::printable(path, 4096), problem->line, std::move(problem->text)};
+    if (!has_triples(*syntax)) {
+      graph_.begin_file();  // without triples, so that the graph's files have the source's numbers
+      if (auto error = refuse_other(number, *syntax)) return error;
+      if (!is_read_last(*syntax)) return read_other(number, *syntax, bytes->view());
+      other_->look_ahead(*syntax, bytes->view());
+      waiting_.push_back({number, std::move(*bytes)});
+      return std::nullopt;
+    }
     if (*syntax == Syntax::n_triples && lines.has_quote_in_comment()) syntax = Syntax::turtle;
     return redland_.read(path, *syntax, *bytes, base_iri(path), lines.take(), pieces, graph_);
   }
@@ -200,35 +212,48 @@ class Loading {
 
   std::expected<Loaded, LoadError> finish() {
     loaded_.triples = redland_.triple_count();
-    std::vector<DeclaredPrefix> prefixes = redland_.prefixes();
-    prefixes.insert(prefixes.end(), other_prefixes_.begin(), other_prefixes_.end());
-    loaded_.conflicts = settle_prefixes(prefixes, loaded_.source);
     headers_.read(graph_);
-    std::vector<el::FileId> files;
-    for (std::size_t number = 0; number < paths_.size(); ++number) {
-      files.push_back(el::FileId{static_cast<std::uint32_t>(number)});
-      loaded_.source.set_ontology_iri(files.back(), headers_.own(number));
-    }
     graph_.index();
     loaded_.unknown_words = unknown_words(graph_);
     loaded_.undeclared_predicates = undeclared_predicates(graph_);
+    std::vector<el::FileId> files;
+    for (std::uint32_t number = 0; number < paths_.size(); ++number) files.push_back(el::FileId{number});
     Mapping(graph_, loaded_.source, std::move(files)).run();
+    for (const Waiting& waiting : waiting_) {
+      if (auto error = read_other(waiting.number, loaded_.syntaxes[waiting.number], waiting.bytes.view()))
+        return std::unexpected(std::move(*error));
+    }
+    std::vector<DeclaredPrefix> prefixes = redland_.prefixes();
+    prefixes.insert(prefixes.end(), other_prefixes_.begin(), other_prefixes_.end());
+    loaded_.conflicts = settle_prefixes(prefixes, loaded_.source);
+    for (std::uint32_t number = 0; number < paths_.size(); ++number)
+      loaded_.source.set_ontology_iri(el::FileId{number}, headers_.own(number));
     loaded_.unresolved = headers_.settle(paths_, loaded_.source);
     if (const auto& problem = loaded_.source.problem()) return std::unexpected(LoadError{{}, 0, *problem});
     return std::move(loaded_);
   }
 
  private:
-  std::optional<LoadError> read_other(std::size_t number, el::FileId file, std::string_view bytes) {
-    if (!other_)
-      return LoadError{base::printable(paths_[number], 4096), 0,
-                       "is in OWL functional syntax, which is not read here: convert it to RDF/XML or Turtle"};
-    const auto document = other_(bytes, file, loaded_.source);
+  /// A file in a syntax whose names mean what all others say that they do.
+  struct Waiting {
+    std::size_t number;
+    FileBytes bytes;
+  };
+
+  std::optional<LoadError> refuse_other(std::size_t number, Syntax syntax) const {
+    if (other_ != nullptr) return std::nullopt;
+    return LoadError{
+        base::printable(paths_[number], 4096), 0,
+        "is in " + std::string(to_string(syntax)) + ", which is not read here: convert it to RDF/XML or Turtle"};
+  }
+
+  std::optional<LoadError> read_other(std::size_t number, Syntax syntax, std::string_view bytes) {
+    auto document = other_->read(syntax, bytes, el::FileId{static_cast<std::uint32_t>(number)}, loaded_.source);
     if (!document) return document.error();
-    graph_.begin_file();  // without triples, so that the graph's files have the source's numbers
     if (!document->ontology_iri.empty()) headers_.name(number, document->ontology_iri);
     if (!document->version_iri.empty()) headers_.version(document->version_iri);
     for (const OtherDocument::Import& import : document->imports) headers_.import(number, import.iri, import.line);
+    std::ranges::move(document->annotations, std::back_inserter(loaded_.annotations));
     for (const auto& [prefix, iri] : document->prefixes)
       other_prefixes_.push_back({prefix, iri, static_cast<std::uint32_t>(number)});
     return std::nullopt;
@@ -236,30 +261,47 @@ class Loading {
 
   const std::vector<std::string>& paths_;
   const Limits& limits_;
-  const OtherReader& other_;
+  OtherReader* other_;
   Redland redland_;
   Graph graph_;
   Headers headers_;
   std::vector<DeclaredPrefix> other_prefixes_;
+  std::vector<Waiting> waiting_;
   Loaded loaded_;
 };
 
 }  // namespace
 
-std::expected<Loaded, LoadError> load(std::span<const std::string> arguments, const Limits& limits,
-                                      const OtherReader& other, unsigned threads) {
-  const auto paths = list_files(arguments, limits);
-  if (!paths) return std::unexpected(paths.error());
-  Loading loading(*paths, limits, other, threads);
-  for (std::size_t number = 0; number < paths->size(); ++number) {
+std::expected<TextFile, LoadError> read_text(const std::string& path, const Limits& limits) {
+  const auto refuse = [&](std::uint32_t line, std::string text) {
+    return std::unexpected(LoadError{base::printable(path, 4096), line, std::move(text)});
+  };
+  auto bytes = FileBytes::read(path, limits);
+  if (bytes && is_gzip(bytes->view())) bytes = inflate(path, *bytes, limits);
+  if (!bytes) return std::unexpected(std::move(bytes.error()));
+  const auto syntax = detect_syntax(path, bytes->view());
+  if (!syntax) return refuse(0, syntax.error());
+  TurtleLines lines;
+  Pieces pieces(limits.piece_bytes);
+  if (auto problem = scan(*syntax, bytes->view(), limits, lines, pieces))
+    return refuse(problem->line, std::move(problem->text));
+  return TextFile{std::move(*bytes), *syntax, base_iri(path)};
+}
+
+std::expected<Loaded, LoadError> load(std::span<const std::string> arguments, const Limits& limits, OtherReader* other,
+                                      unsigned threads) {
+  auto listing = list_files(arguments, limits);
+  if (!listing) return std::unexpected(std::move(listing.error()));
+  Loading loading(listing->files, limits, other, threads);
+  for (std::size_t number = 0; number < listing->files.size(); ++number) {
     if (auto error = loading.read(number)) return std::unexpected(std::move(*error));
   }
-  for (const std::string& argument : arguments) {
-    std::error_code failed;
-    if (!std::filesystem::is_directory(argument, failed)) continue;
-    if (auto error = loading.read_catalog_in(argument)) return std::unexpected(std::move(*error));
+  for (const std::string& folder : listing->folders) {
+    if (auto error = loading.read_catalog_in(folder)) return std::unexpected(std::move(*error));
   }
-  return loading.finish();
+  auto loaded = loading.finish();
+  if (loaded) loaded->listing = std::move(*listing);
+  return loaded;
 }
 
 }  // namespace geminga::rdf

@@ -4,16 +4,19 @@
 
 #include <cstdint>
 #include <expected>
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "el/annotation.hpp"
 #include "el/source.hpp"
 #include "rdf/error.hpp"
+#include "rdf/files.hpp"
+#include "rdf/folders.hpp"
 #include "rdf/limits.hpp"
+#include "rdf/syntax.hpp"
 #include "rdf/used_names.hpp"
 
 namespace geminga::rdf {
@@ -42,29 +45,49 @@ struct OtherDocument {
   std::string version_iri;
   std::vector<Import> imports;
   std::vector<std::pair<std::string, std::string>> prefixes;  ///< without the colon; the IRI
+  std::vector<el::Annotation> annotations;                    ///< where its reader keeps them
 };
 
-/// Reads the bytes of a file in OWL functional syntax into the source, its ontology IRI included.
-using OtherReader = std::function<std::expected<OtherDocument, LoadError>(std::string_view bytes, el::FileId file,
-                                                                          el::OntologySource& source)>;
+/// Reads files in syntaxes without triples. What they hold is put into the source, their ontology IRIs included.
+class OtherReader {
+ public:
+  virtual ~OtherReader() = default;
+  /// Is shown every such file that is to be read last, before the first of them is: what one declares another may use.
+  virtual void look_ahead(Syntax syntax, std::string_view bytes) = 0;
+  [[nodiscard]] virtual std::expected<OtherDocument, LoadError> read(Syntax syntax, std::string_view bytes,
+                                                                     el::FileId file, el::OntologySource& source) = 0;
+};
 
 /// Everything that was read.
 struct Loaded {
   el::OntologySource source;
+  std::vector<Syntax> syntaxes;  ///< of the source's files
+  Listing listing;               ///< what the arguments meant
   std::uint64_t triples = 0;
   std::vector<UnresolvedImport> unresolved;     ///< in the order of reading, each IRI once; in source's left-outs, too
   std::vector<PrefixConflict> conflicts;        ///< sorted by prefix
+  std::vector<el::Annotation> annotations;      ///< of files without triples, where their reader keeps them
   std::vector<UsedName> unknown_words;          ///< of triples, in the order of reading (used_names.hpp)
   std::vector<UsedName> undeclared_predicates;  ///< likewise
 };
 
-/// Reads RDF/XML, Turtle and N-Triples files, and every such file in the folders named. Opens nothing else, whatever
-/// the files say. The first file that is broken, hostile or beyond a limit refuses everything, with its line. The
-/// result does not depend on the order of triples; what is reported first depends on the order of files.
-/// A large file is parsed by as many threads as are given; the result does not depend on them.
-/// Files in OWL functional syntax go to `other`, and are refused where there is none.
+/// A file that was unpacked where it needed it, and scanned for what Redland must not see (scan.hpp).
+struct TextFile {
+  FileBytes bytes;
+  Syntax syntax = Syntax::turtle;
+  std::string base_iri;  ///< what its relative IRIs are relative to
+};
+
+/// For those who need a file's triples as they stand there and not what they mean.
+[[nodiscard]] std::expected<TextFile, LoadError> read_text(const std::string& path, const Limits& limits = {});
+
+/// Reads RDF/XML, Turtle and N-Triples files, packed by gzip or not, and every such file in the folders named and below
+/// them (folders.hpp). Opens nothing else, whatever the files say. The first file that is broken, hostile or beyond a
+/// limit refuses everything, with its line. The result does not depend on the order of triples; what is reported first
+/// depends on the order of files. A large file is parsed by as many threads as are given; the result does not depend on
+/// them. Files in the syntaxes of OWL 2 itself go to `other`, and are refused where there is none.
 [[nodiscard]] std::expected<Loaded, LoadError> load(std::span<const std::string> arguments, const Limits& limits = {},
-                                                    const OtherReader& other = {}, unsigned threads = 1);
+                                                    OtherReader* other = nullptr, unsigned threads = 1);
 
 }  // namespace geminga::rdf
 

@@ -19,7 +19,7 @@ class LongText {
   /// A text are the octets between two ends of tags, of XML, or in one pair of quotation marks, of other syntaxes. Of
   /// these, too, white space and comments in a row are looked at.
   LongText(Syntax syntax, std::size_t max_text, std::size_t max_blank)
-      : is_xml_(syntax == Syntax::rdf_xml), max_text_(max_text), max_blank_(max_blank) {}
+      : is_xml_(is_xml(syntax)), max_text_(max_text), max_blank_(max_blank) {}
 
   /// The line in which something begins that is too long; nothing so far.
   [[nodiscard]] std::optional<std::uint32_t> look_at(std::string_view stretch);

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cctype>
 
+#include "rdf/inflate.hpp"
+#include "rdf/vocabulary.hpp"
+
 namespace geminga::rdf {
 namespace {
 
-enum class Content { empty, xml, owl_xml, html, json, obo, turtle, functional, manchester, wide };
+enum class Content { empty, xml, owl_xml, html, json, obo, turtle, functional, manchester, wide, packed };
 
 bool is_name_byte(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.' ||
@@ -75,13 +78,15 @@ Content look_at_xml(std::string_view text) {
   const std::string_view name = tag.substr(0, std::min(tag.find_first_of(" \t\r\n/"), tag.size()));
   if (starts_ignoring_case(text, "<!doctype html") || (starts_ignoring_case(name, "html") && name.size() == 4))
     return Content::html;
-  // RDF/XML may begin with <owl:Ontology, and then says rdf:about where OWL/XML says ontologyIRI.
-  if (name == "Ontology" || (name.ends_with(":Ontology") && tag.find("ontologyIRI") != std::string_view::npos))
-    return Content::owl_xml;
+  // RDF/XML may begin with <owl:Ontology, too, and then says rdf:about where OWL/XML says ontologyIRI.
+  const bool has_iri = tag.find("ontologyIRI") != std::string_view::npos;
+  const bool is_about = tag.find("rdf:about") != std::string_view::npos;
+  if ((name == "Ontology" && !is_about) || (name.ends_with(":Ontology") && has_iri)) return Content::owl_xml;
   return Content::xml;
 }
 
 Content look(std::string_view content) {
+  if (is_gzip(content)) return Content::packed;
   if (is_wide(content)) return Content::wide;
   const std::string_view text = without_comments(without_mark(content));
   if (text.empty()) return Content::empty;
@@ -105,9 +110,37 @@ std::string_view without_mark(std::string_view content) {
   return content;
 }
 
+std::string_view to_string(Syntax syntax) {
+  switch (syntax) {
+    case Syntax::rdf_xml:
+      return "RDF/XML";
+    case Syntax::turtle:
+      return "Turtle";
+    case Syntax::n_triples:
+      return "N-Triples";
+    case Syntax::functional:
+      return "OWL functional syntax";
+    case Syntax::manchester:
+      return "OWL Manchester syntax";
+    case Syntax::owl_xml:
+      return "OWL/XML";
+  }
+  return {};
+}
+
+bool is_foreign_xml(std::string_view begin) {
+  const Content found = look(begin);
+  if (found == Content::html) return true;
+  return found == Content::xml && begin.find(rdf_namespace) == std::string_view::npos &&
+         begin.find("http://www.w3.org/2002/07/owl") == std::string_view::npos;
+}
+
 std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::string_view content) {
+  path = name_without_gz(path);
   const Content found = look(content);
   switch (found) {
+    case Content::packed:
+      return std::unexpected("is packed twice by gzip: unpack it once");
     case Content::wide:
       return std::unexpected("is in UTF-16, which is not read: convert it to UTF-8");
     case Content::html:
@@ -119,9 +152,9 @@ std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::str
     case Content::obo:
       return std::unexpected("is in OBO format, which is not read: convert it to RDF/XML or Turtle");
     case Content::manchester:
-      return std::unexpected("is in OWL Manchester syntax, which is not read: convert it to RDF/XML or Turtle");
+      return Syntax::manchester;
     case Content::owl_xml:
-      return std::unexpected("is in OWL/XML, which is not read: convert it to RDF/XML or Turtle");
+      return Syntax::owl_xml;
     default:
       break;
   }
@@ -133,10 +166,15 @@ std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::str
   }
   if (found == Content::xml) return Syntax::rdf_xml;
   if (found == Content::empty) return std::unexpected("is empty");
-  if (path.ends_with(".ofn") || path.ends_with(".fss"))
-    return std::unexpected("is not in OWL functional syntax: name it .ttl, .nt, .rdf or .owl, as it is");
+  const auto is_not = [](std::string_view syntax) {
+    return std::unexpected("is not in " + std::string(syntax) + ": name it .ttl, .nt, .rdf or .owl, as it is");
+  };
+  if (path.ends_with(".ofn") || path.ends_with(".fss")) return is_not(to_string(Syntax::functional));
+  if (path.ends_with(".omn")) return is_not(to_string(Syntax::manchester));
+  if (path.ends_with(".owx")) return is_not(to_string(Syntax::owl_xml));
   const bool says_xml = path.ends_with(".rdf") || path.ends_with(".owl") || path.ends_with(".xml");
-  if (!says_xml) return std::unexpected("has no known extension: name it .ttl, .nt, .rdf, .owl, .xml or .ofn");
+  if (!says_xml)
+    return std::unexpected("has no known extension: name it .ttl, .nt, .rdf, .owl, .xml, .owx, .omn or .ofn");
   return Syntax::turtle;
 }
 

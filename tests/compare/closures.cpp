@@ -15,8 +15,8 @@
 #include "cases/taxonomy.hpp"
 #include "compare/functional_syntax.hpp"
 #include "compare/konclude.hpp"
-#include "functional/read.hpp"
 #include "rdf/load.hpp"
+#include "readers.hpp"
 #include "reasoner/reasoner.hpp"
 
 namespace geminga::compare {
@@ -32,22 +32,6 @@ struct Request {
   std::size_t shown = 10;
   std::vector<std::string> files;
 };
-
-std::expected<rdf::OtherDocument, rdf::LoadError> read_functional(std::string_view bytes, el::FileId file,
-                                                                  el::OntologySource& source) {
-  auto document = functional::read(bytes, file, source);
-  if (!document) {
-    rdf::LoadError error;
-    error.text = document.error().text;
-    error.line = document.error().line;
-    return std::unexpected(std::move(error));
-  }
-  rdf::OtherDocument other;
-  other.ontology_iri = document->ontology_iri;
-  other.version_iri = document->version_iri;
-  for (const auto& import : document->imports) other.imports.push_back({import.iri, import.line});
-  return other;
-}
 
 void show(const char* what, const cases::Closure& lines, std::size_t most) {
   for (std::size_t at = 0; at < std::min(lines.size(), most); ++at)
@@ -87,7 +71,8 @@ cases::Closure shortened(cases::Closure lines) {
 /// True where both agree.
 bool compare(const Request& request, const std::vector<std::string>& files) {
   const std::string& name = files.front();
-  const auto loaded = rdf::load(files, {}, read_functional);
+  ontology::Readers readers;
+  const auto loaded = rdf::load(files, {}, &readers);
   if (!loaded) {
     std::printf("%s: cannot be read: %s\n", name.c_str(), rdf::to_string(loaded.error()).c_str());
     return false;

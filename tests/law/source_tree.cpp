@@ -68,8 +68,8 @@ std::vector<std::string> violations(const Law& law, const SourceFile& file) {
   static const std::regex include(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"])re");
   // Libraries that one folder alone may name.
   static const std::map<std::string, std::string> owners = {{"boost/multi_index", "registry"},
-                                                            {"librdf", "rdf"},
-                                                            {"redland", "rdf"},
+                                                            {"librdf", "graph"},
+                                                            {"rasqal", "graph"},
                                                             {"raptor", "rdf"},
                                                             {"google/protobuf", "beacon"}};
   std::vector<std::string> found;

@@ -8,6 +8,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include "rdf/folders.hpp"
 #include "rdf/load.hpp"
 #include "rdf/scratch.hpp"
 
@@ -18,20 +19,78 @@ using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
 
-std::vector<std::string> names(const std::expected<std::vector<std::string>, LoadError>& files) {
+/// As seen from a folder.
+std::vector<std::string> from(const std::filesystem::path& folder, const std::vector<std::string>& paths) {
   std::vector<std::string> found;
-  if (!files) return {"refused: " + to_string(files.error())};
-  for (const std::string& file : *files) found.push_back(std::filesystem::path(file).filename().string());
+  for (const std::string& path : paths)
+    found.push_back(std::filesystem::path(path).lexically_relative(folder).string());
   return found;
 }
 
-TEST(Files, AFolderMeansItsOntologyFilesSortedByName) {
+std::vector<std::string> names(const std::expected<Listing, LoadError>& listing) {
+  if (!listing) return {"refused: " + to_string(listing.error())};
+  std::vector<std::string> found;
+  for (const std::string& file : listing->files) found.push_back(std::filesystem::path(file).filename().string());
+  return found;
+}
+
+TEST(Files, AFolderMeansItsOntologyFilesAndThoseBelowSortedByPath) {
   const Scratch scratch;
-  for (const char* name : {"z.owl", "b.ttl", "a.nt", "c.rdf", "d.xml", "e.ofn", "f.fss", "notes.txt", ".#b.ttl",
-                           "catalog-v001.xml", "below/e.ttl", "folder.ttl/f.ttl"})
+  for (const char* name :
+       {"z.owl", "b.ttl", "a.nt", "c.rdf", "d.xml", "e.ofn", "f.fss", "g.omn", "h.owx", "i.owl.gz", "notes.txt",
+        ".#b.ttl", ".git/x.ttl", "catalog-v001.xml", "below/deep/e.ttl", "folder.ttl/f.ttl", "table.csv.gz"})
     scratch.write(name, "");
-  EXPECT_THAT(names(list_files(std::vector{scratch.path().string()}, {})),
-              ElementsAre("a.nt", "b.ttl", "c.rdf", "d.xml", "e.ofn", "f.fss", "z.owl"));
+  const auto listing = list_files(std::vector{scratch.path().string()}, {});
+  ASSERT_TRUE(listing);
+  EXPECT_THAT(from(scratch.path(), listing->files),
+              ElementsAre("a.nt", "b.ttl", "below/deep/e.ttl", "c.rdf", "d.xml", "e.ofn", "f.fss", "folder.ttl/f.ttl",
+                          "g.omn", "h.owx", "i.owl.gz", "z.owl"));
+  EXPECT_THAT(from(scratch.path(), listing->folders), ElementsAre(".", "below", "below/deep", "folder.ttl"));
+  EXPECT_THAT(from(scratch.path(), listing->skipped), ElementsAre("notes.txt", "table.csv.gz"));
+}
+
+TEST(Files, XmlOfOtherProgramsInAFolderIsSkippedAndWhatIsNamedIsNot) {
+  const Scratch scratch;
+  const std::string package = scratch.write("package.xml", "<?xml version=\"1.0\"?>\n<package format=\"3\"/>");
+  scratch.write("a.xml", "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\"/>");
+  scratch.write("b.xml", "<Ontology xmlns=\"http://www.w3.org/2002/07/owl#\"/>");
+  const auto listing = list_files(std::vector{scratch.path().string()}, {});
+  ASSERT_TRUE(listing);
+  EXPECT_THAT(from(scratch.path(), listing->files), ElementsAre("a.xml", "b.xml"));
+  EXPECT_THAT(from(scratch.path(), listing->skipped), ElementsAre("package.xml"));
+  EXPECT_THAT(names(list_files(std::vector{package}, {})), ElementsAre("package.xml"));
+}
+
+TEST(Files, LinksToFoldersAreNotFollowedSoThatNoneLeadsRound) {
+  const Scratch scratch;
+  scratch.write("below/a.ttl", "");
+  std::filesystem::create_directory_symlink("..", scratch.path() / "below" / "up");
+  const auto listing = list_files(std::vector{scratch.path().string()}, {});
+  ASSERT_TRUE(listing);
+  EXPECT_THAT(from(scratch.path(), listing->files), ElementsAre("below/a.ttl"));
+  EXPECT_THAT(from(scratch.path(), listing->skipped), ElementsAre("below/up"));
+}
+
+TEST(Files, FoldersHaveAMostOfLevelsAndOfEntries) {
+  const Scratch scratch;
+  scratch.write("1/2/3/a.ttl", "");
+  scratch.write("1/2/b.txt", "");
+  const std::vector arguments{scratch.path().string()};
+  for (const std::size_t levels : {3U, 4U}) {
+    Limits limits;
+    limits.folder_levels = levels;
+    EXPECT_THAT(names(list_files(arguments, limits)), ElementsAre("a.ttl")) << levels;
+  }
+  Limits limits;
+  limits.folder_levels = 2;
+  EXPECT_THAT(names(list_files(arguments, limits)),
+              ElementsAre(EndsWith("1/2/3: is more than 2 folders deep: name the folders of the ontologies")));
+  limits = {};
+  limits.folder_entries = 5;
+  EXPECT_THAT(names(list_files(arguments, limits)), ElementsAre("a.ttl"));
+  limits.folder_entries = 4;
+  EXPECT_THAT(names(list_files(arguments, limits)),
+              ElementsAre(HasSubstr("holds more than 4 files: name the folders of the ontologies")));
 }
 
 TEST(Files, WhatIsNamedTwiceIsTakenOnce) {

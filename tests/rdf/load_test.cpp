@@ -237,6 +237,37 @@ TEST(Load, IsAllOrNothing) {
   EXPECT_FALSE(loaded.error().is_unreadable);
 }
 
+/// Makes the same of every file, and notes what it is asked for.
+class Recorder final : public OtherReader {
+ public:
+  std::vector<std::string> calls;
+
+  void look_ahead(Syntax syntax, std::string_view bytes) override {
+    calls.push_back("ahead " + std::string(to_string(syntax)) + ' ' + std::string(bytes));
+  }
+  std::expected<OtherDocument, LoadError> read(Syntax syntax, std::string_view bytes, el::FileId file,
+                                               el::OntologySource& source) override {
+    calls.push_back("read " + std::string(to_string(syntax)) + ' ' + std::string(bytes));
+    source.add(el::AxiomKind::sub_class_of, {source.named_class("http://e/A"), source.named_class("http://e/B")}, file,
+               7);
+    return OtherDocument{
+        "http://e/a", "http://e/a/1", {{"http://e/b", 1}, {"http://e/d", 2}}, {{"other", "http://o/"}}, {}};
+  }
+};
+
+TEST(Load, ReadsWhatDependsOnAllOthersLastAndLooksAtAllOfItFirst) {
+  const Scratch scratch;
+  const std::vector files{scratch.write("a.omn", "Ontology: <http://e/a>"), scratch.write("b.omn", "Ontology: # b"),
+                          scratch.write("c.ofn", "Ontology()")};
+  Recorder reader;
+  ASSERT_TRUE(load(files, {}, &reader));
+  EXPECT_THAT(
+      reader.calls,
+      ElementsAre("ahead OWL Manchester syntax Ontology: <http://e/a>", "ahead OWL Manchester syntax Ontology: # b",
+                  "read OWL functional syntax Ontology()", "read OWL Manchester syntax Ontology: <http://e/a>",
+                  "read OWL Manchester syntax Ontology: # b"));
+}
+
 TEST(Load, GivesFilesInFunctionalSyntaxToTheirReader) {
   const Scratch scratch;
   const std::string functional_file = scratch.write("a.owl", "Ontology(<http://e/a>)");
@@ -245,14 +276,8 @@ TEST(Load, GivesFilesInFunctionalSyntaxToTheirReader) {
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().text, HasSubstr("is in OWL functional syntax"));
 
-  const OtherReader reader = [](std::string_view bytes, el::FileId file, el::OntologySource& source) {
-    EXPECT_EQ(bytes, "Ontology(<http://e/a>)");
-    source.add(el::AxiomKind::sub_class_of, {source.named_class("http://e/A"), source.named_class("http://e/B")}, file,
-               7);
-    return OtherDocument{
-        "http://e/a", "http://e/a/1", {{"http://e/b", 1}, {"http://e/d", 2}}, {{"other", "http://o/"}}};
-  };
-  const auto loaded = load(std::vector{functional_file, turtle}, {}, reader);
+  Recorder reader;
+  const auto loaded = load(std::vector{functional_file, turtle}, {}, &reader);
   ASSERT_TRUE(loaded) << to_string(loaded.error());
   EXPECT_THAT(functional(loaded->source), ElementsAre("SubClassOf(:A :B)"));
   EXPECT_EQ(loaded->source.files()[0].ontology_iri, "http://e/a");

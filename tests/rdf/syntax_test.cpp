@@ -25,8 +25,19 @@ TEST(Syntax, IsDecidedByTheNameOfTurtleAndTriplesAndByTheContentOfOthers) {
     EXPECT_EQ(detect_syntax(name, "# SOMA\nPrefix(:=<http://e/>)\nOntology()"), Syntax::functional) << name;
     EXPECT_EQ(detect_syntax(name, "Ontology ( <http://e/> )"), Syntax::functional) << name;
     EXPECT_EQ(detect_syntax(name, "\xef\xbb\xbfOntology(<http://e/>)"), Syntax::functional) << name;
+    EXPECT_EQ(detect_syntax(name, "Prefix: : <http://e/>\nOntology: <http://e/>"), Syntax::manchester) << name;
+    EXPECT_EQ(detect_syntax(name, "<?xml version=\"1.0\"?><Ontology xmlns=\"http://www.w3.org/2002/07/owl#\">"),
+              Syntax::owl_xml)
+        << name;
+    EXPECT_EQ(detect_syntax(name, "<owl:Ontology xmlns:owl=\"http://www.w3.org/2002/07/owl#\" ontologyIRI=\"x\">"),
+              Syntax::owl_xml)
+        << name;
+    EXPECT_EQ(detect_syntax(name, "<Ontology xmlns=\"http://www.w3.org/2002/07/owl#\" rdf:about=\"\">"),
+              Syntax::rdf_xml)
+        << name;
   }
   EXPECT_EQ(detect_syntax("noname", xml), Syntax::rdf_xml);
+  EXPECT_EQ(detect_syntax("a.ttl.gz", turtle), Syntax::turtle);
 }
 
 TEST(Syntax, IsRefusedWithWhatToDo) {
@@ -35,13 +46,7 @@ TEST(Syntax, IsRefusedWithWhatToDo) {
     return syntax ? std::string("accepted") : syntax.error();
   };
   EXPECT_EQ(words("a.ttl", "<?xml version=\"1.0\"?>"), "is XML by its content: name it .rdf or .owl");
-  EXPECT_EQ(words("a.owl", "<?xml version=\"1.0\"?><Ontology xmlns=\"http://www.w3.org/2002/07/owl#\">"),
-            "is in OWL/XML, which is not read: convert it to RDF/XML or Turtle");
-  EXPECT_EQ(words("a.owl", "Prefix: : <http://e/>\nOntology: <http://e/>"),
-            "is in OWL Manchester syntax, which is not read: convert it to RDF/XML or Turtle");
-  EXPECT_EQ(words("a.txt", "hello"), "has no known extension: name it .ttl, .nt, .rdf, .owl, .xml or .ofn");
-  EXPECT_EQ(words("a.owl", "<owl:Ontology xmlns:owl=\"http://www.w3.org/2002/07/owl#\" ontologyIRI=\"http://e/\">"),
-            "is in OWL/XML, which is not read: convert it to RDF/XML or Turtle");
+  EXPECT_EQ(words("a.txt", "hello"), "has no known extension: name it .ttl, .nt, .rdf, .owl, .xml, .owx, .omn or .ofn");
   EXPECT_EQ(words("a.owl", "{ \"@context\": {} }"), "is in JSON, which is not read: convert it to RDF/XML or Turtle");
   EXPECT_EQ(words("a.owl", "format-version: 1.2\n"),
             "is in OBO format, which is not read: convert it to RDF/XML or Turtle");
@@ -49,6 +54,11 @@ TEST(Syntax, IsRefusedWithWhatToDo) {
   EXPECT_EQ(words("a.ofn", ""), "is empty");
   EXPECT_EQ(words("a.ofn", "<http://e/a> a <http://e/B> ."),
             "is not in OWL functional syntax: name it .ttl, .nt, .rdf or .owl, as it is");
+  EXPECT_EQ(words("a.omn", "<http://e/a> a <http://e/B> ."),
+            "is not in OWL Manchester syntax: name it .ttl, .nt, .rdf or .owl, as it is");
+  EXPECT_EQ(words("a.owx", "<http://e/a> a <http://e/B> ."),
+            "is not in OWL/XML: name it .ttl, .nt, .rdf or .owl, as it is");
+  EXPECT_EQ(words("a.owl.gz", "\x1f\x8b\x08"), "is packed twice by gzip: unpack it once");
 }
 
 TEST(Syntax, OfAPageThatCameInsteadOfTheOntologyIsHtml) {

@@ -39,6 +39,10 @@ void add_explain(CLI::App& program, Choice& choice);
 void add_id(CLI::App& program, Choice& choice);
 void add_compile(CLI::App& program, Choice& choice);
 void add_draw(CLI::App& program, Choice& choice);
+void add_infer(CLI::App& program, Choice& choice);
+void add_convert(CLI::App& program, Choice& choice);
+void add_merge(CLI::App& program, Choice& choice);
+void add_query(CLI::App& program, Choice& choice);
 
 }  // namespace geminga::ontology
 

@@ -1,20 +1,10 @@
 // `geminga-ontology compile`: the one file that the daemon maps at start.
 #include "el/compile.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cerrno>
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
 #include <memory>
-#include <span>
-#include <system_error>
 
 #include "base/text.hpp"
 #include "collisions.hpp"
@@ -23,61 +13,17 @@
 #include "el/source_paths.hpp"
 #include "knowledge.hpp"
 #include "names.hpp"
+#include "output.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {
 namespace {
-
-/// Behind -o: the compiled form goes there, and no file is written at all.
-constexpr std::string_view to_standard_output = "-";
 
 struct Request {
   std::vector<std::string> files;
   std::vector<std::string> prefixes;  ///< NAME=IRI
   std::string out;
 };
-
-/// Files of programs that were killed while they wrote, and had the number of this one.
-constexpr unsigned max_left_over = 100;
-
-bool write_all(int file, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = write(file, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(count));
-  }
-  return true;
-}
-
-/// Writes beside the target and renames, so that at every instant the target is the old file or the whole new one. It
-/// is not forced to the disk, which would take most of the time: a file that a power cut damaged fails its checksum.
-Exit replace(const std::string& target, std::span<const std::byte> bytes) {
-  struct stat status{};
-  if (stat(target.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
-    return say_error(target + " is not a regular file: name another one behind -o");
-  const std::filesystem::path folder = std::filesystem::path(target).parent_path();
-  std::string temporary;
-  const auto fail = [&](int error) {
-    unlink(temporary.c_str());
-    return say_error(target + " cannot be written: " + std::generic_category().message(error));
-  };
-  // For writing only: the folder of the output need not be one that may be read.
-  int file = -1;
-  errno = EEXIST;
-  for (unsigned number = 0; file < 0 && errno == EEXIST && number < max_left_over; ++number) {
-    temporary = (folder / (".geminga-ontology-" + std::to_string(getpid()) + '-' + std::to_string(number))).string();
-    file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  }
-  if (file < 0) return say_error(target + " cannot be written: " + std::generic_category().message(errno));
-  const mode_t mask = umask(0);
-  umask(mask);
-  const bool is_written = write_all(file, bytes) && fchmod(file, static_cast<mode_t>(0666 & ~mask)) == 0;
-  const int error = errno;
-  if (close(file) != 0 || !is_written) return fail(error);
-  if (std::rename(temporary.c_str(), target.c_str()) != 0) return fail(errno);
-  return Exit::yes;
-}
 
 /// How many there are, and the first of them.
 void add_doubtful_names(const NameFindings& names, std::vector<std::string>& lines) {
@@ -89,11 +35,6 @@ void add_doubtful_names(const NameFindings& names, std::vector<std::string>& lin
   };
   add(names.unknown_words, "that RDF, RDFS, OWL and XSD do not have");
   add(names.undeclared, "used and nowhere declared");
-}
-
-Exit put(const std::string& out, std::span<const std::byte> bytes) {
-  if (out != to_standard_output) return replace(out, bytes);
-  return write_all(STDOUT_FILENO, bytes) ? Exit::yes : say_error("standard output cannot be written");
 }
 
 /// The prefixes of the command line, beside those of the files. A line where one is none.
@@ -130,22 +71,13 @@ std::vector<std::string> remarks(const Knowledge& knowledge, const el::Ontology&
   return lines;
 }
 
-/// Whether writing would destroy what was read, under whatever name.
-bool is_source(const std::string& target, const Request& request, const Knowledge& knowledge) {
-  const auto is_same = [&](const std::string& path) {
-    std::error_code missing;
-    return std::filesystem::equivalent(target, path, missing);
-  };
-  return std::ranges::any_of(request.files, is_same) ||
-         std::ranges::any_of(knowledge.loaded.source.files(), is_same, &el::LoadedFile::path);
-}
-
 Exit compile(const Request& request) {
   constexpr std::size_t max_remarks = 20;
-  auto knowledge = learn_or_say(request.files);
+  // The daemon, which reads standard output, shows what is said here as something that its user should look at.
+  auto knowledge = learn_or_say(request.files, {.says_files = request.out != to_standard_output});
   if (!knowledge) return Exit::usage;
   if (const auto problem = add_prefixes(request.prefixes, knowledge->loaded.source)) return say_error(*problem);
-  if (is_source(request.out, request, *knowledge)) {
+  if (is_source(request.out, request.files, knowledge->loaded.source)) {
     return say_error(request.out + " is one of the sources: name another file behind -o");
   }
   const std::vector<std::byte> bytes =

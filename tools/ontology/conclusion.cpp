@@ -5,7 +5,7 @@
 #include <set>
 #include <system_error>
 
-#include "rdf/files.hpp"
+#include "rdf/folders.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {
@@ -24,7 +24,7 @@ std::expected<std::set<std::string>, NoKnowledge> files_of(const std::string& ar
   const auto paths = rdf::list_files(std::vector{argument}, {});
   if (!paths) return std::unexpected(NoKnowledge{rdf::to_string(paths.error()), paths.error().is_unreadable});
   std::set<std::string> files;
-  for (const std::string& path : *paths) files.insert(resolved(path));
+  for (const std::string& path : paths->files) files.insert(resolved(path));
   return files;
 }
 

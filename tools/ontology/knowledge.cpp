@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <fstream>
+#include <map>
 #include <system_error>
 #include <utility>
 
@@ -14,7 +15,8 @@
 #include "el/container.hpp"
 #include "el/print.hpp"
 #include "el/similar.hpp"
-#include "functional/read.hpp"
+#include "manchester/names.hpp"
+#include "readers.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {
@@ -23,67 +25,81 @@ namespace {
 /// From these on it is said at once what is being done; what is smaller is done in a moment.
 constexpr std::uintmax_t large_octets = std::uintmax_t{8} << 20U;
 constexpr std::size_t large_axioms = 50'000;
+/// Of the files in folders that are no ontologies, so many are named.
+constexpr std::size_t max_skipped_shown = 3;
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The syntax in which SOMA and its like are published has a reader of its own.
-std::expected<rdf::OtherDocument, rdf::LoadError> read_functional(std::string_view bytes, el::FileId file,
-                                                                  el::OntologySource& source) {
-  auto document = functional::read(bytes, file, source);
-  if (!document)
-    return std::unexpected(
-        rdf::LoadError{std::move(document.error().file), document.error().line, std::move(document.error().text)});
-  rdf::OtherDocument other{std::move(document->ontology_iri), std::move(document->version_iri), {}, {}};
-  for (functional::Import& import : document->imports) other.imports.push_back({std::move(import.iri), import.line});
-  for (functional::DeclaredPrefix& prefix : document->prefixes)
-    other.prefixes.emplace_back(std::move(prefix.prefix), std::move(prefix.iri));
-  return other;
-}
-
 /// Of the files, and of those in the folders.
 std::uintmax_t size_of(const std::vector<std::string>& files) {
   std::uintmax_t octets = 0;
-  std::error_code error;
-  const auto add = [&](const std::filesystem::path& path) {
+  const auto listing = rdf::list_files(files, {});
+  if (!listing) return octets;  // whoever reads them says why
+  for (const std::string& file : listing->files) {
+    std::error_code error;
     const std::uintmax_t size =
-        std::filesystem::is_regular_file(path, error) ? std::filesystem::file_size(path, error) : 0;
+        std::filesystem::is_regular_file(file, error) ? std::filesystem::file_size(file, error) : 0;
     if (!error) octets += size;
-  };
-  for (const std::string& file : files) {
-    add(file);
-    if (!std::filesystem::is_directory(file, error)) continue;
-    for (auto entry = std::filesystem::directory_iterator(file, error); !error && entry != decltype(entry){};
-         entry.increment(error))
-      add(entry->path());
   }
   return octets;
+}
+
+/// What was found where folders were walked, in one line: whoever named a folder does not know what is in it.
+std::string words_of(const rdf::Loaded& loaded) {
+  std::map<std::string_view, std::size_t> by_syntax;
+  for (const rdf::Syntax syntax : loaded.syntaxes) ++by_syntax[rdf::to_string(syntax)];
+  const rdf::Listing& listing = loaded.listing;
+  std::string text = "read " + counted(listing.files.size(), "file", "files") + " in " +
+                     counted(listing.folders.size(), "folder", "folders") + ':';
+  std::string_view separator = " ";
+  for (const auto& [syntax, count] : by_syntax) {
+    text.append(separator).append(std::to_string(count)).append(" ").append(syntax);
+    separator = ", ";
+  }
+  if (listing.skipped.empty()) return text;
+  text += "; skipped " + counted(listing.skipped.size(), "other", "others") + ": ";
+  separator = "";
+  for (std::size_t at = 0; at < std::min(listing.skipped.size(), max_skipped_shown); ++at) {
+    text.append(separator).append(base::printable(listing.skipped[at], 200));
+    separator = ", ";
+  }
+  return listing.skipped.size() > max_skipped_shown ? text + ", ..." : text;
 }
 
 }  // namespace
 
 std::expected<rdf::Loaded, NoKnowledge> load(const std::vector<std::string>& files, Progress& progress,
-                                             unsigned threads) {
+                                             const Learning& how) {
   if (const std::uintmax_t octets = size_of(files); octets >= large_octets)
     progress.show("reading " + std::to_string(octets >> 20U) + " MiB", 0, true);
-  auto loaded = rdf::load(files, {}, read_functional, threads);
-  if (loaded) return std::move(*loaded);
-  return std::unexpected(NoKnowledge{rdf::to_string(loaded.error()), loaded.error().is_unreadable});
+  Readers readers(how.keeps_annotations);
+  auto loaded = rdf::load(files, {}, &readers, how.threads);
+  if (!loaded) return std::unexpected(NoKnowledge{rdf::to_string(loaded.error()), loaded.error().is_unreadable});
+  if (how.says_files && !loaded->listing.folders.empty()) {
+    progress.clear();
+    say_error(words_of(*loaded));
+  }
+  return std::move(*loaded);
 }
 
 std::expected<Knowledge, NoKnowledge> learn(const std::vector<std::string>& files, const Learning& how) {
   Progress progress(!how.as_json);
   const auto start = std::chrono::steady_clock::now();
-  auto loaded = load(files, progress, how.threads);
+  auto loaded = load(files, progress, how);
   if (!loaded) return std::unexpected(std::move(loaded.error()));
-  const double load_ms = milliseconds_since(start);
+  return learn(std::move(*loaded), milliseconds_since(start), progress, how);
+}
+
+std::expected<Knowledge, NoKnowledge> learn(rdf::Loaded loaded, double load_ms, Progress& progress,
+                                            const Learning& how) {
   const auto read = std::chrono::steady_clock::now();
-  const bool is_long = loaded->source.axiom_count() >= large_axioms;
+  const bool is_long = loaded.source.axiom_count() >= large_axioms;
   const auto show = [&](std::string_view phase, double done) { progress.show(phase, done, is_long && done == 0); };
-  auto classification = reasoner::classify(loaded->source, {.threads = how.threads, .progress = show});
+  auto classification = reasoner::classify(loaded.source, {.threads = how.threads, .progress = show});
   if (!classification) return std::unexpected(NoKnowledge{classification.error().text, false});
-  return Knowledge{std::move(*loaded), std::move(*classification), load_ms, milliseconds_since(read)};
+  return Knowledge{std::move(loaded), std::move(*classification), load_ms, milliseconds_since(read)};
 }
 
 std::optional<Knowledge> learn_or_say(const std::vector<std::string>& files, const Learning& how) {
@@ -135,10 +151,25 @@ std::string describe(const el::Ontology& ontology, const std::string& name, cons
   return error.text + el::did_you_mean(el::find_similar(ontology, name));
 }
 
-std::optional<el::ClassNumber> find_or_say(const el::Ontology& ontology, const std::string& name, bool as_json) {
+std::expected<el::ClassNumber, std::string> find_class(const el::Ontology& ontology, const std::string& name) {
   const auto number = ontology.find(name);
   if (number) return *number;
-  say_failure(describe(ontology, name, number.error()), as_json);
+  if (number.error().kind != el::NameError::Kind::unknown) return std::unexpected(number.error().text);
+  std::vector<el::ClassNumber> found;
+  for (std::uint32_t at = 0; at < ontology.class_count(); ++at) {
+    if (manchester::local_name(ontology.iri(el::ClassNumber{at})) == name) found.push_back(el::ClassNumber{at});
+  }
+  if (found.size() == 1) return found.front();
+  if (found.empty()) return std::unexpected(describe(ontology, name, number.error()));
+  std::vector<std::string> candidates;
+  for (const el::ClassNumber candidate : found) candidates.push_back(ontology.short_name(candidate));
+  return std::unexpected('\'' + base::printable(name) + "' may be " + el::alternatives(candidates) + ": say which");
+}
+
+std::optional<el::ClassNumber> find_or_say(const el::Ontology& ontology, const std::string& name, bool as_json) {
+  const auto number = find_class(ontology, name);
+  if (number) return *number;
+  say_failure(number.error(), as_json);
   return std::nullopt;
 }
 

@@ -38,13 +38,19 @@ struct NoKnowledge {
 struct Learning {
   unsigned threads = 1;
   bool as_json = false;
+  bool says_files = true;  ///< how many were found in folders
+  bool keeps_annotations = false;
 };
 
-/// Reads files and folders without classifying them. Says on a terminal that it does where they are large.
+/// Reads files and folders without classifying them. Says on a terminal that it does where they are large, and on
+/// standard error how many files it found where folders were named.
 [[nodiscard]] std::expected<rdf::Loaded, NoKnowledge> load(const std::vector<std::string>& files, Progress& progress,
-                                                           unsigned threads = 1);
+                                                           const Learning& how = {});
 
 [[nodiscard]] std::expected<Knowledge, NoKnowledge> learn(const std::vector<std::string>& files,
+                                                          const Learning& how = {});
+/// The same of what is loaded already, in so many milliseconds.
+[[nodiscard]] std::expected<Knowledge, NoKnowledge> learn(rdf::Loaded loaded, double load_ms, Progress& progress,
                                                           const Learning& how = {});
 /// The same, and what is wrong has been said on standard error when there is nothing.
 [[nodiscard]] std::optional<Knowledge> learn_or_say(const std::vector<std::string>& files, const Learning& how = {});
@@ -61,7 +67,11 @@ struct Learning {
 [[nodiscard]] std::optional<el::Ontology> learn_ontology_or_say(const std::vector<std::string>& files,
                                                                 const Learning& how = {});
 
-/// The class of a name; nothing after saying what is wrong, and which names are like it.
+/// The class of a name, which may be all that follows the last `#` or `/` of its IRI where no other class ends so; or
+/// what is wrong, with the candidates, or the names that are like it.
+[[nodiscard]] std::expected<el::ClassNumber, std::string> find_class(const el::Ontology& ontology,
+                                                                     const std::string& name);
+/// The same; nothing after saying what is wrong.
 [[nodiscard]] std::optional<el::ClassNumber> find_or_say(const el::Ontology& ontology, const std::string& name,
                                                          bool as_json = false);
 /// What is wrong with a name, and which names are like it.

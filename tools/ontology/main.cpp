@@ -28,9 +28,14 @@ Examples:
   geminga-ontology id soccer:BallInfo soccer:CartesianFieldFrame
   geminga-ontology compile team/ -o team.geminga
   geminga-ontology draw team/ --root soccer:BallInfo --format svg > ball.svg
+  geminga-ontology infer team/ -o inferred.owl      with what follows, for Protégé or ROBOT
+  geminga-ontology convert oeo.omn -o oeo.ttl
+  geminga-ontology merge team/ -o team.owl
+  geminga-ontology query team/ 'SELECT ?class WHERE { ?class rdfs:subClassOf soccer:BallInfo }'
 
-FILES are RDF/XML, Turtle, N-Triples, or OWL functional syntax, or folders of them. Nothing is fetched from a
-network: owl:imports are looked for among the files that are named. Names are prefix:Name, <IRI>, or a label.
+FILES are RDF/XML, Turtle, N-Triples, OWL functional syntax, OWL Manchester syntax or OWL/XML, also packed by gzip
+(.gz), or folders of them, with all below. Nothing is fetched from a network: owl:imports are looked for among the
+files that are named. Names are prefix:Name, <IRI>, a label, or, where it is unique, Name alone.
 Exit status: 0 yes or done, 1 no or a problem found, 2 wrong usage or a file that cannot be loaded, 4 timed out.)";
 
 /// CLI11 ends its messages in line ends, and some run over several lines.
@@ -53,8 +58,8 @@ int run(int argc, char** argv) {
   program.footer(examples);
   program.require_subcommand(1);
   Choice choice;
-  for (const auto add :
-       {add_check, add_classify, add_subsumes, add_entails, add_consistent, add_explain, add_id, add_compile, add_draw})
+  for (const auto add : {add_check, add_classify, add_subsumes, add_entails, add_consistent, add_explain, add_id,
+                         add_compile, add_draw, add_infer, add_convert, add_merge, add_query})
     add(program, choice);
   try {
     program.parse(argc, argv);

@@ -26,7 +26,7 @@ std::optional<manchester::Expression> read_or_say(const manchester::Names& names
                                                   bool as_json) {
   const el::Ontology& ontology = names.ontology();
   // A label may hold words that are those of an expression.
-  if (ontology.find(text) || !manchester::is_compound(text)) {
+  if (find_class(ontology, text) || !manchester::is_compound(text)) {
     const auto number = find_or_say(ontology, text, as_json);
     if (!number) return std::nullopt;
     manchester::Expression expression;

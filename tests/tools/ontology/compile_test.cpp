@@ -27,7 +27,8 @@ TEST(Compile, WritesWhatTheDaemonMaps) {
   const Program program;
   const Outcome outcome = program.run({"compile", shipped(), "-o", "team.gmo"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(outcome.out + outcome.err, IsEmpty());
+  EXPECT_THAT(outcome.out, IsEmpty());
+  EXPECT_THAT(outcome.err, testing::StartsWith("geminga-ontology: read 3 files in 1 folder: 3 Turtle"));
   EXPECT_THAT(files_in(program), testing::ElementsAre("team.gmo"));
   const auto ontology = el::Ontology::map((program.folder() / "in" / "team.gmo").string());
   ASSERT_TRUE(ontology) << ontology.error().text;
@@ -65,7 +66,9 @@ TEST(Compile, NeverReplacesItsSources) {
   for (const std::string source : {"a.ttl", "."}) {
     const Outcome outcome = program.run({"compile", source, "-o", "team/../a.ttl"});
     EXPECT_EQ(outcome.status, 2) << source;
-    EXPECT_EQ(outcome.err, "geminga-ontology: team/../a.ttl is one of the sources: name another file behind -o\n");
+    EXPECT_THAT(
+        outcome.err,
+        testing::EndsWith("geminga-ontology: team/../a.ttl is one of the sources: name another file behind -o\n"));
     EXPECT_EQ(program.read("a.ttl"), before) << source;
   }
 }

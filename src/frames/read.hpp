@@ -1,0 +1,68 @@
+// From the bytes of one document in the Manchester syntax of OWL 2 to the axioms of an OntologySource.
+//
+//   frames::Declared declared;
+//   frames::look_ahead(bytes, declared);                     // of every file, before the first is read
+//   const el::FileId file = source.add_file(path);
+//   const auto document = frames::read(bytes, file, source, declared);
+//   if (!document) return refuse(document.error());          // "oeo.omn", 17, "expected a class, found ','"
+//
+// The syntax is that of https://www.w3.org/TR/owl2-manchester-syntax/; FRAMES.md says what is read beyond it, and what
+// is not.
+#ifndef GEMINGA_FRAMES_READ_HPP
+#define GEMINGA_FRAMES_READ_HPP
+
+#include <cstdint>
+#include <expected>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "el/annotation.hpp"
+#include "el/source.hpp"
+#include "frames/declared.hpp"
+#include "frames/error.hpp"
+#include "frames/limits.hpp"
+
+namespace geminga::frames {
+
+/// An ontology that the file imports. It is recorded and never fetched.
+struct Import {
+  std::string iri;
+  std::uint32_t line = 0;
+};
+
+/// A prefix as the file declares it.
+struct DeclaredPrefix {
+  std::string prefix;  ///< without the colon; empty: the default one
+  std::string iri;
+};
+
+/// What a file says beside its axioms. Imports and prefixes stand in the order of the file, each once.
+struct Document {
+  std::string ontology_iri;  ///< empty: the ontology has no name
+  std::string version_iri;
+  std::vector<Import> imports;
+  std::vector<DeclaredPrefix> prefixes;
+  std::uint64_t axioms = 0;       ///< handed to the source, declarations included; not what is left out
+  std::uint64_t annotations = 0;  ///< of whatever they stand at, and axioms about annotation properties
+};
+
+/// Notes the properties and datatypes that a file has frames of. What is wrong with the file is said by read(). Linear.
+void look_ahead(std::string_view bytes, Declared& declared, const Limits& limits = {});
+
+/// Reads a whole file into the source. Sets the ontology IRI of `file` there, adds every axiom with its line, and the
+/// texts of rdfs:label and skos:prefLabel as labels. Declared prefixes are not added: which file's meaning of a prefix
+/// counts is settled among all files. A property that nobody declares is one of data where what stands behind it is a
+/// literal or a datatype, and otherwise one of objects.
+///
+/// The annotations of frames and of the ontology are put where they are wanted.
+///
+/// On an error the source holds an unknown part of the file: the caller drops it. Linear in the file.
+[[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, el::FileId file,
+                                                      el::OntologySource& source, const Declared& declared,
+                                                      const Limits& limits = {},
+                                                      std::vector<el::Annotation>* annotations = nullptr);
+
+}  // namespace geminga::frames
+
+#endif

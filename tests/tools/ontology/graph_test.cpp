@@ -1,0 +1,202 @@
+// infer, convert, merge and query, as a user runs them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "program.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+/// Robots that are named by what they do, one of which is a robot by what it does.
+constexpr std::string_view team =
+    "<http://e/> a owl:Ontology ; rdfs:comment \"the team\" . "
+    ":Thing a owl:Class . :Robot a owl:Class ; rdfs:subClassOf :Thing . :sees a owl:ObjectProperty ; rdfs:domain "
+    ":Robot . "
+    ":observes a owl:ObjectProperty ; rdfs:subPropertyOf :sees . :Goalie a owl:Class ; owl:equivalentClass "
+    "[ owl:intersectionOf ( :Robot [ a owl:Restriction ; owl:onProperty :observes ; owl:someValuesFrom :Thing ] ) ] . "
+    ":Keeper a owl:Class ; owl:equivalentClass :Goalie . :Ball a owl:Class ; rdfs:subClassOf :Thing . "
+    ":ball a :Ball . :bob :observes :ball . :observes rdfs:comment \"a comment\" .";
+
+std::string closure_of(const Program& program, const std::string& file) {
+  const Outcome outcome = program.run({"classify", "--closure", file});
+  return outcome.status == 0 ? outcome.out : outcome.err;
+}
+
+TEST(Convert, GivesTheSameClosureInEverySyntax) {
+  const Program program;
+  program.turtle("team.ttl", team);
+  for (const std::string out : {"out.ttl", "out.owl", "out.nt"}) {
+    const Outcome outcome = program.run({"convert", "team.ttl", "-o", out});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(closure_of(program, out), closure_of(program, "team.ttl")) << out;
+    EXPECT_THAT(program.read(out), HasSubstr("a comment")) << out;
+  }
+  EXPECT_THAT(program.read("out.ttl"), HasSubstr("rdfs:comment"));
+  EXPECT_THAT(program.run({"convert", "team.ttl", "-o", "-", "--to", "rdfxml"}).out, HasSubstr("<rdf:RDF"));
+}
+
+TEST(Convert, ReadsEverySyntaxOfOwl) {
+  const Program program;
+  program.write("a.omn",
+                "Prefix: : <http://e/>\nOntology: <http://e/o>\nObjectProperty: p\nClass: A\n  Annotations: rdfs:label "
+                "\"an A\"@en\n  SubClassOf: p some (B or C)\nClass: B SubClassOf: D\nClass: C SubClassOf: D\nClass: D\n"
+                "Class: E EquivalentTo: p some D\n");
+  program.write("b.ofn",
+                "Prefix(:=<http://e/>) Ontology(<http://e/o> Declaration(ObjectProperty(:p)) "
+                "AnnotationAssertion(rdfs:label :A \"an A\"@en) SubClassOf(:A ObjectSomeValuesFrom(:p ObjectUnionOf(:B "
+                ":C))) SubClassOf(:B :D) SubClassOf(:C :D) EquivalentClasses(:E ObjectSomeValuesFrom(:p :D)))");
+  program.write(
+      "c.owx",
+      "<Ontology xmlns='http://www.w3.org/2002/07/owl#' xml:base='http://e/' ontologyIRI='http://e/o'>"
+      "<Declaration><ObjectProperty IRI='p'/></Declaration><AnnotationAssertion><AnnotationProperty "
+      "abbreviatedIRI='rdfs:label'/><IRI>A</IRI><Literal xml:lang='en'>an A</Literal></AnnotationAssertion>"
+      "<SubClassOf><Class IRI='A'/><ObjectSomeValuesFrom><ObjectProperty IRI='p'/><ObjectUnionOf><Class "
+      "IRI='B'/><Class IRI='C'/></ObjectUnionOf></ObjectSomeValuesFrom></SubClassOf><SubClassOf><Class IRI='B'/>"
+      "<Class IRI='D'/></SubClassOf><SubClassOf><Class IRI='C'/><Class IRI='D'/></SubClassOf>"
+      "<EquivalentClasses><Class IRI='E'/><ObjectSomeValuesFrom><ObjectProperty IRI='p'/><Class IRI='D'/>"
+      "</ObjectSomeValuesFrom></EquivalentClasses></Ontology>");
+  const std::string closure = closure_of(program, "b.ofn");
+  EXPECT_THAT(closure, HasSubstr("http://e/A\thttp://e/E\n"));
+  for (const std::string file : {"a.omn", "b.ofn", "c.owx"}) {
+    EXPECT_EQ(closure_of(program, file), closure) << file;
+    EXPECT_EQ(program.run({"convert", file, "-o", "out.ttl"}).status, 0) << file;
+    EXPECT_EQ(closure_of(program, "out.ttl"), closure) << file;
+    EXPECT_THAT(program.read("out.ttl"), HasSubstr("\"an A\"@en")) << file;
+    EXPECT_THAT(program.read("out.ttl"), HasSubstr("owl:Ontology")) << file;
+  }
+}
+
+TEST(Convert, KeepsTheAnnotationsOfNamesAndOfTheOntology) {
+  const Program program;
+  program.write(
+      "a.omn",
+      "Prefix: : <http://e/>\nOntology: <http://e/o>\nAnnotations: rdfs:comment \"of o\"\nAnnotationProperty: n\n"
+      "Class: A\n  Annotations: rdfs:comment \"of A\"@de, :n 5, :n :B\n");
+  program.write("b.ofn",
+                "Prefix(:=<http://e/>) Ontology(<http://e/o> Annotation(rdfs:comment \"of o\") "
+                "Declaration(AnnotationProperty(:n)) Declaration(Class(:A)) AnnotationAssertion(rdfs:comment :A \"of "
+                "A\"@de) AnnotationAssertion(:n :A \"5\"^^xsd:integer) AnnotationAssertion(:n :A :B))");
+  program.write("c.owx",
+                "<Ontology xmlns='http://www.w3.org/2002/07/owl#' xml:base='http://e/' ontologyIRI='http://e/o'>"
+                "<Annotation><AnnotationProperty abbreviatedIRI='rdfs:comment'/><Literal>of o</Literal></Annotation>"
+                "<Declaration><AnnotationProperty IRI='n'/></Declaration><Declaration><Class IRI='A'/></Declaration>"
+                "<AnnotationAssertion><AnnotationProperty abbreviatedIRI='rdfs:comment'/><IRI>A</IRI><Literal "
+                "xml:lang='de'>of A</Literal></AnnotationAssertion><AnnotationAssertion><AnnotationProperty IRI='n'/>"
+                "<IRI>A</IRI><Literal datatypeIRI='http://www.w3.org/2001/XMLSchema#integer'>5</Literal>"
+                "</AnnotationAssertion><AnnotationAssertion><AnnotationProperty IRI='n'/><IRI>A</IRI><IRI>B</IRI>"
+                "</AnnotationAssertion></Ontology>");
+  const std::string written = program.run({"convert", "a.omn", "-o", "-", "--to", "nt"}).out;
+  EXPECT_THAT(written, HasSubstr("<http://e/o> <http://www.w3.org/2000/01/rdf-schema#comment> \"of o\" .\n"));
+  EXPECT_THAT(written, HasSubstr("<http://e/A> <http://www.w3.org/2000/01/rdf-schema#comment> \"of A\"@de .\n"));
+  EXPECT_THAT(written, HasSubstr("<http://e/A> <http://e/n> \"5\"^^<http://www.w3.org/2001/XMLSchema#integer> .\n"));
+  EXPECT_THAT(written, HasSubstr("<http://e/A> <http://e/n> <http://e/B> .\n"));
+  for (const std::string file : {"b.ofn", "c.owx"})
+    EXPECT_EQ(program.run({"convert", file, "-o", "-", "--to", "nt"}).out, written) << file;
+}
+
+TEST(Convert, RefusesManyFilesWrongFormatsAndItsOwnSource) {
+  const Program program;
+  program.turtle("a.ttl", ":A a owl:Class .");
+  program.turtle("b.ttl", ":B a owl:Class .");
+  EXPECT_THAT(program.run({"convert", "a.ttl", "b.ttl", "-o", "c.ttl"}).err, HasSubstr("geminga-ontology merge"));
+  EXPECT_EQ(program.run({"convert", "a.ttl", "-o", "c.ttl", "--to", "json"}).status, 2);
+  EXPECT_THAT(program.run({"convert", "a.ttl", "-o", "a.ttl"}).err, HasSubstr("is one of the sources"));
+}
+
+TEST(Merge, MakesOneOntologyOfManyWithTheFirstNameAndNoImportOfItself) {
+  const Program program;
+  program.turtle("a.ttl",
+                 "<http://e/a> a owl:Ontology ; owl:imports <http://e/b>, <http://e/c> . :A a owl:Class ; "
+                 "rdfs:subClassOf :B .");
+  program.turtle("b.ttl",
+                 "<http://e/b> a owl:Ontology ; rdfs:comment \"of b\" . :B a owl:Class ; rdfs:subClassOf _:x . "
+                 "_:x owl:unionOf ( :C :D ) .");
+  ASSERT_EQ(program.run({"merge", "a.ttl", "b.ttl", "-o", "all.nt"}).status, 0);
+  const std::string all = program.read("all.nt");
+  EXPECT_THAT(all, HasSubstr("<http://e/a> <http://www.w3.org/1999/02/22-rdf-syntax-ns#type> "
+                             "<http://www.w3.org/2002/07/owl#Ontology>"));
+  EXPECT_THAT(all, HasSubstr("<http://www.w3.org/2002/07/owl#imports> <http://e/c>"));
+  EXPECT_THAT(all, Not(HasSubstr("<http://e/b>")));
+  EXPECT_EQ(closure_of(program, "all.nt"), "http://e/A\thttp://e/B\n");
+}
+
+TEST(Infer, WritesDirectRelationsAndTypes) {
+  const Program program;
+  program.turtle("team.ttl", team);
+  const Outcome outcome = program.run({"infer", "team.ttl", "--only-inferred", "-o", "-", "--to", "ntriples"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
+  const auto has = [&](const std::string& s, const std::string& p, const std::string& o) {
+    return outcome.out.find("<http://e/" + s + "> <http://www.w3.org/" + p + "> <http://e/" + o + "> .\n") !=
+           std::string::npos;
+  };
+  EXPECT_TRUE(has("Goalie", "2000/01/rdf-schema#subClassOf", "Robot"));
+  EXPECT_FALSE(has("Goalie", "2000/01/rdf-schema#subClassOf", "Thing")) << "not direct";
+  EXPECT_TRUE(has("bob", "1999/02/22-rdf-syntax-ns#type", "Goalie"));
+  EXPECT_TRUE(has("bob", "1999/02/22-rdf-syntax-ns#type", "Keeper"));
+  EXPECT_FALSE(has("bob", "1999/02/22-rdf-syntax-ns#type", "Robot")) << "not direct";
+  EXPECT_FALSE(has("ball", "1999/02/22-rdf-syntax-ns#type", "Ball")) << "asserted";
+  EXPECT_THAT(outcome.out, Not(HasSubstr("urn:geminga")));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("comment")));
+}
+
+TEST(Infer, WritesTheOntologyThatHasTheSameClosureAndSaysAllOfIt) {
+  const Program program;
+  program.turtle("team.ttl", team);
+  for (const std::string out : {"out.ttl", "out.owl"}) {
+    ASSERT_EQ(program.run({"infer", "team.ttl", "-o", out, "--closure"}).status, 0);
+    EXPECT_EQ(closure_of(program, out), closure_of(program, "team.ttl")) << out;
+    EXPECT_EQ(
+        program.run({"query", out, "--asserted", "ASK { :bob a :Robot . :Goalie rdfs:subClassOf :Thing }"}).status, 0);
+  }
+}
+
+TEST(Infer, RefusesWhatContradictsItself) {
+  const Program program;
+  program.turtle("a.ttl", ":A a owl:Class ; owl:disjointWith :B . :B a owl:Class . :x a :A, :B .");
+  const Outcome outcome = program.run({"infer", "a.ttl", "-o", "b.ttl"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("contradicts itself"));
+}
+
+TEST(Query, AnswersOverWhatFollowsInEachFormat) {
+  const Program program;
+  program.turtle("team.ttl", team);
+  const std::string query = "SELECT ?x WHERE { ?x a :Robot }";
+  EXPECT_EQ(program.run({"query", "team.ttl", query}).out, "?x\ne:bob\n");
+  EXPECT_EQ(program.run({"query", "team.ttl", query, "--format", "csv"}).out, "x\r\nhttp://e/bob\r\n");
+  EXPECT_EQ(program.run({"query", "team.ttl", query, "--format", "tsv"}).out, "?x\n<http://e/bob>\n");
+  EXPECT_EQ(program.run({"query", "team.ttl", query, "--json"}).out,
+            "{\"head\":{\"vars\":[\"x\"]},\"results\":{\"bindings\":[{\"x\":{\"type\":\"uri\",\"value\":\"http://e/"
+            "bob\"}}]}}\n");
+  program.write("q.rq", query);
+  EXPECT_EQ(program.run({"query", "team.ttl", "q.rq"}).out, "?x\ne:bob\n");
+  const Outcome asserted = program.run({"query", "team.ttl", "--asserted", query});
+  EXPECT_EQ(asserted.out, "?x\n");
+  EXPECT_EQ(asserted.status, 1);
+}
+
+TEST(Query, AnswersWithItsExitStatusAndRefusesWhatFetches) {
+  const Program program;
+  program.turtle("team.ttl", team);
+  EXPECT_EQ(program.run({"query", "team.ttl", "ASK { :Keeper rdfs:subClassOf :Thing }"}).status, 0);
+  const Outcome no = program.run({"query", "team.ttl", "ASK { :Thing rdfs:subClassOf :Keeper }"});
+  EXPECT_EQ(no.status, 1);
+  EXPECT_EQ(no.out, "no\n");
+  EXPECT_THAT(program.run({"query", "team.ttl", "CONSTRUCT { ?x :is :Robot } WHERE { ?x a :Robot }"}).out,
+              HasSubstr(":is :Robot"));
+  const Outcome fetch = program.run({"query", "team.ttl", "SELECT * FROM <http://127.0.0.1/x> WHERE { ?s ?p ?o }"});
+  EXPECT_EQ(fetch.status, 2);
+  EXPECT_THAT(fetch.err, HasSubstr("nothing is fetched"));
+  EXPECT_EQ(program.run({"query", "team.ttl"}).status, 2);
+  const Outcome cut = program.run({"query", "team.ttl", "SELECT * WHERE { ?s ?p ?o }", "--rows", "2"});
+  EXPECT_EQ(cut.status, 2);
+  EXPECT_THAT(cut.err, HasSubstr("more than 2 rows"));
+}
+
+}  // namespace
+}  // namespace geminga::ontology

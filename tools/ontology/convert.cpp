@@ -1,0 +1,72 @@
+// `geminga-ontology convert` and `merge`: the same ontology in another syntax, and many files as one.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <span>
+
+#include "command.hpp"
+#include "knowledge.hpp"
+#include "output.hpp"
+#include "triples.hpp"
+#include "words.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+struct Request {
+  std::vector<std::string> files;
+  std::string out;
+  std::string format;
+  bool merges = false;
+};
+
+Exit convert(const Request& request) {
+  const auto format = chosen_format(request.format, request.out);
+  if (!format) return say_error(request.format + " is no format: write --to " + format_names);
+  Progress progress(true);
+  const auto loaded = load(request.files, progress, {.keeps_annotations = true});
+  progress.clear();
+  if (!loaded) return say_error(loaded.error().text);
+  if (is_source(request.out, request.files, loaded->source))
+    return say_error(request.out + " is one of the sources: name another file behind -o");
+  if (!request.merges && loaded->syntaxes.size() != 1)
+    return say_error("these are " + std::to_string(loaded->syntaxes.size()) +
+                     " files, and convert writes one: geminga-ontology merge makes one of many");
+  graph::Graph graph;
+  if (const auto problem = add_asserted(*loaded, graph)) return say_error(*problem);
+  graph.settle();
+  const auto text = graph.write(*format, prefixes_of(loaded->source));
+  if (!text) return say_error(text.error());
+  return put(request.out, std::as_bytes(std::span(*text)));
+}
+
+void add(CLI::App& program, Choice& choice, bool merges) {
+  auto request = std::make_shared<Request>();
+  request->merges = merges;
+  CLI::App* command =
+      program.add_subcommand(merges ? "merge" : "convert",
+                             merges ? "Write many files as one ontology" : "Write an ontology in another syntax");
+  add_files(*command, request->files);
+  add_output(*command, request->out, request->format);
+  add_run_limits(*command, choice);
+  command->footer(
+      merges ? "\nThe result has the name and the header of the first file that has one, and imports what none of the\n"
+               "files is.\n"
+               "\nExample:\n  geminga-ontology merge team/ -o team.owl"
+             : "\nFiles of triples are written triple by triple. Of OWL's own syntaxes axioms are written, and "
+               "annotations\n"
+               "of names and of the ontology; not those of axioms.\n"
+               "\nExamples:\n  geminga-ontology convert oeo.omn -o oeo.ttl\n"
+               "  geminga-ontology convert pizza.owl -o - --to ntriples");
+  command->callback([request, &choice] {
+    if (request->out != to_standard_output) choice.outputs.push_back(request->out);
+    choice.run = [request] { return convert(*request); };
+  });
+}
+
+}  // namespace
+
+void add_convert(CLI::App& program, Choice& choice) { add(program, choice, false); }
+
+void add_merge(CLI::App& program, Choice& choice) { add(program, choice, true); }
+
+}  // namespace geminga::ontology

@@ -1,0 +1,83 @@
+// `geminga-ontology infer`: the ontology with what follows from it, for other tools.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <span>
+
+#include "command.hpp"
+#include "inferences.hpp"
+#include "output.hpp"
+#include "triples.hpp"
+#include "words.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+struct Request {
+  std::vector<std::string> files;
+  std::string out;
+  std::string format;
+  bool only_inferred = false;
+  bool as_closure = false;
+};
+
+/// Says what may be missing, and whether anything can be said at all.
+Exit judge(const std::expected<Knowledge, NoKnowledge>& knowledge) {
+  if (!knowledge) return say_error(knowledge.error().text);
+  if (!knowledge->classification.is_consistent)
+    return say_error("the ontology contradicts itself, so that everything follows from it: see geminga-ontology check",
+                     Exit::no);
+  if (const auto why = why_incomplete(*knowledge)) say_error("more may follow: " + *why);
+  return Exit::yes;
+}
+
+Exit infer(const Request& request) {
+  const auto format = chosen_format(request.format, request.out);
+  if (!format) return say_error(request.format + " is no format: write --to " + format_names);
+  Progress progress(true);
+  auto loaded = load(request.files, progress, {.keeps_annotations = true});
+  if (!loaded) return say_error(loaded.error().text);
+  if (is_source(request.out, request.files, loaded->source))
+    return say_error(request.out + " is one of the sources: name another file behind -o");
+  graph::Graph asserted;
+  if (const auto problem = add_asserted(*loaded, asserted)) return say_error(*problem);
+  const auto knowledge = learn_types(std::move(*loaded), progress);
+  progress.clear();
+  if (const Exit exit = judge(knowledge); exit != Exit::yes) return exit;
+  graph::Graph alone;
+  graph::Graph& graph = request.only_inferred ? alone : asserted;
+  add_inferred(*knowledge, request.as_closure, graph);
+  if (graph.problem()) return say_error(*graph.problem());
+  graph.settle();
+  if (request.only_inferred) {
+    asserted.settle();
+    alone.remove(asserted);
+    add_declarations(*knowledge, alone);
+    alone.settle();
+  }
+  const auto text = graph.write(*format, prefixes_of(knowledge->loaded.source));
+  return text ? put(request.out, std::as_bytes(std::span(*text))) : say_error(text.error());
+}
+
+}  // namespace
+
+void add_infer(CLI::App& program, Choice& choice) {
+  auto request = std::make_shared<Request>();
+  CLI::App* command = program.add_subcommand(
+      "infer", "Write the ontology with what follows from it: hierarchies, types of individuals");
+  add_files(*command, request->files);
+  add_output(*command, request->out, request->format);
+  command->add_flag("--only-inferred", request->only_inferred, "write only what the files do not say themselves");
+  command->add_flag("--closure", request->as_closure, "write all that follows, not only the direct relations");
+  add_run_limits(*command, choice);
+  command->footer(
+      "\nWritten are rdfs:subClassOf and owl:equivalentClass, rdfs:subPropertyOf and owl:equivalentProperty, rdf:type\n"
+      "and owl:sameAs, between names. Exit status 1 if the ontology contradicts itself.\n"
+      "\nExamples:\n  geminga-ontology infer team/ -o inferred.owl\n"
+      "  geminga-ontology infer team/ --only-inferred --closure -o - --to ntriples");
+  command->callback([request, &choice] {
+    if (request->out != to_standard_output) choice.outputs.push_back(request->out);
+    choice.run = [request] { return infer(*request); };
+  });
+}
+
+}  // namespace geminga::ontology

@@ -1,0 +1,194 @@
+#include "inferences.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <utility>
+
+#include "closure.hpp"
+#include "graph/axiom_triples.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+using graph::iri;
+using graph::Node;
+
+/// Before the IRI of an individual: the class of nothing but it.
+constexpr std::string_view only = "urn:geminga:only:";
+
+/// Every named individual of the axioms.
+std::vector<el::TermId> individuals_of(const el::OntologySource& source) {
+  std::vector<bool> is_found(source.term_count(), false);
+  std::vector<el::TermId> roots;
+  for (std::size_t number = 0; number < source.axiom_count(); ++number) {
+    for (const el::TermId id : source.axiom(number).arguments) roots.push_back(id);
+  }
+  std::vector<el::TermId> found;
+  for (const el::TermId id : el::terms_in(source, roots)) {
+    if (source.kind(id) != el::TermKind::individual || is_found[static_cast<std::size_t>(id)]) continue;
+    is_found[static_cast<std::size_t>(id)] = true;
+    found.push_back(id);
+  }
+  return found;
+}
+
+/// The words of one hierarchy.
+struct Vocabulary {
+  std::string below;
+  std::string equal;
+};
+
+class Writer {
+ public:
+  Writer(bool as_closure, graph::Graph& graph) : as_closure_(as_closure), graph_(graph) {}
+
+  void write(const Hierarchy& hierarchy, const Vocabulary& words) {
+    for (std::uint32_t node = 0; node < hierarchy.members.size() && !graph_.problem(); ++node) {
+      if (hierarchy.members[node].empty()) continue;
+      if (node == hierarchy.representative[hierarchy.bottom]) {
+        write_empty(hierarchy, words);
+      } else {
+        write_node(hierarchy, node, words);
+      }
+    }
+  }
+
+ private:
+  static bool is_individual(std::string_view name) { return name.starts_with(only); }
+
+  /// The names of a node that are those of classes or properties, or of individuals.
+  static std::vector<std::string_view> names(const Hierarchy& hierarchy, std::uint32_t node, bool are_individuals) {
+    std::vector<std::string_view> found;
+    for (const std::uint32_t member : hierarchy.members[node]) {
+      const std::string_view name = hierarchy.iris[member];
+      if (is_individual(name) == are_individuals) found.push_back(are_individuals ? name.substr(only.size()) : name);
+    }
+    return found;
+  }
+
+  /// The nodes with names of classes right above one, or all above it; without the top one.
+  std::vector<std::uint32_t> above(const Hierarchy& hierarchy, std::uint32_t node) {
+    std::vector<std::uint32_t> found;
+    std::set<std::uint32_t> seen{node};
+    std::vector<std::uint32_t> stack{node};
+    while (!stack.empty()) {
+      const std::uint32_t at = stack.back();
+      stack.pop_back();
+      for (const std::uint32_t parent : hierarchy.parents_of(at)) {
+        if (!seen.insert(parent).second || parent == hierarchy.representative[hierarchy.top]) continue;
+        const bool is_named = !names(hierarchy, parent, false).empty();
+        if (is_named) found.push_back(parent);
+        if (!is_named || as_closure_) stack.push_back(parent);
+      }
+    }
+    std::ranges::sort(found);
+    return found;
+  }
+
+  void link(std::string_view subject, std::string_view predicate, std::string_view object) {
+    graph_.add(iri(subject), iri(predicate), iri(object));
+  }
+
+  /// What is the same, one with the next, or each with each.
+  void write_equal(const std::vector<std::string_view>& names, std::string_view predicate) {
+    for (std::size_t a = 0; a < names.size(); ++a) {
+      for (std::size_t b = 0; b < names.size(); ++b) {
+        if (a != b && (as_closure_ || b == a + 1)) link(names[a], predicate, names[b]);
+      }
+    }
+  }
+
+  void write_node(const Hierarchy& hierarchy, std::uint32_t node, const Vocabulary& words) {
+    const auto classes = names(hierarchy, node, false);
+    const auto individuals = names(hierarchy, node, true);
+    write_equal(classes, words.equal);
+    write_equal(individuals, std::string(graph::owl_namespace) + "sameAs");
+    const auto type_all = [&](std::string_view type) {
+      if (type == el::owl_thing) return;
+      for (const std::string_view individual : individuals) link(individual, graph::rdf_type, type);
+    };
+    for (const std::string_view type : classes) type_all(type);
+    for (const std::uint32_t parent : above(hierarchy, node)) {
+      const auto supers = names(hierarchy, parent, false);
+      // Of direct ones that mean the same, one says it.
+      const std::size_t count = as_closure_ ? supers.size() : std::min<std::size_t>(supers.size(), 1);
+      for (std::size_t at = 0; at < count; ++at) {
+        for (const std::string_view name : classes) link(name, words.below, supers[at]);
+      }
+      // An individual that a class consists of has the types that are above the class, too.
+      if (classes.empty() || as_closure_) {
+        for (const std::string_view super : supers) type_all(super);
+      }
+    }
+  }
+
+  /// What can have no instance.
+  void write_empty(const Hierarchy& hierarchy, const Vocabulary& words) {
+    const std::string_view bottom = hierarchy.iris[hierarchy.bottom];
+    for (const std::uint32_t member : hierarchy.members[hierarchy.representative[hierarchy.bottom]]) {
+      if (member != hierarchy.bottom) link(hierarchy.iris[member], words.below, bottom);
+    }
+  }
+
+  const bool as_closure_;
+  graph::Graph& graph_;
+};
+
+}  // namespace
+
+std::expected<Knowledge, NoKnowledge> learn_types(rdf::Loaded loaded, Progress& progress, const Learning& how) {
+  el::OntologySource& source = loaded.source;
+  for (const el::TermId individual : individuals_of(source)) {
+    const el::TermId itself = source.named_class(std::string(only) + std::string(source.name_of(individual)));
+    const el::TermId one = source.term(el::TermKind::object_one_of, {individual});
+    source.add(el::AxiomKind::equivalent_classes, {itself, one}, el::FileId{0}, 0);
+  }
+  if (const auto& problem = source.problem()) return std::unexpected(NoKnowledge{*problem, false});
+  return learn(std::move(loaded), 0, progress, how);
+}
+
+void add_inferred(const Knowledge& knowledge, bool as_closure, graph::Graph& graph) {
+  const el::OntologySource& source = knowledge.loaded.source;
+  const el::Classification& classification = knowledge.classification;
+  const std::string owl(graph::owl_namespace);
+  Writer writer(as_closure, graph);
+  writer.write(class_hierarchy(source, classification),
+               {std::string(graph::rdfs_sub_class_of), owl + "equivalentClass"});
+  const auto properties = [&](const el::PropertyTaxonomy& taxonomy) {
+    writer.write(property_hierarchy(source, taxonomy, classification.is_consistent),
+                 {std::string(graph::rdfs_sub_property_of), owl + "equivalentProperty"});
+  };
+  properties(classification.object_properties);
+  properties(classification.data_properties);
+}
+
+void add_declarations(const Knowledge& knowledge, graph::Graph& graph) {
+  const el::OntologySource& source = knowledge.loaded.source;
+  std::set<std::string, std::less<>> of_data;
+  for (const el::NameId name : knowledge.classification.data_properties.properties) of_data.emplace(source.name(name));
+  std::set<std::pair<std::string, el::TermKind>> declared;
+  const std::string same = std::string(graph::owl_namespace) + "sameAs";
+  const std::string equal_property = std::string(graph::owl_namespace) + "equivalentProperty";
+  graph.for_each([&](const Node& subject, const Node& predicate, const Node& object) {
+    const bool is_fact = predicate.text == graph::rdf_type;
+    for (const Node* node : {&subject, &object}) {
+      el::TermKind kind = el::TermKind::named_class;
+      if (predicate.text == same || (is_fact && node == &subject)) kind = el::TermKind::individual;
+      if (predicate.text == graph::rdfs_sub_property_of || predicate.text == equal_property)
+        kind = of_data.contains(node->text) ? el::TermKind::data_property : el::TermKind::object_property;
+      if (!node->text.starts_with(graph::owl_namespace)) declared.emplace(node->text, kind);
+    }
+  });
+  for (const auto& [name, kind] : declared) graph.add(iri(name), iri(graph::rdf_type), graph::type_of_entity(kind));
+}
+
+std::optional<std::string> why_incomplete(const Knowledge& knowledge) {
+  const auto& classification = knowledge.classification;
+  const auto left_out = el::left_out(knowledge.loaded.source, classification);
+  if (!left_out.empty()) return left_out.front().construct + " was not used, first at " + left_out.front().first;
+  if (!classification.gaps.empty()) return classification.gaps.front();
+  return std::nullopt;
+}
+
+}  // namespace geminga::ontology

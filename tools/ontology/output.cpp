@@ -1,0 +1,90 @@
+#include "output.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "triples.hpp"
+#include "words.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+/// Files of programs that were killed while they wrote, and had the number of this one.
+constexpr unsigned max_left_over = 100;
+
+bool write_all(int file, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = write(file, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+/// Writes beside the target and renames, so that at every instant the target is the old file or the whole new one. It
+/// is not forced to the disk, which would take most of the time: a file that a power cut damaged fails its checksum.
+Exit replace(const std::string& target, std::span<const std::byte> bytes) {
+  struct stat status{};
+  if (stat(target.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
+    return say_error(target + " is not a regular file: name another one behind -o");
+  const std::filesystem::path folder = std::filesystem::path(target).parent_path();
+  std::string temporary;
+  const auto fail = [&](int error) {
+    unlink(temporary.c_str());
+    return say_error(target + " cannot be written: " + std::generic_category().message(error));
+  };
+  // For writing only: the folder of the output need not be one that may be read.
+  int file = -1;
+  errno = EEXIST;
+  for (unsigned number = 0; file < 0 && errno == EEXIST && number < max_left_over; ++number) {
+    temporary = (folder / (".geminga-ontology-" + std::to_string(getpid()) + '-' + std::to_string(number))).string();
+    file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  }
+  if (file < 0) return say_error(target + " cannot be written: " + std::generic_category().message(errno));
+  const mode_t mask = umask(0);
+  umask(mask);
+  const bool is_written = write_all(file, bytes) && fchmod(file, static_cast<mode_t>(0666 & ~mask)) == 0;
+  const int error = errno;
+  if (close(file) != 0 || !is_written) return fail(error);
+  if (std::rename(temporary.c_str(), target.c_str()) != 0) return fail(errno);
+  return Exit::yes;
+}
+
+}  // namespace
+
+void add_output(CLI::App& command, std::string& out, std::string& format) {
+  command.add_option("-o,--output", out, "the file to write, replaced as a whole or not at all; - is standard output")
+      ->required()
+      ->type_name("OUT");
+  command.add_option("--to", format, std::string("the syntax to write: ") + format_names)->type_name("FORMAT");
+}
+
+void add_run_limits(CLI::App& command, Choice& choice) {
+  add_number(command, "--memory-limit", choice.memory_limit_mib, 64, 1'000'000, "most address space to use, in MiB");
+  add_number(command, "--time-limit", choice.time_limit_s, 1, 1'000'000,
+             "most processor time to use, in seconds; then exit 4");
+}
+
+Exit put(const std::string& out, std::span<const std::byte> bytes) {
+  if (out != to_standard_output) return replace(out, bytes);
+  return write_all(STDOUT_FILENO, bytes) ? Exit::yes : say_error("standard output cannot be written");
+}
+
+bool is_source(const std::string& target, const std::vector<std::string>& files, const el::OntologySource& source) {
+  const auto is_same = [&](const std::string& path) {
+    std::error_code missing;
+    return std::filesystem::equivalent(target, path, missing);
+  };
+  return std::ranges::any_of(files, is_same) || std::ranges::any_of(source.files(), is_same, &el::LoadedFile::path);
+}
+
+}  // namespace geminga::ontology

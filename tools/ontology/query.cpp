@@ -1,0 +1,126 @@
+// `geminga-ontology query`: SPARQL over what the files say and what follows from it.
+#include "graph/query.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "base/text.hpp"
+#include "command.hpp"
+#include "inferences.hpp"
+#include "output.hpp"
+#include "query_output.hpp"
+#include "rdf/files.hpp"
+#include "triples.hpp"
+#include "words.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+struct Request {
+  std::vector<std::string> words;  ///< files, and the query behind them
+  std::string rows = "table";
+  std::string format;
+  bool as_json = false;
+  bool only_asserted = false;
+  unsigned most_rows = 100'000;
+};
+
+/// The text itself, or that of the file that it names.
+std::expected<std::string, std::string> query_of(const std::string& word) {
+  if (!word.ends_with(".rq") && !word.ends_with(".sparql")) return word;
+  rdf::Limits limits;
+  limits.file_bytes = graph::Limits{}.query_bytes;
+  const auto bytes = rdf::FileBytes::read(word, limits);
+  if (!bytes) return std::unexpected(rdf::to_string(bytes.error()));
+  return std::string(bytes->view());
+}
+
+/// The graph that is asked, and how its names are written.
+struct Asked {
+  graph::Graph graph;
+  graph::Prefixes prefixes;
+  std::function<std::string(std::string_view)> short_name;
+};
+
+/// Fills it, or says what is wrong.
+Exit fill(const std::vector<std::string>& files, const Request& request, Asked& asked,
+          std::optional<Knowledge>& knowledge) {
+  Progress progress(!request.as_json);
+  auto loaded = load(files, progress, {.keeps_annotations = true});
+  if (!loaded) return say_failure(loaded.error().text, request.as_json);
+  if (const auto problem = add_asserted(*loaded, asked.graph)) return say_failure(*problem, request.as_json);
+  asked.prefixes = prefixes_of(loaded->source);
+  if (request.only_asserted) {
+    knowledge.emplace(std::move(*loaded), reasoner::Classified{}, 0, 0);
+  } else {
+    auto learned = learn_types(std::move(*loaded), progress);
+    if (!learned) return say_failure(learned.error().text, request.as_json);
+    knowledge.emplace(std::move(*learned));
+    if (!knowledge->classification.is_consistent)
+      return say_failure(
+          "the ontology contradicts itself, so that everything follows from it: ask --asserted only, or "
+          "see geminga-ontology check",
+          request.as_json);
+    add_inferred(*knowledge, true, asked.graph);
+    if (const auto why = why_incomplete(*knowledge)) say_error("more may follow: " + *why);
+  }
+  progress.clear();
+  if (asked.graph.problem()) return say_failure(*asked.graph.problem(), request.as_json);
+  asked.graph.settle();
+  asked.short_name = short_names(knowledge->loaded.source);
+  return Exit::yes;
+}
+
+Exit query(const Request& request) {
+  const auto rows = find_rows(request.as_json ? "json" : request.rows);
+  if (!rows) return say_error(base::printable(request.rows) + " is no format: write --format table, json, csv or tsv");
+  const auto format = chosen_format(request.format, {});
+  if (!format) return say_error(request.format + " is no format: write --to turtle, rdfxml or ntriples");
+  if (request.words.size() < 2) return say_failure("name the files, and behind them the query", request.as_json);
+  const auto text = query_of(request.words.back());
+  if (!text) return say_failure(text.error(), request.as_json);
+  Asked asked;
+  std::optional<Knowledge> knowledge;
+  const std::vector<std::string> files(request.words.begin(), request.words.end() - 1);
+  if (const Exit exit = fill(files, request, asked, knowledge); exit != Exit::yes) return exit;
+  const auto answer = graph::ask(asked.graph, *text, asked.prefixes, *format, {.rows = request.most_rows});
+  if (!answer) return say_failure(answer.error(), request.as_json);
+  const bool are_triples = answer->kind == graph::Answer::Kind::triples;
+  if (!print(are_triples ? answer->text : written(*answer, *rows, asked.short_name)))
+    return say_error("standard output cannot be written");
+  if (answer->is_cut)
+    return say_error("there are more than " + std::to_string(request.most_rows) +
+                     " rows, which were written: raise --rows, or write LIMIT");
+  if (answer->kind == graph::Answer::Kind::truth) return answer->is_true ? Exit::yes : Exit::no;
+  return are_triples || !answer->rows.empty() ? Exit::yes : Exit::no;
+}
+
+}  // namespace
+
+void add_query(CLI::App& program, Choice& choice) {
+  auto request = std::make_shared<Request>();
+  CLI::App* command = program.add_subcommand("query", "Ask in SPARQL over what the files say and what follows from it");
+  command->add_option("FILES SPARQL", request->words, "ontology files, or folders of them, and a query behind them")
+      ->required()
+      ->type_name("");
+  command->add_option("--format", request->rows, "how rows are written: table, json, csv, tsv")->type_name("FORMAT");
+  command->add_flag("--json", request->as_json, "the same as --format json");
+  command->add_option("--to", request->format, "the syntax for CONSTRUCT: turtle, rdfxml, ntriples")
+      ->type_name("FORMAT");
+  command->add_flag("--asserted", request->only_asserted, "ask over what the files say alone");
+  add_number(*command, "--rows", request->most_rows, 1, 10'000'000, "most rows to write; 100000 where it is not given");
+  add_run_limits(*command, choice);
+  command->footer(
+      "\nSELECT, ASK and CONSTRUCT are answered; a query may stand in a file that ends in .rq. The prefixes of the "
+      "files\n"
+      "need no declaration. Nothing is fetched: FROM and SERVICE are refused. What follows are all relations between\n"
+      "named classes and properties, and all types of named individuals.\n"
+      "Exit status: 0 there are rows, or the answer is yes; 1 there are none, or it is no.\n"
+      "\nExamples:\n"
+      "  geminga-ontology query team/ 'SELECT ?class WHERE { ?class rdfs:subClassOf soccer:BallInfo }'\n"
+      "  geminga-ontology query team/ 'ASK { soccer:SharedBallInfo rdfs:subClassOf soccer:BallInfo }'\n"
+      "  geminga-ontology query pizza.owl unnamed.rq --format csv");
+  command->callback([request, &choice] { choice.run = [request] { return query(*request); }; });
+}
+
+}  // namespace geminga::ontology

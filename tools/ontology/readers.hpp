@@ -1,0 +1,31 @@
+// The readers of OWL's own syntaxes, as the reader of triples calls them.
+#ifndef GEMINGA_ONTOLOGY_READERS_HPP
+#define GEMINGA_ONTOLOGY_READERS_HPP
+
+#include <expected>
+#include <string_view>
+
+#include "el/source.hpp"
+#include "frames/declared.hpp"
+#include "rdf/load.hpp"
+
+namespace geminga::ontology {
+
+/// Functional syntax, Manchester syntax, OWL/XML. For one load.
+class Readers final : public rdf::OtherReader {
+ public:
+  explicit Readers(bool keeps_annotations = false) : keeps_annotations_(keeps_annotations) {}
+
+  void look_ahead(rdf::Syntax syntax, std::string_view bytes) override;
+  std::expected<rdf::OtherDocument, rdf::LoadError> read(rdf::Syntax syntax, std::string_view bytes, el::FileId file,
+                                                         el::OntologySource& source) override;
+
+ private:
+  bool keeps_annotations_;
+  frames::Declared declared_;
+  bool has_source_ = false;  ///< what all other files declare has been noted
+};
+
+}  // namespace geminga::ontology
+
+#endif

@@ -1,0 +1,29 @@
+// The triples of what was loaded: as they stand in files of triples, and made of axioms in OWL's own syntaxes.
+#ifndef GEMINGA_ONTOLOGY_TRIPLES_HPP
+#define GEMINGA_ONTOLOGY_TRIPLES_HPP
+
+#include <optional>
+#include <string>
+
+#include "graph/graph.hpp"
+#include "rdf/load.hpp"
+
+namespace geminga::ontology {
+
+/// Fills a graph as one ontology: it has the name and the header of the first file that has one, and imports only what
+/// no file answered. Why that failed, in one line.
+[[nodiscard]] std::optional<std::string> add_asserted(const rdf::Loaded& loaded, graph::Graph& graph);
+
+/// The prefixes of the files.
+[[nodiscard]] graph::Prefixes prefixes_of(const el::OntologySource& source);
+
+/// The name of the ontology that the files are together; empty: none has one.
+[[nodiscard]] std::string ontology_name(const rdf::Loaded& loaded);
+
+/// The format that is asked for by name, by the name of the output, or Turtle; nothing where the name is none.
+[[nodiscard]] std::optional<graph::Format> chosen_format(const std::string& name, const std::string& out);
+inline constexpr const char* format_names = "turtle, rdfxml, ntriples; without it, by the name of OUT";
+
+}  // namespace geminga::ontology
+
+#endif
