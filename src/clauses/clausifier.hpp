@@ -56,7 +56,7 @@ class Clausifier {
   [[nodiscard]] std::string_view problem_of_properties(const Ordered& axiom);
 
   const el::OntologySource& source_;
-  const ClausifyLimits& limits_;
+  ClausifyLimits limits_;
   el::ContentHashes hashes_;
   ClauseSet set_;
   Vocabulary vocabulary_;

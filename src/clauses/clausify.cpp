@@ -12,8 +12,18 @@ using el::AxiomKind;
 using el::TermId;
 using el::TermKind;
 
+namespace {
+
+/// The limit of clauses grows with what is written, so that one axiom of a file of a hundred kilobytes, whose members
+/// are apart pair by pair, takes the memory of a small file.
+constexpr std::size_t always_clauses = 1'000'000;
+constexpr std::size_t clauses_per_axiom = 100;
+
+}  // namespace
+
 Clausifier::Clausifier(const el::OntologySource& source, const ClausifyLimits& limits)
     : source_(source), limits_(limits), hashes_(source), vocabulary_(source, hashes_, set_) {
+  limits_.clauses = std::min(limits_.clauses, always_clauses + clauses_per_axiom * source.axiom_count());
   is_seen_.assign(source.term_count(), false);
 }
 

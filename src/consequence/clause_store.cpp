@@ -76,6 +76,7 @@ bool ClauseStore::is_redundant(std::span<const Literal> body, std::span<const Li
   const std::uint64_t body_signature = signature_of(body);
   const std::uint64_t head_signature = signature_of(head);
   const auto implies = [&](ClauseNumber number) {
+    ++compared_;
     const Record& record = clauses_[number];
     return record.state != State::redundant && is_part(record, body_signature, head_signature, body, head);
   };
@@ -122,6 +123,7 @@ void ClauseStore::drop_implied(ClauseNumber clause) {
 }
 
 void ClauseStore::drop_implied(const Record& by, const Pooled<std::uint32_t>& candidates) {
+  compared_ += candidates.size();
   for (const ClauseNumber candidate : candidates) {
     Record& record = clauses_[candidate];
     if (record.state == State::redundant) continue;

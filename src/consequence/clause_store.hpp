@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "consequence/literal.hpp"
@@ -102,6 +103,8 @@ class ClauseStore {
   /// Drops every clause with more than one literal in its head.
   void drop_alternatives();
   void clear();
+  /// How many clauses were compared with others since this was asked last.
+  [[nodiscard]] std::size_t take_compared() { return std::exchange(compared_, 0); }
 
  private:
   enum class State : std::uint8_t { waiting, active, redundant };
@@ -140,6 +143,7 @@ class ClauseStore {
   Pooled<Literal> literals_;
   Pooled<Record> clauses_;
   Pooled<ClauseNumber> headless_;
+  mutable std::size_t compared_ = 0;
 };
 
 }  // namespace geminga::consequence

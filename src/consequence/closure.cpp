@@ -38,7 +38,8 @@ Closure saturate(const el::OntologySource& source, const clauses::ClauseSet& cla
   const CentredRules& vocabulary = rules.vocabulary();
   std::vector<std::uint32_t> wanted_predicates;
   for (const ConceptId asked : wanted) wanted_predicates.push_back(vocabulary.predicate_of[number(asked)]);
-  Saturation saturation(rules, wanted_predicates, {options.clauses, options.alternatives});
+  Saturation saturation(rules, wanted_predicates,
+                        {.clauses = options.clauses, .alternatives = options.alternatives, .budget = options.budget});
   const ArenaUse use(saturation.arena());
   // Something exists, and each individual does.
   const auto exists = [&](ContextKey&& key) {
@@ -56,7 +57,11 @@ Closure saturate(const el::OntologySource& source, const clauses::ClauseSet& cla
   Closure closure;
   closure.gaps = vocabulary.gaps;
   if (saturation.is_cut_off() && !saturation.is_contradictory()) {
-    closure.gaps.push_back("more than " + std::to_string(options.clauses) + " clauses were derived");
+    const auto spent = options.budget == nullptr ? std::nullopt : options.budget->reason();
+    const std::string most = saturation.is_flooded()
+                                 ? std::to_string(saturation.max_messages()) + " messages between contexts waited"
+                                 : std::to_string(options.clauses) + " clauses were derived";
+    closure.gaps.push_back(spent ? *spent : "more than " + most);
   }
   if (saturation.has_cut_context() && !saturation.is_contradictory()) closure.gaps.emplace_back(alternative_gap);
   std::ranges::sort(closure.gaps);

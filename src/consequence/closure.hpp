@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/budget.hpp"
 #include "clauses/clause.hpp"
 
 namespace geminga::consequence {
@@ -27,6 +28,9 @@ struct Options {
   /// Conclusions with alternatives (more than one literal in the head) in one context: beyond it the context keeps what
   /// it has without alternatives, and the closure has alternative_gap. Horn clauses are not bounded by it.
   std::uint32_t alternatives = std::numeric_limits<std::uint32_t>::max();
+  /// What this work is taken from, beside other work; nothing: only the limit of clauses holds. Where it is spent the
+  /// closure is incomplete. Borrowed.
+  base::Budget* budget = nullptr;
 };
 
 /// Gaps. The first two are about facts alone: where there is no other, the subsumers of named classes are complete as

@@ -49,8 +49,9 @@ bool Worker::may_hold(const RuleAtom& atom, Term term) const {
   return context_->store.may_match(binary(atom.predicate, term, is_incoming));
 }
 
-void Worker::count_attempt() {
-  if (++attempts_ < attempts_at_once) return;
+void Worker::count_attempts(std::size_t attempts) {
+  attempts_ += attempts;
+  if (attempts_ < attempts_at_once) return;
   if (!saturation_.count_attempts(std::exchange(attempts_, 0))) is_stopped_ = true;
 }
 

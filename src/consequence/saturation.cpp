@@ -67,6 +67,10 @@ const Context* Saturation::find(const ContextKey& key) const {
 
 void Saturation::post(Context& to, MessageKind kind, const Context* from, Term f, std::span<const Literal> body,
                       std::span<const Literal> head, unsigned worker) {
+  if (waiting_.fetch_add(1, std::memory_order_relaxed) >= max_messages()) {
+    is_flooded_.store(true, std::memory_order_relaxed);
+    return give_up();
+  }
   {
     const std::lock_guard guard(to.lock);
     to.inbox.push_back({kind, f, const_cast<Context*>(from), static_cast<std::uint32_t>(body.size()),
@@ -141,12 +145,14 @@ void Saturation::run(unsigned threads) {
 
 bool Saturation::count(std::size_t clauses) {
   if (clauses_.fetch_add(clauses, std::memory_order_relaxed) + clauses > limits_.clauses) give_up();
+  if (limits_.budget != nullptr && !limits_.budget->spend(clauses * steps_per_clause)) give_up();
   return !is_cut_off();
 }
 
 bool Saturation::count_attempts(std::size_t attempts) {
   const std::size_t all = attempts_.fetch_add(attempts, std::memory_order_relaxed) + attempts;
   if (all / attempts_per_clause > limits_.clauses) give_up();
+  if (limits_.budget != nullptr && !limits_.budget->spend(attempts)) give_up();
   return !is_cut_off();
 }
 

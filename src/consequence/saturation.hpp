@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/budget.hpp"
 #include "consequence/context.hpp"
 #include "consequence/rules.hpp"
 
@@ -24,6 +25,7 @@ namespace geminga::consequence {
 struct SaturationLimits {
   std::size_t clauses = 0;         ///< of all contexts together
   std::uint32_t alternatives = 0;  ///< of one context, see Options
+  base::Budget* budget = nullptr;  ///< what all of it is taken from, if there is one
 };
 
 class Saturation {
@@ -53,6 +55,11 @@ class Saturation {
   bool count(std::size_t clauses);
   /// Counts attempts to match a body, most of which may give nothing new; false: there were too many, all stop.
   bool count_attempts(std::size_t attempts);
+  /// Messages that were taken out of an inbox.
+  void note_received(std::size_t messages) { waiting_.fetch_sub(messages, std::memory_order_relaxed); }
+  /// More messages waited at once than are allowed: all stop.
+  [[nodiscard]] bool is_flooded() const { return is_flooded_.load(std::memory_order_relaxed); }
+  [[nodiscard]] std::size_t max_messages() const { return always_waiting + limits_.clauses; }
   /// An individual cannot exist: nothing else matters.
   void contradict() {
     is_contradictory_.store(true, std::memory_order_relaxed);
@@ -79,6 +86,10 @@ class Saturation {
   static constexpr std::size_t attempts_per_clause = 100;
   static constexpr std::size_t many_cut_contexts = 256;
   static constexpr std::uint32_t few_alternatives = 16;
+  /// Messages that may wait at once, beside as many as there may be clauses: each is of some forty octets.
+  static constexpr std::size_t always_waiting = 1'000'000;
+  /// A clause that is filed takes about as long as so many attempts.
+  static constexpr std::size_t steps_per_clause = 8;
   struct Part {
     mutable SpinLock lock;
     std::vector<std::unique_ptr<Context>> contexts;
@@ -106,6 +117,8 @@ class Saturation {
   std::atomic<std::size_t> clauses_{0};
   std::atomic<std::size_t> attempts_{0};
   std::atomic<std::size_t> context_count_{0};
+  std::atomic<std::size_t> waiting_{0};  ///< messages
+  std::atomic<bool> is_flooded_{false};
   std::atomic<bool> is_cut_off_{false};
   std::atomic<bool> is_contradictory_{false};
   std::atomic<std::size_t> cut_contexts_{0};

@@ -26,6 +26,7 @@ void Worker::work(Context& context) {
       messages_.swap(context.inbox);
       message_literals_.swap(context.inbox_literals);
     }
+    saturation_.note_received(messages_.size());
     receive();
     saturate_locally();
     saturation_.count(derived_);
@@ -296,6 +297,9 @@ void Worker::add(std::vector<Literal>& body, std::vector<Literal>& head) {
     for (const Literal literal : head) note_open(literal);
     self.clause_queue.push_back(self.store.insert(body, head, maximal_count(head)));
   }
+  compared_ += self.store.take_compared();
+  count_attempts(compared_ / compared_per_attempt);
+  compared_ %= compared_per_attempt;
 }
 
 void Worker::add_unit(Literal literal) {

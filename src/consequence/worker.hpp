@@ -33,6 +33,8 @@ class Worker {
   static constexpr std::size_t max_waiting_literals = std::size_t{1} << 24;
   /// A clause counts once for as many literals as this, so that what is counted bounds the memory.
   static constexpr std::size_t literals_per_clause = 8;
+  /// So many clauses are compared with a new one in the time of an attempt.
+  static constexpr std::size_t compared_per_attempt = 8;
   static constexpr ClauseNumber no_clause = std::numeric_limits<ClauseNumber>::max();
   /// The clause G -> D v [L], or where `clause` is no_clause, true -> L.
   struct Premise {
@@ -85,7 +87,8 @@ class Worker {
   // hyper.cpp
   void hyper(Premise premise, const Occurrence& occurrence, Term neighbour);
   [[nodiscard]] bool may_hold(const RuleAtom& atom, Term term) const;
-  void count_attempt();
+  void count_attempt() { count_attempts(1); }
+  void count_attempts(std::size_t attempts);
   void join(const Rule& rule);
   void join_with(const Rule& rule, std::size_t atom, Literal literal);
   void conclude_rule(const Rule& rule);
@@ -144,6 +147,7 @@ class Worker {
   std::vector<Literal> literals_;      ///< of other conclusions
   std::vector<std::uint32_t> counts_;  ///< of each of them: of body, of head
   std::size_t attempts_ = 0;           ///< to match bodies, not yet counted by the saturation
+  std::size_t compared_ = 0;           ///< clauses, not yet counted as attempts
   bool is_stopped_ = false;            ///< too much was derived: whatever is under way ends
   std::vector<Literal> body_;
   std::vector<Literal> head_;

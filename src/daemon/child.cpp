@@ -192,7 +192,8 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
     undumpable_.reset();
     timer_.cancel();
     take_words();  // what it wrote just before its end
-    end_.has_succeeded = WIFEXITED(status) && WEXITSTATUS(status) == 0 && !is_late_;
+    if (WIFEXITED(status) && !is_late_) end_.exit_status = WEXITSTATUS(status);
+    end_.has_succeeded = end_.exit_status == 0;
     if (is_late_) {
       end_.how = "stopped after " + std::to_string(limits_.time.count()) + " s";
     } else if (WIFSIGNALED(status)) {

@@ -7,6 +7,7 @@
 #include <expected>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct ChildLimits {
 /// How it ended.
 struct ChildEnd {
   bool has_succeeded = false;
+  std::optional<int> exit_status;  ///< where it ended by itself
   std::string how;    ///< e.g. "exit status 2", "killed by signal 9", "stopped after 120 s"
   std::string words;  ///< its standard error, as far as it was kept
 };

@@ -26,6 +26,13 @@ constexpr std::string_view compiled_suffix = ".geminga";
 constexpr std::size_t max_lines = 40;
 constexpr std::size_t max_line_bytes = 1000;
 
+/// How long a robot's ontology is searched for what follows: a quarter of what the child may take in all. What is not
+/// settled by then is undecided, and the robot matches by the rest.
+constexpr const char* search_seconds = "30";
+constexpr const char* search_steps = "200000000";
+/// The compiler's exit status where a limit was reached.
+constexpr int limit_reached = 4;
+
 std::vector<std::string> lines_of(std::string_view words) {
   std::vector<std::string> lines;
   while (!words.empty() && lines.size() < max_lines) {
@@ -114,6 +121,7 @@ class OntologyLoader::State {
     // From the root, so that no path looks like a flag, and the compiled form names its sources wherever it is read.
     std::error_code ignored;
     for (const std::string& file : files) arguments.push_back(fs::absolute(file, ignored).string());
+    arguments.insert(arguments.end(), {"--time-limit", search_seconds, "--steps", search_steps});
     auto started = Child::start(
         context_, compiler_, arguments, limits_, [this](const ChildEnd& end) { finish(end); }, output_->descriptor());
     if (!started) return answer_later(failure("cannot start " + compiler_ + ": " + started.error()));
@@ -129,13 +137,14 @@ class OntologyLoader::State {
 
   void finish(const ChildEnd& end) {
     std::vector<std::string> lines = lines_of(end.words);
-    if (!end.has_succeeded) {
-      if (lines.empty() || !end.how.starts_with("exit status")) lines.push_back(compiler_ + ": " + end.how);
-      return answer_later(std::unexpected(std::move(lines)));
+    if (end.has_succeeded || end.exit_status == limit_reached) {
+      auto mapped = map("/proc/self/fd/" + std::to_string(output_->descriptor()), "the compiled ontology");
+      if (mapped) mapped->remarks.insert(mapped->remarks.begin(), lines.begin(), lines.end());
+      // Where the limit came before there was anything, the compiler's own words say more than that nothing is there.
+      if (mapped || end.has_succeeded) return answer_later(std::move(mapped));
     }
-    auto mapped = map("/proc/self/fd/" + std::to_string(output_->descriptor()), "the compiled ontology");
-    if (mapped) mapped->remarks.insert(mapped->remarks.begin(), lines.begin(), lines.end());
-    answer_later(std::move(mapped));
+    if (lines.empty() || !end.how.starts_with("exit status")) lines.push_back(compiler_ + ": " + end.how);
+    answer_later(std::unexpected(std::move(lines)));
   }
 
   /// In an event of its own, so that `done` may start the next load.

@@ -21,11 +21,20 @@ namespace {
 constexpr std::size_t max_pairs = std::size_t{1} << 28;  // of one closure before saturation
 constexpr std::size_t max_conditional_roots = 20'000;    // saturations for nominals
 
+/// What may follow. It grows with what is written, so that a small file that means much takes the memory of a small one
+/// (a conclusion is about ten octets); published ontologies have tens of conclusions an axiom.
+constexpr std::size_t always_concluded = 8'000'000;
+constexpr std::size_t concluded_per_axiom = 300;
+
 /// The work of one classification, step by step.
 class Classifier {
  public:
   Classifier(const OntologySource& source, const ClassifyOptions& options)
-      : source_(source), options_(options), normaliser_(source, index_) {}
+      : source_(source),
+        options_(options),
+        limits_{.conclusions = always_concluded + concluded_per_axiom * source.axiom_count(),
+                .merged_atoms = options.merged_atoms},
+        normaliser_(source, index_) {}
 
   std::expected<Classification, ClassifyError> run() {
     if (source_.problem()) return std::unexpected(ClassifyError{*source_.problem()});
@@ -106,16 +115,15 @@ class Classifier {
   }
 
   [[nodiscard]] std::unique_ptr<Saturation> saturate() const {
-    auto saturation = std::make_unique<Saturation>(index_, SaturationLimits{.merged_atoms = options_.merged_atoms});
+    auto saturation = std::make_unique<Saturation>(index_, limits_);
     for (const ExprId root : asked_) saturation->require(root);
     for (const ExprId individual : normaliser_.individuals()) saturation->require(index_.representative(individual));
     saturation->run(options_.threads);
     return saturation;
   }
 
-  static ClassifyError too_large() {
-    return {"more than " + std::to_string(SaturationLimits{}.conclusions) +
-            " conclusions follow: the ontology is too large"};
+  [[nodiscard]] ClassifyError too_large() const {
+    return {"more than " + std::to_string(limits_.conclusions) + " conclusions follow: the ontology is too large"};
   }
 
   void classify_all_properties() {
@@ -129,7 +137,7 @@ class Classifier {
     for (const ExprId individual : normaliser_.individuals()) seeds.push_back(index_.representative(individual));
     SubsumptionGraph graph(index_);
     {
-      Inheritance inheritance(index_, {}, seeds);
+      Inheritance inheritance(index_, limits_, seeds);
       if (!inheritance.run(options_.threads)) return false;
       result_.counts.expressions = index_.size();
       result_.counts.contexts = inheritance.nodes().size();
@@ -176,7 +184,7 @@ class Classifier {
     const std::vector<ExprId> conditional = find_conditional_roots(index_, saturation, asked_);
     // Over the limit the rest keeps what holds without an instance, and the axioms with nominals count as unused.
     for (std::size_t at = 0; at < std::min(conditional.size(), max_conditional_roots); ++at) {
-      const auto world = find_world(index_, conditional[at], normaliser_.individuals(), SaturationLimits{}.conclusions);
+      const auto world = find_world(index_, conditional[at], normaliser_.individuals(), limits_.conclusions);
       if (!world) continue;
       if (!world->is_possible) graph.set_unsatisfiable(conditional[at]);
       for (const ExprId above : world->above) graph.add_edge(conditional[at], above);
@@ -245,6 +253,7 @@ class Classifier {
 
   const OntologySource& source_;
   const ClassifyOptions& options_;
+  SaturationLimits limits_;
   Index index_;
   Normaliser normaliser_;
   std::vector<TermId> classes_;

@@ -15,7 +15,7 @@ constexpr std::size_t spare_bytes = std::size_t{1} << 20;
 /// Whether all of it can be addressed, as far as sizes are known before.
 bool fits(const CompilerInput& input, const CompileOptions& options) {
   const auto& [source, classification, hashes, order] = input;
-  std::size_t bytes = classification.class_count() * 64 + classification.parents.size() * 8;
+  std::size_t bytes = classification.class_count() * 80 + classification.parents.size() * 8;
   for (const NameId id : classification.classes) bytes += source.name(id).size();
   for (const OntologySource::Label& label : source.labels()) bytes += source.name(label.text).size() + 8;
   for (const TermId term : order.terms) {
@@ -51,6 +51,7 @@ std::vector<std::byte> compile(const OntologySource& source, const Classificatio
   write_classes(input, taxonomy);
   if (taxonomy.further.size() > max_list_items) return {};
   write_labels(input, labels);
+  write_signatures(labels, taxonomy);
   if (!write_axioms(input, taxonomy, axioms)) return {};
   std::array<flatbuffers::FlatBufferBuilder, section_count> builders;
   const std::array<std::span<const std::uint8_t>, section_count> sections = {

@@ -5,12 +5,16 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "el/classify.hpp"
 #include "el/source.hpp"
 
 namespace geminga::el {
+
+/// How the line of the gaps begins that says what they leave open.
+inline constexpr std::string_view undecided_words = "undecided: ";
 
 /// What the source and its classification do not say.
 struct CompileOptions {

@@ -7,6 +7,7 @@
 
 #include "el/interval_index.hpp"
 #include "el/rows.hpp"
+#include "el/similar.hpp"
 #include "el/source_paths.hpp"
 
 namespace geminga::el {
@@ -153,6 +154,21 @@ void write_classes(const CompilerInput& input, compiled::TaxonomyT& out) {
     } else {
       out.reach.emplace_back(own.first, (own.last - own.first) | flag, further_begin, further_end);
     }
+  }
+}
+
+void write_signatures(const compiled::LabelsT& labels, compiled::TaxonomyT& out) {
+  const std::string_view iris(reinterpret_cast<const char*>(out.class_text.data()), out.class_text.size());
+  const std::string_view texts(reinterpret_cast<const char*>(labels.text.data()), labels.text.size());
+  const auto row = [](std::string_view text, const std::vector<std::uint32_t>& ends, std::size_t at) {
+    const std::uint32_t begin = at == 0 ? 0 : ends[at - 1];
+    return text.substr(begin, ends[at] - begin);
+  };
+  out.signatures.reserve(2 * out.class_end.size());
+  for (std::size_t number = 0; number < out.class_end.size(); ++number) {
+    out.signatures.push_back(signature_of(local_name(row(iris, out.class_end, number))));
+    const std::uint32_t label = labels.label_of_class[number];
+    out.signatures.push_back(label == none ? 0 : signature_of(row(texts, labels.end, label)));
   }
 }
 

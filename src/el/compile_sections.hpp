@@ -32,6 +32,8 @@ void write_sources(const CompilerInput& input, const CompileOptions& options, co
 /// Classes, taxonomy and index of intervals.
 void write_classes(const CompilerInput& input, compiled::TaxonomyT& out);
 void write_labels(const CompilerInput& input, compiled::LabelsT& out);
+/// By which names that are like another are found. Classes and labels have been written.
+void write_signatures(const compiled::LabelsT& labels, compiled::TaxonomyT& out);
 /// Names, terms, axioms and what modules are found by. The taxonomy has been written. False where there would be more
 /// than max_list_items, or more files than sixteen bits can count.
 [[nodiscard]] bool write_axioms(const CompilerInput& input, const compiled::TaxonomyT& taxonomy,

@@ -2,70 +2,91 @@
 #include "el/similar.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <utility>
 
 #include "base/edit_distance.hpp"
 #include "base/text.hpp"
+#include "compiled_generated.h"
 #include "el/compiled_view.hpp"
 
 namespace geminga::el {
 namespace {
-
-/// What stands behind the prefix.
-std::string_view local_name(std::string_view name) {
-  const auto colon = name.find_last_of(":/#");
-  return colon == std::string_view::npos ? name : name.substr(colon + 1);
-}
 
 std::string_view without_brackets(std::string_view name) {
   if (name.size() > 2 && name.front() == '<' && name.back() == '>') return name.substr(1, name.size() - 2);
   return name;
 }
 
-/// The IRI that the name would have.
-std::string iri_of(const Ontology& ontology, std::string_view name) {
-  const std::size_t colon = name.find(':');
-  for (const auto& [prefix, iri] : prefixes_of(ontology.view())) {
-    if (colon != std::string_view::npos && prefix == name.substr(0, colon))
-      return std::string(iri) + std::string(name.substr(colon + 1));
-  }
-  return std::string(name);
-}
+/// What one slip changes of a signature at most: two letters that are swapped take part in three pairs.
+constexpr std::size_t bits_per_slip = 6;
 
-struct Range {
-  std::uint32_t begin = 0;
-  std::uint32_t end = 0;
-};
-
-/// The classes to be compared: as many before the place of the name as behind it. Classes ascend by IRI.
-Range range_around(const Ontology& ontology, std::string_view name, std::size_t most) {
+/// The classes to be compared, ascending: those whose signatures differ the least from those of the name.
+std::vector<std::uint32_t> candidates_of(const Ontology& ontology, std::string_view name, std::size_t slips,
+                                         std::size_t most) {
   const std::uint32_t count = ontology.class_count();
-  if (count <= most) return {0, count};
-  const std::string iri = iri_of(ontology, name);
-  Range range{0, count};
-  while (range.begin < range.end) {
-    const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
-    if (ontology.iri(ClassNumber{middle}) < iri) {
-      range.begin = middle + 1;
-    } else {
-      range.end = middle;
-    }
+  std::vector<std::uint32_t> candidates;
+  const auto* const signatures = ontology.view().root->signatures();
+  if (count <= most || signatures == nullptr || signatures->size() != 2 * std::size_t{count}) {
+    for (std::uint32_t of = 0; of < std::min<std::size_t>(count, most); ++of) candidates.push_back(of);
+    return candidates;
   }
-  const auto wanted = static_cast<std::uint32_t>(most);
-  const std::uint32_t begin = std::min(range.begin - std::min(range.begin, wanted / 2), count - wanted);
-  return {begin, begin + wanted};
+  const std::uint64_t by_name = signature_of(local_name(name));
+  const std::uint64_t by_label = signature_of(name);
+  std::vector<std::uint8_t> distances(count);
+  std::array<std::size_t, 65> at_distance{};
+  for (std::uint32_t of = 0; of < count; ++of) {
+    const std::uint64_t label = signatures->Get(2 * of + 1);
+    int distance = std::popcount(by_name ^ signatures->Get(2 * of));
+    if (label != 0) distance = std::min(distance, std::popcount(by_label ^ label));
+    distances[of] = static_cast<std::uint8_t>(distance);
+    ++at_distance[static_cast<std::size_t>(distance)];
+  }
+  // All up to a distance, and of the next one as many as there is room for.
+  std::size_t whole = 0;
+  std::size_t room = most;
+  const std::size_t beyond = std::min<std::size_t>(slips * bits_per_slip + 1, at_distance.size());
+  while (whole < beyond && at_distance[whole] <= room) room -= at_distance[whole++];
+  if (whole == beyond) room = 0;
+  for (std::uint32_t of = 0; of < count; ++of) {
+    if (distances[of] > whole || (distances[of] == whole && room == 0)) continue;
+    if (distances[of] == whole) --room;
+    candidates.push_back(of);
+  }
+  return candidates;
 }
 
 }  // namespace
+
+std::string_view local_name(std::string_view name) {
+  const auto end = name.find_last_of(":/#");
+  return end == std::string_view::npos ? name : name.substr(end + 1);
+}
+
+std::uint64_t signature_of(std::string_view word) {
+  const auto lower = [](char c) {
+    const auto octet = static_cast<unsigned char>(c);
+    return static_cast<std::uint32_t>(c >= 'A' && c <= 'Z' ? octet | 0x20U : octet);
+  };
+  std::uint64_t signature = 0;
+  std::uint32_t last = 0;
+  const auto add = [&](std::uint32_t next) {
+    signature |= std::uint64_t{1} << (((last << 8U | next) * 0x9e3779b1U) >> 26U);
+    last = next;
+  };
+  for (const char c : word.substr(0, base::max_compared_bytes)) add(lower(c));
+  add(0);
+  return signature;
+}
 
 std::vector<std::string> find_similar(const Ontology& ontology, std::string_view name, const SimilarLimits& limits) {
   name = without_brackets(name);
   const std::string_view local = local_name(name);
   const std::size_t limit = base::tolerated_slips(local);
   std::vector<std::pair<std::size_t, std::string>> found;
-  const Range range = range_around(ontology, name, limits.classes);
-  for (std::uint32_t number = range.begin; number < range.end; ++number) {
+  for (const std::uint32_t number : candidates_of(ontology, name, limit, limits.classes)) {
     const ClassNumber of{number};
     const std::size_t by_name = base::edit_distance(local, local_name(ontology.iri(of)), limit);
     const std::size_t by_label =

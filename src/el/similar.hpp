@@ -3,6 +3,7 @@
 #define GEMINGA_EL_SIMILAR_HPP
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -15,14 +16,24 @@ namespace geminga::el {
 /// How far to look.
 struct SimilarLimits {
   std::size_t names = 3;  ///< that are given
-  /// Classes that the name is compared with: all, or where there are more, those that stand nearest to it in the order
-  /// of IRIs, which begin as it does.
+  /// Classes that the name is compared with letter by letter: all, or where there are more, those that share the most
+  /// pairs of letters with it, which the compiled form knows.
   std::size_t classes = std::numeric_limits<std::size_t>::max();
 };
 
+/// So many are compared in an event of the daemon: at most a millisecond, beside a look at the signature of each class
+/// (350 000 take three).
+inline constexpr std::size_t max_compared_classes = 4096;
+
+/// The pairs of neighbouring letters of a word, each as one of 64 bits; the case of ASCII letters does not count. One
+/// wrong, missing, added or swapped letter changes six bits at most.
+[[nodiscard]] std::uint64_t signature_of(std::string_view word);
+/// What stands behind the last `:`, `/` or `#` of a name or IRI.
+[[nodiscard]] std::string_view local_name(std::string_view name);
+
 /// Short names of classes that are a few letters away from `name`, or whose local name or label is: nearest first, then
-/// by name. Letters may be wrong, missing, too many, swapped, or of the other case. Linear in the classes that are
-/// compared.
+/// by name. Letters may be wrong, missing, too many, swapped, or of the other case. Linear in the classes, with a large
+/// constant for those that are compared only.
 [[nodiscard]] std::vector<std::string> find_similar(const Ontology& ontology, std::string_view name,
                                                     const SimilarLimits& limits = {});
 

@@ -17,6 +17,12 @@ namespace {
 constexpr std::string_view xsd_string = "http://www.w3.org/2001/XMLSchema#string";
 constexpr std::string_view rdf_lang_string = "http://www.w3.org/1999/02/22-rdf-syntax-ns#langString";
 
+/// What all names may take together: this, and as much for each different one. Published names are 20 to 100 octets
+/// long, texts of facts some hundreds, so that only what is there to fill the memory is refused.
+constexpr std::size_t always_named = std::size_t{16} << 20U;
+constexpr std::size_t named_per_name = 256;
+constexpr std::size_t named_per_literal = 4096;
+
 std::uint64_t hash_of_name(std::string_view name) { return XXH3_64bits(name.data(), name.size()); }
 
 std::uint64_t hash_of_term(TermKind kind, NameId name, std::uint32_t number, std::span<const TermId> arguments) {
@@ -60,8 +66,10 @@ NameId OntologySource::intern(std::string_view name, std::size_t max_bytes) {
   const std::uint32_t found =
       name_table_.find(hash, [&](std::uint32_t number) { return this->name(NameId{number}) == name; });
   if (found != NumberTable::none) return NameId{found};
-  if (name_bytes_.size() + name.size() > limits_.all_name_bytes) {
-    fail("the names are over the limit of " + std::to_string(limits_.all_name_bytes) + " bytes together");
+  const std::size_t each = max_bytes == limits_.literal_bytes ? named_per_literal : named_per_name;
+  const std::size_t most = std::min(limits_.all_name_bytes, always_named + each * name_ends_.size());
+  if (name_bytes_.size() + name.size() > most) {
+    fail("the names are over the limit of " + std::to_string(most) + " bytes together");
     return NameId{0};
   }
   const auto number = static_cast<std::uint32_t>(name_ends_.size());

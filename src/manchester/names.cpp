@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/edit_distance.hpp"
 #include "base/text.hpp"
 #include "el/compiled_view.hpp"
 #include "el/datatypes.hpp"
@@ -114,12 +115,37 @@ std::vector<std::string> Names::with_local_name(TermKind kind, std::string_view 
   return found;
 }
 
+std::vector<std::string> Names::similar_to(TermKind kind, std::string_view name) const {
+  if (kind == TermKind::named_class) return el::find_similar(ontology_, name, {.classes = el::max_compared_classes});
+  const std::string_view local = el::local_name(name);
+  const std::size_t slips = base::tolerated_slips(local);
+  // Where there are too many, those that stand nearest by the alphabet.
+  const auto all =
+      std::ranges::equal_range(local_names_, kind, {}, [](const auto& entry) { return std::get<0>(entry); });
+  const auto place = std::ranges::lower_bound(all, local, {}, [](const auto& entry) { return std::get<1>(entry); });
+  constexpr std::ptrdiff_t around = el::max_compared_classes / 2;
+  std::vector<std::pair<std::size_t, std::string>> found;
+  for (auto entry = place - std::min(around, place - all.begin()); entry != place + std::min(around, all.end() - place);
+       ++entry) {
+    const std::size_t distance = base::edit_distance(local, std::get<1>(*entry), slips);
+    if (distance <= slips) found.emplace_back(distance, ontology_.short_name(std::get<2>(*entry)));
+  }
+  std::ranges::sort(found);
+  std::vector<std::string> names;
+  for (auto& [distance, similar] : found) {
+    if (names.size() == el::SimilarLimits{}.names) break;
+    names.push_back(std::move(similar));
+  }
+  return names;
+}
+
 std::expected<std::string, std::string> Names::find(TermKind kind, std::string_view name) const {
   const std::string shown = base::printable(name);
   if (name.size() > 2 && name.front() == '<' && name.back() == '>') {
     std::string iri(name.substr(1, name.size() - 2));
     if (has(kind, iri)) return iri;
-    return std::unexpected("no " + std::string(word_of(kind)) + " has the IRI " + shown);
+    return std::unexpected("no " + std::string(word_of(kind)) + " has the IRI " + shown +
+                           el::did_you_mean(similar_to(kind, iri)));
   }
   std::vector<std::string> found;
   if (kind == TermKind::named_class) {
@@ -129,7 +155,7 @@ std::expected<std::string, std::string> Names::find(TermKind kind, std::string_v
     if (number.error().kind == el::NameError::Kind::ambiguous) return std::unexpected(number.error().text);
     found = candidates(kind, name);  // the usual prefixes
     if (found.empty()) found = with_local_name(kind, name);
-    if (found.empty()) return std::unexpected(number.error().text);
+    if (found.empty()) return std::unexpected(number.error().text + el::did_you_mean(similar_to(kind, name)));
   } else {
     found = candidates(kind, name);
     if (found.empty()) found = with_local_name(kind, name);
@@ -137,7 +163,9 @@ std::expected<std::string, std::string> Names::find(TermKind kind, std::string_v
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
   if (found.size() == 1) return std::move(found.front());
-  if (found.empty()) return std::unexpected("no " + std::string(word_of(kind)) + " is '" + shown + "'");
+  if (found.empty())
+    return std::unexpected("no " + std::string(word_of(kind)) + " is '" + shown + "'" +
+                           el::did_you_mean(similar_to(kind, name)));
   for (std::string& iri : found) iri = ontology_.short_name(std::string_view(iri));
   return std::unexpected("'" + shown + "' may be " + el::alternatives(found) + ": say which");
 }

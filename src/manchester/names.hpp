@@ -34,6 +34,8 @@ class Names {
   using Entity = std::pair<el::TermKind, std::string_view>;
   [[nodiscard]] std::vector<std::string> candidates(el::TermKind kind, std::string_view name) const;
   [[nodiscard]] std::vector<std::string> with_local_name(el::TermKind kind, std::string_view name) const;
+  /// Short names of entities of this kind whose local name is a few letters away, nearest first.
+  [[nodiscard]] std::vector<std::string> similar_to(el::TermKind kind, std::string_view name) const;
 
   const el::Ontology& ontology_;
   std::vector<Entity> entities_;                                                           ///< kind, IRI; sorted

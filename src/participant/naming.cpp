@@ -30,7 +30,7 @@ std::expected<std::string, Error> resolve_class(const el::Ontology* ontology, st
 
 std::string describe(const el::Ontology& ontology, std::string_view name, const el::NameError& error) {
   if (error.kind != el::NameError::Kind::unknown) return error.text;
-  return error.text + el::did_you_mean(el::find_similar(ontology, name, {.classes = max_compared_classes}));
+  return error.text + el::did_you_mean(el::find_similar(ontology, name, {.classes = el::max_compared_classes}));
 }
 
 std::expected<Identity, Error> resolve(const el::Ontology* ontology, const NamedIdentity& named) {

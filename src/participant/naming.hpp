@@ -20,10 +20,6 @@ namespace geminga::participant {
 
 class Expressions;
 
-/// An unknown name is compared with so many classes of a larger ontology, those next to it in the order of IRIs: an
-/// event stays short however many there are.
-inline constexpr std::size_t max_compared_classes = 1024;
-
 /// What is wrong with a name, and which classes may have been meant.
 [[nodiscard]] std::string describe(const el::Ontology& ontology, std::string_view name, const el::NameError& error);
 

@@ -11,8 +11,10 @@ std::optional<std::uint32_t> LongText::look_at(std::string_view stretch) {
       step(c);
     }
     if (c == '\n') ++line_;
-    if (text_bytes_ > max_text_) return begin_;
-    if (blank_bytes_ > max_blank_) return blank_begin_;
+    if (text_bytes_ > limits_.text) return found(Kind::text, begin_);
+    if (blank_bytes_ > limits_.blank) return found(Kind::blank, blank_begin_);
+    if (name_bytes_ > limits_.name) return found(Kind::name, line_);
+    if (comment_bytes_ > limits_.xml_comment) return found(Kind::xml_comment, begin_);
   }
   return std::nullopt;
 }
@@ -28,9 +30,14 @@ void LongText::note_blank(bool is_blank) {
   blank_bytes_ = is_blank ? blank_bytes_ + 1 : 0;
 }
 
+/// A name ends at what no syntax has in one; that some do not either does not matter.
+void LongText::note_name(bool is_name) { name_bytes_ = is_name ? name_bytes_ + 1 : 0; }
+
 void LongText::step(char c) {
+  constexpr std::string_view ends_of_names = " \t\r\n#<>\"'()[];,";
   switch (within_) {
     case Within::nothing:
+      note_name(ends_of_names.find(c) == std::string_view::npos);
       // A mark that is part of a name, as in ex:O\'Brien; no name has a quotation mark in it.
       if (is_escaped_ && c != '"') {
         is_escaped_ = false;
@@ -52,7 +59,11 @@ void LongText::step(char c) {
       }
       return;
     case Within::iri:
-      if (c == '>' || c == '\n' || c == ' ') within_ = Within::nothing;
+      note_name(c != '>');
+      if (c == '>' || c == '\n' || c == ' ') {
+        within_ = Within::nothing;
+        name_bytes_ = 0;
+      }
       return;
     case Within::comment:
       note_blank(true);
@@ -75,15 +86,17 @@ void LongText::step(char c) {
   }
 }
 
-/// A comment may be of any length; markup inside a text, as CDATA is, ends its count.
+/// Markup inside a text, as CDATA is, ends its count.
 void LongText::step_xml(char c) {
   last_ = last_ << 8U | static_cast<unsigned char>(c);
   constexpr std::uint32_t opened = '<' << 24U | '!' << 16U | '-' << 8U | '-';
   constexpr std::uint32_t closed = '-' << 16U | '-' << 8U | '>';
   if (within_ == Within::comment) {
+    ++comment_bytes_;
     if ((last_ & 0xffffffU) == closed) begin_text(Within::nothing);
   } else if (last_ == opened) {
     begin_text(Within::comment);
+    comment_bytes_ = 0;
   } else if (c == '<' || c == '>') {
     begin_text(Within::nothing);
   } else {

@@ -1,5 +1,5 @@
-// Finds a text or a stretch of nothing that is too long while its file is read, so that a refused file is not in memory
-// as a whole first.
+// Finds a text, a name or a stretch of nothing that is too long while its file is read, so that a refused file is not
+// in memory as a whole first.
 #ifndef GEMINGA_RDF_LONG_TEXT_HPP
 #define GEMINGA_RDF_LONG_TEXT_HPP
 
@@ -12,19 +12,27 @@
 
 namespace geminga::rdf {
 
+/// What may be too long.
+struct LongTextLimits {
+  std::size_t text = 0;
+  std::size_t blank = 0;                            ///< white space and comments in a row, but in XML
+  std::size_t name = 0;                             ///< IRIs, too; in XML they are texts
+  std::size_t xml_comment = std::size_t{8} << 20U;  ///< libxml2 keeps one as a whole
+};
+
 /// Goes over a file in stretches. It knows where texts begin and end and nothing else: what it lets pass is scanned by
 /// the reader of its syntax, with the exact limits.
 class LongText {
  public:
-  /// A text are the octets between two ends of tags, of XML, or in one pair of quotation marks, of other syntaxes. Of
-  /// these, too, white space and comments in a row are looked at.
-  LongText(Syntax syntax, std::size_t max_text, std::size_t max_blank)
-      : is_xml_(is_xml(syntax)), max_text_(max_text), max_blank_(max_blank) {}
+  enum class Kind : std::uint8_t { text, blank, name, xml_comment };
+
+  /// A text are the octets between two ends of tags, of XML, or in one pair of quotation marks, of other syntaxes.
+  LongText(Syntax syntax, const LongTextLimits& limits) : is_xml_(is_xml(syntax)), limits_(limits) {}
 
   /// The line in which something begins that is too long; nothing so far.
   [[nodiscard]] std::optional<std::uint32_t> look_at(std::string_view stretch);
-  /// Of what was found: it is white space and comments.
-  [[nodiscard]] bool is_blank() const { return blank_bytes_ > max_blank_; }
+  /// Of what was found.
+  [[nodiscard]] Kind kind() const { return kind_; }
 
  private:
   enum class Within : std::uint8_t { nothing, iri, comment, text, long_text };
@@ -32,10 +40,15 @@ class LongText {
   void step_xml(char c);
   void begin_text(Within within);
   void note_blank(bool is_blank);
+  void note_name(bool is_name);
+  [[nodiscard]] std::optional<std::uint32_t> found(Kind kind, std::uint32_t line) {
+    kind_ = kind;
+    return line;
+  }
 
   bool is_xml_;
-  std::size_t max_text_;
-  std::size_t max_blank_;
+  LongTextLimits limits_;
+  Kind kind_ = Kind::text;
   Within within_ = Within::nothing;
   char quote_ = '"';
   bool is_escaped_ = false;
@@ -46,6 +59,8 @@ class LongText {
   std::size_t text_bytes_ = 0;
   std::size_t blank_bytes_ = 0;
   std::uint32_t blank_begin_ = 1;
+  std::size_t name_bytes_ = 0;  ///< of this name or IRI
+  std::size_t comment_bytes_ = 0;
 };
 
 }  // namespace geminga::rdf

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "rdf/error.hpp"
 #include "rdf/limits.hpp"
@@ -24,6 +25,9 @@ class LongTextWatch {
   std::optional<LoadError> look_at(std::string_view stretch);
 
  private:
+  /// What was too long, and the limit that a user is told.
+  [[nodiscard]] std::pair<std::string_view, std::size_t> beyond() const;
+
   const std::string& path_;
   const Limits& limits_;
   bool is_needed_;

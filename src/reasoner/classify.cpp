@@ -19,6 +19,17 @@ namespace {
 constexpr std::size_t always_derived = 400'000;
 constexpr std::size_t derived_per_axiom = 100;
 constexpr std::size_t max_derived_clauses = 5'000'000;
+/// What a clause may cost of a budget at most, vain attempts included: half of it is kept for models.
+constexpr std::size_t steps_per_clause = 100;
+
+void leave_all_undecided(Classified& result) {
+  result.undecided.consistency = true;
+  result.undecided.classes.clear();
+  const auto empty = result.representative[static_cast<std::size_t>(result.nothing)];
+  for (std::uint32_t of = 0; of < result.class_count(); ++of) {
+    if (result.representative[of] != empty) result.undecided.classes.push_back(el::ClassNumber{of});
+  }
+}
 
 /// Adds what the clauses have as consequences.
 class Deepening {
@@ -31,6 +42,7 @@ class Deepening {
     auto clauses = clauses::clausify(source_, std::nullopt, {});
     if (!clauses) {
       result_.gaps.push_back(clauses.error().text);
+      leave_all_undecided(result_);
       return;
     }
     derive(*clauses);
@@ -55,10 +67,13 @@ class Deepening {
       wanted.push_back(*found);
       classes.push_back(of);
     }
-    const std::size_t most = std::min(max_derived_clauses, always_derived + derived_per_axiom * source_.axiom_count());
-    const consequence::Closure closure =
-        consequence::saturate(source_, clauses, wanted,
-                              {.threads = options_.threads, .clauses = most, .alternatives = options_.alternatives});
+    std::size_t most = std::min(max_derived_clauses, always_derived + derived_per_axiom * source_.axiom_count());
+    if (options_.budget != nullptr) most = std::min<std::size_t>(most, options_.budget->left() / 2 / steps_per_clause);
+    const consequence::Closure closure = consequence::saturate(source_, clauses, wanted,
+                                                               {.threads = options_.threads,
+                                                                .clauses = most,
+                                                                .alternatives = options_.alternatives,
+                                                                .budget = options_.budget});
     if (!closure.is_consistent) return contradict(result_, source_);
     Subsumptions more;
     for (std::size_t at = 0; at < classes.size(); ++at) {
@@ -80,6 +95,7 @@ class Deepening {
   void search(const clauses::ClauseSet& clauses) {
     Completion completion = complete(source_, {result_, clauses, is_settled_, is_plain_}, options_);
     if (!completion.is_consistent) return contradict(result_, source_);
+    if (!completion.gaps.empty()) note_undecided(completion);
     extend(result_, completion.found);
     if (completion.gaps.empty()) {
       result_.gaps.clear();
@@ -90,12 +106,25 @@ class Deepening {
     }
   }
 
+  /// The representatives are those of the taxonomy that was completed.
+  void note_undecided(const Completion& completion) {
+    std::vector<bool> is_open(result_.class_count(), false);
+    for (const std::uint32_t of : completion.open) is_open[of] = true;
+    result_.undecided = {.classes = {}, .consistency = completion.is_consistency_open, .held_up_by = std::nullopt};
+    if (completion.held_up_by) result_.undecided.held_up_by = el::ClassNumber{*completion.held_up_by};
+    for (std::uint32_t of = 0; of < result_.class_count(); ++of) {
+      if (is_open[static_cast<std::size_t>(result_.representative[of])])
+        result_.undecided.classes.push_back(el::ClassNumber{of});
+    }
+  }
+
   /// Where the clauses were exhausted only what is not in them can be missing. Otherwise everything that the fast
   /// engine could not use may have more to say, too.
   void settle(const std::vector<clauses::Unused>& unused) {
     if (!result_.is_consistent) {
       result_.unused.clear();
       result_.gaps.clear();
+      result_.undecided = {};
     } else {
       if (result_.gaps.empty()) result_.unused.clear();
       for (const clauses::Unused& entry : unused) result_.unused.push_back({entry.axiom, entry.construct});
@@ -124,7 +153,7 @@ std::expected<Classified, el::ClassifyError> classify(const el::OntologySource& 
   if (options.progress) options.progress("classifying", 0);
   auto found = el::classify(source, {.threads = options.threads});
   if (!found) return std::unexpected(std::move(found.error()));
-  Classified result{std::move(*found), {}};
+  Classified result{std::move(*found), {}, {}, false};
   if (!result.is_consistent) {
     result.unused.clear();  // nothing can be missing where everything follows
     return result;
@@ -136,8 +165,10 @@ std::expected<Classified, el::ClassifyError> classify(const el::OntologySource& 
     Deepening(source, options, deepened).run();
   } catch (const std::bad_alloc&) {
     result.gaps.emplace_back("there is not enough memory for more than the EL part");
+    leave_all_undecided(result);
     return result;
   }
+  deepened.is_cut_off = options.budget != nullptr && options.budget->is_spent();
   return deepened;
 }
 

@@ -32,12 +32,19 @@ class Completing {
         classification_(given.classification),
         options_(options),
         limits_(limits),
+        question_(limits.question),
         top_(representative(static_cast<std::uint32_t>(classification_.thing))),
-        bottom_(representative(static_cast<std::uint32_t>(classification_.nothing))) {}
+        bottom_(representative(static_cast<std::uint32_t>(classification_.nothing))) {
+    question_.budget = options.budget;
+  }
 
   Completion run() {
     if (classification_.class_count() > limits_.classes) {
       gaps_.insert("more than " + std::to_string(limits_.classes) + " classes are too many to look for models");
+      result_.is_consistency_open = true;
+      for (std::uint32_t of = 0; of < classification_.class_count(); ++of) {
+        if (is_asked(of) && !given_.is_settled[of]) result_.open.push_back(of);
+      }
       return finish();
     }
     known_ = find_ancestors(classification_);
@@ -63,24 +70,36 @@ class Completing {
 
   Completion finish() {
     result_.gaps.assign(gaps_.begin(), gaps_.end());
+    for (std::uint32_t of = 0; of < possible_.size() && !gaps_.empty(); ++of) {
+      const bool is_open = !possible_[of] || !open_above(of).empty();
+      if ((is_asked(of) || of == top_) && !is_empty_[of] && is_open) result_.open.push_back(of);
+    }
     return std::move(result_);
   }
 
-  /// False where no more questions are allowed.
-  bool may_ask(double done) {
+  /// False where no more questions are allowed, and none about this class.
+  bool may_ask(std::uint32_t of, double done) {
     if (options_.progress) options_.progress("looking for models", done);
-    if (questions_ < limits_.questions && unanswered_ < limits_.unanswered) return true;
+    const auto spent = options_.budget == nullptr ? std::nullopt : options_.budget->reason();
+    if (!spent && questions_ < limits_.questions && unanswered_ < limits_.unanswered) return true;
+    if (!result_.held_up_by) result_.held_up_by = of;
+    if (spent) {
+      gaps_.insert(*spent);
+      return false;
+    }
     gaps_.insert(unanswered_ < limits_.unanswered
                      ? "more than " + std::to_string(limits_.questions) + " questions to the tableau"
                      : std::to_string(limits_.unanswered) + " questions were too hard for the tableau");
     return false;
   }
 
-  Verdict note(const Answer& answer) {
+  /// The answer to a question about a class, or about everything.
+  Verdict note(const Answer& answer, std::optional<std::uint32_t> of) {
     ++questions_;
     if (answer.verdict == Verdict::unknown) {
       ++unanswered_;
       gaps_.insert(answer.reason);
+      if (of && !result_.held_up_by) result_.held_up_by = of;
     }
     return answer.verdict;
   }
@@ -166,8 +185,9 @@ class Completing {
   void find_models(const clauses::ClauseSet& clauses) {
     const NamedConcepts concepts(source_, classification_, clauses);
     terms_ = concepts.terms();
-    tableau::Tableau tableau(source_, clauses, limits_.question);
-    const Verdict world = note(tableau.is_consistent());
+    tableau::Tableau tableau(source_, clauses, question_);
+    const Verdict world = note(tableau.is_consistent(), std::nullopt);
+    result_.is_consistency_open = world == Verdict::unknown;
     if (world == Verdict::no) result_.is_consistent = false;
     if (world == Verdict::no) return;
     if (world == Verdict::yes) {
@@ -204,9 +224,9 @@ class Completing {
     // What no clause speaks of has nothing above it.
     if (!asked) possible_[of] = known_[of];
     if (!asked) return true;
-    if (!may_ask(done)) return false;
+    if (!may_ask(of, done)) return false;
     has_model_[of] = true;
-    const Verdict verdict = note(tableau.is_satisfiable({*asked}));
+    const Verdict verdict = note(tableau.is_satisfiable({*asked}), of);
     if (verdict == Verdict::no) set_empty(of);
     if (verdict != Verdict::yes) return true;
     for (const std::uint32_t above : classes_of(tableau.model().certain, concepts)) {
@@ -248,7 +268,7 @@ class Completing {
       return;
     }
     const NamedConcepts concepts(source_, classification_, *clauses);
-    tableau::Tableau tableau(source_, *clauses, limits_.question);
+    tableau::Tableau tableau(source_, *clauses, question_);
     for (std::size_t at = 0; at < order.size(); ++at) {
       const std::uint32_t of = order[at];
       const auto sub = concepts.concept_of(of);
@@ -256,9 +276,9 @@ class Completing {
       for (const std::uint32_t above : open_above(of)) {
         if (!sub || contains(known_[of], above) || contains(known_[top_], above)) continue;
         if (!contains(*possible_[of], above)) continue;
-        if (!may_ask(0.5 + 0.5 * static_cast<double>(at) / static_cast<double>(order.size()))) return;
+        if (!may_ask(of, 0.5 + 0.5 * static_cast<double>(at) / static_cast<double>(order.size()))) return;
         const auto place = static_cast<std::size_t>(std::ranges::lower_bound(asked, above) - asked.begin());
-        const Verdict verdict = note(tableau.is_satisfiable({*sub, clauses->complements[place]}));
+        const Verdict verdict = note(tableau.is_satisfiable({*sub, clauses->complements[place]}), of);
         if (verdict == Verdict::no) add(of, above);
         if (verdict == Verdict::yes) learn(tableau.model(), concepts);
       }
@@ -270,6 +290,7 @@ class Completing {
   const el::Classification& classification_;
   const Options& options_;
   const CompletionLimits& limits_;
+  tableau::Limits question_;
   std::uint32_t top_;
   std::uint32_t bottom_;
   Completion result_;

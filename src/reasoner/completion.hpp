@@ -7,6 +7,8 @@
 #define GEMINGA_REASONER_COMPLETION_HPP
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,10 @@ struct Completion {
   bool is_consistent = true;
   Subsumptions found;             ///< all of them follow
   std::vector<std::string> gaps;  ///< why something may still be missing: sorted, each once; empty: nothing is
+  /// Representatives above which something may still be missing, ascending; nothing where there is no gap.
+  std::vector<std::uint32_t> open;
+  bool is_consistency_open = false;
+  std::optional<std::uint32_t> held_up_by;  ///< the first class of which a question was left open
 };
 
 /// A taxonomy that may lack something.

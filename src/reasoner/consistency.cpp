@@ -14,7 +14,7 @@ constexpr std::size_t max_derived_clauses = 2'000'000;
 
 }  // namespace
 
-Answer is_consistent(const el::OntologySource& source) {
+Answer is_consistent(const el::OntologySource& source, base::Budget* budget) {
   if (source.problem()) return {Verdict::unknown, *source.problem()};
   if (const auto found = el::classify(source)) {
     if (!found->is_consistent) return {Verdict::no, {}};
@@ -22,11 +22,11 @@ Answer is_consistent(const el::OntologySource& source) {
   }
   const auto clauses = clauses::clausify(source, std::nullopt, {});
   if (!clauses) return {Verdict::unknown, clauses.error().text};
-  tableau::Tableau tableau(source, *clauses);
+  tableau::Tableau tableau(source, *clauses, {.budget = budget});
   Answer answer = tableau.is_consistent();
   if (answer.verdict == Verdict::unknown) {
     const consequence::Closure closure =
-        consequence::saturate(source, *clauses, {}, {.threads = 1, .clauses = max_derived_clauses});
+        consequence::saturate(source, *clauses, {}, {.threads = 1, .clauses = max_derived_clauses, .budget = budget});
     if (!closure.is_consistent) return {Verdict::no, {}};
     if (closure.gaps.empty()) answer = {Verdict::yes, {}};
   }

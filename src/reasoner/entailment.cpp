@@ -38,10 +38,11 @@ struct Part {
 class Entailment {
  public:
   Entailment(const el::OntologySource& source, std::span<const std::uint32_t> premise,
-             std::span<const std::uint32_t> conclusion)
+             std::span<const std::uint32_t> conclusion, base::Budget* budget)
       : source_(source),
         premise_(premise),
         conclusion_(conclusion),
+        budget_(budget),
         answers_(conclusion.size(), Answer{Verdict::yes, {}}),
         excerpt_(source, premise),
         challenger_(excerpt_) {}
@@ -52,7 +53,7 @@ class Entailment {
     for (std::size_t at = 0; at < conclusion_.size(); ++at) {
       if (!is_settled_[at]) add_axiom(at);
     }
-    const std::vector<Answer> possible = are_possible(excerpt_, challenges_);
+    const std::vector<Answer> possible = are_possible(excerpt_, challenges_, budget_);
     for (const Part& part : parts_) {
       const Answer answer = conclude(part, possible);
       for (const std::size_t at : part.conclusions) join(answers_[at], answer);
@@ -74,7 +75,7 @@ class Entailment {
   void follow_from_contradiction() {
     const auto is_unknown = [](const Answer& answer) { return answer.verdict == Verdict::unknown; };
     if (std::ranges::none_of(answers_, is_unknown)) return;
-    if (is_consistent(excerpt_.source).verdict != Verdict::no) return;
+    if (is_consistent(excerpt_.source, budget_).verdict != Verdict::no) return;
     for (Answer& answer : answers_) answer = {Verdict::yes, {}};
   }
 
@@ -170,6 +171,7 @@ class Entailment {
   const el::OntologySource& source_;
   std::span<const std::uint32_t> premise_;
   std::span<const std::uint32_t> conclusion_;
+  base::Budget* budget_;
   std::vector<Answer> answers_;
   std::vector<bool> is_settled_;
   Excerpt excerpt_;
@@ -181,9 +183,9 @@ class Entailment {
 }  // namespace
 
 std::vector<Answer> entails_each(const el::OntologySource& source, std::span<const std::uint32_t> premise,
-                                 std::span<const std::uint32_t> conclusion) {
+                                 std::span<const std::uint32_t> conclusion, base::Budget* budget) {
   if (source.problem()) return {conclusion.size(), {Verdict::unknown, *source.problem()}};
-  return Entailment(source, premise, conclusion).run();
+  return Entailment(source, premise, conclusion, budget).run();
 }
 
 }  // namespace geminga::reasoner

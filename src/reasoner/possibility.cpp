@@ -20,8 +20,8 @@ constexpr std::size_t many_derived_clauses = 2'000'000;
 
 class Decision {
  public:
-  Decision(const Excerpt& excerpt, std::span<const Challenge> challenges)
-      : excerpt_(excerpt), challenges_(challenges), answers_(challenges.size()) {}
+  Decision(const Excerpt& excerpt, std::span<const Challenge> challenges, base::Budget* budget)
+      : excerpt_(excerpt), challenges_(challenges), budget_(budget), answers_(challenges.size()) {}
 
   std::vector<Answer> run() {
     const bool has_class = std::ranges::any_of(challenges_, [](const Challenge& asked) { return !!asked.of; });
@@ -103,8 +103,8 @@ class Decision {
 
   /// False where everything is settled at once. Reasons that are known already stay.
   bool ask_consequence(const clauses::ClauseSet& clauses, const std::vector<std::size_t>& asked, std::size_t limit) {
-    const consequence::Closure closure =
-        consequence::saturate(excerpt_.source, clauses, clauses.queries, {.threads = 1, .clauses = limit});
+    const consequence::Closure closure = consequence::saturate(excerpt_.source, clauses, clauses.queries,
+                                                               {.threads = 1, .clauses = limit, .budget = budget_});
     if (!closure.is_consistent) {
       settle_all_impossible();
       return false;
@@ -123,7 +123,7 @@ class Decision {
   }
 
   void ask_tableau(const clauses::ClauseSet& clauses, const std::vector<std::size_t>& asked) {
-    tableau::Tableau tableau(excerpt_.source, clauses);
+    tableau::Tableau tableau(excerpt_.source, clauses, {.budget = budget_});
     for (std::size_t query = 0; query < asked.size(); ++query) {
       Answer& answer = answers_[asked[query]];
       if (answer.verdict != Verdict::unknown) continue;
@@ -137,18 +137,19 @@ class Decision {
   [[nodiscard]] Answer ask_alone(const Challenge& asked) const {
     Excerpt world = excerpt_;
     for (const Statement& statement : asked.statements) world.add(statement);
-    return is_consistent(world.source);
+    return is_consistent(world.source, budget_);
   }
 
   const Excerpt& excerpt_;
   std::span<const Challenge> challenges_;
+  base::Budget* budget_;
   std::vector<Answer> answers_;
 };
 
 }  // namespace
 
-std::vector<Answer> are_possible(const Excerpt& excerpt, std::span<const Challenge> challenges) {
-  return Decision(excerpt, challenges).run();
+std::vector<Answer> are_possible(const Excerpt& excerpt, std::span<const Challenge> challenges, base::Budget* budget) {
+  return Decision(excerpt, challenges, budget).run();
 }
 
 }  // namespace geminga::reasoner

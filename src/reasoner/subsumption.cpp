@@ -24,9 +24,10 @@ bool is_subsumed_in_el(const el::OntologySource& source, std::optional<std::span
 }
 
 /// The consequences of one concept. It says yes or nothing: where it has gaps it cannot say no.
-bool is_derived(const el::OntologySource& source, const clauses::ClauseSet& clauses, el::TermId super) {
-  const consequence::Closure closure =
-      consequence::saturate(source, clauses, clauses.queries, {.threads = 1, .clauses = max_derived_clauses});
+bool is_derived(const el::OntologySource& source, const clauses::ClauseSet& clauses, el::TermId super,
+                base::Budget* budget) {
+  const consequence::Closure closure = consequence::saturate(
+      source, clauses, clauses.queries, {.threads = 1, .clauses = max_derived_clauses, .budget = budget});
   if (!closure.is_consistent) return true;
   return std::ranges::any_of(closure.subsumers.front(), [&](clauses::ConceptId above) {
     const clauses::Concept& found = clauses.concepts[clauses::number(above)];
@@ -37,15 +38,15 @@ bool is_derived(const el::OntologySource& source, const clauses::ClauseSet& clau
 }  // namespace
 
 Answer entails(const el::OntologySource& source, std::optional<std::span<const std::uint32_t>> axioms, el::TermId sub,
-               el::TermId super) {
+               el::TermId super, base::Budget* budget) {
   if (source.problem()) return {Verdict::unknown, *source.problem()};
   if (source.depth(sub) > max_levels || source.depth(super) > max_levels)
     return {Verdict::unknown, "an expression nests over " + std::to_string(max_levels) + " levels"};
   if (is_subsumed_in_el(source, axioms, sub, super)) return {Verdict::yes, {}};
   const auto clauses = clauses::clausify(source, axioms, std::span(&sub, 1), std::span(&super, 1));
   if (!clauses) return {Verdict::unknown, clauses.error().text};
-  Answer counterexample =
-      tableau::Tableau(source, *clauses).is_satisfiable({clauses->queries.front(), clauses->complements.front()});
+  Answer counterexample = tableau::Tableau(source, *clauses, {.budget = budget})
+                              .is_satisfiable({clauses->queries.front(), clauses->complements.front()});
   switch (counterexample.verdict) {
     case Verdict::no:
       return {Verdict::yes, {}};
@@ -56,7 +57,7 @@ Answer entails(const el::OntologySource& source, std::optional<std::span<const s
     case Verdict::unknown:
       break;
   }
-  if (is_derived(source, *clauses, super)) return {Verdict::yes, {}};
+  if (is_derived(source, *clauses, super, budget)) return {Verdict::yes, {}};
   return counterexample;
 }
 

@@ -58,6 +58,7 @@ void Tableau::Search::open(const Disjunction& disjunction, Open& result) {
   result.alternatives.clear();
   result.dependency = disjunction.dependency;
   for (std::uint32_t at = disjunction.begin; at < disjunction.end; ++at) {
+    count_look();
     Choice choice = choices_[at];
     choice.a = graph_.current(choice.a, sets_, result.dependency);
     choice.b = graph_.current(choice.b, sets_, result.dependency);

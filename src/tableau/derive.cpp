@@ -121,6 +121,7 @@ void Tableau::Search::fire(const Plan& plan, FactId id) {
 void Tableau::Search::match(const Plan& plan, std::span<const Step> steps, FactId limit, DependencySet dependency) {
   // Facts that came after the trigger wait for their own turn.
   while (!steps.empty()) {
+    count_look();
     const Step& step = steps.front();
     FactId found = none;
     if (step.kind == StepKind::check_concept) {
@@ -150,11 +151,12 @@ void Tableau::Search::match_each(const Plan& plan, std::span<const Step> steps, 
   for (FactId id = is_forward ? graph_.node(from).out : graph_.node(from).in; id != none;
        id = is_forward ? graph_.fact(id).next_a : graph_.fact(id).next_b) {
     const Fact& fact = graph_.fact(id);
+    count_look();
     const NodeId to = is_forward ? fact.b : fact.a;
     if (id > limit || fact.kind != kind || fact.predicate != step.predicate || !graph_.is_active(to)) continue;
     variables_[is_forward ? step.second : step.first] = to;
     match(plan, steps.subspan(1), limit, unite(dependency, fact.dependency));
-    if (has_clash_) return;
+    if (has_clash_ || is_over_limit()) return;
   }
 }
 
@@ -209,6 +211,7 @@ void Tableau::Search::add_disjunction(std::vector<Choice>& alternatives, Depende
     apply(alternatives.front(), dependency);
   } else {
     const auto begin = static_cast<std::uint32_t>(choices_.size());
+    ++steps_;
     choices_.insert(choices_.end(), alternatives.begin(), alternatives.end());
     disjunctions_.push_back({begin, static_cast<std::uint32_t>(choices_.size()), dependency});
   }

@@ -84,7 +84,7 @@ Tableau::Search::Outcome Tableau::Search::find_consistency() {
   has_question_ = false;
   if (consistency_ && (*consistency_ != Outcome::model || !program_.has_nominals() || base_)) return *consistency_;
   reset();
-  steps_ = 0;
+  steps_ = told_ = 0;
   has_failed_ = false;
   reason_.clear();
   load_facts();
@@ -123,7 +123,7 @@ Answer Tableau::Search::is_satisfiable(std::vector<clauses::ConceptId> together)
   }
   question_ = std::move(together);
   has_question_ = true;
-  steps_ = 0;
+  steps_ = told_ = 0;
   has_failed_ = false;
   reason_.clear();
   ask();

@@ -2,11 +2,12 @@
 #include "tableau/search.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace geminga::tableau {
 
 Tableau::Search::Search(const el::OntologySource& source, const clauses::ClauseSet& set, const Limits& limits)
-    : source_(source), set_(set), limits_(limits), program_(set), values_(source, set) {
+    : source_(source), set_(set), limits_(limits), budget_(limits.budget), program_(set), values_(source, set) {
   variables_.assign(256, 0);
 }
 
@@ -19,8 +20,12 @@ void Tableau::Search::clash(DependencySet dependency) {
 bool Tableau::Search::is_over_limit() {
   if (graph_.node_count() - (base_ ? base_->mark.nodes : 0) > limits_.nodes) {
     reason_ = "more than " + std::to_string(limits_.nodes) + " nodes were needed";
+  } else if (graph_.facts().size() - (base_ ? base_->mark.facts : 0) > limits_.facts) {
+    reason_ = "more than " + std::to_string(limits_.facts) + " facts were needed";
   } else if (steps_ > limits_.steps) {
     reason_ = "more than " + std::to_string(limits_.steps) + " steps were needed";
+  } else if (const std::size_t told = std::exchange(told_, steps_); !budget_.spend(steps_ - told)) {
+    reason_ = limits_.budget->reason().value_or("");
   } else {
     return false;
   }
@@ -112,6 +117,8 @@ bool Tableau::Search::go_back() {
 
 void Tableau::Search::check_values() {
   if (graph_.value_count() == 0) return;
+  constexpr std::size_t values_a_step = 4;  // all of them are looked at again
+  steps_ += graph_.value_count() / values_a_step;
   if (const auto dependency = values_.clash(graph_, sets_, unknown_value_)) clash(*dependency);
 }
 

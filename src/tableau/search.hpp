@@ -119,6 +119,11 @@ class Tableau::Search {
   void restore(const State& state);
   void reset();
   bool is_over_limit();
+  /// Counts what was looked at in vain: so many looks take the time that a fact takes.
+  void count_look() {
+    constexpr std::size_t looks_a_step = 16;
+    if (++looked_ % looks_a_step == 0) ++steps_;
+  }
   void clash(DependencySet dependency);
 
   // choose.cpp: which disjunction is next
@@ -204,6 +209,7 @@ class Tableau::Search {
   const el::OntologySource& source_;
   const clauses::ClauseSet& set_;
   Limits limits_;
+  base::BudgetUse budget_;
   Program program_;
   ValueCheck values_;
   DependencySets sets_;
@@ -237,6 +243,8 @@ class Tableau::Search {
   std::unordered_map<el::TermId, NodeId> constants_;
   std::vector<bool> is_named_;  ///< by node, for keys
   std::size_t steps_ = 0;
+  std::size_t looked_ = 0;  ///< what is less than a step
+  std::size_t told_ = 0;    ///< steps that the budget knows of
   std::string reason_;
   std::string unknown_value_;
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/budget.hpp"
 #include "clauses/clause.hpp"
 
 namespace geminga::tableau {
@@ -25,7 +26,11 @@ struct Answer {
 /// Work is counted, never timed, so that the same question has the same answer everywhere.
 struct Limits {
   std::size_t nodes = 100'000;
-  std::size_t steps = 20'000'000;  ///< facts derived and nodes looked at for blocking, over all branches
+  /// Facts derived, alternatives and matches looked at, nodes looked at for blocking, over all branches.
+  std::size_t steps = 20'000'000;
+  std::size_t facts = 4'000'000;  ///< that are there at once, so that memory is bounded: about 50 octets each
+  /// What the steps of all questions are taken from, beside other work; nothing: only the limits above hold. Borrowed.
+  base::Budget* budget = nullptr;
 };
 
 /// A model as far as it tells what is not entailed: what holds of each of its nodes that is not blocked. Nodes that it

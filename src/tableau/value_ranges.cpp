@@ -144,11 +144,7 @@ KnownSet ValueRanges::evaluate(TermId id, unsigned depth) {
       break;
     }
     case TermKind::data_one_of:
-      for (const TermId argument : term.arguments) {
-        const KnownSet part = evaluate(argument, depth + 1);
-        set = {set.least.union_with(part.least), set.most.union_with(part.most),
-               set.reason.empty() ? part.reason : set.reason};
-      }
+      set = enumeration(term);
       break;
     case TermKind::literal: {
       const std::optional<Value>& one = value(id);
@@ -172,8 +168,28 @@ KnownSet ValueRanges::datatype(TermId id, unsigned depth) {
   return {ValueSet::nothing(), ValueSet::everything(), "the datatype <" + std::string(iri) + "> is not known"};
 }
 
+KnownSet ValueRanges::enumeration(const el::Term& term) {
+  if (term.arguments.size() > max_enumerated_values) {
+    return {ValueSet::nothing(), ValueSet::everything(),
+            "an enumeration has more than " + std::to_string(max_enumerated_values) + " values"};
+  }
+  std::vector<Value> values;
+  for (const TermId literal : term.arguments) {
+    if (const auto& one = value(literal)) values.push_back(*one);
+  }
+  const bool is_known = values.size() == term.arguments.size();
+  ValueSet listed = ValueSet::of(values);
+  if (is_known) return exactly(std::move(listed));
+  return {std::move(listed), ValueSet::everything(), "literals of datatypes that are not known"};
+}
+
 KnownSet ValueRanges::restriction(const el::Term& term, unsigned depth) {
   KnownSet set = evaluate(term.arguments[0], depth + 1);
+  if (term.arguments.size() - 1 > max_facets) {
+    set.least = ValueSet::nothing();
+    set.reason = "a restriction has more than " + std::to_string(max_facets) + " facets";
+    return set;
+  }
   for (const TermId one : term.arguments.subspan(1)) {
     const el::Term term_of_facet = source_.term(one);
     const std::string_view name = source_.name(term_of_facet.name);

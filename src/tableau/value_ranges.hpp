@@ -2,6 +2,7 @@
 #ifndef GEMINGA_TABLEAU_VALUE_RANGES_HPP
 #define GEMINGA_TABLEAU_VALUE_RANGES_HPP
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,6 +12,10 @@
 #include "tableau/value_set.hpp"
 
 namespace geminga::tableau {
+
+/// Larger enumerations, and restrictions by more facets, may have any of the values that they could have.
+inline constexpr std::size_t max_enumerated_values = 20'000;
+inline constexpr std::size_t max_facets = 1000;
 
 /// What is known of a set: it has at least the values of `least` and at most those of `most`.
 struct KnownSet {
@@ -36,6 +41,7 @@ class ValueRanges {
   /// `depth` bounds definitions that define each other in a circle.
   KnownSet evaluate(el::TermId term, unsigned depth);
   KnownSet datatype(el::TermId term, unsigned depth);
+  KnownSet enumeration(const el::Term& term);
   KnownSet restriction(const el::Term& term, unsigned depth);
   /// The values of the base type that a facet allows.
   std::optional<ValueSet> facet(std::string_view name, el::TermId value);

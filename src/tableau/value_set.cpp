@@ -158,6 +158,12 @@ ValueSet ValueSet::one(const Value& value) {
   return result;
 }
 
+ValueSet ValueSet::of(const std::vector<Value>& values) {
+  ValueSet result;
+  result.exceptions_.insert(values.begin(), values.end());
+  return result;
+}
+
 ValueSet ValueSet::layer(DataFamily family, std::uint8_t layer, const Intervals& intervals) {
   ValueSet result;
   result.layers_[index(family)][layer] = intervals.intersection(domain_of(family, layer));

@@ -13,6 +13,15 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using Lines = std::vector<std::string>;
 
+// Each of the individuals tells all others what it is, so that a few lines make millions of messages.
+TEST(Closure, IsCutOffWhereTooManyMessagesWait) {
+  std::string text = "SubClassOf(:A ObjectUnionOf(:B :C)) SameIndividual(";
+  for (int number = 0; number < 1200; ++number) text += ":i" + std::to_string(number) + ' ';
+  const el::OntologySource source = written(text + ")");
+  const Closure closure = saturate(source, clauses_of(source), {}, {.clauses = 200'000});
+  EXPECT_THAT(closure.gaps, testing::Contains("more than 1200000 messages between contexts waited"));
+}
+
 TEST(Closure, OfNothingIsEmpty) {
   EXPECT_THAT(closure_of(""), IsEmpty());
   EXPECT_THAT(gaps_of(""), IsEmpty());

@@ -104,6 +104,27 @@ TEST_F(OntologyLoaderTest, RefusesWhatIsNoCompiledOntology) {
   EXPECT_THAT(given.error(), ElementsAre(HasSubstr("none.geminga: ")));
 }
 
+TEST_F(OntologyLoaderTest, BoundsTheSearchOfTheCompiler) {
+  const Result result = load(R"(shift 4; echo "$*" >&2; exit 1)", {"/a.ttl"});
+  ASSERT_FALSE(result);
+  EXPECT_THAT(result.error(), ElementsAre("--time-limit 30 --steps 200000000"));
+}
+
+TEST_F(OntologyLoaderTest, UsesWhatIsSettledWhereTheCompilerReachedItsLimit) {
+  el::OntologySource source;
+  (void)source.add_file("a.ttl");
+  const std::vector<std::byte> bytes = el::compile(source, el::classify(source).value());
+  const std::string path = folder / "settled";
+  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
+  const Result settled = load("echo a limit >&2; cat " + path + "; exit 4", {"a.ttl"});
+  ASSERT_TRUE(settled);
+  EXPECT_NE(settled->ontology, nullptr);
+  EXPECT_THAT(settled->remarks, ElementsAre("a limit"));
+  const Result nothing = load("echo a limit >&2; exit 4", {"a.ttl"});
+  ASSERT_FALSE(nothing) << "the limit came before anything was written";
+  EXPECT_THAT(nothing.error(), ElementsAre("a limit"));
+}
+
 TEST_F(OntologyLoaderTest, RefusesACompiledOntologyThatIsOlderThanItsSources) {
   const std::string source_path = folder / "a.ttl";
   const std::string compiled_path = folder / "a.geminga";

@@ -27,6 +27,22 @@ TEST(OntologySource, InternsEqualTerms) {
   EXPECT_NE(source.literal("1", "", "en"), source.literal("1", ""));
 }
 
+// 16 MiB, and 256 octets for each name.
+TEST(OntologySource, TakesLongNamesButNotOnlyToFillTheMemory) {
+  const auto with_names = [](std::size_t count, std::size_t size) {
+    OntologySource source;
+    for (std::size_t at = 0; at < count; ++at) {
+      std::string name = std::to_string(at);
+      name.resize(size, 'n');
+      source.named_class(name);
+    }
+    return source.problem().value_or("");
+  };
+  EXPECT_EQ(with_names(256, 65'536), "");
+  EXPECT_THAT(with_names(258, 65'536), HasSubstr("bytes together"));
+  EXPECT_EQ(with_names(100'000, 250), "") << "as many octets of usual names are no problem";
+}
+
 TEST(OntologySource, LeavesOutWhatIsMalformed) {
   OntologySource source;
   const FileId file = source.add_file("f");

@@ -10,7 +10,7 @@ namespace {
 
 /// The line that is said of a text, read in stretches of this many octets.
 std::optional<std::uint32_t> found(Syntax syntax, const std::string& text, std::size_t stretch) {
-  LongText watch(syntax, 10, 40);
+  LongText watch(syntax, {.text = 10, .blank = 40, .name = 50, .xml_comment = 80});
   for (std::size_t at = 0; at < text.size(); at += stretch) {
     if (const auto line = watch.look_at(std::string_view(text).substr(at, stretch))) return line;
   }
@@ -52,6 +52,28 @@ TEST(LongText, FindsTooMuchWhiteSpaceAndComment) {
   EXPECT_EQ(found(Syntax::n_triples, blanks(40), 7), std::nullopt);
   EXPECT_EQ(found(Syntax::n_triples, blanks(41), 7), 1U);
   EXPECT_EQ(found(Syntax::rdf_xml, blanks(41), 7), 1U) << "it is a text there";
+}
+
+TEST(LongText, FindsANameThatGoesOnAndOn) {
+  const auto name = [](std::size_t size) { return "<a> <b> \n " + std::string(size, 'n') + " <c> ."; };
+  const auto iri = [](std::size_t size) { return "<a> <b> \n <" + std::string(size, 'n') + "> ."; };
+  for (const std::size_t stretch : {1U, 7U, 1000U}) {
+    for (const Syntax syntax : {Syntax::turtle, Syntax::n_triples, Syntax::functional}) {
+      EXPECT_EQ(found(syntax, name(50), stretch), std::nullopt);
+      EXPECT_EQ(found(syntax, name(51), stretch), 2U);
+      EXPECT_EQ(found(syntax, iri(50), stretch), std::nullopt);
+      EXPECT_EQ(found(syntax, iri(51), stretch), 2U);
+    }
+  }
+}
+
+TEST(LongText, FindsAnXmlCommentThatLibxml2WouldKeepAsAWhole) {
+  const auto comment = [](std::size_t size) { return "<a>\n<!--" + std::string(size - 3, 'c') + "--></a>"; };
+  for (const std::size_t stretch : {1U, 7U, 1000U}) {
+    EXPECT_EQ(found(Syntax::rdf_xml, comment(79), stretch), std::nullopt);
+    EXPECT_EQ(found(Syntax::rdf_xml, comment(80), stretch), std::nullopt);
+    EXPECT_EQ(found(Syntax::rdf_xml, comment(81), stretch), 2U);
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "clauses/clausify.hpp"
 #include "el/written.hpp"
+#include "tableau/value_ranges.hpp"
 
 namespace geminga::tableau {
 namespace {
@@ -339,6 +340,48 @@ TEST(Limits, OfStepsGiveNoAnswerBeyondTheLastOne) {
   EXPECT_EQ(answer_with({.steps = 4}, text), "yes");
   EXPECT_EQ(answer_with({.steps = 3}, text), "yes");
   EXPECT_EQ(answer_with({.steps = 2}, text), "unknown: more than 2 steps were needed");
+}
+
+TEST(Limits, OfFactsGiveNoAnswerBeyondTheLastOne) {
+  const std::string text = "ClassAssertion(A i:a)\nClassAssertion(B i:a)\nClassAssertion(C i:a)";
+  EXPECT_EQ(answer_with({.facts = 4}, text), "yes");
+  EXPECT_EQ(answer_with({.facts = 3}, text), "yes");
+  EXPECT_EQ(answer_with({.facts = 2}, text), "unknown: more than 2 facts were needed");
+}
+
+TEST(Limits, OfABudgetAreThoseOfAllQuestionsTogether) {
+  const el::OntologySource source = el::written("SubClassOf(A ObjectUnionOf(B C))\nClassAssertion(A i:a)");
+  const auto set = clauses::clausify(source, std::nullopt, {});
+  base::Budget budget(1'000'000, [] { return true; });
+  Tableau tableau(source, *set, {.budget = &budget});
+  EXPECT_FALSE(budget.spend(1));
+  EXPECT_EQ(to_string(tableau.is_consistent()), "unknown: the time limit was reached");
+}
+
+/// Whether A can have a value of an enumeration of so many, which is not 0.
+std::string answer_of_enumeration(std::size_t values) {
+  std::string text = "SubClassOf(A DataSomeValuesFrom(d:u DataOneOf(";
+  for (std::size_t at = 0; at < values; ++at) text += "\"" + std::to_string(at) + "\"^x:integer ";
+  return answer_with({}, text + ")))\nClassAssertion(A i:a)\nDataPropertyRange(d:u x:string)");
+}
+
+TEST(Limits, OfEnumerationsLeaveOpenWhichValuesThereAre) {
+  EXPECT_EQ(answer_of_enumeration(max_enumerated_values - 1), "no");
+  EXPECT_EQ(answer_of_enumeration(max_enumerated_values), "no");
+  EXPECT_EQ(answer_of_enumeration(max_enumerated_values + 1), "unknown: an enumeration has more than 20000 values");
+}
+
+std::string answer_of_facets(std::size_t facets) {
+  std::string text = "SubClassOf(A DataSomeValuesFrom(d:u DatatypeRestriction(x:integer";
+  for (std::size_t at = 0; at < facets; ++at) text += " x:minInclusive \"" + std::to_string(at) + "\"^x:integer";
+  return answer_with({}, text + ")))\nClassAssertion(A i:a)\n" +
+                             "DataPropertyRange(d:u DatatypeRestriction(x:integer x:maxInclusive \"5\"^x:integer))");
+}
+
+TEST(Limits, OfFacetsLeaveOpenWhichValuesThereAre) {
+  EXPECT_EQ(answer_of_facets(max_facets - 1), "no");
+  EXPECT_EQ(answer_of_facets(max_facets), "no");
+  EXPECT_EQ(answer_of_facets(max_facets + 1), "unknown: a restriction has more than 1000 facets");
 }
 
 INSTANTIATE_TEST_SUITE_P(OfValues, Models, testing::ValuesIn(value_cases),

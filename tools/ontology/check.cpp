@@ -44,6 +44,25 @@ std::string left_out_as_text(const Findings& findings, bool shows_all) {
   return text;
 }
 
+/// At most so many lines of a list, unless all are wanted.
+std::string lines_of(const std::vector<std::string>& lines, bool shows_all) {
+  std::string text;
+  const std::size_t shown = shows_all ? lines.size() : std::min(lines.size(), max_shown);
+  for (std::size_t at = 0; at < shown; ++at) text += "  " + lines[at] + '\n';
+  if (shown < lines.size()) text += "  and " + std::to_string(lines.size() - shown) + " more: --all\n";
+  return text;
+}
+
+std::string open_as_text(const Open& open, bool shows_all) {
+  std::string text;
+  if (open.consistency) text += "Not decided: whether the files contradict themselves.\n";
+  if (!open.classes.empty())
+    text += "Not decided: whether more is above " + counted(open.classes.size(), "class", "classes") + ":\n" +
+            lines_of(open.classes, shows_all);
+  if (open.held_up_by) text += "Held up by " + *open.held_up_by + '\n';
+  return text;
+}
+
 std::string sources_as_text(const Sources& sources) {
   std::string text = counted(sources.files.size(), "file", "files") + ", ";
   if (sources.triples) text += counted(*sources.triples, "triple", "triples") + ", ";
@@ -71,11 +90,20 @@ std::string doubts_as_text(const Sources& sources) {
 
 std::string problems_as_text(const Findings& findings) {
   std::string text;
-  if (!findings.unsatisfiable.empty()) text += "Classes that can have no instance:\n";
+  const auto add_reason = [&](const std::vector<reasoner::ExplainedAxiom>& reason) {
+    for (const reasoner::ExplainedAxiom& axiom : reason)
+      text += "    because " + axiom.text + "   [" + place(axiom.file, axiom.line) + "]\n";
+  };
+  if (!findings.is_consistent) {
+    text += findings.contradiction.empty() ? "" : "These contradict each other, and no fewer of them do:\n";
+    add_reason(findings.contradiction);
+  }
+  if (!findings.unsatisfiable.empty())
+    text += findings.is_consistent ? "Classes that can have no instance:\n"
+                                   : "Classes that can have no instance even if all facts are left aside:\n";
   for (const Unsatisfiable& found : findings.unsatisfiable) {
     text += "  " + found.name + '\n';
-    for (const reasoner::ExplainedAxiom& axiom : found.reason)
-      text += "    because " + axiom.text + "   [" + place(axiom.file, axiom.line) + "]\n";
+    add_reason(found.reason);
   }
   if (!findings.collisions.found.empty())
     text += "Names with equal 32-bit identities (they never match by accident):\n";
@@ -86,15 +114,6 @@ std::string problems_as_text(const Findings& findings) {
   }
   if (!findings.collisions.is_whole)
     text += "Identities of concepts with representations were not compared: there are too many.\n";
-  return text;
-}
-
-/// At most so many lines of a list, unless all are wanted.
-std::string lines_of(const std::vector<std::string>& lines, bool shows_all) {
-  std::string text;
-  const std::size_t shown = shows_all ? lines.size() : std::min(lines.size(), max_shown);
-  for (std::size_t at = 0; at < shown; ++at) text += "  " + lines[at] + '\n';
-  if (shown < lines.size()) text += "  and " + std::to_string(lines.size() - shown) + " more: --all\n";
   return text;
 }
 
@@ -130,28 +149,31 @@ std::string names_as_text(const NameFindings& names, bool shows_all) {
 }
 
 Exit report(const Findings& findings, const Request& request) {
-  const std::string text =
-      request.as_json ? as_json(findings)
-                      : sources_as_text(findings.sources) + left_out_as_text(findings, request.shows_all) +
-                            doubts_as_text(findings.sources) + names_as_text(findings.names, request.shows_all) +
-                            problems_as_text(findings) + verdict(findings) + '\n';
+  const std::string text = request.as_json
+                               ? as_json(findings)
+                               : sources_as_text(findings.sources) + left_out_as_text(findings, request.shows_all) +
+                                     open_as_text(findings.open, request.shows_all) + doubts_as_text(findings.sources) +
+                                     names_as_text(findings.names, request.shows_all) + problems_as_text(findings) +
+                                     verdict(findings) + '\n';
   if (!print(text)) return say_error("standard output cannot be written");
   return findings.has_problem() ? Exit::no : Exit::yes;
 }
 
-Exit check(const Request& request) {
+Exit check(const Request& request, const WorkLimits& limits) {
+  base::Budget budget = budget_of(limits);
   if (is_compiled(request.files)) {
     const auto compiled = open_compiled(request.files.front());
     if (!compiled) return say_failure(compiled.error().text, request.as_json, Exit::no);
-    return report(find(*compiled), request);
+    return report(find(*compiled, budget), request);
   }
-  const auto knowledge = learn(request.files, {.as_json = request.as_json});
+  const auto knowledge = learn(request.files, {.as_json = request.as_json, .budget = &budget});
   if (!knowledge)
     return say_failure(knowledge.error().text, request.as_json,
                        knowledge.error().is_unreadable ? Exit::usage : Exit::no);
   const auto ontology = open_or_say(*knowledge);
   if (!ontology) return Exit::usage;
-  return report(find(*knowledge, *ontology), request);
+  const Exit exit = report(find(*knowledge, *ontology, budget), request);
+  return exit == Exit::usage ? exit : exit_of(*knowledge, exit);
 }
 
 }  // namespace
@@ -166,6 +188,7 @@ void add_check(CLI::App& program, Choice& choice) {
   command->add_flag("--json", request->as_json, "print one JSON document, with every axiom that was left out");
   command->add_flag("--all", request->shows_all,
                     "list every axiom that was left out, not only " + std::to_string(max_shown) + " a construct");
+  add_work_limits(*command, choice.limits);
   command->footer(
       "\nExit status 1: a broken file, a contradiction, a class that can have no instance, a hash collision, a name "
       "that\n"
@@ -173,9 +196,10 @@ void add_check(CLI::App& program, Choice& choice) {
       "namespace. Names of a namespace of which nothing is declared are summed up, and are no problem.\n"
       "A single file that compile wrote is verified and says what its sources said; status 1, too, if it is damaged "
       "or\n"
-      "older than they are.\n"
+      "older than they are. Exit status 4: a limit was reached; what is printed is right, and what is not decided is\n"
+      "named.\n"
       "\nExamples:\n  geminga-ontology check my-team.ttl team/\n  geminga-ontology check team.geminga");
-  command->callback([request, &choice] { choice.run = [request] { return check(*request); }; });
+  command->callback([request, &choice] { choice.run = [request, &choice] { return check(*request, choice.limits); }; });
 }
 
 }  // namespace geminga::ontology

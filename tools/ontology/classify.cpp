@@ -97,13 +97,15 @@ bool write(const Knowledge& knowledge, const Request& request) {
   return write_one(written.object_properties) && write_one(written.data_properties);
 }
 
-Exit classify(const Request& request) {
-  const auto knowledge = learn_or_say(request.files, {.threads = request.threads, .as_json = request.as_json});
+Exit classify(const Request& request, const WorkLimits& limits) {
+  base::Budget budget = budget_of(limits);
+  const auto knowledge =
+      learn_or_say(request.files, {.threads = request.threads, .as_json = request.as_json, .budget = &budget});
   if (!knowledge) return Exit::usage;
   if (!write(*knowledge, request) || std::fflush(stdout) != 0) return say_error("standard output cannot be written");
   if (!request.stats.empty() && !write_stats(*knowledge, request.threads, request.stats))
     return say_error(request.stats + " cannot be written: name another file behind --stats");
-  return Exit::yes;
+  return exit_of(*knowledge, Exit::yes);
 }
 
 }  // namespace
@@ -116,18 +118,20 @@ void add_classify(CLI::App& program, Choice& choice) {
                                            "print SUB<TAB>SUPER for every entailed subsumption, full IRIs, sorted");
   command->add_flag("--json", request->as_json, "print the taxonomy as one JSON document")->excludes(closure);
   add_number(*command, "--threads", request->threads, 1, 256, "how many threads saturate; the result is the same");
+  add_work_limits(*command, choice.limits);
   command->add_option("--stats", request->stats, "write counts, times and memory of the run as JSON")
       ->type_name("FILE");
   command->add_flag("--properties", request->are_properties,
                     "print the taxonomies of object and of data properties instead (with --json: too)");
   command->footer(
       "\nThe closure has equivalents in both directions, owl:Thing never as SUPER, and as SUB only where a class is\n"
-      "everything; a class that can have no instance has the one line CLASS<TAB>owl:Nothing.\n"
+      "everything; a class that can have no instance has the one line CLASS<TAB>owl:Nothing. Where a limit is\n"
+      "reached, what is printed follows, standard error says what is not decided, and the exit status is 4.\n"
       "\nExamples:\n  geminga-ontology classify team/ --closure --stats run.json\n"
       "  geminga-ontology classify team/ --properties");
   command->callback([request, &choice] {
     if (!request->stats.empty()) choice.outputs.push_back(request->stats);
-    choice.run = [request] { return classify(*request); };
+    choice.run = [request, &choice] { return classify(*request, choice.limits); };
   });
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "limits.hpp"
+
 namespace CLI {
 class App;
 }
@@ -27,7 +29,7 @@ struct Choice {
   std::function<Exit()> prepare;
   std::vector<std::string> outputs;  ///< files that it writes
   unsigned memory_limit_mib = 0;     ///< 0: none
-  unsigned time_limit_s = 0;         ///< 0: none
+  WorkLimits limits;                 ///< of those that search
 };
 
 void add_check(CLI::App& program, Choice& choice);

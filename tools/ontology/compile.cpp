@@ -71,19 +71,20 @@ std::vector<std::string> remarks(const Knowledge& knowledge, const el::Ontology&
   return lines;
 }
 
-Exit compile(const Request& request) {
+Exit compile(const Request& request, const WorkLimits& limits) {
   constexpr std::size_t max_remarks = 20;
+  base::Budget budget = budget_of(limits);
   // The daemon, which reads standard output, shows what is said here as something that its user should look at.
-  auto knowledge = learn_or_say(request.files, {.says_files = request.out != to_standard_output});
+  auto knowledge = learn_or_say(request.files, {.says_files = request.out != to_standard_output, .budget = &budget});
   if (!knowledge) return Exit::usage;
   if (const auto problem = add_prefixes(request.prefixes, knowledge->loaded.source)) return say_error(*problem);
   if (is_source(request.out, request.files, knowledge->loaded.source)) {
     return say_error(request.out + " is one of the sources: name another file behind -o");
   }
+  const std::vector<std::string> gaps = gaps_of(*knowledge);
   const std::vector<std::byte> bytes =
       el::compile(knowledge->loaded.source, knowledge->classification,
-                  {.gaps = knowledge->classification.gaps,
-                   .folder = request.out == to_standard_output ? "" : el::folder_of(request.out)});
+                  {.gaps = gaps, .folder = request.out == to_standard_output ? "" : el::folder_of(request.out)});
   // What cannot be read back is not written.
   const auto ontology = el::Ontology::from_bytes(bytes);
   if (!ontology) return say_error(ontology.error().text);
@@ -94,7 +95,7 @@ Exit compile(const Request& request) {
   for (std::size_t line = 0; line < std::min(lines.size(), max_remarks); ++line) say_error(lines[line]);
   if (lines.size() > max_remarks)
     say_error(std::to_string(lines.size() - max_remarks) + " more remarks: see geminga-ontology check");
-  return exit;
+  return exit_of(*knowledge, exit);
 }
 
 }  // namespace
@@ -116,12 +117,15 @@ void add_compile(CLI::App& program, Choice& choice) {
       ->allow_extra_args(false);
   add_number(*command, "--memory-limit", choice.memory_limit_mib, 64, 1'000'000,
              "most address space to use, in MiB; more memory is a longer start, less refuses large ontologies");
-  add_number(*command, "--time-limit", choice.time_limit_s, 1, 1'000'000,
-             "most processor time to use, in seconds; then exit 4");
-  command->footer("\nExample:\n  geminga-ontology compile team/ -o team.geminga --memory-limit 512 --time-limit 30");
+  add_work_limits(*command, choice.limits);
+  command->footer(
+      "\nExit status 4: a limit was reached. Where a search reached it, OUT is written all the same, with what was "
+      "settled,\n"
+      "and says what is not decided.\n"
+      "\nExample:\n  geminga-ontology compile team/ -o team.geminga --memory-limit 512 --time-limit 30");
   command->callback([request, &choice] {
     if (request->out != to_standard_output) choice.outputs.push_back(request->out);
-    choice.run = [request] { return compile(*request); };
+    choice.run = [request, &choice] { return compile(*request, choice.limits); };
   });
 }
 

@@ -34,12 +34,13 @@ std::string as_text(const Answer& answer) {
   return {};
 }
 
-Exit consistent(const Request& request) {
+Exit consistent(const Request& request, const WorkLimits& limits) {
   Progress progress(!request.as_json);
   const auto loaded = load(request.files, progress);
   if (!loaded) return say_failure(loaded.error().text, request.as_json);
   progress.show("deciding", 0, loaded->source.axiom_count() > 10'000);
-  Answer answer = reasoner::is_consistent(loaded->source);
+  base::Budget budget = budget_of(limits);
+  Answer answer = reasoner::is_consistent(loaded->source, &budget);
   // What was not understood can only make a contradiction, never undo one.
   if (answer.verdict == Verdict::yes) {
     if (auto unread = find_unread(loaded->source, {})) answer = {Verdict::unknown, std::move(*unread)};
@@ -49,7 +50,8 @@ Exit consistent(const Request& request) {
   if (!print(request.as_json ? as_json(answer) : as_text(answer)))
     return say_error("standard output cannot be written");
   if (answer.verdict == Verdict::unknown)
-    return say_error("it cannot be decided whether there is a contradiction: " + answer.reason);
+    return say_error("it cannot be decided whether there is a contradiction: " + answer.reason,
+                     budget.is_spent() ? Exit::timed_out : Exit::usage);
   return answer.verdict == Verdict::yes ? Exit::yes : Exit::no;
 }
 
@@ -60,13 +62,13 @@ void add_consistent(CLI::App& program, Choice& choice) {
   CLI::App* command = program.add_subcommand("consistent", "Tell whether the files contradict themselves");
   add_files(*command, request->files);
   command->add_flag("--json", request->as_json, "print one JSON document");
-  add_number(*command, "--time-limit", choice.time_limit_s, 1, 1'000'000,
-             "most processor time to use, in seconds; then exit 4");
+  add_work_limits(*command, choice.limits);
   command->footer(
       "\nExit status: 0 they do not, 1 they do, 2 it cannot be decided (the reason is printed), or a file cannot be\n"
-      "loaded. Imports that no given file answers are left aside.\n"
+      "loaded, 4 a limit was reached before it was decided. Imports that no given file answers are left aside.\n"
       "\nExample:\n  geminga-ontology consistent team/");
-  command->callback([request, &choice] { choice.run = [request] { return consistent(*request); }; });
+  command->callback(
+      [request, &choice] { choice.run = [request, &choice] { return consistent(*request, choice.limits); }; });
 }
 
 }  // namespace geminga::ontology

@@ -41,9 +41,9 @@ Answer join(const std::vector<Finding>& findings, const Argument& argument) {
   return all;
 }
 
-std::vector<Finding> decide(const Argument& argument) {
+std::vector<Finding> decide(const Argument& argument, base::Budget& budget) {
   const el::OntologySource& source = argument.loaded.source;
-  const auto answers = reasoner::entails_each(source, argument.premise, argument.conclusion);
+  const auto answers = reasoner::entails_each(source, argument.premise, argument.conclusion, &budget);
   const auto short_name = short_names(source);
   std::vector<Finding> findings;
   for (std::size_t at = 0; at < answers.size(); ++at) {
@@ -82,8 +82,9 @@ std::string as_json(const std::vector<Finding>& findings, const Answer& all) {
 std::string as_text(const std::vector<Finding>& findings, const Answer& all) {
   std::string text;
   for (const Finding& finding : findings) {
-    if (finding.answer.verdict == Verdict::yes) continue;
-    text += finding.answer.verdict == Verdict::no ? "does not follow: " : "is not decided:  ";
+    text += finding.answer.verdict == Verdict::yes  ? "follows:         "
+            : finding.answer.verdict == Verdict::no ? "does not follow: "
+                                                    : "is not decided:  ";
     text += finding.axiom + "   [" + finding.place + "]\n";
     if (!finding.answer.reason.empty()) text += "  because " + finding.answer.reason + '\n';
   }
@@ -93,19 +94,21 @@ std::string as_text(const std::vector<Finding>& findings, const Answer& all) {
   return text;
 }
 
-Exit entails(const Request& request) {
+Exit entails(const Request& request, const WorkLimits& limits) {
   Progress progress(!request.as_json);
   const auto argument = load_argument(request.premise, request.conclusion, progress);
   if (!argument) return say_failure(argument.error().text, request.as_json);
   progress.show("deciding", 0, argument->premise.size() > 10'000);
-  const std::vector<Finding> findings = decide(*argument);
+  base::Budget budget = budget_of(limits);
+  const std::vector<Finding> findings = decide(*argument, budget);
   const Answer all = join(findings, *argument);
   progress.clear();
   say_unresolved(argument->loaded);
   if (!print(request.as_json ? as_json(findings, all) : as_text(findings, all)))
     return say_error("standard output cannot be written");
   if (all.verdict == Verdict::unknown)
-    return say_error("it cannot be decided whether all of it follows: " + all.reason);
+    return say_error("it cannot be decided whether all of it follows: " + all.reason,
+                     budget.is_spent() ? Exit::timed_out : Exit::usage);
   return all.verdict == Verdict::yes ? Exit::yes : Exit::no;
 }
 
@@ -119,15 +122,16 @@ void add_entails(CLI::App& program, Choice& choice) {
       ->required()
       ->type_name("");
   command->add_flag("--json", request->as_json, "print one JSON document, with every axiom");
-  add_number(*command, "--time-limit", choice.time_limit_s, 1, 1'000'000,
-             "most processor time to use, in seconds; then exit 4");
+  add_work_limits(*command, choice.limits);
   command->footer(
       "\nExit status: 0 all of it follows, 1 an axiom does not, 2 it cannot be decided (the reason is printed), or a "
       "file\n"
-      "cannot be loaded. Imports are answered by files in the folders that are named; what is not there is left "
+      "cannot be loaded, 4 a limit was reached before it was decided. Imports are answered by files in the folders "
+      "that are named; what is not there is left "
       "aside.\n"
       "\nExample:\n  geminga-ontology entails team/ expected.ttl");
-  command->callback([request, &choice] { choice.run = [request] { return entails(*request); }; });
+  command->callback(
+      [request, &choice] { choice.run = [request, &choice] { return entails(*request, choice.limits); }; });
 }
 
 }  // namespace geminga::ontology

@@ -25,8 +25,9 @@ struct Request {
   unsigned limit = default_sets;
 };
 
-Exit explain(const Request& request) {
-  const auto ontology = learn_ontology_or_say(request.files, {.threads = 1, .as_json = request.as_json});
+Exit explain(const Request& request, const WorkLimits& limits) {
+  base::Budget budget = budget_of(limits);
+  const auto ontology = learn_ontology_or_say(request.files, {.as_json = request.as_json, .budget = &budget});
   if (!ontology) return Exit::usage;
   const bool is_plain = !request.is_about_contradiction;
   const auto sub = find_or_say(*ontology, is_plain ? request.sub : std::string(el::owl_thing), request.as_json);
@@ -57,7 +58,8 @@ Exit explain(const Request& request) {
       request.as_json ? as_json(*ontology, explained, found_by) : as_text(*ontology, explained, found_by);
   if (!is_plain && !explained.is_entailed && !request.as_json) text = "The ontology does not contradict itself\n";
   if (!print(text)) return say_error("standard output cannot be written");
-  return explained.is_entailed ? Exit::yes : Exit::no;
+  if (explained.is_entailed) return Exit::yes;
+  return budget.is_spent() ? say_error(*budget.reason() + ": raise it", Exit::timed_out) : Exit::no;
 }
 
 }  // namespace
@@ -81,8 +83,9 @@ void add_explain(CLI::App& program, Choice& choice) {
              "at most this many sets with --all (" + std::to_string(default_sets) + " unless told)");
   command->add_flag("--proof", request->wants_proof, "print the steps from the axioms to the conclusion");
   command->add_flag("--json", request->as_json, "print one JSON document");
+  add_work_limits(*command, choice.limits);
   command->footer(
-      "\nExit status 0: it is subsumed; 1: it is not.\n"
+      "\nExit status 0: it is subsumed; 1: it is not; 4: a limit was reached before it was decided.\n"
       "\nExamples:\n"
       "  geminga-ontology explain team/ --sub soccer:BallInfo --super geminga:TrackedObject\n"
       "  geminga-ontology explain team/ --sub soccer:SharedBallInfo --super soccer:TrackedObject --proof\n"
@@ -90,7 +93,7 @@ void add_explain(CLI::App& program, Choice& choice) {
   command->callback([request, &choice] {
     if (!request->is_about_contradiction && (request->sub.empty() || request->super.empty()))
       throw CLI::ValidationError("explain", "--sub and --super, or --inconsistent, are required");
-    choice.run = [request] { return explain(*request); };
+    choice.run = [request, &choice] { return explain(*request, choice.limits); };
   });
 }
 

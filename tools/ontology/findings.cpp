@@ -6,8 +6,10 @@
 #include <map>
 #include <tuple>
 
+#include "el/compile.hpp"
 #include "el/compiled_view.hpp"
 #include "el/print.hpp"
+#include "reasoner/excerpt.hpp"
 #include "reasoner/explain_module.hpp"
 #include "words.hpp"
 
@@ -57,18 +59,68 @@ std::vector<LeftOutGroup> group(const el::Ontology& ontology) {
   return groups;
 }
 
-/// Classes without instances, with reasons, and collisions: what both kinds of ontologies are asked for.
-void find_problems(const el::Ontology& ontology, Findings& findings) {
-  findings.is_consistent = ontology.is_consistent();
+Open find_open(const Knowledge& knowledge, const el::Ontology& ontology) {
+  const reasoner::Undecided& undecided = knowledge.classification.undecided;
+  Open open;
+  open.consistency = undecided.consistency;
+  for (const el::ClassNumber of : undecided.classes) open.classes.push_back(ontology.short_name(of));
+  if (undecided.held_up_by) open.held_up_by = ontology.short_name(*undecided.held_up_by);
+  return open;
+}
+
+/// What an explanation costs beside its counted work, in steps of a budget.
+constexpr std::uint64_t steps_per_work = 10;
+
+std::vector<reasoner::ExplainedAxiom> reason_of(const el::Ontology& ontology, el::ClassNumber sub,
+                                                el::ClassNumber super, base::Budget& budget) {
+  if (!budget.spend(1)) return {};
+  reasoner::Explainer explainer(ontology, sub, super);
+  const auto found = explainer.find_one();
+  static_cast<void>(budget.spend(steps_per_work * explainer.oracle().work()));
+  return found ? explainer.explained(*found) : std::vector<reasoner::ExplainedAxiom>();
+}
+
+/// Of an ontology that does not contradict itself.
+std::vector<Unsatisfiable> find_unsatisfiable(const el::Ontology& ontology, base::Budget& budget) {
+  std::vector<Unsatisfiable> found;
   const auto nothing = ontology.find_iri(el::owl_nothing);
-  for (std::uint32_t number = 0; number < ontology.class_count() && nothing && findings.is_consistent; ++number) {
+  for (std::uint32_t number = 0; number < ontology.class_count() && nothing; ++number) {
     const el::ClassNumber named{number};
     if (named == *nothing || ontology.is_satisfiable(named)) continue;
-    auto reason = reasoner::explain(ontology, named, *nothing);
-    findings.unsatisfiable.push_back(
-        {ontology.short_name(named), std::move(reason).value_or(std::vector<reasoner::ExplainedAxiom>{})});
+    Unsatisfiable& one = found.emplace_back(ontology.short_name(named), std::vector<reasoner::ExplainedAxiom>());
+    if (found.size() <= max_explained_classes) one.reason = reason_of(ontology, named, *nothing, budget);
   }
+  return found;
+}
+
+/// Classes, reasons and collisions: what both kinds of ontologies are asked for.
+void find_problems(const el::Ontology& ontology, Findings& findings, base::Budget& budget) {
+  findings.is_consistent = ontology.is_consistent();
   findings.collisions = find_collisions(ontology);
+  if (findings.is_consistent) {
+    findings.unsatisfiable = find_unsatisfiable(ontology, budget);
+    return;
+  }
+  const auto thing = ontology.find_iri(el::owl_thing);
+  const auto nothing = ontology.find_iri(el::owl_nothing);
+  if (thing && nothing) findings.contradiction = reason_of(ontology, *thing, *nothing, budget);
+}
+
+/// What is wrong with classes comes to light in a contradiction only where facts are left aside: an instance of a class
+/// that can have none is the commonest of all.
+void find_unsatisfiable_without_facts(const el::OntologySource& source, Findings& findings, base::Budget& budget) {
+  std::vector<std::uint32_t> terminology;
+  for (std::uint32_t number = 0; number < source.axiom_count(); ++number) {
+    if (source.axiom(number).kind < el::AxiomKind::same_individual) terminology.push_back(number);
+  }
+  if (terminology.size() == source.axiom_count()) return;
+  reasoner::Excerpt excerpt(source, terminology);
+  for (const el::OntologySource::Prefix& prefix : source.prefixes())
+    excerpt.source.add_prefix(source.name(prefix.prefix), source.name(prefix.iri));
+  const auto classified = reasoner::classify(excerpt.source, {.budget = &budget});
+  if (!classified || !classified->is_consistent) return;
+  const auto ontology = el::Ontology::from_bytes(el::compile(excerpt.source, *classified));
+  if (ontology) findings.unsatisfiable = find_unsatisfiable(*ontology, budget);
 }
 
 boost::json::array axioms_as_json(const std::vector<reasoner::ExplainedAxiom>& axioms) {
@@ -116,7 +168,7 @@ void add_names(boost::json::object& document, const NameFindings& names) {
 
 }  // namespace
 
-Findings find(const Knowledge& knowledge, const el::Ontology& ontology) {
+Findings find(const Knowledge& knowledge, const el::Ontology& ontology, base::Budget& budget) {
   const rdf::Loaded& loaded = knowledge.loaded;
   Findings findings;
   findings.sources.files.assign(loaded.source.files().begin(), loaded.source.files().end());
@@ -127,12 +179,14 @@ Findings find(const Knowledge& knowledge, const el::Ontology& ontology) {
   findings.sources.conflicts = loaded.conflicts;
   findings.left_out = group(knowledge);
   findings.gaps = knowledge.classification.gaps;
+  findings.open = find_open(knowledge, ontology);
   findings.names = find_doubtful_names(loaded);
-  find_problems(ontology, findings);
+  find_problems(ontology, findings, budget);
+  if (!findings.is_consistent) find_unsatisfiable_without_facts(loaded.source, findings, budget);
   return findings;
 }
 
-Findings find(const el::Ontology& ontology) {
+Findings find(const el::Ontology& ontology, base::Budget& budget) {
   Findings findings;
   findings.sources.files = ontology.files();
   findings.sources.classes = std::max(ontology.class_count(), 2U) - 2;  // without owl:Thing and owl:Nothing
@@ -140,7 +194,7 @@ Findings find(const el::Ontology& ontology) {
   findings.sources.outgrown = ontology.stale_source();
   findings.left_out = group(ontology);
   findings.gaps = ontology.gaps();
-  find_problems(ontology, findings);
+  find_problems(ontology, findings, budget);
   return findings;
 }
 
@@ -171,6 +225,10 @@ std::string as_json(const Findings& findings) {
     files.push_back(boost::json::object{{"path", file.path}, {"ontology", file.ontology_iri}});
   document["left_out"] = left_out_as_json(findings);
   document["gaps"] = boost::json::value_from(findings.gaps);
+  boost::json::object& open = document["undecided"].emplace_object();
+  open["classes"] = boost::json::value_from(findings.open.classes);
+  open["consistency"] = findings.open.consistency;
+  open["held_up_by"] = findings.open.held_up_by ? boost::json::value(*findings.open.held_up_by) : nullptr;
   boost::json::array& imports = document["unresolved_imports"].emplace_array();
   for (const rdf::UnresolvedImport& import : sources.unresolved)
     imports.push_back(boost::json::object{{"iri", import.iri}, {"file", import.file}, {"line", import.line}});
@@ -179,6 +237,7 @@ std::string as_json(const Findings& findings) {
     conflicts.push_back(boost::json::object{{"prefix", conflict.prefix},
                                             {"chosen", conflict.chosen},
                                             {"others", boost::json::value_from(conflict.others)}});
+  document["contradiction"] = axioms_as_json(findings.contradiction);
   boost::json::array& unsatisfiable = document["unsatisfiable"].emplace_array();
   for (const Unsatisfiable& found : findings.unsatisfiable)
     unsatisfiable.push_back(boost::json::object{{"class", found.name}, {"because", axioms_as_json(found.reason)}});

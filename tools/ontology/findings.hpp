@@ -30,7 +30,17 @@ struct LeftOutGroup {
 
 struct Unsatisfiable {
   std::string name;
-  std::vector<reasoner::ExplainedAxiom> reason;
+  std::vector<reasoner::ExplainedAxiom> reason;  ///< a minimal set; empty: nobody looked for it, or none was found
+};
+
+/// Reasons are looked for of so many classes; whoever wants others asks `explain`.
+inline constexpr std::size_t max_explained_classes = 100;
+
+/// What was not decided; see reasoner::Undecided.
+struct Open {
+  std::vector<std::string> classes;
+  bool consistency = false;
+  std::optional<std::string> held_up_by;
 };
 
 /// What was looked at.
@@ -49,7 +59,10 @@ struct Findings {
   Sources sources;
   std::vector<LeftOutGroup> left_out;  ///< by construct
   std::vector<std::string> gaps;       ///< why something may be missing although every axiom was used
+  Open open;                           ///< of sources; a compiled ontology has it among its gaps
   bool is_consistent = true;
+  std::vector<reasoner::ExplainedAxiom> contradiction;  ///< a minimal set that contradicts itself, where there is one
+  /// Where there is a contradiction, those that can have no instance even if all facts are left aside.
   std::vector<Unsatisfiable> unsatisfiable;
   Collisions collisions;
   NameFindings names;  ///< of sources; a compiled ontology does not keep what was declared
@@ -61,9 +74,10 @@ struct Findings {
   }
 };
 
-[[nodiscard]] Findings find(const Knowledge& knowledge, const el::Ontology& ontology);
+/// Where the budget is spent, no more reasons are looked for.
+[[nodiscard]] Findings find(const Knowledge& knowledge, const el::Ontology& ontology, base::Budget& budget);
 /// The same of a compiled ontology, whose axioms have been verified.
-[[nodiscard]] Findings find(const el::Ontology& ontology);
+[[nodiscard]] Findings find(const el::Ontology& ontology, base::Budget& budget);
 
 /// One line: whether every answer is there, and why not.
 [[nodiscard]] std::string verdict(const Findings& findings);

@@ -97,7 +97,8 @@ std::expected<Knowledge, NoKnowledge> learn(rdf::Loaded loaded, double load_ms, 
   const auto read = std::chrono::steady_clock::now();
   const bool is_long = loaded.source.axiom_count() >= large_axioms;
   const auto show = [&](std::string_view phase, double done) { progress.show(phase, done, is_long && done == 0); };
-  auto classification = reasoner::classify(loaded.source, {.threads = how.threads, .progress = show});
+  auto classification =
+      reasoner::classify(loaded.source, {.threads = how.threads, .budget = how.budget, .progress = show});
   if (!classification) return std::unexpected(NoKnowledge{classification.error().text, false});
   return Knowledge{std::move(loaded), std::move(*classification), load_ms, milliseconds_since(read)};
 }
@@ -109,9 +110,42 @@ std::optional<Knowledge> learn_or_say(const std::vector<std::string>& files, con
   return std::nullopt;
 }
 
+std::optional<std::string> describe_undecided(const Knowledge& knowledge) {
+  const reasoner::Undecided& undecided = knowledge.classification.undecided;
+  const std::size_t count = undecided.classes.size();
+  if (count == 0 && !undecided.consistency) return std::nullopt;
+  const auto short_name = short_names(knowledge.loaded.source);
+  const auto name = [&](el::ClassNumber of) {
+    const auto number = static_cast<std::size_t>(of);
+    return short_name(knowledge.loaded.source.name(knowledge.classification.classes[number]));
+  };
+  std::string line(el::undecided_words);
+  if (count > 0) line += counted(count, "class", "classes") + " (" + name(undecided.classes.front());
+  if (count > 0) line += count == 1 ? ")" : ", ...)";
+  if (undecided.consistency) line += std::string(count > 0 ? ", and " : "") + "whether there is a contradiction";
+  if (undecided.held_up_by) line += "; held up by " + name(*undecided.held_up_by);
+  return line;
+}
+
+std::vector<std::string> gaps_of(const Knowledge& knowledge) {
+  std::vector<std::string> gaps = knowledge.classification.gaps;
+  if (auto line = describe_undecided(knowledge)) gaps.push_back(std::move(*line));
+  return gaps;
+}
+
+Exit exit_of(const Knowledge& knowledge, Exit exit) {
+  if (!knowledge.classification.is_cut_off) return exit;
+  std::string words;
+  for (const std::string& gap : knowledge.classification.gaps) words += (words.empty() ? "" : ", ") + gap;
+  return say_error(words + ", and what is settled by then counts: " +
+                       describe_undecided(knowledge).value_or("everything is decided") + ": raise the limit",
+                   Exit::timed_out);
+}
+
 std::optional<el::Ontology> open_or_say(const Knowledge& knowledge) {
-  auto ontology = el::Ontology::from_bytes(el::compile(knowledge.loaded.source, knowledge.classification,
-                                                       {.gaps = knowledge.classification.gaps, .folder = {}}));
+  const std::vector<std::string> gaps = gaps_of(knowledge);
+  auto ontology = el::Ontology::from_bytes(
+      el::compile(knowledge.loaded.source, knowledge.classification, {.gaps = gaps, .folder = {}}));
   if (ontology) return std::move(*ontology);
   say_error(ontology.error().text);
   return std::nullopt;
@@ -188,6 +222,11 @@ bool is_unsatisfiable(const el::Classification& classification, el::ClassNumber 
     return classification.representative[static_cast<std::size_t>(c)];
   };
   return !classification.is_consistent || representative(number) == representative(classification.nothing);
+}
+
+bool is_undecided(const reasoner::Classified& classification, el::ClassNumber number) {
+  const reasoner::Undecided& undecided = classification.undecided;
+  return undecided.consistency || std::ranges::binary_search(undecided.classes, number);
 }
 
 std::filesystem::path shipped_ontologies() {

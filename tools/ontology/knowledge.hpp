@@ -28,6 +28,9 @@ struct Knowledge {
   double classify_ms = 0;
 };
 
+/// Whether something may be missing above this class.
+[[nodiscard]] bool is_undecided(const reasoner::Classified& classification, el::ClassNumber number);
+
 /// Why there is none, as the words of an error, and whether the files could be read at all.
 struct NoKnowledge {
   std::string text;
@@ -40,6 +43,7 @@ struct Learning {
   bool as_json = false;
   bool says_files = true;  ///< how many were found in folders
   bool keeps_annotations = false;
+  base::Budget* budget = nullptr;  ///< what the search may cost; borrowed
 };
 
 /// Reads files and folders without classifying them. Says on a terminal that it does where they are large, and on
@@ -55,6 +59,13 @@ struct Learning {
 /// The same, and what is wrong has been said on standard error when there is nothing.
 [[nodiscard]] std::optional<Knowledge> learn_or_say(const std::vector<std::string>& files, const Learning& how = {});
 
+/// What was not decided and why, in one line; nothing where all was, or the ontology contradicts itself.
+[[nodiscard]] std::optional<std::string> describe_undecided(const Knowledge& knowledge);
+/// Where a limit was reached, says so on standard error, and gives the exit status that tells of it; else `exit`.
+[[nodiscard]] Exit exit_of(const Knowledge& knowledge, Exit exit);
+
+/// The gaps as the compiled form keeps them: with what they leave undecided.
+[[nodiscard]] std::vector<std::string> gaps_of(const Knowledge& knowledge);
 /// The compiled form and an ontology over it, for names and explanations; nothing after saying what is wrong.
 [[nodiscard]] std::optional<el::Ontology> open_or_say(const Knowledge& knowledge);
 

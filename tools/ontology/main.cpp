@@ -73,7 +73,7 @@ int run(int argc, char** argv) {
     return static_cast<int>(say_error(in_one_line(error.what()) + ": see geminga-ontology --help"));
   }
   limit_memory(choice.memory_limit_mib);
-  limit_time(choice.time_limit_s);
+  limit_time(choice.limits.seconds);
   if (choice.prepare) {
     if (const Exit prepared = choice.prepare(); prepared != Exit::yes) return static_cast<int>(prepared);
   }

@@ -70,8 +70,8 @@ void add_output(CLI::App& command, std::string& out, std::string& format) {
 
 void add_run_limits(CLI::App& command, Choice& choice) {
   add_number(command, "--memory-limit", choice.memory_limit_mib, 64, 1'000'000, "most address space to use, in MiB");
-  add_number(command, "--time-limit", choice.time_limit_s, 1, 1'000'000,
-             "most processor time to use, in seconds; then exit 4");
+  add_number(command, "--time-limit", choice.limits.seconds, 1, 1'000'000,
+             "most time to take, in seconds; then exit 4");
 }
 
 Exit put(const std::string& out, std::span<const std::byte> bytes) {

@@ -1,7 +1,8 @@
-// rlimits, and what is said when one is reached.
+// A limit of the system and an alarm, and what is said when one is reached.
 #include "sandbox.hpp"
 
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <array>
@@ -16,7 +17,7 @@ namespace {
 /// Only calls that are safe in a signal handler.
 void on_time_out(int) {
   constexpr std::string_view words =
-      "geminga-ontology: the time limit is over: raise --time-limit, or split the ontology\n";
+      "geminga-ontology: the time limit is over and nothing is settled: raise --time-limit, or split the ontology\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, words.data(), words.size());
   _exit(static_cast<int>(Exit::timed_out));
 }
@@ -32,9 +33,10 @@ void limit_memory(unsigned mebibytes) {
 
 void limit_time(unsigned seconds) {
   if (seconds == 0) return;
-  std::signal(SIGXCPU, on_time_out);
-  const rlimit limit{seconds, rlim_t{seconds} + 1};
-  setrlimit(RLIMIT_CPU, &limit);
+  std::signal(SIGALRM, on_time_out);
+  itimerval timer{};
+  timer.it_value.tv_sec = static_cast<time_t>(seconds) + seconds / 4 + 1;
+  setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
 }  // namespace geminga::ontology

@@ -6,7 +6,8 @@ namespace geminga::ontology {
 
 /// Limits the address space of this process; 0: not at all.
 void limit_memory(unsigned mebibytes);
-/// Limits its processor time: then it says so on standard error and exits with Exit::timed_out. 0: not at all.
+/// Ends it where it still runs a quarter longer than this (and a second): it says so on standard error and exits with
+/// Exit::timed_out. Searches end in time by themselves (limits.hpp) and keep what they have found. 0: not at all.
 void limit_time(unsigned seconds);
 
 }  // namespace geminga::ontology

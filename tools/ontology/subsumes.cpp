@@ -45,7 +45,7 @@ std::string words(const el::Ontology& ontology, const manchester::Expression& ex
 
 /// The taxonomy answers for two classes. Of expressions it is derived by the engines together.
 reasoner::Answer decide(Knowledge& knowledge, const el::Ontology& ontology, const manchester::Expression& sub,
-                        const manchester::Expression& super) {
+                        const manchester::Expression& super, base::Budget& budget) {
   const auto class_of = [&](const manchester::Expression& expression) {
     const bool is_class = expression.source.kind(expression.term) == el::TermKind::named_class;
     return is_class ? ontology.find_iri(expression.source.name_of(expression.term)) : std::nullopt;
@@ -55,12 +55,14 @@ reasoner::Answer decide(Knowledge& knowledge, const el::Ontology& ontology, cons
   if (sub_class && super_class) {
     const bool holds =
         is_unsatisfiable(knowledge.classification, *sub_class) || ontology.is_subsumed(*sub_class, *super_class);
-    return {.verdict = holds ? reasoner::Verdict::yes : reasoner::Verdict::no, .reason = {}};
+    if (holds) return {.verdict = reasoner::Verdict::yes, .reason = {}};
+    if (!is_undecided(knowledge.classification, *sub_class)) return {.verdict = reasoner::Verdict::no, .reason = {}};
+    return {.verdict = reasoner::Verdict::unknown, .reason = describe_undecided(knowledge).value_or("")};
   }
   el::OntologySource& source = knowledge.loaded.source;
   const el::TermId below = source.copy(sub.source, sub.term);
   const el::TermId above = source.copy(super.source, super.term);
-  return reasoner::entails(source, std::nullopt, below, above);
+  return reasoner::entails(source, std::nullopt, below, above, &budget);
 }
 
 std::string as_json(const std::string& sub, const std::string& super, const reasoner::Answer& answer) {
@@ -70,8 +72,15 @@ std::string as_json(const std::string& sub, const std::string& super, const reas
   return boost::json::serialize(document) + '\n';
 }
 
-Exit subsumes(const Request& request) {
-  auto knowledge = learn_or_say(request.files, {.as_json = request.as_json});
+/// Yes is certain whatever limit was reached.
+Exit exit_of(const reasoner::Answer& answer, const base::Budget& budget) {
+  if (answer.verdict == reasoner::Verdict::yes) return Exit::yes;
+  return answer.verdict == reasoner::Verdict::unknown && budget.is_spent() ? Exit::timed_out : Exit::no;
+}
+
+Exit subsumes(const Request& request, const WorkLimits& limits) {
+  base::Budget budget = budget_of(limits);
+  auto knowledge = learn_or_say(request.files, {.as_json = request.as_json, .budget = &budget});
   if (!knowledge) return Exit::usage;
   const auto ontology = open_or_say(*knowledge);
   if (!ontology) return Exit::usage;
@@ -79,26 +88,26 @@ Exit subsumes(const Request& request) {
   const auto sub = read_or_say(names, request.sub, request.as_json);
   const auto super = sub ? read_or_say(names, request.super, request.as_json) : std::nullopt;
   if (!sub || !super) return Exit::usage;
-  const reasoner::Answer answer = decide(*knowledge, *ontology, *sub, *super);
+  const reasoner::Answer answer = decide(*knowledge, *ontology, *sub, *super, budget);
   const bool is_subsumed = answer.verdict == reasoner::Verdict::yes;
   if (request.as_json) {
     if (!print(as_json(words(*ontology, *sub), words(*ontology, *super), answer)))
       return say_error("standard output cannot be written");
-    return is_subsumed ? Exit::yes : Exit::no;
+    return exit_of(answer, budget);
   }
   std::string text = words(*ontology, *sub) + (is_subsumed ? " is subsumed by " : " is not subsumed by ");
   if (answer.verdict == reasoner::Verdict::unknown) text = words(*ontology, *sub) + " is not known to be subsumed by ";
   text += words(*ontology, *super) + (answer.reason.empty() ? "" : ": " + answer.reason);
   if (!print(text + '\n')) return say_error("standard output cannot be written");
-  return is_subsumed ? Exit::yes : Exit::no;
+  return exit_of(answer, budget);
 }
 
 }  // namespace
 
 void add_subsumes(CLI::App& program, Choice& choice) {
   auto request = std::make_shared<Request>();
-  CLI::App* command =
-      program.add_subcommand("subsumes", "Tell whether class A is subsumed by class B: exit 0 yes, 1 no or not known");
+  CLI::App* command = program.add_subcommand(
+      "subsumes", "Tell whether class A is subsumed by class B: exit 0 yes, 1 no or not known, 4 a limit was reached");
   add_files(*command, request->files);
   command->add_option("--sub", request->sub, "the class or class expression that may be the narrower one")
       ->required()
@@ -107,11 +116,13 @@ void add_subsumes(CLI::App& program, Choice& choice) {
       ->required()
       ->type_name("B");
   command->add_flag("--json", request->as_json, "print one JSON document");
+  add_work_limits(*command, choice.limits);
   command->footer(
       "\nExamples:\n"
       "  geminga-ontology subsumes team/ --sub soccer:BallInfo --super geminga:TrackedObject\n"
       "  geminga-ontology subsumes team/ --sub soccer:SharedBallInfo --super 'soccer:BallInfo or soccer:GoalInfo'");
-  command->callback([request, &choice] { choice.run = [request] { return subsumes(*request); }; });
+  command->callback(
+      [request, &choice] { choice.run = [request, &choice] { return subsumes(*request, choice.limits); }; });
 }
 
 }  // namespace geminga::ontology

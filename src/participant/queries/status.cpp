@@ -1,7 +1,9 @@
 // `query status`: the daemon itself.
+#include <algorithm>
 #include <map>
 
 #include "beacon/codec.hpp"
+#include "el/compile.hpp"
 #include "participant/naming.hpp"
 #include "participant/queries/lines.hpp"
 
@@ -41,6 +43,10 @@ void append_counters(Line& line, const Counters& counters) {
 void append_ontology_state(Line& line, const Core& core) {
   if (core.ontology_state.is_loading) append_flag(line, "ontology_loading", true);
   if (!core.ontology_state.failure.empty()) append(line, "ontology_failed", core.ontology_state.failure.front());
+  const auto gaps = core.ontology == nullptr ? std::vector<std::string>() : core.ontology->gaps();
+  const auto open =
+      std::ranges::find_if(gaps, [](const std::string& gap) { return gap.starts_with(el::undecided_words); });
+  if (open != gaps.end()) append(line, "ontology_undecided", open->substr(el::undecided_words.size()));
   std::size_t others = 0;
   core.neighbours.for_each(
       [&](const beacon::Neighbour& one) { others += one.ontology_digest == core.digest() ? 0 : 1; });

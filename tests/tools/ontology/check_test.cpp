@@ -97,6 +97,76 @@ TEST(Check, AContradictionIsAProblem) {
   const Outcome outcome = program.run({"check", "a.ttl"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.out, HasSubstr("Contradiction: "));
+  EXPECT_THAT(outcome.out, HasSubstr("no fewer of them do:\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("because e:i Type e:A   [a.ttl:"));
+  EXPECT_THAT(outcome.out, HasSubstr("because e:i Type e:B   [a.ttl:"));
+  EXPECT_THAT(outcome.out, HasSubstr("because e:A DisjointWith e:B   [a.ttl:"));
+}
+
+TEST(Check, NamesTheClassesThatCanHaveNoInstanceEvenWithoutTheContradiction) {
+  const Program program;
+  program.turtle("a.ttl", ":E rdfs:subClassOf :A, :B . :A owl:disjointWith :B . :i a :E . :C rdfs:subClassOf :A .\n");
+  const Outcome outcome = program.run({"check", "a.ttl"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("Classes that can have no instance even if all facts are left aside:\n  e:E\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("    because e:E SubClassOf e:A   [a.ttl:"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("  e:C\n"))) << "everything follows from the contradiction, but not from this";
+}
+
+// X is everywhere in a hole with nobody else, of n holes for n + 1.
+std::string pigeonhole(int holes) {
+  std::string text;
+  const auto place = [](int pigeon, int hole) { return ":p" + std::to_string(pigeon) + 'h' + std::to_string(hole); };
+  for (int pigeon = 0; pigeon <= holes; ++pigeon) {
+    text += ":X rdfs:subClassOf [ a owl:Class ; owl:unionOf (";
+    for (int hole = 0; hole < holes; ++hole) text += place(pigeon, hole) + ' ';
+    text += ") ] .\n";
+    for (int hole = 0; hole < holes; ++hole) {
+      for (int other = 0; other < pigeon; ++other)
+        text += place(pigeon, hole) + " owl:disjointWith " + place(other, hole) + " .\n";
+    }
+  }
+  return text;
+}
+
+TEST(Check, SaysWhatIsNotDecidedAndWhoHoldsItUpWhereALimitIsReached) {
+  const Program program;
+  program.turtle("a.ttl", pigeonhole(9) + ":A rdfs:subClassOf :B . :B rdfs:subClassOf [ owl:unionOf (:C :D) ] .\n");
+  const Outcome outcome = program.run({"check", "a.ttl", "--steps", "100000"});
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_THAT(outcome.out, HasSubstr("Not decided: whether more is above "));
+  EXPECT_THAT(outcome.out, HasSubstr("Held up by e:X\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("Incomplete: "));
+  EXPECT_THAT(outcome.err, HasSubstr("the limit of 100000 steps was reached"));
+}
+
+TEST(Classify, PrintsWhatIsSettledWhereALimitIsReached) {
+  const Program program;
+  program.turtle("a.ttl", pigeonhole(9) + ":A rdfs:subClassOf :B . :B rdfs:subClassOf [ owl:unionOf (:C :D) ] .\n");
+  const Outcome outcome = program.run({"classify", "a.ttl", "--closure", "--steps", "100000"});
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_THAT(outcome.out, HasSubstr("http://e/A\thttp://e/B\n"));
+  EXPECT_THAT(outcome.err, HasSubstr("held up by e:X"));
+}
+
+TEST(Compile, WritesWhatIsSettledWhereALimitIsReached) {
+  const Program program;
+  program.turtle("a.ttl", pigeonhole(9) + ":A rdfs:subClassOf :B . :B rdfs:subClassOf [ owl:unionOf (:C :D) ] .\n");
+  EXPECT_EQ(program.run({"compile", "a.ttl", "-o", "a.geminga", "--steps", "100000"}).status, 4);
+  const Outcome outcome = program.run({"check", "a.geminga"});
+  EXPECT_THAT(outcome.out, HasSubstr("undecided: "));
+  EXPECT_THAT(outcome.out, HasSubstr("held up by e:X"));
+}
+
+TEST(Subsumes, DoesNotSayNoOfWhatIsNotDecided) {
+  const Program program;
+  program.turtle("a.ttl", pigeonhole(9) + ":A rdfs:subClassOf :B . :B rdfs:subClassOf [ owl:unionOf (:C :D) ] .\n");
+  const auto ask = [&](const std::string& sub) {
+    return program.run({"subsumes", "a.ttl", "--sub", sub, "--super", "e:B", "--steps", "100000"});
+  };
+  EXPECT_EQ(ask("e:A").status, 0);
+  EXPECT_EQ(ask("e:X").status, 4);
+  EXPECT_THAT(ask("e:X").out, HasSubstr("is not known to be subsumed by"));
 }
 
 // As a tree the class has 2^40 members.

@@ -26,7 +26,9 @@ TEST(Entails, TellsByItsStatusWhetherAllOfTheConclusionFollows) {
   EXPECT_THAT(yes.err, IsEmpty());
   const Outcome no = program.run({"entails", "premise.ttl", "no.ttl"});
   EXPECT_EQ(no.status, 1);
-  EXPECT_EQ(no.out, "does not follow: e:i Type e:C   [no.ttl:3]\n");
+  EXPECT_EQ(no.out,
+            "follows:         e:i Type e:B   [no.ttl:2]\n"
+            "does not follow: e:i Type e:C   [no.ttl:3]\n");
 }
 
 TEST(Entails, KeepsPremiseAndConclusionApartEvenWhereTheyShareAFile) {
