@@ -46,7 +46,7 @@ std::optional<Standing> WaitingList::hear(const Announcement& announcement, Inst
     stranger = {key, announcement.sequence, {now, now}};
     return std::nullopt;
   }
-  if (announcement.sequence <= stranger.sequence) return std::nullopt;
+  if (announcement.sequence == stranger.sequence) return std::nullopt;
   stranger.sequence = announcement.sequence;
   stranger.standing.hear(now);
   return stranger.standing;
@@ -66,6 +66,7 @@ void Admission::insert(ParticipantId id, Place& place) {
     ++share.seasoned;
   } else {
     share.unseasoned.emplace(place.standing.rank(), id);
+    unseasoned_.emplace(place.standing.rank(), id);
   }
   if (!share.unseasoned.empty()) by_count_.emplace(share.count, place.source);
   by_silence_.emplace(place.standing.last, id);
@@ -80,6 +81,7 @@ void Admission::erase(ParticipantId id, const Place& place) {
     --share.seasoned;
   } else {
     share.unseasoned.erase({place.standing.rank(), id});
+    unseasoned_.erase({place.standing.rank(), id});
   }
   if (!share.unseasoned.empty()) by_count_.emplace(share.count, place.source);
   by_silence_.erase({place.standing.last, id});
@@ -88,7 +90,7 @@ void Admission::erase(ParticipantId id, const Place& place) {
 
 void Admission::add(ParticipantId id, const std::string& source, const Standing& standing) {
   auto& place = places_[id];
-  place = {source, standing};
+  place = {source, standing, false, ++added_};
   insert(id, place);
 }
 
@@ -137,9 +139,10 @@ Admission::Decision Admission::decide(const Announcement& newcomer, const Arriva
 std::optional<ParticipantId> Admission::decide(std::string_view source, const Standing& standing, Instant now) const {
   if (const auto gives_way = from_greedier(source)) return gives_way;
   const auto own = shares_.find(source);
-  const auto* share = own != shares_.end() ? &own->second : greediest();
-  if (share != nullptr && !share->unseasoned.empty()) {
-    const auto& [rank, id] = *share->unseasoned.begin();
+  // Where the newcomer's address has no place, all others have one each.
+  const auto& others = own != shares_.end() ? own->second.unseasoned : unseasoned_;
+  if (!others.empty()) {
+    const auto& [rank, id] = *others.begin();
     // Of two that have proved themselves the known one stays, as long as it keeps announcing itself.
     const auto ahead = places_.at(id).standing.is_proved() ? longest_pause : base::Duration::zero();
     if (rank + ahead < standing.rank()) return id;
@@ -147,6 +150,17 @@ std::optional<ParticipantId> Admission::decide(std::string_view source, const St
   const auto& [last, id] = *by_silence_.begin();
   if (now - last >= longest_silence) return id;
   return std::nullopt;
+}
+
+std::optional<ParticipantId> Admission::decide_return(std::string_view source, Standing standing, Instant now) const {
+  standing.hear(now);
+  if (const auto gives_way = decide(source, standing, now)) return gives_way;
+  if (!standing.is_proved()) return std::nullopt;
+  const auto last = std::ranges::max_element(places_, {}, [](const auto& each) { return each.second.added; });
+  const auto own = shares_.find(source);
+  const bool is_greedier =
+      shares_.find(last->second.source)->second.count > (own == shares_.end() ? 0 : own->second.count);
+  return is_greedier && !last->second.is_seasoned ? std::optional(last->first) : std::nullopt;
 }
 
 }  // namespace geminga::beacon

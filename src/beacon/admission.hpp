@@ -67,6 +67,10 @@ class Admission {
   /// The same for somebody of whom this standing is known.
   [[nodiscard]] std::optional<ParticipantId> decide(std::string_view source, const Standing& standing,
                                                     base::Instant now) const;
+  /// The same for somebody who had a place until somebody else said that it was gone: if all else fails, whoever was
+  /// added last gives back what was free only by a lie. A look at every place.
+  [[nodiscard]] std::optional<ParticipantId> decide_return(std::string_view source, Standing standing,
+                                                           base::Instant now) const;
 
  private:
   using Ranked = std::set<std::pair<base::Instant, ParticipantId>>;
@@ -74,6 +78,7 @@ class Admission {
     std::string source;
     Standing standing;
     bool is_seasoned = false;
+    std::uint64_t added = 0;  ///< counts all that ever had a place
   };
   struct Share {
     std::size_t count = 0;
@@ -88,7 +93,9 @@ class Admission {
   std::map<ParticipantId, Place> places_;
   std::map<std::string, Share, std::less<>> shares_;
   std::set<std::pair<std::size_t, std::string>> by_count_;  ///< sources with somebody who may give way
+  Ranked unseasoned_;                                       ///< those of all shares
   Ranked by_silence_;                                       ///< all, by when they were last heard
+  std::uint64_t added_ = 0;
   WaitingList waiting_;
 };
 

@@ -1,5 +1,7 @@
-// Who has left, and who only seemed to.
+// Who is gone, and who only seems to be.
 #include "beacon/former_lives.hpp"
+
+#include <algorithm>
 
 #include "beacon/limits.hpp"
 
@@ -7,59 +9,64 @@ namespace geminga::beacon {
 
 using base::Instant;
 
-void FormerLives::forget_old(Instant now) {
-  while (!order_.empty() && (order_.front().first + goodbye_memory <= now || order_.size() > max_participants)) {
-    const auto& [left, key] = order_.front();
-    const auto life = lives_.find(key);
-    if (life != lives_.end() && life->second.left == left) lives_.erase(life);
-    order_.pop_front();
-  }
+void FormerLives::forget(Lives::iterator life) {
+  order_.erase({life->second.until, life->first});
+  lives_.erase(life);
 }
 
 void FormerLives::remember(std::unique_ptr<NeighbourRecord> record, Instant now) {
   const Key key{record->services().owner().id, record->boot()};
-  lives_.insert_or_assign(key, Life{std::move(record), now});
-  order_.emplace_back(now, key);
-  forget_old(now);
+  const auto until = now + record->memory(now);
+  order_.emplace(until, key);
+  lives_.emplace(key, Life{std::move(record), now, until, {}});
+  if (lives_.size() <= max_participants) return;
+  forget(std::ranges::max_element(lives_, {}, [](const auto& life) { return life.second.record->since(); }));
 }
 
-bool FormerLives::contains(const Announcement& announcement, Instant now) {
-  forget_old(now);
-  return lives_.contains({announcement.participant, announcement.boot});
+const NeighbourRecord* FormerLives::find(const Announcement& announcement, Instant now) {
+  while (!order_.empty() && order_.begin()->first <= now) forget(lives_.find(order_.begin()->second));
+  const auto life = lives_.find(key_of(announcement));
+  return life == lives_.end() ? nullptr : life->second.record.get();
 }
 
 void FormerLives::hear_goodbye(const Announcement& announcement, const Arrival& arrival) {
-  const auto life = lives_.find({announcement.participant, announcement.boot});
+  const auto life = lives_.find(key_of(announcement));
   if (life != lives_.end()) life->second.record->note_goodbye(announcement, arrival);
 }
 
-std::unique_ptr<NeighbourRecord> FormerLives::take_alive(const Announcement& announcement, const Arrival& arrival) {
-  const auto life = lives_.find({announcement.participant, announcement.boot});
-  if (life == lives_.end() || !life->second.record->is_proved_alive(announcement, arrival, life->second.left)) {
-    return nullptr;
+const NeighbourRecord* FormerLives::find_alive(const Announcement& announcement, const Arrival& arrival) {
+  const auto found = lives_.find(key_of(announcement));
+  if (found == lives_.end()) return nullptr;
+  auto& life = found->second;
+  switch (life.record->proof(announcement, arrival, life.left)) {
+    case NeighbourRecord::Proof::none:
+      return nullptr;
+    case NeighbourRecord::Proof::echo: {
+      // Its numbers may have been forged before it said them itself; then the next one is greater.
+      const auto before = std::exchange(life.echo, announcement.sequence);
+      return before && announcement.sequence > *before ? life.record.get() : nullptr;
+    }
+    case NeighbourRecord::Proof::alive:
+      return life.record.get();
   }
+  return nullptr;
+}
+
+std::unique_ptr<NeighbourRecord> FormerLives::take(const Announcement& announcement) {
+  const auto life = lives_.find(key_of(announcement));
   auto record = std::move(life->second.record);
-  lives_.erase(life);
+  forget(life);
   return record;
 }
 
-const NeighbourRecord* FormerLives::find(BootNonce boot, std::string_view source) const {
-  const NeighbourRecord* oldest = nullptr;
-  for (const auto& [key, life] : lives_) {
-    if (key.second != boot || life.record->source() != source) continue;
-    if (oldest == nullptr || life.record->standing().first < oldest->standing().first) oldest = life.record.get();
-  }
-  return oldest;
-}
-
 bool FormerLives::give_way() {
-  for (const auto& [left, key] : order_) {
-    const auto life = lives_.find(key);
-    if (life == lives_.end() || life->second.record->services().size() == 0) continue;
-    life->second.record->services().clear();
-    return true;
+  NeighbourRecord* youngest = nullptr;
+  for (const auto& [key, life] : lives_) {
+    if (life.record->services().size() <= reserved_services) continue;
+    if (youngest == nullptr || life.record->since() > youngest->since()) youngest = life.record.get();
   }
-  return false;
+  if (youngest != nullptr) youngest->services().clear();
+  return youngest != nullptr;
 }
 
 }  // namespace geminga::beacon

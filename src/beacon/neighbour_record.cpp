@@ -27,10 +27,11 @@ NeighbourRecord::Header NeighbourRecord::header_of(const Announcement& announcem
           announcement.ontology_digest, announcement.interval};
 }
 
-NeighbourRecord::NeighbourRecord(const Announcement& first, const Arrival& arrival, ServiceRoom& room)
+NeighbourRecord::NeighbourRecord(const Announcement& first, const Arrival& arrival, Turn since, ServiceRoom& room)
     : id_(first.participant),
       boot_(first.boot),
       source_(arrival.source),
+      since_(since),
       standing_{arrival.now, arrival.now},
       header_(header_of(first), arrival.now),
       heard_(arrival.now),
@@ -101,7 +102,7 @@ bool NeighbourRecord::may_open(const Announcement& announcement, const Arrival& 
   // A new address, or an address with another number for its interface: it must say so twice, and nobody else between.
   const bool is_repeated = opening_ && opening_->interface == arrival.interface &&
                            opening_->link == announcement.link && opening_->source == arrival.source &&
-                           announcement.sequence > opening_->sequence;
+                           announcement.sequence != opening_->sequence;
   opening_ = Opening{arrival.interface, announcement.link, std::string(arrival.source), announcement.sequence};
   return is_repeated;
 }
@@ -156,7 +157,7 @@ Hearing NeighbourRecord::hear(const Announcement& announcement, const Arrival& a
   }
   if (!is_contested_ && way->leaps(announcement, revision_)) return Hearing::leap;
   const auto order = is_forged ? Order::contradiction : this->order(*way, announcement, arrival);
-  if (std::exchange(has_spoken_, true) && way->is_next(announcement.sequence)) standing_.hear(now);
+  if (std::exchange(has_spoken_, true) && !way->has(announcement.sequence)) standing_.hear(now);
   way->count(announcement, arrival, order == Order::contradiction);
   heard_ = now;
   rival_.reset();
@@ -257,14 +258,22 @@ void NeighbourRecord::note_goodbye(const Announcement& announcement, const Arriv
   if (!goodbye) goodbye = announcement.sequence;
 }
 
-bool NeighbourRecord::is_proved_alive(const Announcement& announcement, const Arrival& arrival, Instant left) const {
+NeighbourRecord::Proof NeighbourRecord::proof(const Announcement& announcement, const Arrival& arrival, Instant left) {
   const auto* way = find_bound(announcement, arrival);
-  if (way == nullptr || way->has(announcement.sequence)) return false;
+  if (way == nullptr) {
+    // Who said the goodbye may have moved the way before.
+    way = find_way(announcement, arrival);
+    if (way == nullptr || !way->was_of(arrival.source)) return Proof::none;
+  }
+  const bool is_heard = way->has(announcement.sequence);
   // Nothing comes after a true goodbye. What has a lower number than the goodbye may have been overtaken by it, but not
   // for long.
-  const bool is_after = way->goodbye && announcement.sequence >= *way->goodbye;
-  return is_after || arrival.now - left >= overtaken_time;
+  const bool is_after = way->goodbye && announcement.sequence >= *way->goodbye && !is_heard;
+  if (!is_after && arrival.now - left < overtaken_time) return Proof::none;
+  return is_heard ? Proof::echo : Proof::alive;
 }
+
+Duration NeighbourRecord::memory(Instant now) const { return std::max<Duration>(goodbye_memory, hold(now)); }
 
 void NeighbourRecord::come_back(Instant now, std::vector<Change>& changes) {
   for (auto& way : ways_) way.goodbye.reset();
@@ -274,7 +283,7 @@ void NeighbourRecord::come_back(Instant now, std::vector<Change>& changes) {
 
 bool NeighbourRecord::yields_to(const Announcement& rival, const Arrival& arrival) {
   const bool is_repeated =
-      rival_ && rival_->boot == rival.boot && rival_->source == arrival.source && rival.sequence > rival_->sequence;
+      rival_ && rival_->boot == rival.boot && rival_->source == arrival.source && rival.sequence != rival_->sequence;
   const bool is_silent = arrival.now - heard_ >= hold(arrival.now);
   if (is_repeated && is_silent) return true;
   rival_ = Rival{rival.boot, std::string(arrival.source), rival.sequence};

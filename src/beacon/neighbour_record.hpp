@@ -27,13 +27,17 @@ namespace geminga::beacon {
 /// of a participant lasts until it speaks, and the next lie does nothing to what it keeps saying.
 class NeighbourRecord {
  public:
-  NeighbourRecord(const Announcement& first, const Arrival& arrival, ServiceRoom& room);
+  /// `since`: when its identifier became its own.
+  NeighbourRecord(const Announcement& first, const Arrival& arrival, Turn since, ServiceRoom& room);
   NeighbourRecord(const NeighbourRecord&) = delete;
   NeighbourRecord& operator=(const NeighbourRecord&) = delete;
 
   [[nodiscard]] BootNonce boot() const { return boot_; }
   /// The source address that it was first heard from: whose share its place is of.
   [[nodiscard]] const std::string& source() const { return source_; }
+  /// When it was first heard under its identifier, be it with a claim: of several lives under one identifier the one
+  /// for which this is lowest has it.
+  [[nodiscard]] Turn since() const { return since_; }
   [[nodiscard]] const Standing& standing() const { return standing_; }
   void set_standing(const Standing& standing) { standing_ = standing; }
 
@@ -45,9 +49,15 @@ class NeighbourRecord {
   [[nodiscard]] Hearing hear_goodbye(const Announcement& announcement, const Arrival& arrival);
   /// A goodbye was heard on this way: what has a higher number is not from before it.
   void note_goodbye(const Announcement& announcement, const Arrival& arrival);
-  /// Whether a state proves that it did not leave at `left`, when it seemed to.
-  [[nodiscard]] bool is_proved_alive(const Announcement& announcement, const Arrival& arrival,
-                                     base::Instant left) const;
+  /// What a state proves of somebody who seemed to leave at `left`.
+  enum class Proof : std::uint8_t {
+    none,   ///< it is from elsewhere, or may be from before that
+    echo,   ///< its number was heard before: it may be a copy
+    alive,  ///< it was sent after that
+  };
+  [[nodiscard]] Proof proof(const Announcement& announcement, const Arrival& arrival, base::Instant left);
+  /// For how long it is remembered when it seems to leave: until it has spoken again, if it was only made to seem so.
+  [[nodiscard]] base::Duration memory(base::Instant now) const;
   /// It is back: all that is known of it is to be told again, and somebody has lied in its name.
   void come_back(base::Instant now, std::vector<Change>& changes);
   /// Another life speaks under this identifier: whether this one has been silent for so long meanwhile that it is over.
@@ -121,6 +131,7 @@ class NeighbourRecord {
   ParticipantId id_;
   BootNonce boot_;
   std::string source_;
+  Turn since_;
   bool has_spoken_ = false;
   Standing standing_;
   Settled<Header> header_;

@@ -64,7 +64,7 @@ class NeighbourServices {
   bool give_way(std::vector<Change>& changes);
   /// Tells what has changed, and again what was heard of and not told for a while.
   void tell(const Moment& moment, std::vector<Change>& changes);
-  /// Whoever is told of changes has forgotten all services.
+  /// The participant was removed and is back: tells all of its services again, as new ones.
   void forget_told();
   void clear();
   /// No deadline is later than this.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "beacon/admission.hpp"
+#include "beacon/claims.hpp"
 #include "beacon/former_lives.hpp"
 #include "beacon/limits.hpp"
 #include "beacon/neighbour_record.hpp"
@@ -40,10 +41,10 @@ class NeighbourTable::State final : private ServiceRoom {
     if (announcement.boot == self_boot_) return Hearing::own;
     if (announcement.participant == self_) return Hearing::clash;
     is_room_sought_ = false;
-    if (former_.contains(announcement, arrival.now)) return hear_former(announcement, arrival);
+    turn_ += 2;  // the odd ones are for what was overtaken
     switch (announcement.kind) {
       case Kind::claim:
-        return Hearing::claim;
+        return hear_claim(announcement, arrival);
       case Kind::goodbye:
         return hear_goodbye(announcement, arrival);
       case Kind::state:
@@ -103,7 +104,24 @@ class NeighbourTable::State final : private ServiceRoom {
   };
   using Records = std::map<ParticipantId, Known>;
 
+  Hearing hear_claim(const Announcement& announcement, const Arrival& arrival) {
+    if (former_.find(announcement, arrival.now) != nullptr) return Hearing::stale;
+    const auto holder = records_.find(announcement.participant);
+    if (holder == records_.end()) {
+      claims_.hear(announcement, arrival, turn_);
+      return Hearing::claim;
+    }
+    // One of an identifier that somebody has is no reason to give it to the claimant, unless it was overtaken by an
+    // answer to itself: who has not claimed an identifier cannot have had it before.
+    const auto& record = *holder->second.record;
+    const bool is_recent = arrival.now - record.standing().first < overtaken_time;
+    const bool is_own = record.boot() == announcement.boot && record.source() == arrival.source;
+    if (is_recent && !is_own) claims_.hear(announcement, arrival, record.since() - 1);
+    return Hearing::claim;
+  }
+
   Hearing hear_goodbye(const Announcement& announcement, const Arrival& arrival) {
+    if (former_.find(announcement, arrival.now) != nullptr) former_.hear_goodbye(announcement, arrival);
     const auto known = records_.find(announcement.participant);
     if (known == records_.end() || known->second.record->boot() != announcement.boot) return Hearing::stale;
     const auto hearing = known->second.record->hear_goodbye(announcement, arrival);
@@ -116,54 +134,54 @@ class NeighbourTable::State final : private ServiceRoom {
     return hearing;
   }
 
-  Hearing hear_former(const Announcement& announcement, const Arrival& arrival) {
-    if (announcement.kind == Kind::goodbye) former_.hear_goodbye(announcement, arrival);
-    if (announcement.kind != Kind::state) return Hearing::stale;
-    auto record = former_.take_alive(announcement, arrival);
-    if (!record) return Hearing::stale;
-    // Whoever took its identifier meanwhile did so on the strength of a lie.
-    if (const auto other = records_.find(announcement.participant); other != records_.end()) {
-      remove(other, Departure::left);
+  /// Whose an identifier is: ANNOUNCEMENT.md, "Whose an identifier is".
+  Hearing hear_state(const Announcement& announcement, const Arrival& arrival) {
+    const auto holder = records_.find(announcement.participant);
+    if (holder != records_.end() && holder->second.record->boot() == announcement.boot) {
+      return hear_holder(holder, announcement, arrival);
     }
-    if (records_.size() == max_participants) {
-      const auto gives_way = admission_.decide(record->source(), record->standing(), arrival.now);
+    auto since = claims_.find(announcement, arrival);
+    const auto* former = former_.find(announcement, arrival.now);
+    if (former != nullptr && since && *since < former->since()) {
+      // Somebody at another address has anticipated the claimant's first state, and left.
+      (void)former_.take(announcement);
+      former = nullptr;
+    } else if (former != nullptr) {
+      former = former_.find_alive(announcement, arrival);
+      if (former == nullptr) return Hearing::stale;
+      since = former->since();
+    }
+    if (holder != records_.end()) {
+      const bool is_first = since && *since < holder->second.record->since();
+      if (!is_first && !holder->second.record->yields_to(announcement, arrival)) return Hearing::rival;
+    } else if (former != nullptr && records_.size() == max_participants) {
+      const auto gives_way = admission_.decide_return(former->source(), former->standing(), arrival.now);
       if (!gives_way) return Hearing::full;
       displace(*gives_way);
     }
-    record->come_back(arrival.now, changes);
-    add(std::move(record), announcement, arrival);
+    auto returned = former != nullptr ? former_.take(announcement) : nullptr;
+    if (holder != records_.end()) former_.remember(remove(holder, Departure::expired), arrival.now);
+    if (!returned) return hear_newcomer(announcement, arrival, since.value_or(turn_));
+    returned->come_back(arrival.now, changes);
+    add(std::move(returned), announcement, arrival);
     return Hearing::returned;
   }
 
-  Hearing hear_state(const Announcement& announcement, const Arrival& arrival) {
-    const auto known = records_.find(announcement.participant);
-    if (known == records_.end()) return hear_newcomer(announcement, arrival);
-    auto& record = *known->second.record;
-    if (record.boot() != announcement.boot) {
-      if (record.yields_to(announcement, arrival)) {
-        former_.remember(remove(known, Departure::expired), arrival.now);
-      } else if (has_moved_here(announcement, arrival, record)) {
-        remove(known, Departure::expired);
-      } else {
-        return Hearing::rival;
-      }
-      return hear_newcomer(announcement, arrival);
-    }
+  Hearing hear_holder(Records::iterator holder, const Announcement& announcement, const Arrival& arrival) {
+    auto& record = *holder->second.record;
     const auto hearing = record.hear(announcement, arrival, changes);
-    admission_.update(known->first, record.standing());
-    set_due(*known);
+    const auto since = claims_.find(announcement, arrival);
+    if (hearing != Hearing::known && since && *since < record.since()) {
+      // Somebody at another address anticipated the claimant's first state, with its boot nonce.
+      (void)remove(holder, Departure::expired);
+      return hear_newcomer(announcement, arrival, *since);
+    }
+    admission_.update(holder->first, record.standing());
+    set_due(*holder);
     return hearing;
   }
 
-  /// Whether a life that gave its identifier up after a clash is taking this one, and was known before whoever has it:
-  /// a forger hears every claim, and can always be the first to announce something under what is claimed.
-  [[nodiscard]] bool has_moved_here(const Announcement& announcement, const Arrival& arrival,
-                                    const NeighbourRecord& holder) const {
-    const auto* life = former_.find(announcement.boot, arrival.source);
-    return life != nullptr && life->standing().first < holder.standing().first;
-  }
-
-  Hearing hear_newcomer(const Announcement& announcement, const Arrival& arrival) {
+  Hearing hear_newcomer(const Announcement& announcement, const Arrival& arrival, Turn since) {
     std::optional<Standing> standing;
     if (records_.size() == max_participants) {
       const auto decision = admission_.decide(announcement, arrival);
@@ -171,7 +189,7 @@ class NeighbourTable::State final : private ServiceRoom {
       standing = decision.standing;
       displace(*decision.gives_way);
     }
-    auto record = std::make_unique<NeighbourRecord>(announcement, arrival, room());
+    auto record = std::make_unique<NeighbourRecord>(announcement, arrival, since, room());
     if (standing) record->set_standing(*standing);
     add(std::move(record), announcement, arrival);
     return Hearing::newcomer;
@@ -248,6 +266,8 @@ class NeighbourTable::State final : private ServiceRoom {
   BootNonce self_boot_{};
   Admission admission_;
   FormerLives former_;
+  Claims claims_;
+  Turn turn_ = 0;
   Records records_;
   std::set<std::pair<Instant, ParticipantId>> due_;  ///< when expire() has something to do for whom
   bool is_room_sought_ = false;                      ///< for the datagram that is being taken in

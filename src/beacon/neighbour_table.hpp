@@ -64,23 +64,23 @@ struct RemoveParticipant {
 /// What the caller does to its registry, in this order.
 using Change = std::variant<PutPublication, PutSubscription, RemovePublication, RemoveSubscription, RemoveParticipant>;
 
-/// What an announcement was to the table.
+/// How the table has taken an announcement.
 enum class Hearing : std::uint8_t {
-  own,            ///< our own datagram, come back
-  clash,          ///< our identifier from another boot nonce: feed IdentifierClaim::conflict() with its kind
-  claim,          ///< somebody claims an identifier: it is new here, so Schedule::newcomer()
-  newcomer,       ///< a participant that was not known, or has restarted: Schedule::newcomer()
-  known,          ///< a known participant's; changes may follow
-  goodbye,        ///< a known participant has left
-  other_group,    ///< not for us
-  stale,          ///< from before its sender's goodbye or restart, or the goodbye of somebody unknown
-  full,           ///< an unknown participant, while all places are taken by somebody with a better right to them
-  copied,         ///< a datagram that was heard, sent again from another source address: ignored
-  elsewhere,      ///< in the name of a known participant from another source address: ignored until it is repeated
-  rival,          ///< a known identifier from another boot nonce, while its owner is there: ignored
-  leap,           ///< a revision too far from the one before it: ignored until it is repeated
+  own,          ///< our own datagram, come back
+  clash,        ///< our identifier from another boot nonce: feed IdentifierClaim::conflict() with its kind
+  claim,        ///< somebody claims an identifier: it is new here, so Schedule::newcomer()
+  newcomer,     ///< a participant that was not known, or has restarted: Schedule::newcomer()
+  known,        ///< a known participant's; changes may follow
+  goodbye,      ///< a known participant has left
+  other_group,  ///< not for us
+  stale,        ///< from before its sender's goodbye or the loss of its identifier, or the goodbye of somebody unknown
+  full,         ///< an unknown participant, while all places are taken by somebody with a better right to them
+  copied,       ///< a datagram that was heard, sent again from another source address: ignored
+  elsewhere,    ///< in the name of a known participant from another source address: ignored until it is repeated
+  rival,        ///< a known identifier from another boot nonce, while its owner is there: ignored
+  leap,         ///< a revision too far from the one before it: ignored until it is repeated
   contradiction,  ///< does not fit to what was heard: somebody lies in the name of this participant
-  returned,       ///< a participant goes on after a goodbye in its name: it is known again
+  returned,       ///< a participant goes on after a goodbye in its name, or has its identifier back: it is known again
 };
 /// "own", "clash", ... Static storage.
 [[nodiscard]] std::string_view to_string(Hearing hearing);

@@ -51,9 +51,12 @@ NeighbourWay::Origin NeighbourWay::origin(const Announcement& announcement, cons
   if (home_ && arrival.source == home_->source) {
     const bool may_be_overtaken = arrival.now - home_->left < overtaken_time;
     if (announcement.sequence <= home_->sequence && may_be_overtaken) return Origin::copied;
-    source_ = std::exchange(home_, std::nullopt)->source;
+    // What it says now counts no more than what it said then: the source address may be forged, too.
+    source_ = std::move(home_->source);
+    addresses_ = std::move(home_->addresses);
+    home_.reset();
     mover_.reset();
-    has_moved_ = true;
+    has_moved_ = false;
     was_misled_ = true;
     return Origin::back;
   }
@@ -63,7 +66,7 @@ NeighbourWay::Origin NeighbourWay::origin(const Announcement& announcement, cons
     mover_ = Mover{std::string(arrival.source), announcement.sequence};
     return Origin::elsewhere;
   }
-  if (announcement.sequence <= mover_->sequence) return Origin::copied;
+  if (announcement.sequence == mover_->sequence) return Origin::copied;
   mover_->sequence = announcement.sequence;
   // A datagram of the bound address would have ended the mover.
   if ((needs_silence || was_misled_) && !is_silent) return Origin::elsewhere;
@@ -74,7 +77,7 @@ NeighbourWay::Origin NeighbourWay::origin(const Announcement& announcement, cons
 void NeighbourWay::move(const Arrival& arrival, Duration hold) {
   // The address that the way had for long stays its home while it moves on and on.
   const bool is_settled = !home_ || arrival.now - home_->left >= hold;
-  if (is_settled) home_ = Home{source_, losses_.newest(), arrival.now};
+  if (is_settled) home_ = Home{source_, losses_.newest(), arrival.now, addresses_};
   source_ = arrival.source;
   mover_.reset();
   has_moved_ = true;
@@ -145,6 +148,9 @@ Path NeighbourWay::path() const {
   return path;
 }
 
-void NeighbourWay::roll_back(Instant now, Duration hold) { addresses_.roll_back(now, hold); }
+void NeighbourWay::roll_back(Instant now, Duration hold) {
+  addresses_.roll_back(now, hold);
+  if (home_) home_->addresses.roll_back(now, hold);
+}
 
 }  // namespace geminga::beacon

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "beacon/loss_window.hpp"
@@ -58,6 +59,8 @@ class NeighbourWay {
   [[nodiscard]] base::Instant heard() const { return path_.heard; }
   [[nodiscard]] Path path() const;
   [[nodiscard]] const std::string& source() const { return source_; }
+  /// Whether it belonged to this address until a short while ago.
+  [[nodiscard]] bool was_of(std::string_view source) const { return home_ && home_->source == source; }
   [[nodiscard]] const std::vector<std::string>& addresses() const { return addresses_.value(); }
   [[nodiscard]] bool is_next(std::uint64_t sequence) const { return losses_.is_empty() || sequence > losses_.newest(); }
   [[nodiscard]] bool has(std::uint64_t sequence) const { return losses_.has(sequence); }
@@ -80,6 +83,7 @@ class NeighbourWay {
     std::string source;
     std::uint64_t sequence = 0;
     base::Instant left;
+    Settled<std::vector<std::string>> addresses;  ///< what was believed then
   };
   void move(const Arrival& arrival, base::Duration hold);
 

@@ -7,7 +7,7 @@ namespace geminga::beacon {
 
 bool ServiceRoom::take(const NeighbourServices& who, std::size_t count) {
   if (count < reserved_services) return true;
-  if (pool_ == max_remote_services && !make_room(who)) {
+  if (pool_ >= max_remote_services && !make_room(who)) {
     ++refused_;
     return false;
   }

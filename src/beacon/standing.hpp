@@ -3,13 +3,18 @@
 #define GEMINGA_BEACON_STANDING_HPP
 
 #include <algorithm>
+#include <cstdint>
 
 #include "base/time.hpp"
 #include "beacon/limits.hpp"
 
 namespace geminga::beacon {
 
-/// Counts only datagrams with rising sequence numbers; a copy proves nothing.
+/// The number of a datagram in the order of arrival: tells which of two was heard first, also within one instant.
+using Turn = std::uint64_t;
+
+/// Counts only datagrams whose number was not heard; a copy proves nothing. That numbers rise is not asked for: one
+/// datagram with the highest number, forged, would make all that follow worthless.
 struct Standing {
   base::Instant first;
   base::Instant last;

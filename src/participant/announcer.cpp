@@ -179,8 +179,8 @@ void Announcer::report(const Heard& heard) {
 
 void Announcer::end_contest() {
   if (!core_.contest.has_ended(core_.env.now())) return;
-  core_.log(base::LogLevel::info, "nobody else announces in our name any more; it were " +
-                                      std::to_string(core_.contest.heard()) + " datagrams");
+  core_.log(base::LogLevel::info,
+            "nobody else announces in our name any more; " + std::to_string(core_.contest.heard()) + " datagrams did");
 }
 
 std::string Announcer::failure() const {

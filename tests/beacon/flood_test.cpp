@@ -189,6 +189,85 @@ TEST(Flood, TakesPlacesUpToTheNamedNumberAndFromTheGreediestAddressAfterThat) {
   EXPECT_EQ(rig.hear(speaker(max_participants + 1, 1)), Hearing::newcomer);
 }
 
+std::string address_of(std::uint32_t which) {
+  return "10.1." + std::to_string(which / 250) + "." + std::to_string(which % 250);
+}
+
+TEST(Flood, FillsNotThePlaceOfASeasonedRobotInWhoseNameItSaysGoodbye) {
+  for (const bool is_filler_proved : {false, true}) {
+    Flood flood;
+    // Everybody has one place and an address of its own, and keeps it alive.
+    const auto keep = [&] {
+      for (std::uint32_t id = 1; id < max_participants; ++id) (void)flood.hear(speaker(1000 + id, 1), address_of(id));
+    };
+    const auto pass = [&](base::Duration time) { flood.pass_to(flood.now + time); };
+    for (base::Duration time{}; time <= seasoned_after; time += interval, pass(interval)) {
+      keep();
+      (void)flood.say();
+    }
+    ASSERT_EQ(flood.rig.table.size(), max_participants);
+    auto goodbye = speaker(std::to_underlying(robot), 0, {});
+    goodbye.kind = Kind::goodbye;
+    ASSERT_EQ(flood.hear(goodbye, flood.robots_address), Hearing::goodbye);
+    for (int i = 0; i < (is_filler_proved ? 6 : 1); ++i, pass(milliseconds(500))) {
+      (void)flood.hear(speaker(5000, 1), "10.9.9.9");
+    }
+    keep();
+    EXPECT_EQ(flood.say(), Hearing::returned) << is_filler_proved;
+    EXPECT_TRUE(flood.rig.table.is_known(robot));
+    EXPECT_EQ(flood.rig.table.size(), max_participants);
+  }
+}
+
+TEST(Flood, ThatFallsSilentGivesWayThoughOneOfItGoesOn) {
+  // Whichever of the addresses goes on: no place is guarded by the order of their names.
+  for (const std::uint32_t goes_on : {0U, 100U, 255U}) {
+    Flood flood;
+    const auto pass = [&](base::Duration time) { flood.pass_to(flood.now + time); };
+    for (int i = 0; i < 3; ++i, pass(interval)) {
+      for (std::uint32_t id = 0; id < max_participants; ++id) {
+        auto state = speaker(1000 + id, 1);
+        state.interval = max_interval;
+        (void)flood.hear(state, address_of(id));
+      }
+    }
+    base::Duration unknown{};
+    for (int i = 0; i < 10; ++i) {
+      (void)flood.hear(speaker(1000 + goes_on, 1), address_of(goes_on));
+      (void)flood.say();
+      if (flood.rig.table.is_known(robot)) break;
+      pass(interval);
+      unknown += interval;
+    }
+    EXPECT_LE(unknown, 2 * interval) << goes_on;
+  }
+}
+
+TEST(Flood, OfOneDatagramWithTheHighestNumberKeepsNoWaitingStrangerOut) {
+  Flood flood;
+  for (std::uint32_t id = 0; id < max_participants; ++id) {
+    auto state = speaker(1000 + id, 1);
+    state.interval = max_interval;
+    for (int i = 0; i < 2; ++i) (void)flood.hear(state, address_of(id));
+  }
+  flood.pass_to(flood.now + seconds(3));
+  for (std::uint32_t id = 0; id < max_participants; ++id) {
+    (void)flood.hear(speaker(1000 + id, 1), flood.robots_address);
+  }
+  auto forged = speaker(std::to_underlying(robot), 1);
+  forged.sequence = ~std::uint64_t{0};
+  (void)flood.hear(forged, flood.robots_address);
+  base::Duration unknown{};
+  for (const auto step : {milliseconds(20), milliseconds(40), milliseconds(80), milliseconds(160), milliseconds(1700),
+                          milliseconds(2000)}) {
+    (void)flood.say();
+    if (flood.rig.table.is_known(robot)) break;
+    flood.pass_to(flood.now + step);
+    unknown += step;
+  }
+  EXPECT_TRUE(flood.rig.table.is_known(robot)) << "after " << unknown / milliseconds(1) << " ms";
+}
+
 /// All services from 1 to `count`, in as many parts as it takes.
 void offer(Flood& flood, std::uint32_t id, std::uint32_t count, const std::string& source) {
   const auto parts = (count + 99) / 100;
@@ -277,6 +356,28 @@ TEST(NeighbourServices, AreTakenUpToTheNamedNumberOfAllBeyondTheReserveOfEach) {
   rig.source = "10.0.0.66";
   (void)rig.hear(greedy);
   EXPECT_EQ(rig.table.find(ParticipantId{full + 4})->publications, reserved_services + 1);
+}
+
+TEST(NeighbourServices, OfSomebodyWhoLeftGiveOnlyTheRoomThatTheyTook) {
+  for (const auto left : {1U, 32U, 33U, 34U}) {
+    TableRig rig;
+    hear_many(rig, 100, 1, left);
+    for (std::uint32_t id = 1; id <= 9; ++id) hear_many(rig, id, 1, max_services_per_participant);
+    auto goodbye = speaker(100, 1, {});
+    goodbye.kind = Kind::goodbye;
+    ASSERT_EQ(rig.hear(goodbye), Hearing::goodbye);
+    const auto beyond_reserve = [&] {
+      std::size_t count = 0;
+      rig.table.for_each(
+          [&](const Neighbour& each) { count += each.publications - std::min(each.publications, reserved_services); });
+      return count;
+    };
+    for (std::uint32_t id = 101; id <= 120; ++id) {
+      rig.source = "10.0.1." + std::to_string(id);
+      for (int copy = 0; copy < 2; ++copy) hear_many(rig, id, 1, 300);
+      EXPECT_LE(beyond_reserve(), max_remote_services) << left;
+    }
+  }
 }
 
 TEST(NeighbourServices, UseAtMostTheNamedNumberOfWays) {

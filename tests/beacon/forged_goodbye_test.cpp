@@ -75,7 +75,8 @@ TEST(Forged, LifeUnderAKnownIdentifierAfterAForgedGoodbyeGivesWayToTheTrueOne) {
   air.pass(seconds(1));
   EXPECT_EQ(air.say(), Hearing::returned);
   for (int i = 0; i < 100; ++i) {
-    EXPECT_EQ(air.hear(usurper, "10.0.0.66"), Hearing::rival);
+    // What comes right after it has lost the identifier may have been sent before that.
+    EXPECT_EQ(air.hear(usurper, "10.0.0.66"), i == 0 ? Hearing::stale : Hearing::rival);
     if (i % 10 == 0) (void)air.say();
     air.pass(milliseconds(200));
     EXPECT_TRUE(air.is_right());

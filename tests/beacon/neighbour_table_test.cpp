@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "beacon/claims.hpp"
 #include "beacon/limits.hpp"
 #include "beacon/loss_window.hpp"
 #include "beacon/table_rig.hpp"
@@ -188,34 +189,47 @@ TEST(NeighbourTable, LetsANewLifeReplaceTheOldOneWhenThatIsSilentForTwoIntervals
   EXPECT_EQ(rig.table.find(ParticipantId{1})->boot, BootNonce{1});
 }
 
-TEST(NeighbourTable, GivesAnIdentifierToTheLifeThatMovesThereAndWasKnownBeforeWhoAnticipatedIt) {
+TEST(NeighbourTable, GivesAnIdentifierToTheLifeThatClaimedItBeforeWhoAnticipatedIt) {
   TableRig rig;
   auto owner = speaker(1, 9, {5});
   (void)rig.hear(owner);
   auto goodbye = speaker(1, 9, {});
   goodbye.kind = Kind::goodbye;
   EXPECT_EQ(rig.hear(goodbye, rig_start + seconds(1)), Hearing::goodbye);
+  owner.participant = ParticipantId{2};
+  auto claim = owner;
+  claim.kind = Kind::claim;
+  EXPECT_EQ(rig.hear(claim, rig_start + seconds(1)), Hearing::claim);
   auto forged = speaker(2, 1, {6});
   forged.boot = BootNonce{77};
   EXPECT_EQ(rig.hear(forged, rig_start + seconds(1)), Hearing::newcomer);
   rig.lines();
-  owner.participant = ParticipantId{2};
   EXPECT_EQ(rig.hear(owner, rig_start + seconds(1)), Hearing::newcomer);
   EXPECT_THAT(rig.lines(), ElementsAre("remove 00000002 expired", "put pub 00000002/1/5 at 10.0.0.1"));
-  EXPECT_EQ(rig.hear(forged, rig_start + seconds(1)), Hearing::rival);
+  EXPECT_EQ(rig.hear(forged, rig_start + seconds(1)), Hearing::stale);
+  EXPECT_EQ(rig.hear(forged, rig_start + seconds(2)), Hearing::rival);
 }
 
-TEST(NeighbourTable, GivesNoIdentifierToALifeThatMovesButWasKnownAfterItsOwner) {
-  TableRig rig;
-  (void)rig.hear(speaker(2, 1, {6}));
-  auto forged = speaker(1, 9, {5});
-  forged.boot = BootNonce{77};
-  (void)rig.hear(forged, rig_start + seconds(1));
-  auto goodbye = forged;
-  goodbye.kind = Kind::goodbye;
-  (void)rig.hear(goodbye, rig_start + seconds(1));
-  forged.participant = ParticipantId{2};
-  EXPECT_EQ(rig.hear(forged, rig_start + seconds(1)), Hearing::rival);
+TEST(NeighbourTable, RemembersClaimsUpToTheNamedNumberAndForTheNamedTime) {
+  for (const auto& [others, after] : {std::pair{std::size_t{0}, claim_memory - base::Duration(1)},
+                                      {0, claim_memory},
+                                      {max_claims - 1, seconds(1)},
+                                      {max_claims, seconds(1)}}) {
+    TableRig rig;
+    auto claim = speaker(1, 1);
+    claim.kind = Kind::claim;
+    (void)rig.hear(claim);
+    for (std::size_t i = 0; i < others; ++i) {
+      claim.participant = ParticipantId(1000 + i);
+      (void)rig.hear(claim);
+    }
+    auto forged = speaker(1, 1);
+    forged.boot = BootNonce{77};
+    (void)rig.hear(forged, rig_start + after);
+    const bool is_remembered = others < max_claims && after < claim_memory;
+    EXPECT_EQ(rig.hear(speaker(1, 1), rig_start + after), is_remembered ? Hearing::newcomer : Hearing::rival)
+        << others << " others";
+  }
 }
 
 TEST(NeighbourTable, IgnoresAnotherLifeUnderAnIdentifierWhoseOwnerIsThere) {
