@@ -119,7 +119,7 @@ void Worker::activate_clause(ClauseNumber clause) {
   ClauseStore& store = context_->store;
   store.activate(clause);
   const std::size_t maximal = maximal_count(store.head(clause));
-  for (std::size_t at = 0; at < maximal; ++at) activate({clause, store.head(clause)[at]});
+  for (std::size_t at = 0; at < maximal && store.is_live(clause); ++at) activate({clause, store.head(clause)[at]});
   if (maximal == 0 || is_of_predecessor(store.head(clause)[0])) tell_predecessors(clause);
 }
 

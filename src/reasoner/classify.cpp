@@ -31,6 +31,11 @@ void leave_all_undecided(Classified& result) {
   }
 }
 
+/// Most classes have a model within these; where some have none, more is derived by cases before the search goes on.
+constexpr CompletionLimits quick_models{.unanswered = 3, .question = {.nodes = 20'000, .steps = 50'000}};
+constexpr std::uint64_t more_alternatives = 25;
+constexpr std::uint64_t most_alternatives = 1'000'000;
+
 /// Adds what the clauses have as consequences.
 class Deepening {
  public:
@@ -45,8 +50,18 @@ class Deepening {
       leave_all_undecided(result_);
       return;
     }
-    derive(*clauses);
-    if (result_.is_consistent && !result_.gaps.empty()) search(*clauses);
+    derive(*clauses, options_.alternatives);
+    bool is_open = !is_finished();
+    if (std::ranges::find(result_.gaps, consequence::alternative_gap) != result_.gaps.end()) {
+      search(*clauses, quick_models);
+      is_open = !is_finished() && !is_spent();
+      // Some questions are hard for a search and easy by cases.
+      if (is_open) {
+        derive(*clauses,
+               static_cast<std::uint32_t>(std::min(options_.alternatives * more_alternatives, most_alternatives)));
+      }
+    }
+    if (is_open && !is_finished()) search(*clauses, {});
     settle(clauses->unused);
   }
 
@@ -55,7 +70,12 @@ class Deepening {
     if (options_.progress) options_.progress(phase, done);
   }
 
-  void derive(const clauses::ClauseSet& clauses) {
+  [[nodiscard]] bool is_finished() const { return !result_.is_consistent || result_.gaps.empty(); }
+
+  [[nodiscard]] bool is_spent() const { return options_.budget != nullptr && options_.budget->is_spent(); }
+
+  void derive(const clauses::ClauseSet& clauses, std::uint32_t alternatives) {
+    result_.undecided = {};
     report("deriving consequences", 0.1);
     const NamedConcepts concepts(source_, result_, clauses);
     std::vector<clauses::ConceptId> wanted;
@@ -69,11 +89,9 @@ class Deepening {
     }
     std::size_t most = std::min(max_derived_clauses, always_derived + derived_per_axiom * source_.axiom_count());
     if (options_.budget != nullptr) most = std::min<std::size_t>(most, options_.budget->left() / 2 / steps_per_clause);
-    const consequence::Closure closure = consequence::saturate(source_, clauses, wanted,
-                                                               {.threads = options_.threads,
-                                                                .clauses = most,
-                                                                .alternatives = options_.alternatives,
-                                                                .budget = options_.budget});
+    const consequence::Closure closure = consequence::saturate(
+        source_, clauses, wanted,
+        {.threads = options_.threads, .clauses = most, .alternatives = alternatives, .budget = options_.budget});
     if (!closure.is_consistent) return contradict(result_, source_);
     Subsumptions more;
     for (std::size_t at = 0; at < classes.size(); ++at) {
@@ -92,8 +110,8 @@ class Deepening {
     }
   }
 
-  void search(const clauses::ClauseSet& clauses) {
-    Completion completion = complete(source_, {result_, clauses, is_settled_, is_plain_}, options_);
+  void search(const clauses::ClauseSet& clauses, const CompletionLimits& limits) {
+    Completion completion = complete(source_, {result_, clauses, is_settled_, is_plain_}, options_, limits);
     if (!completion.is_consistent) return contradict(result_, source_);
     if (!completion.gaps.empty()) note_undecided(completion);
     extend(result_, completion.found);

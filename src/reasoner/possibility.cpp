@@ -15,8 +15,8 @@ namespace geminga::reasoner {
 namespace {
 
 /// Most questions are settled within the first number; the second is for those that the tableau leaves open, too.
-constexpr std::size_t few_derived_clauses = 200'000;
-constexpr std::size_t many_derived_clauses = 2'000'000;
+constexpr consequence::Options few_derived{.clauses = 200'000, .alternatives = 200};
+constexpr consequence::Options many_derived{.clauses = 2'000'000};
 
 class Decision {
  public:
@@ -96,15 +96,16 @@ class Decision {
       for (const std::size_t at : asked) answers_[at].reason = clauses.error().text;
       return;
     }
-    if (!ask_consequence(*clauses, asked, few_derived_clauses)) return;
+    if (!ask_consequence(*clauses, asked, few_derived)) return;
     ask_tableau(*clauses, asked);
-    if (is_open()) (void)ask_consequence(*clauses, asked, many_derived_clauses);
+    if (is_open()) (void)ask_consequence(*clauses, asked, many_derived);
   }
 
   /// False where everything is settled at once. Reasons that are known already stay.
-  bool ask_consequence(const clauses::ClauseSet& clauses, const std::vector<std::size_t>& asked, std::size_t limit) {
-    const consequence::Closure closure = consequence::saturate(excerpt_.source, clauses, clauses.queries,
-                                                               {.threads = 1, .clauses = limit, .budget = budget_});
+  bool ask_consequence(const clauses::ClauseSet& clauses, const std::vector<std::size_t>& asked,
+                       consequence::Options limits) {
+    limits.budget = budget_;
+    const consequence::Closure closure = consequence::saturate(excerpt_.source, clauses, clauses.queries, limits);
     if (!closure.is_consistent) {
       settle_all_impossible();
       return false;

@@ -45,6 +45,7 @@ void Tableau::Search::find_blocked() {
   const NodeId changed = graph_.take_changed();
   if (changed == none) return;
   blockers_.cut(changed);
+  blocked_by_.resize(graph_.node_count());
   // Or questions with many nodes would take no steps and no end.
   steps_ += (graph_.node_count() - std::min<std::size_t>(changed, graph_.node_count())) / nodes_a_step;
   for (NodeId node = changed; node < graph_.node_count(); ++node) {
@@ -55,12 +56,34 @@ void Tableau::Search::find_blocked() {
       graph_.set_blocked(node, true);
       continue;
     }
+    if (is_tree && is_still_blocked(node)) {
+      graph_.set_blocked(node, true);
+      continue;
+    }
     const std::uint64_t key = blocking_key(one);
-    const bool is_blocked =
-        is_tree && blockers_.find(key, [&](NodeId blocker) { return blocks(blocker, node); }) != none;
-    graph_.set_blocked(node, is_blocked);
-    if (!is_blocked) blockers_.push(node, key);
+    const NodeId blocker =
+        is_tree ? blockers_.find(key, [&](NodeId candidate) { return blocks(candidate, node); }) : none;
+    graph_.set_blocked(node, blocker != none);
+    blocked_by_[node] = compared(node, blocker);
+    if (blocker == none) blockers_.push(node, key);
   }
+}
+
+/// Whether nothing that was compared when it was blocked has changed. Where individuals change, most of what is under
+/// them has not.
+bool Tableau::Search::is_still_blocked(NodeId node) const {
+  const NodeId blocker = blocked_by_[node].blocker;
+  return blocker < node && graph_.is_active(blocker) && !graph_.node(blocker).is_blocked &&
+         blocked_by_[node] == compared(node, blocker);
+}
+
+Tableau::Search::BlockedBy Tableau::Search::compared(NodeId node, NodeId blocker) const {
+  if (blocker == none) return {};
+  const Node& first = graph_.node(node);
+  const Node& second = graph_.node(blocker);
+  if (!program_.has_inverses()) return {blocker, {first.version, second.version, 0, 0}};
+  return {blocker,
+          {first.version, second.version, graph_.node(first.parent).version, graph_.node(second.parent).version}};
 }
 
 /// Without nominals and inverses a root is like any other node in what is below it.

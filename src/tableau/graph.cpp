@@ -35,6 +35,7 @@ void Graph::count_label(const Fact& fact, bool is_added) {
   const std::uint64_t hash = mixed((std::uint64_t{fact.predicate} << 8) + static_cast<std::uint64_t>(fact.kind) + 1);
   nodes_[fact.a].label_hash += is_added ? hash : std::uint64_t{0} - hash;
   nodes_[fact.a].label_count += is_added ? 1U : ~0U;
+  nodes_[fact.a].version = ++versions_;
   note_change(fact.a);
 }
 
@@ -55,6 +56,7 @@ NodeId Graph::add_node(NodeKind kind, NodeId parent) {
   Node& node = nodes_.emplace_back();
   node.kind = kind;
   node.parent = parent;
+  node.version = ++versions_;
   note_change(id);
   if (is_value(kind)) ++value_count_;
   if (parent != none) {
@@ -145,6 +147,7 @@ void Graph::count_edge(const Fact& fact, bool is_added) {
   const std::uint64_t hash = mixed((std::uint64_t{fact.predicate} << 1) + (is_down ? 1 : 0) + 0x2545f491U);
   child.edge_hash += is_added ? hash : std::uint64_t{0} - hash;
   child.edge_count += is_added ? 1U : ~0U;
+  child.version = ++versions_;
   note_change(is_down ? fact.b : fact.a);
 }
 

@@ -63,6 +63,8 @@ struct Node {
   FactId others = none;
   std::uint32_t label_count = 0;
   std::uint32_t edge_count = 0;  ///< between it and its parent
+  /// Another number whenever the label or the edge to the parent has changed.
+  std::uint64_t version = 0;
   std::uint64_t label_hash = 0;  ///< of a set: order does not matter
   std::uint64_t edge_hash = 0;
 };
@@ -127,6 +129,7 @@ class Graph {
   std::vector<NodeId> trail_;  ///< nodes that were merged or pruned
   NodeId changed_ = 0;
   std::size_t value_count_ = 0;
+  std::uint64_t versions_ = 0;
 };
 
 }  // namespace geminga::tableau

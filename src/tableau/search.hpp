@@ -7,6 +7,7 @@
 #ifndef GEMINGA_TABLEAU_SEARCH_HPP
 #define GEMINGA_TABLEAU_SEARCH_HPP
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -76,6 +77,12 @@ class Tableau::Search {
   struct Existential {
     FactId fact = 0;
     bool is_done = false;
+  };
+  /// Who blocked a node, and the versions of what was compared.
+  struct BlockedBy {
+    NodeId blocker = none;
+    std::array<std::uint64_t, 4> versions{};
+    friend bool operator==(const BlockedBy&, const BlockedBy&) = default;
   };
   struct Introduced {
     NodeId node = 0;
@@ -198,6 +205,8 @@ class Tableau::Search {
   void find_blocked();
   [[nodiscard]] bool may_block_as_root(const Node& node) const;
   [[nodiscard]] std::uint64_t blocking_key(const Node& node) const;
+  [[nodiscard]] bool is_still_blocked(NodeId node) const;
+  [[nodiscard]] BlockedBy compared(NodeId node, NodeId blocker) const;
   [[nodiscard]] bool blocks(NodeId blocker, NodeId node) const;
   [[nodiscard]] bool has_same_edges(NodeId node, NodeId other) const;
 
@@ -215,6 +224,7 @@ class Tableau::Search {
   DependencySets sets_;
   Graph graph_;
   Blockers blockers_;
+  std::vector<BlockedBy> blocked_by_;  ///< by node, as of the last look
 
   FactId processed_ = 0;
   bool has_clash_ = false;

@@ -94,6 +94,19 @@ TEST(Settled, IsNoClassThatLeadsToOneWithMoreAlternativesThanAreDerived) {
   EXPECT_THAT(settled_of(by_cases, {.alternatives = needed + 1}), ElementsAre("A", "B", "C", "D", "E", "F"));
 }
 
+TEST(Settled, IsPlainWhereNoAlternativeIsLeft) {
+  // B and F make the covering axiom of A redundant: an instance of F need not be in C.
+  const el::OntologySource source = written(by_cases);
+  const clauses::ClauseSet clauses = clauses_of(source);
+  const std::vector<clauses::ConceptId> classes = named_classes(clauses);
+  const Closure closure = saturate(source, clauses, classes, {.alternatives = 0});
+  for (std::size_t at = 0; at < classes.size(); ++at) {
+    const std::string_view name = source.name_of(clauses.concepts[number(classes[at])].term);
+    if (!name.starts_with("https://t.example/#")) continue;
+    EXPECT_EQ(closure.is_plain[at], name.back() != 'A' && name.back() != 'E') << name;
+  }
+}
+
 TEST(Settled, NamesTheGapWhereAlternativesAreNotDerivedAndKeepsWhatHasNone) {
   const el::OntologySource source = written(by_cases);
   const clauses::ClauseSet clauses = clauses_of(source);

@@ -1,0 +1,118 @@
+#include "compare/shapes.hpp"
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/random.hpp"
+
+namespace geminga::compare {
+namespace {
+
+using el::AxiomKind;
+using el::TermId;
+using el::TermKind;
+
+class Writer {
+ public:
+  Writer() : file_(source_.add_file("shape")) {}
+
+  TermId named(const std::string& name) { return source_.named_class("http://shape.example/#" + name); }
+  TermId property(const std::string& name) { return source_.object_property("http://shape.example/#" + name); }
+  TermId individual(const std::string& name) { return source_.individual("http://shape.example/#" + name); }
+  TermId term(TermKind kind, std::vector<TermId> arguments, std::uint32_t number = 0) {
+    return source_.term(kind, std::move(arguments), number);
+  }
+  void add(AxiomKind kind, const std::vector<TermId>& arguments) { source_.add(kind, arguments, file_, ++line_); }
+  el::OntologySource take() { return std::move(source_); }
+
+ private:
+  el::OntologySource source_;
+  el::FileId file_{};
+  std::uint32_t line_ = 0;
+};
+
+void cover(Writer& writer, Covering covering, TermId whole, const std::vector<TermId>& parts) {
+  if (parts.size() == 1) return writer.add(AxiomKind::sub_class_of, {parts[0], whole});
+  if (covering == Covering::disjoint_union) {
+    std::vector<TermId> all{whole};
+    all.insert(all.end(), parts.begin(), parts.end());
+    return writer.add(AxiomKind::disjoint_union, all);
+  }
+  writer.add(AxiomKind::equivalent_classes, {whole, writer.term(TermKind::object_union_of, parts)});
+  if (covering == Covering::all_disjoint) return writer.add(AxiomKind::disjoint_classes, parts);
+  for (std::size_t first = 0; first < parts.size(); ++first) {
+    for (std::size_t second = first + 1; second < parts.size(); ++second)
+      writer.add(AxiomKind::disjoint_classes, {parts[first], parts[second]});
+  }
+}
+
+/// What is in `whole` puts each of `pigeons` pigeons into one of `holes` holes, no two into the same.
+void put_pigeons(Writer& writer, const std::string& whole, std::size_t pigeons, std::size_t holes) {
+  const auto place = [&](std::size_t pigeon, std::size_t hole) {
+    return writer.named(whole + std::to_string(pigeon) + "in" + std::to_string(hole));
+  };
+  for (std::size_t pigeon = 0; pigeon < pigeons; ++pigeon) {
+    std::vector<TermId> places;
+    for (std::size_t hole = 0; hole < holes; ++hole) {
+      places.push_back(place(pigeon, hole));
+      for (std::size_t other = 0; other < pigeon; ++other)
+        writer.add(AxiomKind::disjoint_classes, {place(pigeon, hole), place(other, hole)});
+    }
+    writer.add(AxiomKind::sub_class_of, {writer.named(whole), writer.term(TermKind::object_union_of, places)});
+  }
+}
+
+}  // namespace
+
+el::OntologySource covering_tree(Covering covering, std::size_t classes, std::size_t width) {
+  Writer writer;
+  std::map<std::size_t, std::vector<TermId>> children;
+  for (std::size_t at = 1; at < classes; ++at)
+    children[(at - 1) / width].push_back(writer.named("C" + std::to_string(at)));
+  for (const auto& [parent, parts] : children)
+    cover(writer, covering, writer.named("C" + std::to_string(parent)), parts);
+  return writer.take();
+}
+
+el::OntologySource pigeonhole(std::size_t holes) {
+  Writer writer;
+  put_pigeons(writer, "A", holes + 1, holes);
+  put_pigeons(writer, "B", holes + 1, holes + 1);
+  return writer.take();
+}
+
+el::OntologySource enumeration(std::uint64_t seed, std::size_t individuals) {
+  base::Random random(seed);
+  Writer writer;
+  std::vector<TermId> members;
+  for (std::size_t at = 0; at < individuals; ++at) {
+    members.push_back(writer.individual("i" + std::to_string(at)));
+    writer.add(AxiomKind::class_assertion, {writer.named("Kind" + std::to_string(random.below(3))), members.back()});
+  }
+  for (const char* kind : {"Kind0", "Kind1"})
+    writer.add(AxiomKind::sub_class_of, {writer.named(kind), writer.named("Measure")});
+  writer.add(AxiomKind::equivalent_classes, {writer.named("Unit"), writer.term(TermKind::object_one_of, members)});
+  if (random.chance(0.5)) writer.add(AxiomKind::sub_class_of, {writer.named("Kind2"), writer.named("Measure")});
+  return writer.take();
+}
+
+el::OntologySource qualified_numbers(std::uint64_t seed) {
+  base::Random random(seed);
+  Writer writer;
+  const TermId has = writer.property("has");
+  const auto any = [&] { return writer.named("C" + std::to_string(random.below(7))); };
+  cover(writer, Covering::disjoint_union, writer.named("C0"), {writer.named("C1"), writer.named("C2")});
+  cover(writer, Covering::all_disjoint, writer.named("C1"), {writer.named("C3"), writer.named("C4")});
+  constexpr std::array kinds{TermKind::object_min_cardinality, TermKind::object_max_cardinality,
+                             TermKind::object_exact_cardinality};
+  for (int at = 0; at < 6; ++at) {
+    const TermId number =
+        writer.term(kinds[random.below(kinds.size())], {has, any()}, static_cast<std::uint32_t>(random.below(4)));
+    writer.add(random.chance(0.2) ? AxiomKind::equivalent_classes : AxiomKind::sub_class_of, {any(), number});
+  }
+  return writer.take();
+}
+
+}  // namespace geminga::compare

@@ -1,0 +1,29 @@
+// Ontologies of the shapes that published ones have and that take every combination where cases are derived.
+#ifndef GEMINGA_TESTS_COMPARE_SHAPES_HPP
+#define GEMINGA_TESTS_COMPARE_SHAPES_HPP
+
+#include <cstdint>
+
+#include "el/source.hpp"
+
+namespace geminga::compare {
+
+/// How a covering axiom is written.
+enum class Covering : std::uint8_t { disjoint_union, all_disjoint, pairwise_disjoint };
+
+/// A tree of `classes` classes C0, C1, ..., each the union of its children, which are `width` and disjoint. A child
+/// that is alone is a subclass.
+[[nodiscard]] el::OntologySource covering_tree(Covering covering, std::size_t classes, std::size_t width);
+
+/// A is empty, as `holes` holes are one too few for what is in it; B, with one hole more, is not.
+[[nodiscard]] el::OntologySource pigeonhole(std::size_t holes);
+
+/// The class Unit of typed individuals, of which each kind is a class of its own; the same for the same seed.
+[[nodiscard]] el::OntologySource enumeration(std::uint64_t seed, std::size_t individuals);
+
+/// Qualified numbers of the same neighbours over a small tree with covering axioms; the same for the same seed.
+[[nodiscard]] el::OntologySource qualified_numbers(std::uint64_t seed);
+
+}  // namespace geminga::compare
+
+#endif

@@ -1,0 +1,69 @@
+// The shapes that take every combination where cases are derived: whatever two engines say of one, they agree.
+#include "compare/shapes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "compare/functional_syntax.hpp"
+#include "compare/opinions.hpp"
+
+namespace geminga::compare {
+namespace {
+
+using testing::IsEmpty;
+
+constexpr Covering coverings[] = {Covering::disjoint_union, Covering::all_disjoint, Covering::pairwise_disjoint};
+
+void expect_agreement(const el::OntologySource& source) {
+  const Opinion tableau = of_the_tableau(source);
+  const Opinion models = of_models(source);
+  const Opinion whole = of_the_reasoner(source);
+  EXPECT_TRUE(whole.is_complete);
+  EXPECT_TRUE(models.is_complete);
+  EXPECT_THAT(contradictions(models, tableau), IsEmpty()) << functional_syntax(source);
+  EXPECT_THAT(contradictions(whole, tableau), IsEmpty()) << functional_syntax(source);
+}
+
+TEST(CoveringTree, IsUnderstoodByModelsAsByTheTableau) {
+  for (const Covering covering : coverings) {
+    for (const std::size_t width : {2, 3, 5}) expect_agreement(covering_tree(covering, 20, width));
+  }
+}
+
+TEST(CoveringTree, HasTheSubsumptionsOfATreeHoweverLargeItIs) {
+  constexpr std::size_t classes = 2000;
+  for (const Covering covering : coverings) {
+    for (const std::size_t width : {2, 10}) {
+      const Opinion found = of_the_reasoner(covering_tree(covering, classes, width));
+      std::size_t expected = 0;
+      for (std::size_t at = 1; at < classes; ++at) {
+        for (std::size_t above = at; above != 0; above = (above - 1) / width) ++expected;
+      }
+      EXPECT_TRUE(found.is_complete);
+      EXPECT_EQ(found.closure.size(), expected) << width;
+    }
+  }
+}
+
+TEST(Pigeonhole, IsDecidedOrSaidToBeOpen) {
+  const Opinion found = of_the_reasoner(pigeonhole(5));
+  EXPECT_TRUE(found.is_complete);
+  EXPECT_EQ(found.closure.size(), 1U) << "A is empty, and B is not";
+  const Opinion large = of_the_reasoner(pigeonhole(8));
+  EXPECT_TRUE(large.closure.size() == 1 || !large.is_complete) << "what is too hard is said to be open";
+}
+
+TEST(Enumeration, IsUnderstoodByModelsAsByTheTableau) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) expect_agreement(enumeration(seed, 3 + seed % 4));
+}
+
+TEST(QualifiedNumbers, AreUnderstoodByModelsAsByTheTableau) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_agreement(qualified_numbers(seed));
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+}  // namespace
+}  // namespace geminga::compare
