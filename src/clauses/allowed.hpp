@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "clauses/literal.hpp"
-#include "clauses/role_box.hpp"
 #include "clauses/vocabulary.hpp"
+#include "el/role_box.hpp"
 
 namespace geminga::clauses {
 
@@ -22,7 +22,7 @@ inline constexpr std::string_view bottom_data_property = "http://www.w3.org/2002
 /// that is not simple is allowed where it does not say at most of another: it is exact, as edges are paths.
 class Allowed {
  public:
-  Allowed(Vocabulary& vocabulary, const RoleBox& roles, std::uint32_t max_cardinality)
+  Allowed(Vocabulary& vocabulary, const el::RoleBox& roles, std::uint32_t max_cardinality)
       : vocabulary_(vocabulary), roles_(roles), max_cardinality_(max_cardinality) {}
 
   /// Why the literal has no clauses where it is asserted; empty: it has.
@@ -34,7 +34,7 @@ class Allowed {
   [[nodiscard]] std::string_view problem_of(const Shape& shape);
 
   Vocabulary& vocabulary_;
-  const RoleBox& roles_;
+  const el::RoleBox& roles_;
   std::uint32_t max_cardinality_;
   std::map<std::tuple<el::TermId, bool, Part>, std::string_view> known_;
 };

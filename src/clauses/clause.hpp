@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "el/role.hpp"
 #include "el/source.hpp"
 
 namespace geminga::clauses {
@@ -24,8 +25,8 @@ inline constexpr ConceptId thing{0};
 inline constexpr ConceptId nothing{1};
 /// Stands for the term of what has none in the source: an individual that only the translation needs.
 inline constexpr el::TermId no_term{0xffffffffU};
-/// An object property. Dense.
-enum class PropertyId : std::uint32_t {};
+using el::PropertyId;
+using el::Role;
 /// A data property. Dense.
 enum class DataPropertyId : std::uint32_t {};
 /// A unary predicate over values: a data range or the complement of one. Dense; see DataRange.
@@ -37,13 +38,6 @@ template <typename Id>
 [[nodiscard]] constexpr std::uint32_t number(Id id) {
   return static_cast<std::uint32_t>(id);
 }
-
-/// An object property or its inverse.
-struct Role {
-  PropertyId property{};
-  bool is_inverse = false;
-  friend auto operator<=>(const Role&, const Role&) = default;
-};
 
 /// The variables of a clause: 0 is the centre x, others are its neighbours y1, y2, ... (or values v1, v2, ...).
 using Variable = std::uint8_t;

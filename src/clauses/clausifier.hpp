@@ -36,8 +36,9 @@ class Clausifier {
   void find_properties(std::span<const el::TermId> terms);
   void find_property(el::TermId term);
   void build_roles();
-  void collect_roles(const Ordered& axiom, std::vector<RoleInclusion>& inclusions, std::vector<RoleChain>& chains);
-  void add_hierarchy(std::span<const RoleInclusion> inclusions);
+  void collect_roles(const Ordered& axiom, std::vector<el::RoleInclusion>& inclusions,
+                     std::vector<el::RoleChain>& chains);
+  void add_hierarchy(std::span<const el::RoleInclusion> inclusions);
   void add(const Ordered& axiom);
   void add_class_axiom(const Ordered& axiom);
   void add_property_axiom(const Ordered& axiom);
@@ -65,7 +66,7 @@ class Clausifier {
   std::optional<Role> top_role_;
   std::optional<Role> bottom_role_;
   std::optional<DataPropertyId> bottom_data_;
-  std::optional<RoleBox> roles_;
+  std::optional<el::RoleBox> roles_;
   std::optional<Translator> translator_;
   std::optional<Allowed> allowed_;
   std::optional<std::string> problem_;

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "clauses/literal.hpp"
-#include "clauses/role_box.hpp"
 #include "clauses/vocabulary.hpp"
+#include "el/role_box.hpp"
 
 namespace geminga::clauses {
 
@@ -41,7 +41,7 @@ struct Draft {
 
 class Translator {
  public:
-  Translator(Vocabulary& vocabulary, const RoleBox& roles, ClauseSet& set, std::size_t max_clauses)
+  Translator(Vocabulary& vocabulary, const el::RoleBox& roles, ClauseSet& set, std::size_t max_clauses)
       : vocabulary_(vocabulary), source_(vocabulary.source()), roles_(roles), set_(set), max_clauses_(max_clauses) {}
 
   /// Everything is in one of these.
@@ -98,11 +98,11 @@ class Translator {
   void finish(Draft draft);
   /// The concept of the first state of a role's automaton with `every role.filler`, and whether it goes into the head.
   std::pair<ConceptId, bool> path(Role role, Literal filler);
-  void add_moves(const Automaton& automaton, const std::vector<ConceptId>& states, Literal filler, bool is_forward);
+  void add_moves(const el::Automaton& automaton, const std::vector<ConceptId>& states, Literal filler, bool is_forward);
 
   Vocabulary& vocabulary_;
   const el::OntologySource& source_;
-  const RoleBox& roles_;
+  const el::RoleBox& roles_;
   ClauseSet& set_;
   std::size_t max_clauses_;
   std::map<Key, Name> names_;

@@ -101,31 +101,31 @@ std::pair<ConceptId, bool> Translator::path(Role role, Literal filler) {
   const Literal named = is_forward ? filler : complement(filler);
   const auto [found, is_new] = paths_.try_emplace({role, key_of(named), is_forward});
   if (!is_new) return {found->second, is_forward};
-  const Automaton& automaton = roles_.automaton(role);
+  const el::Automaton& automaton = roles_.automaton(role);
   const bool is_everything = !is_forward && shape_of(source_, named).kind == ShapeKind::truth;
   std::vector<ConceptId> states;
-  for (Automaton::State state = 0; state < automaton.state_count(); ++state) {
+  for (el::Automaton::State state = 0; state < automaton.state_count(); ++state) {
     const bool needs_no_name =
-        state != Automaton::begin && automaton.is_final(state) && (is_everything || automaton.is_dead_end(state));
+        state != el::Automaton::begin && automaton.is_final(state) && (is_everything || automaton.is_dead_end(state));
     states.push_back(needs_no_name ? thing : vocabulary_.auxiliary(filler.term));
   }
-  found->second = states[Automaton::begin];
+  found->second = states[el::Automaton::begin];
   const ConceptId first = found->second;
   add_moves(automaton, states, filler, is_forward);
   return {first, is_forward};
 }
 
-void Translator::add_moves(const Automaton& automaton, const std::vector<ConceptId>& states, Literal filler,
+void Translator::add_moves(const el::Automaton& automaton, const std::vector<ConceptId>& states, Literal filler,
                            bool is_forward) {
   //   forwards:   Qp(x), S(x,y) -> Qq(y)      Qf -> F        where F is the filler
   //   backwards:  S(x,y), Qq(y) -> Qp(x)      G -> Qf        where G is its complement
   // The name of a final state without further moves is the filler itself.
-  const auto leads_to_thing = [&](const Automaton::Move& other) {
+  const auto leads_to_thing = [&](const el::Automaton::Move& other) {
     return automaton.is_final(other.to) && states[other.to] == thing && !is_forward &&
            shape_of(source_, filler).kind == ShapeKind::falsity;
   };
-  for (const Automaton::Move& move : automaton.moves()) {
-    const auto is_shorter = [&](const Automaton::Move& other) {
+  for (const el::Automaton::Move& move : automaton.moves()) {
+    const auto is_shorter = [&](const el::Automaton::Move& other) {
       return other.from == move.from && other.label == move.label && leads_to_thing(other);
     };
     if (states[move.from] == thing) continue;
@@ -142,7 +142,7 @@ void Translator::add_moves(const Automaton& automaton, const std::vector<Concept
     }
     add(std::move(draft));
   }
-  for (Automaton::State state = 0; state < automaton.state_count(); ++state) {
+  for (el::Automaton::State state = 0; state < automaton.state_count(); ++state) {
     if (!automaton.is_final(state) || states[state] == thing) continue;
     Draft draft;
     put_atom(draft, states[state], centre, is_forward);

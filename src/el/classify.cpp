@@ -2,6 +2,7 @@
 #include "el/classify.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <initializer_list>
 #include <map>
 #include <memory>
@@ -13,6 +14,8 @@
 #include "el/nominals.hpp"
 #include "el/normaliser.hpp"
 #include "el/saturation.hpp"
+#include "el/settlement.hpp"
+#include "el/shared.hpp"
 #include "el/taxonomy.hpp"
 
 namespace geminga::el {
@@ -29,12 +32,18 @@ constexpr std::size_t concluded_per_axiom = 300;
 /// The work of one classification, step by step.
 class Classifier {
  public:
-  Classifier(const OntologySource& source, const ClassifyOptions& options)
+  /// `told` are inclusions that follow, between expressions of a classifier of the same source.
+  using Inclusions = std::vector<std::pair<ExprId, ExprId>>;
+  Classifier(const OntologySource& source, const ClassifyOptions& options, Inclusions told)
       : source_(source),
         options_(options),
         limits_{.conclusions = always_concluded + concluded_per_axiom * source.axiom_count(),
                 .merged_atoms = options.merged_atoms},
+        told_(std::move(told)),
         normaliser_(source, index_) {}
+
+  /// What was found to follow besides, of unions; for another classifier.
+  [[nodiscard]] const Inclusions& shared() const { return shared_; }
 
   std::expected<Classification, ClassifyError> run() {
     if (source_.problem()) return std::unexpected(ClassifyError{*source_.problem()});
@@ -46,22 +55,24 @@ class Classifier {
                                            std::to_string(max_pairs)});
     }
     find_roots();
-    if (options_.inherits && Inheritance::is_for(index_)) {
+    if (options_.inherits && !may_settle_ && Inheritance::is_for(index_)) {
       if (!inherit()) return std::unexpected(too_large());
       classify_all_properties();
       return std::move(result_);
     }
     auto saturation = saturate();
     if (saturation->is_over_merged()) {
-      leave_out_functional();
+      leave_out_merging();
       saturation.reset();  // before there are two
       saturation = saturate();
     }
     if (saturation->is_over_limit()) {
       return std::unexpected(too_large());
     }
+    if (saturation->is_consistent()) shared_ = find_shared(index_, *saturation, normaliser_.open());
     count(*saturation);
     reduce(*saturation);
+    if (may_settle_ && result_.is_consistent) settle(*saturation);
     classify_all_properties();
     return std::move(result_);
   }
@@ -96,7 +107,10 @@ class Classifier {
       if (source_.axiom(axiom).kind != AxiomKind::declaration) ++result_.counts.axioms;
     }
     for (const TermId term : classes_) exprs_.push_back(normaliser_.expression(term));
-    for (const auto& [axiom, construct] : normaliser_.finish()) result_.unused.push_back({axiom, to_string(construct)});
+    for (const auto& [sub, super] : told_) index_.add_told(sub, super);
+    const Normaliser::Unused late = normaliser_.finish(Normaliser::Universals::used);
+    may_settle_ = !result_.unused.empty() && late.empty() && !normaliser_.open().is_more;
+    for (const auto& [axiom, construct] : late) result_.unused.push_back({axiom, to_string(construct)});
     sort_unused();
   }
 
@@ -215,8 +229,20 @@ class Classifier {
     sort_unused();
   }
 
-  void leave_out_functional() {
-    index_.forget_functional();
+  /// Where the contexts are a model of what the rules do not use, too, it is used.
+  void settle(const Saturation& saturation) {
+    Settlement settlement(index_, saturation, normaliser_.open(), exprs_);
+    for (const ExprId expr : exprs_) result_.is_settled.push_back(settlement.is_settled(expr));
+    if (!settlement.is_world_settled() || !std::ranges::all_of(result_.is_settled, std::identity())) return;
+    result_.unused.clear();
+    result_.counts.used_axioms = result_.counts.axioms;
+  }
+
+  void leave_out_merging() {
+    may_settle_ = false;
+    index_.forget_merging();
+    for (const auto& [axiom, construct] : normaliser_.uses_of_universals())
+      result_.unused.push_back({axiom, to_string(construct)});
     leave_out(Construct::too_many_merged,
               {AxiomKind::functional_object_property, AxiomKind::inverse_functional_object_property,
                AxiomKind::functional_data_property},
@@ -227,6 +253,7 @@ class Classifier {
   }
 
   void leave_out_nominals() {
+    may_settle_ = false;
     leave_out(Construct::too_many_nominals, {},
               [](TermKind kind) { return kind == TermKind::object_has_value || kind == TermKind::object_one_of; });
   }
@@ -254,18 +281,29 @@ class Classifier {
   const OntologySource& source_;
   const ClassifyOptions& options_;
   SaturationLimits limits_;
+  Inclusions told_;
+  Inclusions shared_;
   Index index_;
   Normaliser normaliser_;
   std::vector<TermId> classes_;
   std::vector<ExprId> exprs_;
   std::vector<ExprId> asked_;
+  bool may_settle_ = false;  ///< all that the rules do not use can be tested
   Classification result_;
 };
 
 }  // namespace
 
 std::expected<Classification, ClassifyError> classify(const OntologySource& source, const ClassifyOptions& options) {
-  return Classifier(source, options).run();
+  // What a union is found to be in may show more of what other unions are in. Few rounds find more than one does.
+  constexpr int max_rounds = 8;
+  std::vector<std::pair<ExprId, ExprId>> told;
+  for (int round = 0;; ++round) {
+    Classifier classifier(source, options, told);
+    auto found = classifier.run();
+    if (!found || classifier.shared().empty() || round == max_rounds) return found;
+    told.insert(told.end(), classifier.shared().begin(), classifier.shared().end());
+  }
 }
 
 std::vector<LeftOut> left_out(const OntologySource& source, const Classification& classification) {

@@ -63,6 +63,9 @@ struct Classification {
   PropertyTaxonomy data_properties;
   bool is_consistent = true;        ///< false: an individual must be in owl:Nothing, and everything follows
   std::vector<UnusedAxiom> unused;  ///< ascending by axiom
+  /// By class: nothing is missing above it, if the ontology is consistent. Empty: that is not known of any class,
+  /// unless all axioms are used.
+  std::vector<bool> is_settled;
   ClassifyCounts counts;
 
   [[nodiscard]] std::size_t class_count() const { return classes.size(); }

@@ -102,6 +102,7 @@ struct alignas(64) Context {
   RareList<ExprId> together;      ///< the atoms that it is of, ascending, where they are several
   RareList<RoleId> selfs;
   RareList<FunctionalGroup> groups;
+  RareList<ExprId> restricting;      ///< subsumers with universal rules
   RareList<std::uint32_t> nominals;  ///< contexts of the nominals above, itself not
   RareList<std::uint32_t> members;   ///< of a nominal's context: the contexts below it
 };

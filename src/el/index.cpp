@@ -144,6 +144,7 @@ void Index::inherit_ranges() {
 void Index::flatten_told() {
   is_told_bottom_.assign(exprs_.size(), false);
   is_told_bottom_[number(bottom_expr)] = true;
+  find_universal_targets();
   // Link targets add atoms, and what is told of them, while this runs.
   for (std::size_t at = 0; at < told_.size(); ++at) {
     const auto [sub, super] = told_[at];
@@ -191,7 +192,10 @@ void Index::flatten_one(ExprId sub, ExprId super) {
 
 ExprId Index::link_target(RoleId role, ExprId filler) {
   // Ranges in EL (Baader, Brandt, Lutz 2008): what R leads to is in the range of R and of all its super roles, too.
-  const ExprId target = conjunction({filler, range_of(role)});
+  return atom_of(conjunction({filler, range_of(role)}));
+}
+
+ExprId Index::atom_of(ExprId target) {
   if (exprs_[number(target)].kind <= ExprKind::nominal) return target;
   if (target_atoms_.size() <= number(target)) target_atoms_.resize(exprs_.size(), top_expr);
   if (target_atoms_[number(target)] == top_expr) {
@@ -200,6 +204,14 @@ ExprId Index::link_target(RoleId role, ExprId filler) {
     told_.emplace_back(atom, target);
   }
   return target_atoms_[number(target)];
+}
+
+void Index::find_universal_targets() {
+  for (auto& [atom, rule] : universals_told_) {
+    rule.target = atom_of(rule.target);
+    const auto place = static_cast<std::size_t>(rule.role);
+    if (place < is_data_role_.size() && is_data_role_[place]) values_.push_back(rule.target);
+  }
 }
 
 void Index::find_representatives() {
@@ -271,6 +283,12 @@ void Index::sort_rules() {
   existentials_ = rows_of(existentials);
   existentials_.sort_unique();
   disjointness_ = rows_of(disjoint_pairs_);
+  std::vector<std::pair<std::uint32_t, UniversalRule>> universals;
+  for (const auto& [atom, rule] : universals_told_) {
+    universals.push_back({number(atom), {rule.role, representative_[number(rule.target)]}});
+  }
+  if (!universals.empty()) universals_ = rows_of(universals);
+  universals_.sort_unique();
 }
 
 void Index::find_functional() {
@@ -296,7 +314,8 @@ void Index::find_functional() {
   }
 }
 
-void Index::forget_functional() {
+void Index::forget_merging() {
+  universals_ = {};
   may_be_functional_.clear();
   is_functional_.assign(roles_.count(), false);
   functional_in_ = {};
@@ -309,6 +328,7 @@ void Index::find_nominals() {
     const auto is_nominal_rep = [&](ExprId expr) { return is_nominal_rep_[number(expr)]; };
     has_nominals_ = std::ranges::any_of(told_atoms_[id], is_nominal_rep) ||
                     std::ranges::any_of(links_[id], is_nominal_rep, &LinkRule::target) ||
+                    std::ranges::any_of(universals_[id], is_nominal_rep, &UniversalRule::target) ||
                     (is_nominal_rep_[id] && (!existentials_[id].empty() || !conjunctions_[id].empty())) ||
                     (is_nominal_rep_[id] && representative_[id] != ExprId{id});
   }
@@ -319,8 +339,22 @@ void Index::find_active() {
   for (std::uint32_t id = 0; id < exprs_.size(); ++id) {
     is_active_[id] = exprs_[id].kind > ExprKind::nominal || is_nominal_rep_[id] || is_told_bottom_[id] ||
                      !links_[id].empty() || !selfs_[id].empty() || !conjunctions_[id].empty() ||
-                     !existentials_[id].empty() || !disjointness_[id].empty() || !functional_roles_[id].empty();
+                     !existentials_[id].empty() || !disjointness_[id].empty() || !functional_roles_[id].empty() ||
+                     !universals_[id].empty();
   }
+  for (const ExprId atom : watched_) is_active_[number(representative_[number(atom)])] = true;
+}
+
+bool Index::is_told_below(ExprId sub, ExprId super) const {
+  constexpr std::size_t max_looked_at = 64;
+  std::vector<ExprId> seen = {sub};
+  for (std::size_t at = 0; at < seen.size() && at < max_looked_at; ++at) {
+    if (seen[at] == super) return true;
+    for (const ExprId above : told_atoms(seen[at])) {
+      if (std::ranges::find(seen, above) == seen.end()) seen.push_back(above);
+    }
+  }
+  return false;
 }
 
 bool Index::find_frontiers(std::size_t max_items) {

@@ -59,6 +59,13 @@ struct LinkRule {
   friend auto operator<=>(const LinkRule&, const LinkRule&) = default;
 };
 
+/// Whatever is in the expression has only `role` successors in the atom `target`.
+struct UniversalRule {
+  RoleId role{};
+  ExprId target{};
+  friend auto operator<=>(const UniversalRule&, const UniversalRule&) = default;
+};
+
 /// Which rules an expression has, as bits. Most have one or two: whoever asks this first reads one octet instead of a
 /// row of each table, which are as many misses of the cache.
 enum class RuleBits : std::uint8_t {
@@ -96,6 +103,11 @@ class Index {
   void mark_data(RoleId role);
   /// What is in the expression has at most one successor by the role. For T: of every instance, the role is functional.
   void add_functional(ExprId id, RoleId role);
+  /// Everything that is on the right of a link of the role or a sub-role, from something in the atom, is in the filler,
+  /// which is no literal or datatype where the role leads to values, but an atom of its own.
+  void add_universal(ExprId atom, RoleId role, ExprId filler) { universals_told_.push_back({atom, {role, filler}}); }
+  /// Contexts are to say whether they are in the atom, though it has no rules.
+  void watch(ExprId atom) { watched_.push_back(atom); }
   Roles& roles() { return roles_; }
 
   /// Every link ends in the context of its own target, so that whoever looks for what a link leads to finds it
@@ -106,8 +118,9 @@ class Index {
   /// `max_pairs` pairs; then the index is of no use.
   [[nodiscard]] bool finish(std::size_t max_pairs);
 
-  /// Lets functional properties be as others: for a saturation that they would take over its limits.
-  void forget_functional();
+  /// Lets functional properties be as others, and universals say nothing: for a saturation that they would take over
+  /// its limits.
+  void forget_merging();
 
   // Reading, after finish().
   [[nodiscard]] std::size_t size() const { return exprs_.size(); }
@@ -137,6 +150,8 @@ class Index {
   /// Ascending by role.
   [[nodiscard]] std::span<const ExistentialRule> existentials(ExprId id) const { return existentials_[number(id)]; }
   [[nodiscard]] std::span<const std::uint32_t> disjointness(ExprId id) const { return disjointness_[number(id)]; }
+  [[nodiscard]] std::span<const UniversalRule> universals(ExprId id) const { return universals_[number(id)]; }
+  [[nodiscard]] bool has_universals() const { return universals_.item_count() != 0; }
   [[nodiscard]] std::size_t disjointness_count() const { return disjointness_count_; }
   /// All rules that an expression has, as RuleBits.
   [[nodiscard]] std::uint8_t rule_bits(ExprId id) const { return rule_bits_[number(id)]; }
@@ -164,6 +179,8 @@ class Index {
   [[nodiscard]] ExprId link_root(ExprId target) const;
   /// Whether a context of this atom could derive nothing that is not known without it.
   [[nodiscard]] bool needs_no_context(ExprId atom) const { return !is_active(atom) && frontier(atom).size() <= 1; }
+  /// Whether told axioms put `super` above `sub`, as far as a short search finds. Both are representatives.
+  [[nodiscard]] bool is_told_below(ExprId sub, ExprId super) const;
 
  private:
   ExprId add(const Expr& expr);
@@ -172,6 +189,8 @@ class Index {
   void flatten_told();
   void flatten_one(ExprId sub, ExprId super);
   ExprId link_target(RoleId role, ExprId filler);
+  ExprId atom_of(ExprId expr);
+  void find_universal_targets();
   void find_representatives();
   void sort_rules();
   void find_functional();
@@ -190,7 +209,9 @@ class Index {
   std::vector<std::pair<ExprId, ExprId>> told_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> disjoint_pairs_;  ///< expression, number of the axiom
   std::size_t disjointness_count_ = 0;
-  std::vector<ExprId> range_atoms_;  ///< by role; T: none
+  std::vector<ExprId> watched_;
+  std::vector<std::pair<ExprId, UniversalRule>> universals_told_;  ///< the target is a filler
+  std::vector<ExprId> range_atoms_;                                ///< by role; T: none
   bool has_nominals_ = false;
   bool keeps_link_targets_ = false;
   bool has_negative_self_ = false;
@@ -213,6 +234,7 @@ class Index {
   Rows<ConjunctionRule> conjunctions_;
   Rows<ExistentialRule> existentials_;
   Rows<std::uint32_t> disjointness_;
+  Rows<UniversalRule> universals_;
   std::vector<ExprId> negative_selfs_;  ///< by role
   std::vector<std::pair<std::uint32_t, RoleId>> functional_pairs_;
   std::vector<bool> may_be_functional_;  ///< by role; empty: none is

@@ -4,8 +4,8 @@
 // is derived for each kind of pizza. Here what one node has found is copied into its heirs as a whole, and there only
 // rules with two premises that come from different sides are still to be applied. An existential R some A is a node as
 // well, to which the existentials above it belong; whatever is below it is its heir, so that a link is kept once, and
-// not once for all that has it. It is for ontologies without nominals and without functional properties, whose rules
-// reach into contexts from the side; these are Saturation's.
+// not once for all that has it. It is for ontologies without nominals, functional properties and universals, whose
+// rules reach into contexts from the side; these are Saturation's.
 //
 // Legend: M N nodes, N < X "X is an item of N", T owl:Thing, F owl:Nothing, R S roles, R <* S the role hierarchy;
 // `R some N` is the node of an existential that leads to N; an item R some N says that this node is above.
@@ -70,7 +70,9 @@ class Inheritance {
   ~Inheritance();
 
   /// Whether the ontology is of the kind that this is for.
-  [[nodiscard]] static bool is_for(const Index& index) { return !index.has_nominals() && !index.has_functional(); }
+  [[nodiscard]] static bool is_for(const Index& index) {
+    return !index.has_nominals() && !index.has_functional() && !index.has_universals();
+  }
 
   /// Applies rules until none is left to fire, or the ontology is found inconsistent. False over the limit of
   /// conclusions. The closure does not depend on the number of threads; the numbers of nodes do.

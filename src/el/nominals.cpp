@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "el/atoms_above.hpp"
+
 namespace geminga::el {
 namespace {
 
@@ -58,21 +60,9 @@ std::optional<World> find_world(const Index& index, ExprId root, std::span<const
   World world;
   world.is_possible = saturation.is_consistent();
   if (!world.is_possible) return world;
-  std::vector<bool> seen(index.size(), false);
-  const auto reach = [&](ExprId above) {
-    if (seen[number(above)]) return;
-    seen[number(above)] = true;
-    world.above.push_back(above);
-  };
-  reach(index.representative(root));
-  reach(index.representative(top_expr));
-  for (std::size_t at = 0; at < world.above.size(); ++at) {
-    const ExprId node = world.above[at];
-    for (const ExprId above : index.told_atoms(node)) reach(above);
-    if (const Context* context = saturation.find(node)) {
-      for (const ExprId above : context->derived) reach(above);
-    }
-  }
+  AtomsAbove above(index, saturation);
+  const std::span<const ExprId> found = above.of(root);
+  world.above.assign(found.begin(), found.end());
   return world;
 }
 

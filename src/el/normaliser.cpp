@@ -91,10 +91,11 @@ Construct Normaliser::add_class_axiom(const Axiom& axiom) {
       const ExprId whole = make_union(parts);
       index_.add_told(expression(arguments[0]), whole);
       if (arguments.size() == 2) return both(unused, use_positive(arguments[1]));
+      open_union(whole, parts);
       return both(unused, Construct::disjoint_union_of);
     }
     default:
-      return add_key(axiom);
+      return beyond(add_key(axiom));
   }
 }
 
@@ -151,13 +152,20 @@ Construct Normaliser::add_chain(const Term& chain, TermId super) {
   bool is_inverse = to.is_inverse;
   for (const TermId link : chain.arguments) {
     const Property one = property(link);
-    if (one.is_inverse != is_inverse) return Construct::inverse_of;
-    if (one.is_top) return Construct::top_property;
+    if (one.is_inverse != is_inverse) return beyond(Construct::inverse_of);
+    if (one.is_top) return beyond(Construct::top_property);
     roles.push_back(one.role);
   }
   if (is_inverse) std::ranges::reverse(roles);
-  index_.roles().add_chain(roles, to.role);
+  add_chain(roles, to.role);
   return Construct::none;
+}
+
+void Normaliser::add_chain(std::span<const RoleId> roles, RoleId super) {
+  index_.roles().add_chain(roles, super);
+  RoleChain chain{{}, role_of(super), static_cast<std::uint32_t>(chains_.size())};
+  for (const RoleId role : roles) chain.word.push_back(role_of(role));
+  chains_.push_back(std::move(chain));
 }
 
 Construct Normaliser::add_object_property_axiom(const Axiom& axiom) {
@@ -169,8 +177,8 @@ Construct Normaliser::add_object_property_axiom(const Axiom& axiom) {
   const Property first = property(arguments[0]);
   const auto include_roles = [&](const Property& sub, const Property& super) {
     if (super.is_top) return Construct::none;
-    if (sub.is_top) return Construct::top_property;
-    if (sub.is_inverse != super.is_inverse) return Construct::inverse_of;
+    if (sub.is_top) return beyond(Construct::top_property);
+    if (sub.is_inverse != super.is_inverse) return open_inverse(sub, super, Construct::inverse_of);
     index_.roles().add_sub_role(sub.role, super.role);
     return Construct::none;
   };
@@ -186,22 +194,22 @@ Construct Normaliser::add_object_property_axiom(const Axiom& axiom) {
     }
     case AxiomKind::object_property_domain:
     case AxiomKind::object_property_range: {
-      if (first.is_top) return Construct::top_property;
+      if (first.is_top) return beyond(Construct::top_property);
       const bool is_range = (axiom.kind == AxiomKind::object_property_range) != first.is_inverse;
       return is_range ? add_range(first, arguments[1], current_axiom_) : add_domain(first, arguments[1]);
     }
     case AxiomKind::data_property_domain:
-      return first.is_top ? Construct::top_property : add_domain(first, arguments[1]);
+      return first.is_top ? beyond(Construct::top_property) : add_domain(first, arguments[1]);
     case AxiomKind::data_property_range:
-      return first.is_top ? Construct::top_property : add_range(first, arguments[1], current_axiom_);
+      return first.is_top ? beyond(Construct::top_property) : add_range(first, arguments[1], current_axiom_);
     case AxiomKind::transitive_object_property:
-      if (!first.is_top) index_.roles().add_chain(std::array{first.role, first.role}, first.role);
+      if (!first.is_top) add_chain(std::array{first.role, first.role}, first.role);
       return Construct::none;
     case AxiomKind::reflexive_object_property:
       if (!first.is_top) index_.add_told(top_expr, index_.self(first.role));
       return Construct::none;
     case AxiomKind::irreflexive_object_property: {
-      if (first.is_top) return Construct::top_property;
+      if (first.is_top) return beyond(Construct::top_property);
       note_use(SimpleUse{first.role, Construct::irreflexive_not_simple});
       const ExprId self = index_.self(first.role);
       index_.mark_negative(self);
@@ -209,25 +217,31 @@ Construct Normaliser::add_object_property_axiom(const Axiom& axiom) {
       return Construct::none;
     }
     case AxiomKind::inverse_object_properties:
-      return Construct::inverse_of;
+      return add_inverse(first, property(arguments[1]));
     case AxiomKind::functional_object_property:
-      if (first.is_top) return Construct::functional;
-      if (first.is_inverse) return Construct::inverse_functional;
+      if (first.is_top) return beyond(Construct::functional);
+      if (first.is_inverse) return beyond(Construct::inverse_functional);
       note_use(SimpleUse{first.role, Construct::functional_not_simple});
       index_.add_functional(top_expr, first.role);
       return Construct::none;
     case AxiomKind::inverse_functional_object_property:
-      if (first.is_top || !first.is_inverse) return Construct::inverse_functional;
+      if (first.is_top || !first.is_inverse) return beyond(Construct::inverse_functional);
       note_use(SimpleUse{first.role, Construct::inverse_functional_not_simple});
       index_.add_functional(top_expr, first.role);
       return Construct::none;
     case AxiomKind::symmetric_object_property:
-      return Construct::symmetric;
+      return open_inverse(first, first, Construct::symmetric);
     case AxiomKind::asymmetric_object_property:
-      return Construct::asymmetric;
+      return beyond(Construct::asymmetric);
     default:
-      return Construct::disjoint_properties;
+      return beyond(Construct::disjoint_properties);
   }
+}
+
+Construct Normaliser::add_inverse(const Property& one, const Property& other) {
+  if (one.is_inverse != other.is_inverse) return beyond(Construct::inverse_of);
+  open_inverse(other, one, Construct::inverse_of);
+  return open_inverse(one, other, Construct::inverse_of);
 }
 
 Construct Normaliser::add_data_property_axiom(const Axiom& axiom) {
@@ -240,7 +254,7 @@ Construct Normaliser::add_data_property_axiom(const Axiom& axiom) {
       const auto include_roles = [&](const Property& sub, const Property& super) {
         if (super.is_top) return;
         if (sub.is_top) {
-          unused = Construct::top_property;
+          unused = beyond(Construct::top_property);
         } else {
           index_.roles().add_sub_role(sub.role, super.role);
         }
@@ -252,11 +266,11 @@ Construct Normaliser::add_data_property_axiom(const Axiom& axiom) {
       return unused;
     }
     case AxiomKind::functional_data_property:
-      if (first.is_top) return Construct::functional;
+      if (first.is_top) return beyond(Construct::functional);
       index_.add_functional(top_expr, first.role);
       return Construct::none;
     default:
-      return Construct::disjoint_properties;
+      return beyond(Construct::disjoint_properties);
   }
 }
 

@@ -14,6 +14,8 @@
 #include "el/construct.hpp"
 #include "el/datatypes.hpp"
 #include "el/index.hpp"
+#include "el/open_parts.hpp"
+#include "el/role_box.hpp"
 #include "el/source.hpp"
 
 namespace geminga::el {
@@ -31,9 +33,18 @@ class Normaliser {
 
   /// Adds one axiom of the source; the first construct in it that is not used in full.
   Construct add(std::uint32_t axiom);
-  /// To be called once after the last axiom: says how literals and datatypes relate, and which axioms turn out only now
-  /// not to be used in full.
-  [[nodiscard]] std::vector<std::pair<std::uint32_t, Construct>> finish();
+  using Unused = std::vector<std::pair<std::uint32_t, Construct>>;
+  /// Whether the index may hold universals, for whoever has rules for them.
+  enum class Universals : std::uint8_t { left_out, used };
+  /// To be called once after the last axiom: says how literals and datatypes relate, what universals and the ranges of
+  /// chains say, and which axioms turn out only now not to be used in full.
+  [[nodiscard]] Unused finish(Universals universals = Universals::left_out);
+
+  /// After finish(): the axioms of which a part is used by a universal rule, ascending.
+  [[nodiscard]] const Unused& uses_of_universals() const { return uses_of_universals_; }
+
+  /// What the rules do not use of the added axioms.
+  [[nodiscard]] const OpenParts& open() const { return open_; }
 
   /// The expression of a class, whether an axiom uses it or not.
   ExprId expression(TermId term);
@@ -73,7 +84,6 @@ class Normaliser {
     ExprId of{};
     std::vector<Property> properties;
   };
-  using Unused = std::vector<std::pair<std::uint32_t, Construct>>;
   Construct add_key(const Axiom& axiom);
   void use_keys(Unused& unused);
   void use_key(const Key& key, ExprId is_named, std::size_t tuple, const std::vector<ExprId>& named,
@@ -84,18 +94,35 @@ class Normaliser {
     RoleId role{};
     Construct construct = Construct::none;  ///< what it is unless the role is simple
   };
+  /// An index of universals_.
+  struct UniversalUse {
+    std::size_t universal = 0;
+  };
   struct LaterUse {
     std::uint32_t axiom = 0;
-    /// A datatype that values are said to be in, the family of a literal whose value is not exact, or a property that
-    /// must be simple.
-    std::variant<Datatype, DataFamily, SimpleUse> use;
+    /// A datatype that values are said to be in, the family of a literal whose value is not exact, a property that must
+    /// be simple, or a universal.
+    std::variant<Datatype, DataFamily, SimpleUse, UniversalUse> use;
   };
-  void note_use(const std::variant<Datatype, DataFamily, SimpleUse>& use) { later_.push_back({current_axiom_, use}); }
+  [[nodiscard]] static Role role_of(RoleId role) { return {PropertyId{static_cast<std::uint32_t>(role)}, false}; }
+  void note_use(const std::variant<Datatype, DataFamily, SimpleUse, UniversalUse>& use) {
+    later_.push_back({current_axiom_, use});
+  }
   void repeat_uses(TermId term, bool is_positive);
   void find_unused_data(Unused& unused) const;
-  void find_unused_properties(Unused& unused) const;
   void find_not_simple(const Roles& closed, Unused& unused) const;
-  void find_ranges_over_chains(const Roles& closed, Unused& unused) const;
+
+  // Universals, and ranges that chains would escape (normaliser_universals.cpp).
+  void add_universals(Universals universals, Unused& unused);
+  [[nodiscard]] std::vector<std::size_t> find_ranges_over_chains(const Roles& closed) const;
+  void add_universal(ExprId restricting, const Property& property, ExprId filler, const RoleBox& box);
+  void add_range_over_chains(RoleId role, std::span<const ExprId> ranges, const RoleBox& box);
+
+  // What no rule uses (normaliser_open.cpp).
+  Construct beyond(Construct construct);
+  void open_union(ExprId whole, std::span<const ExprId> parts);
+  void open_count(std::vector<OpenCount>& counts, const OpenCount& count);
+  Construct open_inverse(const Property& sub, const Property& super, Construct construct);
 
   // One polarity: `use` adds the rules, once, and returns the first construct that has none.
   Construct use_negative(TermId term);
@@ -106,6 +133,7 @@ class Normaliser {
   Construct make_negative_restriction(const Term& term, ExprId expr);
   Construct make_positive_restriction(const Term& term, ExprId expr);
   Construct use_all_values(const Property& property, TermId filler, ExprId expr);
+  Construct use_at_least(std::uint32_t count, const Property& property, const Term& term);
   Construct use_at_most(std::uint32_t limit, const Property& property, const Term& term, ExprId expr);
   Construct use_negative_filler(const Term& term);
   Construct use_positive_filler(const Term& term);
@@ -120,6 +148,8 @@ class Normaliser {
   std::optional<Construct> include_as_range(TermId sub, TermId super);
   Construct add_disjoint(std::span<const TermId> members);
   Construct add_chain(const Term& chain, TermId super);
+  void add_chain(std::span<const RoleId> roles, RoleId super);
+  Construct add_inverse(const Property& one, const Property& other);
   Construct add_domain(const Property& property, TermId domain);
   Construct add_range(const Property& property, TermId range, std::uint32_t axiom);
   Construct add_property_assertion(const Axiom& axiom, bool is_negative);
@@ -157,6 +187,15 @@ class Normaliser {
     ExprId range{};
   };
   std::vector<Range> ranges_;
+  struct Universal {
+    ExprId restricting{};
+    Property property;
+    ExprId filler{};
+  };
+  std::vector<Universal> universals_;
+  Unused uses_of_universals_;
+  OpenParts open_;
+  std::vector<RoleChain> chains_;  ///< as they were written; each has its number instead of its axiom's
 };
 
 }  // namespace geminga::el

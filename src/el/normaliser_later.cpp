@@ -5,12 +5,12 @@
 
 namespace geminga::el {
 
-Normaliser::Unused Normaliser::finish() {
+Normaliser::Unused Normaliser::finish(Universals universals) {
   Unused unused;
   use_keys(unused);
   relate_data();
   find_unused_data(unused);
-  find_unused_properties(unused);
+  add_universals(universals, unused);
   return unused;
 }
 
@@ -56,17 +56,6 @@ void Normaliser::find_unused_data(Unused& unused) const {
   }
 }
 
-void Normaliser::find_unused_properties(Unused& unused) const {
-  constexpr std::size_t max_pairs = std::size_t{1} << 26;
-  const bool is_any_simple =
-      std::ranges::any_of(later_, [](const LaterUse& later) { return std::holds_alternative<SimpleUse>(later.use); });
-  if (index_.roles().chains().empty() || (ranges_.empty() && !is_any_simple)) return;
-  Roles closed = index_.roles();
-  if (!closed.close_hierarchy(max_pairs)) return;  // the index will not close either, and that is reported
-  find_not_simple(closed, unused);
-  find_ranges_over_chains(closed, unused);
-}
-
 // OWL 2 DL's restriction: what counts or compares the successors of a property is for properties without chains. The
 // rules derive nothing wrong from the others, but not all that follows.
 void Normaliser::find_not_simple(const Roles& closed, Unused& unused) const {
@@ -78,22 +67,6 @@ void Normaliser::find_not_simple(const Roles& closed, Unused& unused) const {
     const auto* use = std::get_if<SimpleUse>(&later.use);
     if (use != nullptr && !is_simple[static_cast<std::size_t>(use->role)])
       unused.emplace_back(later.axiom, use->construct);
-  }
-}
-
-// OWL 2 EL's restriction: a range of the result of a chain must be a range of its last property, too. Elsewhere the
-// elimination of ranges would lose consequences.
-void Normaliser::find_ranges_over_chains(const Roles& closed, Unused& unused) const {
-  for (const Range& range : ranges_) {
-    for (const Roles::Chain& chain : closed.chains()) {
-      if (!closed.is_sub_role(chain.result, range.role) || closed.is_sub_role(chain.second, range.role)) continue;
-      const auto is_repeated = [&](const Range& other) {
-        return other.range == range.range && closed.is_sub_role(chain.second, other.role);
-      };
-      if (std::ranges::any_of(ranges_, is_repeated)) continue;
-      unused.emplace_back(range.axiom, Construct::range_over_chain);
-      break;
-    }
   }
 }
 

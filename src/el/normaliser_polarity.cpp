@@ -75,11 +75,11 @@ Construct Normaliser::make_negative(TermId id) {
       return unused;
     case TermKind::object_complement_of:
       return source_.kind(term.arguments[0]) == term.kind ? use_negative(source_.term(term.arguments[0]).arguments[0])
-                                                          : Construct::complement_of;
+                                                          : beyond(Construct::complement_of);
     case TermKind::data_complement_of:
-      return Construct::datatype_complement;
+      return beyond(Construct::datatype_complement);
     case TermKind::datatype_restriction:
-      return Construct::datatype_restriction;
+      return beyond(Construct::datatype_restriction);
     default:
       return make_negative_restriction(term, expr);
   }
@@ -87,7 +87,7 @@ Construct Normaliser::make_negative(TermId id) {
 
 Construct Normaliser::make_negative_restriction(const Term& term, ExprId expr) {
   const Property role = property(term.arguments[0]);
-  if (role.is_top) return Construct::top_property;
+  if (role.is_top) return beyond(Construct::top_property);
   switch (term.kind) {
     case TermKind::object_has_self:
       note_use(SimpleUse{role.role, Construct::self_not_simple});
@@ -95,20 +95,20 @@ Construct Normaliser::make_negative_restriction(const Term& term, ExprId expr) {
       return Construct::none;
     case TermKind::object_all_values_from:
     case TermKind::data_all_values_from:
-      return Construct::all_values_from;
+      return beyond(Construct::all_values_from);
     case TermKind::object_max_cardinality:
     case TermKind::data_max_cardinality:
     case TermKind::object_exact_cardinality:
     case TermKind::data_exact_cardinality:
-      return Construct::max_cardinality;
+      return beyond(Construct::max_cardinality);
     case TermKind::object_min_cardinality:
     case TermKind::data_min_cardinality:
-      if (term.number > 1) return Construct::min_cardinality;
+      if (term.number > 1) return beyond(Construct::min_cardinality);
       break;
     default:
       break;
   }
-  if (role.is_inverse) return Construct::inverse_of;
+  if (role.is_inverse) return beyond(Construct::inverse_of);
   index_.mark_negative(expr);
   return use_negative_filler(term);
 }
@@ -142,7 +142,11 @@ Construct Normaliser::make_positive(TermId id) {
         if (expression(part) != bottom_expr && expression(part) == expr) ++possible;
       }
       if (possible > 0) return unused;  // it is one of its parts, the others being empty or equal
-      if (term.kind == TermKind::data_union_of) return Construct::datatype_union;
+      if (term.kind == TermKind::data_union_of) return beyond(Construct::datatype_union);
+      if (term.kind == TermKind::data_one_of) return beyond(Construct::one_of);
+      std::vector<ExprId> parts;
+      for (const TermId part : term.arguments) parts.push_back(expression(part));
+      open_union(expr, parts);
       return term.kind == TermKind::object_union_of ? Construct::union_of : Construct::one_of;
     }
     case TermKind::object_complement_of:
@@ -156,7 +160,7 @@ Construct Normaliser::make_positive(TermId id) {
       return use_negative(term.arguments[0]);
     }
     case TermKind::datatype_restriction:
-      return Construct::datatype_restriction;
+      return beyond(Construct::datatype_restriction);
     default:
       return make_positive_restriction(term, expr);
   }
@@ -164,7 +168,7 @@ Construct Normaliser::make_positive(TermId id) {
 
 Construct Normaliser::make_positive_restriction(const Term& term, ExprId expr) {
   const Property role = property(term.arguments[0]);
-  if (role.is_top) return Construct::top_property;
+  if (role.is_top) return beyond(Construct::top_property);
   Construct unused = Construct::none;
   switch (term.kind) {
     case TermKind::object_has_self:
@@ -185,15 +189,12 @@ Construct Normaliser::make_positive_restriction(const Term& term, ExprId expr) {
     case TermKind::object_min_cardinality:
     case TermKind::data_min_cardinality:
       unused = both(unused, use_positive_filler(term));
-      if (role.is_inverse) return both(unused, Construct::inverse_of);
+      if (role.is_inverse) return both(unused, beyond(Construct::inverse_of));
       if (term.number == 1) return unused;
-      //  at least n R C < R some C
-      index_.add_told(opaque_restriction(TermKind::object_min_cardinality, term.number, role, filler_of(term)),
-                      index_.existential(role.role, filler_of(term)));
-      return both(unused, Construct::min_cardinality);
+      return both(unused, use_at_least(term.number, role, term));
     default:
       unused = use_positive_filler(term);
-      return both(unused, role.is_inverse ? Construct::inverse_of : Construct::none);
+      return both(unused, role.is_inverse ? beyond(Construct::inverse_of) : Construct::none);
   }
 }
 
@@ -213,7 +214,9 @@ Construct Normaliser::use_all_values(const Property& role, TermId filler, ExprId
     excluded = expression(negated);
     unused = use_negative(negated);
   } else {
-    return both(use_positive(filler), Construct::all_values_from);
+    note_use(UniversalUse{universals_.size()});
+    universals_.push_back({expr, role, expression(filler)});
+    return use_positive(filler);
   }
   //  C < R only not D  is  C < X, X and R some D < F
   const ExprId clash = index_.conjunction({expr, negative_some(role, excluded)});
@@ -222,13 +225,26 @@ Construct Normaliser::use_all_values(const Property& role, TermId filler, ExprId
   return unused;
 }
 
+//  at least n R C < R some C
+Construct Normaliser::use_at_least(std::uint32_t count, const Property& role, const Term& term) {
+  const ExprId expr = opaque_restriction(TermKind::object_min_cardinality, count, role, filler_of(term));
+  index_.add_told(expr, index_.existential(role.role, filler_of(term)));
+  if (role.is_data) return beyond(Construct::min_cardinality);
+  open_count(open_.at_least, {expr, role.role, count});
+  return Construct::min_cardinality;
+}
+
 Construct Normaliser::use_at_most(std::uint32_t limit, const Property& role, const Term& term, ExprId expr) {
   if (limit == 1 && !role.is_inverse && filler_of(term) == top_expr) {
     if (!role.is_data) note_use(SimpleUse{role.role, Construct::max_cardinality_not_simple});
     index_.add_functional(expr, role.role);
     return Construct::none;
   }
-  if (limit > 0) return Construct::max_cardinality;
+  if (limit > 0) {
+    if (role.is_inverse || role.is_data) return beyond(Construct::max_cardinality);
+    open_count(open_.at_most, {expr, role.role, limit});
+    return Construct::max_cardinality;
+  }
   //  C < at most 0 R D          is  C < X, X and R some D < F
   //  C < at most 0 inverse R D  is  C < X, R some X and D < F
   const ExprId clash = role.is_inverse ? index_.conjunction({negative_some(role, expr), filler_of(term)})

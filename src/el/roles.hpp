@@ -64,6 +64,8 @@ class Roles {
     RoleId result{};
   };
   [[nodiscard]] std::span<const Chain> chains() const { return chains_; }
+  /// The inclusions as they were added: sub, super.
+  [[nodiscard]] std::span<const std::pair<std::uint32_t, RoleId>> told_supers() const { return told_supers_; }
 
  private:
   [[nodiscard]] bool close_chains(std::size_t max_pairs);

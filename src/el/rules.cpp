@@ -10,6 +10,7 @@ void Worker::add_subsumer(std::uint32_t context, ExprId subsumer) {
   Context& self = contexts_[context];
   if (self.is_unsatisfiable || !self.subsumers.insert(number(subsumer), arena_)) return;
   ++conclusions_;
+  if (index_.has_universals() && !index_.universals(subsumer).empty()) self.restricting.own().push_back(subsumer);
   enqueue(context);
 }
 
@@ -50,7 +51,7 @@ void Worker::process_subsumer(std::uint32_t context, ExprId subsumer) {
   //  -------- [D < R some E is told]
   //  C -R-> E
   if (has(RuleBits::links)) {
-    for (const LinkRule& link : index_.links(subsumer)) add_link(context, link.role, require(link.root));
+    for (const LinkRule& link : index_.links(subsumer)) add_link(context, link.role, require_restricted(context, link));
   }
 
   //  C < D
@@ -89,6 +90,7 @@ void Worker::process_subsumer(std::uint32_t context, ExprId subsumer) {
       process_functional_self(context, functional);
     }
   }
+  if (index_.has_universals() && !self.is_unsatisfiable) process_universal(context, subsumer);
   if (index_.has_nominals() && !self.is_unsatisfiable) process_nominal(context, subsumer);
 }
 
@@ -138,6 +140,7 @@ void Worker::add_bottom(std::uint32_t context) {
   self.derived.clear(arena_);
   self.selfs.clear();
   self.groups.clear();
+  self.restricting.clear();
   self.nominals.clear();
   enqueue(context);
 }
@@ -248,6 +251,7 @@ void Worker::process_self(std::uint32_t context, RoleId role) {
   //  ----------    ---------- [E is the range of R]
   //  C -R-> C      C < E
   add_link(context, role, context);
+  if (index_.has_universals()) process_universal_self(context, role);
   for (const RoleId super : index_.roles().supers(role)) {
     if (index_.may_be_functional(super)) process_functional_self(context, super);
   }

@@ -82,6 +82,11 @@ class Worker {
   void process_functional(std::uint32_t context, Link link);
   void process_functional_self(std::uint32_t context, RoleId functional);
 
+  // Universals (saturation_universals.cpp).
+  std::uint32_t require_restricted(std::uint32_t context, const LinkRule& link);
+  void process_universal(std::uint32_t context, ExprId subsumer);
+  void process_universal_self(std::uint32_t context, RoleId role);
+
   // Nominals (saturation_nominals.cpp); one thread only, for they reach into other contexts.
   void process_nominal(std::uint32_t context, ExprId nominal);
   [[nodiscard]] bool is_of_values(std::uint32_t context) const;

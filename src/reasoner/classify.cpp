@@ -80,7 +80,10 @@ class Deepening {
     const NamedConcepts concepts(source_, result_, clauses);
     std::vector<clauses::ConceptId> wanted;
     std::vector<std::uint32_t> classes;
+    is_settled_ = result_.is_settled;
+    is_settled_.resize(result_.class_count(), false);
     for (std::uint32_t of = 0; of < result_.class_count(); ++of) {
+      if (is_settled_[of]) continue;
       const auto found = concepts.concept_of(of);
       if (!found || result_.representative[of] == result_.representative[static_cast<std::size_t>(result_.nothing)])
         continue;
@@ -102,7 +105,6 @@ class Deepening {
     }
     extend(result_, more);
     result_.gaps = closure.gaps;
-    is_settled_.assign(result_.class_count(), false);
     is_plain_.assign(result_.class_count(), false);
     for (std::size_t at = 0; at < classes.size(); ++at) {
       is_settled_[classes[at]] = closure.is_settled[at];

@@ -25,6 +25,7 @@ class Maker {
  public:
   Maker(Profile profile, std::uint64_t seed, std::size_t axioms)
       : random_(seed * 8 + static_cast<std::uint64_t>(profile)), profile_(profile), class_count_(3 + axioms / 2) {
+    has_facts_ = is_el() && random_.chance(0.4);
     file_ = source_.add_file("random " + std::string(to_string(profile)) + " seed " + std::to_string(seed));
     for (std::size_t at = 0; at < axioms; ++at) {
       line_ = static_cast<std::uint32_t>(at + 1);
@@ -35,7 +36,8 @@ class Maker {
   el::OntologySource take() { return std::move(source_); }
 
  private:
-  [[nodiscard]] bool has(Profile profile) const { return profile_ >= profile; }
+  [[nodiscard]] bool is_el() const { return profile_ == Profile::ranges; }
+  [[nodiscard]] bool has(Profile profile) const { return !is_el() && profile_ >= profile; }
   std::uint64_t below(std::uint64_t bound) { return random_.below(bound); }
   static std::string iri(char kind, std::uint64_t number) {
     return std::string(name_space) + kind + std::to_string(number);
@@ -51,11 +53,11 @@ class Maker {
   TermId other_name(std::uint64_t number) { return source_.object_property(iri('t', number)); }
 
   TermId maybe_inverse(TermId property) {
-    return random_.chance(0.25) ? source_.term(TermKind::object_inverse_of, {property}) : property;
+    return !is_el() && random_.chance(0.25) ? source_.term(TermKind::object_inverse_of, {property}) : property;
   }
   TermId simple() { return maybe_inverse(simple_name()); }
   TermId property() {
-    if (!has(Profile::chains) || random_.chance(0.5)) return simple();
+    if (!(has(Profile::chains) || is_el()) || random_.chance(0.5)) return simple();
     return maybe_inverse(other_name(below(other_count)));
   }
 
@@ -85,6 +87,7 @@ class Maker {
     if (choice < 5) return source_.term(TermKind::object_intersection_of, {right(depth - 1), right(depth - 1)});
     if (choice < 8) return source_.term(TermKind::object_some_values_from, {property(), right(depth - 1)});
     if (choice < 9) return source_.term(TermKind::object_all_values_from, {property(), right(depth - 1)});
+    if (is_el()) return random_.chance(0.3) ? source_.term(TermKind::object_has_self, {simple()}) : named();
     return source_.term(TermKind::object_max_cardinality, {simple(), named()}, 1);
   }
 
@@ -131,6 +134,28 @@ class Maker {
 
   void add(AxiomKind kind, std::initializer_list<TermId> arguments) { source_.add(kind, arguments, file_, line_); }
 
+  void property_axiom_of_el() {
+    switch (below(10)) {
+      case 0:
+        return add(AxiomKind::sub_object_property_of, {simple(), simple()});
+      case 1:
+        return add(AxiomKind::object_property_domain, {property(), named()});
+      case 2:
+        return add(AxiomKind::transitive_object_property, {other_name(below(other_count))});
+      case 3:
+        return add(AxiomKind::sub_object_property_of, {simple(), other_name(below(other_count))});
+      case 4:
+        return random_.chance(0.3) ? add(AxiomKind::reflexive_object_property, {other_name(below(other_count))})
+                                   : add(AxiomKind::functional_object_property, {simple()});
+      case 5:
+      case 6:
+      case 7:
+        return chain();
+      default:
+        return add(AxiomKind::object_property_range, {other_name(below(other_count)), right(1)});
+    }
+  }
+
   void property_axiom() {
     switch (below(has(Profile::chains) ? 11 : 5)) {
       case 0:
@@ -161,9 +186,9 @@ class Maker {
   /// Links that come before the result in the order t0 < t1 < ..., or are simple; the last link may be the result.
   void chain() {
     const std::uint64_t result = below(other_count);
-    const auto link = [&] { return result == 0 || random_.chance(0.5) ? simple() : other_name(below(result)); };
-    const TermId first = link();
-    const TermId second = random_.chance(0.2) ? other_name(result) : link();
+    const bool is_first_result = is_el() && random_.chance(0.3);
+    const TermId first = is_first_result ? other_name(result) : link_of_chain(result);
+    const TermId second = !is_first_result && random_.chance(0.2) ? other_name(result) : link_of_chain(result);
     add(AxiomKind::sub_object_property_of,
         {source_.term(TermKind::object_property_chain, {first, second}), other_name(result)});
   }
@@ -186,8 +211,23 @@ class Maker {
     }
   }
 
+  TermId link_of_chain(std::uint64_t result) {
+    return result == 0 || random_.chance(0.5) ? simple() : other_name(below(result));
+  }
+
+  void axiom_of_el(std::uint64_t choice) {
+    if (choice < 8) return property_axiom_of_el();
+    if (choice < 9) return add(AxiomKind::disjoint_classes, {named(), named()});
+    if (choice < 10) return add(AxiomKind::equivalent_classes, {named(), left(2)});
+    if (choice < 11 && has_facts_)
+      return random_.chance(0.5) ? add(AxiomKind::class_assertion, {right(1), individual()})
+                                 : add(AxiomKind::object_property_assertion, {property(), individual(), individual()});
+    return add(AxiomKind::sub_class_of, {left(2), right(2)});
+  }
+
   void axiom() {
     const std::uint64_t choice = below(20);
+    if (is_el()) return axiom_of_el(choice);
     if (choice < 3) return property_axiom();
     if (choice < 5 && has(Profile::nominals)) return fact();
     if (choice < 6 && has(Profile::values) && random_.chance(0.3))
@@ -204,6 +244,7 @@ class Maker {
   base::Random random_;
   Profile profile_;
   std::uint64_t class_count_;
+  bool has_facts_ = false;
   el::OntologySource source_;
   el::FileId file_{};
   std::uint32_t line_ = 0;
@@ -223,6 +264,8 @@ std::string_view to_string(Profile profile) {
       return "nominals";
     case Profile::values:
       return "values";
+    case Profile::ranges:
+      return "ranges";
   }
   return "";
 }

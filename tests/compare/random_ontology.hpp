@@ -9,16 +9,17 @@
 
 namespace geminga::compare {
 
-/// Each profile has what those before it have.
+/// Each profile but the last has what those before it have.
 enum class Profile : std::uint8_t {
   horn,      ///< EL, functional and inverse properties, universals on the right, at most one: no choice anywhere
   choices,   ///< and unions, complements, cardinalities: ALCHIQ
   chains,    ///< and transitive, reflexive and symmetric properties, chains, self restrictions: SRIQ
   nominals,  ///< and individuals with facts, in classes too: SROIQ
   values,    ///< and data properties with values and ranges: SROIQ(D)
+  ranges,    ///< EL with ranges of chains and universals on the right, and individuals with facts
 };
-inline constexpr Profile profiles[] = {Profile::horn, Profile::choices, Profile::chains, Profile::nominals,
-                                       Profile::values};
+inline constexpr Profile profiles[] = {Profile::horn,     Profile::choices, Profile::chains,
+                                       Profile::nominals, Profile::values,  Profile::ranges};
 
 [[nodiscard]] std::string_view to_string(Profile profile);
 

@@ -43,6 +43,21 @@ TEST_P(RandomOntologies, AreUnderstoodByEachEngineAsByTheOthers) {
 INSTANTIATE_TEST_SUITE_P(Profile, RandomOntologies, testing::ValuesIn(profiles),
                          [](const auto& param) { return std::string(to_string(param.param)); });
 
+TEST(RangesOfChains, AreUsedByElAloneAsByTheEnginesBeyondIt) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const el::OntologySource source = random_ontology(Profile::ranges, seed, 6 + seed % 14);
+    SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + told(source));
+    const Opinion el = of_el(source);
+    const Opinion consequence = of_consequence(source);
+    EXPECT_TRUE(el.is_complete);
+    EXPECT_THAT(contradictions(el, consequence), IsEmpty());
+    if (!consequence.is_complete) {
+      EXPECT_THAT(contradictions(el, of_the_tableau(source)), IsEmpty());
+    }
+    if (HasFailure()) return;
+  }
+}
+
 TEST(RandomOntology, IsTheSameForTheSameSeedAndAnotherForAnother) {
   for (const Profile profile : profiles) {
     EXPECT_EQ(told(random_ontology(profile, 7, 12)), told(random_ontology(profile, 7, 12)));

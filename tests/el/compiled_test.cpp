@@ -241,7 +241,7 @@ TEST(Compiled, SurvivesRandomBytesUnderARightHeader) {
 }
 
 TEST(Compiled, KeepsWhyAnswersMayBeMissing) {
-  OntologySource source = written("SubClassOf(A ObjectAllValuesFrom(r B))\nSubClassOf(A B)");
+  OntologySource source = written("SubClassOf(ObjectAllValuesFrom(r B) A)\nSubClassOf(A B)");
   source.leave_out("swrl:Imp", FileId{0}, 7, 3);
   const std::vector<std::string> gaps = {"one reason", "two reasons"};
   const Classification classification = classified(source);

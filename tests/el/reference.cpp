@@ -24,6 +24,16 @@ class Reference {
     }
   }
 
+  [[nodiscard]] bool has_range_over_chain() const {
+    for (const auto& [first, second, result] : chains_) {
+      const Terms of_last = ranges_of(second);
+      for (const TermId range : ranges_of(result)) {
+        if (!of_last.contains(range)) return true;
+      }
+    }
+    return false;
+  }
+
   std::vector<std::string> closure() {
     std::vector<std::string> lines;
     for (const TermId sub : all_) {
@@ -274,6 +284,8 @@ class Generator {
 }  // namespace
 
 std::vector<std::string> reference_closure(const OntologySource& source) { return Reference(source).closure(); }
+
+bool has_range_over_chain(const OntologySource& source) { return Reference(source).has_range_over_chain(); }
 
 std::string random_ontology(base::Random& random, std::size_t size) {
   Generator generator(random, size);

@@ -1,6 +1,6 @@
 // A finite automaton over roles: the words that imply a property.
-#ifndef GEMINGA_CLAUSES_AUTOMATON_HPP
-#define GEMINGA_CLAUSES_AUTOMATON_HPP
+#ifndef GEMINGA_EL_AUTOMATON_HPP
+#define GEMINGA_EL_AUTOMATON_HPP
 
 #include <cstdint>
 #include <functional>
@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "clauses/clause.hpp"
+#include "el/role.hpp"
 
-namespace geminga::clauses {
+namespace geminga::el {
 
 /// State 0 is where words begin and, until without_empty_moves(), state 1 is where they end.
 class Automaton {
@@ -56,6 +56,6 @@ class Automaton {
   std::vector<bool> final_;
 };
 
-}  // namespace geminga::clauses
+}  // namespace geminga::el
 
 #endif

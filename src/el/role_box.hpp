@@ -5,8 +5,8 @@
 // S1 ... Sn with S1 o ... o Sn SubPropertyOf R, if the chains are regular (Horrocks, Kutz, Sattler: The Even More
 // Irresistible SROIQ, 2006, section 3). Its automaton lets concepts travel along such paths, so that clauses need no
 // chain (the same, section 4; OWL 2 structural specification, section 11 for what is regular).
-#ifndef GEMINGA_CLAUSES_ROLE_BOX_HPP
-#define GEMINGA_CLAUSES_ROLE_BOX_HPP
+#ifndef GEMINGA_EL_ROLE_BOX_HPP
+#define GEMINGA_EL_ROLE_BOX_HPP
 
 #include <algorithm>
 #include <cstdint>
@@ -14,13 +14,11 @@
 #include <span>
 #include <vector>
 
-#include "clauses/automaton.hpp"
-#include "clauses/clause.hpp"
+#include "el/automaton.hpp"
 #include "el/components.hpp"
+#include "el/role.hpp"
 
-namespace geminga::clauses {
-
-[[nodiscard]] constexpr Role inverse(Role role) { return {role.property, !role.is_inverse}; }
+namespace geminga::el {
 
 /// sub SubPropertyOf super
 struct RoleInclusion {
@@ -51,7 +49,7 @@ class RoleBox {
 
  private:
   [[nodiscard]] static std::size_t index(Role role) {
-    return (std::size_t{number(role.property)} << 1) | std::size_t{role.is_inverse};
+    return (static_cast<std::size_t>(role.property) << 1) | std::size_t{role.is_inverse};
   }
   [[nodiscard]] static Role role_at(std::size_t index) {
     return {PropertyId{static_cast<std::uint32_t>(index >> 1)}, (index & 1) != 0};
@@ -61,7 +59,7 @@ class RoleBox {
     return std::min(index(canonical(role)), index(canonical(inverse(role))));
   }
   void find_equivalents(std::span<const RoleInclusion> inclusions);
-  [[nodiscard]] el::Components components_of_families(std::span<const RoleChain> chains) const;
+  [[nodiscard]] Components components_of_families(std::span<const RoleChain> chains) const;
   void keep_regular_chains(std::span<const RoleChain> chains);
   void find_composites();
   void build_automata(std::size_t max_states);
@@ -79,6 +77,6 @@ class RoleBox {
   std::vector<std::uint32_t> left_out_;
 };
 
-}  // namespace geminga::clauses
+}  // namespace geminga::el
 
 #endif

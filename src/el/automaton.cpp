@@ -1,9 +1,9 @@
 // Closing over empty moves, and the reduction by simulation.
-#include "clauses/automaton.hpp"
+#include "el/automaton.hpp"
 
 #include <algorithm>
 
-namespace geminga::clauses {
+namespace geminga::el {
 namespace {
 
 /// Larger automata are not looked through for superfluous moves: the search grows with the cube of the states.
@@ -199,4 +199,4 @@ void Automaton::trim() {
   states_ = next;
 }
 
-}  // namespace geminga::clauses
+}  // namespace geminga::el
