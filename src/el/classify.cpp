@@ -108,8 +108,11 @@ class Classifier {
     }
     for (const TermId term : classes_) exprs_.push_back(normaliser_.expression(term));
     for (const auto& [sub, super] : told_) index_.add_told(sub, super);
-    const Normaliser::Unused late = normaliser_.finish(Normaliser::Universals::used);
-    may_settle_ = !result_.unused.empty() && late.empty() && !normaliser_.open().is_more;
+    // Where another engine has to do everything again, universals are left to it.
+    const bool is_more = normaliser_.open().is_more;
+    const Normaliser::Unused late =
+        normaliser_.finish(is_more ? Normaliser::Universals::left_out : Normaliser::Universals::used);
+    may_settle_ = !result_.unused.empty() && late.empty() && !is_more;
     for (const auto& [axiom, construct] : late) result_.unused.push_back({axiom, to_string(construct)});
     sort_unused();
   }

@@ -12,7 +12,7 @@ namespace {
 
 using testing::IsEmpty;
 
-constexpr std::uint64_t seeds = 40;
+constexpr std::uint64_t seeds = 400;
 
 class RandomOntologies : public testing::TestWithParam<Profile> {};
 
@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(Profile, RandomOntologies, testing::ValuesIn(profiles),
                          [](const auto& param) { return std::string(to_string(param.param)); });
 
 TEST(RangesOfChains, AreUsedByElAloneAsByTheEnginesBeyondIt) {
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     const el::OntologySource source = random_ontology(Profile::ranges, seed, 6 + seed % 14);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + told(source));
     const Opinion el = of_el(source);

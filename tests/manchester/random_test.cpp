@@ -116,7 +116,9 @@ TEST(RandomExpressions, StandWhereAClassOfTheirOwnWouldStand) {
     const std::string text = with_all_names(el::random_ontology(random, size), classes);
     if (!el::loaded(text).is_consistent()) continue;
     const Asked asked(text);
-    const bool is_complete = el::classified(el::written(text)).unused.empty();
+    // Expressions are placed without the universals that ranges of chains need, and say so.
+    const el::OntologySource source = el::written(text);
+    const bool is_complete = el::classified(source).unused.empty() && !el::has_range_over_chain(source);
     Expressions expressions(random, classes);
     for (int turn = 0; turn < 12; ++turn) {
       const std::string written = expressions.write(3);

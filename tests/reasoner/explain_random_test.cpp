@@ -84,8 +84,8 @@ int for_random_pairs(std::uint64_t seeds, std::size_t axioms, Check&& check) {
     const std::string text = el::random_ontology(random, axioms);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
     const el::OntologySource source = el::written(text);
-    // The naive reasoner knows more than the rules where a range meets a chain, and says so.
-    if (!el::classified(source).unused.empty()) continue;
+    // The naive reasoner knows nothing of ranges that chains escape.
+    if (!el::classified(source).unused.empty() || el::has_range_over_chain(source)) continue;
     std::vector<std::string> lines = lines_of(text);
     const el::Ontology ontology = el::loaded(source);
     if (ontology.axioms().axiom_count() != lines.size()) continue;  // what stands there twice is one axiom
