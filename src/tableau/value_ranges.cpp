@@ -13,7 +13,6 @@ using el::TermId;
 using el::TermKind;
 
 constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
-constexpr std::string_view rdf = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
 constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
 /// Definitions nest at most as deep, terms at most 500.
 constexpr unsigned max_depth = 1000;

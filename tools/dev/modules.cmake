@@ -6,6 +6,10 @@ add_library(geminga_flags INTERFACE)
 set(geminga_client_modules base env identity gcnp client/cpp)
 target_compile_features(geminga_flags INTERFACE cxx_std_23)
 target_compile_options(geminga_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+# std::stable_sort of GCC 12's library uses what it deprecates itself, and clang says so at every instance.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  target_compile_options(geminga_flags INTERFACE -Wno-deprecated-declarations)
+endif()
 if(GEMINGA_SANITIZE)
   target_compile_options(geminga_flags INTERFACE -fsanitize=${GEMINGA_SANITIZE} -fno-omit-frame-pointer
                                                  -fno-sanitize-recover=all)
