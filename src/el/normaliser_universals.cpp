@@ -15,7 +15,6 @@
 namespace geminga::el {
 namespace {
 
-constexpr std::size_t max_pairs = std::size_t{1} << 26;
 constexpr std::size_t max_automaton_states = 1000;  // of one property
 
 /// The roles whose automata lack something: a chain that is not regular, or one of too many, is somewhere below them.
@@ -64,7 +63,7 @@ std::vector<std::size_t> Normaliser::find_ranges_over_chains(const Roles& closed
 void Normaliser::add_universals(Universals universals, Unused& unused) {
   if (index_.roles().chains().empty() && universals_.empty()) return;
   Roles closed = index_.roles();
-  if (!closed.close_hierarchy(max_pairs)) return;  // the index will not close either, and that is reported
+  if (!closed.close_hierarchy(max_role_pairs)) return;  // the index will not close either, and that is reported
   find_not_simple(closed, unused);
   const std::vector<std::size_t> over_chains = find_ranges_over_chains(closed);
   if (over_chains.empty() && universals_.empty()) return;

@@ -13,19 +13,22 @@ using registry::SubscriptionEntry;
 
 std::optional<Match> Matcher::State::meets(const StoredSubscription& subscription,
                                            const StoredPublication& publication) const {
-  ++judged_;
-  if (is_kept_apart(publication.entry.publication.identity, subscription.entry.subscription.identity))
-    return std::nullopt;
-  return matching::meets(subscription.entry.subscription, of_subscription_[subscription.slot].request,
-                         publication.entry, of_publication_[publication.slot].classes, ontology_);
+  return meet(subscription.entry.subscription, of_subscription_[subscription.slot].request, publication.entry,
+              of_publication_[publication.slot].classes);
 }
 
 std::optional<Match> Matcher::State::meets(const Subscription& asked, const Request& request,
                                            const PublicationEntry& publication) const {
   const StoredPublication* stored = publications_.find(publication.key);
   if (stored == nullptr) return std::nullopt;
+  return meet(asked, request, stored->entry, of_publication_[stored->slot].classes);
+}
+
+std::optional<Match> Matcher::State::meet(const Subscription& asked, const Request& request,
+                                          const PublicationEntry& offered, const Classes& classes) const {
   ++judged_;
-  return matching::meets(asked, request, stored->entry, of_publication_[stored->slot].classes, ontology_);
+  if (is_kept_apart(offered.publication.identity, asked.identity)) return std::nullopt;
+  return matching::meets(asked, request, offered, classes, ontology_);
 }
 
 const StoredPublication& Matcher::State::store(PublicationEntry entry, const StoredPublication* known) {
@@ -276,9 +279,8 @@ std::vector<Ranked> Matcher::State::match(const Subscription& asked, const Reque
   std::vector<Ranked> ranked;
   visit_publications(publications_, asked.identity, request.classes, asked.weakest, ontology_,
                      [&](const StoredPublication& publication) {
-                       ++judged_;
-                       const auto match = matching::meets(asked, request, publication.entry,
-                                                          of_publication_[publication.slot].classes, ontology_);
+                       const auto match =
+                           meet(asked, request, publication.entry, of_publication_[publication.slot].classes);
                        if (match) ranked.push_back({&publication.entry, *match});
                        return false;
                      });
@@ -292,14 +294,12 @@ bool Matcher::State::is_served(const SubscriptionEntry& subscription) const {
   const Subscription& asked = subscription.subscription;
   const Request request = prepare(subscription);
   bool served = false;
-  visit_publications(publications_, asked.identity, request.classes, asked.weakest, ontology_,
-                     [&](const StoredPublication& publication) {
-                       ++judged_;
-                       served = matching::meets(asked, request, publication.entry,
-                                                of_publication_[publication.slot].classes, ontology_)
-                                    .has_value();
-                       return served;
-                     });
+  visit_publications(
+      publications_, asked.identity, request.classes, asked.weakest, ontology_,
+      [&](const StoredPublication& publication) {
+        served = meet(asked, request, publication.entry, of_publication_[publication.slot].classes).has_value();
+        return served;
+      });
   return served;
 }
 
@@ -307,9 +307,7 @@ bool Matcher::State::is_used(const PublicationEntry& publication) const {
   const Classes classes = classes_of(publication.publication.identity, ontology_);
   const auto standing = standing_subscriptions(subscriptions_, publication.publication.identity, classes, ontology_);
   return std::ranges::any_of(standing, [&](const StoredSubscription* subscription) {
-    ++judged_;
-    return matching::meets(subscription->entry.subscription, of_subscription_[subscription->slot].request, publication,
-                           classes, ontology_)
+    return meet(subscription->entry.subscription, of_subscription_[subscription->slot].request, publication, classes)
         .has_value();
   });
 }

@@ -95,6 +95,9 @@ class Matcher::State {
   /// Whether the pair can ever cause an event or decide about another one that can.
   [[nodiscard]] static bool is_of_interest(const registry::SubscriptionEntry& subscription,
                                            const registry::PublicationEntry& publication);
+  /// The one place where a pair is judged, and counted.
+  [[nodiscard]] std::optional<Match> meet(const Subscription& asked, const Request& request,
+                                          const registry::PublicationEntry& offered, const Classes& classes) const;
   /// Whether a number and a concept do not meet because the number is that of another concept, too.
   [[nodiscard]] bool is_kept_apart(const Identity& offered, const Identity& requested) const;
   /// Finds out whether the number is that of two concepts, after what has come or gone. Gives the subscriptions that

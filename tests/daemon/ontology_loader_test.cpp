@@ -116,8 +116,10 @@ TEST_F(OntologyLoaderTest, UsesWhatIsSettledWhereTheCompilerReachedItsLimit) {
   const std::vector<std::byte> bytes = el::compile(source, el::classify(source).value());
   const std::string path = folder / "settled";
   std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
-  const Result settled = load("echo a limit >&2; cat " + path + "; exit 4", {"a.ttl"});
-  ASSERT_TRUE(settled);
+  const Result settled = load("exec perl -e '$/ = undef; open(my $file, \"<\", \"" + path +
+                                  R"(") or die; print <$file>; warn "a limit\n"; exit 4')",
+                              {"a.ttl"});
+  ASSERT_TRUE(settled) << testing::PrintToString(settled.error());
   EXPECT_NE(settled->ontology, nullptr);
   EXPECT_THAT(settled->remarks, ElementsAre("a limit"));
   const Result nothing = load("echo a limit >&2; exit 4", {"a.ttl"});

@@ -18,7 +18,16 @@ bool is_same(const Told& a, const Told& b) {
   return std::get<1>(a.about)->same_as(*std::get<1>(b.about));
 }
 
+bool Model::is_kept_apart(const Identity& offered, const Identity& requested) const {
+  const auto* number = std::get_if<NumericIdentity>(&offered);
+  if (number == nullptr) number = std::get_if<NumericIdentity>(&requested);
+  if (number == nullptr || offered.index() == requested.index()) return false;
+  const auto named = concepts_.find(number->number);
+  return named != concepts_.end() && named->second.size() > 1;
+}
+
 std::optional<Match> Model::meets(const SubscriptionEntry& subscription, const PublicationEntry& publication) const {
+  if (is_kept_apart(publication.publication.identity, subscription.subscription.identity)) return std::nullopt;
   return matching::meets(subscription.subscription, requests_.at(subscription.key), publication,
                          classes_.at(publication.key), ontology);
 }
@@ -27,6 +36,13 @@ void Model::work_out() {
   auto before = std::exchange(chosen_, {});
   requests_.clear();
   classes_.clear();
+  concepts_.clear();
+  const auto note = [&](const Identity& identity) {
+    if (std::holds_alternative<SemanticIdentity>(identity) && !has_expression(identity))
+      concepts_[id32(identity)].insert(identity);
+  };
+  for (const auto& [key, entry] : publications) note(entry.publication.identity);
+  for (const auto& [key, entry] : subscriptions) note(entry.subscription.identity);
   for (const auto& [key, entry] : publications) classes_[key] = classes_of(entry.publication.identity, ontology);
   for (const auto& [key, entry] : subscriptions) requests_[key] = prepared(entry.subscription, ontology);
   for (const auto& [key, subscription] : subscriptions) {
@@ -53,7 +69,8 @@ View Model::view() const {
     const SubscriptionEntry& subscription = subscriptions.at(key);
     for (const auto& [offer_key, match] : chosen) {
       const PublicationEntry& publication = publications.at(offer_key);
-      if (subscription.is_local) view[{key, offer_key}] = {std::make_shared<const PublicationEntry>(publication), match};
+      if (subscription.is_local)
+        view[{key, offer_key}] = {std::make_shared<const PublicationEntry>(publication), match};
       if (publication.is_local && publication.publication.mode != ChannelMode::one_to_many_stream) {
         view[{offer_key, key}] = {std::make_shared<const SubscriptionEntry>(subscription), match};
       }

@@ -43,6 +43,9 @@ class Model {
  private:
   std::map<ServiceKey, Request> requests_;
   std::map<ServiceKey, Classes> classes_;
+  /// Whether one is a number and the other a concept, and the number that of two different concepts.
+  [[nodiscard]] bool is_kept_apart(const Identity& offered, const Identity& requested) const;
+  std::map<Id32, std::set<Identity>> concepts_;               ///< by their number
   std::map<ServiceKey, std::map<ServiceKey, Match>> chosen_;  ///< by subscription, then by publication
 };
 

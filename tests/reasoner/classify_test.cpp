@@ -109,7 +109,7 @@ TEST(Classification, NamesWhatOwlForbidsAndUsesTheRest) {
 
 TEST(Classification, TellsWhatItIsDoing) {
   std::vector<std::string> phases;
-  const el::OntologySource source = el::written("SubClassOf(A ObjectUnionOf(B C))");
+  const el::OntologySource source = el::written("SubClassOf(ObjectAllValuesFrom(r A) B)");
   const auto note = [&](std::string_view phase, double done) {
     EXPECT_GE(done, 0);
     EXPECT_LE(done, 1);

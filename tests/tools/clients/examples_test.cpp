@@ -80,6 +80,11 @@ class Examples : public testing::Test {
     std::ofstream(folder_ / "expected.ttl") << own << "soccer:SharedBallInfo rdfs:subClassOf soccer:BallInfo .\n";
     std::ofstream(folder_ / "my-team.ttl") << own << "soccer:LidarBall a <http://www.w3.org/2002/07/owl#Class> ; "
                                            << "rdfs:subClassOf soccer:BallInfo .\n";
+    std::ofstream(folder_ / "oeo.omn") << "Prefix: : <http://oeo.example/>\nOntology: <http://oeo.example/>\n"
+                                       << "Class: :Plant\n    SubClassOf: :Thing\nClass: :Thing\n";
+    std::ofstream(folder_ / "pizza.owl") << "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n"
+                                         << "<urn:p#Margherita> rdfs:subClassOf <urn:p#Pizza> .\n";
+    std::ofstream(folder_ / "unnamed.rq") << "SELECT ?c WHERE { ?c a <http://www.w3.org/2002/07/owl#Class> }\n";
     EXPECT_EQ(start("geminga-ontology compile team/ -o team.geminga")->wait(), 0);
     provide();
   }

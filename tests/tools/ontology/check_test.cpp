@@ -52,7 +52,13 @@ TEST(Check, ListsWhatWasNotUsedAxiomByAxiom) {
   std::string axioms = ":r a owl:TransitiveProperty .\n";
   for (int at = 0; at < 7; ++at)
     axioms += ":A" + std::to_string(at) + " rdfs:subClassOf [ a owl:Restriction ; owl:onProperty :r ; " +
-              "owl:maxCardinality 2 ] .\n";
+              "owl:maxCardinality 2 ] , :B .\n";
+  // Three things are to be counted, or the axioms would say nothing.
+  for (int at = 0; at < 3; ++at) {
+    const std::string filler = ":C" + std::to_string(at);
+    axioms += ":B rdfs:subClassOf [ a owl:Restriction ; owl:onProperty :r ; owl:someValuesFrom " + filler + " ] .\n" +
+              filler + " owl:disjointWith :C" + std::to_string((at + 1) % 3) + " .\n";
+  }
   program.turtle("a.ttl", axioms);
   const Outcome few = program.run({"check", "a.ttl"});
   EXPECT_EQ(few.status, 0) << few.err;

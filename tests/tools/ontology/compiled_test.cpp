@@ -27,16 +27,20 @@ std::string findings(const Program& program, std::string text) {
 
 TEST(CompiledFile, IsCheckedWithTheSameFindingsAsItsSources) {
   const Program program;
-  program.turtle(
-      "a.ttl",
-      ":r a owl:TransitiveProperty .\n:A rdfs:subClassOf [ a owl:Restriction ; owl:onProperty :r ; "
-      "owl:maxCardinality 2 ] , :B .\n:B owl:newInOwl3 :C .\n:D rdfs:subClassOf :B , [ owl:complementOf :B ] .\n");
+  program.turtle("a.ttl",
+                 ":r a owl:TransitiveProperty .\n:A rdfs:subClassOf [ a owl:Restriction ; owl:onProperty :r ; "
+                 "owl:maxCardinality 2 ] , :B .\n:A rdfs:subClassOf [ a owl:Restriction ; owl:onProperty :r ; "
+                 "owl:someValuesFrom :E ] , "
+                 "[ a owl:Restriction ; owl:onProperty :r ; owl:someValuesFrom :F ] , "
+                 "[ a owl:Restriction ; owl:onProperty :r ; owl:someValuesFrom :G ] .\n"
+                 ":E owl:disjointWith :F , :G . :F owl:disjointWith :G .\n:B owl:newInOwl3 :C .\n:D "
+                 "rdfs:subClassOf :B , [ owl:complementOf :B ] .\n");
   ASSERT_EQ(program.run({"compile", "a.ttl", "-o", "a.geminga"}).status, 0);
   const Outcome of_sources = program.run({"check", "a.ttl"});
   const Outcome of_compiled = program.run({"check", "a.geminga"});
   EXPECT_EQ(of_sources.status, 1);
   EXPECT_EQ(of_compiled.status, 1) << of_compiled.err;
-  EXPECT_THAT(of_compiled.out, AllOf(HasSubstr("1 file, 3 classes, 5 axioms\n"), HasSubstr("Incomplete: "),
+  EXPECT_THAT(of_compiled.out, AllOf(HasSubstr("1 file, 6 classes, 11 axioms\n"), HasSubstr("Incomplete: "),
                                      HasSubstr("e:A SubClassOf e:r max 2"), HasSubstr("owl:newInOwl3: 1, first at ")));
   EXPECT_EQ(findings(program, of_compiled.out), findings(program, of_sources.out));
 }
