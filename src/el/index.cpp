@@ -248,6 +248,8 @@ Rows<Item> Index::rows_of(std::vector<std::pair<std::uint32_t, Item>>& pairs) co
   pairs.shrink_to_fit();
   return rows;
 }
+// For index_merging.cpp.
+template Rows<RoleId> Index::rows_of(std::vector<std::pair<std::uint32_t, RoleId>>& pairs) const;
 
 void Index::sort_rules() {
   for (auto& [row, item] : atom_pairs_) item = representative_[number(item)];
