@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace geminga::base {
 
@@ -29,7 +30,7 @@ class Budget {
   bool spend(std::uint64_t steps);
   [[nodiscard]] bool is_spent() const { return end_.load(std::memory_order_relaxed) != End::open; }
   [[nodiscard]] std::uint64_t spent() const { return spent_.load(std::memory_order_relaxed); }
-  [[nodiscard]] std::uint64_t left() const { return is_spent() ? 0 : steps_ - spent(); }
+  [[nodiscard]] std::uint64_t left() const { return is_spent() || spent() >= steps_ ? 0 : steps_ - spent(); }
   /// Why it is spent, in one line; nothing while it is not.
   [[nodiscard]] std::optional<std::string> reason() const;
 

@@ -82,7 +82,7 @@ void Parser::prefix_declaration() {
              '>');
     return;
   }
-  const auto is_same = [&](const DeclaredPrefix& declared) { return declared.prefix == prefix; };
+  const auto is_same = [&](const el::DeclaredPrefix& declared) { return declared.prefix == prefix; };
   if (!is_new && std::ranges::any_of(document_.prefixes, is_same)) return;
   if (document_.prefixes.size() >= frame_limits_.prefixes) {
     fail(ParseError::Kind::too_large, name.begin, "more than " + std::to_string(frame_limits_.prefixes) + " prefixes");

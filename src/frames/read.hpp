@@ -11,41 +11,20 @@
 #ifndef GEMINGA_FRAMES_READ_HPP
 #define GEMINGA_FRAMES_READ_HPP
 
-#include <cstdint>
 #include <expected>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "el/annotation.hpp"
+#include "el/document.hpp"
 #include "el/source.hpp"
 #include "frames/declared.hpp"
-#include "frames/error.hpp"
 #include "frames/limits.hpp"
 
 namespace geminga::frames {
 
-/// An ontology that the file imports. It is recorded and never fetched.
-struct Import {
-  std::string iri;
-  std::uint32_t line = 0;
-};
-
-/// A prefix as the file declares it.
-struct DeclaredPrefix {
-  std::string prefix;  ///< without the colon; empty: the default one
-  std::string iri;
-};
-
-/// What a file says beside its axioms. Imports and prefixes stand in the order of the file, each once.
-struct Document {
-  std::string ontology_iri;  ///< empty: the ontology has no name
-  std::string version_iri;
-  std::vector<Import> imports;
-  std::vector<DeclaredPrefix> prefixes;
-  std::uint64_t axioms = 0;       ///< handed to the source, declarations included; not what is left out
-  std::uint64_t annotations = 0;  ///< of whatever they stand at, and axioms about annotation properties
-};
+using el::Document;
+using el::ReadError;
 
 /// Notes the properties and datatypes that a file has frames of. What is wrong with the file is said by read(). Linear.
 void look_ahead(std::string_view bytes, Declared& declared, const Limits& limits = {});

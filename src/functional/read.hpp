@@ -9,41 +9,19 @@
 #ifndef GEMINGA_FUNCTIONAL_READ_HPP
 #define GEMINGA_FUNCTIONAL_READ_HPP
 
-#include <cstdint>
 #include <expected>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "el/annotation.hpp"
+#include "el/document.hpp"
 #include "el/source.hpp"
-#include "functional/error.hpp"
 #include "functional/limits.hpp"
 
 namespace geminga::functional {
 
-/// An ontology that the file imports. It is recorded and never fetched.
-struct Import {
-  std::string iri;
-  std::uint32_t line = 0;
-};
-
-/// A prefix as the file declares it; those that every file knows (owl, rdf, rdfs, xsd) only where it declares them.
-struct DeclaredPrefix {
-  std::string prefix;  ///< without the colon; empty: the default one
-  std::string iri;
-};
-
-/// What a file says beside its axioms. Imports and prefixes stand in the order of the file, each once.
-struct Document {
-  std::string ontology_iri;  ///< empty: the ontology has no name
-  std::string version_iri;
-  std::vector<Import> imports;
-  std::vector<DeclaredPrefix> prefixes;
-  std::uint64_t axioms = 0;       ///< handed to the source, declarations included; not what is left out
-  std::uint64_t annotations = 0;  ///< of the ontology, of axioms, of annotations, and axioms about annotations
-  std::uint64_t vacuous = 0;      ///< axioms that say nothing, like EquivalentClasses(:A)
-};
+using el::Document;
+using el::ReadError;
 
 /// Whether a file is in this syntax by its content: its first word behind white space and comments is `Prefix` or
 /// `Ontology`, and a bracket follows. Looks no further.

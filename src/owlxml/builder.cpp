@@ -104,7 +104,7 @@ Listener::Refusal Builder::begin_prefix(std::span<const Attribute> attributes) {
   if (known->second != iri)
     return "the prefix " + base::printable(prefix, 60) + ": already stands for <" + base::printable(known->second, 60) +
            '>';
-  const auto is_same = [&](const DeclaredPrefix& declared) { return declared.prefix == prefix; };
+  const auto is_same = [&](const el::DeclaredPrefix& declared) { return declared.prefix == prefix; };
   if (!is_new && std::ranges::any_of(document_.prefixes, is_same)) return std::nullopt;
   if (document_.prefixes.size() >= limits_.prefixes)
     return "more than " + std::to_string(limits_.prefixes) + " prefixes";

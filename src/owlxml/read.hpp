@@ -10,47 +10,19 @@
 #ifndef GEMINGA_OWLXML_READ_HPP
 #define GEMINGA_OWLXML_READ_HPP
 
-#include <cstdint>
 #include <expected>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "el/annotation.hpp"
+#include "el/document.hpp"
 #include "el/source.hpp"
 #include "owlxml/limits.hpp"
 
 namespace geminga::owlxml {
 
-/// One refused file. Its text is one line of UTF-8.
-struct ReadError {
-  std::string file;
-  std::uint32_t line = 0;  ///< 0: the file as a whole
-  std::string text;
-};
-
-/// An ontology that the file imports. It is recorded and never fetched.
-struct Import {
-  std::string iri;
-  std::uint32_t line = 0;
-};
-
-/// A prefix as the file declares it.
-struct DeclaredPrefix {
-  std::string prefix;  ///< without the colon; empty: the default one
-  std::string iri;
-};
-
-/// What a file says beside its axioms. Imports and prefixes stand in the order of the file, each once.
-struct Document {
-  std::string ontology_iri;  ///< empty: the ontology has no name
-  std::string version_iri;
-  std::vector<Import> imports;
-  std::vector<DeclaredPrefix> prefixes;
-  std::uint64_t axioms = 0;       ///< handed to the source, declarations included; not what is left out
-  std::uint64_t annotations = 0;  ///< of the ontology, of axioms, of annotations, and axioms about annotations
-  std::uint64_t vacuous = 0;      ///< axioms that say nothing, like EquivalentClasses of one class
-};
+using el::Document;
+using el::ReadError;
 
 /// Reads a whole file into the source. Sets the ontology IRI of `file` there, adds every axiom with the line in which
 /// its element ends its start tag, and the texts of rdfs:label and skos:prefLabel as labels. Declared prefixes are not

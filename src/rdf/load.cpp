@@ -248,12 +248,12 @@ class Loading {
   }
 
   std::optional<LoadError> read_other(std::size_t number, Syntax syntax, std::string_view bytes) {
-    auto document = other_->read(syntax, bytes, el::FileId{static_cast<std::uint32_t>(number)}, loaded_.source);
-    if (!document) return document.error();
+    const auto document = other_->read(syntax, bytes, el::FileId{static_cast<std::uint32_t>(number)}, loaded_.source,
+                                       loaded_.annotations);
+    if (!document) return LoadError{document.error().file, document.error().line, document.error().text};
     if (!document->ontology_iri.empty()) headers_.name(number, document->ontology_iri);
     if (!document->version_iri.empty()) headers_.version(document->version_iri);
-    for (const OtherDocument::Import& import : document->imports) headers_.import(number, import.iri, import.line);
-    std::ranges::move(document->annotations, std::back_inserter(loaded_.annotations));
+    for (const el::Import& import : document->imports) headers_.import(number, import.iri, import.line);
     for (const auto& [prefix, iri] : document->prefixes)
       other_prefixes_.push_back({prefix, iri, static_cast<std::uint32_t>(number)});
     return std::nullopt;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "el/annotation.hpp"
+#include "el/document.hpp"
 #include "el/source.hpp"
 #include "rdf/error.hpp"
 #include "rdf/files.hpp"
@@ -35,27 +36,16 @@ struct PrefixConflict {
   std::vector<std::string> others;  ///< sorted
 };
 
-/// What a file in a syntax without triples says beside its axioms.
-struct OtherDocument {
-  struct Import {
-    std::string iri;
-    std::uint32_t line = 0;
-  };
-  std::string ontology_iri;
-  std::string version_iri;
-  std::vector<Import> imports;
-  std::vector<std::pair<std::string, std::string>> prefixes;  ///< without the colon; the IRI
-  std::vector<el::Annotation> annotations;                    ///< where its reader keeps them
-};
-
 /// Reads files in syntaxes without triples. What they hold is put into the source, their ontology IRIs included.
 class OtherReader {
  public:
   virtual ~OtherReader() = default;
   /// Is shown every such file that is to be read last, before the first of them is: what one declares another may use.
   virtual void look_ahead(Syntax syntax, std::string_view bytes) = 0;
-  [[nodiscard]] virtual std::expected<OtherDocument, LoadError> read(Syntax syntax, std::string_view bytes,
-                                                                     el::FileId file, el::OntologySource& source) = 0;
+  /// Annotations are put behind those that are there, where it keeps them.
+  [[nodiscard]] virtual std::expected<el::Document, el::ReadError> read(Syntax syntax, std::string_view bytes,
+                                                                        el::FileId file, el::OntologySource& source,
+                                                                        std::vector<el::Annotation>& annotations) = 0;
 };
 
 /// Everything that was read.

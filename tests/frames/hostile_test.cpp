@@ -67,7 +67,7 @@ TEST(Limits, OfNamesTextsPrefixesImportsPartsAndTheFile) {
   limits = {};
   limits.file_bytes = 9;
   EXPECT_EQ(Reading("Ontology:", limits).error, "");
-  EXPECT_EQ(Reading("Ontology: ", limits).error, "t.omn:0: larger than 9 bytes: split it");
+  EXPECT_EQ(Reading("Ontology: ", limits).error, "t.omn: larger than 9 bytes: split it");
 }
 
 TEST(Hostile, BytesThatAreNoTextAreRefusedWithTheirLine) {

@@ -18,7 +18,7 @@ struct Reading {
 
   explicit Reading(std::string_view text, const Limits& limits = {}, Declared declared = {});
 
-  /// Axioms as the writer of tests/rdf writes them, declarations included; then "left out: CONSTRUCT, line N".
+  /// Axioms as the writer of tests/rdf writes them, declarations included; then "left out: CONSTRUCT, COUNT, line N".
   [[nodiscard]] std::vector<std::string> axioms() const;
   /// "IRI text" or "IRI text@en".
   [[nodiscard]] std::vector<std::string> labels() const;

@@ -86,9 +86,9 @@ TEST(Elements, ThatNoAxiomCanExpressAreLeftOutByName) {
            "<ClassAssertion><DataHasValue><DataProperty IRI='d'/><Literal "
            "datatypeIRI='http://www.w3.org/2001/XMLSchema#int'>x</Literal></DataHasValue><NamedIndividual IRI='a'/>"
            "</ClassAssertion>"),
-      ElementsAre("left out: swrl:Imp, line 2", "left out: owl:onProperties, line 3",
-                  "left out: a cardinality above 4294967295, line 4",
-                  "left out: a literal that is not of its datatype, line 5"));
+      ElementsAre("left out: swrl:Imp, 1, line 2", "left out: owl:onProperties, 1, line 3",
+                  "left out: a cardinality above 4294967295, 1, line 4",
+                  "left out: a literal that is not of its datatype, 1, line 5"));
 }
 
 TEST(Elements, ThatDoNotFitAreRefusedWithTheirLine) {

@@ -110,7 +110,7 @@ TEST(Limits, OfNamesTextsPrefixesImportsOperandsAndTheFile) {
   limits.file_bytes = empty.size();
   EXPECT_EQ(Reading(empty, limits).error, "");
   EXPECT_EQ(Reading(empty + ' ', limits).error,
-            "t.owx:0: larger than " + std::to_string(empty.size()) + " bytes: split it");
+            "t.owx: larger than " + std::to_string(empty.size()) + " bytes: split it");
 }
 
 }  // namespace

@@ -13,6 +13,10 @@ namespace geminga::rdf {
 /// RDFS and XSD with their prefixes, others in angle brackets; blank nodes `_:1`, `_:2` in the order of their
 /// appearance. Declarations are left out unless they are asked for.
 [[nodiscard]] std::vector<std::string> functional(const el::OntologySource& source, bool with_declarations = false);
+/// The same with declarations; then "left out: CONSTRUCT, COUNT, line N".
+[[nodiscard]] std::vector<std::string> functional_with_left_out(const el::OntologySource& source);
+/// "IRI text" or "IRI text@en".
+[[nodiscard]] std::vector<std::string> labels(const el::OntologySource& source);
 
 }  // namespace geminga::rdf
 

@@ -245,13 +245,15 @@ class Recorder final : public OtherReader {
   void look_ahead(Syntax syntax, std::string_view bytes) override {
     calls.push_back("ahead " + std::string(to_string(syntax)) + ' ' + std::string(bytes));
   }
-  std::expected<OtherDocument, LoadError> read(Syntax syntax, std::string_view bytes, el::FileId file,
-                                               el::OntologySource& source) override {
+  std::expected<el::Document, el::ReadError> read(Syntax syntax, std::string_view bytes, el::FileId file,
+                                                  el::OntologySource& source, std::vector<el::Annotation>&) override {
     calls.push_back("read " + std::string(to_string(syntax)) + ' ' + std::string(bytes));
     source.add(el::AxiomKind::sub_class_of, {source.named_class("http://e/A"), source.named_class("http://e/B")}, file,
                7);
-    return OtherDocument{
-        "http://e/a", "http://e/a/1", {{"http://e/b", 1}, {"http://e/d", 2}}, {{"other", "http://o/"}}, {}};
+    return el::Document{.ontology_iri = "http://e/a",
+                        .version_iri = "http://e/a/1",
+                        .imports = {{"http://e/b", 1}, {"http://e/d", 2}},
+                        .prefixes = {{"other", "http://o/"}}};
   }
 };
 

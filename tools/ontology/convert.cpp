@@ -21,7 +21,7 @@ struct Request {
 
 Exit convert(const Request& request) {
   const auto format = chosen_format(request.format, request.out);
-  if (!format) return say_error(request.format + " is no format: write --to " + format_names);
+  if (!format) return say_error(format.error());
   Progress progress(true);
   const auto loaded = load(request.files, progress, {.keeps_annotations = true});
   progress.clear();

@@ -32,7 +32,7 @@ Exit judge(const std::expected<Knowledge, NoKnowledge>& knowledge) {
 
 Exit infer(const Request& request) {
   const auto format = chosen_format(request.format, request.out);
-  if (!format) return say_error(request.format + " is no format: write --to " + format_names);
+  if (!format) return say_error(format.error());
   Progress progress(true);
   auto loaded = load(request.files, progress, {.keeps_annotations = true});
   if (!loaded) return say_error(loaded.error().text);

@@ -36,7 +36,7 @@ Examples:
 FILES are RDF/XML, Turtle, N-Triples, OWL functional syntax, OWL Manchester syntax or OWL/XML, also packed by gzip
 (.gz), or folders of them, with all below. Nothing is fetched from a network: owl:imports are looked for among the
 files that are named. Names are prefix:Name, <IRI>, a label, or, where it is unique, Name alone.
-Exit status: 0 yes or done, 1 no or a problem found, 2 wrong usage or a file that cannot be loaded, 4 timed out.)";
+Exit status: 0 yes or done, 1 no or a problem found, 2 wrong usage or a file that cannot be loaded, 4 a limit was reached.)";
 
 /// CLI11 ends its messages in line ends, and some run over several lines.
 std::string in_one_line(std::string words) {

@@ -65,7 +65,10 @@ void add_output(CLI::App& command, std::string& out, std::string& format) {
   command.add_option("-o,--output", out, "the file to write, replaced as a whole or not at all; - is standard output")
       ->required()
       ->type_name("OUT");
-  command.add_option("--to", format, std::string("the syntax to write: ") + format_names)->type_name("FORMAT");
+  command
+      .add_option("--to", format,
+                  std::string("the syntax to write: ") + format_names + "; without it, by the name of OUT")
+      ->type_name("FORMAT");
 }
 
 void add_run_limits(CLI::App& command, Choice& choice) {

@@ -74,8 +74,8 @@ Exit fill(const std::vector<std::string>& files, const Request& request, Asked& 
 Exit query(const Request& request) {
   const auto rows = find_rows(request.as_json ? "json" : request.rows);
   if (!rows) return say_error(base::printable(request.rows) + " is no format: write --format table, json, csv or tsv");
-  const auto format = chosen_format(request.format, {});
-  if (!format) return say_error(request.format + " is no format: write --to turtle, rdfxml or ntriples");
+  const auto format = chosen_format(request.format, std::string(to_standard_output));
+  if (!format) return say_error(format.error());
   if (request.words.size() < 2) return say_failure("name the files, and behind them the query", request.as_json);
   const auto text = query_of(request.words.back());
   if (!text) return say_failure(text.error(), request.as_json);
@@ -105,7 +105,7 @@ void add_query(CLI::App& program, Choice& choice) {
       ->type_name("");
   command->add_option("--format", request->rows, "how rows are written: table, json, csv, tsv")->type_name("FORMAT");
   command->add_flag("--json", request->as_json, "the same as --format json");
-  command->add_option("--to", request->format, "the syntax for CONSTRUCT: turtle, rdfxml, ntriples")
+  command->add_option("--to", request->format, std::string("the syntax for CONSTRUCT: ") + format_names)
       ->type_name("FORMAT");
   command->add_flag("--asserted", request->only_asserted, "ask over what the files say alone");
   add_number(*command, "--rows", request->most_rows, 1, 10'000'000, "most rows to write; 100000 where it is not given");

@@ -4,7 +4,10 @@
 
 #include <expected>
 #include <string_view>
+#include <vector>
 
+#include "el/annotation.hpp"
+#include "el/document.hpp"
 #include "el/source.hpp"
 #include "frames/declared.hpp"
 #include "rdf/load.hpp"
@@ -17,8 +20,9 @@ class Readers final : public rdf::OtherReader {
   explicit Readers(bool keeps_annotations = false) : keeps_annotations_(keeps_annotations) {}
 
   void look_ahead(rdf::Syntax syntax, std::string_view bytes) override;
-  std::expected<rdf::OtherDocument, rdf::LoadError> read(rdf::Syntax syntax, std::string_view bytes, el::FileId file,
-                                                         el::OntologySource& source) override;
+  std::expected<el::Document, el::ReadError> read(rdf::Syntax syntax, std::string_view bytes, el::FileId file,
+                                                  el::OntologySource& source,
+                                                  std::vector<el::Annotation>& annotations) override;
 
  private:
   bool keeps_annotations_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "graph/axiom_triples.hpp"
+#include "output.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -91,9 +92,13 @@ graph::Prefixes prefixes_of(const el::OntologySource& source) {
   return prefixes;
 }
 
-std::optional<graph::Format> chosen_format(const std::string& name, const std::string& out) {
-  if (!name.empty()) return graph::find_format(name);
-  return graph::format_of_file(out).value_or(graph::Format::turtle);
+std::expected<graph::Format, std::string> chosen_format(const std::string& name, const std::string& out) {
+  if (name.empty() && out == to_standard_output) return graph::Format::turtle;
+  const auto format = name.empty() ? graph::format_of_file(out) : graph::find_format(name);
+  if (format) return *format;
+  return std::unexpected(name.empty() ? out + ": the name ends in none of .ttl, .nt, .owl, .rdf and .xml: write --to " +
+                                            format_names
+                                      : name + " is no format: write --to " + format_names);
 }
 
 }  // namespace geminga::ontology

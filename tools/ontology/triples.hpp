@@ -2,6 +2,7 @@
 #ifndef GEMINGA_ONTOLOGY_TRIPLES_HPP
 #define GEMINGA_ONTOLOGY_TRIPLES_HPP
 
+#include <expected>
 #include <optional>
 #include <string>
 
@@ -20,9 +21,10 @@ namespace geminga::ontology {
 /// The name of the ontology that the files are together; empty: none has one.
 [[nodiscard]] std::string ontology_name(const rdf::Loaded& loaded);
 
-/// The format that is asked for by name, by the name of the output, or Turtle; nothing where the name is none.
-[[nodiscard]] std::optional<graph::Format> chosen_format(const std::string& name, const std::string& out);
-inline constexpr const char* format_names = "turtle, rdfxml, ntriples; without it, by the name of OUT";
+/// The format that is asked for by name, or else by the name of the output; Turtle on standard output. The error is a
+/// line for the user.
+[[nodiscard]] std::expected<graph::Format, std::string> chosen_format(const std::string& name, const std::string& out);
+inline constexpr const char* format_names = "turtle, rdfxml or ntriples";
 
 }  // namespace geminga::ontology
 
