@@ -24,7 +24,6 @@ class Inflating {
   Inflating(const std::string& path, FileBytes& packed, const Limits& limits)
       : path_(path),
         packed_(packed),
-        limits_(limits),
         most_(std::min(limits.file_bytes,
                        std::max(limits.inflated_free_bytes, packed.view().size() * limits.inflated_growth))),
         watch_(path, packed.view().size() * usual_growth, limits) {}
@@ -85,7 +84,6 @@ class Inflating {
 
   const std::string& path_;
   FileBytes& packed_;
-  const Limits& limits_;
   const std::size_t most_;
   LongTextWatch watch_;
   z_stream stream_{};

@@ -33,6 +33,14 @@ bool is_part(const std::vector<std::string>& part, const std::vector<std::string
   return std::ranges::includes(whole, part);
 }
 
+/// Whether all of `expected` follows from what was found: of a class that was found to be empty, everything does.
+bool covers(const std::vector<std::string>& found, const std::vector<std::string>& expected) {
+  const auto has = [&](const std::string& line) { return std::ranges::binary_search(found, line); };
+  return has("inconsistent") || std::ranges::all_of(expected, [&](const std::string& line) {
+           return has(line) || has(line.substr(0, line.find(' ')) + " < Nothing");
+         });
+}
+
 TEST(RandomOntologies, AreClassifiedAsByTheNaiveReasoner) {
   int complete = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
@@ -42,11 +50,10 @@ TEST(RandomOntologies, AreClassifiedAsByTheNaiveReasoner) {
     const OntologySource source = written(text);
     const std::vector<std::string> found = closure(loaded(source));
     const std::vector<std::string> expected = reference_closure(source);
-    // What follows from the ranges of chains is for tests/compare.
     const bool is_complete = classified(source).unused.empty();
     if (has_range_over_chain(source)) {
-      const auto is_impossible = [](const auto& line) { return line == "inconsistent" || line.ends_with("Nothing"); };
-      ASSERT_TRUE(!is_complete || is_part(expected, found) || std::ranges::any_of(found, is_impossible));
+      // What else follows from the ranges of chains is for tests/compare.
+      ASSERT_TRUE(!is_complete || covers(found, expected));
     } else if (is_complete) {
       ++complete;
       ASSERT_EQ(found, expected);

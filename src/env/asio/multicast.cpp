@@ -67,7 +67,7 @@ bool aim(udp::socket& socket, bool is_v4, int index) {
 address scoped(const address& group, int index) {
   if (group.is_v4()) return group;
   net::ip::address_v6 v6 = group.to_v6();
-  v6.scope_id(static_cast<unsigned long>(index));
+  v6.scope_id(static_cast<net::ip::scope_id_type>(index));
   return v6;
 }
 
