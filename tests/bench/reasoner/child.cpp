@@ -33,6 +33,7 @@ Cost run(std::vector<std::string> words, const std::filesystem::path& out, const
   }
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
           std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count(),
+          static_cast<double>(used.ru_utime.tv_sec) * 1e3 + static_cast<double>(used.ru_utime.tv_usec) / 1e3,
           static_cast<double>(used.ru_maxrss) / 1024};
 }
 

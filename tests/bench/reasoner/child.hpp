@@ -9,8 +9,9 @@
 namespace geminga::bench {
 
 struct Cost {
-  int status = -1;          ///< exit status; -1: it did not end by itself
-  double milliseconds = 0;  ///< from start to end, as a user waits for it
+  int status = -1;               ///< exit status; -1: it did not end by itself
+  double milliseconds = 0;       ///< from start to end, as a user waits for it
+  double user_milliseconds = 0;  ///< of processors, of all threads, outside the kernel
   double peak_mebibytes = 0;
 };
 

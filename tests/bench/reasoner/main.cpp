@@ -1,5 +1,5 @@
 // Measures the reasoner on given and made-up ontologies: from file to taxonomy in time and memory, beside rapper and
-// Konclude in the same run, and what a loaded ontology answers. Writes rows for tools/bench.
+// Konclude in the same run, first those that branch, and what a loaded ontology answers. Writes rows for tools/bench.
 //
 //   --smoke                   tiny sizes, one run each
 //   GEMINGA_BENCH_FULL=1      350 000 classes, too, and Konclude on them: 10 GB and minutes
@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "bench/reasoner/child.hpp"
+#include "bench/reasoner/hard.hpp"
 #include "bench/reasoner/loaded.hpp"
 #include "bench/reasoner/synthetic.hpp"
 #include "bench/reasoner/table.hpp"
@@ -186,25 +187,31 @@ void measure_synthetic(const Settings& settings, std::uint32_t classes) {
   Measured(settings, "synthetic", rdf_xml, functional).measure();
 }
 
-void measure_given(const Settings& settings) {
+/// The folder that has the folder ontologies; empty: there is none.
+fs::path data_folder() {
   const char* named = std::getenv("GEMINGA_TEST_DATA");
   for (const fs::path& folder :
        {fs::path(named == nullptr ? "" : named), fs::path(GEMINGA_SOURCE_DIR) / ".." / "shared" / "data"}) {
-    const fs::path ontologies = folder / "ontologies";
-    if (folder.empty() || !fs::is_directory(ontologies)) continue;
-    for (const auto& [name, file] : {std::pair{"SOMA", "soma/all-modules-merged.rdf"},
-                                     {"IEEE 1872", "ieee1872/cora-fullaxiom.owl"},
-                                     {"GALEN", "galen/galen.owl"}}) {
-      if (fs::exists(ontologies / file)) Measured(settings, name, ontologies / file, ontologies / file).measure();
-    }
-    return;
+    if (!folder.empty() && fs::is_directory(folder / "ontologies")) return folder;
   }
-  row_without("given ontologies", "-", "none in $GEMINGA_TEST_DATA or ../shared/data");
+  return {};
+}
+
+void measure_given(const Settings& settings) {
+  const fs::path data = data_folder();
+  if (data.empty()) return row_without("given ontologies", "-", "none in $GEMINGA_TEST_DATA or ../shared/data");
+  const fs::path ontologies = data / "ontologies";
+  for (const auto& [name, file] : {std::pair{"SOMA", "soma/all-modules-merged.rdf"},
+                                   {"IEEE 1872", "ieee1872/cora-fullaxiom.owl"},
+                                   {"GALEN", "galen/galen.owl"}}) {
+    if (fs::exists(ontologies / file)) Measured(settings, name, ontologies / file, ontologies / file).measure();
+  }
 }
 
 void measure_all(const Settings& settings) {
   if (const char* only = std::getenv("GEMINGA_BENCH_ONTOLOGY"); only != nullptr)
     return Measured(settings, fs::path(only).filename(), only, only).measure();
+  measure_hard({settings.is_smoke, program(), settings.folder, data_folder()});
   if (settings.is_smoke) return measure_synthetic(settings, 300);
   measure_given(settings);
   for (const std::uint32_t classes : {5'000U, 20'000U, 50'000U}) measure_synthetic(settings, classes);

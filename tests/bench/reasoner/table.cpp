@@ -10,10 +10,11 @@ void row(const std::string& name, const std::string& size, double figure, const 
     const double ratio = figure / goal.baseline;
     std::printf("%.2f\t", ratio);
     if (goal.ratio > 0) {
-      std::printf("%.2g\t%s\n", goal.ratio, ratio <= goal.ratio ? "ok" : "over");
+      std::printf("%.2g\t%s\t", goal.ratio, ratio <= goal.ratio ? "ok" : "over");
     } else {
-      std::printf("-\t-\n");
+      std::printf("-\t-\t");
     }
+    std::printf("%.4g %s\n", goal.baseline, unit.c_str());
   } else if (goal.limit > 0) {
     std::printf("-\t%g %s\t%s\n", goal.limit, unit.c_str(), figure <= goal.limit ? "ok" : "over");
   } else {
