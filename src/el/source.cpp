@@ -98,11 +98,6 @@ Term OntologySource::term(TermId id) const {
   return {record.kind, record.name, record.number, std::span(term_arguments_).subspan(record.begin, record.count)};
 }
 
-Axiom OntologySource::axiom(std::size_t index) const {
-  const AxiomRecord& record = axioms_[index];
-  return {record.kind, record.file, record.line, std::span(axiom_arguments_).subspan(record.begin, record.count)};
-}
-
 TermId OntologySource::intern_term(TermKind kind, NameId name, std::uint32_t number,
                                    std::span<const TermId> arguments) {
   const std::uint64_t hash = hash_of_term(kind, name, number, arguments);
@@ -192,10 +187,6 @@ void OntologySource::add(AxiomKind kind, std::span<const TermId> arguments, File
     form = std::max(form, record.form);
     depth = std::max(depth, record.depth + 1U);
   }
-  if (form == Form::ill_typed) {
-    leave_out("a literal that is not of its datatype", file, line);
-    return;
-  }
   if (form == Form::malformed) {
     leave_out(std::string("malformed ") + std::string(to_string(kind)), file, line);
     return;
@@ -204,13 +195,17 @@ void OntologySource::add(AxiomKind kind, std::span<const TermId> arguments, File
     leave_out("nesting over " + std::to_string(limits_.nesting) + " levels", file, line);
     return;
   }
-  if (axioms_.size() >= limits_.axioms || axiom_arguments_.size() + arguments.size() > limits_.arguments) {
+  const bool is_damaged = form == Form::ill_typed;
+  if (is_damaged) leave_out(damaged_literal, file, line);
+  if (axioms_.size() + damaged_.size() >= limits_.axioms ||
+      axiom_arguments_.size() + arguments.size() > limits_.arguments) {
     fail("the ontology has more than " + std::to_string(limits_.axioms) + " axioms or " +
          std::to_string(limits_.arguments) + " arguments");
     return;
   }
-  axioms_.push_back({kind, static_cast<std::uint32_t>(axiom_arguments_.size()),
-                     static_cast<std::uint32_t>(arguments.size()), file, line});
+  (is_damaged ? damaged_ : axioms_)
+      .push_back({kind, static_cast<std::uint32_t>(axiom_arguments_.size()),
+                  static_cast<std::uint32_t>(arguments.size()), file, line});
   axiom_arguments_.insert(axiom_arguments_.end(), arguments.begin(), arguments.end());
 }
 

@@ -35,6 +35,9 @@ struct SourceLimits {
 inline constexpr TermId thing_term{0};
 inline constexpr TermId nothing_term{1};
 
+/// What an axiom with a literal that is not of its datatype is left out as.
+inline constexpr std::string_view damaged_literal = "a literal that is not of its datatype";
+
 /// An ontology as it was read, in no particular order. Only appended to; ids stay valid. Not thread-safe.
 class OntologySource {
  public:
@@ -117,7 +120,10 @@ class OntologySource {
   [[nodiscard]] std::size_t name_count() const { return name_ends_.size(); }
   [[nodiscard]] std::size_t term_count() const { return terms_.size(); }
   [[nodiscard]] std::size_t axiom_count() const { return axioms_.size(); }
-  [[nodiscard]] Axiom axiom(std::size_t index) const;
+  [[nodiscard]] Axiom axiom(std::size_t index) const { return axiom_of(axioms_[index]); }
+  /// The axioms that were left out because a literal in them is not of its datatype, and are whole but for that.
+  [[nodiscard]] std::size_t damaged_count() const { return damaged_.size(); }
+  [[nodiscard]] Axiom damaged(std::size_t index) const { return axiom_of(damaged_[index]); }
   [[nodiscard]] std::span<const Label> labels() const { return labels_; }
   [[nodiscard]] std::span<const Prefix> prefixes() const { return prefixes_; }
   [[nodiscard]] std::span<const LoadedFile> files() const { return files_; }
@@ -143,6 +149,9 @@ class OntologySource {
     std::uint32_t line;
   };
 
+  [[nodiscard]] Axiom axiom_of(const AxiomRecord& record) const {
+    return {record.kind, record.file, record.line, std::span(axiom_arguments_).subspan(record.begin, record.count)};
+  }
   NameId intern(std::string_view name, std::size_t max_bytes);
   TermId intern_term(TermKind kind, NameId name, std::uint32_t number, std::span<const TermId> arguments);
   [[nodiscard]] bool is_of_its_datatype(std::string_view lexical, std::span<const TermId> arguments) const;
@@ -160,6 +169,7 @@ class OntologySource {
   std::vector<TermKind> kinds_;  ///< room for kinds_of()
   NumberTable term_table_;
   std::vector<AxiomRecord> axioms_;
+  std::vector<AxiomRecord> damaged_;
   std::vector<TermId> axiom_arguments_;
   std::vector<Label> labels_;
   std::vector<Prefix> prefixes_;

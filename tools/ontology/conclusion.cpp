@@ -30,12 +30,13 @@ std::expected<std::set<std::string>, NoKnowledge> files_of(const std::string& ar
 
 }  // namespace
 
-std::optional<std::string> find_unread(const el::OntologySource& source, const std::vector<bool>& files) {
+std::optional<std::string> find_unread(const el::OntologySource& source, const std::vector<bool>& files,
+                                       bool with_damaged) {
   for (const el::OntologySource::Omission& omission : source.omissions()) {
     const auto file = static_cast<std::size_t>(omission.file);
     if (!files.empty() && !files[file]) continue;
     const std::string_view construct = source.name(omission.construct);
-    if (construct.starts_with(import_words)) continue;
+    if (construct.starts_with(import_words) || (!with_damaged && construct == el::damaged_literal)) continue;
     std::string text = std::string(construct) + " is not understood: " + source.files()[file].path;
     if (omission.line != 0) text += ':' + std::to_string(omission.line);
     return text;
@@ -57,7 +58,7 @@ std::expected<Argument, NoKnowledge> load_argument(const std::string& premise, c
   if (!conclusion_files) return std::unexpected(conclusion_files.error());
   auto loaded = load({premise, conclusion}, progress);
   if (!loaded) return std::unexpected(std::move(loaded.error()));
-  Argument argument{std::move(*loaded), {}, {}, {}, {}};
+  Argument argument{std::move(*loaded), {}, {}, {}, {}, {}};
   const el::OntologySource& source = argument.loaded.source;
   std::vector<bool> in_premise;
   std::vector<bool> in_conclusion;
@@ -70,8 +71,11 @@ std::expected<Argument, NoKnowledge> load_argument(const std::string& premise, c
     if (in_premise[file]) argument.premise.push_back(axiom);
     if (in_conclusion[file]) argument.conclusion.push_back(axiom);
   }
-  argument.unread_premise = find_unread(source, in_premise);
-  argument.unread_conclusion = find_unread(source, in_conclusion);
+  for (std::size_t axiom = 0; axiom < source.damaged_count(); ++axiom) {
+    if (in_premise[static_cast<std::size_t>(source.damaged(axiom).file)]) argument.damaged.push_back(axiom);
+  }
+  argument.unread_premise = find_unread(source, in_premise, false);
+  argument.unread_conclusion = find_unread(source, in_conclusion, true);
   return argument;
 }
 

@@ -5,7 +5,7 @@
 
 #include "command.hpp"
 #include "conclusion.hpp"
-#include "reasoner/reasoner.hpp"
+#include "reasoner/damaged.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {
@@ -36,14 +36,14 @@ std::string as_text(const Answer& answer) {
 
 Exit consistent(const Request& request, const WorkLimits& limits) {
   Progress progress(!request.as_json);
-  const auto loaded = load(request.files, progress);
+  auto loaded = load(request.files, progress);
   if (!loaded) return say_failure(loaded.error().text, request.as_json);
   progress.show("deciding", 0, loaded->source.axiom_count() > 10'000);
   base::Budget budget = budget_of(limits);
-  Answer answer = reasoner::is_consistent(loaded->source, &budget);
+  Answer answer = reasoner::is_consistent_as_meant(loaded->source, &budget);
   // What was not understood can only make a contradiction, never undo one.
   if (answer.verdict == Verdict::yes) {
-    if (auto unread = find_unread(loaded->source, {})) answer = {Verdict::unknown, std::move(*unread)};
+    if (auto unread = find_unread(loaded->source, {}, false)) answer = {Verdict::unknown, std::move(*unread)};
   }
   progress.clear();
   say_unresolved(*loaded);

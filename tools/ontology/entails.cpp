@@ -6,7 +6,7 @@
 #include "command.hpp"
 #include "conclusion.hpp"
 #include "el/print.hpp"
-#include "reasoner/reasoner.hpp"
+#include "reasoner/damaged.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {
@@ -41,9 +41,9 @@ Answer join(const std::vector<Finding>& findings, const Argument& argument) {
   return all;
 }
 
-std::vector<Finding> decide(const Argument& argument, base::Budget& budget) {
-  const el::OntologySource& source = argument.loaded.source;
-  const auto answers = reasoner::entails_each(source, argument.premise, argument.conclusion, &budget);
+std::vector<Finding> decide(Argument& argument, base::Budget& budget) {
+  el::OntologySource& source = argument.loaded.source;
+  const auto answers = reasoner::entails_each(source, argument.premise, argument.conclusion, argument.damaged, &budget);
   const auto short_name = short_names(source);
   std::vector<Finding> findings;
   for (std::size_t at = 0; at < answers.size(); ++at) {
@@ -96,7 +96,7 @@ std::string as_text(const std::vector<Finding>& findings, const Answer& all) {
 
 Exit entails(const Request& request, const WorkLimits& limits) {
   Progress progress(!request.as_json);
-  const auto argument = load_argument(request.premise, request.conclusion, progress);
+  auto argument = load_argument(request.premise, request.conclusion, progress);
   if (!argument) return say_failure(argument.error().text, request.as_json);
   progress.show("deciding", 0, argument->premise.size() > 10'000);
   base::Budget budget = budget_of(limits);
@@ -129,6 +129,8 @@ void add_entails(CLI::App& program, Choice& choice) {
       "cannot be loaded, 4 a limit was reached before it was decided. Imports are answered by files in the folders "
       "that are named; what is not there is left "
       "aside.\n"
+      "An axiom with a literal that is not of its datatype is left out. What may hang on it, whichever value of the\n"
+      "datatype was meant, cannot be decided; all else can.\n"
       "\nExample:\n  geminga-ontology entails team/ expected.ttl");
   command->callback(
       [request, &choice] { choice.run = [request, &choice] { return entails(*request, choice.limits); }; });

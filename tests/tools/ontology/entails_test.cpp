@@ -65,6 +65,22 @@ TEST(Entails, SaysWhyItCannotDecide) {
   EXPECT_EQ(program.run({"entails", "not.ttl", "premise.ttl"}).status, 1);
 }
 
+TEST(Entails, LeavesOpenOnlyWhatMayHangOnADamagedLiteral) {
+  const Program program;
+  program.turtle(
+      "premise.ttl",
+      ":age a owl:DatatypeProperty ; rdfs:domain :Person ; rdfs:range <http://www.w3.org/2001/XMLSchema#integer> .\n"
+      ":bob :age \"twelve\"^^<http://www.w3.org/2001/XMLSchema#integer> .\n:Dog rdfs:subClassOf :Animal .\n");
+  program.turtle("apart.ttl", ":Animal rdfs:subClassOf :Dog .\n");
+  program.turtle("hangs.ttl", ":bob a :Person .\n");
+  const Outcome no = program.run({"entails", "premise.ttl", "apart.ttl"});
+  EXPECT_EQ(no.status, 1) << no.err;
+  const Outcome open = program.run({"entails", "premise.ttl", "hangs.ttl"});
+  EXPECT_EQ(open.status, 2);
+  EXPECT_THAT(open.err, HasSubstr("it may hang on a literal that is not of its datatype: premise.ttl:3"));
+  EXPECT_EQ(program.run({"consistent", "premise.ttl"}).status, 0) << "whatever bob's age is";
+}
+
 TEST(Entails, JsonHasEveryAxiom) {
   const Program program;
   program.turtle("premise.ttl", ":A rdfs:subClassOf :B .\n");
