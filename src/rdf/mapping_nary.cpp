@@ -16,12 +16,21 @@ bool is_class_valued(Word predicate) {
          predicate == Word::owl_disjoint_with || predicate == Word::rdfs_domain || predicate == Word::rdfs_range;
 }
 
+/// In OWL 1 these were classes of object properties (mapping, table 6).
+bool declares_object_property(Word type) {
+  return type == Word::owl_inverse_functional_property || type == Word::owl_symmetric_property ||
+         type == Word::owl_transitive_property;
+}
+
 }  // namespace
 
 void Mapping::map_type(std::uint32_t number) {
   const Triple& triple = graph_.triple(number);
   const NodeId node = triple.subject;
   used_[number] = true;
+  if (declares_object_property(word(triple.object)) && !has_type(node, Word::owl_datatype_property) &&
+      !graph_.text(node).starts_with(owl_namespace))
+    declare(number, el::TermKind::object_property);
   switch (word(triple.object)) {
     case Word::owl_class:
     case Word::rdfs_class:

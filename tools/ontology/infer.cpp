@@ -26,11 +26,13 @@ Exit judge(const std::expected<Knowledge, NoKnowledge>& knowledge) {
   if (!knowledge->classification.is_consistent)
     return say_error("the ontology contradicts itself, so that everything follows from it: see geminga-ontology check",
                      Exit::no);
-  if (const auto why = why_incomplete(*knowledge)) say_error("more may follow: " + *why);
+  // Where a limit was reached, more is said when all is written.
+  const auto why = why_incomplete(*knowledge);
+  if (why && !knowledge->classification.is_cut_off) say_error("more may follow: " + *why);
   return Exit::yes;
 }
 
-Exit infer(const Request& request) {
+Exit infer(const Request& request, const WorkLimits& limits) {
   const auto format = chosen_format(request.format, request.out);
   if (!format) return say_error(format.error());
   Progress progress(true);
@@ -40,7 +42,8 @@ Exit infer(const Request& request) {
     return say_error(request.out + " is one of the sources: name another file behind -o");
   graph::Graph asserted;
   if (const auto problem = add_asserted(*loaded, asserted)) return say_error(*problem);
-  const auto knowledge = learn_types(std::move(*loaded), progress);
+  base::Budget budget = budget_of(limits);
+  const auto knowledge = learn_types(std::move(*loaded), progress, {.budget = &budget});
   progress.clear();
   if (const Exit exit = judge(knowledge); exit != Exit::yes) return exit;
   graph::Graph alone;
@@ -55,7 +58,9 @@ Exit infer(const Request& request) {
     alone.settle();
   }
   const auto text = graph.write(*format, prefixes_of(knowledge->loaded.source));
-  return text ? put(request.out, std::as_bytes(std::span(*text))) : say_error(text.error());
+  if (!text) return say_error(text.error());
+  const Exit exit = put(request.out, std::as_bytes(std::span(*text)));
+  return exit == Exit::yes ? exit_of(*knowledge, exit) : exit;
 }
 
 }  // namespace
@@ -68,15 +73,18 @@ void add_infer(CLI::App& program, Choice& choice) {
   add_output(*command, request->out, request->format);
   command->add_flag("--only-inferred", request->only_inferred, "write only what the files do not say themselves");
   command->add_flag("--closure", request->as_closure, "write all that follows, not only the direct relations");
-  add_run_limits(*command, choice);
+  add_memory_limit(*command, choice);
+  add_work_limits(*command, choice.limits);
   command->footer(
       "\nWritten are rdfs:subClassOf and owl:equivalentClass, rdfs:subPropertyOf and owl:equivalentProperty, rdf:type\n"
-      "and owl:sameAs, between names. Exit status 1 if the ontology contradicts itself.\n"
+      "and owl:sameAs, between names. Exit status 1 if the ontology contradicts itself; 4 if a limit was reached: "
+      "what\n"
+      "is written follows, and standard error says what is not decided.\n"
       "\nExamples:\n  geminga-ontology infer team/ -o inferred.owl\n"
       "  geminga-ontology infer team/ --only-inferred --closure -o - --to ntriples");
   command->callback([request, &choice] {
     if (request->out != to_standard_output) choice.outputs.push_back(request->out);
-    choice.run = [request] { return infer(*request); };
+    choice.run = [request, &choice] { return infer(*request, choice.limits); };
   });
 }
 

@@ -14,9 +14,6 @@ namespace {
 using graph::iri;
 using graph::Node;
 
-/// Before the IRI of an individual: the class of nothing but it.
-constexpr std::string_view only = "urn:geminga:only:";
-
 /// Every named individual of the axioms.
 std::vector<el::TermId> individuals_of(const el::OntologySource& source) {
   std::vector<bool> is_found(source.term_count(), false);
@@ -55,14 +52,15 @@ class Writer {
   }
 
  private:
-  static bool is_individual(std::string_view name) { return name.starts_with(only); }
+  static bool is_individual(std::string_view name) { return name.starts_with(only_individual); }
 
   /// The names of a node that are those of classes or properties, or of individuals.
   static std::vector<std::string_view> names(const Hierarchy& hierarchy, std::uint32_t node, bool are_individuals) {
     std::vector<std::string_view> found;
     for (const std::uint32_t member : hierarchy.members[node]) {
       const std::string_view name = hierarchy.iris[member];
-      if (is_individual(name) == are_individuals) found.push_back(are_individuals ? name.substr(only.size()) : name);
+      if (is_individual(name) == are_individuals)
+        found.push_back(are_individuals ? name.substr(only_individual.size()) : name);
     }
     return found;
   }
@@ -140,7 +138,8 @@ class Writer {
 std::expected<Knowledge, NoKnowledge> learn_types(rdf::Loaded loaded, Progress& progress, const Learning& how) {
   el::OntologySource& source = loaded.source;
   for (const el::TermId individual : individuals_of(source)) {
-    const el::TermId itself = source.named_class(std::string(only) + std::string(source.name_of(individual)));
+    const el::TermId itself =
+        source.named_class(std::string(only_individual) + std::string(source.name_of(individual)));
     const el::TermId one = source.term(el::TermKind::object_one_of, {individual});
     source.add(el::AxiomKind::equivalent_classes, {itself, one}, el::FileId{0}, 0);
   }

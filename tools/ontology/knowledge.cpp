@@ -115,13 +115,18 @@ std::optional<std::string> describe_undecided(const Knowledge& knowledge) {
   const std::size_t count = undecided.classes.size();
   if (count == 0 && !undecided.consistency) return std::nullopt;
   const auto short_name = short_names(knowledge.loaded.source);
-  const auto name = [&](el::ClassNumber of) {
-    const auto number = static_cast<std::size_t>(of);
-    return short_name(knowledge.loaded.source.name(knowledge.classification.classes[number]));
+  const auto iri = [&](el::ClassNumber of) {
+    return knowledge.loaded.source.name(knowledge.classification.classes[static_cast<std::size_t>(of)]);
   };
+  const auto is_individual = [&](el::ClassNumber of) { return iri(of).starts_with(only_individual); };
+  const auto name = [&](el::ClassNumber of) {
+    return short_name(is_individual(of) ? iri(of).substr(only_individual.size()) : iri(of));
+  };
+  const auto individuals = static_cast<std::size_t>(std::ranges::count_if(undecided.classes, is_individual));
   std::string line(el::undecided_words);
-  if (count > 0) line += counted(count, "class", "classes") + " (" + name(undecided.classes.front());
-  if (count > 0) line += count == 1 ? ")" : ", ...)";
+  if (count > individuals) line += counted(count - individuals, "class", "classes");
+  if (individuals > 0) line += (count > individuals ? " and " : "") + counted(individuals, "individual", "individuals");
+  if (count > 0) line += " (" + name(undecided.classes.front()) + (count == 1 ? ")" : ", ...)");
   if (undecided.consistency) line += std::string(count > 0 ? ", and " : "") + "whether there is a contradiction";
   if (undecided.held_up_by) line += "; held up by " + name(*undecided.held_up_by);
   return line;

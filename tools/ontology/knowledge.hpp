@@ -28,6 +28,10 @@ struct Knowledge {
   double classify_ms = 0;
 };
 
+/// Before the IRI of an individual: the class of nothing but it, which stands in the taxonomy where the types of
+/// individuals are asked for (learn_types()).
+inline constexpr std::string_view only_individual = "urn:geminga:only:";
+
 /// Whether something may be missing above this class.
 [[nodiscard]] bool is_undecided(const reasoner::Classified& classification, el::ClassNumber number);
 

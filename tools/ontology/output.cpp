@@ -71,8 +71,12 @@ void add_output(CLI::App& command, std::string& out, std::string& format) {
       ->type_name("FORMAT");
 }
 
-void add_run_limits(CLI::App& command, Choice& choice) {
+void add_memory_limit(CLI::App& command, Choice& choice) {
   add_number(command, "--memory-limit", choice.memory_limit_mib, 64, 1'000'000, "most address space to use, in MiB");
+}
+
+void add_run_limits(CLI::App& command, Choice& choice) {
+  add_memory_limit(command, choice);
   add_number(command, "--time-limit", choice.limits.seconds, 1, 1'000'000,
              "most time to take, in seconds; then exit 4");
 }

@@ -18,7 +18,9 @@ inline constexpr std::string_view to_standard_output = "-";
 
 /// Adds `-o OUT`, required, and `--to FORMAT`.
 void add_output(CLI::App& command, std::string& out, std::string& format);
-/// Adds `--memory-limit` and `--time-limit`.
+/// Adds `--memory-limit`.
+void add_memory_limit(CLI::App& command, Choice& choice);
+/// Adds it and a `--time-limit` beyond which nothing is written, for those that search for nothing.
 void add_run_limits(CLI::App& command, Choice& choice);
 
 /// Writes it, or says why it cannot.

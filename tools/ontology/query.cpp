@@ -43,7 +43,7 @@ struct Asked {
 };
 
 /// Fills it, or says what is wrong.
-Exit fill(const std::vector<std::string>& files, const Request& request, Asked& asked,
+Exit fill(const std::vector<std::string>& files, const Request& request, base::Budget& budget, Asked& asked,
           std::optional<Knowledge>& knowledge) {
   Progress progress(!request.as_json);
   auto loaded = load(files, progress, {.keeps_annotations = true});
@@ -53,7 +53,7 @@ Exit fill(const std::vector<std::string>& files, const Request& request, Asked& 
   if (request.only_asserted) {
     knowledge.emplace(std::move(*loaded), reasoner::Classified{}, 0, 0);
   } else {
-    auto learned = learn_types(std::move(*loaded), progress);
+    auto learned = learn_types(std::move(*loaded), progress, {.budget = &budget});
     if (!learned) return say_failure(learned.error().text, request.as_json);
     knowledge.emplace(std::move(*learned));
     if (!knowledge->classification.is_consistent)
@@ -62,7 +62,9 @@ Exit fill(const std::vector<std::string>& files, const Request& request, Asked& 
           "see geminga-ontology check",
           request.as_json);
     add_inferred(*knowledge, true, asked.graph);
-    if (const auto why = why_incomplete(*knowledge)) say_error("more may follow: " + *why);
+    // Where a limit was reached, more is said behind the answer.
+    const auto why = why_incomplete(*knowledge);
+    if (why && !knowledge->classification.is_cut_off) say_error("more may follow: " + *why);
   }
   progress.clear();
   if (asked.graph.problem()) return say_failure(*asked.graph.problem(), request.as_json);
@@ -71,7 +73,19 @@ Exit fill(const std::vector<std::string>& files, const Request& request, Asked& 
   return Exit::yes;
 }
 
-Exit query(const Request& request) {
+/// Writes the answer; the exit status tells what it is.
+Exit write(const graph::Answer& answer, const Request& request, Rows rows, const Asked& asked) {
+  const bool are_triples = answer.kind == graph::Answer::Kind::triples;
+  if (!print(are_triples ? answer.text : written(answer, rows, asked.short_name)))
+    return say_error("standard output cannot be written");
+  if (answer.is_cut)
+    return say_error("there are more than " + std::to_string(request.most_rows) +
+                     " rows, which were written: raise --rows, or write LIMIT");
+  if (answer.kind == graph::Answer::Kind::truth) return answer.is_true ? Exit::yes : Exit::no;
+  return are_triples || !answer.rows.empty() ? Exit::yes : Exit::no;
+}
+
+Exit query(const Request& request, const WorkLimits& limits) {
   const auto rows = find_rows(request.as_json ? "json" : request.rows);
   if (!rows) return say_error(base::printable(request.rows) + " is no format: write --format table, json, csv or tsv");
   const auto format = chosen_format(request.format, std::string(to_standard_output));
@@ -82,17 +96,12 @@ Exit query(const Request& request) {
   Asked asked;
   std::optional<Knowledge> knowledge;
   const std::vector<std::string> files(request.words.begin(), request.words.end() - 1);
-  if (const Exit exit = fill(files, request, asked, knowledge); exit != Exit::yes) return exit;
+  base::Budget budget = budget_of(limits);
+  if (const Exit exit = fill(files, request, budget, asked, knowledge); exit != Exit::yes) return exit;
   const auto answer = graph::ask(asked.graph, *text, asked.prefixes, *format, {.rows = request.most_rows});
   if (!answer) return say_failure(answer.error(), request.as_json);
-  const bool are_triples = answer->kind == graph::Answer::Kind::triples;
-  if (!print(are_triples ? answer->text : written(*answer, *rows, asked.short_name)))
-    return say_error("standard output cannot be written");
-  if (answer->is_cut)
-    return say_error("there are more than " + std::to_string(request.most_rows) +
-                     " rows, which were written: raise --rows, or write LIMIT");
-  if (answer->kind == graph::Answer::Kind::truth) return answer->is_true ? Exit::yes : Exit::no;
-  return are_triples || !answer->rows.empty() ? Exit::yes : Exit::no;
+  const Exit exit = write(*answer, request, *rows, asked);
+  return exit == Exit::usage ? exit : exit_of(*knowledge, exit);
 }
 
 }  // namespace
@@ -109,18 +118,20 @@ void add_query(CLI::App& program, Choice& choice) {
       ->type_name("FORMAT");
   command->add_flag("--asserted", request->only_asserted, "ask over what the files say alone");
   add_number(*command, "--rows", request->most_rows, 1, 10'000'000, "most rows to write; 100000 where it is not given");
-  add_run_limits(*command, choice);
+  add_memory_limit(*command, choice);
+  add_work_limits(*command, choice.limits);
   command->footer(
       "\nSELECT, ASK and CONSTRUCT are answered; a query may stand in a file that ends in .rq. The prefixes of the "
       "files\n"
       "need no declaration. Nothing is fetched: FROM and SERVICE are refused. What follows are all relations between\n"
       "named classes and properties, and all types of named individuals.\n"
-      "Exit status: 0 there are rows, or the answer is yes; 1 there are none, or it is no.\n"
+      "Exit status: 0 there are rows, or the answer is yes; 1 there are none, or it is no; 4 a limit was reached, and\n"
+      "the answer is that of what is settled by then.\n"
       "\nExamples:\n"
       "  geminga-ontology query team/ 'SELECT ?class WHERE { ?class rdfs:subClassOf soccer:BallInfo }'\n"
       "  geminga-ontology query team/ 'ASK { soccer:SharedBallInfo rdfs:subClassOf soccer:BallInfo }'\n"
       "  geminga-ontology query pizza.owl unnamed.rq --format csv");
-  command->callback([request, &choice] { choice.run = [request] { return query(*request); }; });
+  command->callback([request, &choice] { choice.run = [request, &choice] { return query(*request, choice.limits); }; });
 }
 
 }  // namespace geminga::ontology

@@ -175,6 +175,41 @@ TEST(Subsumes, DoesNotSayNoOfWhatIsNotDecided) {
   EXPECT_THAT(ask("e:X").out, HasSubstr("is not known to be subsumed by"));
 }
 
+TEST(Check, TakesWhatOwl1CalledASubclassOfObjectPropertiesForADeclaration) {
+  const Program program;
+  program.turtle("a.ttl",
+                 ":p a owl:ObjectProperty . :t a owl:TransitiveProperty . :s a owl:SymmetricProperty .\n"
+                 ":f a owl:InverseFunctionalProperty . :A a owl:Class ; rdfs:subClassOf [ a owl:Restriction ; "
+                 "owl:onProperty :t ; owl:someValuesFrom :A ] .\n");
+  const Outcome outcome = program.run({"check", "a.ttl"});
+  EXPECT_EQ(outcome.status, 0) << outcome.out;
+}
+
+TEST(Infer, WritesWhatIsSettledWhereALimitIsReached) {
+  const Program program;
+  program.turtle("a.ttl",
+                 pigeonhole(9) + ":A rdfs:subClassOf :B . :B rdfs:subClassOf [ owl:unionOf (:C :D) ] . :i a :A .\n");
+  const Outcome outcome = program.run({"infer", "a.ttl", "-o", "out.nt", "--steps", "100000"});
+  EXPECT_EQ(outcome.status, 4) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("the limit of 100000 steps was reached, and what is settled by then counts"));
+  EXPECT_THAT(outcome.err, HasSubstr("held up by e:X"));
+  EXPECT_THAT(outcome.err, Not(HasSubstr("urn:geminga"))) << "individuals have their own names";
+  EXPECT_THAT(program.read("out.nt"), HasSubstr("<http://e/A> <http://www.w3.org/2000/01/rdf-schema#subClassOf>"));
+}
+
+TEST(Query, AnswersWithWhatIsSettledWhereALimitIsReached) {
+  const Program program;
+  program.turtle("a.ttl",
+                 pigeonhole(9) + ":A rdfs:subClassOf :B . :B rdfs:subClassOf :Z , [ owl:unionOf (:C :D) ] .\n");
+  const Outcome outcome =
+      program.run({"query", "a.ttl", "ASK { <http://e/A> rdfs:subClassOf <http://e/Z> }", "--steps", "100000"});
+  EXPECT_EQ(outcome.status, 4) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("yes"));
+  EXPECT_THAT(outcome.err, HasSubstr("held up by e:X"));
+  EXPECT_EQ(program.run({"query", "a.ttl", "ASK { ?x ?y ?z }", "--asserted", "--steps", "1"}).status, 0)
+      << "what is not searched needs no steps";
+}
+
 // As a tree the class has 2^40 members.
 TEST(Check, EndsWhereClassesShareTheirPartsWithoutEnd) {
   const Program program;
