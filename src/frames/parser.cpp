@@ -122,7 +122,7 @@ void Parser::frame() {
   const std::string_view word = is_section() ? tokens_.token().text : std::string_view();
   parts_ = 0;
   if (word == "Import:") return import();
-  if (word == "Annotations:") return own_annotations(document_.ontology_iri);
+  if (word == "Annotations:") return own_annotations(of_ontology);
   if (word == "Class:") return class_frame();
   if (word == "ObjectProperty:") return object_property_frame();
   if (word == "DataProperty:") return data_property_frame();

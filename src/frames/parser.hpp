@@ -52,8 +52,8 @@ class Parser final : private manchester::Parser {
   void annotation_property_frame();
   void datatype_frame();
   void individual_frame();
-  /// A section that consists of a list of members; false: it is none of this frame.
-  bool list_section(Frame frame, Term subject);
+  /// A section that consists of a list of members; false: it is none of this frame. `name` is the subject's.
+  bool list_section(Frame frame, Term subject, std::string_view name = {});
   void characteristics(Term subject, bool is_data);
   void disjoint_union(Term subject);
   void has_key(Term subject);
@@ -77,10 +77,14 @@ class Parser final : private manchester::Parser {
 
   // parser_annotations.cpp
   void annotations();
+  /// The subject of annotations of the ontology; no blank node has this name.
+  static constexpr std::string_view of_ontology = "_:ontology";
   /// A frame's own annotations, or the ontology's; labels are kept where the subject is an IRI.
   void own_annotations(std::string_view subject);
   void annotation_list(std::string_view subject);
   void annotation(std::string_view subject);
+  /// `SubPropertyOf: Q` of an annotation property and its like.
+  void annotation_axiom(std::string_view subject, std::string_view word, std::string object);
 
   // parser_names.cpp
   std::string iri(std::string_view what);
@@ -100,7 +104,7 @@ class Parser final : private manchester::Parser {
   const Declared& declared_;
   const Limits& frame_limits_;
   const std::string_view bytes_;
-  std::vector<el::Annotation>* const annotations_;  ///< nullptr: nobody wants them
+  el::AnnotationStack annotations_;
   Document document_;
   std::unordered_map<std::string, std::string, TextHash, std::equal_to<>> prefixes_;
   std::unordered_set<std::string> imported_;

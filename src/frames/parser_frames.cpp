@@ -16,8 +16,10 @@ bool Parser::take_comma() { return take_symbol(","); }
 void Parser::add(AxiomKind kind, std::span<const Term> arguments, std::uint32_t line) {
   if (failed()) return;
   const std::size_t before = source_.axiom_count();
+  const std::size_t damaged = source_.damaged_count();
   source_.add(kind, arguments, file_, line);
   document_.axioms += source_.axiom_count() - before;
+  annotations_.settle(source_, before, damaged);
 }
 
 void Parser::declare(Term entity, std::uint32_t line) {
@@ -32,16 +34,13 @@ el::TermId Parser::member(Member kind) {
       return object_property_expression();
     case Member::data_property:
       return is_name() ? entity(TermKind::data_property, take()) : expected("a data property");
-    case Member::annotation_property:
-      iri("the name of an annotation property");
-      return el::thing_term;
-    case Member::iri:
-      iri("an IRI");
-      return el::thing_term;
     case Member::data_range:
       return data_range();
     case Member::individual:
       return individual();
+    case Member::annotation_property:
+    case Member::iri:
+      break;  // no terms
   }
   return el::thing_term;
 }
@@ -59,7 +58,7 @@ el::TermId Parser::any_property() {
 }
 
 // section = WORD annotations member *( "," annotations member )
-bool Parser::list_section(Frame frame, Term subject) {
+bool Parser::list_section(Frame frame, Term subject, std::string_view name) {
   if (failed() || !is_section()) return false;
   const Section* section = find_section(frame, tokens_.token().text);
   if (section == nullptr) return false;
@@ -72,11 +71,14 @@ bool Parser::list_section(Frame frame, Term subject) {
     if (failed()) return true;
     parts_ = 0;
     const std::uint32_t line = this->line();
+    if (!section->is_axiom) {
+      annotation_axiom(name, section->word,
+                       iri(section->member == Member::iri ? "an IRI" : "the name of an annotation property"));
+      continue;
+    }
     const Term of = member(section->member);
     if (failed()) return true;
-    if (!section->is_axiom) {
-      ++document_.annotations;
-    } else if (section->is_subject_last) {
+    if (section->is_subject_last) {
       add(section->kind, std::array{of, subject}, line);
     } else {
       add(section->kind, std::array{subject, of}, line);
@@ -155,7 +157,7 @@ void Parser::annotation_property_frame() {
   while (!failed()) {
     if (is_section("Annotations:")) {
       own_annotations(name);
-    } else if (!list_section(Frame::of_annotation_property, el::thing_term)) {
+    } else if (!list_section(Frame::of_annotation_property, el::thing_term, name)) {
       break;
     }
   }
@@ -181,9 +183,8 @@ void Parser::individual_frame() {
   const std::uint32_t line = this->line();
   const Term subject = individual();
   if (failed()) return;
-  const bool is_named = source_.kind(subject) == TermKind::individual;
-  if (is_named) declare(subject, line);
-  const std::string name(is_named ? source_.name_of(subject) : std::string_view());
+  if (source_.kind(subject) == TermKind::individual) declare(subject, line);
+  const std::string name(source_.name_of(subject));
   while (!failed()) {
     if (is_section("Annotations:")) {
       own_annotations(name);
@@ -311,7 +312,7 @@ void Parser::misc(std::string_view word) {
   do {
     arguments.push_back(are_properties ? any_property() : member(members));
   } while (!failed() && take_comma());
-  if (failed() || arguments.size() < 2) return;  // of one, nothing is said
+  if (failed() || arguments.size() < 2) return annotations_.drop();  // of one, nothing is said
   if (are_properties) {
     const bool is_data = source_.kind(arguments.front()) == TermKind::data_property;
     const bool is_disjoint = word == "DisjointProperties:";

@@ -59,8 +59,9 @@ class Parser {
   bool annotations();
   bool annotation_value();
   bool annotation_assertion();
-  /// Hands over what was read last as an annotation of something with a name.
-  void keep(const std::string& subject, const std::string& property, bool is_literal);
+  bool annotation_axiom(std::string_view word);
+  /// Hands over what was read last as the value of an annotation.
+  void keep(el::Annotation annotation, TokenKind value, std::size_t level);
 
   // parser_expressions.cpp
   bool operand(Operand wanted);
@@ -85,6 +86,8 @@ class Parser {
   /// These two leave a term on the stack.
   bool entity(el::TermKind kind, std::string_view what);
   bool individual(std::string_view what);
+  /// The name of a blank node, which no other file has; valid until the next name.
+  std::string_view blank_name(std::string_view label);
   /// Reads a literal; it is in lexical_, language_ and, the datatype, iri_.
   bool literal();
   void take_language(std::string_view tag);
@@ -103,7 +106,7 @@ class Parser {
   const el::FileId file_;
   const Limits& limits_;
   const std::string_view bytes_;
-  std::vector<el::Annotation>* const annotations_;  ///< nullptr: nobody wants them
+  el::AnnotationStack annotations_;
   Tokenizer tokens_;
   Document document_;
 

@@ -14,6 +14,7 @@ bool Parser::axiom() {
   if (!expect(TokenKind::open, "'('")) return false;
   terms_.clear();
   obstacle_ = nullptr;
+  annotations_.begin();
   if (production->form == Form::extension) {
     // Rules have one name in all syntaxes.
     return extension(production->word == "DLSafeRule" ? "swrl:Imp" : production->word, line);
@@ -31,6 +32,7 @@ bool Parser::axiom() {
       // Of one operand where the grammar wants two, nothing is said; OWL tools write such.
       if (production->repeated != Operand::none && terms_.size() < 2) {
         ++document_.vacuous;
+        annotations_.drop();
       } else {
         add(production->axiom(), line);
       }
@@ -52,7 +54,7 @@ bool Parser::axiom_operands(const Production& production) {
     case Form::annotation_assertion:
       return annotation_assertion();
     case Form::annotation_axiom:
-      return iri("the name of an annotation property") && iri("an IRI");
+      return annotation_axiom(production.word);
     default:
       return operands(production);
   }
@@ -87,16 +89,21 @@ bool Parser::extension(std::string_view construct, std::uint32_t line) {
 void Parser::declare(std::uint32_t line) {
   const auto entity = static_cast<std::size_t>(terms_.front());
   if (entity >= declared_.size()) declared_.resize(entity * 2 + 64);
-  if (declared_[entity]) return;
+  if (declared_[entity]) return annotations_.drop();
   declared_[entity] = true;
   add(AxiomKind::declaration, line);
 }
 
 void Parser::add(el::AxiomKind kind, std::uint32_t line) {
-  if (obstacle_ != nullptr) return source_.leave_out(obstacle_, file_, line);
+  if (obstacle_ != nullptr) {
+    source_.leave_out(obstacle_, file_, line);
+    return annotations_.drop();
+  }
   const std::size_t before = source_.axiom_count();
+  const std::size_t damaged = source_.damaged_count();
   source_.add(kind, terms_, file_, line);
   document_.axioms += source_.axiom_count() - before;
+  annotations_.settle(source_, before, damaged);
 }
 
 }  // namespace geminga::functional

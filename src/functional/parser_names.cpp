@@ -60,11 +60,14 @@ bool Parser::entity(el::TermKind kind, std::string_view what) {
 
 bool Parser::individual(std::string_view what) {
   if (!tokens_.is(TokenKind::node_id)) return entity(el::TermKind::individual, what);
-  if (blank_prefix_.empty()) blank_prefix_ = "_:" + base::to_hex(XXH3_64bits(bytes_.data(), bytes_.size()), 16) + '.';
-  iri_buffer_.assign(blank_prefix_).append(tokens_.token().text);
-  terms_.push_back(source_.anonymous_individual(iri_buffer_));
+  terms_.push_back(source_.anonymous_individual(blank_name(tokens_.token().text)));
   tokens_.advance();
   return true;
+}
+
+std::string_view Parser::blank_name(std::string_view label) {
+  if (blank_prefix_.empty()) blank_prefix_ = "_:" + base::to_hex(XXH3_64bits(bytes_.data(), bytes_.size()), 16) + '.';
+  return iri_buffer_.assign(blank_prefix_).append(label);
 }
 
 void Parser::take_language(std::string_view tag) {

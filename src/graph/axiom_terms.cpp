@@ -118,13 +118,10 @@ Node AxiomTriples::node(el::TermId id) {
   if (term.kind <= TermKind::individual) return iri(source_.name(term.name));
   if (term.kind == TermKind::literal) return literal(term);
   if (term.kind != TermKind::anonymous_individual) return expression(term);
-  // The name is unique among all files, and holds what no label of a blank node may.
-  std::string label = "i";
-  for (const char c : source_.name(term.name).substr(2)) {
-    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    label += is_plain ? std::string(1, c) : '_' + std::to_string(static_cast<unsigned char>(c)) + '_';
-  }
-  return blank(std::move(label));
+  return individual(source_.name(term.name));
 }
+
+/// The name is unique among all files.
+Node AxiomTriples::individual(std::string_view name) { return blank('i' + label_of(name.substr(2))); }
 
 }  // namespace geminga::graph

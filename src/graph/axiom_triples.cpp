@@ -74,9 +74,11 @@ Node type_of_entity(TermKind kind) {
 
 void AxiomTriples::add(const el::Axiom& axiom) {
   const Terms terms = axiom.arguments;
+  said_.clear();
+  holder_.reset();
   switch (axiom.kind) {
     case AxiomKind::declaration:
-      return link(node(terms[0]), rdf_type, type_of_entity(source_.kind(terms[0])));
+      return say(node(terms[0]), rdf_type, type_of_entity(source_.kind(terms[0])));
     case AxiomKind::equivalent_classes:
       return chained(terms, owl("equivalentClass"));
     case AxiomKind::equivalent_object_properties:
@@ -92,28 +94,33 @@ void AxiomTriples::add(const el::Axiom& axiom) {
     case AxiomKind::different_individuals:
       return several(terms, "differentFrom", "AllDifferent");
     case AxiomKind::disjoint_union:
-      return link(node(terms[0]), owl("disjointUnionOf"), list(terms.subspan(1)));
+      return say(node(terms[0]), owl("disjointUnionOf"), list(terms.subspan(1)));
     case AxiomKind::has_key:
-      return link(node(terms[0]), owl("hasKey"), list(terms.subspan(1)));
+      return say(node(terms[0]), owl("hasKey"), list(terms.subspan(1)));
     case AxiomKind::sub_object_property_of:
       return sub_property(terms);
     case AxiomKind::class_assertion:
-      return link(node(terms[1]), rdf_type, node(terms[0]));
+      return say(node(terms[1]), rdf_type, node(terms[0]));
     case AxiomKind::object_property_assertion: {
       // A fact about an inverse is the fact the other way round (table 1 has no predicate that is a blank node).
       const bool is_inverse = source_.kind(terms[0]) == TermKind::object_inverse_of;
       const el::TermId property = is_inverse ? source_.term(terms[0]).arguments[0] : terms[0];
-      return link(node(terms[is_inverse ? 2 : 1]), source_.name_of(property), node(terms[is_inverse ? 1 : 2]));
+      return say(node(terms[is_inverse ? 2 : 1]), source_.name_of(property), node(terms[is_inverse ? 1 : 2]));
     }
     case AxiomKind::data_property_assertion:
-      return link(node(terms[1]), source_.name_of(terms[0]), node(terms[2]));
+      return say(node(terms[1]), source_.name_of(terms[0]), node(terms[2]));
     case AxiomKind::negative_object_property_assertion:
     case AxiomKind::negative_data_property_assertion:
       return negative(axiom);
     default:
-      if (terms.size() == 1) return link(node(terms[0]), rdf_type, iri(characteristic_of(axiom.kind)));
-      return link(node(terms[0]), predicate_of(axiom.kind), node(terms[1]));
+      if (terms.size() == 1) return say(node(terms[0]), rdf_type, iri(characteristic_of(axiom.kind)));
+      return say(node(terms[0]), predicate_of(axiom.kind), node(terms[1]));
   }
+}
+
+void AxiomTriples::say(const Node& subject, std::string_view predicate, const Node& object) {
+  link(subject, predicate, object);
+  said_.push_back({subject, iri(predicate), object});
 }
 
 void AxiomTriples::link(const Node& subject, std::string_view predicate, const Node& object) {
@@ -125,15 +132,16 @@ void AxiomTriples::chained(Terms terms, std::string_view predicate) {
   Node before = node(terms[0]);
   for (const el::TermId id : terms.subspan(1)) {
     Node next = node(id);
-    link(before, predicate, next);
+    say(before, predicate, next);
     before = std::move(next);
   }
 }
 
 /// Two are a triple, more are a node of their own.
 void AxiomTriples::several(Terms terms, std::string_view of_two, std::string_view of_more) {
-  if (terms.size() == 2) return link(node(terms[0]), owl(of_two), node(terms[1]));
+  if (terms.size() == 2) return say(node(terms[0]), owl(of_two), node(terms[1]));
   const Node all = fresh();
+  holder_ = all;
   link(all, rdf_type, owl_word(of_more));
   link(all, owl("members"), list(terms));
 }
@@ -141,6 +149,7 @@ void AxiomTriples::several(Terms terms, std::string_view of_two, std::string_vie
 void AxiomTriples::negative(const el::Axiom& axiom) {
   const bool is_of_data = axiom.kind == AxiomKind::negative_data_property_assertion;
   const Node fact = fresh();
+  holder_ = fact;
   link(fact, rdf_type, owl_word("NegativePropertyAssertion"));
   link(fact, owl("sourceIndividual"), node(axiom.arguments[1]));
   link(fact, owl("assertionProperty"), node(axiom.arguments[0]));
@@ -149,8 +158,8 @@ void AxiomTriples::negative(const el::Axiom& axiom) {
 
 void AxiomTriples::sub_property(Terms terms) {
   if (source_.kind(terms[0]) != TermKind::object_property_chain)
-    return link(node(terms[0]), rdfs_sub_property_of, node(terms[1]));
-  link(node(terms[1]), owl("propertyChainAxiom"), list(source_.term(terms[0]).arguments));
+    return say(node(terms[0]), rdfs_sub_property_of, node(terms[1]));
+  say(node(terms[1]), owl("propertyChainAxiom"), list(source_.term(terms[0]).arguments));
 }
 
 Node AxiomTriples::list(Terms terms) {

@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "graph/state.hpp"
+#include "graph/turtle_numbers.hpp"
 #include "rdf/files.hpp"
 #include "rdf/inflate.hpp"
 #include "rdf/load.hpp"
@@ -40,9 +41,8 @@ struct Reading {
   /// what it gets.
   static unsigned char* on_blank(void* data, unsigned char* given) {
     auto& self = *static_cast<Reading*>(data);
-    const std::string label =
-        self.blank_prefix +
-        (given == nullptr ? 'g' + std::to_string(++self.generated) : 'u' + std::string(reinterpret_cast<char*>(given)));
+    const std::string label = self.blank_prefix + (given == nullptr ? 'g' + std::to_string(++self.generated)
+                                                                    : 'u' + label_of(reinterpret_cast<char*>(given)));
     if (given != nullptr) raptor_free_memory(given);
     auto* name = static_cast<unsigned char*>(raptor_alloc_memory(label.size() + 1));
     if (name != nullptr) std::copy_n(label.c_str(), label.size() + 1, reinterpret_cast<char*>(name));
@@ -53,6 +53,21 @@ struct Reading {
 const char* parser_of(rdf::Syntax syntax) {
   // N-Triples are Turtle, whose reader passes nothing over in silence.
   return syntax == rdf::Syntax::rdf_xml ? "rdfxml" : "turtle";
+}
+
+/// Takes every occurrence of a word out of a text; how many there were.
+std::size_t take_out(std::string_view word, std::string& text) {
+  std::size_t count = 0;
+  std::size_t kept = 0;
+  std::size_t at = 0;
+  for (std::size_t next = text.find(word); next != std::string::npos; next = text.find(word, at), ++count) {
+    std::copy(text.begin() + static_cast<std::ptrdiff_t>(at), text.begin() + static_cast<std::ptrdiff_t>(next),
+              text.begin() + static_cast<std::ptrdiff_t>(kept));
+    kept += next - at;
+    at = next + word.size();
+  }
+  text.erase(kept, at - kept);
+  return count;
 }
 
 }  // namespace
@@ -94,7 +109,7 @@ std::optional<rdf::LoadError> Graph::add_file(const std::string& path, std::size
   const auto text = rdf::read_text(path);
   if (!text) return text.error();
   raptor_world* raptor = state_->world.raptor();
-  Reading reading{*state_, 'f' + std::to_string(number) + '_'};
+  Reading reading{*state_, 'f' + std::to_string(number)};
   raptor_world_set_generate_bnodeid_handler(raptor, &reading, Reading::on_blank);
   raptor_parser* parser = raptor_new_parser(raptor, parser_of(text->syntax));
   raptor_uri* base = raptor_new_uri(raptor, octets(text->base_iri));
@@ -150,9 +165,8 @@ const char* name_of(Format format) {
 std::expected<std::string, std::string> write(World& world, const Statements& statements, Format format,
                                               const Prefixes& prefixes) {
   Statements turtle(world);
-  if (format == Format::turtle) {
-    if (auto problem = turtle.make_turtle_of(statements)) return std::unexpected(std::move(*problem));
-  }
+  std::size_t marked = 0;
+  if (format == Format::turtle && !turtle.make_turtle_of(statements, marked)) return std::unexpected("memory is short");
   const Statements& written_ones = format == Format::turtle ? turtle : statements;
   librdf_serializer* serializer = librdf_new_serializer(world.redland(), name_of(format), nullptr, nullptr);
   librdf_stream* stream = serializer == nullptr ? nullptr : written_ones.stream();
@@ -170,6 +184,8 @@ std::expected<std::string, std::string> write(World& world, const Statements& st
       text = std::unexpected(error);
     } else if (written != nullptr) {
       text = std::string(reinterpret_cast<const char*>(written), size);
+      if (marked != 0 && take_out(in_quotes, *text) != marked)
+        text = std::unexpected("a name ends in " + std::string(in_quotes) + ": write --to rdfxml or ntriples");
     }
     if (written != nullptr) librdf_free_memory(written);
     librdf_free_stream(stream);

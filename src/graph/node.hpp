@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/text.hpp"
+
 namespace geminga::graph {
 
 struct Node {
@@ -21,6 +23,17 @@ struct Node {
 
 [[nodiscard]] inline Node iri(std::string_view text) { return {Node::Kind::iri, std::string(text), {}, {}}; }
 [[nodiscard]] inline Node blank(std::string label) { return {Node::Kind::blank, std::move(label), {}, {}}; }
+
+/// A part of a blank node's label, as different as the text: letters and digits only. Redland's Turtle writer gives a
+/// node with any other character one label as a subject and another as an object.
+[[nodiscard]] inline std::string label_of(std::string_view text) {
+  std::string label;
+  for (const char c : text) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c < 'Z') || (c >= '0' && c <= '9');
+    label += is_plain ? std::string(1, c) : 'Z' + base::to_hex(static_cast<unsigned char>(c), 2);
+  }
+  return label;
+}
 
 /// Takes the triples that something makes.
 using TripleSink = std::function<void(const Node& subject, const Node& predicate, const Node& object)>;

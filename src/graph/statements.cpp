@@ -99,23 +99,17 @@ bool Statements::add_copy(const raptor_statement* statement) {
   return true;
 }
 
-std::optional<std::string> Statements::make_turtle_of(const Statements& others) {
+bool Statements::make_turtle_of(const Statements& others, std::size_t& marked) {
   for (const raptor_statement* statement : others.all_) {
     const bool has_datatype =
         statement->object->type == RAPTOR_TERM_TYPE_LITERAL && statement->object->value.literal.datatype != nullptr;
-    Node object = has_datatype ? node_of(*statement->object) : Node{};
-    auto form = turtle_number(object);
-    if (!form) return std::move(form.error());
-    bool is_kept = false;
-    if (*form) {
-      object.text = std::move(**form);
-      is_kept = add(node_of(*statement->subject), node_of(*statement->predicate), object);
-    } else {
-      is_kept = add_copy(statement);
-    }
-    if (!is_kept) return "memory is short";
+    const auto object = has_datatype ? turtle_number(node_of(*statement->object)) : std::nullopt;
+    if (object && object->datatype.ends_with(in_quotes)) ++marked;
+    const bool is_kept =
+        object ? add(node_of(*statement->subject), node_of(*statement->predicate), *object) : add_copy(statement);
+    if (!is_kept) return false;
   }
-  return std::nullopt;
+  return true;
 }
 
 void Statements::settle() {

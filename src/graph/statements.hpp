@@ -24,8 +24,9 @@ class Statements {
   [[nodiscard]] bool add(const Node& subject, const Node& predicate, const Node& object);
   /// The same of a statement that stays its caller's.
   [[nodiscard]] bool add_copy(const raptor_statement* statement);
-  /// Gives literals a form that Redland's Turtle writer writes right, or says why one has none.
-  [[nodiscard]] std::optional<std::string> make_turtle_of(const Statements& others);
+  /// Gives literals a form that Redland's Turtle writer writes right, and counts those that are marked for it. False:
+  /// memory is short.
+  [[nodiscard]] bool make_turtle_of(const Statements& others, std::size_t& marked);
   /// Each once, in an order that depends on nothing but what they say.
   void settle();
   /// Takes out what another one has; both are settled.

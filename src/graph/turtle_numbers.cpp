@@ -1,9 +1,8 @@
 #include "graph/turtle_numbers.hpp"
 
 #include <algorithm>
-#include <string_view>
-
-#include "base/text.hpp"
+#include <string>
+#include <utility>
 
 namespace geminga::graph {
 namespace {
@@ -68,17 +67,20 @@ std::optional<std::string> safe_form(std::string_view text, std::string_view dat
 
 }  // namespace
 
-std::expected<std::optional<std::string>, std::string> turtle_number(const Node& literal) {
+std::optional<Node> turtle_number(const Node& literal) {
   const std::string_view datatype = literal.datatype;
   if (literal.kind != Node::Kind::literal || !datatype.starts_with(xsd)) return std::nullopt;
   const std::string_view word = datatype.substr(xsd.size());
   if (word != "integer" && word != "decimal" && word != "double" && word != "boolean") return std::nullopt;
   auto form = safe_form(trimmed(literal.text), word);
-  if (!form)
-    return std::unexpected('"' + base::printable(literal.text, 60) + "\" as xsd:" + std::string(word) +
-                           " cannot be written in Turtle: write --to rdfxml or ntriples");
-  if (*form == literal.text) return std::nullopt;
-  return form;
+  if (form && *form == literal.text) return std::nullopt;
+  Node written = literal;
+  if (form) {
+    written.text = std::move(*form);
+  } else {
+    written.datatype += in_quotes;
+  }
+  return written;
 }
 
 }  // namespace geminga::graph

@@ -144,7 +144,10 @@ Listener::Refusal Builder::open_element(std::string_view name, std::span<const A
   if (is_outermost != is_top && form != Form::annotation)
     return is_top ? "expected an axiom, found <" + std::string(name) + '>'
                   : "the axiom <" + std::string(name) + "> within another element";
-  if (is_top) obstacle_ = nullptr;
+  if (is_top) {
+    obstacle_ = nullptr;
+    annotations_.begin();
+  }
   switch (form) {
     case Form::extension:
       open.role = Role::left_out;

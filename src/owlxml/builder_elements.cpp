@@ -112,12 +112,17 @@ void Builder::drop_annotations(const Open& open) {
 }
 
 void Builder::add(el::AxiomKind kind, const Open& open) {
-  if (obstacle_ != nullptr) return source_.leave_out(obstacle_, file_, open.line);
+  if (obstacle_ != nullptr) {
+    source_.leave_out(obstacle_, file_, open.line);
+    return annotations_.drop();
+  }
   std::vector<el::TermId> arguments;
   for (std::size_t place = open.first; place < operands_.size(); ++place) arguments.push_back(operands_[place].term);
   const std::size_t before = source_.axiom_count();
+  const std::size_t damaged = source_.damaged_count();
   source_.add(kind, arguments, file_, open.line);
   document_.axioms += source_.axiom_count() - before;
+  annotations_.settle(source_, before, damaged);
 }
 
 Listener::Refusal Builder::end_axiom(const Open& open) {
@@ -130,7 +135,11 @@ Listener::Refusal Builder::end_axiom(const Open& open) {
       const bool is_entity = count == 1 && operands_.back().kind == Operand::Kind::term &&
                              source_.kind(operands_.back().term) <= TermKind::individual;
       if (!is_entity) return expected("one name", open, open.first);
-      if (declared_.insert(operands_.back().term).second) add(el::AxiomKind::declaration, open);
+      if (declared_.insert(operands_.back().term).second) {
+        add(el::AxiomKind::declaration, open);
+      } else {
+        annotations_.drop();
+      }
       break;
     }
     case Form::has_key:
@@ -147,8 +156,11 @@ Listener::Refusal Builder::end_axiom(const Open& open) {
       refusal = end_annotation_assertion(open);
       break;
     case Form::annotation_axiom:
-      if (count != 2) refusal = expected("two names", open, open.first);
+      if (count != 2) return expected("two names", open, open.first);
       ++document_.annotations;
+      if (operands_[open.first].kind != Operand::Kind::iri) break;
+      keep({.subject = operands_[open.first].iri}, {.iri = el::property_of_annotation_axiom(production.word)},
+           operands_[open.first + 1], 0);
       break;
     default:
       refusal = check_operands(open);
@@ -156,6 +168,7 @@ Listener::Refusal Builder::end_axiom(const Open& open) {
       // Of one operand where the grammar wants two, nothing is said; OWL tools write such.
       if (production.repeated != Wanted::none && count < 2) {
         ++document_.vacuous;
+        annotations_.drop();
       } else {
         add(production.axiom(), open);
       }
@@ -165,11 +178,14 @@ Listener::Refusal Builder::end_axiom(const Open& open) {
   return refusal;
 }
 
-void Builder::keep(const std::string& subject, const Operand& property, const Operand& value) {
-  const bool is_literal = value.kind == Operand::Kind::text;
-  if (annotations_ == nullptr || subject.empty() || (!is_literal && value.iri.empty())) return;
-  annotations_->push_back(
-      {subject, property.iri, is_literal, is_literal ? value.text : value.iri, value.datatype, value.language});
+void Builder::keep(el::Annotation annotation, const Operand& property, const Operand& value, std::size_t level) {
+  if (!annotations_.is_wanted()) return;
+  annotation.property = property.iri;
+  annotation.is_literal = value.kind == Operand::Kind::text;
+  annotation.value = annotation.is_literal ? value.text : value.iri;
+  annotation.datatype = value.datatype;
+  annotation.language = value.language;
+  annotations_.add(std::move(annotation), level);
 }
 
 // A property, annotations of the annotation before or behind it, and a value.
@@ -177,7 +193,13 @@ Listener::Refusal Builder::end_annotation(const Open& open) {
   drop_annotations(open);
   const bool is_whole = operands_.size() == open.first + 2 && operands_[open.first].kind == Operand::Kind::iri;
   if (!is_whole) return expected("an annotation property and a value", open, open.first);
-  if (open_.size() == 1) keep(document_.ontology_iri, operands_[open.first], operands_[open.first + 1]);
+  el::Annotation read;
+  if (open_.size() == 1) {
+    read.of = el::Annotation::Of::ontology;
+    read.number = static_cast<std::uint32_t>(file_);
+  }
+  const bool is_in_axiom = open_.size() > 1 && open_[1].production->form != Form::annotation;
+  keep(std::move(read), operands_[open.first], operands_[open.first + 1], open_.size() - (is_in_axiom ? 1 : 0));
   operands_.resize(open.first);
   ++document_.annotations;
   // Of the ontology it is no operand of anything.
@@ -191,9 +213,9 @@ Listener::Refusal Builder::end_annotation_assertion(const Open& open) {
   if (!is_whole) return expected("an annotation property, a subject and a value", open, open.first);
   ++document_.annotations;
   const bool is_label = of[0].iri == rdfs_label || of[0].iri == skos_pref_label;
-  if (is_label && of[2].kind == Operand::Kind::text && !of[1].iri.empty())
+  if (is_label && of[2].kind == Operand::Kind::text && !of[1].iri.starts_with("_:"))
     source_.add_label(of[1].iri, of[2].text, of[2].language);
-  keep(of[1].iri, of[0], of[2]);
+  keep({.subject = of[1].iri}, of[0], of[2], 0);
   return std::nullopt;
 }
 

@@ -87,13 +87,13 @@ Listener::Refusal Builder::blank(const Open& open, std::span<const Attribute> at
   }
   if (label.starts_with("_:")) label.remove_prefix(2);
   if (auto refusal = check_iri(label)) return "expected the nodeID of <AnonymousIndividual>";
-  if (open.is_annotation) {
-    operands_.push_back({Operand::Kind::iri, {}, {}, {}, {}, {}});
-    return std::nullopt;
-  }
   if (blank_prefix_.empty()) blank_prefix_ = "_:" + base::to_hex(XXH3_64bits(bytes_.data(), bytes_.size()), 16) + '.';
-  operands_.push_back(
-      {Operand::Kind::term, source_.anonymous_individual(blank_prefix_ + std::string(label)), {}, {}, {}, {}});
+  std::string name = blank_prefix_ + std::string(label);
+  if (open.is_annotation) {
+    operands_.push_back({Operand::Kind::iri, {}, std::move(name), {}, {}, {}});
+  } else {
+    operands_.push_back({Operand::Kind::term, source_.anonymous_individual(name), {}, {}, {}, {}});
+  }
   return std::nullopt;
 }
 

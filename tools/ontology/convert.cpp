@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 
+#include "base/text.hpp"
 #include "command.hpp"
 #include "knowledge.hpp"
 #include "output.hpp"
@@ -18,6 +19,21 @@ struct Request {
   std::string format;
   bool merges = false;
 };
+
+/// What was read and cannot be written: triples are written as they stand, and what is damaged as it was read.
+void say_lost(const rdf::Loaded& loaded) {
+  for (const el::OntologySource::Omission& lost : loaded.source.omissions()) {
+    const auto file = static_cast<std::size_t>(lost.file);
+    const std::string_view construct = loaded.source.name(lost.construct);
+    if (rdf::has_triples(loaded.syntaxes[file]) || construct == el::damaged_literal ||
+        construct.starts_with("owl:imports "))
+      continue;
+    say_error(base::printable(loaded.source.files()[file].path, 4096) + ':' + std::to_string(lost.line) + ": " +
+              base::printable(construct, 200) + " is not written" +
+              (lost.count == 1 ? "" : ", and " + std::to_string(lost.count - 1) + " more of it are not") +
+              ": no axiom of OWL 2 says it");
+  }
+}
 
 Exit convert(const Request& request) {
   const auto format = chosen_format(request.format, request.out);
@@ -36,6 +52,7 @@ Exit convert(const Request& request) {
   graph.settle();
   const auto text = graph.write(*format, prefixes_of(loaded->source));
   if (!text) return say_error(text.error());
+  say_lost(*loaded);
   return put(request.out, std::as_bytes(std::span(*text)));
 }
 
@@ -52,9 +69,9 @@ void add(CLI::App& program, Choice& choice, bool merges) {
       merges ? "\nThe result has the name and the header of the first file that has one, and imports what none of the\n"
                "files is.\n"
                "\nExample:\n  geminga-ontology merge team/ -o team.owl"
-             : "\nFiles of triples are written triple by triple. Of OWL's own syntaxes axioms are written, and "
-               "annotations\n"
-               "of names and of the ontology; not those of axioms.\n"
+             : "\nFiles of triples are written triple by triple. Of OWL's own syntaxes all axioms and annotations are\n"
+               "written, those of axioms as owl:Axiom; what they hold beside them, as rules, is named on standard "
+               "error.\n"
                "\nExamples:\n  geminga-ontology convert oeo.omn -o oeo.ttl\n"
                "  geminga-ontology convert pizza.owl -o - --to ntriples");
   command->callback([request, &choice] {

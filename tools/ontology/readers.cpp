@@ -14,6 +14,18 @@ std::expected<el::Document, el::ReadError> Readers::read(rdf::Syntax syntax, std
                                                          el::OntologySource& source,
                                                          std::vector<el::Annotation>& annotations) {
   std::vector<el::Annotation>* wanted = keeps_annotations_ ? &annotations : nullptr;
+  auto document = read_axioms(syntax, bytes, file, source, wanted);
+  if (wanted != nullptr && document && !document->version_iri.empty())
+    wanted->push_back({.of = el::Annotation::Of::ontology,
+                       .number = static_cast<std::uint32_t>(file),
+                       .property = "http://www.w3.org/2002/07/owl#versionIRI",
+                       .value = document->version_iri});
+  return document;
+}
+
+std::expected<el::Document, el::ReadError> Readers::read_axioms(rdf::Syntax syntax, std::string_view bytes,
+                                                                el::FileId file, el::OntologySource& source,
+                                                                std::vector<el::Annotation>* wanted) {
   switch (syntax) {
     case rdf::Syntax::functional:
       return functional::read(bytes, file, source, {}, wanted);

@@ -25,6 +25,10 @@ class Readers final : public rdf::OtherReader {
                                                   std::vector<el::Annotation>& annotations) override;
 
  private:
+  std::expected<el::Document, el::ReadError> read_axioms(rdf::Syntax syntax, std::string_view bytes, el::FileId file,
+                                                         el::OntologySource& source,
+                                                         std::vector<el::Annotation>* wanted);
+
   bool keeps_annotations_;
   frames::Declared declared_;
   bool has_source_ = false;  ///< what all other files declare has been noted

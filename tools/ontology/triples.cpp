@@ -1,6 +1,7 @@
 #include "triples.hpp"
 
 #include <set>
+#include <string>
 #include <vector>
 
 #include "graph/axiom_triples.hpp"
@@ -34,31 +35,69 @@ class Header {
 };
 
 /// What files without triples say, their annotations, and imports that nobody answered.
-void add_axioms(const rdf::Loaded& loaded, const std::vector<bool>& has_triples, graph::Graph& graph) {
-  const el::OntologySource& source = loaded.source;
-  const auto add = [&](const Node& s, const Node& p, const Node& o) { graph.add(s, p, o); };
-  graph::AxiomTriples triples(source, add);
-  for (std::size_t number = 0; number < source.axiom_count() && !graph.problem(); ++number) {
-    const el::Axiom axiom = source.axiom(number);
-    if (!has_triples[static_cast<std::size_t>(axiom.file)]) triples.add(axiom);
+class OtherFiles {
+ public:
+  OtherFiles(const rdf::Loaded& loaded, const std::vector<bool>& has_triples, graph::Graph& graph)
+      : loaded_(loaded),
+        has_triples_(has_triples),
+        graph_(graph),
+        triples_(loaded.source, [this](const Node& s, const Node& p, const Node& o) { graph_.add(s, p, o); }),
+        annotations_(loaded.annotations) {
+    for (const el::LoadedFile& file : loaded.source.files()) {
+      if (file.ontology_iri != name_) others_.insert(file.ontology_iri);
+    }
   }
-  for (std::size_t number = 0; number < has_triples.size(); ++number) {
-    const std::string& name = source.files()[number].ontology_iri;
-    if (!has_triples[number] && !name.empty())
-      graph.add(graph::iri(name), graph::iri(graph::rdf_type), graph::owl_word("Ontology"));
+
+  void add() {
+    const el::OntologySource& source = loaded_.source;
+    using Of = el::Annotation::Of;
+    for (std::uint32_t number = 0; number < source.axiom_count() && !graph_.problem(); ++number)
+      add(source.axiom(number), Of::axiom, number);
+    // What is damaged is written as it was read.
+    for (std::uint32_t number = 0; number < source.damaged_count() && !graph_.problem(); ++number)
+      add(source.damaged(number), Of::damaged, number);
+    add_headers();
+    for (std::uint32_t number = 0; number < annotations_.size() && !graph_.problem(); ++number) {
+      const el::Annotation& annotation = annotations_.at(number);
+      const bool is_of_name = annotation.of == Of::name && !is_other(annotation.subject);
+      const bool is_of_ontology = annotation.of == Of::ontology && !is_other(iri_of(annotation.number));
+      if (is_of_name || is_of_ontology) triples_.add(annotations_, number);
+    }
   }
-  const std::string name = ontology_name(loaded);
-  for (const rdf::UnresolvedImport& import : loaded.unresolved) {
-    if (!name.empty()) graph.add(graph::iri(name), graph::owl_word("imports"), graph::iri(import.iri));
+
+ private:
+  void add(const el::Axiom& axiom, el::Annotation::Of of, std::uint32_t number) {
+    if (has_triples_[static_cast<std::size_t>(axiom.file)]) return;
+    triples_.add(axiom);
+    triples_.annotate(annotations_, annotations_.about(of, number));
   }
-  for (const el::Annotation& annotation : loaded.annotations) {
-    const Node value = annotation.is_literal
-                           ? Node{Node::Kind::literal, annotation.value,
-                                  annotation.language.empty() ? annotation.datatype : "", annotation.language}
-                           : graph::iri(annotation.value);
-    graph.add(graph::iri(annotation.subject), graph::iri(annotation.property), value);
+
+  [[nodiscard]] const std::string& iri_of(std::size_t file) const { return loaded_.source.files()[file].ontology_iri; }
+  /// Whether it is another ontology than the one that is written.
+  [[nodiscard]] bool is_other(const std::string& iri) const { return others_.contains(iri); }
+
+  void add_headers() {
+    for (std::size_t number = 0; number < has_triples_.size(); ++number) {
+      const bool is_said =
+          !iri_of(number).empty() ||
+          !annotations_.about(el::Annotation::Of::ontology, static_cast<std::uint32_t>(number)).empty();
+      if (!has_triples_[number] && is_said && !is_other(iri_of(number)))
+        graph_.add(triples_.ontology(static_cast<el::FileId>(number)), graph::iri(graph::rdf_type),
+                   graph::owl_word("Ontology"));
+    }
+    for (const rdf::UnresolvedImport& import : loaded_.unresolved) {
+      if (!name_.empty()) graph_.add(graph::iri(name_), graph::owl_word("imports"), graph::iri(import.iri));
+    }
   }
-}
+
+  const rdf::Loaded& loaded_;
+  const std::vector<bool>& has_triples_;
+  graph::Graph& graph_;
+  graph::AxiomTriples triples_;
+  const graph::Annotations annotations_;
+  const std::string name_ = ontology_name(loaded_);
+  std::set<std::string> others_;  ///< what other ontologies than the one that is written are called
+};
 
 }  // namespace
 
@@ -80,7 +119,7 @@ std::optional<std::string> add_asserted(const rdf::Loaded& loaded, graph::Graph&
     if (!has_triples.back()) continue;
     if (const auto error = graph.add_file(loaded.source.files()[number].path, number)) return rdf::to_string(*error);
   }
-  if (!have_all) add_axioms(loaded, has_triples, graph);
+  if (!have_all) OtherFiles(loaded, has_triples, graph).add();
   graph.set_filter({});
   return graph.problem();
 }

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "program.hpp"
 
 namespace geminga::ontology {
@@ -68,6 +70,133 @@ TEST(Convert, ReadsEverySyntaxOfOwl) {
     EXPECT_THAT(program.read("out.ttl"), HasSubstr("\"an A\"@en")) << file;
     EXPECT_THAT(program.read("out.ttl"), HasSubstr("owl:Ontology")) << file;
   }
+}
+
+/// The same in OWL's three own syntaxes: an annotation wherever one may stand.
+constexpr std::string_view annotated_functional =
+    "Prefix(:=<http://e/>)\nOntology(<http://e/o> <http://e/o/1>\n"
+    "Annotation(Annotation(:n \"of of o\") :n \"of o\")\n"
+    "Declaration(Annotation(:n \"of declaration\") Class(:A)) Declaration(Class(:B)) Declaration(Class(:C))\n"
+    "Declaration(AnnotationProperty(:n)) Declaration(AnnotationProperty(:m)) SubAnnotationPropertyOf(:m :n)\n"
+    "AnnotationPropertyRange(:m <http://www.w3.org/2001/XMLSchema#string>)\n"
+    "AnnotationAssertion(Annotation(:n \"of label\") rdfs:label :A \"an A\"@en)\n"
+    "SubClassOf(Annotation(Annotation(:n \"deep\") :n _:x) Annotation(:m \"5\"^^xsd:integer) :A :B)\n"
+    "DisjointClasses(Annotation(:n \"of three\") :A :C :D)\n"
+    "EquivalentClasses(Annotation(:n \"of pairs\") :E :F :G)\n"
+    "ClassAssertion(Annotation(:n \"of fact\") :A _:x)\n"
+    "NegativeObjectPropertyAssertion(Annotation(:n \"of negative\") :p :i :j)\n"
+    "DataPropertyAssertion(Annotation(:n \"of damaged\") :d :i \"five\"^^xsd:integer)\n"
+    "SubClassOf(Annotation(:n \"of some\") :A ObjectSomeValuesFrom(:p :B)))\n";
+constexpr std::string_view annotated_manchester =
+    "Prefix: : <http://e/>\nOntology: <http://e/o> <http://e/o/1>\nAnnotations: Annotations: n \"of of o\" n \"of o\"\n"
+    "AnnotationProperty: n\nAnnotationProperty: m\n  SubPropertyOf: n\n  Range: xsd:string\n"
+    "ObjectProperty: p\nDataProperty: d\n"
+    "Class: A\n  Annotations: Annotations: n \"of label\" rdfs:label \"an A\"@en\n"
+    "  SubClassOf: Annotations: Annotations: n \"deep\" n _:x, m 5 B, Annotations: n \"of some\" p some B\n"
+    "DisjointClasses: Annotations: n \"of three\" A, C, D\nEquivalentClasses: Annotations: n \"of pairs\" E, F, G\n"
+    "Individual: _:x\n  Types: Annotations: n \"of fact\" A\n"
+    "Individual: i\n  Facts: Annotations: n \"of negative\" not p j, Annotations: n \"of damaged\" d "
+    "\"five\"^^xsd:integer\n"
+    "Class: B\nClass: C\nClass: D\nClass: E\nClass: F\nClass: G\nIndividual: j\n";
+constexpr std::string_view annotated_xml =
+    "<Ontology xmlns='http://www.w3.org/2002/07/owl#' xml:base='http://e/' ontologyIRI='http://e/o' "
+    "versionIRI='http://e/o/1'>"
+    "<Annotation><Annotation><AnnotationProperty IRI='n'/><Literal>of of o</Literal></Annotation>"
+    "<AnnotationProperty IRI='n'/><Literal>of o</Literal></Annotation>"
+    "<Declaration><Annotation><AnnotationProperty IRI='n'/><Literal>of declaration</Literal></Annotation>"
+    "<Class IRI='A'/></Declaration><Declaration><Class IRI='B'/></Declaration>"
+    "<SubAnnotationPropertyOf><AnnotationProperty IRI='m'/><AnnotationProperty IRI='n'/></SubAnnotationPropertyOf>"
+    "<AnnotationPropertyRange><AnnotationProperty IRI='m'/><IRI>http://www.w3.org/2001/XMLSchema#string</IRI>"
+    "</AnnotationPropertyRange>"
+    "<AnnotationAssertion><Annotation><AnnotationProperty IRI='n'/><Literal>of label</Literal></Annotation>"
+    "<AnnotationProperty abbreviatedIRI='rdfs:label'/><IRI>A</IRI><Literal xml:lang='en'>an A</Literal>"
+    "</AnnotationAssertion>"
+    "<SubClassOf><Annotation><Annotation><AnnotationProperty IRI='n'/><Literal>deep</Literal></Annotation>"
+    "<AnnotationProperty IRI='n'/><AnonymousIndividual nodeID='x'/></Annotation><Annotation><AnnotationProperty "
+    "IRI='m'/><Literal datatypeIRI='http://www.w3.org/2001/XMLSchema#integer'>5</Literal></Annotation>"
+    "<Class IRI='A'/><Class IRI='B'/></SubClassOf>"
+    "<DisjointClasses><Annotation><AnnotationProperty IRI='n'/><Literal>of three</Literal></Annotation><Class "
+    "IRI='A'/><Class IRI='C'/><Class IRI='D'/></DisjointClasses>"
+    "<EquivalentClasses><Annotation><AnnotationProperty IRI='n'/><Literal>of pairs</Literal></Annotation><Class "
+    "IRI='E'/><Class IRI='F'/><Class IRI='G'/></EquivalentClasses>"
+    "<ClassAssertion><Annotation><AnnotationProperty IRI='n'/><Literal>of fact</Literal></Annotation><Class "
+    "IRI='A'/><AnonymousIndividual nodeID='x'/></ClassAssertion>"
+    "<NegativeObjectPropertyAssertion><Annotation><AnnotationProperty IRI='n'/><Literal>of negative</Literal>"
+    "</Annotation><ObjectProperty IRI='p'/><NamedIndividual IRI='i'/><NamedIndividual IRI='j'/>"
+    "</NegativeObjectPropertyAssertion>"
+    "<DataPropertyAssertion><Annotation><AnnotationProperty IRI='n'/><Literal>of damaged</Literal></Annotation>"
+    "<DataProperty IRI='d'/><NamedIndividual IRI='i'/><Literal "
+    "datatypeIRI='http://www.w3.org/2001/XMLSchema#integer'>five</Literal></DataPropertyAssertion>"
+    "<SubClassOf><Annotation><AnnotationProperty IRI='n'/><Literal>of some</Literal></Annotation><Class IRI='A'/>"
+    "<ObjectSomeValuesFrom><ObjectProperty IRI='p'/><Class IRI='B'/></ObjectSomeValuesFrom></SubClassOf></Ontology>";
+
+TEST(Convert, WritesAnnotationsOfAxiomsAndOfAnnotations) {
+  const Program program;
+  program.write("a.ofn", annotated_functional);
+  program.write("b.omn", annotated_manchester);
+  program.write("c.owx", annotated_xml);
+  const std::string axiom =
+      "?x a owl:Axiom ; owl:annotatedSource :A ; owl:annotatedProperty rdfs:subClassOf ; owl:annotatedTarget ";
+  const std::string questions[] = {
+      axiom +
+          ":B ; :n ?blank ; :m 5 . ?y a owl:Annotation ; owl:annotatedSource ?x ; owl:annotatedProperty :n ; "
+          "owl:annotatedTarget ?blank ; :n \"deep\" . ?blank a :A",
+      axiom + "?some ; :n \"of some\" . :A rdfs:subClassOf ?some . ?some owl:someValuesFrom :B",
+      "?x a owl:Axiom ; owl:annotatedSource :A ; owl:annotatedProperty rdfs:label ; owl:annotatedTarget \"an A\"@en ; "
+      ":n \"of label\"",
+      "?all a owl:AllDisjointClasses ; :n \"of three\"",
+      "?x owl:annotatedSource :E ; owl:annotatedTarget :F ; :n \"of pairs\" . ?y owl:annotatedSource :F ; "
+      "owl:annotatedTarget :G ; :n \"of pairs\"",
+      "?x owl:annotatedSource ?i ; owl:annotatedProperty rdf:type ; :n \"of fact\" . ?i a :A",
+      "?x a owl:NegativePropertyAssertion ; :n \"of negative\"",
+      "?x owl:annotatedSource :i ; owl:annotatedProperty :d ; :n \"of damaged\" . :i :d ?five",
+      "<http://e/o> a owl:Ontology ; owl:versionIRI <http://e/o/1> ; :n \"of o\" . ?x a owl:Annotation ; "
+      "owl:annotatedSource <http://e/o> ; owl:annotatedTarget \"of o\" ; :n \"of of o\"",
+      ":m rdfs:subPropertyOf :n ; rdfs:range xsd:string",
+  };
+  for (const std::string file : {"a.ofn", "b.omn", "c.owx"}) {
+    for (const std::string out : {"out.ttl", "out.owl", "out.nt"}) {
+      const Outcome converted = program.run({"convert", file, "-o", out});
+      ASSERT_EQ(converted.status, 0) << converted.err;
+      EXPECT_THAT(converted.err, IsEmpty()) << file;
+      EXPECT_EQ(closure_of(program, out), closure_of(program, file)) << file << out;
+      for (const std::string& question : questions) {
+        const Outcome asked =
+            program.run({"query", out, "PREFIX : <http://e/> ASK { " + question + " }", "--asserted"});
+        EXPECT_EQ(asked.status, 0) << file << ' ' << out << ' ' << question << asked.err;
+      }
+      EXPECT_THAT(program.run({"check", out}).out, Not(HasSubstr("owl:Axiom"))) << "what is reified is there";
+    }
+  }
+}
+
+TEST(Convert, KeepsABlankNodeOneNodeWhateverItsLabelIs) {
+  const Program program;
+  program.turtle("a.ttl",
+                 "_:x_1 :p :A . :B :q _:x_1 . :C :r _:x_1 , _:xZ1 , _:x.1 , _:x-1 . _:xZ1 :p :D . :B :s _:xZ1 .\n");
+  for (const std::string out : {"out.ttl", "out.owl", "out.nt"}) {
+    ASSERT_EQ(program.run({"convert", "a.ttl", "-o", out}).status, 0);
+    const Outcome asked = program.run(
+        {"query", out, "PREFIX : <http://e/> ASK { ?x :p :A . :B :q ?x . :C :r ?x , ?y . ?y :p :D . :B :s ?y }",
+         "--asserted"});
+    EXPECT_EQ(asked.status, 0) << program.read(out);
+    EXPECT_THAT(
+        program
+            .run({"query", out, "SELECT DISTINCT ?x { <http://e/C> <http://e/r> ?x }", "--asserted", "--format", "csv"})
+            .out,
+        testing::ResultOf([](const std::string& csv) { return std::ranges::count(csv, '\n'); }, 5))
+        << "four nodes and the head";
+  }
+}
+
+TEST(Convert, NamesWhatItCannotWrite) {
+  const Program program;
+  program.write("a.ofn",
+                "Prefix(:=<http://e/>)\nOntology(SubClassOf(:A :B)\nDLSafeRule(Body(ClassAtom(:A Variable(:x))) "
+                "Head(ClassAtom(:B Variable(:x)))))\n");
+  const Outcome outcome = program.run({"convert", "a.ofn", "-o", "-"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("a.ofn:3: swrl:Imp is not written"));
 }
 
 TEST(Convert, KeepsTheAnnotationsOfNamesAndOfTheOntology) {
