@@ -244,14 +244,14 @@ void NeighbourServices::tell(const Moment& moment, std::vector<Change>& changes)
 void NeighbourServices::put(ServiceNumber number, Entry& entry, std::vector<Change>& changes) const {
   const auto& offer = *entry.offer.value();
   if (const auto* publication = std::get_if<Publication>(&offer.service)) {
-    auto& put = std::get<PutPublication>(changes.emplace_back(
-        PutPublication{key(number), *publication, offer.peer_name, owner_.name, entry.heard, entry.deadline}));
+    auto& put = std::get<PutPublication>(
+        changes.emplace_back(PutPublication{key(number), *publication, offer.peer_name, owner_.name, entry.heard}));
     put.publication.address = effective_address(publication->address);
     entry.told = Told::publication;
   } else {
     const auto& subscription = std::get<Subscription>(offer.service);
-    auto& put = std::get<PutSubscription>(changes.emplace_back(
-        PutSubscription{key(number), subscription, offer.peer_name, owner_.name, entry.heard, entry.deadline}));
+    auto& put = std::get<PutSubscription>(
+        changes.emplace_back(PutSubscription{key(number), subscription, offer.peer_name, owner_.name, entry.heard}));
     put.subscription.address = effective_address(subscription.address);
     entry.told = Told::subscription;
   }

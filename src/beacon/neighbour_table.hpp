@@ -25,15 +25,14 @@ enum class Departure : std::uint8_t {
   left,       ///< its participant said goodbye
 };
 
-/// A remote publication is there, has changed, or was heard of again (then only `heard` and `deadline` differ). The
+/// A remote publication is there, has changed, or was heard of again (then only `heard` differs). The
 /// address is never empty unless nothing is known of the sender; an IPv6 link-local one carries our interface as zone.
 struct PutPublication {
   ServiceKey key;
   Publication publication;
   std::string peer_name;
   std::string participant_name;
-  base::Instant heard;     ///< registry::PublicationEntry::updated
-  base::Instant deadline;  ///< when it expires unless it is heard of again
+  base::Instant heard;  ///< registry::PublicationEntry::updated
   friend bool operator==(const PutPublication&, const PutPublication&) = default;
 };
 struct PutSubscription {
@@ -42,7 +41,6 @@ struct PutSubscription {
   std::string peer_name;
   std::string participant_name;
   base::Instant heard;
-  base::Instant deadline;
   friend bool operator==(const PutSubscription&, const PutSubscription&) = default;
 };
 struct RemovePublication {

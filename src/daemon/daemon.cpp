@@ -85,7 +85,7 @@ class Daemon::State final : private env::EventSink {
     return go();
   }
 
-  [[nodiscard]] bool is_at_work() const { return preparation_.is_at_work(); }
+  [[nodiscard]] bool is_at_work() const { return preparation_.is_at_work() || loader_.is_at_work(); }
 
  private:
   std::expected<void, Lines> go() {
@@ -142,7 +142,7 @@ class Daemon::State final : private env::EventSink {
     settings.interval = configuration_.interval;
     settings.version = GEMINGA_VERSION;
     env_.event([&] {
-      participant_ = std::make_unique<participant::Participant>(env_, settings, ontology_.get());
+      participant_ = std::make_unique<participant::Participant>(env_, settings, ontology_);
       participant_->set_status_source([this] { return status(); });
       if (loader_.is_loading()) participant_->ontology_begun();
       participant_->start();
@@ -178,7 +178,7 @@ class Daemon::State final : private env::EventSink {
 
   void put_in_force(std::shared_ptr<const el::Ontology> ontology, Prepared prepared) {
     preparation_.cancel();
-    env_.event([&] { participant_->set_ontology(ontology.get(), std::move(prepared)); });
+    env_.event([&] { participant_->set_ontology(ontology, std::move(prepared)); });
     ontology_ = std::move(ontology);
     log_.write(LogLevel::info, "ontology: " + digest_of(ontology_.get()) + " is in force");
   }

@@ -7,12 +7,13 @@
 #include <boost/asio/post.hpp>
 #include <cstdlib>
 #include <filesystem>
-#include <optional>
+#include <new>
 #include <system_error>
 #include <utility>
 
 #include "base/private_file.hpp"
 #include "base/text.hpp"
+#include "daemon/background.hpp"
 #include "el/mapped_file.hpp"
 
 namespace geminga::daemon {
@@ -51,8 +52,14 @@ bool is_executable(const std::string& path) {
   return fs::is_regular_file(path, ignored) && ::access(path.c_str(), X_OK) == 0;
 }
 
+using Loaded = std::expected<LoadedOntology, std::vector<std::string>>;
+
+std::unexpected<std::vector<std::string>> failure(std::string line) {
+  return std::unexpected(std::vector<std::string>{std::move(line)});
+}
+
 /// Maps a copy. `shown` names the file in errors.
-std::expected<LoadedOntology, std::vector<std::string>> map(const std::string& path, const std::string& shown) {
+Loaded map(const std::string& path, const std::string& shown) {
   LoadedOntology loaded;
   if (el::MappedFile::needs_memory(path))
     loaded.remarks.push_back(shown + " is held in memory: no local disk has room for a copy, set TMPDIR");
@@ -60,7 +67,7 @@ std::expected<LoadedOntology, std::vector<std::string>> map(const std::string& p
   if (!mapped) {
     const std::string& text = mapped.error().text;
     const bool is_named = text.starts_with(path + ": ");
-    return std::unexpected(std::vector<std::string>{shown + ": " + (is_named ? text.substr(path.size() + 2) : text)});
+    return failure(shown + ": " + (is_named ? text.substr(path.size() + 2) : text));
   }
   loaded.ontology = std::make_unique<el::Ontology>(std::move(*mapped));
   return loaded;
@@ -69,15 +76,13 @@ std::expected<LoadedOntology, std::vector<std::string>> map(const std::string& p
 /// A compiled ontology that the user keeps: one that its sources have outgrown would match by what is no longer said.
 /// At a start matching is not kept waiting for what only explanations need. Where another ontology is in force, a
 /// damaged one must not take its place, and there is time to look at all of it.
-std::expected<LoadedOntology, std::vector<std::string>> map_current(const std::string& path, bool is_first) {
+Loaded map_current(const std::string& path, bool is_first) {
   auto loaded = map(path, path);
   if (!loaded) return loaded;
   if (!is_first) {
-    if (const auto whole = loaded->ontology->check_whole(); !whole)
-      return std::unexpected(std::vector<std::string>{path + ": " + whole.error().text});
+    if (const auto whole = loaded->ontology->check_whole(); !whole) return failure(path + ": " + whole.error().text);
   }
-  if (const auto stale = loaded->ontology->stale_source())
-    return std::unexpected(std::vector<std::string>{path + " is refused: " + *stale});
+  if (const auto stale = loaded->ontology->stale_source()) return failure(path + " is refused: " + *stale);
   return loaded;
 }
 
@@ -102,19 +107,20 @@ std::string find_compiler() {
 class OntologyLoader::State {
  public:
   State(boost::asio::io_context& context, std::string compiler, ChildLimits limits)
-      : context_(context), compiler_(std::move(compiler)), limits_(limits) {}
+      : context_(context), background_(context), compiler_(std::move(compiler)), limits_(limits) {}
 
   void load(const std::vector<std::string>& files, const Prefixes& prefixes, Done done) {
     child_.reset();
+    background_.cancel();
     ++generation_;
     done_ = std::move(done);
     if (files.empty()) return answer_later(LoadedOntology{});
     if (files.size() == 1 && files.front().ends_with(compiled_suffix)) {
-      return answer_later(map_current(files.front(), !has_loaded_));
+      return answer_with([path = files.front(), is_first = !has_loaded_] { return map_current(path, is_first); });
     }
     auto output = base::PrivateFile::in_memory();
     if (!output) return answer_later(failure(output.error()));
-    output_.emplace(std::move(*output));
+    output_ = std::make_shared<base::PrivateFile>(std::move(*output));
     std::vector<std::string> arguments{"compile"};
     for (const auto& [name, iri] : prefixes) arguments.insert(arguments.end(), {"--prefix", name + '=' + iri});
     arguments.insert(arguments.end(), {"-o", "-"});
@@ -130,40 +136,59 @@ class OntologyLoader::State {
 
   [[nodiscard]] bool is_loading() const { return static_cast<bool>(done_); }
 
+  [[nodiscard]] bool is_at_work() const { return background_.is_at_work(); }
+
  private:
-  static std::unexpected<std::vector<std::string>> failure(std::string line) {
-    return std::unexpected(std::vector<std::string>{std::move(line)});
+  void finish(const ChildEnd& end) {
+    answer_with([end, compiler = compiler_, output = output_] { return map_output(end, compiler, *output); });
   }
 
-  void finish(const ChildEnd& end) {
+  static Loaded map_output(const ChildEnd& end, const std::string& compiler, const base::PrivateFile& output) {
     std::vector<std::string> lines = lines_of(end.words);
     if (end.has_succeeded || end.exit_status == limit_reached) {
-      auto mapped = map("/proc/self/fd/" + std::to_string(output_->descriptor()), "the compiled ontology");
+      auto mapped = map("/proc/self/fd/" + std::to_string(output.descriptor()), "the compiled ontology");
       if (mapped) mapped->remarks.insert(mapped->remarks.begin(), lines.begin(), lines.end());
       // Where the limit came before there was anything, the compiler's own words say more than that nothing is there.
-      if (mapped || end.has_succeeded) return answer_later(std::move(mapped));
+      if (mapped || end.has_succeeded) return mapped;
     }
-    if (lines.empty() || !end.how.starts_with("exit status")) lines.push_back(compiler_ + ": " + end.how);
-    answer_later(std::unexpected(std::move(lines)));
+    if (lines.empty() || !end.how.starts_with("exit status")) lines.push_back(compiler + ": " + end.how);
+    return std::unexpected(std::move(lines));
   }
 
-  /// In an event of its own, so that `done` may start the next load.
-  void answer_later(std::expected<LoadedOntology, std::vector<std::string>> result) {
-    output_.reset();
-    auto kept = std::make_shared<decltype(result)>(std::move(result));
-    boost::asio::post(context_, [this, kept, generation = generation_, alive = std::weak_ptr<int>(alive_)] {
-      if (alive.expired() || generation != generation_) return;
-      child_.reset();
-      has_loaded_ = has_loaded_ || (*kept && (*kept)->ontology != nullptr);
-      std::exchange(done_, nullptr)(std::move(*kept));
+  /// Answers with what is found on the thread.
+  void answer_with(std::function<Loaded()> find) {
+    background_.start([this, find = std::move(find)]() -> Background::After {
+      auto result = std::make_shared<Loaded>();
+      try {
+        *result = find();
+      } catch (const std::bad_alloc&) {
+        *result = failure("not enough memory for the compiled ontology");
+      }
+      return [this, result] { answer(std::move(*result)); };
     });
   }
 
+  /// In an event of its own, so that `done` may start the next load.
+  void answer_later(Loaded result) {
+    auto kept = std::make_shared<Loaded>(std::move(result));
+    boost::asio::post(context_, [this, kept, generation = generation_, alive = std::weak_ptr<int>(alive_)] {
+      if (!alive.expired() && generation == generation_) answer(std::move(*kept));
+    });
+  }
+
+  void answer(Loaded result) {
+    child_.reset();
+    output_.reset();
+    has_loaded_ = has_loaded_ || (result && result->ontology != nullptr);
+    std::exchange(done_, nullptr)(std::move(result));
+  }
+
   boost::asio::io_context& context_;
+  Background background_;
   std::string compiler_;
   ChildLimits limits_;
   Done done_;
-  std::optional<base::PrivateFile> output_;  ///< where the child writes the compiled form
+  std::shared_ptr<base::PrivateFile> output_;  ///< where the child writes the compiled form
   std::unique_ptr<Child> child_;
   std::uint64_t generation_ = 0;
   bool has_loaded_ = false;  ///< an ontology, once
@@ -177,5 +202,6 @@ void OntologyLoader::load(const std::vector<std::string>& files, const Prefixes&
   state_->load(files, prefixes, std::move(done));
 }
 bool OntologyLoader::is_loading() const { return state_->is_loading(); }
+bool OntologyLoader::is_at_work() const { return state_->is_at_work(); }
 
 }  // namespace geminga::daemon

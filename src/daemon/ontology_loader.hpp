@@ -27,7 +27,8 @@ using Prefixes = std::map<std::string, std::string>;
 [[nodiscard]] std::string find_compiler();
 
 /// Runs `geminga-ontology compile` with bounds, and maps what it wrote. The daemon itself reads no RDF: a hostile file
-/// can hurt only the child. Serves the event loop meanwhile.
+/// can hurt only the child. What it wrote, or the user has compiled, is copied and verified on a thread, so that the
+/// event loop serves meanwhile, however large it is.
 class OntologyLoader {
  public:
   /// The errors are lines, with file and line where the compiler gave them; never empty.
@@ -44,6 +45,9 @@ class OntologyLoader {
   /// it is verified; where an ontology was loaded before, all of it is.
   void load(const std::vector<std::string>& files, const Prefixes& prefixes, Done done);
   [[nodiscard]] bool is_loading() const;
+  /// Whether the thread is at work, be it for a load that was given up. The process must not take down then what it
+  /// uses.
+  [[nodiscard]] bool is_at_work() const;
 
  private:
   class State;

@@ -7,36 +7,38 @@
 
 namespace geminga::matching {
 
-FilingPlan::FilingPlan(std::optional<el::ClassNumber> own, bool is_below, const el::Ontology* ontology) {
+FilingPlan::FilingPlan(std::optional<el::ClassNumber> own, bool is_below, const Edition& edition)
+    : generation_(edition.generation) {
   if (!own) return;
   own_ = std::to_underlying(*own);
   if (!is_below) return;
-  for (const el::ClassNumber number : ontology->subsumers(*own)) below_.push_back(std::to_underlying(number));
+  for (const el::ClassNumber number : edition.ontology->subsumers(*own)) below_.push_back(std::to_underlying(number));
 }
 
-FilingPlan::FilingPlan(const el::ExpressionPlace& place, bool is_below, const el::Ontology& ontology) {
+FilingPlan::FilingPlan(const el::ExpressionPlace& place, bool is_below, const Edition& edition)
+    : generation_(edition.generation) {
   if (place.equivalent) {
     own_ = std::to_underlying(*place.equivalent);
   } else {
     for (const el::ClassNumber child : place.children) further_own_.push_back(std::to_underlying(child));
   }
   if (!is_below) return;
-  for (const el::ClassNumber number : el::subsumers(place, ontology)) below_.push_back(std::to_underlying(number));
+  for (const el::ClassNumber number : el::subsumers(place, *edition.ontology)) {
+    below_.push_back(std::to_underlying(number));
+  }
 }
 
-FilingPlan FilingPlan::of_publication(const Classes& classes, const el::Ontology* ontology) {
-  return {classes.concept_class, true, ontology};
+FilingPlan FilingPlan::of_publication(const Classes& classes, const Edition& edition) {
+  return {classes.concept_class, true, edition};
 }
 
-FilingPlan FilingPlan::of_subscription(const Classes& classes, Degree weakest, const el::Ontology* ontology) {
-  if (classes.place) return {*classes.place, weakest >= Degree::broader, *ontology};
-  return {classes.concept_class, weakest >= Degree::broader, ontology};
+FilingPlan FilingPlan::of_subscription(const Classes& classes, Degree weakest, const Edition& edition) {
+  if (classes.place) return {*classes.place, weakest >= Degree::broader, edition};
+  return {classes.concept_class, weakest >= Degree::broader, edition};
 }
 
-std::vector<const registry::StoredSubscription*> standing_subscriptions(const registry::Subscriptions& subscriptions,
-                                                                        const Identity& offered, const Classes& classes,
-                                                                        const el::Ontology* ontology) {
-  std::vector<const registry::StoredSubscription*> standing;
+void add_standing(const registry::Subscriptions& subscriptions, const Identity& offered, const Classes& classes,
+                  const Edition& edition, std::vector<const registry::StoredSubscription*>& standing) {
   const auto add_all = [&standing](auto filed) {
     for (const auto& one : filed) standing.push_back(one.stored);
   };
@@ -52,13 +54,11 @@ std::vector<const registry::StoredSubscription*> standing_subscriptions(const re
   } else if (!classes.concept_class) {
     add_all(subscriptions.with_concept(semantic->concept_iri));
   } else {
-    for (const el::ClassNumber wider : ontology->subsumers(*classes.concept_class)) {
-      add_all(subscriptions.own(std::to_underlying(wider)));
+    for (const el::ClassNumber wider : edition.ontology->subsumers(*classes.concept_class)) {
+      add_all(subscriptions.own(std::to_underlying(wider), edition.generation));
     }
-    add_all(subscriptions.below(std::to_underlying(*classes.concept_class)));
+    add_all(subscriptions.below(std::to_underlying(*classes.concept_class), edition.generation));
   }
-  order_by_key(standing);
-  return standing;
 }
 
 void order_by_key(std::vector<const registry::StoredSubscription*>& subscriptions) {

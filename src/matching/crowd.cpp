@@ -23,8 +23,7 @@ void Matcher::State::relieve() {
     }
     at = crowded_.erase(at);
     if (stored == nullptr) continue;
-    for (const auto* subscription :
-         standing_subscriptions(subscriptions_, stored->entry.publication.identity, of(*stored).classes, ontology_)) {
+    for (const auto* subscription : standing(*stored)) {
       judge(*subscription, *stored);
       settle(*subscription);
     }

@@ -44,7 +44,13 @@ void Matcher::remove_participant(ParticipantId participant, Reason reason) {
                  reason);
 }
 
-void Matcher::set_ontology(const el::Ontology* ontology) { state_->set_ontology(ontology); }
+void Matcher::begin_ontology(const el::Ontology* next) { state_->begin_ontology(next); }
+
+bool Matcher::file_next() { return state_->file_next(); }
+
+void Matcher::put_in_force() { state_->put_in_force(); }
+
+bool Matcher::rematch_next() { return state_->rematch_next(); }
 
 void Matcher::place_again() { state_->place_again(); }
 
@@ -52,11 +58,7 @@ std::vector<Event> Matcher::take_events() { return std::exchange(state_->events_
 
 std::vector<Clash> Matcher::take_clashes() { return std::exchange(state_->clashes_, {}); }
 
-std::vector<Ranked> Matcher::match(const Subscription& request) const {
-  return state_->match(request, prepared(request, state_->ontology_, state_->placing_));
-}
-
-std::optional<Standing> Matcher::standing(const ServiceKey& subscription, const ServiceKey& publication) const {
+std::optional<Standing> Matcher::standing(const ServiceKey& subscription, const ServiceKey& publication) {
   const StoredSubscription* asked = state_->subscriptions_.find(subscription);
   const StoredPublication* offered = state_->publications_.find(publication);
   if (asked == nullptr || offered == nullptr) return std::nullopt;
@@ -64,7 +66,7 @@ std::optional<Standing> Matcher::standing(const ServiceKey& subscription, const 
 }
 
 std::shared_ptr<const Request> Matcher::prepare(const Subscription& asked) const {
-  return std::make_shared<const Request>(prepared(asked, state_->ontology_, state_->placing_));
+  return std::make_shared<const Request>(prepared(asked, state_->in_force_.ontology, state_->placing_));
 }
 
 std::optional<Match> Matcher::meets(const Subscription& asked, const Request& request,
@@ -75,7 +77,7 @@ std::optional<Match> Matcher::meets(const Subscription& asked, const Request& re
 std::optional<std::vector<ServiceKey>> Matcher::candidates(const Subscription& asked, const Request& request,
                                                            std::size_t most) const {
   std::vector<ServiceKey> keys;
-  visit_publications(state_->publications_, asked.identity, request.classes, asked.weakest, state_->ontology_,
+  visit_publications(state_->publications_, asked.identity, request.classes, asked.weakest, state_->in_force_,
                      [&](const StoredPublication& publication) {
                        keys.push_back(publication.entry.key);
                        return keys.size() > most;
@@ -86,7 +88,7 @@ std::optional<std::vector<ServiceKey>> Matcher::candidates(const Subscription& a
 
 std::expected<Match, std::string> Matcher::why(const registry::SubscriptionEntry& request,
                                                const registry::PublicationEntry& offer) const {
-  const el::Ontology* ontology = state_->ontology_;
+  const el::Ontology* ontology = state_->in_force_.ontology;
   ++state_->judged_;
   return explained(request.subscription, state_->prepare(request), offer,
                    classes_of(offer.publication.identity, ontology), ontology);
@@ -112,6 +114,7 @@ std::optional<Match> Matcher::given(const ServiceKey& subscription, const Servic
   return state_->given(subscription, publication);
 }
 std::uint64_t Matcher::judged() const { return state_->judged_; }
+std::uint64_t Matcher::filed() const { return state_->filed_; }
 
 const registry::PublicationEntry* Matcher::find_publication(const ServiceKey& key) const {
   const StoredPublication* stored = state_->publications_.find(key);

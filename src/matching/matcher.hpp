@@ -25,12 +25,6 @@ namespace geminga::matching {
 
 struct Request;
 
-/// A publication that meets a request.
-struct Ranked {
-  const registry::PublicationEntry* publication = nullptr;  ///< borrowed until the next change of the matcher
-  Match match;
-};
-
 /// Holds the registry, matches and arbitrates. Not thread-safe. Feeding it is idempotent: a put of what is there
 /// already only moves its age and causes no event. No event is ever doubled: per (to, about) the stream is add
 /// (modify)* del.
@@ -59,7 +53,8 @@ class Matcher {
     providers,  ///< the consumer is not: it asks by chosen(), piece by piece
   };
 
-  /// `ontology` may be null: then semantic identities match exactly or not at all. Borrowed until set_ontology().
+  /// `ontology` may be null: then semantic identities match exactly or not at all. Borrowed until another one has taken
+  /// its place.
   /// `placing` gives the places of expressions that are asked for; without it they meet nothing.
   explicit Matcher(const el::Ontology* ontology, Placing placing = {});
   ~Matcher();
@@ -74,10 +69,26 @@ class Matcher {
   /// Removes all of a peer, or all of a participant.
   void remove_peer(ParticipantId participant, PeerId peer, Reason reason);
   void remove_participant(ParticipantId participant, Reason reason);
-  /// Swaps the ontology and matches everything again; what stays matched gets no event. From then on `placing` must
-  /// give places in the new one.
-  void set_ontology(const el::Ontology* ontology);
-  /// Asks again for the place of each subscription whose expression has none.
+  /// Begins to put another ontology, or none, in the place of the one in force. That is work over the whole registry,
+  /// and is done in steps between which everything else may go on:
+  ///
+  ///     matcher.begin_ontology(next);
+  ///     while (matcher.file_next()) {}     // what is offered is filed by it, too; nothing else changes
+  ///     matcher.put_in_force();            // at once; from here on `placing` must give places in it
+  ///     while (matcher.rematch_next()) {}  // one subscription after the other, in ascending order of key, is judged
+  ///     by it
+  ///
+  /// No change may be under way: another begins when rematch_next() has given false. Both ontologies are borrowed until
+  /// then, and the former one not any more. A subscription is judged by one ontology at any time, by the former until
+  /// its step, and its events are those of that step: what stays matched gets none. What is asked of the matcher is
+  /// answered by the ontology in force. A step costs what putting one publication or subscription does.
+  void begin_ontology(const el::Ontology* next);
+  /// False: everything is filed, and put_in_force() is due.
+  [[nodiscard]] bool file_next();
+  void put_in_force();
+  /// False: nothing was left to do.
+  [[nodiscard]] bool rematch_next();
+  /// Has rematch_next() ask again for the place of each subscription whose expression has none.
   void place_again();
 
   /// The events since the last call, in the order in which they must be written.
@@ -85,8 +96,6 @@ class Matcher {
   /// Whose number turned out to be that of two different concepts since the last call (clash.hpp).
   [[nodiscard]] std::vector<Clash> take_clashes();
 
-  /// The publications that meet a request, best first, arbitration's limit not applied.
-  [[nodiscard]] std::vector<Ranked> match(const Subscription& request) const;
   /// What meets() needs of a request, for as long as the ontology stays.
   [[nodiscard]] std::shared_ptr<const Request> prepare(const Subscription& asked) const;
   /// How a publication of the registry meets `asked`, from which `request` was prepared; its mode and its identity may
@@ -101,7 +110,8 @@ class Matcher {
   [[nodiscard]] std::expected<Match, std::string> why(const registry::SubscriptionEntry& request,
                                                       const registry::PublicationEntry& offer) const;
   /// How a publication stands in the arbitration of a subscription, both known here; nothing where they do not match.
-  [[nodiscard]] std::optional<Standing> standing(const ServiceKey& subscription, const ServiceKey& publication) const;
+  /// While an ontology changes this is the subscription's step.
+  [[nodiscard]] std::optional<Standing> standing(const ServiceKey& subscription, const ServiceKey& publication);
   /// Those behind `after`, or all, in ascending order of key, until `visit` gives false. Whether all were visited.
   using VisitPublication = std::function<bool(const registry::PublicationEntry&)>;
   using VisitSubscription = std::function<bool(const registry::SubscriptionEntry&)>;
@@ -117,9 +127,12 @@ class Matcher {
   [[nodiscard]] std::optional<Match> given(const ServiceKey& subscription, const ServiceKey& publication) const;
   /// How many pairs were judged since the start: what matching has cost.
   [[nodiscard]] std::uint64_t judged() const;
+  /// How many places in the index were given or taken by changes since the start.
+  [[nodiscard]] std::uint64_t filed() const;
   [[nodiscard]] const registry::PublicationEntry* find_publication(const ServiceKey& key) const;
   [[nodiscard]] const registry::SubscriptionEntry* find_subscription(const ServiceKey& key) const;
-  /// Whether anybody known, anywhere in the team, serves this subscription / asks for this publication.
+  /// Whether anybody known, anywhere in the team, serves this subscription / asks for this publication, which must be
+  /// known.
   [[nodiscard]] bool is_served(const registry::SubscriptionEntry& subscription) const;
   [[nodiscard]] bool is_used(const registry::PublicationEntry& publication) const;
 

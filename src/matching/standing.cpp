@@ -12,7 +12,9 @@ using registry::StoredPublication;
 using registry::StoredSubscription;
 
 std::optional<Standing> Matcher::State::standing(const StoredSubscription& subscription,
-                                                 const StoredPublication& publication) const {
+                                                 const StoredPublication& publication) {
+  // Its turn in the change to another ontology is now, so that the choice and the ranking speak of the same.
+  if (edition_of(subscription).generation != in_force_.generation) rematch(subscription);
   const auto ranked = match(subscription.entry.subscription, of_subscription_[subscription.slot].request);
   const auto at = std::ranges::find(ranked, &publication.entry, &Ranked::publication);
   if (at == ranked.end()) return std::nullopt;

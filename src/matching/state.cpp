@@ -13,42 +13,52 @@ using registry::SubscriptionEntry;
 
 std::optional<Match> Matcher::State::meets(const StoredSubscription& subscription,
                                            const StoredPublication& publication) const {
+  const Edition& edition = edition_of(subscription);
   return meet(subscription.entry.subscription, of_subscription_[subscription.slot].request, publication.entry,
-              of_publication_[publication.slot].classes);
+              classes(publication, edition), edition);
 }
 
 std::optional<Match> Matcher::State::meets(const Subscription& asked, const Request& request,
                                            const PublicationEntry& publication) const {
   const StoredPublication* stored = publications_.find(publication.key);
   if (stored == nullptr) return std::nullopt;
-  return meet(asked, request, stored->entry, of_publication_[stored->slot].classes);
+  return meet(asked, request, stored->entry, classes(*stored, in_force_), in_force_);
 }
 
 std::optional<Match> Matcher::State::meet(const Subscription& asked, const Request& request,
-                                          const PublicationEntry& offered, const Classes& classes) const {
+                                          const PublicationEntry& offered, const Classes& classes,
+                                          const Edition& edition) const {
   ++judged_;
   if (is_kept_apart(offered.publication.identity, asked.identity)) return std::nullopt;
-  return matching::meets(asked, request, offered, classes, ontology_);
+  return matching::meets(asked, request, offered, classes, edition.ontology);
+}
+
+void Matcher::State::file(const StoredPublication& stored, const Edition& edition) {
+  auto& known = of(stored).classes[std::to_underlying(edition.generation)];
+  known = classes_of(stored.entry.publication.identity, edition.ontology);
+  const FilingPlan plan = FilingPlan::of_publication(known, edition);
+  publications_.refile(stored, plan.filing());
+  filed_ += 1 + plan.size();
 }
 
 const StoredPublication& Matcher::State::store(PublicationEntry entry, const StoredPublication* known) {
-  const Classes classes = classes_of(entry.publication.identity, ontology_);
-  const FilingPlan plan = FilingPlan::of_publication(classes, ontology_);
+  const registry::Filing nowhere;
   if (known == nullptr) {
-    known = &publications_.insert(std::move(entry), plan.filing());
+    known = &publications_.insert(std::move(entry), nowhere);
     if (known->slot >= of_publication_.size()) of_publication_.resize(known->slot + 1);
     of(*known) = {};
   } else {
     replaced_publication_ = {known, known->entry};
-    publications_.replace(*known, std::move(entry), plan.filing());
+    publications_.replace(*known, std::move(entry), nowhere);
   }
-  of(*known).classes = classes;
+  file(*known, in_force_);
+  if (is_known_by_both()) file(*known, other_);
   return *known;
 }
 
 const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const StoredSubscription* known) {
   Request request = prepare(entry);
-  const FilingPlan plan = FilingPlan::of_subscription(request.classes, entry.subscription.weakest, ontology_);
+  const FilingPlan plan = FilingPlan::of_subscription(request.classes, entry.subscription.weakest, in_force_);
   if (known == nullptr) {
     known = &subscriptions_.insert(std::move(entry), plan.filing());
     if (known->slot >= of_subscription_.size()) of_subscription_.resize(known->slot + 1);
@@ -57,9 +67,12 @@ const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const S
   } else {
     replaced_subscription_ = {known, known->entry};
     replaced_request_ = std::move(of(*known).request);
+    replaced_edition_ = edition_of(*known);
+    replaced_was_clashing_ = clashing_.contains(known->identity);
     subscriptions_.replace(*known, std::move(entry), plan.filing());
   }
   of(*known).request = std::move(request);
+  of(*known).generation = in_force_.generation;
   of(*known).choice.set_limit(limit_of(known->entry));
   return *known;
 }
@@ -82,8 +95,7 @@ void Matcher::State::put(PublicationEntry entry) {
     const auto further = review(number_before, nullptr);
     anew.insert(anew.end(), further.begin(), further.end());
   }
-  auto concerned =
-      standing_subscriptions(subscriptions_, stored.entry.publication.identity, of(stored).classes, ontology_);
+  auto concerned = standing(stored);
   for (const auto& [slot, rank] : of(stored).considered_by) concerned.push_back(of_subscription_[slot].stored);
   order_by_key(concerned);
   for (const auto* subscription : concerned) {
@@ -166,44 +178,6 @@ void Matcher::State::forget(const StoredSubscription& subscription, Reason reaso
   }
 }
 
-void Matcher::State::set_ontology(const el::Ontology* ontology) {
-  begin_cause();
-  ontology_ = ontology;
-  const std::size_t classes = ontology == nullptr ? 0 : ontology->class_count();
-  publications_.set_class_count(classes);
-  subscriptions_.set_class_count(classes);
-  publications_.for_each([this](const StoredPublication& stored) {
-    auto& known = of(stored).classes = classes_of(stored.entry.publication.identity, ontology_);
-    publications_.refile(stored, FilingPlan::of_publication(known, ontology_).filing());
-  });
-  subscriptions_.for_each([this](const StoredSubscription& stored) {
-    const Subscription& asked = stored.entry.subscription;
-    auto& known = of(stored).request.classes = prepare(stored.entry).classes;
-    subscriptions_.refile(stored, FilingPlan::of_subscription(known, asked.weakest, ontology_).filing());
-  });
-  subscriptions_.for_each([this](const StoredSubscription& stored) {
-    judge_all(stored);
-    settle(stored);
-  });
-}
-
-void Matcher::State::place_again() {
-  begin_cause();
-  std::vector<const StoredSubscription*> waiting;
-  subscriptions_.for_each([&](const StoredSubscription& stored) {
-    const bool is_placed = of(stored).request.classes.place != nullptr;
-    if (!is_placed && has_expression(stored.entry.subscription.identity)) waiting.push_back(&stored);
-  });
-  for (const auto* stored : waiting) {
-    auto& known = of(*stored).request.classes = prepare(stored->entry).classes;
-    if (known.place == nullptr) continue;
-    const Degree weakest = stored->entry.subscription.weakest;
-    subscriptions_.refile(*stored, FilingPlan::of_subscription(known, weakest, ontology_).filing());
-    judge_all(*stored);
-    settle(*stored);
-  }
-}
-
 std::uint32_t Matcher::State::limit_of(const SubscriptionEntry& subscription) {
   const std::uint32_t limit = subscription.subscription.limit;
   if (subscription.is_local) return limit == 0 ? max_given : std::min(limit, max_given);
@@ -219,9 +193,12 @@ bool Matcher::State::is_of_interest(const SubscriptionEntry& subscription, const
 bool Matcher::State::was_chosen_unseen(const StoredPublication& publication) const {
   if (replaced_subscription_.stored == nullptr) return false;
   const SubscriptionEntry& before = replaced_subscription_.before;
+  const bool was_kept_apart =
+      replaced_was_clashing_ && before.subscription.identity.index() != publication.entry.publication.identity.index();
   return !is_of_interest(before, publication.entry) && before.subscription.mode != ChannelMode::one_to_many_stream &&
+         !was_kept_apart &&
          matching::meets(before.subscription, replaced_request_, publication.entry,
-                         of_publication_[publication.slot].classes, ontology_);
+                         classes(publication, replaced_edition_), replaced_edition_.ontology);
 }
 
 void Matcher::State::judge(const StoredSubscription& subscription, const StoredPublication& publication) {
@@ -250,8 +227,8 @@ void Matcher::State::judge(const StoredSubscription& subscription, const StoredP
 void Matcher::State::judge_all(const StoredSubscription& subscription) {
   for (const auto& [rank, publication] : of(subscription).choice.candidates()) judge(subscription, *publication);
   const Subscription& asked = subscription.entry.subscription;
-  visit_publications(publications_, asked.identity, of(subscription).request.classes, asked.weakest, ontology_,
-                     [&](const StoredPublication& publication) {
+  visit_publications(publications_, asked.identity, of(subscription).request.classes, asked.weakest,
+                     edition_of(subscription), [&](const StoredPublication& publication) {
                        if (!of(publication).considered_by.contains(subscription.slot)) judge(subscription, publication);
                        return false;
                      });
@@ -260,8 +237,8 @@ void Matcher::State::judge_all(const StoredSubscription& subscription) {
 void Matcher::State::refill(const StoredSubscription& subscription) {
   forget_dropped(subscription);
   const Subscription& asked = subscription.entry.subscription;
-  visit_publications(publications_, asked.identity, of(subscription).request.classes, asked.weakest, ontology_,
-                     [&](const StoredPublication& publication) {
+  visit_publications(publications_, asked.identity, of(subscription).request.classes, asked.weakest,
+                     edition_of(subscription), [&](const StoredPublication& publication) {
                        auto& known = of(publication);
                        if (known.is_leaving || known.considered_by.contains(subscription.slot)) return false;
                        judge(subscription, publication);
@@ -277,10 +254,10 @@ void Matcher::State::forget_dropped(const StoredSubscription& subscription) {
 
 std::vector<Ranked> Matcher::State::match(const Subscription& asked, const Request& request) const {
   std::vector<Ranked> ranked;
-  visit_publications(publications_, asked.identity, request.classes, asked.weakest, ontology_,
+  visit_publications(publications_, asked.identity, request.classes, asked.weakest, in_force_,
                      [&](const StoredPublication& publication) {
                        const auto match =
-                           meet(asked, request, publication.entry, of_publication_[publication.slot].classes);
+                           meet(asked, request, publication.entry, classes(publication, in_force_), in_force_);
                        if (match) ranked.push_back({&publication.entry, *match});
                        return false;
                      });
@@ -295,21 +272,19 @@ bool Matcher::State::is_served(const SubscriptionEntry& subscription) const {
   const Request request = prepare(subscription);
   bool served = false;
   visit_publications(
-      publications_, asked.identity, request.classes, asked.weakest, ontology_,
+      publications_, asked.identity, request.classes, asked.weakest, in_force_,
       [&](const StoredPublication& publication) {
-        served = meet(asked, request, publication.entry, of_publication_[publication.slot].classes).has_value();
+        served = meet(asked, request, publication.entry, classes(publication, in_force_), in_force_).has_value();
         return served;
       });
   return served;
 }
 
 bool Matcher::State::is_used(const PublicationEntry& publication) const {
-  const Classes classes = classes_of(publication.publication.identity, ontology_);
-  const auto standing = standing_subscriptions(subscriptions_, publication.publication.identity, classes, ontology_);
-  return std::ranges::any_of(standing, [&](const StoredSubscription* subscription) {
-    return meet(subscription->entry.subscription, of_subscription_[subscription->slot].request, publication, classes)
-        .has_value();
-  });
+  const StoredPublication* stored = publications_.find(publication.key);
+  return stored != nullptr && std::ranges::any_of(standing(*stored), [&](const StoredSubscription* subscription) {
+           return meets(*subscription, *stored).has_value();
+         });
 }
 
 }  // namespace geminga::matching

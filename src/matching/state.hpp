@@ -2,6 +2,7 @@
 #ifndef GEMINGA_MATCHING_STATE_HPP
 #define GEMINGA_MATCHING_STATE_HPP
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -34,26 +35,36 @@ inline constexpr std::uint32_t max_given = 1024;
 /// have gone: so the walk through all that ask for it is made once for many departures.
 inline constexpr std::size_t max_consumers = 1024;
 
+/// A publication that meets a request.
+struct Ranked {
+  const registry::PublicationEntry* publication = nullptr;  ///< borrowed until the next change of the matcher
+  Match match;
+};
+
 /// Every change runs in three steps: the registry takes it, the pairs that it concerns are judged again, and each
 /// subscription whose candidates changed is settled once, which gives the events.
 class Matcher::State {
  public:
-  State(const el::Ontology* ontology, Placing placing) : placing_(std::move(placing)) { set_ontology(ontology); }
+  State(const el::Ontology* ontology, Placing placing);
 
   void put(registry::PublicationEntry entry);
   void put(registry::SubscriptionEntry entry, Telling telling);
   /// Removes all of these at once, so that nothing that is about to go takes another's place.
   void remove(const std::vector<const registry::StoredPublication*>& publications,
               const std::vector<const registry::StoredSubscription*>& subscriptions, Reason reason);
-  void set_ontology(const el::Ontology* ontology);
+  void begin_ontology(const el::Ontology* next);
+  [[nodiscard]] bool file_next();
+  void put_in_force();
+  [[nodiscard]] bool rematch_next();
   void place_again();
+  /// Requires the ontology in force.
   [[nodiscard]] Request prepare(const registry::SubscriptionEntry& entry) const {
-    return prepared(entry.subscription, ontology_, placing_, entry.key.participant);
+    return prepared(entry.subscription, in_force_.ontology, placing_, entry.key.participant);
   }
 
   [[nodiscard]] std::vector<Ranked> match(const Subscription& asked, const Request& request) const;
   [[nodiscard]] std::optional<Standing> standing(const registry::StoredSubscription& subscription,
-                                                 const registry::StoredPublication& publication) const;
+                                                 const registry::StoredPublication& publication);
   [[nodiscard]] std::optional<Match> meets(const Subscription& asked, const Request& request,
                                            const registry::PublicationEntry& publication) const;
   [[nodiscard]] std::vector<ServiceKey> chosen(const ServiceKey& subscription) const;
@@ -62,17 +73,18 @@ class Matcher::State {
   [[nodiscard]] bool is_served(const registry::SubscriptionEntry& subscription) const;
   [[nodiscard]] bool is_used(const registry::PublicationEntry& publication) const;
 
-  const el::Ontology* ontology_ = nullptr;
+  Edition in_force_;
   Placing placing_;
   registry::Publications publications_;
   registry::Subscriptions subscriptions_;
   std::vector<Event> events_;
   std::vector<Clash> clashes_;
   mutable std::uint64_t judged_ = 0;
+  std::uint64_t filed_ = 0;
 
  private:
   struct OfPublication {
-    Classes classes;
+    std::array<Classes, 2> classes;               ///< by generation
     std::map<std::uint32_t, Rank> considered_by;  ///< by the slot of the subscription whose candidate it is
     bool is_leaving = false;
   };
@@ -80,10 +92,36 @@ class Matcher::State {
     const registry::StoredSubscription* stored = nullptr;
     Request request;
     Choice choice;
+    registry::Generation generation = registry::Generation::even;  ///< of the ontology that it is judged by
+  };
+  /// How far the change to another ontology is. A subscription is judged by one ontology at any time, and filed in its
+  /// index alone; what is offered is known by both from the beginning of `filing` to the end of `rematching`.
+  enum class Stage {
+    none,
+    filing,      ///< what is offered is filed by the next one, too; everything is judged by the one in force
+    rematching,  ///< the next one is in force: one subscription after the other is judged by it
+    unfiling,    ///< what is offered is taken out of the index of the former one
   };
 
   [[nodiscard]] OfPublication& of(const registry::StoredPublication& stored) { return of_publication_[stored.slot]; }
   [[nodiscard]] OfSubscription& of(const registry::StoredSubscription& stored) { return of_subscription_[stored.slot]; }
+  [[nodiscard]] const Classes& classes(const registry::StoredPublication& stored, const Edition& edition) const {
+    return of_publication_[stored.slot].classes[std::to_underlying(edition.generation)];
+  }
+  /// The ontology that a subscription is judged by.
+  [[nodiscard]] const Edition& edition_of(const registry::StoredSubscription& subscription) const {
+    return of_subscription_[subscription.slot].generation == in_force_.generation ? in_force_ : other_;
+  }
+  [[nodiscard]] bool is_known_by_both() const { return stage_ == Stage::filing || stage_ == Stage::rematching; }
+  /// Looks up what is offered in an ontology, and files it by that.
+  void file(const registry::StoredPublication& stored, const Edition& edition);
+  /// Judges a subscription by the ontology in force, after it was filed by it.
+  void rematch(const registry::StoredSubscription& subscription);
+  [[nodiscard]] bool unfile_next();
+  [[nodiscard]] bool place_next();
+  /// The subscriptions that an offer may meet, each once, in ascending order of key.
+  [[nodiscard]] std::vector<const registry::StoredSubscription*> standing(
+      const registry::StoredPublication& publication) const;
   [[nodiscard]] std::optional<Match> meets(const registry::StoredSubscription& subscription,
                                            const registry::StoredPublication& publication) const;
 
@@ -97,7 +135,8 @@ class Matcher::State {
                                            const registry::PublicationEntry& publication);
   /// The one place where a pair is judged, and counted.
   [[nodiscard]] std::optional<Match> meet(const Subscription& asked, const Request& request,
-                                          const registry::PublicationEntry& offered, const Classes& classes) const;
+                                          const registry::PublicationEntry& offered, const Classes& classes,
+                                          const Edition& edition) const;
   /// Whether a number and a concept do not meet because the number is that of another concept, too.
   [[nodiscard]] bool is_kept_apart(const Identity& offered, const Identity& requested) const;
   /// Finds out whether the number is that of two concepts, after what has come or gone. Gives the subscriptions that
@@ -126,6 +165,16 @@ class Matcher::State {
                      const registry::StoredPublication& publication, Match match, Reason reason = Reason::withdrawn);
   [[nodiscard]] const registry::PublicationEntry& as_told(const registry::StoredPublication& publication) const;
   [[nodiscard]] const registry::SubscriptionEntry& as_told(const registry::StoredSubscription& subscription) const;
+
+  Edition other_;  ///< while filing the next one, then the former one
+  Stage stage_ = Stage::none;
+  std::optional<ServiceKey> at_;  ///< the entry that the change was at last; nothing: it begins
+  /// The walk to the subscriptions that have no place: the one that it was at last.
+  struct PlaceWalk {
+    std::optional<ServiceKey> at;
+    bool must_repeat = false;
+  };
+  std::optional<PlaceWalk> placing_walk_;
 
   std::set<ServiceKey> crowded_;                 ///< publications that somebody waits for
   std::set<Id32> clashing_;                      ///< numbers of two concepts or more
@@ -158,6 +207,8 @@ class Matcher::State {
   Replaced<registry::PublicationEntry> replaced_publication_;
   Replaced<registry::SubscriptionEntry> replaced_subscription_;
   Request replaced_request_;
+  Edition replaced_edition_;                              ///< that replaced_request_ is of
+  bool replaced_was_clashing_ = false;                    ///< whether its number was that of two concepts
   const registry::StoredSubscription* untold_ = nullptr;  ///< the one whose consumer is told by nobody here
 };
 

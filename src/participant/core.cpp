@@ -33,12 +33,13 @@ std::string_view to_string(Phase phase) {
   return "failed";
 }
 
-Core::Core(env::Env& the_env, Settings the_settings, const el::Ontology* the_ontology)
+Core::Core(env::Env& the_env, Settings the_settings, std::shared_ptr<const el::Ontology> the_ontology)
     : env(the_env),
       settings(std::move(the_settings)),
-      ontology(the_ontology),
-      expressions(the_ontology),
-      matcher(the_ontology,
+      ontology(the_ontology.get()),
+      ontology_change(std::move(the_ontology)),
+      expressions(ontology),
+      matcher(ontology,
               [this](const std::string& expression, ParticipantId from) {
                 const bool is_own = from == ParticipantId{} || from == id;
                 return expressions.place(expression, is_own ? std::nullopt : std::optional(from), env.now());
@@ -88,7 +89,7 @@ void Core::refuse(Session& session, std::uint32_t statement, const Error& error)
 
 Work Core::work() const {
   return worked + matcher.judged() * cost_of_judgement + counters.events * cost_of_event +
-         expressions.counts().classified * cost_of_expression;
+         matcher.filed() * cost_of_filing + expressions.counts().classified * cost_of_expression;
 }
 
 std::size_t Core::backlog(const Session& session) const {

@@ -15,6 +15,7 @@
 #include "participant/contest.hpp"
 #include "participant/counters.hpp"
 #include "participant/expressions.hpp"
+#include "participant/ontology_change.hpp"
 #include "participant/ontology_state.hpp"
 #include "participant/ontology_watch.hpp"
 #include "participant/session.hpp"
@@ -35,13 +36,14 @@ enum class Phase : std::uint8_t {
 [[nodiscard]] std::string_view to_string(Phase phase);
 
 struct Core {
-  Core(env::Env& the_env, Settings the_settings, const el::Ontology* the_ontology);
+  Core(env::Env& the_env, Settings the_settings, std::shared_ptr<const el::Ontology> the_ontology);
   Core(const Core&) = delete;
   Core& operator=(const Core&) = delete;
 
   env::Env& env;
   const Settings settings;
-  const el::Ontology* ontology;
+  const el::Ontology* ontology;  ///< in force; null: none
+  OntologyChange ontology_change;
   OntologyState ontology_state;
   OntologyWatch ontology_watch;
   Expressions expressions;

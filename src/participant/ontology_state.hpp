@@ -3,6 +3,7 @@
 #define GEMINGA_PARTICIPANT_ONTOLOGY_STATE_HPP
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,14 @@ inline constexpr std::size_t max_failure_bytes = 400;
 /// The owner of a participant reads ontologies and says how it goes; queries show it until it is mended.
 struct OntologyState {
   bool is_loading = false;
+  std::uint64_t readings = 0;        ///< that were begun
   base::Instant begun_at{};          ///< meaningful while it is loading
   std::vector<std::string> failure;  ///< why the last reading failed, made printable; empty: it did not
   base::Instant failed_at{};         ///< meaningful where it failed
 
   void begin(base::Instant now) {
     is_loading = true;
+    ++readings;
     begun_at = now;
   }
   void fail(const std::vector<std::string>& lines, base::Instant now) {
@@ -36,7 +39,10 @@ struct OntologyState {
     }
     if (failure.empty()) failure.emplace_back("reading failed, and nothing says why");
   }
-  void succeed() { *this = {}; }
+  void succeed() {
+    is_loading = false;
+    failure.clear();
+  }
 };
 
 }  // namespace geminga::participant

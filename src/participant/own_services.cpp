@@ -33,6 +33,7 @@ bool resolve_again(Core& core, Session& session, std::uint32_t number, Stated& s
   if (refusal && must_tell) {
     tell_gone(core, session, number, matching::Reason::changed);
     if (!stated.is_awaited) core.refuse(session, number, *refusal);
+    if (!stated.is_awaited) core.worked += cost_of_unknown_name;
   }
   return stated.is_in_force;
 }
@@ -161,38 +162,21 @@ void leave_all(Core& core) {
   }
 }
 
-void change_ontology(Core& core, const el::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared) {
+void restate(Core& core, Session& session, std::uint32_t number) {
+  core.worked += cost_of_statement;
   const bool is_held = core.phase == Phase::ready;
-  core.ontology = ontology;
-  core.expressions.set_ontology(ontology, std::move(prepared));
-  core.matcher.set_ontology(ontology);
-  deliver_events(core);
-  for (const auto& [stream, session] : core.sessions) {
-    for (auto& [number, stated] : session->publications) {
-      const bool knows = resolve_again(core, *session, number, stated, stated.publication);
-      if (is_held && knows) enter(core, *session, number, stated);
-      if (is_held && !knows) withdraw_publication(core, *session, number, matching::Reason::changed);
-    }
-    for (auto& [number, stated] : session->subscriptions) {
-      const bool knows = resolve_again(core, *session, number, stated, stated.subscription);
-      if (is_held && knows) enter(core, *session, number, stated);
-      if (is_held && !knows) withdraw_subscription(core, *session, number, matching::Reason::changed);
-    }
+  if (const auto one = session.publications.find(number); one != session.publications.end()) {
+    StatedPublication& stated = one->second;
+    const bool knows = resolve_again(core, session, number, stated, stated.publication);
+    if (is_held && knows) enter(core, session, number, stated);
+    if (is_held && !knows) withdraw_publication(core, session, number, matching::Reason::changed);
   }
-  deliver_events(core);
-  core.is_changed = true;  // The digest is announced, too.
-}
-
-void take_up_expressions(Core& core) {
-  for (const auto& [stream, session] : core.sessions) {
-    for (auto& [number, stated] : session->subscriptions) {
-      if (!stated.is_awaited) continue;
-      const bool knows = resolve_again(core, *session, number, stated, stated.subscription);
-      if (knows && core.phase == Phase::ready) enter(core, *session, number, stated);
-    }
+  if (const auto one = session.subscriptions.find(number); one != session.subscriptions.end()) {
+    StatedSubscription& stated = one->second;
+    const bool knows = resolve_again(core, session, number, stated, stated.subscription);
+    if (is_held && knows) enter(core, session, number, stated);
+    if (is_held && !knows) withdraw_subscription(core, session, number, matching::Reason::changed);
   }
-  core.matcher.place_again();
-  deliver_events(core);
 }
 
 }  // namespace geminga::participant

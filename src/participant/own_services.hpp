@@ -3,7 +3,6 @@
 #define GEMINGA_PARTICIPANT_OWN_SERVICES_HPP
 
 #include <cstdint>
-#include <memory>
 
 #include "participant/core.hpp"
 
@@ -42,11 +41,9 @@ void enter_all(Core& core);
 /// The opposite, right before another identifier takes its place: the peers' statements stay, and they are told that
 /// their services are gone.
 void leave_all(Core& core);
-/// Swaps the ontology. What it does not know is withdrawn and told to its peer; what an earlier one did not know comes
-/// back. `prepared` is of it, or null: then what asks for a class expression waits for it.
-void change_ontology(Core& core, const el::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared);
-/// The ontology is prepared for class expressions: what waits for that comes into force, or gets its 422.
-void take_up_expressions(Core& core);
+/// Resolves the names of one statement by the ontology in force. What it does not know is withdrawn and told to its
+/// peer; what an earlier one did not know comes back.
+void restate(Core& core, Session& session, std::uint32_t number);
 
 }  // namespace geminga::participant
 

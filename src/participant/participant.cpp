@@ -18,8 +18,8 @@ namespace geminga::participant {
 /// Handles one event at a time; settle() ends each of them.
 class Participant::State {
  public:
-  State(env::Env& env, Settings settings, const el::Ontology* ontology)
-      : core(env, std::move(settings), ontology), announcer(core) {}
+  State(env::Env& env, Settings settings, Ontology ontology)
+      : core(env, std::move(settings), std::move(ontology)), announcer(core) {}
 
   Core core;
   Announcer announcer;
@@ -67,6 +67,7 @@ class Participant::State {
 
   void timer() {
     if (is_over() || core.phase == Phase::created) return;
+    core.ontology_change.proceed(core, work_in_turn);
     // Only here, and not when a client's bytes come in: whoever has spoken meanwhile is heard before the next turn.
     if (core.phase == Phase::ready) take_turn(core);
     settle();
@@ -90,37 +91,29 @@ class Participant::State {
     settle();
   }
 
-  void set_ontology(const el::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared) {
-    if (!core.ontology_state.failure.empty())
-      core.log(base::LogLevel::info, "ontology: read at last, the failure is mended");
-    core.ontology_state.succeed();
-    end_answers();
-    change_ontology(core, ontology, std::move(prepared));
-    if (core.phase != Phase::created && !is_over()) settle();
+  void set_ontology(Ontology ontology, std::unique_ptr<const PreparedOntology> prepared) {
+    core.ontology_change.begin(core, std::move(ontology), std::move(prepared));
+    change_ontology();
   }
 
   void prepared(std::unique_ptr<const PreparedOntology> prepared) {
     if (!core.expressions.give(std::move(prepared))) return;
-    take_up_expressions(core);
-    if (core.phase != Phase::created && !is_over()) settle();
+    core.ontology_change.take_up_expressions();
+    change_ontology();
   }
 
   void ontology_failed(const std::vector<std::string>& lines) {
     core.ontology_state.fail(lines, core.env.now());
-    if (core.ontology != nullptr) return;
-    change_ontology(core, nullptr, nullptr);  // what waited for one is told that there is none
-    if (core.phase != Phase::created && !is_over()) settle();
+    core.ontology_change.give_up(core);
+    change_ontology();
   }
 
  private:
-  /// The rest of an answer would be about classes that are none any more.
-  void end_answers() {
-    for (const auto& [stream, session] : core.sessions) {
-      if (!session->answering) continue;
-      core.refuse(*session, session->answering->id,
-                  {ErrorCode::not_ready, "not ready: the ontology was changed meanwhile, ask again"});
-      session->answering.reset();
-    }
+  /// Begins at once, so that a small team has changed when this event is over.
+  void change_ontology() {
+    if (is_over()) return;
+    core.ontology_change.proceed(core, work_in_turn);
+    if (core.phase != Phase::created) settle();
   }
 
   void remember_interfaces() {
@@ -173,13 +166,13 @@ class Participant::State {
 
   [[nodiscard]] base::Instant deadline() {
     if (core.phase == Phase::stopping) return base::never;
-    if (is_turn_due(core)) return core.env.now();
+    if (is_turn_due(core) || core.ontology_change.is_under_way()) return core.env.now();
     return std::min(core.neighbours.next_deadline(), session_deadline(core));
   }
 };
 
-Participant::Participant(env::Env& env, Settings settings, const el::Ontology* ontology)
-    : state_(std::make_unique<State>(env, std::move(settings), ontology)) {}
+Participant::Participant(env::Env& env, Settings settings, Ontology ontology)
+    : state_(std::make_unique<State>(env, std::move(settings), std::move(ontology))) {}
 
 Participant::~Participant() = default;
 
@@ -200,8 +193,8 @@ void Participant::on_stream_opened(env::StreamId stream, std::string_view user) 
 void Participant::on_stream_bytes(env::StreamId stream, std::string_view bytes) { state_->read(stream, bytes); }
 void Participant::on_stream_drained(env::StreamId) { state_->drained(); }
 void Participant::on_stream_closed(env::StreamId stream) { state_->closed(stream); }
-void Participant::set_ontology(const el::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared) {
-  state_->set_ontology(ontology, std::move(prepared));
+void Participant::set_ontology(Ontology ontology, std::unique_ptr<const PreparedOntology> prepared) {
+  state_->set_ontology(std::move(ontology), std::move(prepared));
 }
 const el::Ontology* Participant::wants_prepared() const { return state_->core.expressions.wanted(); }
 bool Participant::uses_expressions() const { return state_->core.expressions.is_used(); }

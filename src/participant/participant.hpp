@@ -23,8 +23,11 @@ namespace geminga::participant {
 /// Bytes from outside may be anything. No function throws.
 class Participant {
  public:
-  /// Borrows `env` for its life, and `ontology` (null: none is loaded) until the next set_ontology() or its end.
-  Participant(env::Env& env, Settings settings, const el::Ontology* ontology = nullptr);
+  /// What the names of services mean; null: none is loaded.
+  using Ontology = std::shared_ptr<const el::Ontology>;
+
+  /// Borrows `env` for its life.
+  Participant(env::Env& env, Settings settings, Ontology ontology = nullptr);
   /// May come at any time; without a stop() that has ended, the team learns of it by the deadline only.
   ~Participant();
   Participant(const Participant&) = delete;
@@ -62,10 +65,10 @@ class Participant {
 
   /// Takes another ontology, or none. Peers are told what follows: a publication or subscription whose names the new
   /// one does not know gets one error 422 and its events `del reason=changed`, and comes back by itself when a later
-  /// ontology knows them. The earlier ontology is not used any more when this returns. `prepared` is what
-  /// PreparedOntology::make() gave of it, or null; without it, requests for class expressions are out of force until
-  /// on_prepared(), and their peers are told so.
-  void set_ontology(const el::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared = nullptr);
+  /// ontology knows them. What there is to do for a large team is done in later on_timer(), in turns, and another
+  /// ontology that comes meanwhile waits. `prepared` is what PreparedOntology::make() gave of it, or null; without it,
+  /// requests for class expressions are out of force until on_prepared(), and their peers are told so.
+  void set_ontology(Ontology ontology, std::unique_ptr<const PreparedOntology> prepared = nullptr);
   /// The ontology that is to be prepared for class expressions, because one has come; null: none. To be looked at after
   /// each event: who owns the participant prepares it elsewhere, since that is long work, and brings it by
   /// on_prepared(). Statements that need it wait meanwhile, and with them what their clients say behind them.

@@ -1,8 +1,10 @@
 #include "participant/sessions.hpp"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "participant/own_services.hpp"
 #include "participant/telling.hpp"
@@ -56,13 +58,37 @@ Sessions::iterator find_silent(Core& core) {
   return quietest;
 }
 
-bool make_place(Core& core) {
-  const auto silent = find_silent(core);
-  if (silent == core.sessions.end()) return false;
-  core.refuse(*silent->second, 0,
-              {ErrorCode::too_many, "closed: this connection is silent, and another one needs its place"});
+/// The last peer of the user that runs the most, if that is at least two more than `user` does. TCP, which does not
+/// tell who connects, counts as one user.
+Sessions::iterator find_of_greediest(Core& core, std::string_view user) {
+  std::map<std::string_view, std::size_t> peers;
+  for (const auto& [stream, session] : core.sessions) {
+    if (!session->is_leaving) ++peers[session->user];
+  }
+  const auto greediest = std::ranges::max_element(peers, {}, [](const auto& entry) { return entry.second; });
+  const auto own = peers.find(user);
+  const std::size_t least = (own == peers.end() ? 0 : own->second) + 2;
+  if (greediest == peers.end() || greediest->second < least) return core.sessions.end();
+  auto last = core.sessions.end();
+  for (auto one = core.sessions.begin(); one != core.sessions.end(); ++one) {
+    const Session& session = *one->second;
+    if (session.is_leaving || session.user != greediest->first) continue;
+    if (last == core.sessions.end() || last->second->peer() < session.peer()) last = one;
+  }
+  return last;
+}
+
+bool make_place(Core& core, std::string_view user) {
+  auto giving_way = find_silent(core);
+  std::string why = "closed: this connection is silent, and another one needs its place";
+  if (giving_way == core.sessions.end()) {
+    giving_way = find_of_greediest(core, user);
+    why = "closed: nobody on this host has more clients than its user, and another user needs a place";
+  }
+  if (giving_way == core.sessions.end()) return false;
+  core.refuse(*giving_way->second, 0, {ErrorCode::too_many, why});
   ++core.counters.clients_closed;
-  close(core, silent);
+  close(core, giving_way);
   return true;
 }
 
@@ -88,7 +114,7 @@ void open_session(Core& core, env::StreamId stream, std::string_view user) {
     return refuse_connection(core, stream, {ErrorCode::not_ready, "not ready: the daemon is stopping"});
   }
   const std::size_t limit = core.settings.limits.peers;
-  if (core.peer_count() >= limit && !make_place(core)) {
+  if (core.peer_count() >= limit && !make_place(core, user)) {
     return refuse_connection(core, stream,
                              {ErrorCode::too_many, "too many clients: the limit is " + std::to_string(limit)});
   }

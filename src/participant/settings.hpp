@@ -14,7 +14,8 @@ namespace geminga::participant {
 /// Named limits on what comes from local clients. What is over one is answered by 413, 429 or 503 and changes nothing.
 /// The sizes of names, identities and services are those of an announcement (beacon/limits.hpp).
 struct Limits {
-  /// Connected clients. For one more a silent one gives way; where there is none, the new one is told 429 and closed.
+  /// Connected clients. For one more a silent one gives way, else one of the user that runs the most, if that is not
+  /// the new one's; where there is none, the new one is told 429 and closed.
   std::size_t peers = 128;
   /// Publications, and as many subscriptions, of one peer; one more is 429.
   std::size_t services_per_peer = 256;

@@ -14,10 +14,14 @@ using Work = std::uint64_t;
 inline constexpr Work cost_of_statement = 10;
 /// An entry of the registry looked at.
 inline constexpr Work cost_of_entry = 1;
+/// A class that an entry is filed under when an ontology changes, or taken out of.
+inline constexpr Work cost_of_filing = 1;
 /// Whether a publication meets a subscription, its filter included.
 inline constexpr Work cost_of_judgement = 2;
 inline constexpr Work cost_of_answer_line = 10;
 inline constexpr Work cost_of_event = 10;
+/// A name that the ontology does not know: similar ones are looked for.
+inline constexpr Work cost_of_unknown_name = 400;
 /// A class expression that had to be classified.
 inline constexpr Work cost_of_expression = 1000;
 

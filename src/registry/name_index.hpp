@@ -77,11 +77,11 @@ class NameIndex {
   void file(const Stored<Entry>& stored) {
     const Identity& identity = identity_of(stored.entry);
     stored.identity_name = &name(identity, stored.identity);
-    stored.identity_name->same.file(stored);
+    stored.identity_name->same.file(stored, FiledBy::names);
     if (const auto* semantic = std::get_if<SemanticIdentity>(&identity)) {
       const Identity alone = SemanticIdentity{semantic->concept_iri, {}};
       stored.concept_name = &name(alone, id32(alone));
-      stored.concept_name->same_concept.file(stored);
+      stored.concept_name->same_concept.file(stored, FiledBy::names);
     }
   }
 

@@ -18,16 +18,21 @@ namespace geminga::registry {
 template <typename Entry>
 class SemanticIndex {
  public:
+  /// Nothing must be filed.
   void set_class_count(std::size_t count) {
+    for (const auto& buckets : classes_) {
+      GEMINGA_ASSERT(!buckets || (buckets->own.is_empty() && buckets->below.is_empty()));
+    }
     classes_.clear();
     classes_.resize(count);
     classes_.shrink_to_fit();
   }
 
   void file(const Stored<Entry>& stored, const Filing& filing) {
-    if (filing.own) at(*filing.own).own.file(stored);
-    for (const ClassIndex number : filing.further_own) at(number).own.file(stored);
-    for (const ClassIndex number : filing.below) at(number).below.file(stored);
+    const FiledBy by = filed_by(filing.generation);
+    if (filing.own) at(*filing.own).own.file(stored, by);
+    for (const ClassIndex number : filing.further_own) at(number).own.file(stored, by);
+    for (const ClassIndex number : filing.below) at(number).below.file(stored, by);
   }
 
   [[nodiscard]] std::span<const Filed<Entry>> own(ClassIndex number) const {

@@ -2,6 +2,7 @@
 #include "registry/table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/multi_index/hashed_index.hpp>
 #include <boost/multi_index/identity.hpp>
 #include <boost/multi_index/mem_fun.hpp>
@@ -88,7 +89,7 @@ template <typename Entry>
 struct Table<Entry>::Indexes {
   Container<Entry> container;
   NameIndex<Entry> names;
-  SemanticIndex<Entry> classes;
+  std::array<SemanticIndex<Entry>, 2> classes;  ///< by generation
   std::vector<std::uint32_t> free_slots;
   std::uint32_t next_slot = 0;
 
@@ -103,21 +104,32 @@ struct Table<Entry>::Indexes {
     return slot;
   }
 
-  /// The names come first in the filings, so that refile() can tell them from the classes.
+  SemanticIndex<Entry>& of(Generation generation) { return classes[std::to_underlying(generation)]; }
+
   void file(const Stored<Entry>& stored, const Filing& filing) {
-    stored.filings.reserve(2 + 1 + filing.below.size() + filing.further_own.size());
     names.file(stored);
-    classes.file(stored, filing);
+    file_classes(stored, filing);
   }
 
-  static std::size_t name_filings(const Stored<Entry>& stored) { return stored.concept_name == nullptr ? 1 : 2; }
+  void file_classes(const Stored<Entry>& stored, const Filing& filing) {
+    filings_of(stored, filed_by(filing.generation))
+        .reserve(filing.below.size() + filing.further_own.size() + (filing.own ? 1 : 0));
+    of(filing.generation).file(stored, filing);
+  }
 
-  static void unfile(const Stored<Entry>& stored, std::size_t down_to) {
-    while (stored.filings.size() > down_to) {
-      const FiledAt<Entry> last = stored.filings.back();
+  static auto& filings_of(const Stored<Entry>& stored, FiledBy by) { return stored.filings[std::to_underlying(by)]; }
+
+  static void unfile(const Stored<Entry>& stored, FiledBy by) {
+    auto& filings = filings_of(stored, by);
+    while (!filings.empty()) {
+      const FiledAt<Entry> last = filings.back();
       last.bucket->remove(last.position);
-      stored.filings.pop_back();
+      filings.pop_back();
     }
+  }
+
+  static void unfile_all(const Stored<Entry>& stored) {
+    for (const FiledBy by : {FiledBy::names, FiledBy::even_classes, FiledBy::odd_classes}) unfile(stored, by);
   }
 };
 
@@ -143,7 +155,7 @@ template <typename Entry>
 void Table<Entry>::replace(const StoredEntry& stored, Entry entry, const Filing& filing) {
   GEMINGA_ASSERT(stored.entry.key == entry.key);
   const auto at = indexes_->position_of(stored);
-  Indexes::unfile(stored, 0);
+  Indexes::unfile_all(stored);
   indexes_->names.release(stored);
   const bool is_replaced = indexes_->container.modify(at, [&](Element<Entry>& element) {
     element.identity = id32(identity_of(entry));
@@ -161,22 +173,28 @@ void Table<Entry>::refresh(const StoredEntry& stored, base::Instant updated) {
 
 template <typename Entry>
 void Table<Entry>::erase(const StoredEntry& stored) {
-  Indexes::unfile(stored, 0);
+  Indexes::unfile_all(stored);
   indexes_->names.release(stored);
   indexes_->free_slots.push_back(stored.slot);
   indexes_->container.erase(indexes_->position_of(stored));
 }
 
 template <typename Entry>
-void Table<Entry>::set_class_count(std::size_t count) {
-  for (const auto& element : indexes_->container) element.filings.resize(Indexes::name_filings(element));
-  indexes_->classes.set_class_count(count);
+void Table<Entry>::set_class_count(std::size_t count, Generation generation) {
+  indexes_->of(generation).set_class_count(count);
 }
 
 template <typename Entry>
 void Table<Entry>::refile(const StoredEntry& stored, const Filing& filing) {
-  Indexes::unfile(stored, Indexes::name_filings(stored));
-  indexes_->classes.file(stored, filing);
+  unfile(stored, filing.generation);
+  indexes_->file_classes(stored, filing);
+}
+
+template <typename Entry>
+void Table<Entry>::unfile(const StoredEntry& stored, Generation generation) {
+  auto& filings = Indexes::filings_of(stored, filed_by(generation));
+  Indexes::unfile(stored, filed_by(generation));
+  filings.shrink_to_fit();
 }
 
 template <typename Entry>
@@ -210,13 +228,13 @@ std::span<const Filed<Entry>> Table<Entry>::with_concept(std::string_view concep
 }
 
 template <typename Entry>
-std::span<const Filed<Entry>> Table<Entry>::own(ClassIndex number) const {
-  return indexes_->classes.own(number);
+std::span<const Filed<Entry>> Table<Entry>::own(ClassIndex number, Generation generation) const {
+  return indexes_->of(generation).own(number);
 }
 
 template <typename Entry>
-std::span<const Filed<Entry>> Table<Entry>::below(ClassIndex number) const {
-  return indexes_->classes.below(number);
+std::span<const Filed<Entry>> Table<Entry>::below(ClassIndex number, Generation generation) const {
+  return indexes_->of(generation).below(number);
 }
 
 template <typename Entry>

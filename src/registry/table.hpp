@@ -29,6 +29,8 @@ struct Filing {
   /// More classes that it is filed under, none of them `own`, none twice: of a subscription for an expression those
   /// right below it.
   std::span<const ClassIndex> further_own{};
+  /// By whose classes.
+  Generation generation = Generation::even;
 };
 
 /// Entries of one kind, unique by ServiceKey. Resource: neither copied nor moved. Not thread-safe. Spans and vectors of
@@ -45,17 +47,20 @@ class Table {
 
   /// Adds an entry whose key is not there yet. O(log n + filings).
   const StoredEntry& insert(Entry entry, const Filing& filing);
-  /// Puts another entry with the same key into the place of one; its slot and address stay. O(log n + filings).
+  /// Puts another entry with the same key into the place of one; its slot and address stay, and what it was filed by
+  /// of either generation is forgotten. O(log n + filings).
   void replace(const StoredEntry& stored, Entry entry, const Filing& filing);
   /// Says that an entry was heard of again, as it is. O(1).
   void refresh(const StoredEntry& stored, base::Instant updated);
   /// Removes an entry. O(log n + filings), however many entries share its buckets.
   void erase(const StoredEntry& stored);
 
-  /// Empties the semantic index and makes it one for classes [0, count). The entries stay; refile() them.
-  void set_class_count(std::size_t count);
-  /// Files an entry anew in the semantic index.
+  /// Makes the semantic index of a generation, in which nothing must be filed, one for classes [0, count).
+  void set_class_count(std::size_t count, Generation generation = Generation::even);
+  /// Files an entry anew in the semantic index of the filing's generation.
   void refile(const StoredEntry& stored, const Filing& filing);
+  /// Takes an entry out of the semantic index of a generation. O(filings).
+  void unfile(const StoredEntry& stored, Generation generation);
 
   [[nodiscard]] std::size_t size() const;
   [[nodiscard]] const StoredEntry* find(const ServiceKey& key) const;
@@ -68,9 +73,9 @@ class Table {
   /// Entries with this concept and any representation or none. O(1). For concepts that the ontology does not know.
   [[nodiscard]] std::span<const Filed<Entry>> with_concept(std::string_view concept_iri) const;
   /// Entries filed under exactly this class. O(1).
-  [[nodiscard]] std::span<const Filed<Entry>> own(ClassIndex number) const;
+  [[nodiscard]] std::span<const Filed<Entry>> own(ClassIndex number, Generation generation = Generation::even) const;
   /// Entries filed below this class, which for publications includes its own. O(1).
-  [[nodiscard]] std::span<const Filed<Entry>> below(ClassIndex number) const;
+  [[nodiscard]] std::span<const Filed<Entry>> below(ClassIndex number, Generation generation = Generation::even) const;
 
   /// In ascending order of key.
   [[nodiscard]] std::vector<const StoredEntry*> of_participant(ParticipantId participant) const;

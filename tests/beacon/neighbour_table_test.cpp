@@ -41,7 +41,7 @@ TEST(NeighbourTable, TellsProvenanceAndDeadline) {
   EXPECT_EQ(put.peer_name, "vision");
   EXPECT_EQ(put.participant_name, "robot1");
   EXPECT_EQ(put.heard, rig_start);
-  EXPECT_EQ(put.deadline, rig_start + seconds(10));
+  EXPECT_EQ(rig.table.next_deadline(), rig_start + seconds(10));
 }
 
 TEST(NeighbourTable, CallsTheNamelessByTheirNumbers) {

@@ -179,6 +179,24 @@ TEST_F(OntologyLoaderTest, VerifiesAllOfACompiledOntologyOnlyWhereOneIsInForce) 
   EXPECT_TRUE(results[2]);
 }
 
+TEST_F(OntologyLoaderTest, VerifiesACompiledOntologyOnAThreadWhileTheEventLoopServes) {
+  const std::string path = folder / "a.geminga";
+  el::OntologySource source;
+  (void)source.add_file("a.ttl");
+  const std::vector<std::byte> bytes = el::compile(source, el::classify(source).value());
+  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
+  boost::asio::io_context context;
+  OntologyLoader loader(context, compiler("exit 0"));
+  int results = 0;
+  loader.load({path}, {}, [&](const Result& result) { results += result ? 1 : 0; });
+  EXPECT_TRUE(loader.is_at_work());
+  loader.load({path}, {}, [&](const Result& result) { results += result ? 10 : 0; });
+  EXPECT_EQ(results, 0);
+  context.run();
+  EXPECT_EQ(results, 10) << "the one that was given up brings nothing";
+  EXPECT_FALSE(loader.is_at_work());
+}
+
 TEST_F(OntologyLoaderTest, KnowsTheSourcesOfACompiledOntologyFromItsOwnFolder) {
   const fs::path team = folder / "team";
   fs::create_directories(team);

@@ -45,13 +45,30 @@ TEST(Clash, ANumberMeetsTheConceptWhoseHashItIs) {
       matcher.put(request(key(here, 1, 1), asked));
       if (!offer_comes_first) matcher.put(offer(key(2, 1, 7), offered));
       EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p2.1.7 exact 0"));
-      EXPECT_EQ(matcher.match(request(key(here, 1, 1), asked).subscription).size(), 1U);
+      EXPECT_THAT(matched(matcher, request(key(here, 1, 1), asked).subscription), ElementsAre(key(2, 1, 7)));
     }
   }
   Matcher matcher(nullptr);
   matcher.put(offer(key(2, 1, 7), TextIdentity{"a text"}));
   matcher.put(request(key(here, 1, 1), NumericIdentity{id32(TextIdentity{"a text"})}));
   EXPECT_THAT(told(matcher), IsEmpty()) << "a text has no part in this";
+}
+
+TEST(Clash, AProviderThatAClashKeptApartIsNoIncumbentWhenItEnds) {
+  const auto [one, other] = twins();
+  const Identity number = NumericIdentity{id32(one)};
+  Matcher matcher(nullptr);
+  auto apart = offer(key(3, 1, 1), number);
+  apart.publication.protocol = "tcp";
+  matcher.put(apart);
+  matcher.put(offer(key(2, 1, 1), number));
+  matcher.put(request(key(4, 1, 1), other));
+  auto asks = request(key(9, 1, 1), one);
+  asks.subscription.protocols = {"tcp"};
+  matcher.put(asks);
+  // The clash goes with the concept that it asked for, and the limit makes its choice matter here.
+  matcher.put(request(key(9, 1, 1), number, 1));
+  EXPECT_THAT(matcher.chosen(key(9, 1, 1)), ElementsAre(key(2, 1, 1))) << "the smaller key, since nobody was there";
 }
 
 TEST(Clash, TwoConceptsThatShareANumberAreNotConnectedByItAndBothSidesAreTold) {

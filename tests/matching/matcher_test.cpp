@@ -334,16 +334,15 @@ TEST(Matcher, OfAConsumerElsewhereItSaysWhatTheRankingSays) {
   EXPECT_EQ(standing->rival->key, key(2, 1, 1));
 }
 
-TEST(Matcher, ListsWhatMeetsARequestBestFirst) {
+TEST(Matcher, FindsWhatMeetsARequest) {
   Matcher matcher(nullptr);
   matcher.put(offer(key(2, 1, 1), ball, 1));
   matcher.put(offer(key(3, 1, 2), ball, 5));
   matcher.put(offer(key(3, 1, 1), ball, 1));
   matcher.put(offer(key(3, 1, 3), TextIdentity{"goal"}, 9));
-  const auto ranked = matcher.match(request(key(here, 1, 1), ball, 1).subscription);
-  std::vector<ServiceKey> keys;
-  for (const auto& one : ranked) keys.push_back(one.publication->key);
-  EXPECT_THAT(keys, ElementsAre(key(3, 1, 2), key(2, 1, 1), key(3, 1, 1)));
+  const Subscription asked = request(key(here, 1, 1), ball, 1).subscription;
+  EXPECT_THAT(matched(matcher, asked), ElementsAre(key(2, 1, 1), key(3, 1, 1), key(3, 1, 2)));
+  EXPECT_FALSE(matcher.candidates(asked, *matcher.prepare(asked), 2)) << "they are more";
 }
 
 TEST(Matcher, KnowsWhoIsServedAndUsedInTheWholeTeam) {

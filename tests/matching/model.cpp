@@ -28,8 +28,10 @@ bool Model::is_kept_apart(const Identity& offered, const Identity& requested) co
 
 std::optional<Match> Model::meets(const SubscriptionEntry& subscription, const PublicationEntry& publication) const {
   if (is_kept_apart(publication.publication.identity, subscription.subscription.identity)) return std::nullopt;
+  const bool is_former = former.contains(subscription.key);
   return matching::meets(subscription.subscription, requests_.at(subscription.key), publication,
-                         classes_.at(publication.key), ontology);
+                         (is_former ? former_classes_ : classes_).at(publication.key),
+                         is_former ? former_ontology : ontology);
 }
 
 void Model::work_out() {
@@ -43,8 +45,13 @@ void Model::work_out() {
   };
   for (const auto& [key, entry] : publications) note(entry.publication.identity);
   for (const auto& [key, entry] : subscriptions) note(entry.subscription.identity);
-  for (const auto& [key, entry] : publications) classes_[key] = classes_of(entry.publication.identity, ontology);
-  for (const auto& [key, entry] : subscriptions) requests_[key] = prepared(entry.subscription, ontology);
+  for (const auto& [key, entry] : publications) {
+    classes_[key] = classes_of(entry.publication.identity, ontology);
+    former_classes_[key] = classes_of(entry.publication.identity, former_ontology);
+  }
+  for (const auto& [key, entry] : subscriptions) {
+    requests_[key] = prepared(entry.subscription, former.contains(key) ? former_ontology : ontology);
+  }
   for (const auto& [key, subscription] : subscriptions) {
     const auto& incumbents = before[key];
     using Sorted = std::tuple<std::int64_t, Match, bool, ServiceKey>;

@@ -31,6 +31,9 @@ class Model {
   std::map<ServiceKey, registry::PublicationEntry> publications;
   std::map<ServiceKey, registry::SubscriptionEntry> subscriptions;
   const el::Ontology* ontology = nullptr;
+  /// While an ontology changes: the subscriptions that are still judged by the former one.
+  std::set<ServiceKey> former;
+  const el::Ontology* former_ontology = nullptr;
 
   /// Chooses anew for every subscription, with those chosen last time as incumbents.
   void work_out();
@@ -43,6 +46,7 @@ class Model {
  private:
   std::map<ServiceKey, Request> requests_;
   std::map<ServiceKey, Classes> classes_;
+  std::map<ServiceKey, Classes> former_classes_;
   /// Whether one is a number and the other a concept, and the number that of two different concepts.
   [[nodiscard]] bool is_kept_apart(const Identity& offered, const Identity& requested) const;
   std::map<Id32, std::set<Identity>> concepts_;               ///< by their number

@@ -86,14 +86,14 @@ TEST(SemanticMatcher, AnotherOntologyTellsOnlyWhatItChanges) {
   matcher.put(offer(key(2, 1, 1), semantic("OwnBall")));
   matcher.put(offer(key(2, 1, 2), semantic("Ball")));
   EXPECT_EQ(matcher.take_events().size(), 4U);
-  matcher.set_ontology(&other);
+  change_ontology(matcher, &other);
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub del p2.1.2 changed", "p1.1.1 pub modify p2.1.1 narrower 1",
                                          "p1.1.2 pub del p2.1.1 changed", "p1.1.3 pub add p2.1.2 narrower 1"));
-  matcher.set_ontology(&other);
+  change_ontology(matcher, &other);
   EXPECT_THAT(told(matcher), IsEmpty());
-  matcher.set_ontology(nullptr);
+  change_ontology(matcher, nullptr);
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub del p2.1.1 changed", "p1.1.3 pub del p2.1.2 changed"));
-  matcher.set_ontology(&ontology);
+  change_ontology(matcher, &ontology);
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p2.1.2 narrower 1", "p1.1.1 pub add p2.1.1 narrower 2",
                                          "p1.1.2 pub add p2.1.1 narrower 1"));
 }

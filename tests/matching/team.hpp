@@ -2,6 +2,7 @@
 #ifndef GEMINGA_TESTS_MATCHING_TEAM_HPP
 #define GEMINGA_TESTS_MATCHING_TEAM_HPP
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <utility>
@@ -66,10 +67,39 @@ inline std::string word(Change change) {
 /// "p1.1.1 pub add p2.1.7 narrower 2", "p1.1.1 pub del p2.1.7 expired", "p1.1.9 sub add p2.1.8 exact 0".
 inline std::string in_words(const Event& event) {
   const bool is_publication = event.about.index() == 0;
-  std::string words = name(event.to) + (is_publication ? " pub " : " sub ") + word(event.change) +
-                      " " + name(key_of(event));
+  std::string words =
+      name(event.to) + (is_publication ? " pub " : " sub ") + word(event.change) + " " + name(key_of(event));
   if (event.change == Change::del) return words + " " + std::string(to_string(event.reason));
   return words + " " + std::string(to_string(event.match.degree)) + " " + std::to_string(event.match.distance);
+}
+
+/// All steps of the change to another ontology.
+inline void change_ontology(Matcher& matcher, const el::Ontology* next) {
+  matcher.begin_ontology(next);
+  while (matcher.file_next()) {
+  }
+  matcher.put_in_force();
+  while (matcher.rematch_next()) {
+  }
+}
+
+/// All steps that place_again() asks for.
+inline void place_again(Matcher& matcher) {
+  matcher.place_again();
+  while (matcher.rematch_next()) {
+  }
+}
+
+/// The publications that meet a request, in ascending order of key, found as `query match` finds them.
+inline std::vector<ServiceKey> matched(const Matcher& matcher, const Subscription& asked) {
+  const auto request = matcher.prepare(asked);
+  const auto candidates = matcher.candidates(asked, *request, matcher.publication_count());
+  std::vector<ServiceKey> keys;
+  for (const ServiceKey& one : candidates.value_or(keys)) {
+    if (matcher.meets(asked, *request, *matcher.find_publication(one))) keys.push_back(one);
+  }
+  std::ranges::sort(keys);
+  return keys;
 }
 
 inline std::vector<std::string> told(Matcher& matcher) {

@@ -40,19 +40,25 @@ TEST(SemanticIndex, AClassOutsideTheOntologyHasNobody) {
   EXPECT_THAT(keys_of_filed(table.own(1)), IsEmpty());
 }
 
-TEST(SemanticIndex, AnotherOntologyStartsEmptyAndIsFiledAnew) {
+TEST(SemanticIndex, TwoOntologiesAreFiledBesideEachOther) {
   Publications table;
   table.set_class_count(2);
   const std::vector<ClassIndex> both{0, 1};
   const auto& stored = table.insert(offer(key(1, 1, 1), semantic("a")), {0, both});
-  table.set_class_count(3);
-  EXPECT_THAT(keys_of_filed(table.below(1)), IsEmpty());
+  table.set_class_count(3, Generation::odd);
+  EXPECT_THAT(keys_of_filed(table.below(1, Generation::odd)), IsEmpty());
   const std::vector<ClassIndex> last{2};
-  table.refile(stored, {2, last});
-  EXPECT_THAT(keys_of_filed(table.below(2)), ElementsAre(key(1, 1, 1)));
-  EXPECT_THAT(keys_of_filed(table.with_concept("http://example.org/a")), ElementsAre(key(1, 1, 1)));
-  table.refile(stored, {});
+  table.refile(stored, {2, last, {}, Generation::odd});
+  EXPECT_THAT(keys_of_filed(table.below(2, Generation::odd)), ElementsAre(key(1, 1, 1)));
+  EXPECT_THAT(keys_of_filed(table.below(1)), ElementsAre(key(1, 1, 1)));
   EXPECT_THAT(keys_of_filed(table.below(2)), IsEmpty());
+  table.unfile(stored, Generation::even);
+  EXPECT_THAT(keys_of_filed(table.below(1)), IsEmpty());
+  table.set_class_count(0);
+  EXPECT_THAT(keys_of_filed(table.below(2, Generation::odd)), ElementsAre(key(1, 1, 1)));
+  EXPECT_THAT(keys_of_filed(table.with_concept("http://example.org/a")), ElementsAre(key(1, 1, 1)));
+  table.refile(stored, {{}, {}, {}, Generation::odd});
+  EXPECT_THAT(keys_of_filed(table.below(2, Generation::odd)), IsEmpty());
   table.erase(stored);
   EXPECT_THAT(keys_of_filed(table.with_concept("http://example.org/a")), IsEmpty());
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "participant/prepared_ontology.hpp"
+#include "sim/small_ontology.hpp"
 
 namespace geminga::sim {
 
@@ -40,7 +41,7 @@ void Host::switch_on() {
   is_stopping_ = false;
   in_preparation_ = nullptr;
   world_.trace(name_, "on");
-  participant_ = std::make_unique<participant::Participant>(*this, settings, ontology);
+  participant_ = std::make_unique<participant::Participant>(*this, settings, unowned(ontology));
   participant_->start();
   end_of_event();
 }
@@ -86,10 +87,11 @@ void Host::reload(const el::Ontology* another) {
   ++preparing_;
   in_preparation_ = nullptr;
   if (another == nullptr || !participant_->uses_expressions()) {
-    return event([&](participant::Participant& participant) { participant.set_ontology(another); });
+    return event([&](participant::Participant& participant) { participant.set_ontology(unowned(another)); });
   }
-  prepare_for(*another,
-              [this, another] { participant_->set_ontology(another, participant::PreparedOntology::make(*another)); });
+  prepare_for(*another, [this, another] {
+    participant_->set_ontology(unowned(another), participant::PreparedOntology::make(*another));
+  });
 }
 
 void Host::end_of_event() {

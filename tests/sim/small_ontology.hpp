@@ -2,6 +2,7 @@
 #ifndef GEMINGA_SIM_SMALL_ONTOLOGY_HPP
 #define GEMINGA_SIM_SMALL_ONTOLOGY_HPP
 
+#include <memory>
 #include <string_view>
 
 #include "el/ontology.hpp"
@@ -13,6 +14,11 @@ namespace geminga::sim {
 /// `damaged` is `sensors` from a compiled form whose axioms are damaged.
 /// Each lives as long as the program, so that a participant can borrow it. Null for `none`.
 [[nodiscard]] const el::Ontology* small_ontology(std::string_view name);
+
+/// As a participant takes it, of one that outlives the participant.
+[[nodiscard]] inline std::shared_ptr<const el::Ontology> unowned(const el::Ontology* ontology) {
+  return {std::shared_ptr<void>(), ontology};
+}
 
 }  // namespace geminga::sim
 
