@@ -19,6 +19,10 @@ class ReloadTest : public testing::Test {
     host.ontology = sim::small_ontology("soccer");
     host.switch_on();
     world.run_for(milliseconds(200));
+    consumer.on_line = [this](std::string_view line, const gcnp::Statement&) {
+      if (line.find(" pub ") != std::string_view::npos) ++events;
+    };
+    for (sim::Client* one : {&provider, &consumer, &victim}) one->connect(host);
     for (int number = 1; number <= services; ++number) {
       say(provider, number, std::string("pub create mode=otm/stream port=1 concept=soccer:") + kind(number));
       say(consumer, number, std::string("sub create mode=otm/stream concept=soccer:") + wish(number));
@@ -26,15 +30,6 @@ class ReloadTest : public testing::Test {
     world.run_for(milliseconds(50));
     EXPECT_EQ(consumer.view(1).size(), services);
     events = 0;
-  }
-
-  sim::Client& client(const std::string& name) {
-    sim::Client& one = world.add_client(name);
-    one.on_line = [this](std::string_view line, const gcnp::Statement&) {
-      if (line.find(" pub ") != std::string_view::npos) ++events;
-    };
-    one.connect(host);
-    return one;
   }
 
   static void say(sim::Client& who, int number, const std::string& what) {
@@ -62,9 +57,9 @@ class ReloadTest : public testing::Test {
   sim::World world{sim::World::seed_or(1)};
   sim::Host& host = world.add_host("robot1");
   int events = 0;
-  sim::Client& provider = client("provider");
-  sim::Client& consumer = client("consumer");
-  sim::Client& victim = client("victim");
+  sim::Client& provider = world.add_client("provider");
+  sim::Client& consumer = world.add_client("consumer");
+  sim::Client& victim = world.add_client("victim");
 };
 
 TEST_F(ReloadTest, APingWaitsForOneTurnAndNotForTheWholeRegistry) {
