@@ -40,14 +40,16 @@ constexpr std::size_t nodes_a_step = 16;
 
 }  // namespace
 
-void Tableau::Search::find_blocked() {
+/// How many nodes were looked at.
+std::size_t Tableau::Search::find_blocked() {
   // What is older than any change is as it was.
   const NodeId changed = graph_.take_changed();
-  if (changed == none) return;
+  if (changed == none) return 0;
   blockers_.cut(changed);
   blocked_by_.resize(graph_.node_count());
   // Or questions with many nodes would take no steps and no end.
-  steps_ += (graph_.node_count() - std::min<std::size_t>(changed, graph_.node_count())) / nodes_a_step;
+  const std::size_t looked = graph_.node_count() - std::min<std::size_t>(changed, graph_.node_count());
+  steps_ += looked / nodes_a_step;
   for (NodeId node = changed; node < graph_.node_count(); ++node) {
     const Node& one = graph_.node(node);
     const bool is_tree = one.kind == NodeKind::tree;
@@ -67,6 +69,7 @@ void Tableau::Search::find_blocked() {
     blocked_by_[node] = compared(node, blocker);
     if (blocker == none) blockers_.push(node, key);
   }
+  return looked;
 }
 
 /// Whether nothing that was compared when it was blocked has changed. Where individuals change, most of what is under

@@ -73,6 +73,31 @@ std::vector<Tableau::Search::Neighbour> Tableau::Search::counted(const Suspect& 
   return neighbours;
 }
 
+/// Whether more of them than the bound allows are known to differ from each other; if so, unites the reasons into
+/// `dependency`. Each that differs from all that were taken is taken; other sets are not looked at.
+bool Tableau::Search::exceeds(const Bound& bound, std::span<const Neighbour> neighbours, DependencySet& dependency) {
+  if (bound.unless != no_predicate || neighbours.size() <= bound.count) return false;
+  std::vector<NodeId> taken;
+  DependencySet reasons = dependency;
+  for (const Neighbour& one : neighbours) {
+    DependencySet with_this = unite(reasons, one.dependency);
+    const bool differs = std::ranges::all_of(taken, [&](NodeId other) {
+      count_look();
+      const auto [a, b] = std::minmax(one.node, other);
+      const FactId fact = graph_.find(FactKind::unequal, 0, a, b);
+      if (fact != none) with_this = unite(with_this, graph_.fact(fact).dependency);
+      return fact != none;
+    });
+    if (!differs) continue;
+    reasons = with_this;
+    taken.push_back(one.node);
+    if (taken.size() <= bound.count) continue;
+    dependency = reasons;
+    return true;
+  }
+  return false;
+}
+
 void Tableau::Search::check(const Suspect& found) {
   DependencySet dependency = no_dependency;
   const Suspect suspect{graph_.current(found.node, sets_, dependency), found.bound};
@@ -89,6 +114,10 @@ void Tableau::Search::check(const Suspect& found) {
       const DependencySet both = unite(neighbours[0].dependency, neighbours[at].dependency);
       merges_.push_back({neighbours[0].node, neighbours[at].node, unite(dependency, both)});
     }
+    return;
+  }
+  if (exceeds(bound, neighbours, dependency)) {
+    clash(dependency);
     return;
   }
   // A choice waits until all that is certain is derived.

@@ -63,7 +63,7 @@ void Tableau::Search::process(FactId id) {
     }
     case FactKind::at_least:
     case FactKind::data_at_least: {
-      existentials_.push_back({id});
+      note_existential(fact, id);
       const bool is_data = fact.kind == FactKind::data_at_least;
       for (const std::uint32_t of : is_data ? program_.domains().of_data_at_least(fact.predicate)
                                             : program_.domains().of_at_least(fact.predicate)) {

@@ -11,8 +11,10 @@ using clauses::number;
 
 /// Whether a node was added, or a fact.
 bool Tableau::Search::expand() {
-  find_blocked();
-  bool has_expanded = false;
+  // As many are expanded at a time as pay for the look at what is blocked.
+  constexpr std::size_t looked_an_expansion = 64;
+  const std::size_t most = 1 + find_blocked() / looked_an_expansion;
+  std::size_t expanded = 0;
   const std::size_t count = existentials_.size();
   // Without nominals nothing reaches into the models of earlier questions, where what is not done is blocked.
   const std::size_t settled = base_ && !program_.has_nominals() ? base_->existentials : 0;
@@ -23,16 +25,16 @@ bool Tableau::Search::expand() {
     existentials_[at].is_done = true;
     done_.push_back(at);
     if (is_satisfied(fact)) continue;
-    has_expanded = true;
+    ++expanded;
     if (fact.kind == FactKind::at_least) {
       expand_object(fact);
     } else {
       expand_data(fact);
     }
     // What follows from a guess is looked at before more is built on it.
-    if (has_clash_ || is_over_limit() || branches_.size() > base_branches_) break;
+    if (has_clash_ || is_over_limit() || (expanded >= most && branches_.size() > base_branches_)) break;
   }
-  return has_expanded;
+  return expanded > 0;
 }
 
 bool Tableau::Search::is_satisfied(const Fact& fact) {
@@ -86,6 +88,17 @@ void Tableau::Search::expand_object(const Fact& fact) {
     for (NodeId other = first; other < node; ++other) add_unequal(other, node, fact.dependency);
     if (is_over_limit()) return;
   }
+}
+
+/// What can be had without a new node is had at once: a clash that comes of it comes before more is guessed.
+void Tableau::Search::note_existential(const Fact& fact, FactId id) {
+  existentials_.push_back({id});
+  if (fact.kind != FactKind::at_least) return;
+  const clauses::AtLeast& at_least = set_.at_leasts[fact.predicate];
+  const bool is_of_nominal = set_.concepts[number(at_least.filler)].kind == clauses::ConceptKind::nominal;
+  if (at_least.count != 1 || is_of_nominal || !give_to_neighbour(fact)) return;
+  existentials_.back().is_done = true;
+  done_.push_back(static_cast<std::uint32_t>(existentials_.size() - 1));
 }
 
 /// Where a property has at most one value, what must have the filler is the neighbour that is there.

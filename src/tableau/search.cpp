@@ -77,9 +77,9 @@ bool Tableau::Search::saturate() {
 
 void Tableau::Search::branch(std::vector<Choice> alternatives, DependencySet dependency, Suspect suspect) {
   const auto number = static_cast<std::uint32_t>(branches_.size());
-  // What has failed less often comes first.
-  std::ranges::stable_sort(alternatives, {}, [this](const Choice& choice) { return failures_[failure_key(choice)]; });
+  order_by_promise(alternatives);
   const Choice first = alternatives.front();
+  ++record_of(first).tries;
   branches_.push_back({state(), std::move(alternatives), 0, dependency, no_dependency, suspect});
   apply(first, unite(dependency, sets_.single(number)));
   if (suspect.node != none) suspects_.push_back(suspect);
@@ -99,8 +99,9 @@ bool Tableau::Search::go_back() {
     base_branches_ = 0;
   }
   has_failed_ = true;
-  ++failures_[failure_key(branch.alternatives[branch.next])];
+  ++record_of(branch.alternatives[branch.next]).failures;
   const Choice choice = branch.alternatives[++branch.next];
+  ++record_of(choice).tries;
   const Suspect suspect = branch.suspect;
   if (branch.next + 1 < branch.alternatives.size()) {
     apply(choice, unite(branch.dependency, sets_.single(number)));
@@ -153,7 +154,7 @@ void Tableau::Search::reset() {
   base_.reset();
   base_branches_ = 0;
   has_clash_ = false;
-  failures_.clear();
+  records_.clear();
   individuals_.clear();
 }
 

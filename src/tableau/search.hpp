@@ -111,6 +111,11 @@ class Tableau::Search {
     DependencySet failed = no_dependency;      ///< of the alternatives that failed, without this branch
     Suspect suspect{none, none};               ///< to be looked at again whatever is chosen
   };
+  /// How often a kind of choice was tried in this search, and how often it was to blame for a clash.
+  struct Record {
+    std::uint64_t tries = 0;
+    std::uint64_t failures = 0;
+  };
   struct Neighbour {
     NodeId node = 0;
     DependencySet dependency = no_dependency;
@@ -133,15 +138,18 @@ class Tableau::Search {
   }
   void clash(DependencySet dependency);
 
-  // choose.cpp: which disjunction is next
+  // choose.cpp: which disjunction is next, and which of its ways is first
   bool choose();
   bool choose_for_bound();
   void open(const Disjunction& disjunction, Open& result);
   /// Whether what holds excludes the choice; unites the reasons into `dependency`.
   bool is_excluded(const Choice& choice, DependencySet& dependency);
   bool is_excluded(std::uint32_t id, NodeId node, DependencySet& dependency);
-  [[nodiscard]] static std::uint64_t failure_key(const Choice& choice) {
-    return (std::uint64_t{choice.predicate} << 8) | static_cast<std::uint64_t>(choice.kind);
+  bool is_excluded_by_bound(std::uint32_t id, NodeId node, DependencySet& dependency);
+  void order_by_promise(std::vector<Choice>& alternatives);
+  /// Of choices of one kind about one predicate.
+  Record& record_of(const Choice& choice) {
+    return records_[(std::uint64_t{choice.predicate} << 8) | static_cast<std::uint64_t>(choice.kind)];
   }
 
   // questions.cpp
@@ -181,6 +189,7 @@ class Tableau::Search {
   void suspect_filler(std::uint32_t id, NodeId node);
   void suspect(NodeId node, std::uint32_t bound) { suspects_.push_back({node, bound}); }
   void check(const Suspect& suspect);
+  bool exceeds(const Bound& bound, std::span<const Neighbour> neighbours, DependencySet& dependency);
   void check_conditional(const Suspect& suspect, DependencySet dependency);
   [[nodiscard]] bool is_bound(const Suspect& suspect, DependencySet& dependency) const;
   std::vector<Neighbour> counted(const Suspect& suspect);
@@ -200,9 +209,10 @@ class Tableau::Search {
   void expand_data(const Fact& fact);
   [[nodiscard]] bool is_satisfied(const Fact& fact);
   bool give_to_neighbour(const Fact& fact);
+  void note_existential(const Fact& fact, FactId id);
 
   // blocking.cpp
-  void find_blocked();
+  std::size_t find_blocked();
   [[nodiscard]] bool may_block_as_root(const Node& node) const;
   [[nodiscard]] std::uint64_t blocking_key(const Node& node) const;
   [[nodiscard]] bool is_still_blocked(NodeId node) const;
@@ -241,8 +251,7 @@ class Tableau::Search {
   /// Bounds that can be enforced by a choice only.
   std::vector<Suspect> demands_;
   std::size_t next_demand_ = 0;
-  /// How often each kind of choice was to blame for a clash, in this search.
-  std::unordered_map<std::uint64_t, std::uint32_t> failures_;
+  std::unordered_map<std::uint64_t, Record> records_;  ///< see record_of()
   std::vector<Existential> existentials_;
   std::vector<std::uint32_t> done_;
   std::vector<Introduced> introduced_;
