@@ -69,10 +69,11 @@ class Classifier {
     if (saturation->is_over_limit()) {
       return std::unexpected(too_large());
     }
+    if (may_settle_ && !use_inverses(*saturation)) return std::unexpected(too_large());
     if (saturation->is_consistent()) shared_ = find_shared(index_, *saturation, normaliser_.open());
     count(*saturation);
     reduce(*saturation);
-    if (may_settle_ && result_.is_consistent) settle(*saturation);
+    if (may_settle_ && result_.is_consistent) settle();
     classify_all_properties();
     return std::move(result_);
   }
@@ -137,6 +138,20 @@ class Classifier {
     for (const ExprId individual : normaliser_.individuals()) saturation->require(index_.representative(individual));
     saturation->run(options_.threads);
     return saturation;
+  }
+
+  /// Derives what follows through links against their direction, as far as few rounds find it. False over the limit.
+  bool use_inverses(Saturation& saturation) {
+    constexpr int max_rounds_of_inverses = 8;
+    for (int round = 0; saturation.is_consistent(); ++round) {
+      settlement_.emplace(index_, saturation, normaliser_.open(), exprs_);
+      if (round == max_rounds_of_inverses) break;
+      const Copies::Derived derived = settlement_->derived();
+      if (derived.empty()) break;
+      for (const auto& [context, expr] : derived) saturation.conclude(context, expr);
+      if (!saturation.run()) return false;
+    }
+    return true;
   }
 
   [[nodiscard]] ClassifyError too_large() const {
@@ -233,10 +248,9 @@ class Classifier {
   }
 
   /// Where the contexts are a model of what the rules do not use, too, it is used.
-  void settle(const Saturation& saturation) {
-    Settlement settlement(index_, saturation, normaliser_.open(), exprs_);
-    for (const ExprId expr : exprs_) result_.is_settled.push_back(settlement.is_settled(expr));
-    if (!settlement.is_world_settled() || !std::ranges::all_of(result_.is_settled, std::identity())) return;
+  void settle() {
+    for (const ExprId expr : exprs_) result_.is_settled.push_back(settlement_->is_settled(expr));
+    if (!settlement_->is_world_settled() || !std::ranges::all_of(result_.is_settled, std::identity())) return;
     result_.unused.clear();
     result_.counts.used_axioms = result_.counts.axioms;
   }
@@ -291,6 +305,7 @@ class Classifier {
   std::vector<TermId> classes_;
   std::vector<ExprId> exprs_;
   std::vector<ExprId> asked_;
+  std::optional<Settlement> settlement_;
   bool may_settle_ = false;  ///< all that the rules do not use can be tested
   Classification result_;
 };

@@ -124,6 +124,9 @@ class Normaliser {
   void open_count(std::vector<OpenCount>& counts, const OpenCount& count);
   Construct open_inverse(const Property& sub, const Property& super, Construct construct);
 
+  // Inverses (normaliser_inverses.cpp).
+  void mirror_roles();
+
   // One polarity: `use` adds the rules, once, and returns the first construct that has none.
   Construct use_negative(TermId term);
   Construct use_positive(TermId term);

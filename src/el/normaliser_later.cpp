@@ -7,6 +7,7 @@ namespace geminga::el {
 
 Normaliser::Unused Normaliser::finish(Universals universals) {
   Unused unused;
+  mirror_roles();
   use_keys(unused);
   relate_data();
   find_unused_data(unused);

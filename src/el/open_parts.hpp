@@ -37,7 +37,8 @@ struct OpenParts {
   std::vector<OpenUnion> unions;
   std::vector<OpenCount> at_most;
   std::vector<OpenCount> at_least;
-  bool is_more = false;  ///< something is not used that stands in none of these
+  bool is_mirrored = true;  ///< chains of inverses are told of the properties themselves
+  bool is_more = false;     ///< something is not used that stands in none of these
 };
 
 }  // namespace geminga::el

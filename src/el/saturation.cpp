@@ -24,6 +24,8 @@ Saturation::~Saturation() = default;
 
 std::uint32_t Saturation::require(ExprId root) { return workers_.front()->require(root); }
 
+void Saturation::conclude(std::uint32_t context, ExprId expr) { workers_.front()->conclude(context, expr); }
+
 void Saturation::require_nonempty(std::uint32_t context) { workers_.front()->require_nonempty(context); }
 
 const Context* Saturation::find(ExprId root) const {

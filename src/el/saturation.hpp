@@ -70,6 +70,8 @@ class Saturation {
 
   /// Asks for the context of an atom that is its own representative.
   std::uint32_t require(ExprId root);
+  /// Says that what is in a context is in an expression, of which the rules do not find it; for the next run().
+  void conclude(std::uint32_t context, ExprId expr);
   /// Says that a context has an instance in every model.
   void require_nonempty(std::uint32_t context);
   /// Applies rules until none is left to fire, or the ontology is found inconsistent. False over a limit. What is

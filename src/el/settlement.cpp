@@ -2,6 +2,7 @@
 #include "el/settlement.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 namespace geminga::el {
 
@@ -10,6 +11,7 @@ Settlement::Settlement(const Index& index, const Saturation& saturation, const O
     : index_(index),
       saturation_(saturation),
       open_(open),
+      inverses_(index, open.inverses),
       is_failing_(saturation.contexts().size(), false),
       union_of_(saturation.contexts().size(), none),
       roots_(saturation.contexts().size(), Root::unknown),
@@ -17,9 +19,9 @@ Settlement::Settlement(const Index& index, const Saturation& saturation, const O
       above_(index, saturation) {
   for (const ExprId named : classes) is_class_[number(named)] = true;
   index_unions();
-  find_implied();
   find_heard();
   test_contexts();
+  make_copies();
   spread();
 }
 
@@ -32,35 +34,6 @@ bool Settlement::is_settled(ExprId atom) {
   }
   if (saturation_.find(root) == nullptr) return false;
   return is_root_settled(saturation_.number_of(root), 0);
-}
-
-//  R(x,y) says S(x,y) for R <* S, and S(y,x) where an inverse is told
-void Settlement::find_implied() {
-  const Roles& roles = index_.roles();
-  implied_.resize(roles.count());
-  if (open_.inverses.empty()) return;
-  std::vector<std::vector<RoleId>> inverses(roles.count());
-  for (const InverseInclusion& told : open_.inverses) {
-    inverses[static_cast<std::size_t>(told.sub)].push_back(told.super);
-  }
-  for (std::uint32_t role = 0; role < roles.count(); ++role) {
-    std::vector<bool> seen(roles.count() * 2, false);
-    std::vector<Implied> stack;
-    const auto reach = [&](RoleId to, bool is_backward) {
-      const std::size_t at = static_cast<std::size_t>(to) * 2 + (is_backward ? 1 : 0);
-      if (seen[at]) return;
-      seen[at] = true;
-      stack.push_back({to, is_backward});
-      if (is_backward || !roles.is_sub_role(RoleId{role}, to)) implied_[role].push_back({to, is_backward});
-    };
-    reach(RoleId{role}, false);
-    while (!stack.empty()) {
-      const Implied next = stack.back();
-      stack.pop_back();
-      for (const RoleId super : roles.supers(next.role)) reach(super, next.is_backward);
-      for (const RoleId inverse : inverses[static_cast<std::size_t>(next.role)]) reach(inverse, !next.is_backward);
-    }
-  }
 }
 
 void Settlement::find_heard() {
@@ -89,7 +62,7 @@ void Settlement::find_heard() {
       for (const RoleId super : roles.supers(RoleId{role})) {
         if (is_heard_[static_cast<std::size_t>(super)]) set(is_heard_, role);
       }
-      for (const Implied& other : implied_[role]) {
+      for (const ImpliedRole& other : inverses_.implied(RoleId{role})) {
         if (is_heard_[static_cast<std::size_t>(other.role)]) set(is_heard_, role);
       }
       for (const Composition& rule : roles.compositions(RoleId{role})) {
@@ -176,33 +149,98 @@ void Settlement::test_link(std::uint32_t from, RoleId role, std::uint32_t to) {
   if (!is_failing_[from] && !is_implied_satisfied(from, role, to)) fail(from);
 }
 
-/// Whether what inverses say of a link is so.
+/// Whether what inverses say of a link is so, but for what only the copy at its end learns (make_copies()).
 bool Settlement::is_implied_satisfied(std::uint32_t from, RoleId role, std::uint32_t to) {
-  return std::ranges::all_of(implied_[static_cast<std::size_t>(role)], [&](const Implied& implied) {
-    if (!is_heard_[static_cast<std::size_t>(implied.role)]) return true;
-    return implied.is_backward ? is_link_satisfied(to, implied.role, from, true)
-                               : is_link_satisfied(from, implied.role, to, false);
+  const auto implied = inverses_.implied(role);
+  const auto is_heard = [&](const ImpliedRole& other) { return is_heard_[static_cast<std::size_t>(other.role)]; };
+  if (std::ranges::none_of(implied, is_heard)) return true;
+  if (!inverses_.is_known(role) || !open_.is_mirrored) return false;
+  const bool is_fit = std::ranges::all_of(implied, [&](const ImpliedRole& other) {
+    if (!is_heard(other)) return true;
+    return other.is_backward ? is_backward_link_satisfied(to, other.role, from)
+                             : is_link_satisfied(from, other.role, to, false);
   });
+  return is_fit && std::ranges::all_of(inverses_.ranges_of_beginning(role), [&](RoleId heard) {
+           return has_what_is_told(from, index_.representative(index_.range_of(heard)), false);
+         });
+}
+
+/// Whether a link back, from the successor to what it is the successor of, asks nothing new of either; what it lets the
+/// successor learn is not looked at.
+bool Settlement::is_backward_link_satisfied(std::uint32_t from, RoleId role, std::uint32_t to) {
+  if (is_composed_[static_cast<std::size_t>(role)] &&
+      (index_.has_nominals() || index_.has_universals() || !open_.at_most.empty()))
+    return false;
+  return may_be_linked(from, role, to, true);
+}
+
+/// Whether a successor is in all that it learns of its source without growing by it.
+bool Settlement::knows_what_it_learns(std::uint32_t from, RoleId role, std::uint32_t to) {
+  const Context& source = saturation_.contexts()[from];
+  bool knows = true;
+  visit_taught(index_, inverses_.learning(role), std::span(source.propagating.begin(), source.propagating.end()),
+               source.subsumers.items(), [&](ExprId learned) { knows = knows && has_what_is_told(to, learned, true); });
+  return knows;
+}
+
+void Settlement::make_copies() {
+  const auto tells = [&](std::uint32_t role) { return inverses_.tells_end(RoleId{role}); };
+  if (open_.inverses.empty() ||
+      std::ranges::none_of(std::views::iota(0U, static_cast<std::uint32_t>(index_.roles().count())), tells))
+    return;
+  constexpr auto looked_at = static_cast<std::uint8_t>(
+      static_cast<std::uint8_t>(RuleBits::above) | static_cast<std::uint8_t>(RuleBits::links) |
+      static_cast<std::uint8_t>(RuleBits::conjunctions) | static_cast<std::uint8_t>(RuleBits::existentials));
+  std::vector<bool> may_grow(index_.size());
+  for (std::uint32_t id = 0; id < index_.size(); ++id) {
+    may_grow[id] = (index_.rule_bits(ExprId{id}) & ~looked_at) == 0 && index_.universals(ExprId{id}).empty() &&
+                   !index_.is_nominal(ExprId{id}) && unions_of_[id].empty();
+  }
+  for (const auto* counts : {&open_.at_most, &open_.at_least}) {
+    for (const OpenCount& count : *counts) may_grow[number(index_.representative(count.whole))] = false;
+  }
+  copies_.emplace(
+      index_, saturation_, inverses_,
+      Copies::Limits{
+          .may_grow = std::move(may_grow),
+          .growth =
+              [&](std::uint32_t at, ExprId learned) {
+                const Context& context = saturation_.contexts()[at];
+                const bool is_individual = index_.is_nominal(context.root) || !context.nominals.empty();
+                if (!is_individual && context.selfs.empty() && union_of_[at] == none) return Copies::Growth::free;
+                return has_what_is_told(at, learned, true) ? Copies::Growth::not_needed : Copies::Growth::forbidden;
+              },
+          .may_lead_to =
+              [&](std::uint32_t from, RoleId role, std::uint32_t to) {
+                return union_of_[to] == none && !index_.may_be_functional(role) && open_.at_most.empty() &&
+                       !index_.has_nominals() && !index_.has_universals() && is_implied_satisfied(from, role, to);
+              },
+      });
 }
 
 /// Whether a further link between two elements would leave everything as it is. One of them is the successor of the
 /// other by some link: the source, if `is_backward`.
 bool Settlement::is_link_satisfied(std::uint32_t from, RoleId role, std::uint32_t to, bool is_backward) {
+  if (is_composed_[static_cast<std::size_t>(role)] || !may_be_linked(from, role, to, is_backward)) return false;
+  //  y < D   [S some D occurs negatively]; the source must be in S some D
+  const Context& target = saturation_.contexts()[to];
+  return std::ranges::all_of(target.propagating, [&](ExprId filler) {
+    return std::ranges::all_of(index_.existentials(filler), [&](const ExistentialRule& rule) {
+      return !index_.roles().is_sub_role(role, rule.role) || has_what_is_told(from, rule.existential, is_backward);
+    });
+  });
+}
+
+/// The same but for what the source is in because of the link.
+bool Settlement::may_be_linked(std::uint32_t from, RoleId role, std::uint32_t to, bool is_backward) {
   const Roles& roles = index_.roles();
   const Context& source = saturation_.contexts()[from];
-  const Context& target = saturation_.contexts()[to];
-  if (is_composed_[static_cast<std::size_t>(role)] || index_.may_be_functional(role) || from == to) return false;
+  if (index_.may_be_functional(role) || from == to) return false;
   for (const RoleId super : roles.supers(role)) {
     if (index_.negative_self(super) != bottom_expr) return false;  // the two may be one individual
     //  y in E   [E is the range of S]
     const ExprId range = index_.range_of(super);
     if (range != top_expr && !has_what_is_told(to, index_.representative(range), !is_backward)) return false;
-  }
-  //  y < D   [S some D occurs negatively]; the source must be in S some D
-  for (std::uint32_t at = 0; at < target.propagating.size(); ++at) {
-    for (const ExistentialRule& rule : index_.existentials(target.propagating[at])) {
-      if (roles.is_sub_role(role, rule.role) && !has_what_is_told(from, rule.existential, is_backward)) return false;
-    }
   }
   for (const ExprId restricting : source.restricting) {
     for (const UniversalRule& rule : index_.universals(restricting)) {
@@ -212,6 +250,18 @@ bool Settlement::is_link_satisfied(std::uint32_t from, RoleId role, std::uint32_
   return std::ranges::none_of(open_.at_most, [&](const OpenCount& open) {
     return roles.is_sub_role(role, open.role) && is_in(from, open.whole);
   });
+}
+
+void Settlement::spread_to_copies() {
+  if (!copies_) return;
+  std::vector<bool> failing = is_failing_;
+  while (copies_->spread(failing)) {
+    for (std::uint32_t at = 0; at < failing.size(); ++at) {
+      if (failing[at]) fail(at);
+    }
+    follow();
+    failing = is_failing_;
+  }
 }
 
 // What leads to an element that fails has a model only where the element has another.

@@ -4,7 +4,8 @@
 // links; a tree grows from each, whose branches end in the individuals. Where that is a model of the other axioms, too,
 // what was not derived does not follow. So each context is tested for what the other axioms ask of its element, and of
 // what leads to one that fails nothing is known. The test is on the safe side: it takes for failing what it does not
-// look at.
+// look at. What inverses tell successors of what leads to them is looked at in copies of their own (copies.hpp), and
+// what they tell back is derived.
 //
 // What is in a union of which it is in no part can be any of the parts that are in all that it is in. If it is the
 // successor of something, one part suffices that shows that something nothing new; of a class, what is not above all
@@ -14,10 +15,13 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "el/atoms_above.hpp"
+#include "el/copies.hpp"
+#include "el/inverse_roles.hpp"
 #include "el/open_parts.hpp"
 #include "el/rows.hpp"
 #include "el/saturation.hpp"
@@ -34,19 +38,25 @@ class Settlement {
   /// Whether nothing is missing above an atom, if the ontology is consistent.
   [[nodiscard]] bool is_settled(ExprId atom);
   /// Whether everything that must have an instance is settled: then the ontology is consistent.
+  /// What follows from inverses besides what the saturation derived; while there is something, nothing is settled.
+  [[nodiscard]] Copies::Derived derived() const { return copies_ ? copies_->derived() : Copies::Derived{}; }
   [[nodiscard]] bool is_world_settled() const { return is_world_settled_; }
 
  private:
-  void find_implied();
   void find_heard();
   void test_contexts();
   void test_link(std::uint32_t from, RoleId role, std::uint32_t to);
   [[nodiscard]] bool is_implied_satisfied(std::uint32_t from, RoleId role, std::uint32_t to);
+  [[nodiscard]] bool is_backward_link_satisfied(std::uint32_t from, RoleId role, std::uint32_t to);
+  [[nodiscard]] bool knows_what_it_learns(std::uint32_t from, RoleId role, std::uint32_t to);
+  void make_copies();
+  void spread_to_copies();
   [[nodiscard]] bool is_link_satisfied(std::uint32_t from, RoleId role, std::uint32_t to, bool is_backward);
   /// Of what has rules, or is watched.
   [[nodiscard]] bool is_in(std::uint32_t context, ExprId atom) const;
   [[nodiscard]] bool has(std::uint32_t context, ExprId atom, bool is_only_successor);
   [[nodiscard]] bool has_what_is_told(std::uint32_t context, ExprId named, bool is_only_successor);
+  [[nodiscard]] bool may_be_linked(std::uint32_t from, RoleId role, std::uint32_t to, bool is_backward);
   void fail(std::uint32_t context);
   void spread();
   void follow();
@@ -65,15 +75,11 @@ class Settlement {
   const Index& index_;
   const Saturation& saturation_;
   const OpenParts& open_;
-  /// What a link of a role says beyond its super roles.
-  struct Implied {
-    RoleId role{};
-    bool is_backward = false;
-  };
-  std::vector<std::vector<Implied>> implied_;  ///< by role
-  std::vector<bool> is_heard_;                 ///< by role: a rule or a test may tell whether there is a link of it
-  std::vector<bool> is_composed_;              ///< by role: one of a chain whose result is heard
-  std::vector<bool> is_failing_;               ///< by context
+  InverseRoles inverses_;
+  std::optional<Copies> copies_;
+  std::vector<bool> is_heard_;     ///< by role: a rule or a test may tell whether there is a link of it
+  std::vector<bool> is_composed_;  ///< by role: one of a chain whose result is heard
+  std::vector<bool> is_failing_;   ///< by context
   std::vector<std::uint32_t> failing_;
   bool is_world_settled_ = true;
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();

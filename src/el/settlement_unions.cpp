@@ -74,7 +74,7 @@ bool Settlement::can_lead_to_a_part(Link from, std::uint32_t context, unsigned d
   return visit_parts(context, [&](std::uint32_t part) {
     if (union_of_[part] != none) return can_lead_to_a_part(from, part, depth + 1);
     if (is_heard && !is_link_satisfied(from.context, from.role, part, false)) return false;
-    return is_implied_satisfied(from.context, from.role, part);
+    return is_implied_satisfied(from.context, from.role, part) && knows_what_it_learns(from.context, from.role, part);
   });
 }
 
@@ -84,6 +84,7 @@ void Settlement::test_links_to_unions() {
   const auto count = [&] { return static_cast<std::size_t>(std::ranges::count(is_failing_, true)); };
   do {
     follow();
+    spread_to_copies();
     failing = count();
     for (std::uint32_t at = 0; at < union_of_.size(); ++at) {
       if (union_of_[at] == none || is_failing_[at]) continue;

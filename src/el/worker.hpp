@@ -27,6 +27,7 @@ class Worker {
 
   std::uint32_t require(ExprId root);
   void require_nonempty(std::uint32_t context);
+  void conclude(std::uint32_t context, ExprId expr) { add_subsumer(context, expr); }
 
   /// Works through its queue, alone.
   void run_alone();
