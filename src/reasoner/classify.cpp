@@ -50,6 +50,9 @@ class Deepening {
       leave_all_undecided(result_);
       return;
     }
+    is_settled_ = result_.is_settled;
+    is_settled_.resize(result_.class_count(), false);
+    is_plain_.assign(result_.class_count(), false);
     derive(*clauses, options_.alternatives);
     bool is_open = !is_finished();
     if (std::ranges::find(result_.gaps, consequence::alternative_gap) != result_.gaps.end()) {
@@ -80,8 +83,6 @@ class Deepening {
     const NamedConcepts concepts(source_, result_, clauses);
     std::vector<clauses::ConceptId> wanted;
     std::vector<std::uint32_t> classes;
-    is_settled_ = result_.is_settled;
-    is_settled_.resize(result_.class_count(), false);
     for (std::uint32_t of = 0; of < result_.class_count(); ++of) {
       if (is_settled_[of]) continue;
       const auto found = concepts.concept_of(of);
@@ -105,7 +106,6 @@ class Deepening {
     }
     extend(result_, more);
     result_.gaps = closure.gaps;
-    is_plain_.assign(result_.class_count(), false);
     for (std::size_t at = 0; at < classes.size(); ++at) {
       is_settled_[classes[at]] = closure.is_settled[at];
       is_plain_[classes[at]] = closure.is_plain[at];
@@ -115,7 +115,10 @@ class Deepening {
   void search(const clauses::ClauseSet& clauses, const CompletionLimits& limits) {
     Completion completion = complete(source_, {result_, clauses, is_settled_, is_plain_}, options_, limits);
     if (!completion.is_consistent) return contradict(result_, source_);
-    if (!completion.gaps.empty()) note_undecided(completion);
+    if (!completion.gaps.empty()) {
+      note_undecided(completion);
+      if (!completion.is_consistency_open) settle_all_but(result_.undecided.classes);
+    }
     extend(result_, completion.found);
     if (completion.gaps.empty()) {
       result_.gaps.clear();
@@ -136,6 +139,12 @@ class Deepening {
       if (is_open[static_cast<std::size_t>(result_.representative[of])])
         result_.undecided.classes.push_back(el::ClassNumber{of});
     }
+  }
+
+  /// What models have settled need not be derived again.
+  void settle_all_but(const std::vector<el::ClassNumber>& open) {
+    is_settled_.assign(result_.class_count(), true);
+    for (const el::ClassNumber of : open) is_settled_[static_cast<std::size_t>(of)] = false;
   }
 
   /// Where the clauses were exhausted only what is not in them can be missing. Otherwise everything that the fast

@@ -6,6 +6,8 @@
 
 namespace geminga::tableau {
 
+using clauses::number;
+
 namespace {
 
 /// As many open disjunctions are compared before one is taken: few as long as every guess was right, as in most models.
@@ -56,7 +58,8 @@ bool Tableau::Search::choose() {
       apply(one.alternatives.front(), one.dependency);
       return true;
     }
-    if (compared++ == 0 || one.alternatives.size() < best.alternatives.size()) std::swap(one, best);
+    one.failures = has_failed_ ? failures_of(one.alternatives) : 0;
+    if (compared++ == 0 || one.is_before(best)) std::swap(one, best);
   }
   if (compared == 0) return choose_for_bound();
   branch(best.alternatives, best.dependency, {none, none});
@@ -73,6 +76,21 @@ void Tableau::Search::order_by_promise(std::vector<Choice>& alternatives) {
     const std::uint64_t other_risk = (second.failures + 1) * (first.tries + 2);
     return risk != other_risk ? risk < other_risk : burden(one.kind) < burden(other.kind);
   });
+}
+
+/// The fewest ways for each failure that is known of them: one that fails in all of many ways says what is wrong sooner
+/// than many that have two (dom/wdeg: Boussemart, Hemery, Lecoutre, Sais: Boosting systematic search by weighting
+/// constraints, 2004).
+bool Tableau::Search::Open::is_before(const Open& other) const {
+  return alternatives.size() * (1 + other.failures) < other.alternatives.size() * (1 + failures);
+}
+
+std::uint64_t Tableau::Search::failures_of(std::span<const Choice> alternatives) {
+  std::uint64_t failures = 0;
+  for (const Choice& choice : alternatives) {
+    failures += record_of(choice).failures;
+  }
+  return failures;
 }
 
 bool Tableau::Search::choose_for_bound() {
@@ -95,7 +113,7 @@ void Tableau::Search::open(const Disjunction& disjunction, Open& result) {
     Choice choice = choices_[at];
     choice.a = graph_.current(choice.a, sets_, result.dependency);
     choice.b = graph_.current(choice.b, sets_, result.dependency);
-    result.is_done = !graph_.is_active(choice.a) || !graph_.is_active(choice.b) || holds(choice);
+    result.is_done = !graph_.is_active(choice.a) || !graph_.is_active(choice.b) || holds(choice) || derive(choice);
     if (result.is_done) return;
     if (!is_excluded(choice, result.dependency)) result.alternatives.push_back(choice);
   }
@@ -116,7 +134,43 @@ bool Tableau::Search::is_excluded(const Choice& choice, DependencySet& dependenc
   if (choice.kind != ChoiceKind::at_least && !is_data) return false;
   const auto implied = is_data ? program_.domains().of_data_at_least(choice.predicate)
                                : program_.domains().of_at_least(choice.predicate);
-  return std::ranges::any_of(implied, [&](std::uint32_t of) { return is_excluded(of, choice.a, dependency); });
+  if (std::ranges::any_of(implied, [&](std::uint32_t of) { return is_excluded(of, choice.a, dependency); }))
+    return true;
+  return !is_data && is_excluded_by_neighbour(choice, dependency);
+}
+
+/// Where a property has at most one value, the neighbour that is there would have to be in the filler.
+bool Tableau::Search::is_excluded_by_neighbour(const Choice& choice, DependencySet& dependency) {
+  const clauses::AtLeast& at_least = set_.at_leasts[choice.predicate];
+  const auto neighbour = only_neighbour(at_least.role, choice.a);
+  DependencySet reasons = neighbour ? neighbour->dependency : no_dependency;
+  if (!neighbour || !is_excluded(number(at_least.filler), neighbour->node, reasons)) return false;
+  dependency = unite(dependency, reasons);
+  return true;
+}
+
+/// Derives what a choice says where it follows from what is there: an at-least that a neighbour satisfies.
+bool Tableau::Search::derive(const Choice& choice) {
+  if (choice.kind != ChoiceKind::at_least || set_.at_leasts[choice.predicate].count > 1) return false;
+  const clauses::AtLeast& at_least = set_.at_leasts[choice.predicate];
+  const bool is_inverse = at_least.role.is_inverse;
+  for (FactId id = is_inverse ? graph_.node(choice.a).in : graph_.node(choice.a).out; id != none;
+       id = is_inverse ? graph_.fact(id).next_b : graph_.fact(id).next_a) {
+    count_look();
+    const Fact& edge = graph_.fact(id);
+    const NodeId node = is_inverse ? edge.a : edge.b;
+    if (edge.kind != FactKind::role || edge.predicate != number(at_least.role.property) || !graph_.is_active(node))
+      continue;
+    DependencySet dependency = edge.dependency;
+    if (at_least.filler != clauses::thing) {
+      const FactId filler = graph_.find(FactKind::concept_of, number(at_least.filler), node);
+      if (filler == none) continue;
+      dependency = unite(dependency, graph_.fact(filler).dependency);
+    }
+    add_fact(FactKind::at_least, choice.predicate, choice.a, 0, dependency);
+    return true;
+  }
+  return false;
 }
 
 /// Whether a bound that the concept brings is exceeded already.

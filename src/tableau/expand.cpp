@@ -22,19 +22,44 @@ bool Tableau::Search::expand() {
     if (existentials_[at].is_done) continue;
     const Fact fact = graph_.fact(existentials_[at].fact);
     if (!graph_.is_active(fact.a) || graph_.node(fact.a).is_blocked) continue;
-    existentials_[at].is_done = true;
-    done_.push_back(at);
-    if (is_satisfied(fact)) continue;
+    if (!expand(at)) continue;
     ++expanded;
-    if (fact.kind == FactKind::at_least) {
-      expand_object(fact);
-    } else {
-      expand_data(fact);
-    }
     // What follows from a guess is looked at before more is built on it.
     if (has_clash_ || is_over_limit() || (expanded >= most && branches_.size() > base_branches_)) break;
   }
   return expanded > 0;
+}
+
+/// The neighbours of which there may be one at most: what is known of them decides alternatives, which are chosen
+/// after. Each existential is looked at once; what is blocked waits for its turn among all.
+bool Tableau::Search::expand_functional() {
+  if (next_functional_ == existentials_.size()) return false;
+  bool has_expanded = false;
+  bool has_looked = false;
+  while (next_functional_ < existentials_.size() && !has_expanded) {
+    const std::uint32_t at = next_functional_++;
+    const Fact fact = graph_.fact(existentials_[at].fact);
+    if (existentials_[at].is_done || fact.kind != FactKind::at_least || !graph_.is_active(fact.a)) continue;
+    if (!is_functional(set_.at_leasts[fact.predicate].role, fact.a)) continue;
+    if (!has_looked) find_blocked();
+    has_looked = true;
+    has_expanded = !graph_.node(fact.a).is_blocked && expand(at);
+  }
+  return has_expanded;
+}
+
+/// Whether a node was added, or a fact.
+bool Tableau::Search::expand(std::uint32_t at) {
+  const Fact fact = graph_.fact(existentials_[at].fact);
+  existentials_[at].is_done = true;
+  done_.push_back(at);
+  if (is_satisfied(fact)) return false;
+  if (fact.kind == FactKind::at_least) {
+    expand_object(fact);
+  } else {
+    expand_data(fact);
+  }
+  return true;
 }
 
 bool Tableau::Search::is_satisfied(const Fact& fact) {
@@ -101,21 +126,37 @@ void Tableau::Search::note_existential(const Fact& fact, FactId id) {
   done_.push_back(static_cast<std::uint32_t>(existentials_.size() - 1));
 }
 
-/// Where a property has at most one value, what must have the filler is the neighbour that is there.
-bool Tableau::Search::give_to_neighbour(const Fact& fact) {
-  const clauses::AtLeast& at_least = set_.at_leasts[fact.predicate];
-  for (const std::uint32_t id : program_.bounds_of_role(number(at_least.role.property))) {
+bool Tableau::Search::is_functional(clauses::Role role, NodeId node) const {
+  return std::ranges::any_of(program_.bounds_of_role(number(role.property)), [&](std::uint32_t id) {
     const Bound& bound = program_.bound(id);
     const bool is_plain = bound.filler == no_predicate && bound.unless == no_predicate && bound.count == 1;
     DependencySet dependency = no_dependency;
-    if (!is_plain || bound.is_inverse != at_least.role.is_inverse || !is_bound({fact.a, id}, dependency)) continue;
-    const std::vector<Neighbour> neighbours = counted({fact.a, id});
-    if (neighbours.empty()) return false;
-    dependency = unite(unite(dependency, neighbours[0].dependency), fact.dependency);
-    apply({ChoiceKind::concept_of, number(at_least.filler), neighbours[0].node, neighbours[0].node}, dependency);
-    return true;
+    return is_plain && bound.is_inverse == role.is_inverse && is_bound({node, id}, dependency);
+  });
+}
+
+/// The neighbour that is there where there may be at most one.
+std::optional<Tableau::Search::Neighbour> Tableau::Search::only_neighbour(clauses::Role role, NodeId node) {
+  for (const std::uint32_t id : program_.bounds_of_role(number(role.property))) {
+    const Bound& bound = program_.bound(id);
+    const bool is_plain = bound.filler == no_predicate && bound.unless == no_predicate && bound.count == 1;
+    DependencySet dependency = no_dependency;
+    if (!is_plain || bound.is_inverse != role.is_inverse || !is_bound({node, id}, dependency)) continue;
+    const std::vector<Neighbour> neighbours = counted({node, id});
+    if (neighbours.empty()) return std::nullopt;
+    return Neighbour{neighbours[0].node, unite(dependency, neighbours[0].dependency)};
   }
-  return false;
+  return std::nullopt;
+}
+
+/// Where a property has at most one value, what must have the filler is the neighbour that is there.
+bool Tableau::Search::give_to_neighbour(const Fact& fact) {
+  const clauses::AtLeast& at_least = set_.at_leasts[fact.predicate];
+  const auto neighbour = only_neighbour(at_least.role, fact.a);
+  if (!neighbour) return false;
+  apply({ChoiceKind::concept_of, number(at_least.filler), neighbour->node, neighbour->node},
+        unite(neighbour->dependency, fact.dependency));
+  return true;
 }
 
 void Tableau::Search::expand_data(const Fact& fact) {

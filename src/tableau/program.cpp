@@ -227,7 +227,9 @@ void Program::find_disjoint_concepts() {
   const auto is_concept = [](const Atom& atom) { return atom.kind == AtomKind::concept_of && atom.first == centre; };
   const auto look = [&](const Clause& clause) {
     for (const Atom& atom : clause.head) {
-      if (clause.head.size() > 1 && atom.kind == AtomKind::concept_of) is_chosen[atom.predicate] = true;
+      if (clause.head.size() == 1) break;
+      if (atom.kind == AtomKind::concept_of) is_chosen[atom.predicate] = true;
+      if (atom.kind == AtomKind::at_least) is_chosen[number(set_.at_leasts[atom.predicate].filler)] = true;
     }
     if (!std::ranges::all_of(clause.body, is_concept) || !std::ranges::all_of(clause.head, is_concept)) return;
     if (clause.body.size() == 1 && clause.head.size() == 1) {

@@ -12,6 +12,8 @@ namespace {
 
 /// Beyond this the models of earlier questions make room.
 constexpr std::size_t max_kept_nodes = 20'000;
+/// As many choices may be wrong before the search begins again with what it has learnt.
+constexpr std::size_t first_patience = 64;
 
 }  // namespace
 
@@ -86,6 +88,8 @@ Tableau::Search::Outcome Tableau::Search::find_consistency() {
   reset();
   steps_ = told_ = 0;
   has_failed_ = false;
+  wrong_guesses_ = 0;
+  patience_ = first_patience;
   reason_.clear();
   load_facts();
   consistency_ = run();
@@ -125,6 +129,8 @@ Answer Tableau::Search::is_satisfiable(std::vector<clauses::ConceptId> together)
   has_question_ = true;
   steps_ = told_ = 0;
   has_failed_ = false;
+  wrong_guesses_ = 0;
+  patience_ = first_patience;
   reason_.clear();
   ask();
   const Outcome outcome = run();

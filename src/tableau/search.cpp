@@ -39,7 +39,7 @@ Tableau::Search::Outcome Tableau::Search::run() {
       continue;
     }
     if (is_over_limit()) return Outcome::unknown;
-    if (!saturate() || choose() || expand()) continue;
+    if (!saturate() || expand_functional() || choose() || expand()) continue;
     check_keys();
     if (has_clash_ || !merges_.empty()) continue;
     // A model with values of which not all is known is none.
@@ -100,6 +100,11 @@ bool Tableau::Search::go_back() {
   }
   has_failed_ = true;
   ++record_of(branch.alternatives[branch.next]).failures;
+  // A guess that fails now and then among many that hold is no reason.
+  if (++wrong_guesses_ > patience_ + branches_.size() - base_branches_ && number > base_branches_) {
+    begin_again();
+    return true;
+  }
   const Choice choice = branch.alternatives[++branch.next];
   ++record_of(choice).tries;
   const Suspect suspect = branch.suspect;
@@ -116,6 +121,18 @@ bool Tableau::Search::go_back() {
   return true;
 }
 
+/// What was guessed first was guessed without knowing what fails, and is wrong more often than what is guessed now: all
+/// guesses of this question are taken back. Each time the search goes on for longer, so that it ends.
+void Tableau::Search::begin_again() {
+  patience_ *= 2;
+  wrong_guesses_ = 0;
+  const Branch first = std::move(branches_[base_branches_]);
+  branches_.resize(base_branches_);
+  restore(first.state);
+  if (first.suspect.node != none) suspects_.push_back(first.suspect);
+  if (has_question_ && graph_.mark().facts <= question_mark_) ask();
+}
+
 void Tableau::Search::check_values() {
   if (graph_.value_count() == 0) return;
   constexpr std::size_t values_a_step = 4;  // all of them are looked at again
@@ -124,8 +141,9 @@ void Tableau::Search::check_values() {
 }
 
 Tableau::Search::State Tableau::Search::state() const {
-  return {graph_.mark(), processed_,      disjunctions_.size(), next_disjunction_, demands_.size(),
-          next_demand_,  choices_.size(), existentials_.size(), done_.size(),      introduced_.size()};
+  return {graph_.mark(),    processed_,   disjunctions_.size(), next_disjunction_,
+          demands_.size(),  next_demand_, choices_.size(),      existentials_.size(),
+          next_functional_, done_.size(), introduced_.size()};
 }
 
 void Tableau::Search::restore(const State& state) {
@@ -141,6 +159,7 @@ void Tableau::Search::restore(const State& state) {
     done_.pop_back();
   }
   existentials_.resize(state.existentials);
+  next_functional_ = state.next_functional;
   introduced_.resize(state.introduced);
   merges_.clear();
   suspects_.clear();

@@ -73,6 +73,8 @@ class Tableau::Search {
     bool is_done = false;  ///< one holds, or what it is about is gone
     std::vector<Choice> alternatives;
     DependencySet dependency = no_dependency;  ///< of the disjunction and of what excludes the others
+    std::uint64_t failures = 0;                ///< of its alternatives, as far as they are known
+    [[nodiscard]] bool is_before(const Open& other) const;
   };
   struct Existential {
     FactId fact = 0;
@@ -100,6 +102,7 @@ class Tableau::Search {
     std::size_t next_demand = 0;
     std::size_t choices = 0;
     std::size_t existentials = 0;
+    std::uint32_t next_functional = 0;
     std::size_t done = 0;
     std::size_t introduced = 0;
   };
@@ -127,6 +130,7 @@ class Tableau::Search {
   bool saturate();
   void branch(std::vector<Choice> alternatives, DependencySet dependency, Suspect suspect);
   bool go_back();
+  void begin_again();
   [[nodiscard]] State state() const;
   void restore(const State& state);
   void reset();
@@ -142,10 +146,13 @@ class Tableau::Search {
   bool choose();
   bool choose_for_bound();
   void open(const Disjunction& disjunction, Open& result);
+  [[nodiscard]] std::uint64_t failures_of(std::span<const Choice> alternatives);
   /// Whether what holds excludes the choice; unites the reasons into `dependency`.
   bool is_excluded(const Choice& choice, DependencySet& dependency);
   bool is_excluded(std::uint32_t id, NodeId node, DependencySet& dependency);
   bool is_excluded_by_bound(std::uint32_t id, NodeId node, DependencySet& dependency);
+  bool is_excluded_by_neighbour(const Choice& choice, DependencySet& dependency);
+  bool derive(const Choice& choice);
   void order_by_promise(std::vector<Choice>& alternatives);
   /// Of choices of one kind about one predicate.
   Record& record_of(const Choice& choice) {
@@ -205,9 +212,13 @@ class Tableau::Search {
 
   // expand.cpp: at-least
   bool expand();
+  bool expand_functional();
+  bool expand(std::uint32_t at);
   void expand_object(const Fact& fact);
   void expand_data(const Fact& fact);
   [[nodiscard]] bool is_satisfied(const Fact& fact);
+  [[nodiscard]] bool is_functional(clauses::Role role, NodeId node) const;
+  std::optional<Neighbour> only_neighbour(clauses::Role role, NodeId node);
   bool give_to_neighbour(const Fact& fact);
   void note_existential(const Fact& fact, FactId id);
 
@@ -245,14 +256,17 @@ class Tableau::Search {
   std::vector<Choice> choices_;
   std::vector<Disjunction> disjunctions_;
   std::size_t next_disjunction_ = 0;
-  bool has_failed_ = false;  ///< some choice of this question did
-  Open open_;                ///< room of choose()
+  bool has_failed_ = false;        ///< some choice of this question did
+  std::size_t wrong_guesses_ = 0;  ///< since the search began, or began again
+  std::size_t patience_ = 0;       ///< so many more of them than guesses that stand, and it begins again
+  Open open_;                      ///< room of choose()
   Open best_open_;
   /// Bounds that can be enforced by a choice only.
   std::vector<Suspect> demands_;
   std::size_t next_demand_ = 0;
   std::unordered_map<std::uint64_t, Record> records_;  ///< see record_of()
   std::vector<Existential> existentials_;
+  std::uint32_t next_functional_ = 0;
   std::vector<std::uint32_t> done_;
   std::vector<Introduced> introduced_;
   std::vector<Branch> branches_;

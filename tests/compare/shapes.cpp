@@ -115,4 +115,49 @@ el::OntologySource qualified_numbers(std::uint64_t seed) {
   return writer.take();
 }
 
+el::OntologySource features(std::uint64_t seed, std::size_t kinds) {
+  constexpr std::size_t properties = 5;
+  constexpr std::size_t values = 3;
+  base::Random random(seed);
+  Writer writer;
+  const auto has = [&](std::size_t of) { return writer.property("has" + std::to_string(of)); };
+  const auto value = [&](std::size_t of, std::size_t at) {
+    return writer.named("V" + std::to_string(of) + "_" + std::to_string(at));
+  };
+  for (std::size_t of = 0; of < properties; ++of) {
+    const TermId whole = writer.named("V" + std::to_string(of));
+    cover(writer, Covering::all_disjoint, whole, {value(of, 0), value(of, 1), value(of, 2)});
+    writer.add(AxiomKind::functional_object_property, {has(of)});
+    writer.add(AxiomKind::object_property_range, {has(of), whole});
+    writer.add(AxiomKind::sub_class_of,
+               {writer.named("A"), writer.term(TermKind::object_some_values_from, {has(of), whole})});
+  }
+  std::vector<TermId> parts;
+  for (std::size_t at = 0; at < kinds; ++at) {
+    parts.push_back(writer.named("A" + std::to_string(at)));
+    for (std::size_t of = 0; of < properties; ++of) {
+      if (random.chance(0.1)) continue;  // not all is told of all
+      const TermId filler = value(of, random.below(values));
+      writer.add(AxiomKind::sub_class_of,
+                 {parts.back(), writer.term(TermKind::object_some_values_from, {has(of), filler})});
+    }
+  }
+  cover(writer, Covering::all_disjoint, writer.named("A"), parts);
+  for (std::size_t at = 0; at < kinds; ++at) {
+    std::vector<TermId> definition = {writer.named("A")};
+    for (int part = 0; part < 2; ++part) {
+      const std::size_t of = random.below(properties);
+      const std::size_t first = random.below(values);
+      const std::vector<TermId> either = {value(of, first), value(of, (first + 1) % values)};
+      const TermId filler = random.chance(0.5) ? either[0] : writer.term(TermKind::object_union_of, either);
+      definition.push_back(
+          writer.term(random.chance(0.5) ? TermKind::object_all_values_from : TermKind::object_some_values_from,
+                      {has(of), filler}));
+    }
+    writer.add(AxiomKind::equivalent_classes,
+               {writer.named("D" + std::to_string(at)), writer.term(TermKind::object_intersection_of, definition)});
+  }
+  return writer.take();
+}
+
 }  // namespace geminga::compare

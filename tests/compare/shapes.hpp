@@ -24,6 +24,10 @@ enum class Covering : std::uint8_t { disjoint_union, all_disjoint, pairwise_disj
 /// Qualified numbers of the same neighbours over a small tree with covering axioms; the same for the same seed.
 [[nodiscard]] el::OntologySource qualified_numbers(std::uint64_t seed);
 
+/// Disjoint kinds that are told apart by the values of five functional properties, as amino acids are, and as many
+/// classes defined by such values; a thing is of one of the kinds. The same for the same seed.
+[[nodiscard]] el::OntologySource features(std::uint64_t seed, std::size_t kinds);
+
 }  // namespace geminga::compare
 
 #endif

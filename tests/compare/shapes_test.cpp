@@ -6,6 +6,7 @@
 
 #include "compare/functional_syntax.hpp"
 #include "compare/opinions.hpp"
+#include "reasoner/reasoner.hpp"
 
 namespace geminga::compare {
 namespace {
@@ -62,6 +63,26 @@ TEST(QualifiedNumbers, AreUnderstoodByModelsAsByTheTableau) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_agreement(qualified_numbers(seed));
     if (testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(Features, AreUnderstoodByModelsAsByTheTableau) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_agreement(features(seed, 3 + seed % 4));
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(Features, OfManyKindsAreClassifiedInFewSteps) {
+  // Where the one value of a property is known before alternatives are chosen, hardly any guess is wrong.
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    base::Budget budget(1'500'000);
+    const auto found = reasoner::classify(features(seed, 80), {.budget = &budget});
+    ASSERT_TRUE(found.has_value());
+    EXPECT_THAT(found->gaps, IsEmpty()) << "seed " << seed;
+    EXPECT_FALSE(found->is_cut_off) << "seed " << seed << ", " << budget.spent() << " steps";
+    RecordProperty("steps of seed " + std::to_string(seed), std::to_string(budget.spent()));
   }
 }
 
