@@ -118,6 +118,9 @@ Mapping::Mapped Mapping::cardinality(NodeId property, Word constraint, NodeId nu
                                            : is_max ? Kind::object_max_cardinality
                                                     : Kind::object_exact_cardinality);
   const bool is_qualified = constraint >= Word::owl_min_qualified_cardinality;
+  // A draft of OWL 1.1 wrote it so. Whoever does means fewer than the restriction without it says.
+  if (!is_qualified && (on_class != NodeId{} || on_range != NodeId{}))
+    return std::unexpected("owl:onClass or owl:onDataRange beside a cardinality that is not qualified");
   if (!is_qualified) return source_.term(kind, {*on}, *count);
   if (on_class == NodeId{} && on_range == NodeId{})
     return std::unexpected("a qualified cardinality without owl:onClass or owl:onDataRange");

@@ -10,6 +10,8 @@
 namespace geminga::rdf {
 namespace {
 
+constexpr const char* is_obo = "is in OBO format, which is not read: convert it to RDF/XML or Turtle";
+
 enum class Content { empty, xml, owl_xml, html, json, obo, turtle, functional, manchester, wide, packed };
 
 bool is_name_byte(char c) {
@@ -150,7 +152,7 @@ std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::str
     case Content::json:
       return std::unexpected("is in JSON, which is not read: convert it to RDF/XML or Turtle");
     case Content::obo:
-      return std::unexpected("is in OBO format, which is not read: convert it to RDF/XML or Turtle");
+      return std::unexpected(is_obo);
     case Content::manchester:
       return Syntax::manchester;
     case Content::owl_xml:
@@ -172,6 +174,7 @@ std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::str
   if (path.ends_with(".ofn") || path.ends_with(".fss")) return is_not(to_string(Syntax::functional));
   if (path.ends_with(".omn")) return is_not(to_string(Syntax::manchester));
   if (path.ends_with(".owx")) return is_not(to_string(Syntax::owl_xml));
+  if (path.ends_with(".obo")) return std::unexpected(is_obo);
   const bool says_xml = path.ends_with(".rdf") || path.ends_with(".owl") || path.ends_with(".xml");
   if (!says_xml)
     return std::unexpected("has no known extension: name it .ttl, .nt, .rdf, .owl, .xml, .owx, .omn or .ofn");

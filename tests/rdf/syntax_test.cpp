@@ -50,6 +50,8 @@ TEST(Syntax, IsRefusedWithWhatToDo) {
   EXPECT_EQ(words("a.owl", "{ \"@context\": {} }"), "is in JSON, which is not read: convert it to RDF/XML or Turtle");
   EXPECT_EQ(words("a.owl", "format-version: 1.2\n"),
             "is in OBO format, which is not read: convert it to RDF/XML or Turtle");
+  EXPECT_EQ(words("a.obo", "id-mapping: part_of OBO_REL:part_of\n"),
+            "is in OBO format, which is not read: convert it to RDF/XML or Turtle");
   EXPECT_EQ(words("a.owl", " \n"), "is empty");
   EXPECT_EQ(words("a.ofn", ""), "is empty");
   EXPECT_EQ(words("a.ofn", "<http://e/a> a <http://e/B> ."),
