@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "el/source.hpp"
@@ -25,13 +26,21 @@ struct Annotation {
   };
   Of of = Of::name;
   std::uint32_t number = 0;
-  std::string subject{};   ///< of a name: an IRI, or `_:` and a label as OntologySource::anonymous_individual() has it
-  std::string property{};  ///< an IRI
+  std::string subject;   ///< of a name: an IRI, or `_:` and a label as OntologySource::anonymous_individual() has it
+  std::string property;  ///< an IRI
   bool is_literal = false;
-  std::string value{};     ///< an IRI, `_:` and a label, or a lexical form
-  std::string datatype{};  ///< of literals; empty: xsd:string, or one with a language
-  std::string language{};  ///< of literals, in lower case
+  std::string value;     ///< an IRI, `_:` and a label, or a lexical form
+  std::string datatype;  ///< of literals; empty: xsd:string, or one with a language
+  std::string language;  ///< of literals, in lower case
 };
+
+/// One of a name, whose value is still to be told.
+[[nodiscard]] inline Annotation annotation_of(std::string subject, std::string property) {
+  Annotation annotation;
+  annotation.subject = std::move(subject);
+  annotation.property = std::move(property);
+  return annotation;
+}
 
 /// SubAnnotationPropertyOf and its like say with a property what others say with an annotation (mapping to RDF, table
 /// 1): rdfs:subPropertyOf, rdfs:domain or rdfs:range for a word of the functional-style syntax.

@@ -50,8 +50,8 @@ void Parser::annotation(std::string_view subject) {
   const std::string property = iri("the name of an annotation property");
   if (failed()) return;
   ++document_.annotations;
-  el::Annotation read{
-      .number = static_cast<std::uint32_t>(file_), .subject = std::string(subject), .property = property};
+  el::Annotation read = el::annotation_of(std::string(subject), property);
+  read.number = static_cast<std::uint32_t>(file_);
   if (subject == of_ontology) {
     read.of = el::Annotation::Of::ontology;
     read.subject.clear();
@@ -86,9 +86,9 @@ void Parser::annotation_axiom(std::string_view subject, std::string_view word, s
   if (failed()) return;
   ++document_.annotations;
   const std::string of = "AnnotationProperty" + std::string(word.substr(0, word.size() - 1));
-  annotations_.add(
-      {.subject = std::string(subject), .property = el::property_of_annotation_axiom(of), .value = std::move(object)},
-      0);
+  el::Annotation read = el::annotation_of(std::string(subject), el::property_of_annotation_axiom(of));
+  read.value = std::move(object);
+  annotations_.add(std::move(read), 0);
 }
 
 }  // namespace geminga::frames

@@ -27,7 +27,7 @@ bool Parser::annotation() {
   const TokenKind kind = tokens_.token().kind;
   is_read = is_read && annotation_value();
   if (is_read && annotations_.is_wanted()) {
-    el::Annotation read{.property = std::move(property)};
+    el::Annotation read = el::annotation_of({}, std::move(property));
     if (is_of_ontology_ && depth_ == 1) {
       read.of = el::Annotation::Of::ontology;
       read.number = static_cast<std::uint32_t>(file_);
@@ -73,7 +73,7 @@ bool Parser::annotation_assertion() {
   const TokenKind value = tokens_.token().kind;
   if (!annotation_value()) return false;
   if (is_label && !is_of_blank && value == TokenKind::string) source_.add_label(subject, lexical_, language_);
-  if (annotations_.is_wanted()) keep({.subject = std::move(subject), .property = std::move(property)}, value, 0);
+  if (annotations_.is_wanted()) keep(el::annotation_of(std::move(subject), std::move(property)), value, 0);
   return true;
 }
 
@@ -82,7 +82,7 @@ bool Parser::annotation_axiom(std::string_view word) {
   std::string subject(iri_);
   if (!iri("an IRI")) return false;
   if (annotations_.is_wanted())
-    keep({.subject = std::move(subject), .property = el::property_of_annotation_axiom(word)}, TokenKind::full_iri, 0);
+    keep(el::annotation_of(std::move(subject), el::property_of_annotation_axiom(word)), TokenKind::full_iri, 0);
   return true;
 }
 

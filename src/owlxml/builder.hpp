@@ -54,10 +54,10 @@ class Builder final : public Listener {
   struct Operand {
     enum class Kind : std::uint8_t { term, iri, text, annotation } kind = Kind::term;
     el::TermId term{};
-    std::string iri{};       ///< of an entity or an IRI in annotations
-    std::string text{};      ///< of a literal in annotations
-    std::string language{};  ///< of a literal in annotations
-    std::string datatype{};  ///< of a literal in annotations
+    std::string iri;       ///< of an entity or an IRI in annotations
+    std::string text;      ///< of a literal in annotations
+    std::string language;  ///< of a literal in annotations
+    std::string datatype;  ///< of a literal in annotations
   };
 
   // builder.cpp: the document.
@@ -78,8 +78,8 @@ class Builder final : public Listener {
   [[nodiscard]] bool fits(functional::Operand wanted, const Operand& operand) const;
   void add(el::AxiomKind kind, const Open& open);
   void drop_annotations(const Open& open);
-  /// Hands over an annotation with this property and value.
-  void keep(el::Annotation annotation, const Operand& property, const Operand& value, std::size_t level);
+  /// Hands over an annotation with this value.
+  void keep(el::Annotation annotation, const Operand& value, std::size_t level);
 
   // builder_names.cpp: names and literals.
   Refusal entity(const Open& open, std::span<const Attribute> attributes);

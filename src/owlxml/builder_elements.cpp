@@ -159,7 +159,7 @@ Listener::Refusal Builder::end_axiom(const Open& open) {
       if (count != 2) return expected("two names", open, open.first);
       ++document_.annotations;
       if (operands_[open.first].kind != Operand::Kind::iri) break;
-      keep({.subject = operands_[open.first].iri}, {.iri = el::property_of_annotation_axiom(production.word)},
+      keep(el::annotation_of(operands_[open.first].iri, el::property_of_annotation_axiom(production.word)),
            operands_[open.first + 1], 0);
       break;
     default:
@@ -178,9 +178,8 @@ Listener::Refusal Builder::end_axiom(const Open& open) {
   return refusal;
 }
 
-void Builder::keep(el::Annotation annotation, const Operand& property, const Operand& value, std::size_t level) {
+void Builder::keep(el::Annotation annotation, const Operand& value, std::size_t level) {
   if (!annotations_.is_wanted()) return;
-  annotation.property = property.iri;
   annotation.is_literal = value.kind == Operand::Kind::text;
   annotation.value = annotation.is_literal ? value.text : value.iri;
   annotation.datatype = value.datatype;
@@ -193,13 +192,13 @@ Listener::Refusal Builder::end_annotation(const Open& open) {
   drop_annotations(open);
   const bool is_whole = operands_.size() == open.first + 2 && operands_[open.first].kind == Operand::Kind::iri;
   if (!is_whole) return expected("an annotation property and a value", open, open.first);
-  el::Annotation read;
+  el::Annotation read = el::annotation_of({}, operands_[open.first].iri);
   if (open_.size() == 1) {
     read.of = el::Annotation::Of::ontology;
     read.number = static_cast<std::uint32_t>(file_);
   }
   const bool is_in_axiom = open_.size() > 1 && open_[1].production->form != Form::annotation;
-  keep(std::move(read), operands_[open.first], operands_[open.first + 1], open_.size() - (is_in_axiom ? 1 : 0));
+  keep(std::move(read), operands_[open.first + 1], open_.size() - (is_in_axiom ? 1 : 0));
   operands_.resize(open.first);
   ++document_.annotations;
   // Of the ontology it is no operand of anything.
@@ -215,7 +214,7 @@ Listener::Refusal Builder::end_annotation_assertion(const Open& open) {
   const bool is_label = of[0].iri == rdfs_label || of[0].iri == skos_pref_label;
   if (is_label && of[2].kind == Operand::Kind::text && !of[1].iri.starts_with("_:"))
     source_.add_label(of[1].iri, of[2].text, of[2].language);
-  keep({.subject = of[1].iri}, of[0], of[2], 0);
+  keep(el::annotation_of(of[1].iri, of[0].iri), of[2], 0);
   return std::nullopt;
 }
 

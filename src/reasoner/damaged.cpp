@@ -63,7 +63,7 @@ std::vector<Answer> entails_each(el::OntologySource& source, std::span<const std
 }
 
 Answer is_consistent_as_meant(el::OntologySource& source, base::Budget* budget) {
-  const Answer answer = is_consistent(source, budget);
+  Answer answer = is_consistent(source, budget);
   if (answer.verdict != Verdict::yes || source.damaged_count() == 0) return answer;
   std::vector<std::size_t> damaged(source.damaged_count());
   std::iota(damaged.begin(), damaged.end(), 0U);

@@ -148,6 +148,7 @@ class Values {
       const auto value = el::value_of(source_, source_.term(literal));
       if (!value || !value->is_in(type_)) continue;
       std::vector<int> key;
+      key.reserve(splitting_.size() + told.size());
       for (const Datatype type : splitting_) key.push_back(value->is_in(type) ? 1 : 0);
       for (const Number point : told) key.push_back(number < point ? -1 : number > point ? 1 : 0);
       Class& its = classes[key];

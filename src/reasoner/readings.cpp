@@ -35,17 +35,19 @@ class Readings {
     for (const std::uint32_t number : premise) uses_.add(source_.axiom(number), true);
     for (const std::uint32_t number : conclusion) uses_.add(source_.axiom(number), false);
     for (const std::size_t number : damaged_) uses_.add(source_.damaged(number), true);
-    std::vector<DataUse> uses;
     for (std::size_t at = 0; at < damaged_.size(); ++at) {
       // Whoever uses it is not among the properties of the axiom.
       if (source_.damaged(damaged_[at]).kind == AxiomKind::datatype_definition)
         return std::unexpected("the definition of a datatype is damaged");
-      uses.push_back(uses_.of(source_.damaged(damaged_[at])));
       if (!find_slots(at)) return std::unexpected("a bound of a datatype is damaged");
     }
+    if (std::ranges::count_if(slots_, [&](const Slot& slot) { return !is_fact(slot.axiom); }) >
+        static_cast<std::ptrdiff_t>(max_readings))
+      return std::unexpected("there are too many of them");
+    are_facts_ = std::ranges::all_of(slots_, [&](const Slot& slot) { return is_fact(slot.axiom); });
     std::size_t readings = 1;
     for (Slot& slot : slots_) {
-      auto values = values_in(slot, uses[slot.axiom]);
+      auto values = values_in(slot);
       if (!values) return std::unexpected(std::move(values.error()));
       slot.values = std::move(*values);
       readings *= slot.values.size();
@@ -53,6 +55,7 @@ class Readings {
         return std::unexpected("there are more than " + std::to_string(max_readings) + " readings of it");
     }
     std::vector<std::vector<Statement>> all;
+    all.reserve(readings);
     for (std::size_t reading = 0; reading < readings; ++reading) all.push_back(written(reading));
     return all;
   }
@@ -77,9 +80,9 @@ class Readings {
   /// one individual can be exchanged without those of others.
   [[nodiscard]] std::optional<TermId> property_of_facts(const DataUse& use) const {
     std::optional<TermId> property;
-    for (std::size_t axiom = 0; axiom < damaged_.size(); ++axiom) {
-      if (!is_fact(axiom)) return std::nullopt;
-      const TermId its = source_.damaged(damaged_[axiom]).arguments[0];
+    if (!are_facts_) return std::nullopt;
+    for (const std::size_t number : damaged_) {
+      const TermId its = source_.damaged(number).arguments[0];
       if (!use.facts.contains(its)) continue;
       if (property && *property != its) return std::nullopt;
       property = its;
@@ -87,16 +90,27 @@ class Readings {
     return use.is_key ? std::nullopt : property;
   }
 
-  std::expected<std::vector<TermId>, std::string> values_in(const Slot& slot, const DataUse& use) {
+  /// The facts of one property with literals of one datatype have the same values, and may be many.
+  std::expected<std::vector<TermId>, std::string> values_in(const Slot& slot) {
+    const el::Axiom axiom = source_.damaged(damaged_[slot.axiom]);
+    const TermId datatype = source_.term(slot.literal).arguments[0];
+    if (!is_fact(slot.axiom)) return values_in(uses_.of(axiom), datatype);
+    const std::pair key{axiom.arguments[0], datatype};
+    if (const auto known = values_.find(key); known != values_.end()) return known->second;
+    auto values = values_in(uses_.of(axiom), datatype);
+    if (values) values_.emplace(key, *values);
+    return values;
+  }
+
+  std::expected<std::vector<TermId>, std::string> values_in(const DataUse& use, TermId type) {
     Distinctions distinctions{use.datatypes, use.literals, use.facets};
     std::set<TermId> taken;
     const std::optional<TermId> alone = property_of_facts(use);
     for (const auto& [property, literals] : use.facts)
       (alone == property ? taken : distinctions.literals).insert(literals.begin(), literals.end());
-    const bool are_facts = std::ranges::all_of(slots_, [&](const Slot& one) { return is_fact(one.axiom); });
-    const std::size_t alike = use.is_counted || !are_facts ? slots_.size() : 1;
+    const std::size_t alike = use.is_counted || !are_facts_ ? slots_.size() : 1;
     if (alike > max_alike) return std::unexpected("there are " + std::to_string(alike) + " of them");
-    const std::string datatype(source_.name_of(source_.term(slot.literal).arguments[0]));
+    const std::string datatype(source_.name_of(type));
     return values_of(source_, datatype, distinctions, taken, alike);
   }
 
@@ -125,6 +139,7 @@ class Readings {
     const el::Term term = source_.term(id);
     const std::vector<TermId> parts(term.arguments.begin(), term.arguments.end());
     std::vector<TermId> arguments;
+    arguments.reserve(parts.size());
     for (const TermId part : parts) arguments.push_back(mended(part, meanings));
     const TermId made = source_.term(term.kind, arguments, term.number);
     meanings.emplace(id, made);
@@ -135,6 +150,8 @@ class Readings {
   std::span<const std::size_t> damaged_;
   DataUses uses_;
   std::vector<Slot> slots_;
+  bool are_facts_ = false;                                           ///< all damaged axioms are facts
+  std::map<std::pair<TermId, TermId>, std::vector<TermId>> values_;  ///< of facts: by property and datatype
 };
 
 }  // namespace

@@ -112,6 +112,19 @@ TEST(DamagedLiteral, HasAsManyReadingsAsTheLimitAllows) {
   }
 }
 
+TEST(DamagedLiteral, MayStandInManyFactsWhereNobodyCountsTheirValues) {
+  const auto facts = [](int count) {
+    std::string text = "DataPropertyRange(d:p x:integer)\n";
+    for (int fact = 0; fact < count; ++fact)
+      text += "DataPropertyAssertion(d:p i:a" + std::to_string(fact) + " \"x\"^x:integer)\n";
+    return text;
+  };
+  EXPECT_EQ(asked(facts(500), "SubClassOf(A B)"), "no");
+  const std::string counted = "FunctionalDataProperty(d:p)\n";
+  EXPECT_EQ(asked(facts(3) + counted, "SubClassOf(A B)"), "no") << "27 readings";
+  EXPECT_EQ(asked(facts(4) + counted, "SubClassOf(A B)"), "open") << "256 readings";
+}
+
 TEST(DamagedLiteral, LeavesConsistencyOpenOnlyWhereItMattersToIt) {
   const auto verdict = [](std::string_view text) {
     el::OntologySource source;

@@ -15,11 +15,12 @@ std::expected<el::Document, el::ReadError> Readers::read(rdf::Syntax syntax, std
                                                          std::vector<el::Annotation>& annotations) {
   std::vector<el::Annotation>* wanted = keeps_annotations_ ? &annotations : nullptr;
   auto document = read_axioms(syntax, bytes, file, source, wanted);
-  if (wanted != nullptr && document && !document->version_iri.empty())
-    wanted->push_back({.of = el::Annotation::Of::ontology,
-                       .number = static_cast<std::uint32_t>(file),
-                       .property = "http://www.w3.org/2002/07/owl#versionIRI",
-                       .value = document->version_iri});
+  if (wanted != nullptr && document && !document->version_iri.empty()) {
+    el::Annotation& version = wanted->emplace_back(el::annotation_of({}, "http://www.w3.org/2002/07/owl#versionIRI"));
+    version.of = el::Annotation::Of::ontology;
+    version.number = static_cast<std::uint32_t>(file);
+    version.value = document->version_iri;
+  }
   return document;
 }
 
