@@ -22,27 +22,33 @@ void Matcher::put(registry::SubscriptionEntry entry, Telling telling) { state_->
 
 bool Matcher::remove_publication(const ServiceKey& key, Reason reason) {
   const StoredPublication* stored = state_->publications_.find(key);
-  if (stored == nullptr) return false;
+  if (stored == nullptr || state_->is_going(*stored)) return false;
   state_->remove({stored}, {}, reason);
   return true;
 }
 
 bool Matcher::remove_subscription(const ServiceKey& key, Reason reason) {
   const StoredSubscription* stored = state_->subscriptions_.find(key);
-  if (stored == nullptr) return false;
+  if (stored == nullptr || state_->is_going(*stored)) return false;
   state_->remove({}, {stored}, reason);
   return true;
 }
 
 void Matcher::remove_peer(ParticipantId participant, PeerId peer, Reason reason) {
-  state_->remove(state_->publications_.of_peer(participant, peer), state_->subscriptions_.of_peer(participant, peer),
-                 reason);
+  auto publications = state_->publications_.of_peer(participant, peer);
+  auto subscriptions = state_->subscriptions_.of_peer(participant, peer);
+  std::erase_if(publications, [&](const StoredPublication* one) { return state_->is_going(*one); });
+  std::erase_if(subscriptions, [&](const StoredSubscription* one) { return state_->is_going(*one); });
+  state_->remove(publications, subscriptions, reason);
 }
 
-void Matcher::remove_participant(ParticipantId participant, Reason reason) {
-  state_->remove(state_->publications_.of_participant(participant), state_->subscriptions_.of_participant(participant),
-                 reason);
+void Matcher::begin_departure(ParticipantId participant, Reason reason) {
+  state_->begin_departure(participant, reason);
 }
+
+bool Matcher::depart_next() { return state_->depart_next(); }
+
+bool Matcher::is_departing() const { return !state_->departures_.empty(); }
 
 void Matcher::begin_ontology(const el::Ontology* next) { state_->begin_ontology(next); }
 

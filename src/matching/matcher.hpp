@@ -66,9 +66,15 @@ class Matcher {
   /// Removes one; false where there was none.
   bool remove_publication(const ServiceKey& key, Reason reason);
   bool remove_subscription(const ServiceKey& key, Reason reason);
-  /// Removes all of a peer, or all of a participant.
+  /// Removes all of a peer.
   void remove_peer(ParticipantId participant, PeerId peer, Reason reason);
-  void remove_participant(ParticipantId participant, Reason reason);
+  /// Begins to remove all of a participant, which depart_next() does in steps; everything else may go on between them,
+  /// but that nothing with such a key may be put or removed until it is over. From here on none of it meets anything;
+  /// what was told of it is told off step by step, all that one subscription loses at once.
+  void begin_departure(ParticipantId participant, Reason reason);
+  /// False: no departure was left to do.
+  [[nodiscard]] bool depart_next();
+  [[nodiscard]] bool is_departing() const;
   /// Begins to put another ontology, or none, in the place of the one in force. That is work over the whole registry,
   /// and is done in steps between which everything else may go on:
   ///
@@ -127,7 +133,7 @@ class Matcher {
   [[nodiscard]] std::optional<Match> given(const ServiceKey& subscription, const ServiceKey& publication) const;
   /// How many pairs were judged since the start: what matching has cost.
   [[nodiscard]] std::uint64_t judged() const;
-  /// How many places in the index were given or taken by changes since the start.
+  /// How many places in the index were given or taken since the start, and what was looked at for that.
   [[nodiscard]] std::uint64_t filed() const;
   [[nodiscard]] const registry::PublicationEntry* find_publication(const ServiceKey& key) const;
   [[nodiscard]] const registry::SubscriptionEntry* find_subscription(const ServiceKey& key) const;

@@ -80,8 +80,9 @@ bool Matcher::State::rematch_next() {
 void Matcher::State::rematch(const StoredSubscription& subscription) {
   begin_cause();
   subscriptions_.unfile(subscription, of(subscription).generation);
-  auto& known = of(subscription).request.classes = prepare(subscription.entry).classes;
   of(subscription).generation = in_force_.generation;
+  if (of(subscription).is_leaving) return;
+  auto& known = of(subscription).request.classes = prepare(subscription.entry).classes;
   const FilingPlan plan = FilingPlan::of_subscription(known, subscription.entry.subscription.weakest, in_force_);
   subscriptions_.refile(subscription, plan.filing());
   filed_ += 1 + plan.size();

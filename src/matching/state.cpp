@@ -14,6 +14,7 @@ using registry::SubscriptionEntry;
 std::optional<Match> Matcher::State::meets(const StoredSubscription& subscription,
                                            const StoredPublication& publication) const {
   const Edition& edition = edition_of(subscription);
+  if (of_publication_[publication.slot].leaves || of_subscription_[subscription.slot].is_leaving) return std::nullopt;
   return meet(subscription.entry.subscription, of_subscription_[subscription.slot].request, publication.entry,
               classes(publication, edition), edition);
 }
@@ -21,7 +22,7 @@ std::optional<Match> Matcher::State::meets(const StoredSubscription& subscriptio
 std::optional<Match> Matcher::State::meets(const Subscription& asked, const Request& request,
                                            const PublicationEntry& publication) const {
   const StoredPublication* stored = publications_.find(publication.key);
-  if (stored == nullptr) return std::nullopt;
+  if (stored == nullptr || of_publication_[stored->slot].leaves) return std::nullopt;
   return meet(asked, request, stored->entry, classes(*stored, in_force_), in_force_);
 }
 
@@ -78,8 +79,12 @@ const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const S
 }
 
 void Matcher::State::put(PublicationEntry entry) {
-  begin_cause();
   const StoredPublication* known = publications_.find(entry.key);
+  if (known != nullptr && of(*known).leaves) {
+    finish_departures();
+    known = nullptr;
+  }
+  begin_cause();
   if (known != nullptr && known->entry.is_local != entry.is_local) {
     remove({known}, {}, Reason::changed);
     known = nullptr;
@@ -109,8 +114,12 @@ void Matcher::State::put(PublicationEntry entry) {
 }
 
 void Matcher::State::put(SubscriptionEntry entry, Telling telling) {
-  begin_cause();
   const StoredSubscription* known = subscriptions_.find(entry.key);
+  if (known != nullptr && of(*known).is_leaving) {
+    finish_departures();
+    known = nullptr;
+  }
+  begin_cause();
   if (known != nullptr && known->entry.is_local != entry.is_local) {
     remove({}, {known}, Reason::changed);
     known = nullptr;
@@ -139,7 +148,8 @@ void Matcher::State::put(SubscriptionEntry entry, Telling telling) {
 void Matcher::State::remove(const std::vector<const StoredPublication*>& publications,
                             const std::vector<const StoredSubscription*>& subscriptions, Reason reason) {
   begin_cause();
-  for (const auto* publication : publications) of(*publication).is_leaving = true;
+  for (const auto* publication : publications) of(*publication).leaves = reason;
+  for (const auto* subscription : subscriptions) of(*subscription).is_leaving = true;
   for (const auto* subscription : subscriptions) forget(*subscription, reason);
   std::vector<const StoredSubscription*> concerned;
   for (const auto* publication : publications) {
@@ -149,24 +159,27 @@ void Matcher::State::remove(const std::vector<const StoredPublication*>& publica
     }
     of(*publication).considered_by.clear();
   }
+  filed_ += concerned.size();
   order_by_key(concerned);
   for (const auto* subscription : concerned) settle(*subscription);
-  std::set<Id32> numbers;  // of those whose going may end a clash
-  const auto note = [&](Id32 number) {
-    if (clashing_.contains(number)) numbers.insert(number);
-  };
-  for (const auto* publication : publications) {
-    note(publication->identity);
-    publications_.erase(*publication);
-  }
-  for (const auto* subscription : subscriptions) {
-    note(subscription->identity);
-    of(*subscription) = {};
-    subscriptions_.erase(*subscription);
-  }
+  std::set<Id32> numbers;
+  for (const auto* publication : publications) erase(*publication, numbers);
+  for (const auto* subscription : subscriptions) erase(*subscription, numbers);
   begin_cause();
   for (const Id32 number : numbers) judge_anew(review(number, nullptr));
   relieve();
+}
+
+void Matcher::State::erase(const StoredPublication& publication, std::set<Id32>& numbers) {
+  if (clashing_.contains(publication.identity)) numbers.insert(publication.identity);
+  filed_ += 1 + publication.filings[std::to_underlying(registry::filed_by(in_force_.generation))].size();
+  publications_.erase(publication);
+}
+
+void Matcher::State::erase(const StoredSubscription& subscription, std::set<Id32>& numbers) {
+  if (clashing_.contains(subscription.identity)) numbers.insert(subscription.identity);
+  of(subscription) = {};
+  subscriptions_.erase(subscription);
 }
 
 void Matcher::State::forget(const StoredSubscription& subscription, Reason reason) {
@@ -209,7 +222,7 @@ void Matcher::State::judge(const StoredSubscription& subscription, const StoredP
   const auto known = considered_by.find(subscription.slot);
   if (!match) {
     if (known == considered_by.end()) return;
-    choice.withdraw(known->second, Reason::changed);
+    choice.withdraw(known->second, of(publication).leaves.value_or(Reason::changed));
     considered_by.erase(known);
     return;
   }
@@ -240,7 +253,7 @@ void Matcher::State::refill(const StoredSubscription& subscription) {
   visit_publications(publications_, asked.identity, of(subscription).request.classes, asked.weakest,
                      edition_of(subscription), [&](const StoredPublication& publication) {
                        auto& known = of(publication);
-                       if (known.is_leaving || known.considered_by.contains(subscription.slot)) return false;
+                       if (known.leaves || known.considered_by.contains(subscription.slot)) return false;
                        judge(subscription, publication);
                        return false;
                      });
@@ -256,6 +269,7 @@ std::vector<Ranked> Matcher::State::match(const Subscription& asked, const Reque
   std::vector<Ranked> ranked;
   visit_publications(publications_, asked.identity, request.classes, asked.weakest, in_force_,
                      [&](const StoredPublication& publication) {
+                       if (of_publication_[publication.slot].leaves) return false;
                        const auto match =
                            meet(asked, request, publication.entry, classes(publication, in_force_), in_force_);
                        if (match) ranked.push_back({&publication.entry, *match});
@@ -274,7 +288,8 @@ bool Matcher::State::is_served(const SubscriptionEntry& subscription) const {
   visit_publications(
       publications_, asked.identity, request.classes, asked.weakest, in_force_,
       [&](const StoredPublication& publication) {
-        served = meet(asked, request, publication.entry, classes(publication, in_force_), in_force_).has_value();
+        served = !of_publication_[publication.slot].leaves &&
+                 meet(asked, request, publication.entry, classes(publication, in_force_), in_force_).has_value();
         return served;
       });
   return served;

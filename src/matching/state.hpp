@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -52,6 +53,8 @@ class Matcher::State {
   /// Removes all of these at once, so that nothing that is about to go takes another's place.
   void remove(const std::vector<const registry::StoredPublication*>& publications,
               const std::vector<const registry::StoredSubscription*>& subscriptions, Reason reason);
+  void begin_departure(ParticipantId participant, Reason reason);
+  [[nodiscard]] bool depart_next();
   void begin_ontology(const el::Ontology* next);
   [[nodiscard]] bool file_next();
   void put_in_force();
@@ -82,17 +85,35 @@ class Matcher::State {
   mutable std::uint64_t judged_ = 0;
   std::uint64_t filed_ = 0;
 
+  /// Whether it is about to be erased.
+  [[nodiscard]] bool is_going(const registry::StoredPublication& stored) const {
+    return of_publication_[stored.slot].leaves.has_value();
+  }
+  [[nodiscard]] bool is_going(const registry::StoredSubscription& stored) const {
+    return of_subscription_[stored.slot].is_leaving;
+  }
+
+  /// What is left of a departure. What is in it is judged as if it were gone already.
+  struct Departure {
+    std::vector<const registry::StoredPublication*> publications;
+    std::vector<const registry::StoredSubscription*> subscriptions;
+    Reason reason = Reason::withdrawn;
+    std::set<Id32> numbers;  ///< clashing ones of those that were erased
+  };
+  std::deque<Departure> departures_;
+
  private:
   struct OfPublication {
     std::array<Classes, 2> classes;               ///< by generation
     std::map<std::uint32_t, Rank> considered_by;  ///< by the slot of the subscription whose candidate it is
-    bool is_leaving = false;
+    std::optional<Reason> leaves;                 ///< it is about to be erased, for this reason
   };
   struct OfSubscription {
     const registry::StoredSubscription* stored = nullptr;
     Request request;
     Choice choice;
     registry::Generation generation = registry::Generation::even;  ///< of the ontology that it is judged by
+    bool is_leaving = false;                                       ///< it is about to be erased
   };
   /// How far the change to another ontology is. A subscription is judged by one ontology at any time, and filed in its
   /// index alone; what is offered is known by both from the beginning of `filing` to the end of `rematching`.
@@ -115,6 +136,13 @@ class Matcher::State {
   [[nodiscard]] bool is_known_by_both() const { return stage_ == Stage::filing || stage_ == Stage::rematching; }
   /// Looks up what is offered in an ontology, and files it by that.
   void file(const registry::StoredPublication& stored, const Edition& edition);
+  /// For somebody who comes back before his departure is over.
+  void finish_departures() {
+    while (depart_next()) {
+    }
+  }
+  void erase(const registry::StoredPublication& publication, std::set<Id32>& numbers);
+  void erase(const registry::StoredSubscription& subscription, std::set<Id32>& numbers);
   /// Judges a subscription by the ontology in force, after it was filed by it.
   void rematch(const registry::StoredSubscription& subscription);
   [[nodiscard]] bool unfile_next();

@@ -46,7 +46,7 @@ void Matcher::State::tell_consumer(Change change, const StoredSubscription& subs
 
 void Matcher::State::tell_provider(Change change, const StoredSubscription& subscription,
                                    const StoredPublication& publication, Match match, Reason reason) {
-  if (!publication.entry.is_local || of(publication).is_leaving) return;
+  if (!publication.entry.is_local || of(publication).leaves) return;
   const bool is_over = change == Change::del;
   const ChannelMode mode = is_over ? as_told(publication).publication.mode : publication.entry.publication.mode;
   if (mode == ChannelMode::one_to_many_stream) return;

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "beacon/neighbour_table.hpp"
@@ -15,6 +16,7 @@
 #include "participant/contest.hpp"
 #include "participant/counters.hpp"
 #include "participant/expressions.hpp"
+#include "participant/neighbour_queue.hpp"
 #include "participant/ontology_change.hpp"
 #include "participant/ontology_state.hpp"
 #include "participant/ontology_watch.hpp"
@@ -49,6 +51,7 @@ struct Core {
   Expressions expressions;
   matching::Matcher matcher;
   beacon::NeighbourTable neighbours;
+  NeighbourQueue neighbour_queue;
   Counters counters;
   Contest contest;
   Phase phase = Phase::created;
@@ -57,6 +60,8 @@ struct Core {
   base::Instant started{};
   std::map<env::StreamId, std::unique_ptr<Session>> sessions;
   std::uint32_t next_peer = 1;
+  /// Our own requests that are to be entered under the identifier that is held now; the next one last.
+  std::vector<std::pair<env::StreamId, std::uint32_t>> returning;
   /// Something that is announced is not what was announced last.
   bool is_changed = false;
   std::function<std::vector<gcnp::Parameter>()> status_source;

@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "beacon/codec.hpp"
+#include "participant/own_services.hpp"
+#include "participant/telling.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -45,14 +47,47 @@ struct Feed {
     matcher.remove_subscription(gone.key, reason_of(gone.reason));
   }
   void operator()(const beacon::RemoveParticipant& gone) const {
-    matcher.remove_participant(gone.participant, reason_of(gone.reason));
+    matcher.begin_departure(gone.participant, reason_of(gone.reason));
   }
 };
 
+/// One of our own requests, under the identifier that is held now.
+void return_next(Core& core) {
+  const auto [stream, number] = core.returning.back();
+  core.returning.pop_back();
+  const auto session = core.sessions.find(stream);
+  if (session == core.sessions.end() || session->second->is_leaving) return;
+  core.worked += cost_of_statement;
+  return_one(core, *session->second, number);
+}
+
+void feed_next(Core& core) {
+  if (core.matcher.depart_next()) return;
+  if (!core.returning.empty()) return return_next(core);
+  beacon::Change change = core.neighbour_queue.pop();
+  std::visit(Feed{core.matcher}, change);
+}
+
 }  // namespace
 
+bool is_feed_due(const Core& core) {
+  return core.matcher.is_departing() || !core.returning.empty() || !core.neighbour_queue.is_empty();
+}
+
+void proceed_feed(Core& core, Work most) {
+  const Work begin = core.work();
+  while (is_feed_due(core) && core.work() - begin < most) {
+    feed_next(core);
+    deliver_events(core);
+    core.worked += cost_of_entry;
+  }
+}
+
 void feed(Core& core) {
-  for (beacon::Change& change : core.neighbours.take_changes()) std::visit(Feed{core.matcher}, change);
+  const bool is_behind = is_feed_due(core);
+  for (beacon::Change& change : core.neighbours.take_changes()) core.neighbour_queue.push(std::move(change));
+  // Who is behind already goes on in his turns, or a flood of datagrams would leave no time for them.
+  if (!is_behind) proceed_feed(core, work_in_turn);
 }
 
 Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceIndex interface, std::string_view source,

@@ -14,8 +14,13 @@ namespace geminga::participant {
 /// Takes in one datagram, whatever is in it. What follows for our own identifier is the result.
 [[nodiscard]] Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceIndex interface,
                                           std::string_view source, std::span<const std::byte> datagram);
-/// Brings what the neighbour table has changed into the registry.
+/// Brings what the neighbour table has changed into the registry: a little at once, the rest in turns, in its order.
 void feed(Core& core);
+/// Whether proceed_feed() has something to do.
+[[nodiscard]] bool is_feed_due(const Core& core);
+/// Goes on with what comes from neighbours, and with our own requests where they change their keys, until so much work
+/// is done or nothing is left.
+void proceed_feed(Core& core, Work most);
 /// Removes what has not been heard of before its deadline.
 void expire(Core& core);
 

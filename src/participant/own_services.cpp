@@ -1,5 +1,6 @@
 #include "participant/own_services.hpp"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "beacon/announceable.hpp"
@@ -138,27 +139,26 @@ void rename_one(Core& core, Session& session) {
   }
 }
 
-void enter_all(Core& core) {
+void change_identifier(Core& core, ParticipantId held) {
+  core.matcher.begin_departure(core.id, matching::Reason::renamed);
+  core.id = held;
+  core.returning.clear();
   for (const auto& [stream, session] : core.sessions) {
-    for (const auto& [number, stated] : session->publications) {
-      enter(core, *session, number, stated);
-    }
-    for (const auto& [number, stated] : session->subscriptions) {
-      enter(core, *session, number, stated);
-    }
+    for (const auto& [number, stated] : session->publications) core.returning.emplace_back(stream, number);
+    for (const auto& [number, stated] : session->subscriptions) core.returning.emplace_back(stream, number);
   }
+  std::ranges::reverse(core.returning);
 }
 
-void leave_all(Core& core) {
-  core.matcher.remove_participant(core.id, matching::Reason::renamed);
-  deliver_events(core);
-  for (const auto& [stream, session] : core.sessions) {
-    for (const auto& [number, stated] : session->publications) {
-      tell_gone(core, *session, number, matching::Reason::renamed);
-    }
-    for (const auto& [number, stated] : session->subscriptions) {
-      tell_gone(core, *session, number, matching::Reason::renamed);
-    }
+void return_one(Core& core, Session& session, std::uint32_t number) {
+  tell_gone(core, session, number, matching::Reason::renamed);
+  if (const auto one = session.publications.find(number); one != session.publications.end()) {
+    enter(core, session, number, one->second);
+    if (one->second.is_in_force) session.pictures[number] = {};
+  }
+  if (const auto one = session.subscriptions.find(number); one != session.subscriptions.end()) {
+    enter(core, session, number, one->second, matching::Matcher::Telling::providers);
+    if (one->second.is_in_force) session.pictures[number] = {};
   }
 }
 

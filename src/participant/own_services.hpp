@@ -36,11 +36,11 @@ void withdraw_all(Core& core, Session& session);
 void withdraw_one(Core& core, Session& session);
 /// Enters the next service of a peer under its new name; there must be one.
 void rename_one(Core& core, Session& session);
-/// Everything of all peers, under the identifier that is held now.
-void enter_all(Core& core);
-/// The opposite, right before another identifier takes its place: the peers' statements stay, and they are told that
-/// their services are gone.
-void leave_all(Core& core);
+/// Another identifier takes the place of the one that was held: all that our peers have stated leaves under the former
+/// and returns under this one, request by request, in turns (neighbour_feed.hpp).
+void change_identifier(Core& core, ParticipantId held);
+/// One request: its peer is told that all it knows of it is gone, and then what there is.
+void return_one(Core& core, Session& session, std::uint32_t number);
 /// Resolves the names of one statement by the ontology in force. What it does not know is withdrawn and told to its
 /// peer; what an earlier one did not know comes back.
 void restate(Core& core, Session& session, std::uint32_t number);

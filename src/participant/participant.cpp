@@ -67,6 +67,7 @@ class Participant::State {
 
   void timer() {
     if (is_over() || core.phase == Phase::created) return;
+    proceed_feed(core, work_in_turn);
     core.ontology_change.proceed(core, work_in_turn);
     // Only here, and not when a client's bytes come in: whoever has spoken meanwhile is heard before the next turn.
     if (core.phase == Phase::ready) take_turn(core);
@@ -122,14 +123,16 @@ class Participant::State {
   }
 
   void claimed() {
-    if (core.phase == Phase::ready) leave_all(core);
-    core.id = announcer.id();
+    if (core.phase == Phase::ready) {
+      change_identifier(core, announcer.id());
+    } else {
+      core.id = announcer.id();  // nobody has stated anything: statements wait for it
+    }
     core.phase = Phase::ready;
     core.is_changed = true;
     core.log(base::LogLevel::info,
              "participant " + to_string(core.id) + " (" + base::printable(core.name()) + ") is ready");
-    enter_all(core);
-    deliver_events(core);
+    proceed_feed(core, work_in_turn);
     take_turn(core);  // what waited for the identifier is announced with it
   }
 
@@ -166,7 +169,7 @@ class Participant::State {
 
   [[nodiscard]] base::Instant deadline() {
     if (core.phase == Phase::stopping) return base::never;
-    if (is_turn_due(core) || core.ontology_change.is_under_way()) return core.env.now();
+    if (is_turn_due(core) || is_feed_due(core) || core.ontology_change.is_under_way()) return core.env.now();
     return std::min(core.neighbours.next_deadline(), session_deadline(core));
   }
 };

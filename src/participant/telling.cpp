@@ -188,6 +188,7 @@ void deliver_events(Core& core) {
   Said said;
   Session* session = nullptr;  // events for one peer often follow each other
   for (const matching::Event& event : core.matcher.take_events()) {
+    core.worked += cost_of_entry;
     if (session == nullptr || session->peer() != event.to.peer) session = core.find(event.to.peer);
     if (session != nullptr) deliver(core, *session, event, said);  // else its peer has gone
   }

@@ -23,7 +23,7 @@ TEST(Bounds, AConsumerThatAsksForAllIsGivenTheBestOfSoMany) {
   matcher.put(best);
   EXPECT_EQ(matcher.chosen(asking).front(), best.key);
   EXPECT_EQ(matcher.chosen(asking).size(), max_given);
-  matcher.remove_participant(ParticipantId(3), Reason::left);
+  remove_participant(matcher, ParticipantId(3), Reason::left);
   EXPECT_EQ(matcher.chosen(asking).size(), max_given);
   for (std::uint32_t number = 1; number <= 2; ++number) {
     matcher.remove_publication(key(2, 1, number), Reason::withdrawn);

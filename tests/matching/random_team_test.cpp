@@ -202,7 +202,7 @@ class RandomTeam {
       return entry.key.participant == one.participant && (is_whole_participant || entry.key.peer == one.peer);
     });
     if (is_whole_participant) {
-      matcher_.remove_participant(one.participant, some_reason());
+      remove_participant(matcher_, one.participant, some_reason());
     } else {
       matcher_.remove_peer(one.participant, one.peer, some_reason());
     }
@@ -216,7 +216,7 @@ class RandomTeam {
       if (crowd_ != Crowd::packed && random_.chance(0.7)) continue;
       const ParticipantId silent{number};
       erase_from_model([&](const auto& entry) { return entry.key.participant == silent; });
-      matcher_.remove_participant(silent, Reason::expired);
+      remove_participant(matcher_, silent, Reason::expired);
       compare(-1);
     }
   }

@@ -73,6 +73,13 @@ inline std::string in_words(const Event& event) {
   return words + " " + std::string(to_string(event.match.degree)) + " " + std::to_string(event.match.distance);
 }
 
+/// All steps of a participant's departure.
+inline void remove_participant(Matcher& matcher, ParticipantId participant, Reason reason) {
+  matcher.begin_departure(participant, reason);
+  while (matcher.depart_next()) {
+  }
+}
+
 /// All steps of the change to another ontology.
 inline void change_ontology(Matcher& matcher, const el::Ontology* next) {
   matcher.begin_ontology(next);
