@@ -188,6 +188,7 @@ void Matcher::State::forget(const StoredSubscription& subscription, Reason reaso
   }
   for (const auto& [rank, publication] : of(subscription).choice.candidates()) {
     of(*publication).considered_by.erase(subscription.slot);
+    ++filed_;
   }
 }
 

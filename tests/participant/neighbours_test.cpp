@@ -90,8 +90,9 @@ class NeighboursTest : public testing::Test {
     }
   }
 
-  /// What the turns for clients and for neighbours may tell, and what one step may tell beyond that.
-  static constexpr int told_in_turn = 2 * static_cast<int>(work_in_turn / cost_of_event) + 250;
+  /// What one turn may tell, and one step beyond that; and the turns that come while a ping is on its way.
+  static constexpr int told_in_turn = static_cast<int>(work_in_turn / cost_of_event) + 250;
+  static constexpr int told_meanwhile = 4 * told_in_turn;
   static constexpr int requests = 80;
   static constexpr int services = 250;
   sim::World world{sim::World::seed_or(1)};
@@ -110,13 +111,13 @@ TEST_F(NeighboursTest, APingWaitsForOneTurnOfWhatANeighbourAnnouncesAndOfItsDepa
   world.run_for(seconds(3));
   EXPECT_EQ(consumer.view(1).size(), services);
   EXPECT_GT(worst, 0);
-  EXPECT_LE(worst, told_in_turn) << "announced";
+  EXPECT_LE(worst, told_meanwhile) << "announced";
   worst = 0;
   neighbour.stop();
   world.run_for(seconds(1));
   EXPECT_EQ(consumer.view(1).size(), 0U);
   EXPECT_GT(worst, 0);
-  EXPECT_LE(worst, told_in_turn) << "said goodbye";
+  EXPECT_LE(worst, told_meanwhile) << "said goodbye";
 }
 
 TEST_F(NeighboursTest, OneThatComesBackAtOnceIsThereAgain) {

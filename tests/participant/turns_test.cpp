@@ -160,6 +160,40 @@ TEST_F(TurnsTest, ALongAnswerGoesOnAsSoonAsWhatWasSaidHasGone) {
   EXPECT_EQ(ends, 1) << "more than may be unread is said in one turn, and the client reads it all";
 }
 
+TEST_F(TurnsTest, AUserWithAllTheConnectionsDoesNotKeepAnotherOut) {
+  const auto run = [&](const std::string& user) -> sim::Client& {
+    sim::Client& one = world.add_client(user);
+    one.user = user;
+    one.connect(host);
+    one.say("1 pub create mode=otm/stream text=pose port=1");
+    world.run_for(milliseconds(1));
+    return one;
+  };
+  sim::Client* last = nullptr;
+  for (std::size_t number = 1; number < host.settings.limits.peers; ++number) last = &run("greedy");
+  EXPECT_TRUE(last->is_connected()) << "the provider has one place and the greedy user all the others";
+  EXPECT_TRUE(run("honest").is_connected());
+  EXPECT_FALSE(last->is_connected()) << "its last one gives way";
+  EXPECT_FALSE(run("greedy").is_connected()) << "it has the most already";
+  EXPECT_TRUE(run("honest").is_connected());
+}
+
+TEST_F(TurnsTest, ManyConnectionsOfOneProgramLeaveRoomForTheServiceOfAnother) {
+  for (int number = 0; number < 64; ++number) {
+    sim::Client& greedy = client("greedy");
+    for (int service = 1; service <= 64; ++service) {
+      greedy.say(std::to_string(service) + " pub create mode=otm/stream text=pose port=1");
+    }
+    world.run_for(milliseconds(1));
+  }
+  sim::Client& honest = client("honest");
+  honest.say("1 pub create mode=otm/stream text=mine port=1");
+  honest.say("2 query services filter=mine");
+  world.run_for(milliseconds(5));
+  ASSERT_EQ(honest.lines.size(), 2U);
+  EXPECT_EQ(honest.lines.back(), "2 msg end count=1");
+}
+
 TEST_F(TurnsTest, AnHonestPublisherIsNotChargedForWhatOthersAskedFor) {
   for (int number = 0; number < 3; ++number) {
     sim::Client& curious = client("curious");

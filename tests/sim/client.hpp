@@ -29,6 +29,8 @@ class Client {
   Client(World& world, std::string name) : world_(world), name_(std::move(name)) {}
 
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// Who runs it, as the host's system tells; empty: it does not.
+  std::string user;
 
   void connect(Host& host);
   /// Sends one statement.

@@ -154,7 +154,7 @@ void Host::connect(Client& client) {
     return;
   }
   streams_.emplace(stream, Stream{.client = &client});
-  participant_->on_stream_opened(stream, "");
+  participant_->on_stream_opened(stream, client.user);
   end_of_event();
 }
 
