@@ -23,6 +23,10 @@ void insert(Numbers& sorted, std::uint32_t added) {
   if (place == sorted.end() || *place != added) sorted.insert(place, added);
 }
 
+/// What a fact may cost in the one model of all facts, and one of the many inequalities of individuals.
+constexpr std::size_t steps_a_fact = 500;
+constexpr std::size_t steps_an_inequality = 4;
+
 class Completing {
  public:
   Completing(const el::OntologySource& source, const Incomplete& given, const Options& options,
@@ -36,6 +40,11 @@ class Completing {
         top_(representative(static_cast<std::uint32_t>(classification_.thing))),
         bottom_(representative(static_cast<std::uint32_t>(classification_.nothing))) {
     question_.budget = options.budget;
+    const clauses::ClauseSet& set = given.clauses;
+    const std::size_t facts =
+        set.individuals.size() + set.concept_facts.size() + set.role_facts.size() + set.data_facts.size();
+    question_.world_steps = steps_a_fact * facts + steps_an_inequality * set.equalities.size();
+    question_.nodes += set.individuals.size() + set.data_facts.size();
   }
 
   Completion run() {

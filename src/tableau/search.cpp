@@ -22,8 +22,8 @@ bool Tableau::Search::is_over_limit() {
     reason_ = "more than " + std::to_string(limits_.nodes) + " nodes were needed";
   } else if (graph_.facts().size() - (base_ ? base_->mark.facts : 0) > limits_.facts) {
     reason_ = "more than " + std::to_string(limits_.facts) + " facts were needed";
-  } else if (steps_ > limits_.steps) {
-    reason_ = "more than " + std::to_string(limits_.steps) + " steps were needed";
+  } else if (const std::size_t most = limits_.steps + (has_question_ ? 0 : limits_.world_steps); steps_ > most) {
+    reason_ = "more than " + std::to_string(most) + " steps were needed";
   } else if (const std::size_t told = std::exchange(told_, steps_); !budget_.spend(steps_ - told)) {
     reason_ = limits_.budget->reason().value_or("");
   } else {

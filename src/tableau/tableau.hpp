@@ -28,6 +28,7 @@ struct Limits {
   std::size_t nodes = 100'000;
   /// Facts derived, alternatives and matches looked at, nodes looked at for blocking, over all branches.
   std::size_t steps = 20'000'000;
+  std::size_t world_steps = 0;    ///< so many more for whether the ontology has a model
   std::size_t facts = 4'000'000;  ///< that are there at once, so that memory is bounded: about 50 octets each
   /// What the steps of all questions are taken from, beside other work; nothing: only the limits above hold. Borrowed.
   base::Budget* budget = nullptr;

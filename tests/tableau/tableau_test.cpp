@@ -342,6 +342,13 @@ TEST(Limits, OfStepsGiveNoAnswerBeyondTheLastOne) {
   EXPECT_EQ(answer_with({.steps = 2}, text), "unknown: more than 2 steps were needed");
 }
 
+TEST(Limits, OfStepsOfTheWorldComeOnTopOfThoseOfAQuestion) {
+  const std::string text = "ClassAssertion(A i:a)\nClassAssertion(B i:a)\nClassAssertion(C i:a)";
+  EXPECT_EQ(answer_with({.steps = 1, .world_steps = 3}, text), "yes");
+  EXPECT_EQ(answer_with({.steps = 1, .world_steps = 2}, text), "yes");
+  EXPECT_EQ(answer_with({.steps = 1, .world_steps = 1}, text), "unknown: more than 2 steps were needed");
+}
+
 TEST(Limits, OfFactsGiveNoAnswerBeyondTheLastOne) {
   const std::string text = "ClassAssertion(A i:a)\nClassAssertion(B i:a)\nClassAssertion(C i:a)";
   EXPECT_EQ(answer_with({.facts = 4}, text), "yes");
