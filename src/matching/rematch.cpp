@@ -109,7 +109,7 @@ void Matcher::State::place_again() {
   if (placing_walk_) {
     placing_walk_->must_repeat = true;
   } else {
-    placing_walk_.emplace();
+    placing_walk_ = PlaceWalk{std::nullopt, false};
   }
 }
 
@@ -127,7 +127,7 @@ bool Matcher::State::place_next() {
   if (waiting != nullptr) {
     rematch(*waiting);
   } else if (is_over) {
-    placing_walk_ = placing_walk_->must_repeat ? std::optional<PlaceWalk>(std::in_place) : std::nullopt;
+    placing_walk_ = placing_walk_->must_repeat ? std::optional(PlaceWalk{std::nullopt, false}) : std::nullopt;
   }
   return true;
 }

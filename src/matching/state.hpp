@@ -200,7 +200,7 @@ class Matcher::State {
   /// The walk to the subscriptions that have no place: the one that it was at last.
   struct PlaceWalk {
     std::optional<ServiceKey> at;
-    bool must_repeat = false;
+    bool must_repeat;
   };
   std::optional<PlaceWalk> placing_walk_;
 
