@@ -65,6 +65,7 @@ struct Message {
     backward,  ///< a link of the role `first` from the context `second` ends in it
     forward,   ///< a link of the role `first` from it ends in the context `second`
     bottom,    ///< it is unsatisfiable
+    last,      ///< as backward, of a link that need not be the first of a composition
   };
   Kind kind = Kind::subsumer;
   std::uint32_t first = 0;
@@ -94,6 +95,8 @@ struct alignas(64) Context {
   Inbox<Letter> inbox;
   ArenaSet<Link> backward;  ///< links that end here
   std::uint32_t backward_done = 0;
+  ArenaSet<Link> firsts;  ///< of them those that chains may go on from
+  std::uint32_t firsts_done = 0;
   std::uint32_t forward_done = 0;
   std::uint32_t selfs_done = 0;
   ArenaList<Link> forward;        ///< links that begin here, where something wants to know them

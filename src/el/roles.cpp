@@ -108,6 +108,14 @@ bool Roles::close_chains(std::size_t max_pairs) {
     }
   }
   compositions_ = Rows<Composition>(count_, pairs);
+  composes_itself_.resize(count_);
+  for (std::uint32_t role = 0; role < count_; ++role) {
+    const auto has = [&](RoleId second, RoleId result) {
+      return std::ranges::binary_search(compositions_[role], Composition{second, result});
+    };
+    const auto takes_result = [&](const Composition& rule) { return has(rule.result, rule.result); };
+    composes_itself_[role] = has(RoleId{role}, RoleId{role}) && std::ranges::all_of(compositions_[role], takes_result);
+  }
   return true;
 }
 

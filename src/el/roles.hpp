@@ -56,6 +56,12 @@ class Roles {
   }
   /// Whether the role may be the second of a composition.
   [[nodiscard]] bool is_second(RoleId role) const { return is_second_[static_cast<std::size_t>(role)]; }
+  /// Whether a link of `result` that is composed of these two need not be the first of another composition, as its
+  /// first part gives the same with what its second part gives.
+  [[nodiscard]] bool is_last(RoleId first, RoleId second, RoleId result) const {
+    return composes_itself_[static_cast<std::size_t>(result)] && is_sub_role(first, result) &&
+           is_sub_role(second, result);
+  }
   [[nodiscard]] bool has_compositions() const { return compositions_.item_count() != 0; }
   /// The binary chains as they were added, for the check of OWL 2 EL's restriction on ranges: (first, second, result).
   struct Chain {
@@ -78,6 +84,7 @@ class Roles {
   std::vector<std::uint64_t> matrix_;  ///< row-wise bits of is_sub_role, where there are few roles
   Rows<Composition> compositions_;
   std::vector<bool> is_second_;
+  std::vector<bool> composes_itself_;  ///< R o S < T says R o T < T for each S and T, and R o R < R
 };
 
 }  // namespace geminga::el

@@ -132,7 +132,8 @@ void Worker::add_bottom(std::uint32_t context) {
   self.is_unsatisfiable = true;
   ++conclusions_;
   if (self.is_nonempty) shared_.is_inconsistent = true;
-  self.backward_done = 0;
+  self.backward_done = self.firsts_done = 0;
+  self.firsts.clear(arena_);
   self.subsumers_done = self.forward_done = self.selfs_done = 0;  // what they count is gone
   self.subsumers.clear(arena_);
   self.forward.clear(arena_);
@@ -145,10 +146,16 @@ void Worker::add_bottom(std::uint32_t context) {
   enqueue(context);
 }
 
-void Worker::add_link(std::uint32_t from, RoleId role, std::uint32_t to) {
+void Worker::add_link(std::uint32_t from, RoleId role, std::uint32_t to, bool is_last) {
   // Of another thread's context it is not known whether it is still worth it; that one will see.
   if (!is_elsewhere(from) && contexts_[from].is_unsatisfiable) return;
-  if (is_elsewhere(to)) return post(to, {Message::Kind::backward, static_cast<std::uint32_t>(role), from});
+  if (is_elsewhere(to)) {
+    const auto kind = is_last ? Message::Kind::last : Message::Kind::backward;
+    return post(to, {kind, static_cast<std::uint32_t>(role), from});
+  }
+  if (!is_last && !index_.roles().compositions(role).empty() && !contexts_[to].is_unsatisfiable &&
+      contexts_[to].firsts.insert({role, from}, arena_))
+    enqueue(to);
   if (!contexts_[to].backward.insert({role, from}, arena_)) return;
   ++conclusions_;
   ++links_;
@@ -194,15 +201,18 @@ void Worker::process_backward(std::uint32_t context, Link link) {
   //  ---------------- [S some E occurs negatively, R <* S]; here the first premise is new
   //  C < S some E
   for (std::uint32_t at = 0; at < self.propagating.size(); ++at) propagate(link, self.propagating[at]);
+}
 
-  //  C -R-> D   D -S-> E
-  //  ------------------- [R o S SubPropertyOf R']; here the first premise is new
-  //  C -R'-> E
-  if (!index_.roles().compositions(link.role).empty()) {
-    for (std::uint32_t at = 0; at < self.forward_done; ++at) {
-      const Link next = self.forward[at];
-      compose(link.context, link.role, next.role, next.context);
-    }
+//  C -R-> D   D -S-> E
+//  ------------------- [R o S SubPropertyOf R']; here the first premise is new
+//  C -R'-> E
+//  A link that is composed of two of a transitive R' is no first premise: its own first part is, again and again, so
+//  that a path of n links is walked n times and not n * n times.
+void Worker::process_first(std::uint32_t context, Link link) {
+  Context& self = contexts_[context];
+  for (std::uint32_t at = 0; at < self.forward_done; ++at) {
+    const Link next = self.forward[at];
+    compose(link.context, link.role, next.role, next.context);
   }
 }
 
@@ -212,8 +222,8 @@ void Worker::process_forward(std::uint32_t context, Link link) {
   //  C -R'-> E
   Context& self = contexts_[context];
   if (index_.roles().is_second(link.role)) {
-    for (std::uint32_t at = 0; at < self.backward_done; ++at) {
-      const Link before = self.backward[at];
+    for (std::uint32_t at = 0; at < self.firsts_done; ++at) {
+      const Link before = self.firsts[at];
       compose(before.context, before.role, link.role, link.context);
     }
   }
@@ -226,7 +236,7 @@ void Worker::compose(std::uint32_t from, RoleId first, RoleId second, std::uint3
   const auto rules = index_.roles().compositions(first);
   for (auto rule = std::ranges::lower_bound(rules, second, {}, &Composition::second);
        rule != rules.end() && rule->second == second; ++rule) {
-    add_link(from, rule->result, to);
+    add_link(from, rule->result, to, index_.roles().is_last(first, second, rule->result));
   }
 }
 

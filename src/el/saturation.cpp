@@ -158,6 +158,8 @@ void Worker::receive(std::uint32_t context, const Message& message) {
       return add_forward(context, {RoleId{message.first}, message.second});
     case Message::Kind::bottom:
       return add_bottom(context);
+    case Message::Kind::last:
+      return add_link(message.second, RoleId{message.first}, context, true);
   }
 }
 
@@ -178,6 +180,8 @@ void Worker::process(std::uint32_t context) {
       if (subsumer < index_.size()) process_subsumer(context, ExprId{subsumer});
     } else if (self.backward_done < self.backward.size()) {
       process_backward(context, self.backward[self.backward_done++]);
+    } else if (self.firsts_done < self.firsts.size()) {
+      process_first(context, self.firsts[self.firsts_done++]);
     } else if (self.forward_done < self.forward.size()) {
       process_forward(context, self.forward[self.forward_done++]);
     } else if (self.selfs_done < self.selfs.size()) {

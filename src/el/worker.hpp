@@ -59,7 +59,7 @@ class Worker {
 
   // Conclusions: each is noted where it is new.
   void add_subsumer(std::uint32_t context, ExprId subsumer);
-  void add_link(std::uint32_t from, RoleId role, std::uint32_t to);
+  void add_link(std::uint32_t from, RoleId role, std::uint32_t to, bool is_last = false);
   void add_forward(std::uint32_t from, Link link);
   void add_bottom(std::uint32_t context);
   void add_derived_atom(std::uint32_t context, ExprId atom);
@@ -70,6 +70,7 @@ class Worker {
   void process_subsumer(std::uint32_t context, ExprId subsumer);
   void propagate(Link link, ExprId filler);
   void process_backward(std::uint32_t context, Link link);
+  void process_first(std::uint32_t context, Link link);
   void process_forward(std::uint32_t context, Link link);
   void process_self(std::uint32_t context, RoleId role);
   void apply_conjunctions(std::uint32_t context, std::span<const ConjunctionRule> rules);

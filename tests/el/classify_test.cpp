@@ -309,6 +309,13 @@ const Entailed existential[] = {
      "SubClassOf(ObjectSomeValuesFrom(p A) F)\nDisjointClasses(B F)",
      {},
      false},
+    {"ChainOverAPathOfATransitiveIsWalkedFromItsBeginning",
+     "TransitiveObjectProperty(r)\nSubObjectPropertyOf(ObjectPropertyChain(s r) s)\n"
+     "SubObjectPropertyOf(ObjectPropertyChain(r t) u)\nSubClassOf(A ObjectSomeValuesFrom(r B))\n"
+     "SubClassOf(B ObjectSomeValuesFrom(r C))\nSubClassOf(C ObjectSomeValuesFrom(r D))\n"
+     "SubClassOf(D ObjectSomeValuesFrom(t E))\nSubClassOf(F ObjectSomeValuesFrom(s A))\n"
+     "SubClassOf(ObjectSomeValuesFrom(u E) G)\nSubClassOf(ObjectSomeValuesFrom(s D) H)",
+     {"A < G", "B < G", "C < G", "F < H"}},
     {"InverseOfATransitiveIsTransitive",
      "InverseObjectProperties(p h)\nTransitiveObjectProperty(p)\nSubClassOf(A ObjectSomeValuesFrom(h B))\n"
      "SubClassOf(B ObjectSomeValuesFrom(h C))\nSubClassOf(ObjectSomeValuesFrom(h C) D)",
