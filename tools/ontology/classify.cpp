@@ -105,6 +105,9 @@ Exit classify(const Request& request, const WorkLimits& limits) {
   if (!write(*knowledge, request) || std::fflush(stdout) != 0) return say_error("standard output cannot be written");
   if (!request.stats.empty() && !write_stats(*knowledge, request.threads, request.stats))
     return say_error(request.stats + " cannot be written: name another file behind --stats");
+  // A limit that was asked for is told of with its exit status.
+  const auto open = knowledge->classification.is_cut_off ? std::nullopt : describe_undecided(*knowledge);
+  if (open) say_error("what is printed follows, and more may: " + *open);
   return exit_of(*knowledge, Exit::yes);
 }
 

@@ -155,6 +155,14 @@ TEST(Classify, PrintsWhatIsSettledWhereALimitIsReached) {
   EXPECT_THAT(outcome.err, HasSubstr("held up by e:X"));
 }
 
+TEST(Classify, SaysWhatIsOpenWhereTheSearchWasTooHard) {
+  const Program program;
+  program.turtle("a.ttl", pigeonhole(12));
+  const Outcome outcome = program.run({"classify", "a.ttl", "--closure"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("held up by e:X"));
+}
+
 TEST(Compile, WritesWhatIsSettledWhereALimitIsReached) {
   const Program program;
   program.turtle("a.ttl", pigeonhole(9) + ":A rdfs:subClassOf :B . :B rdfs:subClassOf [ owl:unionOf (:C :D) ] .\n");
