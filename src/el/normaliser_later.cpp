@@ -7,7 +7,9 @@ namespace geminga::el {
 
 Normaliser::Unused Normaliser::finish(Universals universals) {
   Unused unused;
-  mirror_roles();
+  // Where another engine has to do everything again, what inverses say is left to it.
+  open_.is_mirrored = !open_.is_more;
+  if (open_.is_mirrored) mirror_roles();
   use_keys(unused);
   relate_data();
   find_unused_data(unused);
