@@ -81,8 +81,7 @@ class Matcher {
   ///     matcher.begin_ontology(next);
   ///     while (matcher.file_next()) {}     // what is offered is filed by it, too; nothing else changes
   ///     matcher.put_in_force();            // at once; from here on `placing` must give places in it
-  ///     while (matcher.rematch_next()) {}  // one subscription after the other, in ascending order of key, is judged
-  ///     by it
+  ///     while (matcher.rematch_next()) {}  // one subscription after the other, by key, is judged by it
   ///
   /// No change may be under way: another begins when rematch_next() has given false. Both ontologies are borrowed until
   /// then, and the former one not any more. A subscription is judged by one ontology at any time, by the former until
