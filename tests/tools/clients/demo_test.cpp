@@ -51,6 +51,12 @@ class Demo : public testing::Test {
   }
   [[nodiscard]] Ran demo(std::vector<std::string> words) const { return system::run(start(std::move(words))); }
 
+  /// Waits until the team's process of that name has said `text`.
+  [[nodiscard]] bool is_logged(const std::string& name, const std::string& text) const {
+    const std::string log = folder_ + "/geminga-demo-" + std::to_string(::getuid()) + "/log/" + name;
+    Process reader({.words = {"/usr/bin/tail", "-F", log}, .environment = {}, .before = {}});
+    return reader.wait_for(text);
+  }
   /// The processes that still have the folder in their environment.
   [[nodiscard]] std::vector<pid_t> left() const {
     std::vector<pid_t> found;
@@ -104,13 +110,16 @@ TEST_F(Demo, KeepsTheTeamUntilItIsStoppedAsTheReadmeSays) {
 
 TEST_F(Demo, LeavesNothingWhenItIsInterrupted) {
   for (const std::vector<std::string>& words : {std::vector<std::string>{"--keep"}, {}, {"--lo"}}) {
-    Process interrupted(start(words));
-    const bool is_complete = interrupted.wait_for("modules start");
-    if (interrupted.said().contains("already in use")) GTEST_SKIP() << "somebody's team is on the loopback interface";
-    ASSERT_TRUE(is_complete) << interrupted.said();
-    interrupted.signal(SIGINT);
-    EXPECT_EQ(interrupted.wait(), 130) << interrupted.said();
-    expect_nothing_left();
+    for (const std::string moment : {"Seven", "modules start", "switched off"}) {
+      Process interrupted(start(words));
+      const bool is_there = interrupted.wait_for(moment);
+      if (interrupted.said().contains("already in use")) GTEST_SKIP() << "somebody's team is on the loopback interface";
+      ASSERT_TRUE(is_there) << interrupted.said();
+      if (moment == "switched off") ASSERT_TRUE(is_logged("watcher", "robot4"));
+      interrupted.signal(SIGINT);
+      EXPECT_EQ(interrupted.wait(), 130) << moment << ": " << interrupted.said();
+      expect_nothing_left();
+    }
   }
 }
 
@@ -118,6 +127,7 @@ TEST_F(Demo, ClearsWhatAKilledTeamLeft) {
   Process killed(start({}));
   ASSERT_TRUE(killed.wait_for("modules start")) << killed.said();
   killed.signal(SIGKILL);
+  EXPECT_EQ(killed.wait(), 128 + SIGKILL);
   const Ran none = demo({"--in", "monitor", "true"});
   EXPECT_EQ(none.status, 1);
   expect_nothing_left();
