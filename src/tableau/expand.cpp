@@ -22,7 +22,7 @@ bool Tableau::Search::expand() {
     if (existentials_[at].is_done) continue;
     const Fact fact = graph_.fact(existentials_[at].fact);
     if (!graph_.is_active(fact.a) || graph_.node(fact.a).is_blocked) continue;
-    if (!expand(at)) continue;
+    if (has_witness(existentials_[at]) || !expand(at)) continue;
     ++expanded;
     // What follows from a guess is looked at before more is built on it.
     if (has_clash_ || is_over_limit() || (expanded >= most && branches_.size() > base_branches_)) break;
@@ -60,6 +60,41 @@ bool Tableau::Search::expand(std::uint32_t at) {
     expand_data(fact);
   }
   return true;
+}
+
+bool Tableau::Search::has_witness(Existential& existential) {
+  const Fact fact = graph_.fact(existential.fact);
+  if (fact.kind != FactKind::at_least) return false;
+  const clauses::AtLeast& at_least = set_.at_leasts[fact.predicate];
+  const std::uint32_t property = number(at_least.role.property);
+  const bool is_inverse = at_least.role.is_inverse;
+  const Denials& denials = program_.denials();
+  if (at_least.count != 1 || !denials.is_denial(number(at_least.filler))) return false;
+  count_look();
+  // A number may be that of another node since a branch was taken back: the edge is looked up again.
+  const NodeId known = existential.witness;
+  const bool is_known =
+      known < graph_.node_count() && graph_.is_active(known) && graph_.node(known).version == existential.version &&
+      graph_.find(FactKind::role, property, is_inverse ? known : fact.a, is_inverse ? fact.a : known) != none;
+  if (is_known) return true;
+  const auto is_denied = [&](NodeId node) {
+    return std::ranges::any_of(denials.denied(number(at_least.filler)), [&](std::uint32_t id) {
+      count_look();
+      return graph_.find(FactKind::concept_of, id, node) != none;
+    });
+  };
+  for (FactId id = is_inverse ? graph_.node(fact.a).in : graph_.node(fact.a).out; id != none;
+       id = is_inverse ? graph_.fact(id).next_b : graph_.fact(id).next_a) {
+    count_look();
+    const Fact& edge = graph_.fact(id);
+    const NodeId node = is_inverse ? edge.a : edge.b;
+    if (edge.kind != FactKind::role || edge.predicate != property || !graph_.is_active(node) || is_denied(node))
+      continue;
+    existential.witness = node;
+    existential.version = graph_.node(node).version;
+    return true;
+  }
+  return false;
 }
 
 bool Tableau::Search::is_satisfied(const Fact& fact) {

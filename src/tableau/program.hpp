@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "clauses/clause.hpp"
+#include "tableau/denials.hpp"
 #include "tableau/domains.hpp"
 
 namespace geminga::tableau {
@@ -101,6 +102,8 @@ class Program {
 
   /// What an at-least of a node says by itself; see domains.hpp.
   [[nodiscard]] const Domains& domains() const { return domains_; }
+  /// Fillers that a neighbour may have without being told; see denials.hpp.
+  [[nodiscard]] const Denials& denials() const { return denials_; }
   /// Whether every node needs the fact that it is in owl:Thing.
   [[nodiscard]] bool needs_thing() const { return needs_thing_; }
   /// Whether anything looks at a node from its successor's side, so that blocking must compare pairs.
@@ -122,6 +125,7 @@ class Program {
 
   const clauses::ClauseSet& set_;
   Domains domains_;
+  Denials denials_;
   std::vector<Step> steps_;
   std::vector<clauses::Atom> heads_;
   std::vector<std::vector<Plan>> by_concept_;

@@ -79,6 +79,9 @@ class Tableau::Search {
   struct Existential {
     FactId fact = 0;
     bool is_done = false;
+    /// The neighbour that was found to satisfy it as things stood, and the version of that node.
+    NodeId witness = none;
+    std::uint64_t version = 0;
   };
   /// Who blocked a node, and the versions of what was compared.
   struct BlockedBy {
@@ -217,6 +220,8 @@ class Tableau::Search {
   void expand_object(const Fact& fact);
   void expand_data(const Fact& fact);
   [[nodiscard]] bool is_satisfied(const Fact& fact);
+  /// Whether a neighbour is in nothing that the filler denies. It is to be asked again when that neighbour has changed.
+  bool has_witness(Existential& existential);
   [[nodiscard]] bool is_functional(clauses::Role role, NodeId node) const;
   std::optional<Neighbour> only_neighbour(clauses::Role role, NodeId node);
   bool give_to_neighbour(const Fact& fact);

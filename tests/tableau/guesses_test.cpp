@@ -79,5 +79,34 @@ TEST(Guesses, AreSeenToFailByTheNeighbourThatIsThere) {
   EXPECT_EQ(answer(text + "ClassAssertion(Male i:male)\nClassAssertion(Female i:female)\n"), Verdict::yes);
 }
 
+/// Kinds of which everything has one at most, and parts that may be of many kinds, seen from both ends. Whoever has a
+/// part and is not in one of the definitions has a part of another kind.
+std::string covers(std::size_t kinds) {
+  std::string members;
+  std::string text = "ObjectPropertyRange(p Any)\nInverseObjectProperties(p q)\n";
+  for (std::size_t at = 0; at < kinds; ++at) members += " K" + std::to_string(at);
+  text += "DisjointUnion(Any" + members + ")\n";
+  for (std::size_t at = 0; at < kinds; ++at) {
+    const auto kind = [&](std::size_t step) { return " K" + std::to_string((at * 7 + step) % kinds); };
+    text += "EquivalentClasses(D" + std::to_string(at) + " ObjectIntersectionOf(ObjectSomeValuesFrom(p Any) " +
+            "ObjectAllValuesFrom(p ObjectUnionOf(" + kind(1) + kind(4) + kind(9) + kind(16) + "))))\n";
+    if (at % 3 == 0) text += "SubClassOf(" + kind(0) + " ObjectSomeValuesFrom(p " + kind(3) + "))\n";
+    if (at % 4 != 0) continue;
+    text += "SubClassOf(" + kind(5) + " ObjectAllValuesFrom(q ObjectUnionOf(" + kind(2) + kind(6) + kind(8) + ")))\n";
+  }
+  return text;
+}
+
+TEST(Guesses, NeedNoNeighbourForWhatOneThatIsThereIsNot) {
+  const el::OntologySource source = el::written(covers(30));
+  const auto set = clauses::clausify(source, std::nullopt, {});
+  ASSERT_TRUE(set && set->unused.empty());
+  Tableau tableau(source, *set, {.steps = 50'000});
+  for (std::uint32_t id = 2; id < set->concepts.size(); ++id) {
+    if (set->concepts[id].kind != clauses::ConceptKind::named) continue;
+    EXPECT_NE(tableau.is_satisfiable({clauses::ConceptId{id}}).verdict, Verdict::unknown) << id;
+  }
+}
+
 }  // namespace
 }  // namespace geminga::tableau
