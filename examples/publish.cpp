@@ -22,7 +22,7 @@ int main() {
     std::cerr << "publish: " << request.error().text << '\n';
     return 2;
   }
-  std::cout << "offering the ball" << std::endl;
+  std::cout << "offering the ball" << '\n' << std::flush;
 
   while (true) {
     const auto event = client->next_event(std::chrono::hours(1));
@@ -33,7 +33,8 @@ int main() {
     if (!*event) continue;  // an hour of silence
     if (const auto* consumer = std::get_if<geminga::ConsumerEvent>(&(*event)->what)) {
       std::cout << to_string(consumer->change) << " consumer " << to_string(consumer->subscription) << ' '
-                << consumer->peer_name << std::endl;
+                << consumer->peer_name << '\n'
+                << std::flush;
     }
   }
 }

@@ -46,10 +46,12 @@ std::expected<std::uint32_t, geminga::ClientError> request(geminga::Client& clie
 void print(const geminga::Event& event) {
   if (const auto* service = std::get_if<geminga::ServiceEvent>(&event.what)) {
     std::cout << "service " << to_string(service->change) << ' ' << to_string(service->service) << ' '
-              << service->reason << std::endl;
+              << service->reason << '\n'
+              << std::flush;
   } else if (const auto* consumer = std::get_if<geminga::ConsumerEvent>(&event.what)) {
     std::cout << "consumer " << to_string(consumer->change) << ' ' << to_string(consumer->subscription) << ' '
-              << consumer->reason << std::endl;
+              << consumer->reason << '\n'
+              << std::flush;
   }
 }
 

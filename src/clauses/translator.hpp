@@ -79,6 +79,8 @@ class Translator {
     bool is_above = false;
   };
 
+  /// Q -> L, or L -> Q.
+  static Draft clause_of(const Definition& definition);
   [[nodiscard]] Key key_of(Literal literal) const;
   /// Whether it puts something into the head: else its complement is named, in the body.
   [[nodiscard]] bool is_positive(Literal literal);

@@ -68,15 +68,19 @@ ConceptId Translator::above(Literal literal) {
   return name.id;
 }
 
+Draft Translator::clause_of(const Definition& definition) {
+  const bool is_above = definition.is_above;
+  Draft draft;
+  (is_above ? draft.clause.head : draft.clause.body)
+      .push_back({AtomKind::concept_of, centre, centre, number(definition.id)});
+  draft.waiting.push_back({is_above ? complement(definition.literal) : definition.literal, centre});
+  return draft;
+}
+
 void Translator::define_names() {
-  // Q -> L, or L -> Q.
   for (std::size_t at = 0; at < definitions_.size() && !is_full(); ++at) {
     const Definition definition = definitions_[at];
-    Draft draft;
-    auto& side = definition.is_above ? draft.clause.head : draft.clause.body;
-    side.push_back({AtomKind::concept_of, centre, centre, number(definition.id)});
-    draft.waiting.push_back({definition.is_above ? complement(definition.literal) : definition.literal, centre});
-    add(std::move(draft));
+    add(clause_of(definition));
   }
 }
 

@@ -48,8 +48,11 @@ struct Literal {
   [[nodiscard]] constexpr Term other() const { return Term{static_cast<std::uint32_t>(bits)}; }
 };
 
+[[nodiscard]] constexpr Literal make_key(std::uint64_t kind, Term term, std::uint32_t payload) {
+  return {(static_cast<std::uint64_t>(term) << 40) | (kind << 36) | payload};
+}
 [[nodiscard]] constexpr Literal make_literal(LiteralKind kind, Term term, std::uint32_t payload) {
-  return {(static_cast<std::uint64_t>(term) << 40) | (static_cast<std::uint64_t>(kind) << 36) | payload};
+  return make_key(static_cast<std::uint64_t>(kind), term, payload);
 }
 [[nodiscard]] constexpr Literal unary(std::uint32_t predicate, Term term) {
   return make_literal(LiteralKind::unary, term, predicate);
@@ -70,18 +73,21 @@ struct Literal {
 /// Whether a literal is over x and y alone, in a way that matters to the predecessor (Pr(O) in the paper).
 [[nodiscard]] constexpr bool is_of_predecessor(Literal literal) { return literal.term() == y_term; }
 
-/// Keys of the store that are no literals: what must hold before anything else is compared. Their kinds are not used.
+/// Keys of the store that are no literals: what must hold before anything else is compared. Their kinds are no
+/// literal's.
 inline constexpr Literal no_literal{~std::uint64_t{0}};
+inline constexpr std::uint64_t edge_kind = 6;
+inline constexpr std::uint64_t nominal_kind = 7;
 /// A literal as it stands in a body.
 [[nodiscard]] constexpr Literal in_body(Literal literal) { return {literal.bits | (std::uint64_t{1} << 39)}; }
 /// The successor f(x), and the edge by which f(x) of a context comes.
 [[nodiscard]] constexpr Literal successor_key(Term f) { return in_body(make_literal(LiteralKind::different, f, 0)); }
 [[nodiscard]] constexpr Literal edge_key(Term f, std::uint32_t context) {
-  return in_body(make_literal(static_cast<LiteralKind>(6), f, context));
+  return in_body(make_key(edge_kind, f, context));
 }
 /// Which term is known to be a nominal's one thing.
 [[nodiscard]] constexpr Literal nominal_key(std::uint32_t predicate) {
-  return in_body(make_literal(static_cast<LiteralKind>(7), x_term, predicate));
+  return in_body(make_key(nominal_kind, x_term, predicate));
 }
 /// All t with R(x, t) or, where `is_incoming`, R(t, x).
 [[nodiscard]] constexpr Literal neighbours(std::uint32_t role, bool is_incoming) {

@@ -44,7 +44,8 @@ struct PoolAllocator {
     return static_cast<Item*>(ArenaUse::current()->allocate(count * sizeof(Item)));
   }
   void deallocate(Item* block, std::size_t count) {
-    if (el::Arena* const arena = ArenaUse::current(); arena != nullptr) arena->release(block, count * sizeof(Item));
+    if (el::Arena* const arena = ArenaUse::current(); arena != nullptr)
+      arena->release(static_cast<void*>(block), count * sizeof(Item));
   }
   friend bool operator==(const PoolAllocator&, const PoolAllocator&) { return true; }
 };

@@ -48,9 +48,9 @@ class Rules {
       case LiteralKind::unary:
         return is_unary_trigger_[literal.predicate()];
       case LiteralKind::incoming:
-        return !roles_[literal.predicate() * 2 + 1].empty();
+        return !roles_[std::size_t{literal.predicate()} * 2 + 1].empty();
       case LiteralKind::outgoing:
-        return !roles_[literal.predicate() * 2].empty();
+        return !roles_[std::size_t{literal.predicate()} * 2].empty();
       default:
         return true;
     }

@@ -70,6 +70,7 @@ void close_cage() {
   if (::getppid() != parent) ::_exit(cannot_execute);  // it has died before it could be noticed
   ::setpgid(0, 0);
   const int nothing = ::open("/dev/null", O_RDWR);
+  if (nothing < 0) ::_exit(cannot_execute);
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(output < 0 ? nothing : output, STDOUT_FILENO);
   ::dup2(words, STDERR_FILENO);

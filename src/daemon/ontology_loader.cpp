@@ -122,7 +122,11 @@ class OntologyLoader::State {
     if (!output) return answer_later(failure(output.error()));
     output_ = std::make_shared<base::PrivateFile>(std::move(*output));
     std::vector<std::string> arguments{"compile"};
-    for (const auto& [name, iri] : prefixes) arguments.insert(arguments.end(), {"--prefix", name + '=' + iri});
+    for (const auto& [name, iri] : prefixes) {
+      arguments.emplace_back("--prefix");
+      arguments.push_back(name);
+      arguments.back().append("=").append(iri);
+    }
     arguments.insert(arguments.end(), {"-o", "-"});
     // From the root, so that no path looks like a flag, and the compiled form names its sources wherever it is read.
     std::error_code ignored;

@@ -138,7 +138,7 @@ Listener::Refusal Builder::open_element(std::string_view name, std::span<const A
     return blank(open, attributes);
   }
   open.production = functional::find_production(name);
-  const Form form = open.production == nullptr ? Form::document : open.production->form;
+  const Form form = form_of(open);
   if (form == Form::document) return "<" + base::printable(name, 60) + "> is no element of OWL/XML";
   const bool is_outermost = form >= Form::axiom || form == Form::import;
   if (is_outermost != is_top && form != Form::annotation)
@@ -177,7 +177,7 @@ Listener::Refusal Builder::open_element(std::string_view name, std::span<const A
 
 Listener::Refusal Builder::text(std::string_view part) {
   const Open* open = open_.empty() ? nullptr : &open_.back();
-  const bool is_import = open != nullptr && open->production != nullptr && open->production->form == Form::import;
+  const bool is_import = open != nullptr && form_of(*open) == Form::import;
   const bool may_have_text = open != nullptr && (open->role == Role::literal || open->role == Role::iri ||
                                                  open->role == Role::short_iri || is_import);
   if (may_have_text) {
@@ -197,11 +197,9 @@ Listener::Refusal Builder::end() {
   if (operands_.size() - open.first > limits_.operands)
     return "more than " + std::to_string(limits_.operands) + " operands";
   // An entity and a blank node are operands themselves from their begin on.
-  const bool is_leaf =
-      open.role == Role::blank || (open.production != nullptr && open.production->form == Form::entity);
+  const bool is_leaf = open.role == Role::blank || form_of(open) == Form::entity;
   const bool is_empty = operands_.size() == open.first + (is_leaf ? 1 : 0);
-  const bool must_be_empty =
-      is_leaf || open.role == Role::prefix || (open.production != nullptr && open.production->form == Form::import);
+  const bool must_be_empty = is_leaf || open.role == Role::prefix || form_of(open) == Form::import;
   if (must_be_empty && !is_empty) return "an element where none may stand";
   Refusal refusal;
   switch (open.role) {
@@ -216,7 +214,7 @@ Listener::Refusal Builder::end() {
       refusal = end_iri(open);
       break;
     case Role::production:
-      switch (open.production->form) {
+      switch (form_of(open)) {
         case Form::import:
           refusal = end_import(open);
           break;

@@ -63,6 +63,10 @@ class Builder final : public Listener {
   // builder.cpp: the document.
   Refusal begin_ontology(std::span<const Attribute> attributes);
   Refusal begin_prefix(std::span<const Attribute> attributes);
+  /// The form of its production; of an element that has none, that of no element at all.
+  static functional::Form form_of(const Open& open) {
+    return open.production == nullptr ? functional::Form::document : open.production->form;
+  }
   Refusal end_import(const Open& open);
   Refusal open_element(std::string_view name, std::span<const Attribute> attributes, Open& open);
   Refusal check_attributes(std::string_view name, std::span<const Attribute> attributes);

@@ -104,7 +104,8 @@ std::expected<void, ClientError> begin(const Options& options, Client& client) {
     shell::print(std::cout, shell::stamped({{"event", "offered"}, {"service", service}}));
   } else {
     std::cerr << program << ": offering " << shell::printable(shell::identity_words(options.publication.identity))
-              << " as " << service << std::endl;
+              << " as " << service << '\n'
+              << std::flush;
   }
   return {};
 }

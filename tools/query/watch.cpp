@@ -59,7 +59,8 @@ class Printer {
     }
     const std::string stamp = context_.has_timestamps ? shell::timestamp() + ' ' : "";
     const std::string line = stamp + std::string(sign) + ' ' + shell::printable(listing_.line(record) + words);
-    std::cout << shell::coloured(context_.terminal, colour, shell::encoded(context_.terminal, line)) << std::endl;
+    std::cout << shell::coloured(context_.terminal, colour, shell::encoded(context_.terminal, line)) << '\n'
+              << std::flush;
   }
 
   const Context& context_;

@@ -80,7 +80,7 @@ class EventPrinter final : public EventView {
       shell::print(std::cout, stamped(object(told, before)));
     } else {
       const std::string stamp = options_.has_timestamps ? timestamp() + ' ' : "";
-      std::cout << stamp << printable(line(told, before)) << std::endl;
+      std::cout << stamp << printable(line(told, before)) << '\n' << std::flush;
     }
     if (told.change == Change::del) {
       known_.erase(place);

@@ -9,7 +9,7 @@ namespace geminga::shell {
 
 void complain(std::string_view program, std::string_view text) {
   std::cout << std::flush;
-  std::cerr << program << ": " << printable(text) << std::endl;
+  std::cerr << program << ": " << printable(text) << '\n' << std::flush;
 }
 
 ExitStatus report(std::string_view program, const ClientError& error) {
