@@ -13,7 +13,7 @@ namespace {
 class Kinds {
  public:
   template <typename Test>
-  explicit Kinds(Test&& test) {
+  explicit Kinds(const Test& test) {
     static_assert(term_kind_count <= 64);
     for (std::uint8_t kind = 0; kind < term_kind_count; ++kind) {
       if (test(static_cast<TermKind>(kind))) bits_ |= std::uint64_t{1} << kind;
