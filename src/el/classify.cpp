@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "el/finished.hpp"
 #include "el/index.hpp"
 #include "el/inheritance.hpp"
 #include "el/nominals.hpp"
@@ -22,7 +23,6 @@ namespace geminga::el {
 namespace {
 
 constexpr std::size_t max_pairs = std::size_t{1} << 28;  // of one closure before saturation
-constexpr std::size_t max_conditional_roots = 20'000;    // saturations for nominals
 
 /// What may follow. It grows with what is written, so that a small file that means much takes the memory of a small one
 /// (a conclusion is about ten octets); published ontologies have tens of conclusions an axiom.
@@ -37,8 +37,10 @@ class Classifier {
   Classifier(const OntologySource& source, const ClassifyOptions& options, Inclusions told)
       : source_(source),
         options_(options),
-        limits_{.conclusions = always_concluded + concluded_per_axiom * source.axiom_count(),
-                .merged_atoms = options.merged_atoms},
+        limits_{.conclusions =
+                    options.limits.conclusions.value_or(always_concluded + concluded_per_axiom * source.axiom_count()),
+                .merged_atoms = options.limits.merged_atoms,
+                .budget = options.budget},
         told_(std::move(told)),
         normaliser_(source, index_) {}
 
@@ -66,14 +68,14 @@ class Classifier {
       saturation.reset();  // before there are two
       saturation = saturate();
     }
-    if (saturation->is_over_limit()) {
-      return std::unexpected(too_large());
-    }
-    if (may_settle_ && !use_inverses(*saturation)) return std::unexpected(too_large());
-    if (saturation->is_consistent()) shared_ = find_shared(index_, *saturation, normaliser_.open());
+    if (is_too_large(*saturation)) return std::unexpected(too_large());
+    if (may_settle_) use_inverses(*saturation);
+    if (is_too_large(*saturation)) return std::unexpected(too_large());
+    if (saturation->is_consistent() && !result_.is_cut_off)
+      shared_ = find_shared(index_, *saturation, normaliser_.open());
     count(*saturation);
     reduce(*saturation);
-    if (may_settle_ && result_.is_consistent) settle();
+    if (may_settle_ && result_.is_consistent && !result_.is_cut_off) settle();
     classify_all_properties();
     return std::move(result_);
   }
@@ -140,18 +142,27 @@ class Classifier {
     return saturation;
   }
 
-  /// Derives what follows through links against their direction, as far as few rounds find it. False over the limit.
-  bool use_inverses(Saturation& saturation) {
-    constexpr int max_rounds_of_inverses = 8;
-    for (int round = 0; saturation.is_consistent(); ++round) {
-      settlement_.emplace(index_, saturation, normaliser_.open(), exprs_);
-      if (round == max_rounds_of_inverses) break;
+  /// Derives what follows through links against their direction, as far as few rounds find it.
+  void use_inverses(Saturation& saturation) {
+    CopyLimits limits = options_.limits.copies;
+    limits.budget = options_.budget;
+    for (unsigned round = 0; saturation.is_consistent() && !saturation.is_over_limit(); ++round) {
+      settlement_.emplace(index_, saturation, normaliser_.open(), exprs_, limits);
+      if (settlement_->is_cut_off()) result_.is_cut_off = true;
+      if (round == options_.limits.rounds_of_inverses || result_.is_cut_off) break;
       const Copies::Derived derived = settlement_->derived();
       if (derived.empty()) break;
       for (const auto& [context, expr] : derived) saturation.conclude(context, expr);
-      if (!saturation.run()) return false;
+      saturation.run();
     }
-    return true;
+  }
+
+  /// Whether a limit is passed that leaves nothing to go on with. The budget is none: what is derived by then counts.
+  bool is_too_large(const Saturation& saturation) {
+    if (!saturation.is_consistent()) return false;
+    if (!saturation.is_cut_off()) return saturation.is_over_limit();
+    result_.is_cut_off = true;
+    return false;
   }
 
   [[nodiscard]] ClassifyError too_large() const {
@@ -170,13 +181,15 @@ class Classifier {
     SubsumptionGraph graph(index_);
     {
       Inheritance inheritance(index_, limits_, seeds);
-      if (!inheritance.run(options_.threads)) return false;
+      if (!inheritance.run(options_.threads) && !inheritance.is_cut_off()) return false;
+      result_.is_cut_off = inheritance.is_cut_off();
       result_.counts.expressions = index_.size();
       result_.counts.contexts = inheritance.nodes().size();
       result_.counts.subsumptions = inheritance.conclusion_count();
       result_.counts.links = inheritance.link_count();
       result_.is_consistent = inheritance.is_consistent();
       add_edges(inheritance.nodes(), graph);
+      if (result_.is_cut_off && result_.unused.empty()) result_.is_settled = find_finished(index_, inheritance, exprs_);
     }
     name_classes();
     std::move(graph).reduce(exprs_, result_);
@@ -213,17 +226,28 @@ class Classifier {
       if (context.is_unsatisfiable) graph.set_unsatisfiable(context.root);
       for (const ExprId above : context.derived) graph.add_edge(context.root, above);
     }
+    if (!result_.is_cut_off) add_worlds(saturation, graph);
+    name_classes();
+    std::move(graph).reduce(exprs_, result_);
+  }
+
+  /// What holds where a class has an instance. Over a limit the rest keeps what holds without one, and the axioms with
+  /// nominals count as unused.
+  void add_worlds(const Saturation& saturation, SubsumptionGraph& graph) {
     const std::vector<ExprId> conditional = find_conditional_roots(index_, saturation, asked_);
-    // Over the limit the rest keeps what holds without an instance, and the axioms with nominals count as unused.
-    for (std::size_t at = 0; at < std::min(conditional.size(), max_conditional_roots); ++at) {
-      const auto world = find_world(index_, conditional[at], normaliser_.individuals(), limits_.conclusions);
-      if (!world) continue;
+    bool is_left_out = conditional.size() > options_.limits.worlds;
+    for (std::size_t at = 0; at < std::min(conditional.size(), options_.limits.worlds); ++at) {
+      const auto world = find_world(index_, conditional[at], normaliser_.individuals(), limits_);
+      result_.is_cut_off = options_.budget != nullptr && options_.budget->is_spent();
+      if (result_.is_cut_off) return;
+      if (!world) {
+        is_left_out = true;
+        continue;
+      }
       if (!world->is_possible) graph.set_unsatisfiable(conditional[at]);
       for (const ExprId above : world->above) graph.add_edge(conditional[at], above);
     }
-    if (conditional.size() > max_conditional_roots) leave_out_nominals();
-    name_classes();
-    std::move(graph).reduce(exprs_, result_);
+    if (is_left_out) leave_out_nominals();
   }
 
   /// Names the axioms in which a term of one of these kinds occurs, or that are of these kinds themselves.
@@ -314,12 +338,19 @@ class Classifier {
 
 std::expected<Classification, ClassifyError> classify(const OntologySource& source, const ClassifyOptions& options) {
   // What a union is found to be in may show more of what other unions are in. Few rounds find more than one does.
-  constexpr int max_rounds = 8;
   std::vector<std::pair<ExprId, ExprId>> told;
-  for (int round = 0;; ++round) {
+  std::optional<Classification> before;
+  for (unsigned round = 0;; ++round) {
     Classifier classifier(source, options, told);
     auto found = classifier.run();
-    if (!found || classifier.shared().empty() || round == max_rounds) return found;
+    if (found && found->is_cut_off && before) {
+      // The round before was not, and knows more.
+      before->is_cut_off = true;
+      before->is_settled.clear();
+      return std::move(*before);
+    }
+    if (!found || classifier.shared().empty() || round == options.limits.rounds_of_unions) return found;
+    before = std::move(*found);
     told.insert(told.end(), classifier.shared().begin(), classifier.shared().end());
   }
 }

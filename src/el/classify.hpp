@@ -10,19 +10,21 @@
 #include <string_view>
 #include <vector>
 
+#include "base/budget.hpp"
+#include "el/limits.hpp"
 #include "el/ontology.hpp"
 #include "el/property_taxonomy.hpp"
 #include "el/source.hpp"
 
 namespace geminga::el {
 
-/// Beyond it functional properties are left out and named.
-inline constexpr std::size_t default_max_merged_atoms = std::size_t{1} << 20;
-
 struct ClassifyOptions {
-  unsigned threads = 1;                                 ///< of saturation; the result does not depend on it
-  bool inherits = true;                                 ///< the closure is inherited where it can be: inheritance.hpp
-  std::size_t merged_atoms = default_max_merged_atoms;  ///< see SaturationLimits
+  unsigned threads = 1;  ///< of saturation; the result does not depend on it
+  bool inherits = true;  ///< the closure is inherited where it can be: inheritance.hpp
+  /// What deriving may cost; nothing: no more than the limits. Borrowed. What is linear in the axioms is done in any
+  /// case: where the budget is spent, what was derived by then is reduced to a taxonomy.
+  base::Budget* budget = nullptr;
+  ClassifyLimits limits{};
 };
 
 /// Why an ontology could not be classified. `text` is one line for a user.
@@ -62,9 +64,10 @@ struct Classification {
   PropertyTaxonomy object_properties;
   PropertyTaxonomy data_properties;
   bool is_consistent = true;        ///< false: an individual must be in owl:Nothing, and everything follows
+  bool is_cut_off = false;          ///< the budget was spent: more may follow, of classes and of consistency
   std::vector<UnusedAxiom> unused;  ///< ascending by axiom
   /// By class: nothing is missing above it, if the ontology is consistent. Empty: that is not known of any class,
-  /// unless all axioms are used.
+  /// unless all axioms are used and nothing was cut off.
   std::vector<bool> is_settled;
   ClassifyCounts counts;
 
@@ -75,7 +78,7 @@ struct Classification {
   }
 };
 
-/// Classifies. The result depends only on the set of axioms, not on their order or on threads.
+/// Classifies. The result depends only on the set of axioms, not on their order or on threads, unless it is cut off.
 [[nodiscard]] std::expected<Classification, ClassifyError> classify(const OntologySource& source,
                                                                     const ClassifyOptions& options = {});
 

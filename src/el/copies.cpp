@@ -5,22 +5,24 @@
 #include <map>
 
 namespace geminga::el {
-namespace {
-
-constexpr std::size_t max_copies = std::size_t{1} << 23;
-constexpr std::size_t max_lessons = std::size_t{1} << 25;
-constexpr std::size_t max_grown = 64;  // of one copy
-
-}  // namespace
-
-Copies::Copies(const Index& index, const Saturation& saturation, const InverseRoles& roles, Limits limits)
-    : index_(index), saturation_(saturation), roles_(roles), limits_(std::move(limits)) {
+Copies::Copies(const Index& index, const Saturation& saturation, const InverseRoles& roles, Growing growing,
+               const CopyLimits& limits)
+    : index_(index),
+      saturation_(saturation),
+      roles_(roles),
+      growing_(std::move(growing)),
+      limits_(limits),
+      use_(limits.budget) {
   index_links();
   learn_of_contexts();
   teach_all();
   if (is_over_limit_) return;
   meet();
-  look_back();
+  if (!is_over_limit_) look_back();
+}
+
+void Copies::spend(std::size_t steps) {
+  if (!use_.spend(steps)) is_over_limit_ = is_cut_off_ = true;
 }
 
 void Copies::teach_all() {
@@ -38,6 +40,8 @@ void Copies::index_links() {
   std::vector<std::pair<std::uint32_t, Link>> links;
   for (std::uint32_t to = 0; to < contexts.size(); ++to) {
     if (contexts[to].is_unsatisfiable) continue;
+    spend(contexts[to].backward.size());
+    if (is_over_limit_) break;
     for (const Link link : contexts[to].backward.items()) {
       if (roles_.tells_end(link.role) && !contexts[link.context].is_unsatisfiable)
         links.emplace_back(link.context, Link{link.role, to});
@@ -51,6 +55,7 @@ void Copies::learn_of_contexts() {
   for (std::uint32_t at = 0; at < contexts.size() && !is_over_limit_; ++at) {
     const Context& context = contexts[at];
     const std::span fillers(context.propagating.begin(), context.propagating.end());
+    spend(1 + forward_[at].size() * (fillers.size() + context.subsumers.size()));
     for (const Link link : forward_[at]) {
       visit_taught(index_, roles_.learning(link.role), fillers, context.subsumers.items(),
                    [&](ExprId learned) { (void)learn(link.context, learned); });
@@ -69,13 +74,13 @@ std::uint32_t Copies::learn(std::uint32_t context, ExprId learned) {
   if (is_in(context, learned)) return none;
   const std::uint32_t known = find(context, learned);
   if (known != none) return known;
-  if (copies_.size() >= max_copies) {
+  if (copies_.size() >= limits_.copies) {
     is_over_limit_ = true;
     return none;
   }
   const auto created = static_cast<std::uint32_t>(copies_.size());
   table_.insert(mixed(mixed(0, context), number(learned)), created);
-  const Growth growth = limits_.growth(context, learned);
+  const Growth growth = growing_.growth(context, learned);
   copies_.push_back({context, learned, static_cast<std::uint32_t>(grown_.size()),
                      static_cast<std::uint32_t>(grown_.size()), growth == Growth::forbidden});
   if (growth == Growth::free) grow(created);
@@ -89,7 +94,7 @@ bool Copies::has_grown(std::uint32_t copy, ExprId expr) const {
 
 void Copies::add(std::uint32_t copy, ExprId expr) {
   if (is_in(copies_[copy].context, expr) || has_grown(copy, expr)) return;
-  if (!limits_.may_grow[number(expr)] || copies_[copy].end - copies_[copy].begin >= max_grown) {
+  if (!growing_.may_grow[number(expr)] || copies_[copy].end - copies_[copy].begin >= limits_.grown) {
     copies_[copy].is_open = true;
     return;
   }
@@ -126,7 +131,7 @@ void Copies::add_link(std::uint32_t copy, const LinkRule& rule) {
   }
   const std::uint32_t to = saturation_.number_of(rule.root);
   if (contexts[to].backward.contains({rule.role, from})) return;
-  if (contexts[to].is_unsatisfiable || !limits_.may_lead_to(from, rule.role, to)) {
+  if (contexts[to].is_unsatisfiable || !growing_.may_lead_to(from, rule.role, to)) {
     copies_[copy].is_open = true;
     return;
   }
@@ -143,7 +148,7 @@ void Copies::add_link(std::uint32_t copy, const LinkRule& rule) {
         const Link composed{result, next.context};
         if (std::ranges::find(links, composed) == links.end()) links.push_back(composed);
       }
-      if (links.size() > max_grown) copies_[copy].is_open = true;
+      if (links.size() > limits_.grown) copies_[copy].is_open = true;
     }
   }
 }
@@ -188,11 +193,12 @@ void Copies::teach_successors(std::uint32_t copy) {
   std::vector<std::uint32_t> known;
   for (const ExprId expr : fillers) known.push_back(number(expr));
   for (const Link link : forward_[copies_[copy].context]) {
+    spend(1 + fillers.size());
     visit_taught(index_, roles_.learning(link.role), fillers, known, [&](ExprId learned) {
       const std::uint32_t taught = learn(link.context, learned);
       if (taught != none) lessons_.push_back({copy, link.role, taught});
     });
-    if (lessons_.size() > max_lessons) is_over_limit_ = true;
+    if (lessons_.size() > limits_.lessons) is_over_limit_ = true;
     if (is_over_limit_) return;
   }
 }
@@ -220,11 +226,12 @@ void Copies::teach_new_successors() {
     for (const std::uint32_t expr : found->second) {
       if (expr < index_.size()) fillers.push_back(ExprId{expr});
     }
+    spend(1 + found->second.size());
     visit_taught(index_, roles_.learning(one.link.role), fillers, found->second, [&](ExprId learned) {
       const std::uint32_t taught = learn(one.link.context, learned);
       if (taught != none) lessons_.push_back({one.copy, one.link.role, taught});
     });
-    if (lessons_.size() > max_lessons) is_over_limit_ = true;
+    if (lessons_.size() > limits_.lessons) is_over_limit_ = true;
   }
 }
 
@@ -233,7 +240,7 @@ void Copies::meet() {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::uint32_t at = 0; at < copies_.size(); ++at) pairs.emplace_back(copies_[at].context, at);
   const Rows<std::uint32_t> copies_of(saturation_.contexts().size(), pairs);
-  for (std::size_t context = 0; context < copies_of.row_count(); ++context) {
+  for (std::size_t context = 0; context < copies_of.row_count() && !is_over_limit_; ++context) {
     if (copies_of[context].size() > 1) meet_at(copies_of[context]);
   }
 }
@@ -246,6 +253,7 @@ void Copies::meet_at(std::span<const std::uint32_t> copies) {
   std::ranges::sort(met);
   met.erase(std::ranges::unique(met).begin(), met.end());
   for (const std::uint32_t copy : copies) {
+    spend(grown(copy).size());
     const auto meets = [&](const ConjunctionRule& rule) {
       return std::ranges::binary_search(met, number(rule.partner)) && !has_grown(copy, rule.conjunction) &&
              !is_in(copies_[copy].context, rule.conjunction);

@@ -33,13 +33,14 @@ class Copies {
   /// What a context may learn.
   enum class Growth : std::uint8_t { free, not_needed, forbidden };
   /// What the contexts of a saturation say of growing.
-  struct Limits {
+  struct Growing {
     std::vector<bool> may_grow;  ///< by expression: it has no rules but those that are looked at here
     std::function<Growth(std::uint32_t context, ExprId learned)> growth;
     /// Whether a copy of the one may have a successor in the other.
     std::function<bool(std::uint32_t from, RoleId role, std::uint32_t to)> may_lead_to;
   };
-  Copies(const Index& index, const Saturation& saturation, const InverseRoles& roles, Limits limits);
+  Copies(const Index& index, const Saturation& saturation, const InverseRoles& roles, Growing growing,
+         const CopyLimits& limits = {});
 
   /// What follows for a context from what its successors learn of it: it is in the expression.
   using Derived = std::vector<std::pair<std::uint32_t, ExprId>>;
@@ -47,6 +48,9 @@ class Copies {
 
   /// Adds the contexts of whose successors more is not known. Where it does, more may be failing than before.
   [[nodiscard]] bool spread(std::vector<bool>& failing);
+
+  /// Whether the budget was spent before all was looked at. Then nothing is known of any context.
+  [[nodiscard]] bool is_cut_off() const { return is_cut_off_; }
 
  private:
   /// One thing that copies of a context learn, and what they grow by for it.
@@ -64,6 +68,8 @@ class Copies {
   };
   static constexpr std::uint32_t none = NumberTable::none;
 
+  /// Counts work, and whether it may go on.
+  void spend(std::size_t steps);
   void index_links();
   void learn_of_contexts();
   [[nodiscard]] std::uint32_t find(std::uint32_t context, ExprId learned) const;
@@ -93,7 +99,9 @@ class Copies {
   const Index& index_;
   const Saturation& saturation_;
   const InverseRoles& roles_;
-  Limits limits_;
+  Growing growing_;
+  CopyLimits limits_;
+  base::BudgetUse use_;
   Rows<Link> forward_;  ///< by context: links whose end learns something
   std::vector<Copy> copies_;
   NumberTable table_;
@@ -108,6 +116,7 @@ class Copies {
   /// Properties of which a copy is within a word that no expression stands for.
   std::vector<std::pair<std::uint32_t, RoleId>> parts_;  ///< ascending by copy
   bool is_over_limit_ = false;
+  bool is_cut_off_ = false;  ///< it was the budget
   bool is_spread_ = false;
 };
 

@@ -21,7 +21,7 @@ Entailed find_entailed(const OntologySource& source, std::span<const std::uint32
   is_complete &= normaliser.finish().empty();
   const Entailed otherwise = is_complete ? Entailed::no : Entailed::not_found;
   if (!index.finish(max_pairs)) return Entailed::not_found;
-  const std::optional<World> world = find_world(index, from, normaliser.individuals(), max_pairs);
+  const std::optional<World> world = find_world(index, from, normaliser.individuals(), {.conclusions = max_pairs});
   if (!world) return Entailed::not_found;
   if (!world->is_possible) return Entailed::yes;
   const bool is_above = std::ranges::find(world->above, index.representative(to)) != world->above.end();

@@ -63,6 +63,7 @@ void HeirWorker::apply_conjunctions(std::uint32_t node, ExprId item) {
   // Whichever is shorter is walked, and the other searched: names like "disease" are in thousands of conjunctions.
   Node& self = nodes_[node];
   const std::span<const ConjunctionRule> rules = index_.conjunctions(item);
+  work_.add(std::min<std::size_t>(rules.size(), self.items.size()));
   if (rules.size() <= self.items.size() * 2) {
     for (const ConjunctionRule& rule : rules) {
       if (self.items.contains(number(rule.partner))) add_item(node, rule.conjunction);
@@ -193,7 +194,7 @@ void HeirWorker::tell_sources(std::uint32_t node) {
   };
   if (self.sources_told != 0) gather(self.items_told, new_items_);
   if (self.sources_told < self.sources.size()) gather(0, all_items_);
-  for (std::uint32_t at = 0; at < self.sources.size(); ++at) {
+  for (std::uint32_t at = 0; at < self.sources.size() && !shared_.has_ended(); ++at) {
     const bool is_new = at >= self.sources_told;
     tell_source(node, self.sources[at], is_new, is_new ? all_items_ : new_items_);
   }
@@ -204,6 +205,7 @@ void HeirWorker::tell_source(std::uint32_t node, std::uint32_t source, bool is_n
   const Node& self = nodes_[node];
   const RoleId role{nodes_[source].root};
   found_.clear();
+  work_.add(items.size());
   for (const std::uint32_t item : items) {
     //  N < D
     //  --------------------- [S some D occurs negatively, R <* S]
@@ -257,13 +259,13 @@ void HeirWorker::serve_heirs(std::uint32_t node) {
   };
   if (self.heirs_served != 0 && self.items_told < self.items.size()) {
     gather(self.items_told, new_items_);
-    for (std::uint32_t at = 0; at < self.heirs_served && !new_items_.empty(); ++at) {
+    for (std::uint32_t at = 0; at < self.heirs_served && !new_items_.empty() && !shared_.has_ended(); ++at) {
       tell(self.heirs[at], {Tidings::inherited, once_more, 0}, new_items_);
     }
   }
   if (self.heirs_served < self.heirs.size()) {
     gather(0, all_items_);
-    for (std::uint32_t at = self.heirs_served; at < self.heirs.size(); ++at) {
+    for (std::uint32_t at = self.heirs_served; at < self.heirs.size() && !shared_.has_ended(); ++at) {
       tell(self.heirs[at], {Tidings::inherited, hearing(node, true), 0}, all_items_);
     }
   }
@@ -285,6 +287,7 @@ void HeirWorker::add_inherited(std::uint32_t node, Items items) {
   for (const std::uint32_t item : items) self.items.insert(item, arena_);
   const std::uint32_t end = self.items.size();
   conclusions_ += end - begin;
+  work_.add(items.size());
   for (std::uint32_t at = begin; at < end && !self.is_unsatisfiable; ++at) process_inherited(node, self.items[at]);
   // What came together has met above. The few are compared with the many.
   const bool are_old_fewer = begin < end - begin;

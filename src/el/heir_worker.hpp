@@ -18,6 +18,7 @@
 #include "el/arena.hpp"
 #include "el/inheritance.hpp"
 #include "el/node.hpp"
+#include "el/work_count.hpp"
 
 namespace geminga::el {
 
@@ -25,7 +26,7 @@ class HeirWorker {
  public:
   /// Ranks are from 1.
   HeirWorker(Inheriting& shared, std::uint8_t rank)
-      : shared_(shared), index_(shared.index), nodes_(shared.contexts), rank_(rank) {}
+      : shared_(shared), index_(shared.index), nodes_(shared.contexts), work_(shared), rank_(rank) {}
 
   /// The node of an atom, or of what is above it where it has nothing itself.
   std::uint32_t require(ExprId atom);
@@ -95,6 +96,7 @@ class HeirWorker {
   Inheriting& shared_;
   const Index& index_;
   NodeStore& nodes_;
+  WorkCount<Inheriting> work_;
   std::uint8_t rank_;
   bool is_parallel_ = false;
   std::size_t conclusions_ = 0;

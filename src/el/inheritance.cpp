@@ -239,6 +239,7 @@ void HeirWorker::process(std::uint32_t node) {
     if (self.pending != 0 && !self.is_released) return stall(node);
     if (self.todo.empty()) break;
     process_item(node, ExprId{self.todo.pop_back()});
+    work_.add(1);
   }
   if (self.is_unsatisfiable) return tell_bottom(node);
   self.is_released = true;
@@ -248,6 +249,7 @@ void HeirWorker::process(std::uint32_t node) {
   self.items_told = self.items.size();
   self.selfs_told = self.selfs.size();
   if (self.is_final) let_go(node);
+  work_.add(1);
   if (conclusions_ > shared_.limits.conclusions) shared_.is_over_limit = true;
 }
 

@@ -52,6 +52,7 @@ struct Inheriting {
   std::size_t closed = 0;                     ///< nodes that were closed at the end of a round
   std::atomic<bool> is_inconsistent = false;
   std::atomic<bool> is_over_limit = false;
+  std::atomic<bool> is_cut_off = false;  ///< it was the budget
 
   static constexpr std::uint32_t no_node_yet = 0;
   static constexpr std::uint32_t claimed_node = 1;
@@ -74,12 +75,19 @@ class Inheritance {
     return !index.has_nominals() && !index.has_functional() && !index.has_universals();
   }
 
-  /// Applies rules until none is left to fire, or the ontology is found inconsistent. False over the limit of
-  /// conclusions. The closure does not depend on the number of threads; the numbers of nodes do.
+  /// Applies rules until none is left to fire, or the ontology is found inconsistent. False over a limit. The closure
+  /// does not depend on the number of threads; the numbers of nodes do.
   bool run(unsigned threads = 1);
 
   [[nodiscard]] bool is_consistent() const { return !shared_.is_inconsistent; }
   [[nodiscard]] bool is_over_limit() const { return shared_.is_over_limit; }
+  /// Whether run() ended because the budget was spent.
+  [[nodiscard]] bool is_cut_off() const { return shared_.is_cut_off; }
+  /// The node of an atom, or no_node where nobody asked for it.
+  [[nodiscard]] std::uint32_t find(ExprId atom) const {
+    const std::uint32_t entry = shared_.node_of[number(atom)].load(std::memory_order_relaxed);
+    return entry <= Inheriting::claimed_node ? no_node : entry - 2;
+  }
   [[nodiscard]] const NodeStore& nodes() const { return shared_.contexts; }
   [[nodiscard]] std::size_t conclusion_count() const;
   [[nodiscard]] std::size_t link_count() const;

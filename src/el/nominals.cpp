@@ -52,8 +52,8 @@ std::vector<ExprId> find_conditional_roots(const Index& index, const Saturation&
 }
 
 std::optional<World> find_world(const Index& index, ExprId root, std::span<const ExprId> individuals,
-                                std::size_t max_conclusions) {
-  Saturation saturation(index, max_conclusions);
+                                const SaturationLimits& limits) {
+  Saturation saturation(index, limits);
   for (const ExprId individual : individuals) saturation.require(index.representative(individual));
   saturation.require_nonempty(saturation.require(index.representative(root)));
   if (!saturation.run()) return std::nullopt;

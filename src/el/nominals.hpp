@@ -27,9 +27,9 @@ struct World {
   std::vector<ExprId> above;  ///< the representatives of all atoms above it, itself and T included
 };
 
-/// Saturates with an instance of `root` beside all individuals. Nothing where it takes over `max_conclusions`.
+/// Saturates with an instance of `root` beside all individuals. Nothing where the limits do not allow that.
 [[nodiscard]] std::optional<World> find_world(const Index& index, ExprId root, std::span<const ExprId> individuals,
-                                              std::size_t max_conclusions);
+                                              const SaturationLimits& limits);
 
 }  // namespace geminga::el
 

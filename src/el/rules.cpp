@@ -71,6 +71,7 @@ void Worker::process_subsumer(std::uint32_t context, ExprId subsumer) {
   //  C < S some E
   if (has(RuleBits::existentials)) {
     self.propagating.push_back(subsumer, arena_);
+    work_.add(self.backward_done);
     for (std::uint32_t at = 0; at < self.backward_done; ++at) propagate(self.backward[at], subsumer);
   }
 
@@ -97,6 +98,7 @@ void Worker::process_subsumer(std::uint32_t context, ExprId subsumer) {
 void Worker::apply_conjunctions(std::uint32_t context, std::span<const ConjunctionRule> rules) {
   // Whichever is shorter is walked, and the other searched: names like "disease" are in thousands of conjunctions.
   Context& self = contexts_[context];
+  work_.add(std::min<std::size_t>(rules.size(), self.subsumers.size()));
   if (rules.size() <= self.subsumers.size() * 2) {
     for (const ConjunctionRule& rule : rules) {
       if (self.subsumers.contains(number(rule.partner))) add_subsumer(context, rule.conjunction);
@@ -200,6 +202,7 @@ void Worker::process_backward(std::uint32_t context, Link link) {
   //  C -R-> D   D < E
   //  ---------------- [S some E occurs negatively, R <* S]; here the first premise is new
   //  C < S some E
+  work_.add(self.propagating.size());
   for (std::uint32_t at = 0; at < self.propagating.size(); ++at) propagate(link, self.propagating[at]);
 }
 
@@ -210,6 +213,7 @@ void Worker::process_backward(std::uint32_t context, Link link) {
 //  that a path of n links is walked n times and not n * n times.
 void Worker::process_first(std::uint32_t context, Link link) {
   Context& self = contexts_[context];
+  work_.add(self.forward_done);
   for (std::uint32_t at = 0; at < self.forward_done; ++at) {
     const Link next = self.forward[at];
     compose(link.context, link.role, next.role, next.context);
@@ -222,6 +226,7 @@ void Worker::process_forward(std::uint32_t context, Link link) {
   //  C -R'-> E
   Context& self = contexts_[context];
   if (index_.roles().is_second(link.role)) {
+    work_.add(self.firsts_done);
     for (std::uint32_t at = 0; at < self.firsts_done; ++at) {
       const Link before = self.firsts[at];
       compose(before.context, before.role, link.role, link.context);

@@ -189,6 +189,7 @@ void Worker::process(std::uint32_t context) {
     } else {
       break;
     }
+    work_.add(1);
     if (conclusions_ > shared_.limits.conclusions) shared_.is_over_limit = true;
   }
 }

@@ -18,21 +18,13 @@
 #include <mutex>
 #include <vector>
 
-#include "el/classify.hpp"
 #include "el/context.hpp"
 #include "el/index.hpp"
+#include "el/limits.hpp"
 
 namespace geminga::el {
 
 class Worker;
-
-/// The most that may be derived. What is beyond it ends the run.
-struct SaturationLimits {
-  std::size_t conclusions = std::size_t{1} << 31;  ///< bounds the work and with it the memory
-  /// Atoms of all contexts that are of some together. Merging the successors of functional properties can need
-  /// exponentially many of them: ELF, EL with functional properties, is complete for exponential time.
-  std::size_t merged_atoms = default_max_merged_atoms;
-};
 
 /// What the workers of one saturation share.
 struct Saturating {
@@ -49,6 +41,7 @@ struct Saturating {
   std::atomic<bool> is_inconsistent = false;
   std::atomic<bool> is_over_limit = false;
   std::atomic<bool> is_over_merged = false;  ///< it was the limit of merged atoms
+  std::atomic<bool> is_cut_off = false;      ///< it was the budget
 
   static constexpr std::uint32_t no_context = 0;
   static constexpr std::uint32_t claimed_context = 1;
@@ -83,6 +76,8 @@ class Saturation {
   [[nodiscard]] bool is_over_limit() const { return shared_.is_over_limit; }
   /// Whether run() ended because too many successors of functional properties had to be merged.
   [[nodiscard]] bool is_over_merged() const { return shared_.is_over_merged; }
+  /// Whether run() ended because the budget was spent.
+  [[nodiscard]] bool is_cut_off() const { return shared_.is_cut_off; }
   [[nodiscard]] const ContextStore& contexts() const { return shared_.contexts; }
   /// The context of an atom, or null where nobody asked for it.
   [[nodiscard]] const Context* find(ExprId root) const;

@@ -57,6 +57,7 @@ void Worker::group_successor(std::uint32_t context, RoleId functional, Link link
   std::vector<ExprId> together = atoms_of(group->successor);
   const std::size_t known = together.size();
   for (const ExprId atom : atoms_of(link.context)) together.push_back(atom);
+  work_.add(together.size());
   std::ranges::sort(together);
   together.erase(std::unique(together.begin(), together.end()), together.end());
   if (together.size() == known && !is_new_role) return;

@@ -28,6 +28,7 @@ void Worker::process_nominal(std::uint32_t context, ExprId subsumer) {
   if (is_of_values(context)) return;
   Context& self = contexts_[context];
   // What is new here is passed on to what is below this nominal, and to the nominals that this is equal to.
+  work_.add(self.members.size());
   for (std::size_t at = 0; at < self.members.size(); ++at) add_subsumer(self.members[at], subsumer);
   if (self.is_nonempty) {
     for (const std::uint32_t nominal : self.nominals) add_subsumer(nominal, subsumer);
@@ -38,6 +39,7 @@ void Worker::process_nominal(std::uint32_t context, ExprId subsumer) {
   self.nominals.own().push_back(nominal);
   contexts_[nominal].members.own().push_back(context);
   const ArenaSet<std::uint32_t>& known = contexts_[nominal].subsumers;
+  work_.add(known.size());
   for (std::size_t at = 0; at < known.size(); ++at) {
     if (known[at] < index_.size()) add_subsumer(context, ExprId{known[at]});
   }
@@ -54,6 +56,7 @@ bool Worker::is_of_values(std::uint32_t context) const {
 void Worker::merge_into_nominal(std::uint32_t context, std::uint32_t nominal) {
   for (const ExprId atom : atoms_of(context)) add_derived_atom(nominal, atom);
   const ArenaSet<std::uint32_t>& known = contexts_[context].subsumers;
+  work_.add(known.size());
   for (std::size_t at = 0; at < known.size(); ++at) {
     if (known[at] < index_.size()) add_subsumer(nominal, ExprId{known[at]});
   }

@@ -7,11 +7,12 @@
 namespace geminga::el {
 
 Settlement::Settlement(const Index& index, const Saturation& saturation, const OpenParts& open,
-                       std::span<const ExprId> classes)
+                       std::span<const ExprId> classes, const CopyLimits& limits)
     : index_(index),
       saturation_(saturation),
       open_(open),
       inverses_(index, open.inverses),
+      copy_limits_(limits),
       is_failing_(saturation.contexts().size(), false),
       union_of_(saturation.contexts().size(), none),
       roots_(saturation.contexts().size(), Root::unknown),
@@ -201,7 +202,7 @@ void Settlement::make_copies() {
   }
   copies_.emplace(
       index_, saturation_, inverses_,
-      Copies::Limits{
+      Copies::Growing{
           .may_grow = std::move(may_grow),
           .growth =
               [&](std::uint32_t at, ExprId learned) {
@@ -215,7 +216,8 @@ void Settlement::make_copies() {
                 return union_of_[to] == none && !index_.may_be_functional(role) && open_.at_most.empty() &&
                        !index_.has_nominals() && !index_.has_universals() && is_implied_satisfied(from, role, to);
               },
-      });
+      },
+      copy_limits_);
 }
 
 /// Whether a further link between two elements would leave everything as it is. One of them is the successor of the

@@ -33,13 +33,16 @@ class Settlement {
   /// Requires a saturation that has ended within its limits and without contradiction, and that the rest of the axioms
   /// is all in `open`.
   /// Only what is missing of `classes`, representatives, counts.
-  Settlement(const Index& index, const Saturation& saturation, const OpenParts& open, std::span<const ExprId> classes);
+  Settlement(const Index& index, const Saturation& saturation, const OpenParts& open, std::span<const ExprId> classes,
+             const CopyLimits& limits = {});
 
   /// Whether nothing is missing above an atom, if the ontology is consistent.
   [[nodiscard]] bool is_settled(ExprId atom);
-  /// Whether everything that must have an instance is settled: then the ontology is consistent.
   /// What follows from inverses besides what the saturation derived; while there is something, nothing is settled.
   [[nodiscard]] Copies::Derived derived() const { return copies_ ? copies_->derived() : Copies::Derived{}; }
+  /// Whether the budget was spent before all was looked at. Then nothing is settled.
+  [[nodiscard]] bool is_cut_off() const { return copies_ && copies_->is_cut_off(); }
+  /// Whether everything that must have an instance is settled: then the ontology is consistent.
   [[nodiscard]] bool is_world_settled() const { return is_world_settled_; }
 
  private:
@@ -76,6 +79,7 @@ class Settlement {
   const Saturation& saturation_;
   const OpenParts& open_;
   InverseRoles inverses_;
+  CopyLimits copy_limits_;
   std::optional<Copies> copies_;
   std::vector<bool> is_heard_;     ///< by role: a rule or a test may tell whether there is a link of it
   std::vector<bool> is_composed_;  ///< by role: one of a chain whose result is heard

@@ -16,6 +16,7 @@
 #include "el/arena.hpp"
 #include "el/context.hpp"
 #include "el/saturation.hpp"
+#include "el/work_count.hpp"
 
 namespace geminga::el {
 
@@ -23,7 +24,7 @@ class Worker {
  public:
   /// Ranks are from 1.
   Worker(Saturating& shared, std::uint8_t rank)
-      : shared_(shared), index_(shared.index), contexts_(shared.contexts), rank_(rank) {}
+      : shared_(shared), index_(shared.index), contexts_(shared.contexts), work_(shared), rank_(rank) {}
 
   std::uint32_t require(ExprId root);
   void require_nonempty(std::uint32_t context);
@@ -99,6 +100,7 @@ class Worker {
   Saturating& shared_;
   const Index& index_;
   ContextStore& contexts_;
+  WorkCount<Saturating> work_;
   std::uint8_t rank_;
   bool is_parallel_ = false;
   std::size_t conclusions_ = 0;

@@ -27,7 +27,8 @@ void leave_all_undecided(Classified& result) {
   result.undecided.classes.clear();
   const auto empty = result.representative[static_cast<std::size_t>(result.nothing)];
   for (std::uint32_t of = 0; of < result.class_count(); ++of) {
-    if (result.representative[of] != empty) result.undecided.classes.push_back(el::ClassNumber{of});
+    const bool is_settled = of < result.is_settled.size() && result.is_settled[of];
+    if (result.representative[of] != empty && !is_settled) result.undecided.classes.push_back(el::ClassNumber{of});
   }
 }
 
@@ -180,11 +181,16 @@ class Deepening {
 
 std::expected<Classified, el::ClassifyError> classify(const el::OntologySource& source, const Options& options) {
   if (options.progress) options.progress("classifying", 0);
-  auto found = el::classify(source, {.threads = options.threads});
+  auto found = el::classify(source, {.threads = options.threads, .budget = options.budget});
   if (!found) return std::unexpected(std::move(found.error()));
-  Classified result{std::move(*found), {}, {}, false};
+  Classified result{std::move(*found), {}, {}};
   if (!result.is_consistent) {
     result.unused.clear();  // nothing can be missing where everything follows
+    return result;
+  }
+  if (result.is_cut_off) {
+    result.gaps.push_back(*options.budget->reason());
+    leave_all_undecided(result);
     return result;
   }
   if (result.unused.empty()) return result;

@@ -16,8 +16,9 @@ constexpr std::size_t max_derived_clauses = 2'000'000;
 
 Answer is_consistent(const el::OntologySource& source, base::Budget* budget) {
   if (source.problem()) return {Verdict::unknown, *source.problem()};
-  if (const auto found = el::classify(source)) {
+  if (const auto found = el::classify(source, {.budget = budget})) {
     if (!found->is_consistent) return {Verdict::no, {}};
+    if (found->is_cut_off) return {Verdict::unknown, *budget->reason()};
     if (found->unused.empty()) return {Verdict::yes, {}};
   }
   const auto clauses = clauses::clausify(source, std::nullopt, {});

@@ -65,7 +65,7 @@ class Decision {
   }
 
   void ask_el() {
-    const auto found = el::classify(excerpt_.source);
+    const auto found = el::classify(excerpt_.source, {.budget = budget_});
     if (!found) return;
     if (!found->is_consistent) return settle_all_impossible();
     const el::ClassNumber empty = found->representative[static_cast<std::size_t>(found->nothing)];
@@ -77,7 +77,7 @@ class Decision {
       const auto number = static_cast<std::size_t>(place - found->classes.begin());
       if (found->representative[number] == empty) {
         settle(at, Verdict::no);
-      } else if (find_unused(found->unused, excerpt_.copied, challenges_[at]) == nullptr) {
+      } else if (!found->is_cut_off && find_unused(found->unused, excerpt_.copied, challenges_[at]) == nullptr) {
         settle(at, Verdict::yes);
       }
     }

@@ -31,8 +31,8 @@ struct Options {
   /// Conclusions by cases that are derived for one class before it is left to models. Deriving wins where there are
   /// few, as in SOMA; beyond, a model settles in a few steps what takes every combination to derive.
   std::uint32_t alternatives = 200;
-  /// What everything beyond the EL part may cost together; nothing: only each engine's own limits hold. Borrowed. Where
-  /// it is spent, what is certain by then is the result.
+  /// What all engines may cost together; nothing: only each engine's own limits hold. Borrowed. Where it is spent, what
+  /// is certain by then is the result.
   base::Budget* budget = nullptr;
   /// Called now and then with what is being done and how far it is, in [0, 1]; on the caller's thread.
   std::function<void(std::string_view phase, double done)> progress{};
@@ -47,13 +47,12 @@ struct Undecided {
   std::optional<el::ClassNumber> held_up_by;
 };
 
-/// The taxonomy as the engines together know it.
+/// The taxonomy as the engines together know it. It is cut off where the budget was spent.
 struct Classified : el::Classification {
   /// Why something may be missing although its axioms were used, one line each: sorted, without doubles. Where this and
   /// `unused` are empty, the taxonomy is proven complete.
   std::vector<std::string> gaps;
-  Undecided undecided;      ///< nothing where `gaps` is empty
-  bool is_cut_off = false;  ///< the budget was spent
+  Undecided undecided;  ///< nothing where `gaps` is empty
 };
 
 /// Classifies with all engines. `unused` of the result lists what may have more to say than was understood, axiom by

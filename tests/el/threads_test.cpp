@@ -239,9 +239,9 @@ TEST(Merging, IsLimitedAndSaidToBe) {
   EXPECT_FALSE(Saturated(source, 1, {.merged_atoms = merged}).saturation->is_over_merged());
   EXPECT_TRUE(Saturated(source, 1, {.merged_atoms = merged - 1}).saturation->is_over_merged());
   ClassifyOptions options;
-  options.merged_atoms = merged;
+  options.limits.merged_atoms = merged;
   EXPECT_TRUE(classify(source, options)->unused.empty());
-  options.merged_atoms = merged - 1;
+  options.limits.merged_atoms = merged - 1;
   const auto weaker = classify(source, options);
   ASSERT_EQ(weaker->unused.size(), 2U);
   EXPECT_EQ(weaker->unused.front().construct, "functional properties with too many successors");

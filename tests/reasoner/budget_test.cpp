@@ -95,6 +95,54 @@ TEST(ABudget, ThatIsSpentSaysSoAndKeepsWhatTheELPartSays) {
   EXPECT_THAT(el::closure(*ontology), Not(Contains("X < Nothing")));
 }
 
+/// Each part is within all that follow in the line: what follows grows with its square, and all of it is EL.
+std::string line_of_parts(int length) {
+  std::string text = "TransitiveObjectProperty(p)\n";
+  for (int at = 0; at < length; ++at) {
+    const std::string name = "L" + std::to_string(at);
+    text += "SubClassOf(" + name + " ObjectSomeValuesFrom(p L" + std::to_string(at + 1) + "))\n";
+    text += "EquivalentClasses(In" + std::to_string(at) + " ObjectSomeValuesFrom(p " + name + "))\n";
+  }
+  return text;
+}
+
+TEST(ABudget, ThatIsSpentInTheELPartLeavesWhatWasDerivedAndIsNeverComplete) {
+  const el::OntologySource source = el::written(line_of_parts(150) + "SubClassOf(B C)\nSubClassOf(C D)\n");
+  base::Budget enough(100'000'000);
+  EXPECT_FALSE(classify_within(source, enough).is_cut_off);
+  for (const std::uint64_t steps : {std::uint64_t{1}, enough.spent() / 2, enough.spent() - 1}) {
+    base::Budget budget(steps);
+    const Classified found = classify_within(source, budget);
+    EXPECT_TRUE(found.is_cut_off);
+    EXPECT_THAT(found.unused, IsEmpty());
+    EXPECT_THAT(found.gaps, ElementsAre("the limit of " + std::to_string(steps) + " steps was reached"));
+    EXPECT_TRUE(found.undecided.consistency);
+    EXPECT_THAT(found.undecided.classes, Not(IsEmpty()));
+    const auto ontology = el::Ontology::from_bytes(el::compile(source, found));
+    ASSERT_TRUE(ontology);
+    EXPECT_THAT(el::closure(*ontology), Contains("B < D"));
+  }
+}
+
+TEST(ABudget, ThatIsSpentInTheELPartLeavesConsistencyUnknown) {
+  const el::OntologySource source = el::written(line_of_parts(150));
+  EXPECT_EQ(reasoner::is_consistent(source).verdict, Verdict::yes);
+  base::Budget budget(100);
+  const Answer answer = reasoner::is_consistent(source, &budget);
+  EXPECT_EQ(answer.verdict, Verdict::unknown);
+  EXPECT_EQ(answer.reason, "the limit of 100 steps was reached");
+}
+
+TEST(ABudget, ThatIsSpentInTheELPartNeverShowsThatSomethingDoesNotFollow) {
+  el::OntologySource asked = el::written(line_of_parts(150));
+  const el::TermId sub = asked.named_class("https://t.example/#L0");
+  const el::TermId super = asked.named_class("https://t.example/#In149");
+  for (const std::uint64_t steps : {1U, 1'000U, 2'000U}) {
+    base::Budget budget(steps);
+    EXPECT_NE(reasoner::entails(asked, std::nullopt, sub, super, &budget).verdict, Verdict::no) << steps;
+  }
+}
+
 TEST(ABudget, OfTimeThatIsOverEndsEveryEngine) {
   const el::OntologySource source = el::written(pigeonhole(9));
   base::Budget budget(base::Budget::unlimited, [] { return true; });

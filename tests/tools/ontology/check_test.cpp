@@ -135,6 +135,32 @@ std::string pigeonhole(int holes) {
   return text;
 }
 
+TEST(Check, SaysWhatWasNotDecidedWhereTheELPartReachesItsLimit) {
+  const Program program;
+  std::string parts =
+      ":p a owl:ObjectProperty , owl:TransitiveProperty . :A rdfs:subClassOf :B . :B rdfs:subClassOf :C .\n";
+  for (int at = 0; at < 150; ++at) {
+    const std::string n = std::to_string(at);
+    parts += ":L" + n + " rdfs:subClassOf [ a owl:Restriction ; owl:onProperty :p ; owl:someValuesFrom :L" +
+             std::to_string(at + 1) + " ] . :In" + n +
+             " owl:equivalentClass [ a owl:Restriction ; owl:onProperty :p ; owl:someValuesFrom :L" + n + " ] .\n";
+  }
+  program.turtle("a.ttl", parts);
+  EXPECT_THAT(program.run({"check", "a.ttl"}).out, HasSubstr("Complete: "));
+  const Outcome outcome = program.run({"check", "a.ttl", "--steps", "100"});
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_THAT(outcome.out, HasSubstr("Not decided: whether the files contradict themselves.\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("Not decided: whether more is above "));
+  EXPECT_THAT(outcome.out, HasSubstr("Incomplete: "));
+  EXPECT_THAT(outcome.err, HasSubstr("the limit of 100 steps was reached"));
+  const Outcome classified = program.run({"classify", "a.ttl", "--closure", "--steps", "100"});
+  EXPECT_EQ(classified.status, 4);
+  EXPECT_THAT(classified.out, HasSubstr("http://e/A\thttp://e/C\n"));
+  EXPECT_EQ(program.run({"compile", "a.ttl", "-o", "a.geminga", "--steps", "100"}).status, 4);
+  EXPECT_THAT(program.run({"check", "a.geminga"}).out, HasSubstr("Incomplete: "));
+  EXPECT_EQ(program.run({"consistent", "a.ttl", "--steps", "100"}).status, 4);
+}
+
 TEST(Check, SaysWhatIsNotDecidedAndWhoHoldsItUpWhereALimitIsReached) {
   const Program program;
   program.turtle("a.ttl", pigeonhole(9) + ":A rdfs:subClassOf :B . :B rdfs:subClassOf [ owl:unionOf (:C :D) ] .\n");
