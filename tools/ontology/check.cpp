@@ -21,10 +21,6 @@ struct Request {
   bool shows_all = false;
 };
 
-std::string place(const std::string& file, std::uint32_t line) {
-  return line == 0 ? file : file + ':' + std::to_string(line);
-}
-
 std::string left_out_as_text(const Findings& findings, bool shows_all) {
   std::string text;
   if (!findings.left_out.empty()) text += "Left out:\n";
@@ -75,10 +71,7 @@ std::string sources_as_text(const Sources& sources) {
 std::string doubts_as_text(const Sources& sources) {
   std::string text;
   if (sources.outgrown) text += "Older than its sources: " + *sources.outgrown + '\n';
-  if (!sources.unresolved.empty())
-    text += "Imports that no given file answers (nothing is fetched: name the files, too):\n";
-  for (const rdf::UnresolvedImport& import : sources.unresolved)
-    text += "  <" + import.iri + "> at " + place(import.file, import.line) + '\n';
+  text += unresolved_as_text(sources.unresolved);
   if (!sources.conflicts.empty()) text += "Prefixes that mean several IRIs (write the others in full):\n";
   for (const rdf::PrefixConflict& conflict : sources.conflicts) {
     text += "  " + conflict.prefix + ": is <" + conflict.chosen + ">, not";

@@ -9,6 +9,7 @@
 
 #include "closure.hpp"
 #include "command.hpp"
+#include "findings.hpp"
 #include "knowledge.hpp"
 #include "words.hpp"
 
@@ -105,6 +106,12 @@ Exit classify(const Request& request, const WorkLimits& limits) {
   if (!write(*knowledge, request) || std::fflush(stdout) != 0) return say_error("standard output cannot be written");
   if (!request.stats.empty() && !write_stats(*knowledge, request.threads, request.stats))
     return say_error(request.stats + " cannot be written: name another file behind --stats");
+  // The taxonomy is what follows from what was given, which the files themselves say is not all.
+  std::string unresolved = unresolved_as_text(knowledge->loaded.unresolved);
+  if (!unresolved.empty()) {
+    unresolved.pop_back();  // its line feed comes with the words
+    say_error(unresolved);
+  }
   // A limit that was asked for is told of with its exit status.
   const auto open = knowledge->classification.is_cut_off ? std::nullopt : describe_undecided(*knowledge);
   if (open) say_error("what is printed follows, and more may: " + *open);

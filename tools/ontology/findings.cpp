@@ -213,6 +213,18 @@ std::string verdict(const Findings& findings) {
   return text + '.';
 }
 
+std::string place(const std::string& file, std::uint32_t line) {
+  return line == 0 ? file : file + ':' + std::to_string(line);
+}
+
+std::string unresolved_as_text(const std::vector<rdf::UnresolvedImport>& unresolved) {
+  if (unresolved.empty()) return {};
+  std::string text = "Imports that no given file answers (nothing is fetched: name the files, too):\n";
+  for (const rdf::UnresolvedImport& import : unresolved)
+    text += "  <" + import.iri + "> at " + place(import.file, import.line) + '\n';
+  return text;
+}
+
 std::string as_json(const Findings& findings) {
   const Sources& sources = findings.sources;
   boost::json::object document{{"classes", sources.classes},           {"axioms", sources.axioms},

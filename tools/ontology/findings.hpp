@@ -82,6 +82,11 @@ struct Findings {
 /// One line: whether every answer is there, and why not.
 [[nodiscard]] std::string verdict(const Findings& findings);
 
+/// FILE:LINE, or FILE where the line is not known.
+[[nodiscard]] std::string place(const std::string& file, std::uint32_t line);
+/// The imports that no given file answers, in lines; nothing where there are none.
+[[nodiscard]] std::string unresolved_as_text(const std::vector<rdf::UnresolvedImport>& unresolved);
+
 /// One JSON document.
 [[nodiscard]] std::string as_json(const Findings& findings);
 

@@ -51,6 +51,21 @@ TEST(Closure, OfAContradictionIsThatEveryClassIsEmpty) {
   EXPECT_EQ(outcome.out, expected);
 }
 
+TEST(Classify, SaysWhichImportsNoFileAnswersInTheWordsOfCheck) {
+  const Program program;
+  program.turtle("a.ttl", "<http://e/o> a owl:Ontology ; owl:imports <http://e/nowhere> .\n:A rdfs:subClassOf :B .\n");
+  const std::string words =
+      "Imports that no given file answers (nothing is fetched: name the files, too):\n"
+      "  <http://e/nowhere> at a.ttl:2\n";
+  const Outcome outcome = program.run({"classify", "--closure", "a.ttl"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, "http://e/A\thttp://e/B\n");
+  EXPECT_EQ(outcome.err, "geminga-ontology: " + words);
+  EXPECT_THAT(program.run({"check", "a.ttl"}).out, testing::HasSubstr(words));
+  program.turtle("b.ttl", "<http://e/nowhere> a owl:Ontology .\n");
+  EXPECT_THAT(program.run({"classify", "a.ttl", "b.ttl"}).err, IsEmpty());
+}
+
 TEST(Closure, OfAnEmptyOntologyIsEmpty) {
   const Program program;
   program.write("a.ttl", "");
