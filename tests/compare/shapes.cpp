@@ -160,4 +160,50 @@ el::OntologySource features(std::uint64_t seed, std::size_t kinds) {
   return writer.take();
 }
 
+el::OntologySource anatomy(std::uint64_t seed, std::size_t organs) {
+  base::Random random(seed);
+  Writer writer;
+  const TermId part_of = writer.property("part_of");
+  const TermId has_part = writer.property("has_part");
+  const TermId proper = writer.property("proper_part_of");
+  const TermId located = writer.property("located_in");
+  const auto organ = [&](std::size_t at) { return writer.named("O" + std::to_string(at)); };
+  const auto some = [&](TermId property, TermId filler) {
+    return writer.term(TermKind::object_some_values_from, {property, filler});
+  };
+  writer.add(AxiomKind::inverse_object_properties, {part_of, has_part});
+  writer.add(AxiomKind::transitive_object_property, {part_of});
+  if (random.chance(0.5)) writer.add(AxiomKind::transitive_object_property, {has_part});
+  if (random.chance(0.5)) writer.add(AxiomKind::sub_object_property_of, {proper, part_of});
+  if (random.chance(0.3)) {
+    const TermId chain = writer.term(TermKind::object_property_chain, {located, part_of});
+    writer.add(AxiomKind::sub_object_property_of, {chain, located});
+  }
+  const TermId material = writer.named("Material");
+  if (random.chance(0.4)) writer.add(AxiomKind::object_property_range, {part_of, material});
+  if (random.chance(0.2)) writer.add(AxiomKind::object_property_range, {has_part, material});
+  if (random.chance(0.3)) writer.add(AxiomKind::object_property_domain, {part_of, material});
+  for (std::size_t at = 1; at < organs; ++at) {
+    const std::size_t whole = random.below(at);
+    writer.add(AxiomKind::sub_class_of, {organ(at), some(random.chance(0.8) ? part_of : proper, organ(whole))});
+    if (random.chance(0.5)) writer.add(AxiomKind::sub_class_of, {organ(whole), some(has_part, organ(at))});
+    if (random.chance(0.3)) writer.add(AxiomKind::sub_class_of, {organ(at), organ(random.below(at))});
+    if (random.chance(0.2)) writer.add(AxiomKind::sub_class_of, {organ(at), some(located, organ(random.below(at)))});
+    if (random.chance(0.1)) writer.add(AxiomKind::disjoint_classes, {organ(at), organ(random.below(at))});
+  }
+  const std::array<TermId, 4> properties = {part_of, has_part, proper, located};
+  for (std::size_t at = 0; at < organs / 2; ++at) {
+    const TermId defined = writer.named("D" + std::to_string(at));
+    const TermId relation = some(properties.at(random.below(properties.size())),
+                                 random.chance(0.7) || at == 0 ? organ(random.below(organs))
+                                                               : writer.named("D" + std::to_string(random.below(at))));
+    const TermId meaning = random.chance(0.5)
+                               ? relation
+                               : writer.term(TermKind::object_intersection_of, {organ(random.below(organs)), relation});
+    writer.add(AxiomKind::equivalent_classes, {defined, meaning});
+    if (random.chance(0.3)) writer.add(AxiomKind::sub_class_of, {defined, organ(random.below(organs))});
+  }
+  return writer.take();
+}
+
 }  // namespace geminga::compare

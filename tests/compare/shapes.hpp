@@ -28,6 +28,11 @@ enum class Covering : std::uint8_t { disjoint_union, all_disjoint, pairwise_disj
 /// classes defined by such values; a thing is of one of the kinds. The same for the same seed.
 [[nodiscard]] el::OntologySource features(std::uint64_t seed, std::size_t kinds);
 
+/// Organs as anatomies are written: each part is part of some whole, and many wholes say that they have it; the two
+/// properties are transitive and inverse to each other, with ranges, sub-properties, a chain and classes defined by
+/// parts and wholes. Some say that parts are disjoint. The same for the same seed.
+[[nodiscard]] el::OntologySource anatomy(std::uint64_t seed, std::size_t organs);
+
 }  // namespace geminga::compare
 
 #endif

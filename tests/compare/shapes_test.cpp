@@ -66,6 +66,25 @@ TEST(QualifiedNumbers, AreUnderstoodByModelsAsByTheTableau) {
   }
 }
 
+TEST(Anatomy, IsUnderstoodByEachEngineAsByTheTableau) {
+  int complete = 0;
+  int of_el_alone = 0;
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const el::OntologySource source = anatomy(seed, 3 + seed % 6);
+    const Opinion tableau = of_the_tableau(source);
+    const Opinion el = of_el(source);
+    const Opinion whole = of_the_reasoner(source);
+    complete += static_cast<int>(whole.is_complete);
+    of_el_alone += static_cast<int>(el.is_complete);
+    for (const Opinion& other : {el, of_consequence(source), of_models(source), whole})
+      EXPECT_THAT(contradictions(other, tableau), IsEmpty()) << functional_syntax(source);
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(complete, 140);
+  EXPECT_GT(of_el_alone, 30) << "what inverses say is looked at in copies";
+}
+
 TEST(Features, AreUnderstoodByModelsAsByTheTableau) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

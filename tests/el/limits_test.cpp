@@ -127,6 +127,42 @@ const Limit limits[] = {
 INSTANTIATE_TEST_SUITE_P(OfAClassification, ALimit, testing::ValuesIn(limits),
                          [](const testing::TestParamInfo<Limit>& one) { return std::string(one.param.name); });
 
+/// Whether the whole of an ontology was used.
+bool is_used(const std::string& text) { return classified(written(text)).unused.empty(); }
+
+TEST(StatesOfAnAutomaton, AreLimitedForARangeOverAChain) {
+  // A chain of n links has an automaton of n + 1 states.
+  const auto range_over = [](std::size_t links) {
+    std::string chain;
+    for (std::size_t at = 0; at < links; ++at) chain += " s" + std::to_string(at);
+    return "SubObjectPropertyOf(ObjectPropertyChain(" + chain + ") r)\nObjectPropertyRange(r C)\n" +
+           "SubClassOf(A ObjectSomeValuesFrom(s0 B))\n";
+  };
+  constexpr std::size_t most = 1000;
+  EXPECT_TRUE(is_used(range_over(most - 2)));
+  EXPECT_TRUE(is_used(range_over(most - 1)));
+  EXPECT_FALSE(is_used(range_over(most)));
+}
+
+TEST(MirrorImagesOfAChain, AreLimited) {
+  // s o u < r, where s has n inverses and u one: w o t < v for each t of these.
+  const auto images = [](std::size_t inverses_of_first) {
+    std::string text = "SubObjectPropertyOf(ObjectPropertyChain(s u) r)\nInverseObjectProperties(r v)\n";
+    text += "InverseObjectProperties(u w)\n";
+    for (std::size_t at = 0; at < inverses_of_first; ++at)
+      text += "SubObjectPropertyOf(t" + std::to_string(at) + " ObjectInverseOf(s))\n";
+    return text +
+           "SubClassOf(A ObjectSomeValuesFrom(w B))\nSubClassOf(B ObjectSomeValuesFrom(t0 C))\n"
+           "SubClassOf(ObjectSomeValuesFrom(v C) D)\n";
+  };
+  constexpr std::size_t most = 16;
+  for (const std::size_t few : {most - 1, most}) {
+    EXPECT_TRUE(is_used(images(few))) << few;
+    EXPECT_TRUE(std::ranges::binary_search(closure(images(few)), "A < D")) << few;
+  }
+  EXPECT_FALSE(is_used(images(most + 1)));
+}
+
 TEST(AutomatonOfARole, OfAStateTooManyIsLeftOutWithItsChainNamed) {
   // a o a o a o a < r: three states between the first and the last.
   const auto role = [](std::uint32_t number) { return Role{PropertyId{number}, false}; };
