@@ -48,6 +48,8 @@ class Clausifier {
   /// Unless a part of it is not allowed.
   void add_disjunction(std::vector<Literal> disjunction);
   void add_disjoint(std::span<const el::TermId> members);
+  void add_disjoint_pairs(std::span<const el::TermId> members);
+  void add_disjoint_groups(std::vector<ConceptId> groups);
   void add_key(const Ordered& axiom);
   void assert_fact(Literal literal, IndividualId individual);
   void ask(std::span<const el::TermId> expressions, bool is_complement, std::vector<ConceptId>& answers);

@@ -13,6 +13,12 @@ namespace {
 
 constexpr Literal positive(TermId term) { return {term, false, Part::whole}; }
 constexpr Literal negative(TermId term) { return {term, true, Part::whole}; }
+constexpr Atom atom_of(ConceptId id) { return {AtomKind::concept_of, centre, centre, number(id)}; }
+
+/// As many classes are disjoint by a clause for each pair; of more, which would take the square of their number, so
+/// many make a group each.
+constexpr std::size_t max_paired = 64;
+constexpr std::size_t members_a_group = 16;
 
 }  // namespace
 
@@ -119,7 +125,45 @@ void Clausifier::add_class_axiom(const Ordered& axiom) {
   }
 }
 
+//  A(x) -> G(x) for each A of a group G    A(x), B(x) -> false for A, B of one group    G(x), H(x) -> false
+//  instead of a clause for each pair, where there are many. Groups of which there are many are grouped again.
 void Clausifier::add_disjoint(std::span<const TermId> members) {
+  if (members.size() <= max_paired) return add_disjoint_pairs(members);
+  std::vector<ConceptId> groups;
+  for (std::size_t at = 0; at < members.size(); at += members_a_group) {
+    const auto group = members.subspan(at, std::min(members_a_group, members.size() - at));
+    add_disjoint_pairs(group);
+    groups.push_back(vocabulary_.auxiliary(group.front()));
+    for (const TermId member : group) {
+      if (!allowed_->problem(negative(member)).empty()) continue;
+      Draft draft;
+      draft.waiting.push_back({negative(member), centre});
+      draft.clause.head.push_back(atom_of(groups.back()));
+      translator_->add(std::move(draft));
+    }
+  }
+  add_disjoint_groups(std::move(groups));
+}
+
+void Clausifier::add_disjoint_groups(std::vector<ConceptId> groups) {
+  while (groups.size() > 1) {
+    std::vector<ConceptId> above;
+    const std::size_t size = groups.size() <= max_paired ? groups.size() : members_a_group;
+    for (std::size_t at = 0; at < groups.size(); at += size) {
+      const auto group = std::span(groups).subspan(at, std::min(size, groups.size() - at));
+      above.push_back(vocabulary_.auxiliary(set_.concepts[number(group.front())].term));
+      for (std::size_t first = 0; first < group.size(); ++first) {
+        for (std::size_t second = first + 1; second < group.size(); ++second) {
+          translator_->add_clause({{atom_of(group[first]), atom_of(group[second])}, {}});
+        }
+        if (size < groups.size()) translator_->add_clause({{atom_of(group[first])}, {atom_of(above.back())}});
+      }
+    }
+    groups = std::move(above);
+  }
+}
+
+void Clausifier::add_disjoint_pairs(std::span<const TermId> members) {
   for (std::size_t first = 0; first < members.size(); ++first) {
     for (std::size_t second = first + 1; second < members.size() && !translator_->is_full(); ++second) {
       add_disjunction({negative(members[first]), negative(members[second])});

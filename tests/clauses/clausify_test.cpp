@@ -168,5 +168,20 @@ TEST(Clausify, DoesNotDependOnTheOrderOfAxioms) {
 INSTANTIATE_TEST_SUITE_P(Each, Clausification, testing::ValuesIn(cases),
                          [](const auto& one) { return std::string(one.param.name); });
 
+/// As many clauses as DisjointClasses of so many have.
+std::size_t clauses_of_disjoint(std::size_t members) {
+  std::string axiom = "DisjointClasses(";
+  for (std::size_t at = 0; at < members; ++at) axiom += " A" + std::to_string(at);
+  return lines_of(axiom + ")").size();
+}
+
+TEST(Clausification, OfManyDisjointClassesGrowsWithTheirNumber) {
+  EXPECT_EQ(clauses_of_disjoint(63), 63U * 62U / 2);
+  EXPECT_EQ(clauses_of_disjoint(64), 64U * 63U / 2);
+  // Four groups of 16 and one of one, and what is in each.
+  EXPECT_EQ(clauses_of_disjoint(65), 4U * 120U + 65U + 10U);
+  EXPECT_LT(clauses_of_disjoint(2000), 2000U * 10U);
+}
+
 }  // namespace
 }  // namespace geminga::clauses
