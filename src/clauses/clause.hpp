@@ -127,7 +127,7 @@ struct Key {
 enum class ConceptKind : std::uint8_t {
   named,     ///< term: the named class
   nominal,   ///< the one instance is `individual`; term: the individual
-  auxiliary  ///< stands for a class expression or a state of a property's automaton
+  auxiliary  ///< stands for a class expression, a state of a property's automaton, or a group of disjoint classes
 };
 struct Concept {
   ConceptKind kind = ConceptKind::named;
