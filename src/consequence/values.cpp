@@ -170,6 +170,7 @@ ValueConflicts conflicts_of(const el::OntologySource& source, std::span<const cl
   std::vector<bool> is_unknown(understood.size(), false);
   // Numbered values are compared by their numbers, so that the rest, which is few, is what costs the square.
   std::vector<std::size_t> others;
+  std::map<el::TermId, std::vector<std::size_t>> not_understood;
   for (std::size_t i = 0; i < understood.size(); ++i) {
     const Understood& range = understood[i];
     if (is_empty(range)) result.empty.push_back(i);
@@ -178,13 +179,22 @@ ValueConflicts conflicts_of(const el::OntologySource& source, std::span<const cl
     if (range.kind == Kind::value || (range.kind == Kind::datatype && range.datatype->is_finite())) {
       result.is_finite = true;
     }
+    // Of what is not understood nothing is known beside another, unless it is the complement of that.
+    if (range.kind == Kind::other) {
+      std::vector<std::size_t>& same = not_understood[range.term];
+      for (const std::size_t other : same) {
+        if (understood[other].is_complement != range.is_complement) result.disjoint.emplace_back(other, i);
+      }
+      same.push_back(i);
+      continue;
+    }
     if (result.value_number[i] == 0) others.push_back(i);
   }
   // Beside one that is not known at all no other need be unclear: it is enough that the one is.
   result.is_unclear = is_unknown;
   for (std::size_t i = 0; i < understood.size(); ++i) {
     for (const std::size_t j : others) {
-      if (result.value_number[i] == 0 && j <= i) continue;
+      if (result.value_number[i] == 0 && understood[i].kind != Kind::other && j <= i) continue;
       const Understood& a = understood[i].is_complement ? understood[j] : understood[i];
       const Understood& b = understood[i].is_complement ? understood[i] : understood[j];
       if (!a.is_complement && (b.is_complement ? is_within(a, b) : are_disjoint(a, b))) {
