@@ -12,7 +12,7 @@ Crew::Crew(unsigned wanted) {
     if (wanted > 1) threads_.reserve(wanted - 1);
     for (unsigned me = 1; me < wanted; ++me) threads_.emplace_back([this, me] { wait_and_work(me); });
   } catch (const std::system_error&) {  // fewer are enough
-  } catch (const std::bad_alloc&) {
+  } catch (const std::bad_alloc&) {     // here, too
   }
 }
 

@@ -234,7 +234,7 @@ std::optional<std::string> canonical_number(const Row& row, std::string_view tex
     const std::size_t slash = text.find('/');
     if (slash == std::string_view::npos) return std::nullopt;
     const auto over = canonical_decimal(text.substr(slash + 1), false);
-    const auto count = canonical_decimal(text.substr(0, slash), false);
+    auto count = canonical_decimal(text.substr(0, slash), false);
     if (!over || !count || *over == "0" || over->starts_with('-')) return std::nullopt;
     if (*over == "1") return count;
     is_exact = false;  // fractions are not reduced here
@@ -248,7 +248,7 @@ std::optional<std::string> canonical_number(const Row& row, std::string_view tex
 std::optional<std::string> canonical_form(const Row& row, std::string_view lexical, std::string_view language,
                                           bool& is_exact) {
   if (row.family == text) return canonical_text(row, lexical, language);
-  const std::string trimmed = collapsed(lexical);
+  std::string trimmed = collapsed(lexical);
   switch (row.family) {
     case number:
       return canonical_number(row, trimmed, is_exact);
@@ -281,10 +281,10 @@ std::optional<std::string> canonical_form(const Row& row, std::string_view lexic
 }  // namespace
 
 std::optional<Datatype> Datatype::find(std::string_view iri) {
-  for (std::uint8_t row = 0; row < rows.size(); ++row) {
+  for (std::size_t row = 0; row < rows.size(); ++row) {
     if (iri.size() == rows[row].prefix.size() + rows[row].name.size() && iri.starts_with(rows[row].prefix) &&
         iri.ends_with(rows[row].name)) {
-      return Datatype(row);
+      return Datatype(static_cast<std::uint8_t>(row));
     }
   }
   return std::nullopt;

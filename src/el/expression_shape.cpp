@@ -72,7 +72,7 @@ ShapeId ShapeReader::negated(ShapeId id) {
     case ShapeKind::any_of: {
       std::vector<ShapeId> parts;
       for (const ShapeId part : shape.parts) parts.push_back(negated(part));
-      return all_of(std::move(parts));
+      return all_of(parts);
     }
     case ShapeKind::only:
       return add({.kind = ShapeKind::some, .role = shape.role, .parts = {negated(shape.parts[0])}});
@@ -88,7 +88,7 @@ ShapeId ShapeReader::negated(ShapeId id) {
   }
 }
 
-ShapeId ShapeReader::all_of(std::vector<ShapeId> parts) {
+ShapeId ShapeReader::all_of(const std::vector<ShapeId>& parts) {
   std::vector<ShapeId> kept;
   for (const ShapeId part : parts) {
     if (is(part, bottom_expr)) return part;
@@ -100,7 +100,7 @@ ShapeId ShapeReader::all_of(std::vector<ShapeId> parts) {
 }
 
 //  not C or not D is not (C and D), which is looked for more exactly
-ShapeId ShapeReader::any_of(std::vector<ShapeId> parts) {
+ShapeId ShapeReader::any_of(const std::vector<ShapeId>& parts) {
   std::vector<ShapeId> kept;
   for (const ShapeId part : parts) {
     if (is(part, top_expr)) return part;
@@ -111,7 +111,7 @@ ShapeId ShapeReader::any_of(std::vector<ShapeId> parts) {
   const auto is_negation = [&](ShapeId part) { return shapes_[part].kind == ShapeKind::negation; };
   if (std::ranges::all_of(kept, is_negation)) {
     for (ShapeId& part : kept) part = shapes_[part].parts[0];
-    return negated(all_of(std::move(kept)));
+    return negated(all_of(kept));
   }
   if (std::ranges::any_of(kept, is_negation)) add_gap("a complement in a union");
   return add({.kind = ShapeKind::any_of, .parts = std::move(kept)});
@@ -228,13 +228,13 @@ ShapeId ShapeReader::read(TermId id) {
     case TermKind::object_intersection_of:
     case TermKind::data_intersection_of:
       read_parts();
-      return all_of(std::move(parts));
+      return all_of(parts);
     case TermKind::object_union_of:
     case TermKind::data_union_of:
     case TermKind::object_one_of:
     case TermKind::data_one_of:
       read_parts();
-      return any_of(std::move(parts));
+      return any_of(parts);
     case TermKind::object_complement_of: {
       const ShapeId complement = negated(read(term.arguments[0]));
       if (shapes_[complement].kind == ShapeKind::negation) shapes_[complement].atom = known_atom(id);
@@ -282,7 +282,7 @@ std::vector<ShapeId> ShapeReader::alternatives_of(ShapeId id) {
       return products.front() == shape.parts ? std::vector<ShapeId>{id}
                                              : std::vector<ShapeId>{all_of(products.front())};
     }
-    for (auto& product : products) found.push_back(all_of(std::move(product)));
+    for (auto& product : products) found.push_back(all_of(product));
     return found;
   }
   if (shape.kind == ShapeKind::some) {

@@ -69,8 +69,8 @@ class ShapeReader {
   ShapeId add(Shape shape);
   ShapeId atom(ExprId expr);
   ShapeId negated(ShapeId id);
-  ShapeId all_of(std::vector<ShapeId> parts);
-  ShapeId any_of(std::vector<ShapeId> parts);
+  ShapeId all_of(const std::vector<ShapeId>& parts);
+  ShapeId any_of(const std::vector<ShapeId>& parts);
   ShapeId restriction(ShapeKind kind, TermId term, ShapeId part, std::uint32_t count = 0);
   ShapeId at_least(TermId term, std::uint32_t count, ShapeId part);
   ShapeId at_most(TermId term, std::uint32_t count, ShapeId part);
