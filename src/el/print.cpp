@@ -65,19 +65,16 @@ std::string Printer::joined(std::span<const TermId> terms, std::string_view betw
 }
 
 std::string Printer::literal(const Term& term) {
+  constexpr std::string_view controls = "\n\r\t";
+  constexpr std::string_view control_letters = "nrt";
   std::string text = "\"";
   for (const char character : source_.name(term.name)) {
     if (character == '"' || character == '\\') text += '\\';
-    if (style_ == PrintStyle::parsing) {
+    const std::size_t control = style_ == PrintStyle::parsing ? std::string_view::npos : controls.find(character);
+    if (control == std::string_view::npos) {
       text += character;
-    } else if (character == '\n') {
-      text += "\\n";
-    } else if (character == '\r') {
-      text += "\\r";
-    } else if (character == '\t') {
-      text += "\\t";
     } else {
-      text += character;
+      text.append(1, '\\').append(1, control_letters[control]);
     }
   }
   text += '"';

@@ -99,7 +99,7 @@ void Worker::apply_conjunctions(std::uint32_t context, std::span<const Conjuncti
   // Whichever is shorter is walked, and the other searched: names like "disease" are in thousands of conjunctions.
   Context& self = contexts_[context];
   work_.add(std::min<std::size_t>(rules.size(), self.subsumers.size()));
-  if (rules.size() <= self.subsumers.size() * 2) {
+  if (rules.size() <= std::size_t{self.subsumers.size()} * 2) {
     for (const ConjunctionRule& rule : rules) {
       if (self.subsumers.contains(number(rule.partner))) add_subsumer(context, rule.conjunction);
     }
