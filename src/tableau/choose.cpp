@@ -44,9 +44,11 @@ bool Tableau::Search::choose() {
   const std::size_t most = has_failed_ ? max_compared : few_compared;
   std::size_t compared = 0;
   for (std::size_t at = next_disjunction_; at < disjunctions_.size() && compared < most; ++at) {
-    open(disjunctions_[at], one);
-    if (one.is_done) {
-      // What holds goes on holding as long as this branch is.
+    if (!disjunctions_[at].is_done) {
+      open(disjunctions_[at], one);
+      if (one.is_done) note_done(at);
+    }
+    if (disjunctions_[at].is_done) {
       if (at == next_disjunction_) ++next_disjunction_;
       continue;
     }
@@ -64,6 +66,12 @@ bool Tableau::Search::choose() {
   if (compared == 0) return choose_for_bound();
   branch(best.alternatives, best.dependency, {none, none});
   return true;
+}
+
+/// What holds goes on holding as long as this branch is.
+void Tableau::Search::note_done(std::size_t disjunction) {
+  disjunctions_[disjunction].is_done = true;
+  done_disjunctions_.push_back(static_cast<std::uint32_t>(disjunction));
 }
 
 /// By the share of the tries that failed as Laplace estimates it, so that one failure among many successes does not

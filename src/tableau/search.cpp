@@ -141,14 +141,18 @@ void Tableau::Search::check_values() {
 }
 
 Tableau::Search::State Tableau::Search::state() const {
-  return {graph_.mark(),    processed_,   disjunctions_.size(), next_disjunction_,
-          demands_.size(),  next_demand_, choices_.size(),      existentials_.size(),
-          next_functional_, done_.size(), introduced_.size()};
+  return {graph_.mark(),    processed_,   disjunctions_.size(),      next_disjunction_,
+          demands_.size(),  next_demand_, choices_.size(),           existentials_.size(),
+          next_functional_, done_.size(), done_disjunctions_.size(), introduced_.size()};
 }
 
 void Tableau::Search::restore(const State& state) {
   graph_.cut(state.mark);
   processed_ = state.processed;
+  while (done_disjunctions_.size() > state.done_disjunctions) {
+    disjunctions_[done_disjunctions_.back()].is_done = false;
+    done_disjunctions_.pop_back();
+  }
   disjunctions_.resize(state.disjunctions);
   next_disjunction_ = state.next_disjunction;
   demands_.resize(state.demands);

@@ -67,6 +67,7 @@ class Tableau::Search {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
     DependencySet dependency = no_dependency;
+    bool is_done = false;  ///< one holds, or what it is about is gone: as long as this branch is
   };
   /// What is left of one now.
   struct Open {
@@ -107,6 +108,7 @@ class Tableau::Search {
     std::size_t existentials = 0;
     std::uint32_t next_functional = 0;
     std::size_t done = 0;
+    std::size_t done_disjunctions = 0;
     std::size_t introduced = 0;
   };
   struct Branch {
@@ -147,6 +149,7 @@ class Tableau::Search {
 
   // choose.cpp: which disjunction is next, and which of its ways is first
   bool choose();
+  void note_done(std::size_t disjunction);
   bool choose_for_bound();
   void open(const Disjunction& disjunction, Open& result);
   [[nodiscard]] std::uint64_t failures_of(std::span<const Choice> alternatives);
@@ -261,6 +264,7 @@ class Tableau::Search {
   std::vector<Choice> choices_;
   std::vector<Disjunction> disjunctions_;
   std::size_t next_disjunction_ = 0;
+  std::vector<std::uint32_t> done_disjunctions_;
   bool has_failed_ = false;        ///< some choice of this question did
   std::size_t wrong_guesses_ = 0;  ///< since the search began, or began again
   std::size_t patience_ = 0;       ///< so many more of them than guesses that stand, and it begins again
