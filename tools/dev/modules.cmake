@@ -60,20 +60,56 @@ function(geminga_program name)
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endfunction()
 
-# geminga_test(NAME SOURCES file... [DEPENDS module...] [LINK external-target...])
-# The tests of one module: tests/NAME mirrors src/NAME. Every TEST is known to ctest under its own name.
-function(geminga_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;LINK")
-  string(REPLACE "/" "_" target "geminga_${name}_tests")
-  add_executable(${target} ${arg_SOURCES})
+# geminga_command_line(TARGET file...): compiles the files of a program that include CLI11 as one, except in the preset dev: each of
+# them alone makes the whole of CLI11's code again, six seconds that the program needs once.
+function(geminga_command_line target)
+  if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
+    return()
+  endif()
+  set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP command_line)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
+# ccache needs -fpch-preprocess, and sloppiness = pch_defines,time_macros. -O1 makes GCC report array bounds falsely.
+set(geminga_test_options $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+if(NOT GEMINGA_SANITIZE)
+  list(PREPEND geminga_test_options $<$<CONFIG:RelWithDebInfo>:-O0>)
+endif()
+
+# geminga_test_body(TARGET): how every target below tests/ that knows GoogleTest is compiled. Half of the time of such a compilation
+# is reading the headers of tests/precompiled.hpp, and half of the rest optimising code that runs once. The preset dev reads every
+# header in each file, so that a missing #include is found there.
+function(geminga_test_body target)
+  if(NOT TARGET geminga_precompiled_tests)
+    add_library(geminga_precompiled_tests OBJECT ${PROJECT_SOURCE_DIR}/tests/precompiled.cpp)
+    target_link_libraries(geminga_precompiled_tests PRIVATE geminga_flags GTest::gmock)
+    target_compile_options(geminga_precompiled_tests PRIVATE "${geminga_test_options}")
+    target_precompile_headers(geminga_precompiled_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/precompiled.hpp)
+  endif()
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include
                                                ${PROJECT_SOURCE_DIR}/tests)
-  target_link_libraries(${target} PRIVATE geminga_flags GTest::gmock GTest::gtest_main ${arg_LINK})
+  target_link_libraries(${target} PRIVATE geminga_flags GTest::gmock)
+  target_compile_definitions(${target} PRIVATE GEMINGA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                                               GEMINGA_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  target_compile_options(${target} PRIVATE "${geminga_test_options}")
+  target_precompile_headers(${target} REUSE_FROM geminga_precompiled_tests)
+endfunction()
+
+# geminga_test(NAME [SIMULATES] SOURCES file... [DEPENDS module...] [LINK external-target...])
+# The tests of one module: tests/NAME mirrors src/NAME. Every TEST is known to ctest under its own name. SIMULATES: the tests
+# themselves run for long, and are compiled as the product is.
+function(geminga_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SIMULATES" "" "SOURCES;DEPENDS;LINK")
+  string(REPLACE "/" "_" target "geminga_${name}_tests")
+  add_executable(${target} ${arg_SOURCES})
+  geminga_test_body(${target})
+  if(arg_SIMULATES AND NOT GEMINGA_SANITIZE)
+    set_target_properties(${target} PROPERTIES COMPILE_OPTIONS "" DISABLE_PRECOMPILE_HEADERS ON) # that one is made with -O0
+  endif()
+  target_link_libraries(${target} PRIVATE GTest::gtest_main ${arg_LINK})
   foreach(module IN LISTS arg_DEPENDS)
     string(REPLACE "/" "_" module ${module})
     target_link_libraries(${target} PRIVATE geminga_${module})
   endforeach()
-  target_compile_definitions(${target} PRIVATE GEMINGA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-                                               GEMINGA_BINARY_DIR="${PROJECT_BINARY_DIR}")
   gtest_discover_tests(${target} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()

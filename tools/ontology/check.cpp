@@ -15,7 +15,7 @@ namespace {
 /// Axioms shown of each construct that was left out, where --all is not given.
 constexpr std::size_t max_shown = 5;
 
-struct Request {
+struct CheckRequest {
   std::vector<std::string> files;
   bool as_json = false;
   bool shows_all = false;
@@ -141,7 +141,7 @@ std::string names_as_text(const NameFindings& names, bool shows_all) {
   return text;
 }
 
-Exit report(const Findings& findings, const Request& request) {
+Exit report(const Findings& findings, const CheckRequest& request) {
   const std::string text = request.as_json
                                ? as_json(findings)
                                : sources_as_text(findings.sources) + left_out_as_text(findings, request.shows_all) +
@@ -152,7 +152,7 @@ Exit report(const Findings& findings, const Request& request) {
   return findings.has_problem() ? Exit::no : Exit::yes;
 }
 
-Exit check(const Request& request, const WorkLimits& limits) {
+Exit check(const CheckRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
   if (is_compiled(request.files)) {
     const auto compiled = open_compiled(request.files.front());
@@ -172,7 +172,7 @@ Exit check(const Request& request, const WorkLimits& limits) {
 }  // namespace
 
 void add_check(CLI::App& program, Choice& choice) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<CheckRequest>();
   CLI::App* command = program.add_subcommand(
       "check",
       "Load and classify; list what could not be used, names that are nowhere declared, classes that can have no "

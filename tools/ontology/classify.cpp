@@ -16,7 +16,7 @@
 namespace geminga::ontology {
 namespace {
 
-struct Request {
+struct ClassifyRequest {
   std::vector<std::string> files;
   bool as_closure = false;
   bool as_json = false;
@@ -78,7 +78,7 @@ bool write_json(const Taxonomies& written, bool are_properties) {
   return to_output(boost::json::serialize(document) + '\n');
 }
 
-bool write(const Knowledge& knowledge, const Request& request) {
+bool write_taxonomies(const Knowledge& knowledge, const ClassifyRequest& request) {
   const el::OntologySource& source = knowledge.loaded.source;
   const el::Classification& classification = knowledge.classification;
   Taxonomies written;
@@ -98,12 +98,13 @@ bool write(const Knowledge& knowledge, const Request& request) {
   return write_one(written.object_properties) && write_one(written.data_properties);
 }
 
-Exit classify(const Request& request, const WorkLimits& limits) {
+Exit classify(const ClassifyRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
   const auto knowledge =
       learn_or_say(request.files, {.threads = request.threads, .as_json = request.as_json, .budget = &budget});
   if (!knowledge) return Exit::usage;
-  if (!write(*knowledge, request) || std::fflush(stdout) != 0) return say_error("standard output cannot be written");
+  if (!write_taxonomies(*knowledge, request) || std::fflush(stdout) != 0)
+    return say_error("standard output cannot be written");
   if (!request.stats.empty() && !write_stats(*knowledge, request.threads, request.stats))
     return say_error(request.stats + " cannot be written: name another file behind --stats");
   // The taxonomy is what follows from what was given, which the files themselves say is not all.
@@ -121,7 +122,7 @@ Exit classify(const Request& request, const WorkLimits& limits) {
 }  // namespace
 
 void add_classify(CLI::App& program, Choice& choice) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<ClassifyRequest>();
   CLI::App* command = program.add_subcommand("classify", "Print the taxonomy of all named classes");
   add_files(*command, request->files);
   CLI::Option* closure = command->add_flag("--closure", request->as_closure,

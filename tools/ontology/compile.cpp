@@ -19,7 +19,7 @@
 namespace geminga::ontology {
 namespace {
 
-struct Request {
+struct CompileRequest {
   std::vector<std::string> files;
   std::vector<std::string> prefixes;  ///< NAME=IRI
   std::string out;
@@ -71,7 +71,7 @@ std::vector<std::string> remarks(const Knowledge& knowledge, const el::Ontology&
   return lines;
 }
 
-Exit compile(const Request& request, const WorkLimits& limits) {
+Exit compile(const CompileRequest& request, const WorkLimits& limits) {
   constexpr std::size_t max_remarks = 20;
   base::Budget budget = budget_of(limits);
   // The daemon, which reads standard output, shows what is said here as something that its user should look at.
@@ -101,7 +101,7 @@ Exit compile(const Request& request, const WorkLimits& limits) {
 }  // namespace
 
 void add_compile(CLI::App& program, Choice& choice) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<CompileRequest>();
   CLI::App* command = program.add_subcommand("compile", "Write the compiled form that the daemon maps at start");
   add_files(*command, request->files);
   command

@@ -14,7 +14,7 @@ namespace {
 using reasoner::Answer;
 using reasoner::Verdict;
 
-struct Request {
+struct ConsistentRequest {
   std::vector<std::string> files;
   bool as_json = false;
 };
@@ -34,7 +34,7 @@ std::string as_text(const Answer& answer) {
   return {};
 }
 
-Exit consistent(const Request& request, const WorkLimits& limits) {
+Exit consistent(const ConsistentRequest& request, const WorkLimits& limits) {
   Progress progress(!request.as_json);
   auto loaded = load(request.files, progress);
   if (!loaded) return say_failure(loaded.error().text, request.as_json);
@@ -58,7 +58,7 @@ Exit consistent(const Request& request, const WorkLimits& limits) {
 }  // namespace
 
 void add_consistent(CLI::App& program, Choice& choice) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<ConsistentRequest>();
   CLI::App* command = program.add_subcommand("consistent", "Tell whether the files contradict themselves");
   add_files(*command, request->files);
   command->add_flag("--json", request->as_json, "print one JSON document");

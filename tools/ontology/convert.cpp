@@ -13,7 +13,7 @@
 namespace geminga::ontology {
 namespace {
 
-struct Request {
+struct ConvertRequest {
   std::vector<std::string> files;
   std::string out;
   std::string format;
@@ -35,7 +35,7 @@ void say_lost(const rdf::Loaded& loaded) {
   }
 }
 
-Exit convert(const Request& request) {
+Exit convert(const ConvertRequest& request) {
   const auto format = chosen_format(request.format, request.out);
   if (!format) return say_error(format.error());
   Progress progress(true);
@@ -57,7 +57,7 @@ Exit convert(const Request& request) {
 }
 
 void add(CLI::App& program, Choice& choice, bool merges) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<ConvertRequest>();
   request->merges = merges;
   CLI::App* command =
       program.add_subcommand(merges ? "merge" : "convert",

@@ -20,7 +20,7 @@ extern char** environ;
 namespace geminga::ontology {
 namespace {
 
-struct Request {
+struct DrawRequest {
   std::vector<std::string> files;
   std::string root;
   std::string format = "dot";
@@ -70,7 +70,7 @@ class Graphviz {
   pid_t child_ = 0;
 };
 
-Exit draw(const Request& request, const Graphviz& graphviz) {
+Exit draw(const DrawRequest& request, const Graphviz& graphviz) {
   const auto knowledge = learn_or_say(request.files);
   if (!knowledge) return Exit::usage;
   const auto ontology = open_or_say(*knowledge);
@@ -96,7 +96,7 @@ Exit draw(const Request& request, const Graphviz& graphviz) {
 }  // namespace
 
 void add_draw(CLI::App& program, Choice& choice) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<DrawRequest>();
   CLI::App* command = program.add_subcommand("draw", "Draw the taxonomy, or the part below one class");
   add_files(*command, request->files);
   command->add_option("--root", request->root, "draw this class and what is below it")->type_name("CLASS");

@@ -15,7 +15,7 @@ namespace {
 using reasoner::Answer;
 using reasoner::Verdict;
 
-struct Request {
+struct EntailsRequest {
   std::string premise;
   std::string conclusion;
   bool as_json = false;
@@ -94,7 +94,7 @@ std::string as_text(const std::vector<Finding>& findings, const Answer& all) {
   return text;
 }
 
-Exit entails(const Request& request, const WorkLimits& limits) {
+Exit entails(const EntailsRequest& request, const WorkLimits& limits) {
   Progress progress(!request.as_json);
   auto argument = load_argument(request.premise, request.conclusion, progress);
   if (!argument) return say_failure(argument.error().text, request.as_json);
@@ -115,7 +115,7 @@ Exit entails(const Request& request, const WorkLimits& limits) {
 }  // namespace
 
 void add_entails(CLI::App& program, Choice& choice) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<EntailsRequest>();
   CLI::App* command = program.add_subcommand("entails", "Tell whether every axiom of CONCLUSION follows from PREMISE");
   command->add_option("PREMISE", request->premise, "an ontology file, or a folder of them")->required()->type_name("");
   command->add_option("CONCLUSION", request->conclusion, "another; its anonymous individuals mean \"something\"")

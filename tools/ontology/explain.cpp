@@ -14,7 +14,7 @@ namespace {
 constexpr unsigned default_sets = 10;
 constexpr unsigned max_sets = 1000;
 
-struct Request {
+struct ExplainRequest {
   std::vector<std::string> files;
   std::string sub;
   std::string super;
@@ -25,7 +25,7 @@ struct Request {
   unsigned limit = default_sets;
 };
 
-Exit explain(const Request& request, const WorkLimits& limits) {
+Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
   const auto ontology = learn_ontology_or_say(request.files, {.as_json = request.as_json, .budget = &budget});
   if (!ontology) return Exit::usage;
@@ -65,7 +65,7 @@ Exit explain(const Request& request, const WorkLimits& limits) {
 }  // namespace
 
 void add_explain(CLI::App& program, Choice& choice) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<ExplainRequest>();
   CLI::App* command = program.add_subcommand(
       "explain", "Print a minimal set of axioms that entails that A is subsumed by B, or what is missing");
   add_files(*command, request->files);

@@ -13,7 +13,7 @@
 namespace geminga::ontology {
 namespace {
 
-struct Request {
+struct IdRequest {
   std::string concept_name;
   std::string representation_name;
   std::vector<std::string> files;
@@ -30,7 +30,7 @@ std::optional<std::string> plain_iri(const std::string& name) {
 /// Resolves names, and loads the ontologies when the first one needs them.
 class Resolver {
  public:
-  explicit Resolver(const Request& request) : request_(request) {}
+  explicit Resolver(const IdRequest& request) : request_(request) {}
 
   std::optional<std::string> resolve(const std::string& name) {
     if (auto iri = plain_iri(name)) {
@@ -54,11 +54,11 @@ class Resolver {
     return ontology_.has_value();
   }
 
-  const Request& request_;
+  const IdRequest& request_;
   std::optional<el::Ontology> ontology_;
 };
 
-Exit print_id(const Request& request) {
+Exit print_id(const IdRequest& request) {
   Resolver resolver(request);
   const auto concept_iri = resolver.resolve(request.concept_name);
   if (!concept_iri) return Exit::usage;
@@ -84,7 +84,7 @@ Exit print_id(const Request& request) {
 }  // namespace
 
 void add_id(CLI::App& program, Choice& choice) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<IdRequest>();
   CLI::App* command = program.add_subcommand("id", "Print the 32-bit identity of a concept and a representation");
   command->add_option("CONCEPT", request->concept_name, "prefix:Name, <IRI>, a bare IRI, or a label")
       ->required()

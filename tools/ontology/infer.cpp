@@ -12,7 +12,7 @@
 namespace geminga::ontology {
 namespace {
 
-struct Request {
+struct InferRequest {
   std::vector<std::string> files;
   std::string out;
   std::string format;
@@ -32,7 +32,7 @@ Exit judge(const std::expected<Knowledge, NoKnowledge>& knowledge) {
   return Exit::yes;
 }
 
-Exit infer(const Request& request, const WorkLimits& limits) {
+Exit infer(const InferRequest& request, const WorkLimits& limits) {
   const auto format = chosen_format(request.format, request.out);
   if (!format) return say_error(format.error());
   Progress progress(true);
@@ -66,7 +66,7 @@ Exit infer(const Request& request, const WorkLimits& limits) {
 }  // namespace
 
 void add_infer(CLI::App& program, Choice& choice) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<InferRequest>();
   CLI::App* command = program.add_subcommand(
       "infer", "Write the ontology with what follows from it: hierarchies, types of individuals");
   add_files(*command, request->files);

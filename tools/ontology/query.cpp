@@ -16,7 +16,7 @@
 namespace geminga::ontology {
 namespace {
 
-struct Request {
+struct QueryRequest {
   std::vector<std::string> words;  ///< files, and the query behind them
   std::string rows = "table";
   std::string format;
@@ -43,7 +43,7 @@ struct Asked {
 };
 
 /// Fills it, or says what is wrong.
-Exit fill(const std::vector<std::string>& files, const Request& request, base::Budget& budget, Asked& asked,
+Exit fill(const std::vector<std::string>& files, const QueryRequest& request, base::Budget& budget, Asked& asked,
           std::optional<Knowledge>& knowledge) {
   Progress progress(!request.as_json);
   auto loaded = load(files, progress, {.keeps_annotations = true});
@@ -74,7 +74,7 @@ Exit fill(const std::vector<std::string>& files, const Request& request, base::B
 }
 
 /// Writes the answer; the exit status tells what it is.
-Exit write(const graph::Answer& answer, const Request& request, Rows rows, const Asked& asked) {
+Exit write(const graph::Answer& answer, const QueryRequest& request, Rows rows, const Asked& asked) {
   const bool are_triples = answer.kind == graph::Answer::Kind::triples;
   if (!print(are_triples ? answer.text : written(answer, rows, asked.short_name)))
     return say_error("standard output cannot be written");
@@ -85,7 +85,7 @@ Exit write(const graph::Answer& answer, const Request& request, Rows rows, const
   return are_triples || !answer.rows.empty() ? Exit::yes : Exit::no;
 }
 
-Exit query(const Request& request, const WorkLimits& limits) {
+Exit query(const QueryRequest& request, const WorkLimits& limits) {
   const auto rows = find_rows(request.as_json ? "json" : request.rows);
   if (!rows) return say_error(base::printable(request.rows) + " is no format: write --format table, json, csv or tsv");
   const auto format = chosen_format(request.format, std::string(to_standard_output));
@@ -107,7 +107,7 @@ Exit query(const Request& request, const WorkLimits& limits) {
 }  // namespace
 
 void add_query(CLI::App& program, Choice& choice) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<QueryRequest>();
   CLI::App* command = program.add_subcommand("query", "Ask in SPARQL over what the files say and what follows from it");
   command->add_option("FILES SPARQL", request->words, "ontology files, or folders of them, and a query behind them")
       ->required()

@@ -14,7 +14,7 @@
 namespace geminga::ontology {
 namespace {
 
-struct Request {
+struct SubsumesRequest {
   std::vector<std::string> files;
   std::string sub;
   std::string super;
@@ -78,7 +78,7 @@ Exit exit_of(const reasoner::Answer& answer, const base::Budget& budget) {
   return answer.verdict == reasoner::Verdict::unknown && budget.is_spent() ? Exit::timed_out : Exit::no;
 }
 
-Exit subsumes(const Request& request, const WorkLimits& limits) {
+Exit subsumes(const SubsumesRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
   auto knowledge = learn_or_say(request.files, {.as_json = request.as_json, .budget = &budget});
   if (!knowledge) return Exit::usage;
@@ -105,7 +105,7 @@ Exit subsumes(const Request& request, const WorkLimits& limits) {
 }  // namespace
 
 void add_subsumes(CLI::App& program, Choice& choice) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<SubsumesRequest>();
   CLI::App* command = program.add_subcommand(
       "subsumes", "Tell whether class A is subsumed by class B: exit 0 yes, 1 no or not known, 4 a limit was reached");
   add_files(*command, request->files);

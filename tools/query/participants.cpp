@@ -8,7 +8,7 @@
 namespace geminga::query {
 namespace {
 
-shell::Table table(const std::vector<Record>& records) {
+shell::Table table_of_participants(const std::vector<Record>& records) {
   shell::Table shown({{"ID"},
                       {"NAME", false, 8},
                       {"ADDRESSES", false, 15, 1},
@@ -47,8 +47,13 @@ void add_participants(CLI::App& app, Run& selected) {
   command->footer("Example: geminga-query participants");
   command->callback([&selected] {
     selected = [](const Context& context, Client& client) {
-      const Listing listing{
-          "participants", {}, {}, "id", table, line, "no participant is known: is the daemon still starting?"};
+      const Listing listing{"participants",
+                            {},
+                            {},
+                            "id",
+                            table_of_participants,
+                            line,
+                            "no participant is known: is the daemon still starting?"};
       return show(context, client, listing);
     };
   });

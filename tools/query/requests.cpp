@@ -8,13 +8,13 @@
 namespace geminga::query {
 namespace {
 
-struct Flags {
+struct RequestsFlags {
   std::vector<std::string> words;
   bool unmatched = false;
   bool unused = false;
 };
 
-shell::Table table(const std::vector<Record>& records) {
+shell::Table table_of_requests(const std::vector<Record>& records) {
   shell::Table shown({{"CONSUMER", false, 12},
                       {"IDENTITY", false, 16},
                       {"MATCH", false, 0, 5},
@@ -35,13 +35,13 @@ shell::Table table(const std::vector<Record>& records) {
   return shown;
 }
 
-Listing listing_of(const Flags& flags) {
+Listing listing_of_requests(const RequestsFlags& flags) {
   if (flags.unused) return services_listing(flags.words, true);
   Listing listing{"requests",
                   {},
                   read_filter(flags.words),
                   "subscription",
-                  table,
+                  table_of_requests,
                   service_line,
                   flags.unmatched ? "no such request is unmatched: each has somebody who serves it"
                                   : "no such request is known: see geminga-query participants for who is heard at all"};
@@ -53,7 +53,7 @@ Listing listing_of(const Flags& flags) {
 
 void add_requests(CLI::App& app, Run& selected) {
   CLI::App* command = app.add_subcommand("requests", "Every known subscription");
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<RequestsFlags>();
   command->add_option("FILTER", flags->words, filter_meaning);
   CLI::Option* unmatched = command->add_flag("--unmatched", flags->unmatched, "Only those that nobody serves");
   command->add_flag("--unused", flags->unused, "Instead, the publications that nobody asks for")->excludes(unmatched);
@@ -61,7 +61,9 @@ void add_requests(CLI::App& app, Run& selected) {
       "Examples:\n  geminga-query requests\n  geminga-query requests --unmatched\n  geminga-query requests --unused "
       "robot2");
   command->callback([flags, &selected] {
-    selected = [flags](const Context& context, Client& client) { return show(context, client, listing_of(*flags)); };
+    selected = [flags](const Context& context, Client& client) {
+      return show(context, client, listing_of_requests(*flags));
+    };
   });
 }
 

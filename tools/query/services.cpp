@@ -8,7 +8,7 @@
 namespace geminga::query {
 namespace {
 
-shell::Table table(const std::vector<Record>& records) {
+shell::Table table_of_services(const std::vector<Record>& records) {
   shell::Table shown({{"PROVIDER", false, 12},
                       {"IDENTITY", false, 16},
                       {"MODE", false, 0, 3},
@@ -50,7 +50,7 @@ Listing services_listing(const std::vector<std::string>& words, bool unused) {
                   {},
                   read_filter(words),
                   "service",
-                  table,
+                  table_of_services,
                   service_line,
                   unused ? "no such service is unused: each has somebody who asks for it"
                          : "no such service is known: see geminga-query participants for who is heard at all"};
