@@ -41,7 +41,8 @@ std::string with_prefixes(const std::string& query, const Prefixes& prefixes) {
       return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
     });
     const bool is_iri = name.find_first_of("<>\"{}|\\^` ") == std::string::npos;
-    if (is_plain && is_iri && !declares(query, prefix)) text += "PREFIX " + prefix + ": <" + name + "> ";
+    if (is_plain && is_iri && !declares(query, prefix))
+      text.append("PREFIX ").append(prefix).append(": <").append(name).append("> ");
   }
   return text + query;
 }

@@ -58,7 +58,7 @@ std::string unrelated(const el::Ontology* ontology, const std::string& offered, 
   std::string why = named(ontology, offered) + " is offered, " + named(ontology, requested) + " is asked for";
   for (const auto* iri : {&offered, &requested}) {
     const std::string reason = without_class(ontology, *iri);
-    if (!reason.empty()) return why + ", and " + reason;
+    if (!reason.empty()) return why.append(", and ").append(reason);
   }
   return why + ", and neither subsumes the other";
 }

@@ -251,7 +251,7 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
   }
 
   /// The client reads too slowly. It is closed hard, and the participant is told in an event of its own.
-  void lose(Pointer connection) {  // by value: the map's own pointer goes
+  void lose(Pointer connection) {  // NOLINT(performance-unnecessary-value-param): the map's own pointer goes
     connection->is_open = false;
     drop(connection);
     net::post(context_, [self = shared_from_this(), id = connection->id] {
@@ -274,7 +274,7 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
     });
   }
 
-  void drop(Pointer connection) {  // by value, as above
+  void drop(Pointer connection) {  // NOLINT(performance-unnecessary-value-param): as above
     forget_queue(*connection);
     boost::system::error_code ignored;
     connection->socket.close(ignored);

@@ -115,7 +115,9 @@ TEST_F(Demo, LeavesNothingWhenItIsInterrupted) {
       const bool is_there = interrupted.wait_for(moment);
       if (interrupted.said().contains("already in use")) GTEST_SKIP() << "somebody's team is on the loopback interface";
       ASSERT_TRUE(is_there) << interrupted.said();
-      if (moment == "switched off") ASSERT_TRUE(is_logged("watcher", "robot4"));
+      if (moment == "switched off") {
+        ASSERT_TRUE(is_logged("watcher", "robot4"));
+      }
       interrupted.signal(SIGINT);
       EXPECT_EQ(interrupted.wait(), 130) << moment << ": " << interrupted.said();
       expect_nothing_left();
