@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <regex>
+#include <string>
 
 #include "law/source_tree.hpp"
 
@@ -13,6 +16,12 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr std::size_t max_lines = 400;
+
+/// False where none of the expressions below can match: they are slow.
+bool may_be_untidy(const std::string& line) {
+  return std::ranges::any_of(std::array{"sleep", "TODO", "FIXME", "XXX", "HACK", "DISABLED_", "GTEST_SKIP"},
+                             [&](const char* word) { return line.contains(word); });
+}
 
 std::vector<std::string> untidiness(const SourceFile& file) {
   static const std::regex sleep(R"(\b(sleep_for|sleep_until|usleep|nanosleep)\b)");
@@ -29,7 +38,7 @@ std::vector<std::string> untidiness(const SourceFile& file) {
   for (std::size_t i = 0; i < file.lines.size(); ++i) {
     const std::string place = file.path + ':' + std::to_string(i + 1) + ": ";
     if (file.lines[i].find('\t') != std::string::npos) found.push_back(place + "has a tab");
-    if (is_this) continue;
+    if (is_this || !may_be_untidy(file.lines[i])) continue;
     if (std::regex_search(file.lines[i], sleep)) found.push_back(place + "sleeps: time comes from Env");
     if (std::regex_search(file.lines[i], todo)) found.push_back(place + "has a mark without an owner");
     if (std::regex_search(file.lines[i], skip)) found.push_back(place + "skips a test without a reason");

@@ -97,7 +97,7 @@ endfunction()
 
 # geminga_test(NAME [SIMULATES] SOURCES file... [DEPENDS module...] [LINK external-target...])
 # The tests of one module: tests/NAME mirrors src/NAME. Every TEST is known to ctest under its own name. SIMULATES: the tests
-# themselves run for long, and are compiled as the product is.
+# themselves run for long, and are compiled as the product is where no sanitizer asks for -O1 anyway.
 function(geminga_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "SIMULATES" "" "SOURCES;DEPENDS;LINK")
   string(REPLACE "/" "_" target "geminga_${name}_tests")
