@@ -176,7 +176,7 @@ std::optional<Problem> walk(std::string_view bytes, const Limits& limits, Listen
 }
 
 std::string resolve(std::string_view iri, const std::string& base) {
-  const std::string relative(iri);
+  std::string relative(iri);
   xmlChar* whole =
       xmlBuildURI(reinterpret_cast<const xmlChar*>(relative.c_str()), reinterpret_cast<const xmlChar*>(base.c_str()));
   if (whole == nullptr) return relative;

@@ -289,7 +289,7 @@ void RaptorParser::World::parse_piece(std::size_t number) {
 
 std::optional<LoadError> RaptorParser::read(const FileText& text, std::size_t piece, Graph& graph) {
   World& state = *world_;
-  const LoadError short_of_memory{{}, 0, "cannot be read: Redland does not start, memory is short"};
+  LoadError short_of_memory{{}, 0, "cannot be read: Redland does not start, memory is short"};
   if (state.world == nullptr) return short_of_memory;
   const Piece& part = text.pieces.parts()[piece];
   state.graph = &graph;

@@ -121,7 +121,9 @@ std::optional<LoadError> Redland::read_pieces(const FileText& text, Graph& graph
 std::optional<LoadError> Redland::take_over(const std::vector<std::pair<std::string, std::string>>& prefixes,
                                             std::uint64_t triples, std::uint32_t file) {
   for (const auto& [prefix, iri] : prefixes) {
-    if (known_prefixes_.insert(prefix + ' ' + iri).second) prefixes_.push_back({prefix, iri, file});
+    std::string both = prefix;
+    both.append(" ").append(iri);
+    if (known_prefixes_.insert(std::move(both)).second) prefixes_.push_back({prefix, iri, file});
   }
   triples_ += triples;
   if (prefixes_.size() > limits_.prefixes)

@@ -54,7 +54,7 @@ std::string_view root_tag(std::string_view text) {
       end = rest.find("?>");
     } else if (rest.starts_with("<!DOCTYPE")) {
       const std::size_t open = rest.find_first_of("[>");
-      end = open != std::string_view::npos && rest[open] == '[' ? rest.find("]", open) : open;
+      end = open != std::string_view::npos && rest[open] == '[' ? rest.find(']', open) : open;
     } else {
       return rest.substr(1, std::min(rest.find('>', 1), rest.size()) - 1);
     }

@@ -41,7 +41,7 @@ constexpr std::array integer_types = {
 constexpr std::array<std::string_view, 7> text_types = {"string", "normalizedString", "token",   "NMTOKEN",
                                                         "Name",   "NCName",           "language"};
 
-KnownSet exactly(ValueSet set) { return {set, set, {}}; }
+KnownSet exactly(const ValueSet& set) { return {set, set, {}}; }
 
 ValueSet layers(DataFamily family, std::uint8_t first, std::uint8_t end) {
   ValueSet result;

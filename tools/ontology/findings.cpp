@@ -71,24 +71,36 @@ Open find_open(const Knowledge& knowledge, const el::Ontology& ontology) {
 /// What an explanation costs beside its counted work, in steps of a budget.
 constexpr std::uint64_t steps_per_work = 10;
 
-std::vector<reasoner::ExplainedAxiom> reason_of(const el::Ontology& ontology, el::ClassNumber sub,
-                                                el::ClassNumber super, base::Budget& budget) {
+struct Reason {
+  std::vector<reasoner::ExplainedAxiom> axioms;
+  bool was_hard = false;  ///< some question on the way was left undecided
+};
+
+Reason reason_of(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super, base::Budget& budget,
+                 reasoner::Patience patience) {
   if (!budget.spend(1)) return {};
-  reasoner::Explainer explainer(ontology, sub, super);
+  reasoner::Explainer explainer(ontology, sub, super, patience);
   const auto found = explainer.find_one();
   static_cast<void>(budget.spend(steps_per_work * explainer.oracle().work()));
-  return found ? explainer.explained(*found) : std::vector<reasoner::ExplainedAxiom>();
+  Reason reason{{}, explainer.oracle().undecided_count() > 0};
+  if (found) reason.axioms = explainer.explained(*found);
+  return reason;
 }
 
-/// Of an ontology that does not contradict itself.
+/// Of an ontology that does not contradict itself. There may be many reasons to find, so only easy ones are looked for,
+/// and where one was hard, those of the other classes would be, too; `explain` takes its time.
 std::vector<Unsatisfiable> find_unsatisfiable(const el::Ontology& ontology, base::Budget& budget) {
   std::vector<Unsatisfiable> found;
+  bool was_hard = false;
   const auto nothing = ontology.find_iri(el::owl_nothing);
   for (std::uint32_t number = 0; number < ontology.class_count() && nothing; ++number) {
     const el::ClassNumber named{number};
     if (named == *nothing || ontology.is_satisfiable(named)) continue;
     Unsatisfiable& one = found.emplace_back(ontology.short_name(named), std::vector<reasoner::ExplainedAxiom>());
-    if (found.size() <= max_explained_classes) one.reason = reason_of(ontology, named, *nothing, budget);
+    if (found.size() > max_explained_classes || was_hard) continue;
+    Reason reason = reason_of(ontology, named, *nothing, budget, reasoner::Patience::of_a_daemon);
+    one.reason = std::move(reason.axioms);
+    was_hard = reason.was_hard;
   }
   return found;
 }
@@ -103,7 +115,8 @@ void find_problems(const el::Ontology& ontology, Findings& findings, base::Budge
   }
   const auto thing = ontology.find_iri(el::owl_thing);
   const auto nothing = ontology.find_iri(el::owl_nothing);
-  if (thing && nothing) findings.contradiction = reason_of(ontology, *thing, *nothing, budget);
+  if (thing && nothing)
+    findings.contradiction = reason_of(ontology, *thing, *nothing, budget, reasoner::Patience::of_a_person).axioms;
 }
 
 /// What is wrong with classes comes to light in a contradiction only where facts are left aside: an instance of a class
