@@ -9,7 +9,7 @@ namespace geminga::graph {
 
 World::World() {
   // librdf would load every storage that is installed. It is asked for none but its own, in memory.
-  ::setenv("REDLAND_MODULE_PATH", "/var/empty/geminga", 1);  // NOLINT(concurrency-mt-unsafe)
+  ::setenv("REDLAND_MODULE_PATH", "/var/empty/geminga", 1);
   world_ = librdf_new_world();
   if (world_ == nullptr) return;
   librdf_world_set_logger(world_, this, on_message);

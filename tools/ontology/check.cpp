@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "base/text.hpp"
 #include "command.hpp"
@@ -120,7 +121,9 @@ std::string names_as_text(const NameFindings& names, bool shows_all) {
     for (const DoubtfulName& name : found) {
       const std::string what = name.kind == "word" ? "" : "  (" + std::string(name.kind) + ')';
       const std::string meant = el::did_you_mean(name.similar);
-      lines.push_back(base::printable(name.name, 400) + what + meant + "   [" + place(name.file, name.line) + ']');
+      std::string line = base::printable(name.name, 400) + what + meant;
+      line.append("   [").append(place(name.file, name.line)).append("]");
+      lines.push_back(std::move(line));
     }
     return lines;
   };

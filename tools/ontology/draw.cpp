@@ -15,8 +15,6 @@
 #include "knowledge.hpp"
 #include "words.hpp"
 
-extern char** environ;
-
 namespace geminga::ontology {
 namespace {
 

@@ -143,7 +143,8 @@ std::string as_dot(const Picture& picture) {
     const std::string label = box.kind == BoxKind::hidden   ? hidden_label(box)
                               : box.kind == BoxKind::leaves ? list_label(box)
                                                             : dot_label(box, is_broken);
-    text += "  " + box.id + " [label=\"" + label + '"' + dot_attributes(box, is_broken) + "];\n";
+    text.append("  ").append(box.id).append(" [label=\"").append(label).append("\"");
+    text.append(dot_attributes(box, is_broken)).append("];\n");
   }
   for (const Box& box : picture) {
     const std::string style = box.kind == BoxKind::hidden ? " [style=dotted, arrowhead=none]" : "";

@@ -47,7 +47,7 @@ std::string as_triples_do(const Node& node) {
 
 /// RFC 4180: a text with a comma, a quotation mark or a line end stands in quotation marks.
 std::string as_csv(const Node& node) {
-  const std::string text = node.kind == Node::Kind::blank ? "_:" + node.text : node.text;
+  std::string text = node.kind == Node::Kind::blank ? "_:" + node.text : node.text;
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) {
