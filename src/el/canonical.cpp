@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "el/compile.hpp"
 
 namespace geminga::el {
 namespace {

@@ -52,6 +52,9 @@ struct CanonicalOrder {
 
 [[nodiscard]] CanonicalOrder canonical_order(const OntologySource& source, const ContentHashes& hashes);
 
+/// What identifies an ontology between hosts: equal for the same axioms and classes, whatever their order, files or syntax.
+[[nodiscard]] std::uint64_t digest(const OntologySource& source);
+
 }  // namespace geminga::el
 
 #endif

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "el/classify.hpp"
+#include "el/classification.hpp"
 #include "el/source.hpp"
 
 namespace geminga::el {
@@ -29,9 +29,6 @@ struct CompileOptions {
 /// order. Empty where they would be more than max_compiled_bytes; el::Ontology refuses that.
 [[nodiscard]] std::vector<std::byte> compile(const OntologySource& source, const Classification& classification,
                                              const CompileOptions& options = {});
-
-/// What compile() writes as the digest: equal for the same axioms and classes, whatever their order, files or syntax.
-[[nodiscard]] std::uint64_t digest(const OntologySource& source);
 
 }  // namespace geminga::el
 

@@ -47,7 +47,7 @@ void write_terms(const CompilerInput& input, const std::vector<std::uint32_t>& n
     const Term term = input.source.term(id);
     out.term_kind.push_back(static_cast<std::uint8_t>(term.kind));
     out.term_word.push_back(
-        CompiledView::is_cardinality(term.kind) ? term.number : number_of_name[static_cast<std::size_t>(term.name)]);
+        ClassifiedView::is_cardinality(term.kind) ? term.number : number_of_name[static_cast<std::size_t>(term.name)]);
     for (const TermId argument : input.hashes.sorted(term.arguments, set_begin(term.kind, term.arguments.size()))) {
       out.term_arguments.push_back(input.order.number_of_term[static_cast<std::size_t>(argument)]);
     }
@@ -92,8 +92,8 @@ void write_unused(const CompilerInput& input, const compiled::TaxonomyT& taxonom
 }
 
 /// Of what has been written, without the tables of modules.
-CompiledView view_of(const compiled::TaxonomyT& taxonomy, const compiled::AxiomsT& axioms) {
-  CompiledView view;
+ClassifiedView view_of(const compiled::TaxonomyT& taxonomy, const compiled::AxiomsT& axioms) {
+  ClassifiedView view;
   view.class_text = {reinterpret_cast<const char*>(taxonomy.class_text.data()), taxonomy.class_text.size()};
   view.class_end = taxonomy.class_end;
   view.term_text = {reinterpret_cast<const char*>(axioms.text.data()), axioms.text.size()};

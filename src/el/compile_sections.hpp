@@ -9,7 +9,7 @@
 
 #include "compiled_generated.h"
 #include "el/canonical.hpp"
-#include "el/classify.hpp"
+#include "el/classification.hpp"
 #include "el/compile.hpp"
 #include "el/source.hpp"
 

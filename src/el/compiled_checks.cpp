@@ -30,7 +30,7 @@ class Grammar {
  public:
   /// `kind_of` gives the kind of an argument as a number.
   template <typename KindOf>
-  [[nodiscard]] bool fits(TermKind kind, CompiledView::Numbers arguments, KindOf&& kind_of) {
+  [[nodiscard]] bool fits(TermKind kind, ClassifiedView::Numbers arguments, KindOf&& kind_of) {
     if (arguments.empty()) return may_be_bare_.has(static_cast<std::uint32_t>(kind));
     if (kind == TermKind::object_some_values_from) {
       return arguments.size() == 2 && is_role_.has(kind_of(arguments[0])) && is_class_.has(kind_of(arguments[1]));
@@ -39,7 +39,7 @@ class Grammar {
     return is_well_formed(kind, kinds_of(arguments, kind_of));
   }
   template <typename KindOf>
-  [[nodiscard]] bool fits(AxiomKind kind, CompiledView::Numbers arguments, KindOf&& kind_of) {
+  [[nodiscard]] bool fits(AxiomKind kind, ClassifiedView::Numbers arguments, KindOf&& kind_of) {
     if (kind == AxiomKind::sub_class_of) return arguments.size() == 2 && are_classes(arguments, kind_of);
     if (kind == AxiomKind::equivalent_classes) return arguments.size() >= 2 && are_classes(arguments, kind_of);
     return is_well_formed(kind, kinds_of(arguments, kind_of));
@@ -47,13 +47,13 @@ class Grammar {
 
  private:
   template <typename KindOf>
-  [[nodiscard]] bool are_classes(CompiledView::Numbers arguments, KindOf&& kind_of) const {
+  [[nodiscard]] bool are_classes(ClassifiedView::Numbers arguments, KindOf&& kind_of) const {
     bool is_right = true;
     for (const std::uint32_t term : arguments) is_right &= is_class_.has(kind_of(term));
     return is_right;
   }
   template <typename KindOf>
-  [[nodiscard]] std::span<const TermKind> kinds_of(CompiledView::Numbers arguments, KindOf&& kind_of) {
+  [[nodiscard]] std::span<const TermKind> kinds_of(ClassifiedView::Numbers arguments, KindOf&& kind_of) {
     kinds_.clear();
     for (const std::uint32_t argument : arguments) kinds_.push_back(static_cast<TermKind>(kind_of(argument)));
     return kinds_;
@@ -65,11 +65,11 @@ class Grammar {
   std::vector<TermKind> kinds_;
 };
 
-void check_words(const CompiledView& view, Checker& check) {
+void check_words(const ClassifiedView& view, Checker& check) {
   const auto names = static_cast<std::uint32_t>(view.class_count() + view.name_end.size());
   const auto is_wrong = [&](std::size_t term) {
     return view.term_word[term] >= names &&
-           !CompiledView::is_cardinality(view.kind_of_term(static_cast<std::uint32_t>(term)));
+           !ClassifiedView::is_cardinality(view.kind_of_term(static_cast<std::uint32_t>(term)));
   };
   std::uint32_t is_large = 0;
   for (const std::uint32_t word : view.term_word) is_large |= static_cast<std::uint32_t>(word >= names);
@@ -79,7 +79,7 @@ void check_words(const CompiledView& view, Checker& check) {
 }
 
 /// An argument comes before what it is in, so nothing is part of itself; and no deeper than readers allow.
-void check_forms(const CompiledView& view, Checker& check) {
+void check_forms(const ClassifiedView& view, Checker& check) {
   constexpr std::uint32_t kind_bits = 6;
   constexpr std::uint32_t kind_mask = (1U << kind_bits) - 1;
   static_assert(term_kind_count <= kind_mask && SourceLimits{}.nesting < (1U << (16 - kind_bits)));
@@ -104,7 +104,7 @@ void check_forms(const CompiledView& view, Checker& check) {
   }
 }
 
-void check_terms(const CompiledView& view, Checker& check) {
+void check_terms(const ClassifiedView& view, Checker& check) {
   const std::size_t count = view.term_kind.size();
   check.expect(view.term_word.size() == count, "the number of terms", view.term_word);
   check.ends(view.name_end, view.term_text.size(), "the end of a name");
@@ -114,7 +114,7 @@ void check_terms(const CompiledView& view, Checker& check) {
   if (!check.failed()) check_forms(view, check);
 }
 
-void check_statements(const CompiledView& view, std::size_t files, std::size_t groups, Checker& check) {
+void check_statements(const ClassifiedView& view, std::size_t files, std::size_t groups, Checker& check) {
   const std::size_t count = view.axiom_kind.size();
   check.expect(view.axiom_file.size() == count && view.axiom_line.size() == count, "the number of axioms",
                view.axiom_kind);
@@ -134,7 +134,7 @@ void check_statements(const CompiledView& view, std::size_t files, std::size_t g
   }
 }
 
-void check_module_tables(const CompiledView& view, Checker& check) {
+void check_module_tables(const ClassifiedView& view, Checker& check) {
   const std::size_t terms = view.term_kind.size();
   const std::size_t axioms = view.axiom_kind.size();
   check.expect(view.built_in.size() == built_in_count, "the number of built-in entities", view.built_in);
@@ -149,7 +149,7 @@ void check_module_tables(const CompiledView& view, Checker& check) {
 
 }  // namespace
 
-void check_taxonomy(const CompiledView& view, Checker& check) {
+void check_taxonomy(const ClassifiedView& view, Checker& check) {
   const std::size_t count = view.class_end.size();
   check.ends(view.class_end, view.class_text.size(), "the end of the IRI of a class");
   check.expect(view.representative.size() == count && view.reach.size() == count, "the number of classes",
@@ -163,7 +163,7 @@ void check_taxonomy(const CompiledView& view, Checker& check) {
     return check.expect(false, "the representative of a class", view.representative, number);
   }
   const auto members =
-      CompiledView::Numbers(reinterpret_cast<const std::uint32_t*>(view.members.data()), view.members.size() * 2);
+      ClassifiedView::Numbers(reinterpret_cast<const std::uint32_t*>(view.members.data()), view.members.size() * 2);
   check.in_range(members, count, "a class that is equivalent to another");
   check.borders(view.parent_begin, count, view.parents.size(), "the border of parents");
   check.in_range(view.parents, count, "a parent");
@@ -177,7 +177,7 @@ void check_taxonomy(const CompiledView& view, Checker& check) {
   check.expect(wrong == 0, "the intervals of a class", view.reach);
 }
 
-void check_labels(const LabelsView& labels, const CompiledView& taxonomy, Checker& check) {
+void check_labels(const LabelsView& labels, const ClassifiedView& taxonomy, Checker& check) {
   check.ends(labels.end, labels.text.size(), "the end of a label");
   check.borders(labels.class_begin, labels.end.size(), labels.classes.size(), "the border of classes of a label");
   check.in_range(labels.classes, taxonomy.class_count(), "the class of a label");
@@ -186,7 +186,7 @@ void check_labels(const LabelsView& labels, const CompiledView& taxonomy, Checke
   check.in_range_or_none(labels.label_of_class, labels.end.size(), "the label of a class");
 }
 
-void check_axioms(const CompiledView& view, std::size_t files, std::size_t groups, Checker& check) {
+void check_axioms(const ClassifiedView& view, std::size_t files, std::size_t groups, Checker& check) {
   check_terms(view, check);
   if (!check.failed()) check_statements(view, files, groups, check);
   if (!check.failed()) check_module_tables(view, check);

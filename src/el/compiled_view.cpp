@@ -48,11 +48,11 @@ std::expected<const Root*, CompiledError> root_of(const Container& file, Section
 
 }  // namespace
 
-std::expected<CompiledView, CompiledError> view_taxonomy(const Container& file) {
+std::expected<ClassifiedView, CompiledError> view_taxonomy(const Container& file) {
   const auto found = root_of<compiled::Taxonomy>(file, Section::taxonomy);
   if (!found) return std::unexpected(found.error());
   const compiled::Taxonomy& root = **found;
-  CompiledView view;
+  ClassifiedView view;
   view.root = &root;
   view.digest = root.digest();
   view.is_consistent = root.is_consistent();
@@ -74,7 +74,7 @@ std::expected<CompiledView, CompiledError> view_taxonomy(const Container& file) 
   return view;
 }
 
-std::expected<LabelsView, CompiledError> view_labels(const Container& file, const CompiledView& taxonomy) {
+std::expected<LabelsView, CompiledError> view_labels(const Container& file, const ClassifiedView& taxonomy) {
   if (auto whole = file.verify(Section::labels); !whole) return std::unexpected(whole.error());
   const auto found = root_of<compiled::Labels>(file, Section::labels);
   if (!found) return std::unexpected(found.error());
@@ -87,12 +87,12 @@ std::expected<LabelsView, CompiledError> view_labels(const Container& file, cons
   return labels;
 }
 
-std::expected<CompiledView, CompiledError> view_axioms(const Container& file, const CompiledView& taxonomy) {
+std::expected<ClassifiedView, CompiledError> view_axioms(const Container& file, const ClassifiedView& taxonomy) {
   if (auto whole = file.verify(Section::axioms); !whole) return std::unexpected(whole.error());
   const auto found = root_of<compiled::Axioms>(file, Section::axioms);
   if (!found) return std::unexpected(found.error());
   const compiled::Axioms& root = **found;
-  CompiledView view = taxonomy;
+  ClassifiedView view = taxonomy;
   view.term_text = text(root.text());
   view.name_end = numbers(root.name_end());
   view.term_kind = octets(root.term_kind());
@@ -118,14 +118,14 @@ std::expected<CompiledView, CompiledError> view_axioms(const Container& file, co
   return view;
 }
 
-std::vector<LoadedFile> files_of(const CompiledView& view) {
+std::vector<LoadedFile> files_of(const ClassifiedView& view) {
   std::vector<LoadedFile> files;
   for (const compiled::File* file : *view.root->files())
     files.push_back({file->path()->str(), file->ontology_iri()->str(), {file->size(), file->hash()}});
   return files;
 }
 
-std::vector<LeftOut> left_out_of(const CompiledView& view) {
+std::vector<LeftOut> left_out_of(const ClassifiedView& view) {
   std::vector<LeftOut> left_out;
   for (const compiled::LeftOut* left : *view.root->left_out()) {
     left_out.push_back({left->construct()->str(), left->count(), {}, left->file(), left->line()});
@@ -133,13 +133,13 @@ std::vector<LeftOut> left_out_of(const CompiledView& view) {
   return left_out;
 }
 
-std::vector<std::string> gaps_of(const CompiledView& view) {
+std::vector<std::string> gaps_of(const ClassifiedView& view) {
   std::vector<std::string> gaps;
   for (const flatbuffers::String* gap : *view.root->gaps()) gaps.push_back(gap->str());
   return gaps;
 }
 
-std::vector<std::pair<std::string_view, std::string_view>> prefixes_of(const CompiledView& view) {
+std::vector<std::pair<std::string_view, std::string_view>> prefixes_of(const ClassifiedView& view) {
   std::vector<std::pair<std::string_view, std::string_view>> prefixes;
   for (const compiled::Prefix* prefix : *view.root->prefixes())
     prefixes.emplace_back(prefix->prefix()->string_view(), prefix->iri()->string_view());
@@ -147,6 +147,6 @@ std::vector<std::pair<std::string_view, std::string_view>> prefixes_of(const Com
   return prefixes;
 }
 
-std::uint32_t counted_axioms(const CompiledView& view) { return view.root->axioms(); }
+std::uint32_t counted_axioms(const ClassifiedView& view) { return view.root->axioms(); }
 
 }  // namespace geminga::el

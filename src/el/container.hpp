@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "el/ontology.hpp"
+#include "el/compiled_error.hpp"
 
 namespace geminga::el {
 

@@ -7,7 +7,7 @@
 #include <expected>
 #include <span>
 
-#include "el/ontology.hpp"
+#include "el/compiled_error.hpp"
 
 namespace geminga::el {
 

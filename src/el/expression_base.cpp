@@ -21,7 +21,7 @@ bool has_expression(TermKind kind) {
 
 std::expected<std::unique_ptr<const ExpressionBase>, ExpressionError> ExpressionBase::build(
     const Ontology& ontology, const ExpressionLimits& limits) {
-  const CompiledView& view = ontology.axioms();
+  const ClassifiedView& view = ontology.axioms();
   if (const auto whole = ontology.check_axioms(); !whole) return std::unexpected(ExpressionError{whole.error().text});
   if (!view.is_consistent) {
     return std::unexpected(ExpressionError{"the ontology is inconsistent: every class is below every other"});
@@ -50,7 +50,7 @@ void ExpressionBase::copy_axioms() {
   const FileId file = source_.add_file("");
   std::vector<TermId> terms;
   std::vector<TermId> arguments;
-  const auto take = [&](CompiledView::Numbers numbers) {
+  const auto take = [&](ClassifiedView::Numbers numbers) {
     arguments.clear();
     for (const std::uint32_t argument : numbers) arguments.push_back(terms[argument]);
   };

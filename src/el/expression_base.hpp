@@ -64,7 +64,7 @@ class ExpressionBase {
   ExpressionBase& operator=(const ExpressionBase&) = delete;
 
   [[nodiscard]] const ExpressionLimits& limits() const { return limits_; }
-  [[nodiscard]] const CompiledView& view() const { return view_; }
+  [[nodiscard]] const ClassifiedView& view() const { return view_; }
   [[nodiscard]] const Index& index() const { return index_; }
   /// The axioms with the taxonomy, each edge an axiom.
   [[nodiscard]] const OntologySource& source() const { return source_; }
@@ -111,7 +111,7 @@ class ExpressionBase {
   [[nodiscard]] bool has_conditional() const { return has_conditional_; }
 
  private:
-  ExpressionBase(const CompiledView& view, const ExpressionLimits& limits) : view_(view), limits_(limits) {}
+  ExpressionBase(const ClassifiedView& view, const ExpressionLimits& limits) : view_(view), limits_(limits) {}
   void copy_axioms();
   void add_taxonomy();
   void name_properties();
@@ -124,7 +124,7 @@ class ExpressionBase {
   [[nodiscard]] std::uint64_t hash_of(TermKind kind, NameId name, std::uint32_t number_of_term,
                                       std::span<const TermId> arguments) const;
 
-  CompiledView view_;
+  ClassifiedView view_;
   ExpressionLimits limits_;
   OntologySource source_;
   Index index_;

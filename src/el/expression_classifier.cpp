@@ -120,7 +120,7 @@ class Question {
 
   /// The lowest of those above, which reach up to owl:Thing, and the highest of those below.
   void fill(ExpressionPlace& place, const Marks& above, const Marks& below) const {
-    const CompiledView& view = base_.view();
+    const ClassifiedView& view = base_.view();
     for (std::uint32_t number = 0; number < view.class_count() && !place.equivalent; ++number) {
       if (view.representative[number] == number && above[number] && below[number]) {
         place.equivalent = ClassNumber{number};

@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view query_name = "the expression";
 
 /// The nodes of a view for the classes of a classification; none for the expression's own.
-std::vector<std::optional<ClassNumber>> nodes_of(const CompiledView& view, const OntologySource& source,
+std::vector<std::optional<ClassNumber>> nodes_of(const ClassifiedView& view, const OntologySource& source,
                                                  const Classification& classification) {
   std::vector<std::optional<ClassNumber>> nodes;
   std::uint32_t at = 0;  // both ascend by IRI
@@ -26,7 +26,7 @@ std::vector<std::optional<ClassNumber>> nodes_of(const CompiledView& view, const
   return nodes;
 }
 
-ExpressionPlace place_in(const CompiledView& view, const OntologySource& source, const Classification& classification) {
+ExpressionPlace place_in(const ClassifiedView& view, const OntologySource& source, const Classification& classification) {
   const std::vector<std::optional<ClassNumber>> nodes = nodes_of(view, source, classification);
   const auto find = [&](std::string_view name) {
     const auto found = std::ranges::find(classification.classes, name, [&](NameId id) { return source.name(id); });

@@ -63,7 +63,7 @@ class Walk {
   }
 
   const ModuleIndex& index_;
-  const CompiledView& view_;
+  const ClassifiedView& view_;
   std::vector<bool> is_in_signature_;
   std::vector<bool> is_taken_;
   LocalityTest test_;
@@ -75,7 +75,7 @@ class Walk {
 
 }  // namespace
 
-ModuleIndex::ModuleIndex(const CompiledView& view) : view_(&view) {
+ModuleIndex::ModuleIndex(const ClassifiedView& view) : view_(&view) {
   if (view.built_in.size() != built_in_count) return;  // a view without axioms
   const auto& terms = view.built_in;
   built_in_ = {terms[0], terms[1], terms[2], terms[3], terms[4], terms[5]};
@@ -83,7 +83,7 @@ ModuleIndex::ModuleIndex(const CompiledView& view) : view_(&view) {
 
 std::optional<std::uint32_t> ModuleIndex::term_of(ClassNumber number) const {
   const auto at = static_cast<std::size_t>(number);
-  if (at >= view_->term_of_class.size() || view_->term_of_class[at] == CompiledView::none) return std::nullopt;
+  if (at >= view_->term_of_class.size() || view_->term_of_class[at] == ClassifiedView::none) return std::nullopt;
   return view_->term_of_class[at];
 }
 

@@ -7,7 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "el/compiled_view.hpp"
+#include "el/class_number.hpp"
+#include "el/classified_view.hpp"
 #include "el/module_locality.hpp"
 
 namespace geminga::el {
@@ -16,9 +17,9 @@ namespace geminga::el {
 /// making one costs nothing. The view, which must have axioms to be of use, must outlive it.
 class ModuleIndex {
  public:
-  explicit ModuleIndex(const CompiledView& view);
+  explicit ModuleIndex(const ClassifiedView& view);
 
-  [[nodiscard]] const CompiledView& view() const { return *view_; }
+  [[nodiscard]] const ClassifiedView& view() const { return *view_; }
   [[nodiscard]] const BuiltIn& built_in() const { return built_in_; }
   /// How often a term is an argument.
   [[nodiscard]] std::span<const std::uint32_t> uses() const { return view_->uses; }
@@ -32,7 +33,7 @@ class ModuleIndex {
   [[nodiscard]] std::optional<std::uint32_t> term_of(ClassNumber number) const;
 
  private:
-  const CompiledView* view_;
+  const ClassifiedView* view_;
   BuiltIn built_in_;
 };
 
@@ -47,7 +48,7 @@ struct ModuleTables {
 };
 
 /// Makes the tables of a view that has everything but them. A pass over its axioms.
-[[nodiscard]] ModuleTables make_module_tables(const CompiledView& view);
+[[nodiscard]] ModuleTables make_module_tables(const ClassifiedView& view);
 
 /// Numbers of axioms that hold every minimal set that entails anything about these classes and terms; that one of the
 /// classes is below any named class, too. They come in the order in which the walk reaches them, so that what is near

@@ -11,18 +11,18 @@
 #include <span>
 #include <vector>
 
-#include "el/compiled_view.hpp"
+#include "el/classified_view.hpp"
 
 namespace geminga::el {
 
-/// Terms with a meaning of their own, or CompiledView::none where no axiom uses them.
+/// Terms with a meaning of their own, or ClassifiedView::none where no axiom uses them.
 struct BuiltIn {
-  std::uint32_t thing = CompiledView::none;
-  std::uint32_t nothing = CompiledView::none;
-  std::uint32_t top_object_property = CompiledView::none;
-  std::uint32_t top_data_property = CompiledView::none;
-  std::uint32_t bottom_object_property = CompiledView::none;
-  std::uint32_t bottom_data_property = CompiledView::none;
+  std::uint32_t thing = ClassifiedView::none;
+  std::uint32_t nothing = ClassifiedView::none;
+  std::uint32_t top_object_property = ClassifiedView::none;
+  std::uint32_t top_data_property = ClassifiedView::none;
+  std::uint32_t bottom_object_property = ClassifiedView::none;
+  std::uint32_t bottom_data_property = ClassifiedView::none;
 };
 inline constexpr std::size_t built_in_count = 6;
 
@@ -47,7 +47,7 @@ class LocalityTest {
  public:
   /// `is_in_signature` and `uses` have an entry for each term; of several names to wait for those with few uses are
   /// taken. All must outlive the test.
-  LocalityTest(const CompiledView& view, const BuiltIn& built_in, const std::vector<bool>& is_in_signature,
+  LocalityTest(const ClassifiedView& view, const BuiltIn& built_in, const std::vector<bool>& is_in_signature,
                std::span<const std::uint32_t> uses)
       : view_(view), built_in_(built_in), is_in_signature_(is_in_signature), uses_(uses) {}
 
@@ -56,7 +56,7 @@ class LocalityTest {
   [[nodiscard]] std::span<const std::uint32_t> names() const { return names_; }
 
  private:
-  using Numbers = CompiledView::Numbers;
+  using Numbers = ClassifiedView::Numbers;
 
   template <typename Test>
   Locality any(Numbers terms, Test&& test);
@@ -77,7 +77,7 @@ class LocalityTest {
   Locality not_empty_successor(Numbers arguments);
   Locality of_class_axiom(AxiomKind kind, Numbers arguments);
 
-  const CompiledView& view_;
+  const ClassifiedView& view_;
   const BuiltIn& built_in_;
   const std::vector<bool>& is_in_signature_;
   std::span<const std::uint32_t> uses_;

@@ -5,15 +5,15 @@
 namespace geminga::el {
 namespace {
 
-/// The entity of a kind and name, or CompiledView::none.
-std::uint32_t find_entity(const CompiledView& view, TermKind kind, std::string_view iri) {
+/// The entity of a kind and name, or ClassifiedView::none.
+std::uint32_t find_entity(const ClassifiedView& view, TermKind kind, std::string_view iri) {
   for (std::uint32_t term = 0; term < view.term_count(); ++term) {
     if (view.kind_of_term(term) == kind && view.name_of_term(term) == iri) return term;
   }
-  return CompiledView::none;
+  return ClassifiedView::none;
 }
 
-BuiltIn find_built_in(const CompiledView& view) {
+BuiltIn find_built_in(const ClassifiedView& view) {
   return {.thing = find_entity(view, TermKind::named_class, owl_thing),
           .nothing = find_entity(view, TermKind::named_class, owl_nothing),
           .top_object_property = find_entity(view, TermKind::object_property, owl_top_object_property),
@@ -24,7 +24,7 @@ BuiltIn find_built_in(const CompiledView& view) {
 
 }  // namespace
 
-ModuleTables make_module_tables(const CompiledView& view) {
+ModuleTables make_module_tables(const ClassifiedView& view) {
   ModuleTables tables;
   const BuiltIn built_in = find_built_in(view);
   tables.built_in = {built_in.thing,
@@ -36,7 +36,7 @@ ModuleTables make_module_tables(const CompiledView& view) {
   tables.uses.assign(view.term_count(), 0);
   for (const std::uint32_t argument : view.term_arguments) ++tables.uses[argument];
   for (const std::uint32_t argument : view.axiom_arguments) ++tables.uses[argument];
-  tables.term_of_class.assign(view.class_count(), CompiledView::none);
+  tables.term_of_class.assign(view.class_count(), ClassifiedView::none);
   for (std::uint32_t term = 0; term < view.term_count(); ++term) {
     const bool is_class = view.kind_of_term(term) == TermKind::named_class && view.term_word[term] < view.class_count();
     if (is_class) tables.term_of_class[view.term_word[term]] = term;

@@ -22,7 +22,7 @@ struct Ontology::Mapped {
   std::vector<std::byte> bytes;
   std::string folder;  ///< what paths of files are relative to
   Container file;
-  CompiledView taxonomy;
+  ClassifiedView taxonomy;
   std::vector<std::pair<std::string_view, std::string_view>> prefixes;  ///< sorted
 
   // What is verified when it is asked for first.
@@ -30,7 +30,7 @@ struct Ontology::Mapped {
   mutable LabelsView labels;
   mutable std::optional<CompiledError> labels_error;
   mutable std::once_flag axioms_once;
-  mutable CompiledView whole;
+  mutable ClassifiedView whole;
   mutable std::optional<CompiledError> axioms_error;
 
   [[nodiscard]] std::expected<std::unique_ptr<const Mapped>, CompiledError> static finish(
@@ -42,7 +42,7 @@ struct Ontology::Mapped {
     return node == taxonomy.representative[taxonomy.nothing];
   }
   [[nodiscard]] const LabelsView& need_labels() const;
-  [[nodiscard]] const CompiledView& need_axioms() const;
+  [[nodiscard]] const ClassifiedView& need_axioms() const;
   [[nodiscard]] std::optional<std::uint32_t> find_class(std::string_view iri) const;
   [[nodiscard]] std::vector<std::uint32_t> find_label(std::string_view label) const;
   [[nodiscard]] std::vector<std::uint32_t> walk_up(std::uint32_t node) const;
@@ -109,7 +109,7 @@ const LabelsView& Ontology::Mapped::need_labels() const {
   return labels;
 }
 
-const CompiledView& Ontology::Mapped::need_axioms() const {
+const ClassifiedView& Ontology::Mapped::need_axioms() const {
   std::call_once(axioms_once, [this] {
     if (auto found = view_axioms(file, taxonomy)) {
       whole = *found;
@@ -132,7 +132,7 @@ std::vector<std::uint32_t> Ontology::Mapped::find_label(std::string_view label) 
   const LabelsView& all = need_labels();
   const std::uint32_t at = lower_bound(all.count(), label, [&](std::uint32_t number) { return all.label(number); });
   if (at == all.count() || all.label(at) != label) return {};
-  const auto found = CompiledView::row(all.class_begin, all.classes, at);
+  const auto found = ClassifiedView::row(all.class_begin, all.classes, at);
   std::vector<std::uint32_t> classes(found.begin(), found.end());
   std::ranges::sort(classes);
   classes.erase(std::unique(classes.begin(), classes.end()), classes.end());
@@ -302,7 +302,7 @@ std::string_view Ontology::iri(ClassNumber number) const {
 std::string_view Ontology::label(ClassNumber number) const {
   const LabelsView& labels = mapped_->need_labels();
   const auto at = static_cast<std::size_t>(number);
-  if (at >= labels.label_of_class.size() || labels.label_of_class[at] == CompiledView::none) return {};
+  if (at >= labels.label_of_class.size() || labels.label_of_class[at] == ClassifiedView::none) return {};
   return labels.label(labels.label_of_class[at]);
 }
 
@@ -356,8 +356,8 @@ std::vector<ClassNumber> Ontology::children(ClassNumber number) const {
   return to_classes(mapped_->taxonomy.children_of(mapped_->node(number)));
 }
 
-const CompiledView& Ontology::view() const { return mapped_->taxonomy; }
-const CompiledView& Ontology::axioms() const { return mapped_->need_axioms(); }
+const ClassifiedView& Ontology::view() const { return mapped_->taxonomy; }
+const ClassifiedView& Ontology::axioms() const { return mapped_->need_axioms(); }
 ModuleIndex Ontology::module_index() const { return ModuleIndex(axioms()); }
 
 }  // namespace geminga::el

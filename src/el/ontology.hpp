@@ -12,14 +12,14 @@
 #include <string_view>
 #include <vector>
 
-#include "el/fingerprint.hpp"
+#include "el/class_number.hpp"
+#include "el/compiled_error.hpp"
 #include "el/interval.hpp"
+#include "el/left_out.hpp"
+#include "el/loaded_file.hpp"
+#include "el/reach.hpp"
 
 namespace geminga::el {
-
-/// The dense number of a named class in one ontology, [0, class_count). Numbers of different ontologies have nothing in
-/// common.
-enum class ClassNumber : std::uint32_t {};
 
 /// Why a name could not be resolved. `text` is one line that says what to do, for a user.
 struct NameError {
@@ -27,39 +27,7 @@ struct NameError {
   std::string text;
 };
 
-/// A compiled ontology that was refused. `text` says what is wrong and at which offset where there is one.
-struct CompiledError {
-  std::string text;
-};
-
-/// One file that was loaded.
-struct LoadedFile {
-  std::string path;
-  std::string ontology_iri;  ///< empty: the file names none
-  Fingerprint content{};     ///< of what was read; not known where the reader did not say
-};
-
-/// Axioms of one kind that the reasoner did not use, e.g. {"owl:inverseOf", 12, "soma.owl:17"}.
-struct LeftOut {
-  std::string construct;
-  std::uint32_t count = 0;
-  std::string first;  ///< file:line of the first
-  /// The same as a place in files(); past the end where it is not known.
-  std::uint32_t file = 0xffffffff;
-  std::uint32_t line = 0;
-};
-
-/// What "is A under B" needs of a class, in one place: two of these and, for one in seven of the pairs that one asks
-/// about in large ontologies, a list of intervals are a question's misses of the cache.
-struct Reach {
-  static constexpr std::uint32_t flag = std::uint32_t{1} << 31;
-  std::uint32_t first = 0;   ///< its rank; flag alone where it can have no instance
-  std::uint32_t extent = 0;  ///< how many ranks behind its own are below it; with flag: and there are further intervals
-  std::uint32_t further_begin = 0;
-  std::uint32_t further_end = 0;
-};
-
-struct CompiledView;
+struct ClassifiedView;
 class ModuleIndex;
 
 /// An immutable classified ontology over a compiled form. Movable, not copyable; safe to read from many threads.
@@ -141,9 +109,9 @@ class Ontology {
   [[nodiscard]] std::vector<ClassNumber> children(ClassNumber number) const;
 
   /// The taxonomy as numbers. It has no terms and no axioms.
-  [[nodiscard]] const CompiledView& view() const;
+  [[nodiscard]] const ClassifiedView& view() const;
   /// The taxonomy with terms and axioms, for who reasons over them; without them where check_axioms() fails.
-  [[nodiscard]] const CompiledView& axioms() const;
+  [[nodiscard]] const ClassifiedView& axioms() const;
   /// From names to axioms(). Cheap: it is part of the compiled form.
   [[nodiscard]] ModuleIndex module_index() const;
 

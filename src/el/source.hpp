@@ -14,7 +14,7 @@
 
 #include "el/axiom.hpp"
 #include "el/interner.hpp"
-#include "el/ontology.hpp"
+#include "el/loaded_file.hpp"
 
 namespace geminga::el {
 

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "el/classify.hpp"
+#include "el/classification.hpp"
 #include "el/index.hpp"
 #include "el/reduction.hpp"
 

@@ -64,7 +64,7 @@ std::string_view local_name(std::string_view iri) {
 }
 
 Names::Names(const el::Ontology& ontology) : ontology_(ontology) {
-  const el::CompiledView& view = ontology.axioms();
+  const el::ClassifiedView& view = ontology.axioms();
   for (std::uint32_t term = 0; term < view.term_count(); ++term) {
     const TermKind kind = view.kind_of_term(term);
     const bool is_named = kind == TermKind::object_property || kind == TermKind::data_property ||

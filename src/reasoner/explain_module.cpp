@@ -43,7 +43,7 @@ Module::Module(const el::Ontology& ontology, std::span<const el::ClassNumber> cl
 }
 
 void Module::add_rest() {
-  const el::CompiledView& view = ontology_.axioms();
+  const el::ClassifiedView& view = ontology_.axioms();
   std::vector<bool> is_copied(view.axiom_count(), false);
   for (const std::uint32_t axiom : originals_) is_copied[axiom] = true;
   for (std::uint32_t axiom = 0; axiom < view.axiom_count(); ++axiom) {
@@ -52,7 +52,7 @@ void Module::add_rest() {
 }
 
 void Module::copy(std::uint32_t axiom) {
-  const el::CompiledView& view = ontology_.axioms();
+  const el::ClassifiedView& view = ontology_.axioms();
   std::vector<TermId> arguments;
   for (const std::uint32_t argument : view.arguments_of_axiom(axiom)) arguments.push_back(copy_term(argument));
   source_.add(view.kind_of_axiom(axiom), arguments, el::FileId{view.axiom_file[axiom]}, view.axiom_line[axiom]);
@@ -62,7 +62,7 @@ void Module::copy(std::uint32_t axiom) {
 
 TermId Module::copy_term(std::uint32_t term) {
   if (const auto known = terms_.find(term); known != terms_.end()) return known->second;
-  const el::CompiledView& view = ontology_.axioms();
+  const el::ClassifiedView& view = ontology_.axioms();
   std::vector<TermId> arguments;
   for (const std::uint32_t argument : view.arguments_of_term(term)) arguments.push_back(copy_term(argument));
   const TermId copied =
@@ -86,7 +86,7 @@ ExplainedAxiom Module::explained(std::uint32_t number) const {
 }
 
 ExplainedAxiom Module::explained_original(std::uint32_t axiom) {
-  const el::CompiledView& view = ontology_.axioms();
+  const el::ClassifiedView& view = ontology_.axioms();
   std::vector<TermId> arguments;
   for (const std::uint32_t argument : view.arguments_of_axiom(axiom)) arguments.push_back(copy_term(argument));
   const auto shorten = [&](std::string_view iri) { return ontology_.short_name(iri); };

@@ -47,7 +47,7 @@ struct Found {
 };
 
 /// Definitions first, then inclusions of expressions in the class, then what the class is told to be below.
-std::vector<Found> find_axioms(const el::CompiledView& view, std::uint32_t term) {
+std::vector<Found> find_axioms(const el::ClassifiedView& view, std::uint32_t term) {
   std::vector<Found> definitions;
   std::vector<Found> inclusions;
   std::vector<Found> necessary;

@@ -259,7 +259,7 @@ TEST(Compiled, KeepsWhyAnswersMayBeMissing) {
     EXPECT_EQ(left_out[at].first, told[at].first);
   }
   // Which axioms of them there are: the one with the universal, of the construct that is named second or first.
-  const CompiledView& view = ontology->axioms();
+  const ClassifiedView& view = ontology->axioms();
   ASSERT_EQ(view.unused_axiom.size(), 1U);
   EXPECT_EQ(view.axiom_line[view.unused_axiom[0]], 1U);
   EXPECT_NE(left_out[view.unused_group[0]].construct, "swrl:Imp");

@@ -34,7 +34,7 @@ void ask(std::vector<std::byte> bytes) {
   for (const auto& whole : {ontology->check_labels(), ontology->check_axioms()}) {
     GEMINGA_ASSERT(whole || (!whole.error().text.empty() && base::is_valid_utf8(whole.error().text)));
   }
-  const el::CompiledView& axioms = ontology->axioms();
+  const el::ClassifiedView& axioms = ontology->axioms();
   GEMINGA_ASSERT(ontology->check_axioms() || axioms.axiom_count() == 0);
   const std::uint32_t count = std::min(ontology->class_count(), asked);
   for (std::uint32_t sub = 0; sub < count; ++sub) {

@@ -49,7 +49,7 @@ std::vector<LeftOutGroup> group(const Knowledge& knowledge) {
 std::vector<LeftOutGroup> group(const el::Ontology& ontology) {
   std::vector<LeftOutGroup> groups;
   for (el::LeftOut& summary : ontology.left_out()) groups.push_back({std::move(summary), {}});
-  const el::CompiledView& view = ontology.axioms();
+  const el::ClassifiedView& view = ontology.axioms();
   reasoner::Module module(ontology, {});
   for (std::size_t at = 0; at < view.unused_axiom.size(); ++at) {
     reasoner::ExplainedAxiom axiom = module.explained_original(view.unused_axiom[at]);

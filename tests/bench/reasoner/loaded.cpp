@@ -106,7 +106,7 @@ void measure_expressions(const el::Ontology& ontology, const std::string& name, 
         ontology.iri(el::ClassNumber{static_cast<std::uint32_t>(random.below(ontology.class_count()))}));
   };
   std::vector<std::string_view> properties;
-  const el::CompiledView& view = ontology.axioms();
+  const el::ClassifiedView& view = ontology.axioms();
   for (std::uint32_t term = 0; term < view.term_count(); ++term) {
     if (view.kind_of_term(term) == el::TermKind::object_property) properties.push_back(view.name_of_term(term));
   }
@@ -139,7 +139,7 @@ void measure_loaded(const std::filesystem::path& compiled, const std::string& na
   const auto ontology = el::Ontology::map(compiled);
   row(name + ": compiled file, a class", size,
       static_cast<double>(std::filesystem::file_size(compiled)) / ontology->class_count(), "B");
-  const el::CompiledView& view = ontology->view();
+  const el::ClassifiedView& view = ontology->view();
   const std::size_t index_bytes = view.reach.size_bytes() + view.further.size_bytes();
   row(name + ": subsumption index, a class", size, static_cast<double>(index_bytes) / ontology->class_count(), "B",
       {.limit = 32});
