@@ -1,7 +1,7 @@
-// Read once for all tests: GoogleTest, and what of the standard library most of them use. A test includes what it uses all the
-// same, as the preset dev compiles without this file.
-#ifndef GEMINGA_PRECOMPILED_HPP
-#define GEMINGA_PRECOMPILED_HPP
+// Read once for all tests: GoogleTest, and what of the standard library most of them use. A test includes what it uses
+// all the same, as the preset dev compiles without this file.
+#ifndef GEMINGA_TESTS_PRECOMPILED_HPP
+#define GEMINGA_TESTS_PRECOMPILED_HPP
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -16,7 +16,8 @@ inline constexpr std::string_view attribute_prefix = "attr.";
 
 /// The attribute that a user means by a word before `=`: the name behind `attr.`, or the word itself. The error, with
 /// the likely meaning, is for a word that GCNP reserves, and for one that is a single slip away from a reserved one: a
-/// letter wrong, missing, too many, of the other case, or swapped with its neighbour (src/gcnp/GCNP.md, Attributes).
+/// letter wrong, missing, too many, of the other case, or swapped with its neighbour (src/discovery/gcnp/GCNP.md,
+/// Attributes).
 [[nodiscard]] std::expected<std::string, Error> attribute_name(std::string_view written);
 
 }  // namespace geminga

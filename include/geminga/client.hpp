@@ -53,7 +53,8 @@ struct Welcome {
   std::string ontology;  ///< digest of the daemon's ontology in hexadecimal digits, or "-"
 };
 
-/// One line of an answer, e.g. one service. Fields stand in the order of the answer (src/participant/QUERIES.md).
+/// One line of an answer, e.g. one service. Fields stand in the order of the answer
+/// (src/discovery/participant/QUERIES.md).
 struct Record {
   std::string kind;
   std::vector<std::pair<std::string, std::string>> fields;
@@ -73,8 +74,8 @@ struct Answer {
 /// Moves but does not copy. Keeps no thread: bytes are read within its calls only. Not thread-safe.
 ///
 /// A client does not connect again by itself: after `closed` everything that it was told of is in doubt. A program that
-/// makes a new client and states its requests again has, by the time that these calls return, been sent the events of all
-/// that is there; what it knew and was not told of again is gone.
+/// makes a new client and states its requests again has, by the time that these calls return, been sent the events of
+/// all that is there; what it knew and was not told of again is gone.
 ///
 /// A call that waits for the daemon (all but poll() and next_event() with events waiting) takes one round trip on the
 /// local host; events that come meanwhile are kept for next_event(), at most max_waiting_events of them.

@@ -26,7 +26,7 @@ struct TextIdentity {
 
 /// A concept and a representation, each a full IRI without angle brackets, compared byte by byte (RDF 1.1
 /// Concepts, 3.2). An empty representation is unstated. Instead of an IRI the concept of a subscription may be a class
-/// expression in canonical form (src/manchester/MANCHESTER.md), in which each IRI has its brackets.
+/// expression in canonical form (src/reasoning/syntax/manchester/MANCHESTER.md), in which each IRI has its brackets.
 struct SemanticIdentity {
   std::string concept_iri;
   std::string representation_iri;

@@ -81,7 +81,7 @@ struct Subscription {
   Identity identity;
   Degree weakest = Degree::narrower;      ///< the weakest degree of match that counts
   std::vector<ProviderFilter> providers;  ///< empty: any provider
-  std::string where;                      ///< a filter over attributes (src/matching/WHERE.md); empty: none
+  std::string where;                      ///< a filter over attributes (src/discovery/matching/WHERE.md); empty: none
   std::uint32_t limit = 0;                ///< at most this many providers, the best; 0: all
   std::int32_t priority = 0;
   std::uint16_t port = 0;  ///< where the consumer can be reached; 0: unstated

@@ -20,7 +20,7 @@
 #include <system_error>
 #include <utility>
 
-#include "cage/cage.hpp"
+#include "env/cage/cage.hpp"
 
 namespace geminga::daemon {
 namespace {

@@ -1,4 +1,4 @@
-// One child process with bounds on everything: memory, time, what it may say, and a cage (src/cage).
+// One child process with bounds on everything: memory, time, what it may say, and a cage (src/env/cage).
 #ifndef GEMINGA_DAEMON_CHILD_HPP
 #define GEMINGA_DAEMON_CHILD_HPP
 
@@ -29,8 +29,8 @@ struct ChildLimits {
 struct ChildEnd {
   bool has_succeeded = false;
   std::optional<int> exit_status;  ///< where it ended by itself
-  std::string how;    ///< e.g. "exit status 2", "killed by signal 9", "stopped after 120 s"
-  std::string words;  ///< its standard error, as far as it was kept
+  std::string how;                 ///< e.g. "exit status 2", "killed by signal 9", "stopped after 120 s"
+  std::string words;               ///< its standard error, as far as it was kept
 };
 
 /// A running child. Destroying it kills the child.

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "base/text.hpp"
-#include "beacon/announceable.hpp"
-#include "beacon/limits.hpp"
+#include "discovery/announcement/announceable.hpp"
+#include "discovery/announcement/limits.hpp"
 #include "env/asio/socket_file.hpp"
 
 namespace geminga::daemon {

@@ -13,7 +13,7 @@
 #include "daemon/ontology_loader.hpp"
 #include "daemon/preparation.hpp"
 #include "daemon/usage.hpp"
-#include "participant/participant.hpp"
+#include "discovery/participant/participant.hpp"
 
 namespace geminga::daemon {
 namespace {

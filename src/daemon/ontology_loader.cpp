@@ -14,7 +14,7 @@
 #include "base/private_file.hpp"
 #include "base/text.hpp"
 #include "daemon/background.hpp"
-#include "el/mapped_file.hpp"
+#include "reasoning/compiled/mapped_file.hpp"
 
 namespace geminga::daemon {
 namespace {

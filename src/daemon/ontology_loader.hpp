@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "daemon/child.hpp"
-#include "el/ontology.hpp"
+#include "reasoning/compiled/ontology.hpp"
 
 namespace geminga::daemon {
 

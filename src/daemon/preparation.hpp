@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "daemon/background.hpp"
-#include "el/ontology.hpp"
-#include "participant/prepared_ontology.hpp"
+#include "discovery/participant/prepared_ontology.hpp"
+#include "reasoning/compiled/ontology.hpp"
 
 namespace geminga::daemon {
 

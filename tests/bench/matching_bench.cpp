@@ -9,10 +9,10 @@
 
 #include "base/random.hpp"
 #include "bench/rows.hpp"
-#include "el/classify.hpp"
-#include "el/compile.hpp"
-#include "el/source.hpp"
-#include "matching/matcher.hpp"
+#include "discovery/matching/matcher.hpp"
+#include "reasoning/compiled/compile.hpp"
+#include "reasoning/el/classify.hpp"
+#include "reasoning/owl/source.hpp"
 
 namespace geminga::matching {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "base/random.hpp"
 #include "bench/rows.hpp"
-#include "registry/table.hpp"
+#include "discovery/registry/table.hpp"
 
 namespace geminga::registry {
 namespace {

@@ -8,8 +8,8 @@
 #include <iterator>
 
 #include "cases/taxonomy.hpp"
-#include "rdf/load.hpp"
-#include "reasoner/reasoner.hpp"
+#include "reasoning/reasoner/reasoner.hpp"
+#include "reasoning/syntax/rdf/load.hpp"
 
 namespace geminga::cases {
 namespace {

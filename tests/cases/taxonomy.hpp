@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "el/classify.hpp"
-#include "el/source.hpp"
+#include "reasoning/el/classify.hpp"
+#include "reasoning/owl/source.hpp"
 
 namespace geminga::cases {
 

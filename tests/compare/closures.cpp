@@ -15,9 +15,9 @@
 #include "cases/taxonomy.hpp"
 #include "compare/functional_syntax.hpp"
 #include "compare/konclude.hpp"
-#include "rdf/load.hpp"
 #include "readers.hpp"
-#include "reasoner/reasoner.hpp"
+#include "reasoning/reasoner/reasoner.hpp"
+#include "reasoning/syntax/rdf/load.hpp"
 
 namespace geminga::compare {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "el/source.hpp"
+#include "reasoning/owl/source.hpp"
 
 namespace geminga::compare {
 

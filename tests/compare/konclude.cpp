@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "el/axiom.hpp"
+#include "reasoning/owl/axiom.hpp"
 
 namespace geminga::compare {
 namespace {

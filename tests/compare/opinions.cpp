@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "clauses/clausify.hpp"
-#include "consequence/closure.hpp"
-#include "el/classify.hpp"
-#include "reasoner/reasoner.hpp"
-#include "tableau/tableau.hpp"
+#include "reasoning/dl/clauses/clausify.hpp"
+#include "reasoning/dl/consequence/closure.hpp"
+#include "reasoning/dl/hypertableau/tableau.hpp"
+#include "reasoning/el/classify.hpp"
+#include "reasoning/reasoner/reasoner.hpp"
 
 namespace geminga::compare {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cases/taxonomy.hpp"
-#include "el/source.hpp"
+#include "reasoning/owl/source.hpp"
 
 namespace geminga::compare {
 

@@ -12,8 +12,8 @@
 #include "compare/functional_syntax.hpp"
 #include "compare/konclude.hpp"
 #include "compare/opinions.hpp"
-#include "compare/random_ontology.hpp"
 #include "compare/shapes.hpp"
+#include "support/random_ontology.hpp"
 
 namespace {
 

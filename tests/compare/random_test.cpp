@@ -4,8 +4,8 @@
 
 #include "compare/functional_syntax.hpp"
 #include "compare/opinions.hpp"
-#include "compare/random_ontology.hpp"
-#include "functional/read.hpp"
+#include "reasoning/syntax/functional/read.hpp"
+#include "support/random_ontology.hpp"
 
 namespace geminga::compare {
 namespace {

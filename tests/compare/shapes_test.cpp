@@ -6,7 +6,7 @@
 
 #include "compare/functional_syntax.hpp"
 #include "compare/opinions.hpp"
-#include "reasoner/reasoner.hpp"
+#include "reasoning/reasoner/reasoner.hpp"
 
 namespace geminga::compare {
 namespace {

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "beacon/limits.hpp"
 #include "daemon/configuration_file.hpp"
+#include "discovery/announcement/limits.hpp"
 
 namespace geminga::daemon {
 namespace {

@@ -12,10 +12,10 @@
 #include <iterator>
 #include <optional>
 
-#include "el/classify.hpp"
-#include "el/compile.hpp"
-#include "el/fingerprint.hpp"
-#include "el/source_paths.hpp"
+#include "reasoning/compiled/compile.hpp"
+#include "reasoning/el/classify.hpp"
+#include "reasoning/owl/fingerprint.hpp"
+#include "reasoning/owl/source_paths.hpp"
 
 namespace geminga::daemon {
 namespace {

@@ -7,8 +7,8 @@
 #include <boost/asio/post.hpp>
 #include <string>
 
-#include "el/classify.hpp"
-#include "el/compile.hpp"
+#include "reasoning/compiled/compile.hpp"
+#include "reasoning/el/classify.hpp"
 
 namespace geminga::daemon {
 namespace {

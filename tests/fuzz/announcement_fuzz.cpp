@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <span>
 
-#include "beacon/codec.hpp"
-#include "beacon/limits.hpp"
-#include "beacon/neighbour_table.hpp"
+#include "discovery/announcement/codec.hpp"
+#include "discovery/announcement/limits.hpp"
+#include "discovery/membership/neighbour_table.hpp"
 
 namespace {
 

@@ -10,10 +10,10 @@
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
-#include "el/compiled_view.hpp"
-#include "el/container.hpp"
-#include "el/module.hpp"
-#include "el/ontology.hpp"
+#include "reasoning/compiled/compiled_view.hpp"
+#include "reasoning/compiled/container.hpp"
+#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/modules/module.hpp"
 
 namespace {
 

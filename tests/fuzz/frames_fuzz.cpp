@@ -6,7 +6,7 @@
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
-#include "frames/read.hpp"
+#include "reasoning/syntax/frames/read.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t size) {
   using namespace geminga;

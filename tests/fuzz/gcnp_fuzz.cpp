@@ -9,10 +9,10 @@
 #include <variant>
 
 #include "base/text.hpp"
-#include "gcnp/event.hpp"
-#include "gcnp/line_reader.hpp"
-#include "gcnp/request.hpp"
-#include "gcnp/statement.hpp"
+#include "discovery/gcnp/event.hpp"
+#include "discovery/gcnp/line_reader.hpp"
+#include "discovery/gcnp/request.hpp"
+#include "discovery/gcnp/statement.hpp"
 
 namespace {
 

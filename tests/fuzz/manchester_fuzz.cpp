@@ -5,11 +5,12 @@
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
-#include "el/classify.hpp"
-#include "el/compile.hpp"
-#include "el/expression_classifier.hpp"
-#include "manchester/canonical.hpp"
-#include "manchester/parse.hpp"
+#include "reasoning/compiled/compile.hpp"
+#include "reasoning/compiled/entity_names.hpp"
+#include "reasoning/el/classify.hpp"
+#include "reasoning/placement/expression_classifier.hpp"
+#include "reasoning/syntax/manchester/canonical.hpp"
+#include "reasoning/syntax/manchester/parse.hpp"
 
 namespace {
 
@@ -44,7 +45,7 @@ el::Ontology ontology() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t size) {
   static const el::Ontology loaded = ontology();
-  static const manchester::Names names(loaded);
+  static const el::EntityNames names(loaded);
   static const el::ExpressionClassifier classifier = *el::ExpressionClassifier::build(loaded);
   const std::string_view text(reinterpret_cast<const char*>(octets), size);
   (void)manchester::is_compound(text);

@@ -13,7 +13,7 @@
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
-#include "rdf/load.hpp"
+#include "reasoning/syntax/rdf/load.hpp"
 
 #ifdef __clang__
 // What Raptor leaks (rdf/raptor_parser.cpp says what) has no function names where llvm-symbolizer is missing.

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "base/assert.hpp"
-#include "clauses/clausify.hpp"
-#include "consequence/closure.hpp"
-#include "functional/read.hpp"
-#include "tableau/tableau.hpp"
+#include "reasoning/dl/clauses/clausify.hpp"
+#include "reasoning/dl/consequence/closure.hpp"
+#include "reasoning/dl/hypertableau/tableau.hpp"
+#include "reasoning/syntax/functional/read.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t size) {
   using namespace geminga;

@@ -67,11 +67,11 @@ std::string module_of(const Law& law, std::string_view path_below_src) {
 std::vector<std::string> violations(const Law& law, const SourceFile& file) {
   static const std::regex include(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"])re");
   // Libraries that one folder alone may name.
-  static const std::map<std::string, std::string> owners = {{"boost/multi_index", "registry"},
-                                                            {"librdf", "graph"},
-                                                            {"rasqal", "graph"},
-                                                            {"raptor", "rdf"},
-                                                            {"google/protobuf", "beacon"}};
+  static const std::map<std::string, std::string> owners = {{"boost/multi_index", "discovery/registry"},
+                                                            {"librdf", "reasoning/syntax/graph"},
+                                                            {"rasqal", "reasoning/syntax/graph"},
+                                                            {"raptor", "reasoning/syntax/rdf"},
+                                                            {"google/protobuf", "discovery/announcement"}};
   std::vector<std::string> found;
   const bool is_public = file.path.starts_with("include/");
   const std::string own = is_public ? "" : module_of(law, file.path.substr(std::string("src/").size()));

@@ -12,7 +12,7 @@
 #include "owl2/judgement.hpp"
 #include "owl2/published_cases.hpp"
 #include "owl2/question.hpp"
-#include "system/process.hpp"
+#include "support/process.hpp"
 
 namespace geminga::owl2 {
 namespace {

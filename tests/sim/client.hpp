@@ -1,6 +1,6 @@
 // A GCNP client of the simulated world, and the checker that watches every event it is sent.
-#ifndef GEMINGA_SIM_CLIENT_HPP
-#define GEMINGA_SIM_CLIENT_HPP
+#ifndef GEMINGA_TESTS_SIM_CLIENT_HPP
+#define GEMINGA_TESTS_SIM_CLIENT_HPP
 
 #include <cstdint>
 #include <functional>
@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "discovery/gcnp/statement.hpp"
 #include "env/env.hpp"
-#include "gcnp/statement.hpp"
 
 namespace geminga::sim {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/text.hpp"
-#include "beacon/codec.hpp"
-#include "beacon/identifier_claim.hpp"
-#include "beacon/schedule.hpp"
+#include "discovery/announcement/codec.hpp"
+#include "discovery/membership/identifier_claim.hpp"
+#include "discovery/membership/schedule.hpp"
 #include "sim/team.hpp"
 
 namespace geminga::sim {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "participant/prepared_ontology.hpp"
+#include "discovery/participant/prepared_ontology.hpp"
 #include "sim/small_ontology.hpp"
 
 namespace geminga::sim {

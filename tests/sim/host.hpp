@@ -1,6 +1,6 @@
 // One host of the simulated world: the Env of a participant that can be switched on, crashed and switched on again.
-#ifndef GEMINGA_SIM_HOST_HPP
-#define GEMINGA_SIM_HOST_HPP
+#ifndef GEMINGA_TESTS_SIM_HOST_HPP
+#define GEMINGA_TESTS_SIM_HOST_HPP
 
 #include <map>
 #include <memory>
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "discovery/participant/participant.hpp"
 #include "env/env.hpp"
-#include "participant/participant.hpp"
 #include "sim/client.hpp"
 #include "sim/world.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "beacon/codec.hpp"
+#include "discovery/announcement/codec.hpp"
 
 namespace geminga::sim {
 

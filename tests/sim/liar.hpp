@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "beacon/announcement.hpp"
+#include "discovery/announcement/announcement.hpp"
 #include "sim/host.hpp"
 #include "sim/world.hpp"
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "beacon/limits.hpp"
+#include "discovery/announcement/limits.hpp"
 #include "sim/team.hpp"
 
 namespace geminga::sim {

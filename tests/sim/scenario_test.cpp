@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "beacon/identifier_claim.hpp"
-#include "beacon/neighbour_table.hpp"
+#include "discovery/membership/identifier_claim.hpp"
+#include "discovery/membership/neighbour_table.hpp"
 #include "sim/team.hpp"
 
 namespace geminga::sim {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/assert.hpp"
-#include "el/classify.hpp"
-#include "el/compile.hpp"
-#include "el/source.hpp"
+#include "reasoning/compiled/compile.hpp"
+#include "reasoning/el/classify.hpp"
+#include "reasoning/owl/source.hpp"
 
 namespace geminga::sim {
 namespace {

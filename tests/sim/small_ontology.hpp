@@ -1,11 +1,11 @@
 // Small ontologies that are made in memory, for tests that need names and subsumption but no files.
-#ifndef GEMINGA_SIM_SMALL_ONTOLOGY_HPP
-#define GEMINGA_SIM_SMALL_ONTOLOGY_HPP
+#ifndef GEMINGA_TESTS_SIM_SMALL_ONTOLOGY_HPP
+#define GEMINGA_TESTS_SIM_SMALL_ONTOLOGY_HPP
 
 #include <memory>
 #include <string_view>
 
-#include "el/ontology.hpp"
+#include "reasoning/compiled/ontology.hpp"
 
 namespace geminga::sim {
 

@@ -1,6 +1,6 @@
 // A team of robots with modules as scripted GCNP clients, and the oracle that knows what each of them should be told.
-#ifndef GEMINGA_SIM_TEAM_HPP
-#define GEMINGA_SIM_TEAM_HPP
+#ifndef GEMINGA_TESTS_SIM_TEAM_HPP
+#define GEMINGA_TESTS_SIM_TEAM_HPP
 
 #include <cstdint>
 #include <map>

@@ -1,6 +1,6 @@
 // A small seeded world: virtual time, and a network that loses, delays, copies and reorders what participants send.
-#ifndef GEMINGA_SIM_WORLD_HPP
-#define GEMINGA_SIM_WORLD_HPP
+#ifndef GEMINGA_TESTS_SIM_WORLD_HPP
+#define GEMINGA_TESTS_SIM_WORLD_HPP
 
 #include <cstdint>
 #include <functional>

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "system/process.hpp"
+#include "support/process.hpp"
 
 namespace geminga::system {
 

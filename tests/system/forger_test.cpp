@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "base/text.hpp"
-#include "beacon/codec.hpp"
-#include "system/lab.hpp"
+#include "discovery/announcement/codec.hpp"
+#include "support/lab.hpp"
 #include "system/stranger.hpp"
 
 namespace geminga::system {

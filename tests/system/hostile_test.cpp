@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "base/random.hpp"
-#include "system/lab.hpp"
+#include "support/lab.hpp"
 #include "system/stranger.hpp"
 
 namespace geminga::system {
@@ -93,14 +93,14 @@ TEST(End, ComesUnderAFloodOfDatagramsAndStatements) {
   Lab lab(1);
   lab.start(0);
   const Stranger stranger(lab, 0);
+  std::vector<Talk> talks;
+  for (int number = 0; number < 4; ++number) talks.push_back(lab.talk(0));
   std::atomic<bool> is_over = false;
-  std::vector<std::jthread> floods;
+  std::vector<std::jthread> floods;  // end before what they use
   floods.emplace_back([&] {
     const std::string junk(200, 'x');
     while (!is_over) (void)stranger.send(junk);
   });
-  std::vector<Talk> talks;
-  for (int number = 0; number < 4; ++number) talks.push_back(lab.talk(0));
   for (Talk& talk : talks) {
     floods.emplace_back([&] {
       std::string questions;

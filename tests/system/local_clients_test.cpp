@@ -9,7 +9,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "system/lab.hpp"
+#include "support/lab.hpp"
 
 namespace geminga::system {
 namespace {

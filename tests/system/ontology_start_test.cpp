@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "support/lab.hpp"
 #include "system/folder.hpp"
-#include "system/lab.hpp"
 
 namespace geminga::system {
 namespace {

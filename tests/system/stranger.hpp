@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "system/lab.hpp"
+#include "support/lab.hpp"
 
 namespace geminga::system {
 

@@ -6,7 +6,7 @@
 #include <csignal>
 #include <set>
 
-#include "system/lab.hpp"
+#include "support/lab.hpp"
 
 namespace geminga::system {
 namespace {

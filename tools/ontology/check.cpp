@@ -6,8 +6,8 @@
 
 #include "base/text.hpp"
 #include "command.hpp"
-#include "el/similar.hpp"
 #include "findings.hpp"
+#include "reasoning/compiled/similar.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {

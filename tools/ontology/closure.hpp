@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "el/classify.hpp"
-#include "el/ontology.hpp"
+#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/el/classify.hpp"
 
 namespace geminga::ontology {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "el/axiom.hpp"
-#include "el/ontology.hpp"
 #include "geminga/identity.hpp"
+#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/owl/axiom.hpp"
 
 namespace geminga::ontology {
 

@@ -1,5 +1,5 @@
 // `geminga-ontology compile`: the one file that the daemon maps at start.
-#include "el/compile.hpp"
+#include "reasoning/compiled/compile.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,11 +9,11 @@
 #include "base/text.hpp"
 #include "collisions.hpp"
 #include "command.hpp"
-#include "el/similar.hpp"
-#include "el/source_paths.hpp"
 #include "knowledge.hpp"
 #include "names.hpp"
 #include "output.hpp"
+#include "reasoning/compiled/similar.hpp"
+#include "reasoning/owl/source_paths.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {

@@ -5,7 +5,7 @@
 #include <set>
 #include <system_error>
 
-#include "rdf/folders.hpp"
+#include "reasoning/syntax/folders.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
-#include "cage/cage.hpp"
+#include "env/cage/cage.hpp"
 #include "knowledge.hpp"
 
 namespace geminga::ontology {

@@ -5,7 +5,7 @@
 
 #include "command.hpp"
 #include "conclusion.hpp"
-#include "reasoner/damaged.hpp"
+#include "reasoning/reasoner/damaged.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {

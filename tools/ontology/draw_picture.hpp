@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "el/classify.hpp"
-#include "el/ontology.hpp"
+#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/el/classify.hpp"
 
 namespace geminga::ontology {
 

@@ -5,8 +5,8 @@
 
 #include "command.hpp"
 #include "conclusion.hpp"
-#include "el/print.hpp"
-#include "reasoner/damaged.hpp"
+#include "reasoning/owl/print.hpp"
+#include "reasoning/reasoner/damaged.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {

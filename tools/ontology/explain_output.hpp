@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "el/ontology.hpp"
-#include "reasoner/explain.hpp"
-#include "reasoner/proof.hpp"
-#include "reasoner/why_not.hpp"
+#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/explanation/explain.hpp"
+#include "reasoning/explanation/proof.hpp"
+#include "reasoning/explanation/why_not.hpp"
 
 namespace geminga::ontology {
 

@@ -6,11 +6,11 @@
 #include <map>
 #include <tuple>
 
-#include "el/compile.hpp"
-#include "el/compiled_view.hpp"
-#include "el/print.hpp"
-#include "reasoner/excerpt.hpp"
-#include "reasoner/explain_module.hpp"
+#include "reasoning/compiled/compile.hpp"
+#include "reasoning/compiled/compiled_view.hpp"
+#include "reasoning/explanation/explain_module.hpp"
+#include "reasoning/owl/print.hpp"
+#include "reasoning/reasoner/excerpt.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {

@@ -11,7 +11,7 @@
 #include "collisions.hpp"
 #include "knowledge.hpp"
 #include "names.hpp"
-#include "reasoner/explain.hpp"
+#include "reasoning/explanation/explain.hpp"
 
 namespace geminga::ontology {
 

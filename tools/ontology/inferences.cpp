@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "closure.hpp"
-#include "graph/axiom_triples.hpp"
+#include "reasoning/syntax/graph/axiom_triples.hpp"
 
 namespace geminga::ontology {
 namespace {

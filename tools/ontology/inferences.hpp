@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "graph/graph.hpp"
 #include "knowledge.hpp"
+#include "reasoning/syntax/graph/graph.hpp"
 
 namespace geminga::ontology {
 

@@ -11,12 +11,12 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "el/compile.hpp"
-#include "el/container.hpp"
-#include "el/print.hpp"
-#include "el/similar.hpp"
-#include "manchester/names.hpp"
 #include "readers.hpp"
+#include "reasoning/compiled/compile.hpp"
+#include "reasoning/compiled/container.hpp"
+#include "reasoning/compiled/entity_names.hpp"
+#include "reasoning/compiled/similar.hpp"
+#include "reasoning/owl/print.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {
@@ -196,7 +196,7 @@ std::expected<el::ClassNumber, std::string> find_class(const el::Ontology& ontol
   if (number.error().kind != el::NameError::Kind::unknown) return std::unexpected(number.error().text);
   std::vector<el::ClassNumber> found;
   for (std::uint32_t at = 0; at < ontology.class_count(); ++at) {
-    if (manchester::local_name(ontology.iri(el::ClassNumber{at})) == name) found.push_back(el::ClassNumber{at});
+    if (el::end_of_iri(ontology.iri(el::ClassNumber{at})) == name) found.push_back(el::ClassNumber{at});
   }
   if (found.size() == 1) return found.front();
   if (found.empty()) return std::unexpected(describe(ontology, name, number.error()));

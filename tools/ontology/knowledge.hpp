@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "command.hpp"
-#include "el/classify.hpp"
-#include "el/ontology.hpp"
 #include "progress.hpp"
-#include "rdf/load.hpp"
-#include "reasoner/reasoner.hpp"
+#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/el/classify.hpp"
+#include "reasoning/reasoner/reasoner.hpp"
+#include "reasoning/syntax/rdf/load.hpp"
 
 namespace geminga::ontology {
 

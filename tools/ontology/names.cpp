@@ -12,8 +12,8 @@
 
 #include "base/edit_distance.hpp"
 #include "knowledge.hpp"
-#include "rdf/reserved_words.hpp"
-#include "rdf/vocabulary.hpp"
+#include "reasoning/syntax/rdf/reserved_words.hpp"
+#include "reasoning/syntax/vocabulary.hpp"
 
 namespace geminga::ontology {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rdf/load.hpp"
+#include "reasoning/syntax/rdf/load.hpp"
 
 namespace geminga::ontology {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "command.hpp"
-#include "el/source.hpp"
+#include "reasoning/owl/source.hpp"
 
 namespace geminga::ontology {
 

@@ -1,5 +1,5 @@
 // `geminga-ontology query`: SPARQL over what the files say and what follows from it.
-#include "graph/query.hpp"
+#include "reasoning/syntax/graph/query.hpp"
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -9,7 +9,7 @@
 #include "inferences.hpp"
 #include "output.hpp"
 #include "query_output.hpp"
-#include "rdf/files.hpp"
+#include "reasoning/syntax/files.hpp"
 #include "triples.hpp"
 #include "words.hpp"
 

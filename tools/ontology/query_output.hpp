@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "graph/query.hpp"
+#include "reasoning/syntax/graph/query.hpp"
 
 namespace geminga::ontology {
 

@@ -1,8 +1,8 @@
 #include "readers.hpp"
 
-#include "frames/read.hpp"
-#include "functional/read.hpp"
-#include "owlxml/read.hpp"
+#include "reasoning/syntax/frames/read.hpp"
+#include "reasoning/syntax/functional/read.hpp"
+#include "reasoning/syntax/owlxml/read.hpp"
 
 namespace geminga::ontology {
 

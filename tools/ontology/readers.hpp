@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "el/annotation.hpp"
-#include "el/document.hpp"
-#include "el/source.hpp"
-#include "frames/declared.hpp"
-#include "rdf/load.hpp"
+#include "reasoning/owl/annotation.hpp"
+#include "reasoning/owl/document.hpp"
+#include "reasoning/owl/source.hpp"
+#include "reasoning/syntax/frames/declared.hpp"
+#include "reasoning/syntax/rdf/load.hpp"
 
 namespace geminga::ontology {
 

@@ -5,10 +5,11 @@
 
 #include "base/text.hpp"
 #include "command.hpp"
-#include "el/print.hpp"
 #include "knowledge.hpp"
-#include "manchester/parse.hpp"
-#include "reasoner/reasoner.hpp"
+#include "reasoning/compiled/entity_names.hpp"
+#include "reasoning/owl/print.hpp"
+#include "reasoning/reasoner/reasoner.hpp"
+#include "reasoning/syntax/manchester/parse.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {
@@ -22,9 +23,8 @@ struct SubsumesRequest {
 };
 
 /// The class expression that a text is, one name being the simplest; nothing after saying what is wrong.
-std::optional<manchester::Expression> read_or_say(const manchester::Names& names, const std::string& text,
-                                                  bool as_json) {
-  const el::Ontology& ontology = names.ontology();
+std::optional<manchester::Expression> read_or_say(const el::Ontology& ontology, const el::Names& names,
+                                                  const std::string& text, bool as_json) {
   // A label may hold words that are those of an expression.
   if (find_class(ontology, text) || !manchester::is_compound(text)) {
     const auto number = find_or_say(ontology, text, as_json);
@@ -84,9 +84,9 @@ Exit subsumes(const SubsumesRequest& request, const WorkLimits& limits) {
   if (!knowledge) return Exit::usage;
   const auto ontology = open_or_say(*knowledge);
   if (!ontology) return Exit::usage;
-  const manchester::Names names(*ontology);
-  const auto sub = read_or_say(names, request.sub, request.as_json);
-  const auto super = sub ? read_or_say(names, request.super, request.as_json) : std::nullopt;
+  const el::EntityNames names(*ontology);
+  const auto sub = read_or_say(*ontology, names, request.sub, request.as_json);
+  const auto super = sub ? read_or_say(*ontology, names, request.super, request.as_json) : std::nullopt;
   if (!sub || !super) return Exit::usage;
   const reasoner::Answer answer = decide(*knowledge, *ontology, *sub, *super, budget);
   const bool is_subsumed = answer.verdict == reasoner::Verdict::yes;

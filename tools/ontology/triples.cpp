@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "graph/axiom_triples.hpp"
 #include "output.hpp"
+#include "reasoning/syntax/graph/axiom_triples.hpp"
 
 namespace geminga::ontology {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "graph/graph.hpp"
-#include "rdf/load.hpp"
+#include "reasoning/syntax/graph/graph.hpp"
+#include "reasoning/syntax/rdf/load.hpp"
 
 namespace geminga::ontology {
 

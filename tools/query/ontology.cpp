@@ -13,7 +13,7 @@
 namespace geminga::query {
 namespace {
 
-/// The lines of the answer by what they tell (src/participant/QUERIES.md).
+/// The lines of the answer by what they tell (src/discovery/participant/QUERIES.md).
 struct Parts {
   Record head;
   std::vector<Record> files;

@@ -8,8 +8,8 @@
 
 #include "base/text.hpp"
 #include "client/cpp/session.hpp"
-#include "gcnp/attribute.hpp"
-#include "gcnp/request.hpp"
+#include "discovery/gcnp/attribute.hpp"
+#include "discovery/gcnp/request.hpp"
 
 namespace geminga {
 namespace {

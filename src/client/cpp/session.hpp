@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "client/cpp/connection.hpp"
-#include "gcnp/event.hpp"
-#include "gcnp/line_reader.hpp"
-#include "gcnp/statement.hpp"
+#include "discovery/gcnp/event.hpp"
+#include "discovery/gcnp/line_reader.hpp"
+#include "discovery/gcnp/statement.hpp"
 #include "geminga/client.hpp"
 
 namespace geminga::client {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "system/lab.hpp"
+#include "support/lab.hpp"
 
 namespace geminga::system {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "base/random.hpp"
 #include "bench/reasoner/table.hpp"
-#include "el/compiled_view.hpp"
-#include "el/expression_classifier.hpp"
-#include "el/ontology.hpp"
-#include "reasoner/explain.hpp"
+#include "reasoning/compiled/compiled_view.hpp"
+#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/explanation/explain.hpp"
+#include "reasoning/placement/expression_classifier.hpp"
 
 namespace geminga::bench {
 namespace {

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "el/classify.hpp"
-#include "el/compile.hpp"
-#include "functional/read.hpp"
-#include "rdf/load.hpp"
+#include "reasoning/compiled/compile.hpp"
+#include "reasoning/el/classify.hpp"
+#include "reasoning/syntax/functional/read.hpp"
+#include "reasoning/syntax/rdf/load.hpp"
 
 namespace geminga::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "system/lab.hpp"
+#include "support/lab.hpp"
 
 namespace geminga::tools {
 

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "system/process.hpp"
+#include "support/process.hpp"
 
 namespace geminga::tools {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "el/ontology.hpp"
+#include "reasoning/compiled/ontology.hpp"
 #include "tools/ontology/program.hpp"
 
 namespace geminga::ontology {

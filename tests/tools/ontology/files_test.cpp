@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "program.hpp"
-#include "rdf/packed.hpp"
+#include "reasoning/syntax/rdf/packed.hpp"
 
 namespace geminga::ontology {
 namespace {

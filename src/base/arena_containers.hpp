@@ -1,0 +1,146 @@
+// Lists and sets whose memory is an Arena's: sixteen and thirty-two bytes where they are empty, nothing to destroy.
+#ifndef GEMINGA_BASE_ARENA_CONTAINERS_HPP
+#define GEMINGA_BASE_ARENA_CONTAINERS_HPP
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <type_traits>
+
+#include "base/arena.hpp"
+#include "base/growing_set.hpp"
+
+namespace geminga::el {
+
+/// A list of what can be copied byte by byte. Forgets its memory when it is destroyed: the arena frees it.
+template <typename T>
+class ArenaList {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  using value_type = T;
+  void push_back(const T& item, Arena& arena) {
+    const T copy = item;  // it may be one of ours
+    if (size_ == capacity_) grow(arena);
+    items_[size_++] = copy;
+  }
+  /// Takes the last away. There must be one.
+  T pop_back() { return items_[--size_]; }
+  /// Room for so many, where nothing is in it yet.
+  void reserve(std::uint32_t count, Arena& arena) {
+    if (capacity_ != 0 || count == 0) return;
+    capacity_ = std::max<std::uint32_t>(std::bit_ceil(count), Arena::min_block_bytes / sizeof(T));
+    items_ = static_cast<T*>(arena.allocate(capacity_ * sizeof(T)));
+  }
+  void clear(Arena& arena) {
+    if (capacity_ != 0) arena.release(items_, capacity_ * sizeof(T));
+    items_ = nullptr;
+    size_ = capacity_ = 0;
+  }
+  [[nodiscard]] std::uint32_t size() const { return size_; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] const T& operator[](std::size_t at) const { return items_[at]; }
+  [[nodiscard]] const T* data() const { return items_; }
+  [[nodiscard]] const T* begin() const { return items_; }
+  [[nodiscard]] const T* end() const { return items_ + size_; }
+  [[nodiscard]] T* begin() { return items_; }
+  [[nodiscard]] T* end() { return items_ + size_; }
+
+ private:
+  void grow(Arena& arena) {
+    // The first block is a whole one of the arena's smallest.
+    const std::uint32_t wanted =
+        capacity_ == 0 ? std::max<std::uint32_t>(1, Arena::min_block_bytes / sizeof(T)) : capacity_ * 2;
+    T* larger = static_cast<T*>(arena.allocate(wanted * sizeof(T)));
+    if (size_ != 0) std::memcpy(static_cast<void*>(larger), items_, size_ * sizeof(T));
+    if (capacity_ != 0) arena.release(items_, capacity_ * sizeof(T));
+    items_ = larger;
+    capacity_ = wanted;
+  }
+
+  T* items_ = nullptr;
+  std::uint32_t size_ = 0;
+  std::uint32_t capacity_ = 0;
+};
+
+/// A set that keeps the order in which its members came: a list, with a table of the keys themselves where it is long.
+/// Keys have `std::uint64_t hash_of_key(Key)`; the one whose bits are all set is not allowed.
+template <typename Key>
+class ArenaSet {
+ public:
+  /// False where the key was in it. Amortised O(1).
+  bool insert(Key key, Arena& arena) {
+    if (slots_ == nullptr) {
+      if (std::find(items_.begin(), items_.end(), key) != items_.end()) return false;
+      items_.push_back(key, arena);
+      if (items_.size() > max_scanned) make_table(items_.size(), arena);
+      return true;
+    }
+    const std::size_t slot = find(key);
+    if (slots_[slot] == key) return false;
+    slots_[slot] = key;
+    items_.push_back(key, arena);
+    if (items_.size() * 4ULL > slot_count() * 3) make_table(items_.size(), arena);
+    return true;
+  }
+  /// Room for so many, if there is no table yet.
+  void reserve(std::uint32_t count, Arena& arena) {
+    items_.reserve(count, arena);
+    if (slots_ == nullptr && count > max_scanned) make_table(count, arena);
+  }
+  [[nodiscard]] bool contains(Key key) const {
+    if (slots_ == nullptr) return std::find(items_.begin(), items_.end(), key) != items_.end();
+    return slots_[find(key)] == key;
+  }
+  [[nodiscard]] std::uint32_t size() const { return items_.size(); }
+  [[nodiscard]] Key operator[](std::size_t at) const { return items_[at]; }
+  [[nodiscard]] std::span<const Key> items() const { return {items_.begin(), items_.end()}; }
+  /// Where nothing will be looked for any more, or hardly.
+  void forget_table(Arena& arena) {
+    if (slots_ != nullptr) arena.release(slots_, slot_count() * sizeof(Key));
+    slots_ = nullptr;
+    slot_bits_ = 0;
+  }
+  void clear(Arena& arena) {
+    items_.clear(arena);
+    if (slots_ != nullptr) arena.release(slots_, slot_count() * sizeof(Key));
+    slots_ = nullptr;
+    slot_bits_ = 0;
+  }
+
+ private:
+  static constexpr std::uint32_t max_scanned = 16;
+
+  [[nodiscard]] std::size_t slot_count() const { return std::size_t{1} << slot_bits_; }
+  [[nodiscard]] static Key free_key() {
+    Key key;
+    std::memset(static_cast<void*>(&key), 0xff, sizeof key);
+    return key;
+  }
+  [[nodiscard]] std::size_t find(Key key) const {
+    const std::size_t mask = slot_count() - 1;
+    const Key free = free_key();
+    std::size_t slot = static_cast<std::size_t>(hash_of_key(key)) & mask;
+    while (!(slots_[slot] == key) && !(slots_[slot] == free)) slot = (slot + 1) & mask;
+    return slot;
+  }
+  /// For so many and some more.
+  void make_table(std::uint32_t count, Arena& arena) {
+    if (slots_ != nullptr) arena.release(slots_, slot_count() * sizeof(Key));
+    slot_bits_ = static_cast<std::uint32_t>(std::bit_width(count * 4ULL / 3));
+    slots_ = static_cast<Key*>(arena.allocate(slot_count() * sizeof(Key)));
+    std::memset(static_cast<void*>(slots_), 0xff, slot_count() * sizeof(Key));
+    for (const Key key : items_) slots_[find(key)] = key;
+  }
+
+  ArenaList<Key> items_;
+  Key* slots_ = nullptr;
+  std::uint32_t slot_bits_ = 0;
+};
+
+}  // namespace geminga::el
+
+#endif

@@ -1,0 +1,28 @@
+// An entry of a shared table that one thread makes while others wait for it.
+#ifndef GEMINGA_BASE_PARALLEL_CLAIM_HPP
+#define GEMINGA_BASE_PARALLEL_CLAIM_HPP
+
+#include <atomic>
+#include <cstdint>
+
+namespace geminga::el {
+
+/// Gives the entry back where it was not made: nobody is to wait for a thread whose memory ran out.
+class Claim {
+ public:
+  Claim(std::atomic<std::uint32_t>& entry, std::uint32_t unclaimed) : entry_(entry), value_(unclaimed) {}
+  Claim(const Claim&) = delete;
+  Claim& operator=(const Claim&) = delete;
+  ~Claim() { entry_.store(value_, std::memory_order_release); }
+
+  /// What the entry is to hold from the end of the scope on.
+  void settle(std::uint32_t value) { value_ = value; }
+
+ private:
+  std::atomic<std::uint32_t>& entry_;
+  std::uint32_t value_;
+};
+
+}  // namespace geminga::el
+
+#endif

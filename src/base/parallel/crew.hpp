@@ -1,0 +1,48 @@
+// Threads that work on one thing together: the one place that starts them, and brings what one of them throws to the
+// caller.
+#ifndef GEMINGA_BASE_PARALLEL_CREW_HPP
+#define GEMINGA_BASE_PARALLEL_CREW_HPP
+
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace geminga::el {
+
+/// The caller and threads that wait until there is something to do. Not thread-safe.
+class Crew {
+ public:
+  /// Starts so many threads less one, or fewer where the system gives no more: size() says how many there are with the
+  /// caller.
+  explicit Crew(unsigned wanted);
+  Crew(const Crew&) = delete;
+  Crew& operator=(const Crew&) = delete;
+  ~Crew();
+
+  [[nodiscard]] unsigned size() const { return static_cast<unsigned>(threads_.size()) + 1; }
+
+  /// Calls `work` with each number below size(), 0 in the caller's thread and the others in their own, and returns when
+  /// all have returned. Where one throws, `stop` is called, which must make the others return soon and may not throw;
+  /// what was thrown first is thrown again when all have ended. Once only.
+  void run(const std::function<void(unsigned)>& work, const std::function<void()>& stop);
+
+ private:
+  void wait_and_work(unsigned me);
+  void work_as(unsigned me);
+  void join();
+
+  std::mutex mutex_;  ///< guards what follows, but for the threads
+  std::condition_variable changed_;
+  const std::function<void(unsigned)>* work_ = nullptr;
+  const std::function<void()>* stop_ = nullptr;
+  bool is_dismissed_ = false;
+  std::exception_ptr thrown_;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace geminga::el
+
+#endif

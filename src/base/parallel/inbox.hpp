@@ -1,0 +1,56 @@
+// Letters to something that one thread at a time has in hand, and which of them that is.
+#ifndef GEMINGA_BASE_PARALLEL_INBOX_HPP
+#define GEMINGA_BASE_PARALLEL_INBOX_HPP
+
+#include <atomic>
+
+namespace geminga::el {
+
+/// A stack without a lock. It is empty while its thing is at rest; while a thread has the thing in hand, works on it or
+/// has it on a queue, letters lie on a mark that says so. Letter has a pointer `next`; whoever reads letters owns them.
+template <typename Letter>
+class Inbox {
+ public:
+  /// Of a thing that nobody else knows, or while there is one thread.
+  void hold() { newest_.store(mark(), std::memory_order_relaxed); }
+
+  /// Takes the thing in hand if it is at rest.
+  [[nodiscard]] bool take() {
+    Letter* at_rest = nullptr;
+    return newest_.load(std::memory_order_relaxed) == nullptr &&
+           newest_.compare_exchange_strong(at_rest, mark(), std::memory_order_acq_rel);
+  }
+
+  /// True where the thing was at rest after all: whoever put the letter has it in hand, with the letter to be read.
+  [[nodiscard]] bool put(Letter* letter) {
+    Letter* before = newest_.load(std::memory_order_relaxed);
+    do {
+      letter->next = before == mark() ? nullptr : before;
+    } while (!newest_.compare_exchange_weak(before, letter, std::memory_order_acq_rel, std::memory_order_relaxed));
+    return before == nullptr;
+  }
+
+  /// The letters, the newest first, or nullptr. The thing stays in the hand of the caller.
+  [[nodiscard]] Letter* empty() {
+    Letter* const newest = newest_.exchange(mark(), std::memory_order_acq_rel);
+    return newest == mark() ? nullptr : newest;
+  }
+
+  /// Puts the thing to rest. False where a letter has come: then it stays in hand.
+  [[nodiscard]] bool rest() {
+    Letter* in_hand = mark();
+    return newest_.compare_exchange_strong(in_hand, nullptr, std::memory_order_acq_rel);
+  }
+
+ private:
+  static Letter* mark() {
+    static Letter in_hand;  // only its address is used
+    return &in_hand;
+  }
+
+  std::atomic<Letter*> newest_ = nullptr;
+};
+
+}  // namespace geminga::el
+
+#endif

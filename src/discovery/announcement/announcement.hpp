@@ -1,0 +1,74 @@
+// What a participant says on the air: its state, a claim to an identifier, or a goodbye (paper section 3.5.2).
+#ifndef GEMINGA_DISCOVERY_ANNOUNCEMENT_ANNOUNCEMENT_HPP
+#define GEMINGA_DISCOVERY_ANNOUNCEMENT_ANNOUNCEMENT_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/time.hpp"
+#include "geminga/service.hpp"
+
+namespace geminga::beacon {
+
+/// 64 random bits that a process draws once. Tells its datagrams from those of another participant with the same
+/// identifier (a clash) and from those of its own earlier life (a restart).
+enum class BootNonce : std::uint64_t {};
+
+enum class Kind : std::uint8_t {
+  state,    ///< all that the participant offers and asks for, or one part of it
+  claim,    ///< the sender wants this identifier and does not own it yet (paper section 3.5.1)
+  goodbye,  ///< the sender gives this identifier up: it ends, or has lost it to a clash
+};
+
+/// A publication with the GCNP number that its peer gave it. The address is numeric without zone, or empty: the
+/// interface's own.
+struct NumberedPublication {
+  std::uint32_t number = 0;
+  Publication publication;
+  friend bool operator==(const NumberedPublication&, const NumberedPublication&) = default;
+};
+
+struct NumberedSubscription {
+  std::uint32_t number = 0;
+  Subscription subscription;
+  friend bool operator==(const NumberedSubscription&, const NumberedSubscription&) = default;
+};
+
+/// One peer and what it offers and asks for. Numbers are unique over publications, subscriptions and withheld ones.
+struct PeerState {
+  PeerId id{};
+  std::string name;
+  std::vector<NumberedPublication> publications;
+  std::vector<NumberedSubscription> subscriptions;
+  /// Services that exist, but whose address is not valid on this interface (on_interface.hpp). Told so that their
+  /// absence here is not taken for their end.
+  std::vector<std::uint32_t> withheld;
+  friend bool operator==(const PeerState&, const PeerState&) = default;
+};
+
+/// One announcement. encode() splits it into datagrams, decode() makes one of each datagram; for `claim` and `goodbye`
+/// revision, addresses and peers stay empty.
+struct Announcement {
+  Kind kind = Kind::state;
+  std::string group;            ///< the negotiation group; participants of another one ignore it
+  ParticipantId participant{};  ///< never 0
+  BootNonce boot{};
+  std::uint32_t link = 0;      ///< the sender's number of the interface that it went out on
+  std::uint64_t sequence = 0;  ///< counts the sender's datagrams on that interface, so that others can measure loss
+  base::Duration interval = std::chrono::seconds(2);  ///< between two of them, on average; whole milliseconds
+  std::string name;                                   ///< the participant's; empty: its identifier
+  std::uint64_t ontology_digest = 0;                  ///< 0: none is loaded
+  std::vector<std::string> addresses;                 ///< numeric, valid on this interface, best first, without zone
+
+  std::uint64_t revision = 0;    ///< grows with every change of the state; the same on all interfaces
+  std::uint32_t part = 0;        ///< of `part_count` parts of this revision, counted from 0; set by encode()
+  std::uint32_t part_count = 1;  ///< set by encode()
+  std::vector<PeerState> peers;  ///< by ascending id; a peer without any service is not announced
+
+  friend bool operator==(const Announcement&, const Announcement&) = default;
+};
+
+}  // namespace geminga::beacon
+
+#endif

@@ -1,0 +1,61 @@
+// Announcements as datagrams and back; src/discovery/announcement/ANNOUNCEMENT.md is the specification,
+// announcement.proto the schema.
+#ifndef GEMINGA_DISCOVERY_ANNOUNCEMENT_CODEC_HPP
+#define GEMINGA_DISCOVERY_ANNOUNCEMENT_CODEC_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "discovery/announcement/announcement.hpp"
+
+namespace geminga::beacon {
+
+/// Why a datagram was refused. Words are only ever appended; to_string() gives the word for counters and the log.
+enum class DecodeError : std::uint8_t {
+  too_large,       ///< over max_datagram_bytes
+  not_protobuf,    ///< cannot be parsed: truncated, random, or bad UTF-8
+  not_geminga,     ///< the magic number is missing
+  other_version,   ///< another major version of the format
+  bad_kind,        ///< an unknown kind
+  bad_identifier,  ///< participant, peer or service number 0, or one given twice
+  bad_name,        ///< a name too long, with control characters, `/` or `,`
+  bad_interval,    ///< outside [min_interval, max_interval]
+  bad_part,        ///< part not below the number of parts, or more than max_parts
+  bad_address,     ///< not 4 or 16 octets, one that nobody can be reached at, or too many
+  bad_table,       ///< an index into the tables of namespaces and terms that is out of range
+  bad_identity,    ///< no identity, one that is too long, an IRI with characters that an IRI cannot hold
+  bad_mode,        ///< an unknown channel mode
+  bad_degree,      ///< an unknown degree of match
+  bad_port,        ///< over 65535, or 0 for a publication
+  bad_protocol,    ///< too long or not a word
+  bad_attribute,   ///< a limit or the grammar of attributes is violated
+  bad_filter,      ///< a limit of provider filters or of the where expression is violated
+};
+inline constexpr std::size_t decode_error_count = 18;
+
+/// "too-large", "not-protobuf", ... Static storage.
+[[nodiscard]] std::string_view to_string(DecodeError error);
+
+/// Reads one datagram. Everything in the result is within the named limits and valid: a caller need not check again.
+/// Unknown fields are ignored (a newer minor version). Linear in the size of the datagram; allocates at most a small
+/// multiple of it (each octet of the term table may be repeated once an entry). Reads bytes from anywhere.
+[[nodiscard]] std::expected<Announcement, DecodeError> decode(std::span<const std::byte> datagram);
+
+using Datagram = std::vector<std::byte>;
+
+/// Writes an announcement as one datagram, or a state that does not fit as several, numbered from
+/// `announcement.sequence` on; the caller's next sequence number is greater by their count. Each has at most
+/// max_datagram_bytes and is complete in itself. Peers without any service are left out. Equal announcements give equal
+/// bytes. A service that does not pass check() (announceable.hpp) and services beyond max_services_per_participant are
+/// left out: the caller has refused them before. Names and addresses over their limits are cut. Requires a participant
+/// other than 0 and an interval within its limits.
+[[nodiscard]] std::vector<Datagram> encode(const Announcement& announcement);
+
+}  // namespace geminga::beacon
+
+#endif

@@ -1,0 +1,275 @@
+// Reads one datagram strictly: size, then protobuf, then every field.
+#include <google/protobuf/stubs/logging.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "base/text.hpp"
+#include "discovery/announcement/address.hpp"
+#include "discovery/announcement/announceable.hpp"
+#include "discovery/announcement/codec.hpp"
+#include "discovery/announcement/fault.hpp"
+#include "discovery/announcement/limits.hpp"
+#include "discovery/announcement/wire_entry.hpp"
+
+namespace geminga::beacon {
+namespace {
+
+using Failure = std::unexpected<DecodeError>;
+template <typename Value>
+using Decoded = std::expected<Value, DecodeError>;
+
+bool parse(std::span<const std::byte> datagram, wire::Announcement& message) {
+  // protobuf writes a line to standard error for each bad text; a sender must not be able to fill our log.
+  const google::protobuf::LogSilencer silence;
+  return message.ParseFromArray(datagram.data(), static_cast<int>(datagram.size()));
+}
+
+/// A name that may be left out.
+bool is_name_or_empty(std::string_view name) { return name.empty() || is_valid_name(name); }
+
+Decoded<Kind> kind_of(wire::Kind kind) {
+  switch (kind) {
+    case wire::KIND_STATE:
+      return Kind::state;
+    case wire::KIND_CLAIM:
+      return Kind::claim;
+    case wire::KIND_GOODBYE:
+      return Kind::goodbye;
+    default:
+      return Failure(DecodeError::bad_kind);
+  }
+}
+
+Decoded<ChannelMode> mode_of(wire::Mode mode) {
+  switch (mode) {
+    case wire::MODE_ONE_TO_ONE:
+      return ChannelMode::one_to_one;
+    case wire::MODE_ONE_TO_MANY_STREAM:
+      return ChannelMode::one_to_many_stream;
+    case wire::MODE_ONE_TO_MANY_PUBSUB:
+      return ChannelMode::one_to_many_pubsub;
+    default:
+      return Failure(DecodeError::bad_mode);
+  }
+}
+
+Decoded<Degree> degree_of(wire::Degree degree) {
+  switch (degree) {
+    case wire::DEGREE_NARROWER:
+      return Degree::narrower;
+    case wire::DEGREE_EXACT:
+      return Degree::exact;
+    case wire::DEGREE_EQUIVALENT:
+      return Degree::equivalent;
+    case wire::DEGREE_BROADER:
+      return Degree::broader;
+    default:
+      return Failure(DecodeError::bad_degree);
+  }
+}
+
+/// The text of 4 or 16 octets that somebody can be reached at.
+Decoded<std::string> address_of(const std::string& octets) {
+  const Address address{{octets.begin(), octets.end()}, {}};
+  if ((octets.size() != 4 && octets.size() != 16) || address.scope() == AddressScope::unspecified) {
+    return Failure(DecodeError::bad_address);
+  }
+  return address.text();
+}
+
+/// The IRIs of the term table, in its order.
+Decoded<std::vector<std::string>> terms_of(const wire::Announcement& message) {
+  std::vector<std::string> terms;
+  terms.reserve(static_cast<std::size_t>(message.terms_size()));
+  for (const auto& term : message.terms()) {
+    const auto number = term.namespace_number();
+    if (number > static_cast<std::uint32_t>(message.namespaces_size())) return Failure(DecodeError::bad_table);
+    std::string iri = number == 0 ? std::string() : message.namespaces(static_cast<int>(number - 1));
+    iri += term.local();
+    // Checked here and not where it is used, so that a term costs the same however often it is used.
+    if (!is_valid_iri(iri)) return Failure(DecodeError::bad_identity);
+    terms.push_back(std::move(iri));
+  }
+  return terms;
+}
+
+template <typename Message>
+Decoded<Identity> identity_of(const Message& message, const std::vector<std::string>& terms) {
+  const auto representation = message.representation_term();
+  if (representation > terms.size()) return Failure(DecodeError::bad_table);
+  const std::string representation_iri = representation == 0 ? std::string() : terms[representation - 1];
+  if constexpr (requires { message.is_expression(); }) {
+    if (message.is_expression()) {
+      SemanticIdentity identity{message.text(), representation_iri};
+      if (!has_expression(identity)) return Failure(DecodeError::bad_identity);  // a name would be a term
+      return identity;
+    }
+  }
+  if (message.identity_case() != Message::kConceptTerm && representation != 0) {
+    return Failure(DecodeError::bad_identity);
+  }
+  switch (message.identity_case()) {
+    case Message::kNumeric:
+      return NumericIdentity{message.numeric()};
+    case Message::kText:
+      return TextIdentity{message.text()};
+    case Message::kConceptTerm: {
+      const auto number = message.concept_term();
+      if (number == 0 || number > terms.size()) return Failure(DecodeError::bad_table);
+      return SemanticIdentity{terms[number - 1], representation_iri};
+    }
+    default:
+      return Failure(DecodeError::bad_identity);
+  }
+}
+
+/// The fields that publications and subscriptions share.
+template <typename Message, typename Service>
+Decoded<void> read_common(const Message& message, const std::vector<std::string>& terms, Service& service) {
+  const auto mode = mode_of(message.mode());
+  if (!mode) return Failure(mode.error());
+  service.mode = *mode;
+  auto identity = identity_of(message, terms);
+  if (!identity) return Failure(identity.error());
+  service.identity = std::move(*identity);
+  if (message.port() > std::numeric_limits<std::uint16_t>::max()) return Failure(DecodeError::bad_port);
+  service.port = static_cast<std::uint16_t>(message.port());
+  if (!message.address().empty()) {
+    auto address = address_of(message.address());
+    if (!address) return Failure(address.error());
+    service.address = std::move(*address);
+  }
+  service.priority = message.priority();
+  for (const auto& attribute : message.attributes()) {
+    if (!service.attributes.emplace(attribute.key(), attribute.value()).second) {
+      return Failure(DecodeError::bad_attribute);
+    }
+  }
+  return {};
+}
+
+Decoded<NumberedPublication> publication_of(const wire::Publication& message, const std::vector<std::string>& terms) {
+  NumberedPublication numbered;
+  numbered.number = message.number();
+  if (const auto read = read_common(message, terms, numbered.publication); !read) return Failure(read.error());
+  if (!message.protocol().empty()) numbered.publication.protocol = message.protocol();
+  if (const auto fault = find_fault(numbered.publication)) return Failure(fault->word);
+  return numbered;
+}
+
+Decoded<NumberedSubscription> subscription_of(const wire::Subscription& message,
+                                              const std::vector<std::string>& terms) {
+  NumberedSubscription numbered;
+  numbered.number = message.number();
+  auto& subscription = numbered.subscription;
+  if (const auto read = read_common(message, terms, subscription); !read) return Failure(read.error());
+  const auto weakest = degree_of(message.weakest());
+  if (!weakest) return Failure(weakest.error());
+  subscription.weakest = *weakest;
+  for (const auto& provider : message.providers()) {
+    subscription.providers.push_back({provider.participant(), provider.peer()});
+  }
+  subscription.where = message.where();
+  subscription.limit = message.limit();
+  subscription.protocols.assign(message.protocols().begin(), message.protocols().end());
+  if (const auto fault = find_fault(subscription)) return Failure(fault->word);
+  return numbered;
+}
+
+/// Whether numbers are all other than 0 and no two the same.
+bool are_identifiers(std::vector<std::uint32_t> numbers) {
+  std::ranges::sort(numbers);
+  return (numbers.empty() || numbers.front() != 0) && std::ranges::adjacent_find(numbers) == numbers.end();
+}
+
+Decoded<PeerState> peer_of(const wire::Peer& message, const std::vector<std::string>& terms) {
+  PeerState peer;
+  peer.id = PeerId{message.id()};
+  peer.name = message.name();
+  if (!is_name_or_empty(peer.name)) return Failure(DecodeError::bad_name);
+  std::vector<std::uint32_t> numbers;
+  for (const auto& entry : message.publications()) {
+    auto publication = publication_of(entry, terms);
+    if (!publication) return Failure(publication.error());
+    numbers.push_back(publication->number);
+    peer.publications.push_back(std::move(*publication));
+  }
+  for (const auto& entry : message.subscriptions()) {
+    auto subscription = subscription_of(entry, terms);
+    if (!subscription) return Failure(subscription.error());
+    numbers.push_back(subscription->number);
+    peer.subscriptions.push_back(std::move(*subscription));
+  }
+  peer.withheld.assign(message.withheld().begin(), message.withheld().end());
+  numbers.insert(numbers.end(), peer.withheld.begin(), peer.withheld.end());
+  if (!are_identifiers(std::move(numbers))) return Failure(DecodeError::bad_identifier);
+  return peer;
+}
+
+Decoded<void> read_header(const wire::Announcement& message, Announcement& announcement) {
+  if ((message.format() & 0xffffff) != format_magic) return Failure(DecodeError::not_geminga);
+  if (message.format() >> 24 != format_major) return Failure(DecodeError::other_version);
+  const auto kind = kind_of(message.kind());
+  if (!kind) return Failure(kind.error());
+  announcement.kind = *kind;
+  if (message.participant() == 0) return Failure(DecodeError::bad_identifier);
+  announcement.participant = ParticipantId{message.participant()};
+  announcement.boot = BootNonce{message.boot()};
+  if (!is_name_or_empty(message.group()) || !is_name_or_empty(message.name())) return Failure(DecodeError::bad_name);
+  announcement.group = message.group();
+  announcement.name = message.name();
+  announcement.link = message.link();
+  announcement.sequence = message.sequence();
+  announcement.interval = std::chrono::milliseconds(message.interval_ms());
+  if (announcement.interval < min_interval || announcement.interval > max_interval) {
+    return Failure(DecodeError::bad_interval);
+  }
+  announcement.ontology_digest = message.ontology_digest();
+  announcement.revision = message.revision();
+  announcement.part = message.part();
+  announcement.part_count = std::max(message.part_count(), 1U);
+  if (announcement.part_count > max_parts || announcement.part >= announcement.part_count) {
+    return Failure(DecodeError::bad_part);
+  }
+  if (message.addresses_size() > static_cast<int>(max_addresses)) return Failure(DecodeError::bad_address);
+  for (const auto& octets : message.addresses()) {
+    auto address = address_of(octets);
+    if (!address || address_scope(*address) == AddressScope::multicast) return Failure(DecodeError::bad_address);
+    announcement.addresses.push_back(std::move(*address));
+  }
+  return {};
+}
+
+constexpr std::array<std::string_view, decode_error_count> words = {
+    "too-large", "not-protobuf", "not-geminga", "other-version", "bad-kind",      "bad-identifier",
+    "bad-name",  "bad-interval", "bad-part",    "bad-address",   "bad-table",     "bad-identity",
+    "bad-mode",  "bad-degree",   "bad-port",    "bad-protocol",  "bad-attribute", "bad-filter",
+};
+
+}  // namespace
+
+std::string_view to_string(DecodeError error) { return words[std::to_underlying(error)]; }
+
+std::expected<Announcement, DecodeError> decode(std::span<const std::byte> datagram) {
+  if (datagram.size() > max_datagram_bytes) return Failure(DecodeError::too_large);
+  wire::Announcement message;
+  if (!parse(datagram, message)) return Failure(DecodeError::not_protobuf);
+  Announcement announcement;
+  if (const auto read = read_header(message, announcement); !read) return Failure(read.error());
+  const auto terms = terms_of(message);
+  if (!terms) return Failure(terms.error());
+  std::vector<std::uint32_t> ids;
+  for (const auto& entry : message.peers()) {
+    auto peer = peer_of(entry, *terms);
+    if (!peer) return Failure(peer.error());
+    ids.push_back(entry.id());
+    announcement.peers.push_back(std::move(*peer));
+  }
+  if (!are_identifiers(std::move(ids))) return Failure(DecodeError::bad_identifier);
+  return announcement;
+}
+
+}  // namespace geminga::beacon

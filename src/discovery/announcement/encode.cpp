@@ -1,0 +1,199 @@
+// Writes announcements as datagrams, and splits a state that is too large for one.
+#include <algorithm>
+#include <utility>
+
+#include "base/assert.hpp"
+#include "discovery/announcement/codec.hpp"
+#include "discovery/announcement/fault.hpp"
+#include "discovery/announcement/limits.hpp"
+#include "discovery/announcement/wire_entry.hpp"
+
+namespace geminga::beacon {
+namespace {
+
+/// Octets that `part` and `part_count` take at most: a tag and a number below 2^14 each.
+constexpr std::size_t part_fields_bytes = 6;
+
+/// A name within its limit, cut between two characters.
+std::string cut(std::string_view name) {
+  if (name.size() <= max_name_bytes) return std::string(name);
+  auto end = max_name_bytes;
+  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0) == 0x80) --end;
+  return std::string(name.substr(0, end));
+}
+
+/// All that is the same in every part.
+wire::Announcement header_of(const Announcement& announcement) {
+  wire::Announcement header;
+  header.set_format(format_major << 24 | format_magic);
+  header.set_minor(format_minor);
+  switch (announcement.kind) {
+    case Kind::state:
+      header.set_kind(wire::KIND_STATE);
+      break;
+    case Kind::claim:
+      header.set_kind(wire::KIND_CLAIM);
+      break;
+    case Kind::goodbye:
+      header.set_kind(wire::KIND_GOODBYE);
+      break;
+  }
+  header.set_participant(std::to_underlying(announcement.participant));
+  header.set_boot(std::to_underlying(announcement.boot));
+  header.set_group(cut(announcement.group));
+  header.set_link(announcement.link);
+  header.set_interval_ms(static_cast<std::uint32_t>(announcement.interval / std::chrono::milliseconds(1)));
+  header.set_name(cut(announcement.name));
+  header.set_ontology_digest(announcement.ontology_digest);
+  for (const auto& address : announcement.addresses) {
+    if (header.addresses_size() == static_cast<int>(max_addresses)) break;
+    if (auto octets = address_octets(address); !octets.empty()) header.add_addresses(std::move(octets));
+  }
+  header.set_revision(announcement.revision);
+  return header;
+}
+
+/// Fills one datagram after the other with services, in their order.
+class Packer {
+ public:
+  /// `base_bytes`: what a datagram takes without any service.
+  explicit Packer(std::size_t base_bytes) : base_bytes_(base_bytes) { parts_.emplace_back(); }
+
+  void add(const PeerState& peer, const NumberedPublication& entry) {
+    put(peer, [&](wire::Peer& to, TermTable& terms) {
+      auto message = to_wire(entry, terms);
+      const auto bytes = framed_bytes(1, message.ByteSizeLong());
+      *to.add_publications() = std::move(message);
+      return bytes;
+    });
+  }
+  void add(const PeerState& peer, const NumberedSubscription& entry) {
+    put(peer, [&](wire::Peer& to, TermTable& terms) {
+      auto message = to_wire(entry, terms);
+      const auto bytes = framed_bytes(1, message.ByteSizeLong());
+      *to.add_subscriptions() = std::move(message);
+      return bytes;
+    });
+  }
+  void add(const PeerState& peer, std::uint32_t withheld) {
+    put(peer, [&](wire::Peer& to, TermTable&) {
+      const auto before = to.ByteSizeLong();
+      to.add_withheld(withheld);
+      return to.ByteSizeLong() - before;
+    });
+  }
+
+  struct Part {
+    std::vector<wire::Peer> peers;
+    TermTable terms;
+  };
+  [[nodiscard]] std::vector<Part> take() { return std::move(parts_); }
+
+ private:
+  /// Writes one entry; where it does not fit into this part any more, into the next one.
+  template <typename Write>
+  void put(const PeerState& peer, const Write& write) {
+    if (try_put(peer, write)) return;
+    if (is_empty_) return;  // larger than any datagram: check() has refused it before
+    parts_.emplace_back();
+    closed_bytes_ = 0;
+    open_bytes_ = 0;
+    is_empty_ = true;
+    if (!try_put(peer, write)) parts_.back() = Part{};
+  }
+
+  template <typename Write>
+  bool try_put(const PeerState& peer, const Write& write) {
+    auto& part = parts_.back();
+    const auto mark = part.terms.mark();
+    const auto id = std::to_underlying(peer.id);
+    const bool is_new_peer = part.peers.empty() || part.peers.back().id() != id;
+    auto closed = closed_bytes_;
+    auto open = open_bytes_;
+    if (is_new_peer) {
+      if (!part.peers.empty()) closed += framed_bytes(2, open);
+      auto& added = part.peers.emplace_back();
+      added.set_id(id);
+      added.set_name(cut(peer.name));
+      open = added.ByteSizeLong();
+    }
+    // The message is written into a peer of its own first, so that nothing needs to be taken back out.
+    wire::Peer entry;
+    open += write(entry, part.terms);
+    if (base_bytes_ + part.terms.bytes() + closed + framed_bytes(2, open) > max_datagram_bytes) {
+      part.terms.go_back(mark);
+      if (is_new_peer) part.peers.pop_back();
+      return false;
+    }
+    part.peers.back().MergeFrom(entry);
+    closed_bytes_ = closed;
+    open_bytes_ = open;
+    is_empty_ = false;
+    return true;
+  }
+
+  std::size_t base_bytes_;
+  std::vector<Part> parts_;
+  std::size_t closed_bytes_ = 0;  ///< of all peers but the last one of this part
+  std::size_t open_bytes_ = 0;    ///< of the last one's content
+  bool is_empty_ = true;
+};
+
+std::vector<Packer::Part> pack(const Announcement& announcement, std::size_t base_bytes) {
+  Packer packer(base_bytes);
+  std::size_t services = 0;
+  const auto is_room = [&services] { return services++ < max_services_per_participant; };
+  for (const auto& peer : announcement.peers) {
+    for (const auto& entry : peer.publications) {
+      if (!find_fault(entry.publication) && is_room()) packer.add(peer, entry);
+    }
+    for (const auto& entry : peer.subscriptions) {
+      if (!find_fault(entry.subscription) && is_room()) packer.add(peer, entry);
+    }
+    for (const auto number : peer.withheld) {
+      if (is_room()) packer.add(peer, number);
+    }
+  }
+  return packer.take();
+}
+
+Datagram write(wire::Announcement header, Packer::Part part) {
+  for (const auto& name_space : part.terms.name_spaces()) header.add_namespaces(name_space);
+  for (const auto& term : part.terms.terms()) {
+    auto* to = header.add_terms();
+    to->set_namespace_number(term.name_space);
+    to->set_local(term.local);
+  }
+  for (auto& peer : part.peers) *header.add_peers() = std::move(peer);
+  Datagram datagram(header.ByteSizeLong());
+  GEMINGA_ASSERT(datagram.size() <= max_datagram_bytes);
+  header.SerializeWithCachedSizesToArray(reinterpret_cast<std::uint8_t*>(datagram.data()));
+  return datagram;
+}
+
+}  // namespace
+
+std::vector<Datagram> encode(const Announcement& announcement) {
+  GEMINGA_ASSERT(announcement.participant != ParticipantId{});
+  GEMINGA_ASSERT(announcement.interval >= min_interval && announcement.interval <= max_interval);
+  auto header = header_of(announcement);
+  // The sequence number grows with each part; sizes are reckoned with the greatest.
+  header.set_sequence(announcement.sequence + max_parts);
+  const auto base_bytes = header.ByteSizeLong();
+  auto parts = pack(announcement, base_bytes);
+  if (parts.size() > 1) parts = pack(announcement, base_bytes + part_fields_bytes);
+
+  std::vector<Datagram> datagrams;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    auto part_header = header;
+    part_header.set_sequence(announcement.sequence + i);
+    if (parts.size() > 1) {
+      part_header.set_part(static_cast<std::uint32_t>(i));
+      part_header.set_part_count(static_cast<std::uint32_t>(parts.size()));
+    }
+    datagrams.push_back(write(std::move(part_header), std::move(parts[i])));
+  }
+  return datagrams;
+}
+
+}  // namespace geminga::beacon

@@ -1,0 +1,190 @@
+// Every limit and grammar of one service, in one place.
+#include "discovery/announcement/fault.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "base/text.hpp"
+#include "discovery/announcement/address.hpp"
+#include "discovery/announcement/announceable.hpp"
+#include "discovery/announcement/limits.hpp"
+
+namespace geminga::beacon {
+namespace {
+
+using Found = std::optional<Fault>;
+
+Found fault(DecodeError word, ErrorCode code, std::string text) { return Fault{word, {code, std::move(text)}}; }
+
+Found oversized(DecodeError word, std::string_view field, std::size_t size, std::size_t limit) {
+  return fault(word, ErrorCode::too_large,
+               std::string(field) + " is too large: " + std::to_string(size) + " octets, at most " +
+                   std::to_string(limit) + " can be announced");
+}
+
+/// A tab and line ends may stand in free text, since GCNP can write them; nothing else that could steer a terminal.
+bool is_free_text(std::string_view text) {
+  return base::is_valid_utf8(text) && std::ranges::none_of(text, [](char c) {
+           const auto octet = static_cast<unsigned char>(c);
+           return (octet < 0x20 && c != '\t' && c != '\n' && c != '\r') || octet == 0x7f;
+         });
+}
+
+bool is_word(std::string_view text) {
+  return !text.empty() &&
+         std::ranges::all_of(text, [](char c) { return c > 0x20 && c < 0x7f && c != '"' && c != ','; });
+}
+
+bool is_attribute_key(std::string_view key) {
+  return !key.empty() && std::ranges::all_of(key, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
+           c == '-';
+  });
+}
+
+Found iri_fault(std::string_view field, std::string_view iri) {
+  constexpr auto word = DecodeError::bad_identity;
+  if (iri.size() > max_iri_bytes) return oversized(word, field, iri.size(), max_iri_bytes);
+  if (is_valid_iri(iri)) return std::nullopt;
+  return fault(word, ErrorCode::malformed, std::string(field) + " is no IRI: " + base::printable(iri));
+}
+
+Found concept_fault(const std::string& text) {
+  constexpr auto word = DecodeError::bad_identity;
+  if (!has_expression(SemanticIdentity{text, {}})) return iri_fault("concept", text);
+  if (text.size() > max_expression_bytes) return oversized(word, "the expression", text.size(), max_expression_bytes);
+  if (base::is_valid_utf8(text) && !base::has_control_character(text)) return std::nullopt;
+  return fault(word, ErrorCode::malformed, "an expression must be UTF-8 without control characters");
+}
+
+Found identity_fault(const Identity& identity) {
+  constexpr auto word = DecodeError::bad_identity;
+  if (const auto* text = std::get_if<TextIdentity>(&identity)) {
+    if (text->text.size() > max_text_identity_bytes) {
+      return oversized(word, "text", text->text.size(), max_text_identity_bytes);
+    }
+    if (!text->text.empty() && base::is_valid_utf8(text->text) && !base::has_control_character(text->text)) {
+      return std::nullopt;
+    }
+    return fault(word, ErrorCode::malformed, "text must be UTF-8 without control characters, and not empty");
+  }
+  if (const auto* semantic = std::get_if<SemanticIdentity>(&identity)) {
+    if (auto found = concept_fault(semantic->concept_iri)) return found;
+    if (!semantic->representation_iri.empty()) return iri_fault("representation", semantic->representation_iri);
+  }
+  return std::nullopt;
+}
+
+Found address_fault(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto address = parse_address(text);
+  if (address && address->scope() != AddressScope::unspecified) return std::nullopt;
+  return fault(DecodeError::bad_address, ErrorCode::impossible,
+               "address " + base::printable(text) +
+                   (address ? " is none that can be reached: leave address out for the interfaces' own"
+                            : " is no numeric IP address"));
+}
+
+Found attributes_fault(const Attributes& attributes) {
+  constexpr auto word = DecodeError::bad_attribute;
+  if (attributes.size() > max_attributes) {
+    return fault(word, ErrorCode::too_large,
+                 std::to_string(attributes.size()) + " attributes are too many: at most " +
+                     std::to_string(max_attributes) + " can be announced");
+  }
+  for (const auto& [key, value] : attributes) {
+    if (key.size() > max_attribute_key_bytes) {
+      return oversized(word, "the key of an attribute", key.size(), max_attribute_key_bytes);
+    }
+    if (value.size() > max_attribute_value_bytes) {
+      return oversized(word, base::printable(key), value.size(), max_attribute_value_bytes);
+    }
+    if (!is_attribute_key(key)) {
+      return fault(word, ErrorCode::malformed,
+                   "attribute " + base::printable(key) + ": a key is made of A-Z a-z 0-9 _ . -");
+    }
+    if (!is_free_text(value)) {
+      return fault(word, ErrorCode::malformed,
+                   "attribute " + key + " must be UTF-8 without control characters other than tab and line end");
+    }
+  }
+  return std::nullopt;
+}
+
+Found protocol_fault(const std::string& protocol) {
+  constexpr auto word = DecodeError::bad_protocol;
+  if (protocol.size() > max_protocol_bytes) return oversized(word, "protocol", protocol.size(), max_protocol_bytes);
+  if (is_word(protocol)) return std::nullopt;
+  return fault(word, ErrorCode::malformed, "protocol " + base::printable(protocol) + " is no word such as udp or tcp");
+}
+
+Found protocols_fault(const std::vector<std::string>& protocols) {
+  if (protocols.size() > max_accepted_protocols) {
+    return fault(DecodeError::bad_protocol, ErrorCode::too_large,
+                 std::to_string(protocols.size()) + " protocols are too many: at most " +
+                     std::to_string(max_accepted_protocols) + " can be announced");
+  }
+  for (const auto& protocol : protocols) {
+    if (auto found = protocol_fault(protocol)) return found;
+  }
+  return std::nullopt;
+}
+
+Found filters_fault(const Subscription& subscription) {
+  constexpr auto word = DecodeError::bad_filter;
+  if (subscription.providers.size() > max_provider_filters) {
+    return fault(word, ErrorCode::too_large,
+                 std::to_string(subscription.providers.size()) + " providers are too many: at most " +
+                     std::to_string(max_provider_filters) + " can be announced");
+  }
+  for (const auto& filter : subscription.providers) {
+    if (!is_valid_name(filter.participant) || (!filter.peer.empty() && !is_valid_name(filter.peer))) {
+      return fault(word, ErrorCode::malformed,
+                   "provider " + base::printable(filter.participant + (filter.peer.empty() ? "" : "/" + filter.peer)) +
+                       " is no PARTICIPANT or PARTICIPANT/PEER");
+    }
+  }
+  if (subscription.where.size() > max_where_bytes) {
+    return oversized(word, "where", subscription.where.size(), max_where_bytes);
+  }
+  if (!is_free_text(subscription.where)) {
+    return fault(word, ErrorCode::malformed, "where must be UTF-8 without control characters");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool is_valid_name(std::string_view name) {
+  return !name.empty() && name.size() <= max_name_bytes && base::is_valid_utf8(name) &&
+         !base::has_control_character(name) && name.find_first_of("/,") == std::string_view::npos;
+}
+
+bool is_valid_iri(std::string_view iri) {
+  return !iri.empty() && iri.size() <= max_iri_bytes && base::is_valid_utf8(iri) && !base::has_control_character(iri) &&
+         iri.find_first_of(" <>\"{}|\\^`") == std::string_view::npos;
+}
+
+std::optional<Fault> find_fault(const Publication& publication) {
+  if (has_expression(publication.identity)) {
+    return fault(DecodeError::bad_identity, ErrorCode::impossible, "an expression can be asked for, not offered");
+  }
+  if (auto found = identity_fault(publication.identity)) return found;
+  if (publication.port == 0) {
+    return fault(DecodeError::bad_port, ErrorCode::malformed, "port 0: a service is reached at a port from 1 to 65535");
+  }
+  if (auto found = address_fault(publication.address)) return found;
+  if (auto found = protocol_fault(publication.protocol)) return found;
+  return attributes_fault(publication.attributes);
+}
+
+std::optional<Fault> find_fault(const Subscription& subscription) {
+  if (auto found = identity_fault(subscription.identity)) return found;
+  if (auto found = address_fault(subscription.address)) return found;
+  if (auto found = attributes_fault(subscription.attributes)) return found;
+  if (auto found = protocols_fault(subscription.protocols)) return found;
+  return filters_fault(subscription);
+}
+
+}  // namespace geminga::beacon

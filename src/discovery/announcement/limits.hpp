@@ -1,0 +1,84 @@
+// Every number that an announcement must keep; src/discovery/announcement/ANNOUNCEMENT.md names the same ones.
+#ifndef GEMINGA_DISCOVERY_ANNOUNCEMENT_LIMITS_HPP
+#define GEMINGA_DISCOVERY_ANNOUNCEMENT_LIMITS_HPP
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+#include "base/time.hpp"
+
+namespace geminga::beacon {
+
+/// The largest datagram. Fits into one frame of every link that IPv6 runs on (RFC 8200 section 5: 1280 octets), with
+/// its headers and 32 octets left for an envelope.
+inline constexpr std::size_t max_datagram_bytes = 1200;
+/// What one publication or subscription may take of a datagram, its share of the tables included. The rest is kept for
+/// the largest possible header, so whether a service fits depends on nothing but the service.
+inline constexpr std::size_t max_entry_bytes = 720;
+
+/// Names of groups, participants and peers, in octets of UTF-8.
+inline constexpr std::size_t max_name_bytes = 64;
+/// A text identity, in octets.
+inline constexpr std::size_t max_text_identity_bytes = 255;
+/// A concept or representation IRI, in octets.
+inline constexpr std::size_t max_iri_bytes = 255;
+/// A class expression that is asked for instead of a concept, in octets of its canonical form.
+inline constexpr std::size_t max_expression_bytes = 400;
+/// The word for a transport protocol, in octets.
+inline constexpr std::size_t max_protocol_bytes = 32;
+/// Protocols that one subscription accepts.
+inline constexpr std::size_t max_accepted_protocols = 8;
+/// Attributes of one service, and the octets of a key and of a value.
+inline constexpr std::size_t max_attributes = 32;
+inline constexpr std::size_t max_attribute_key_bytes = 64;
+inline constexpr std::size_t max_attribute_value_bytes = 255;
+/// A `where` expression, in octets.
+inline constexpr std::size_t max_where_bytes = 400;
+/// Provider filters of one subscription.
+inline constexpr std::size_t max_provider_filters = 16;
+/// Addresses of one interface; further ones are not announced.
+inline constexpr std::size_t max_addresses = 8;
+
+/// Publications and subscriptions of one participant together. The daemon refuses one more by 429.
+inline constexpr std::size_t max_services_per_participant = 1024;
+/// Parts of one state: enough for the most services, each alone in its part.
+inline constexpr std::size_t max_parts = max_services_per_participant;
+/// Participants that are remembered. One more takes the place of somebody less proved (admission.hpp), or none.
+inline constexpr std::size_t max_participants = 256;
+/// Those of one source address that never give way to a stranger, however much of it there is; a host has one daemon.
+inline constexpr std::size_t max_seasoned_per_source = 32;
+/// Strangers that are remembered while all places are taken, so that they can prove themselves by a second datagram. At
+/// ten thousand forged ones a second each is remembered for 0.8 s on average, which outlasts the copies of a newcomer.
+inline constexpr std::size_t max_waiting = 8192;
+/// What every known participant has room for, whatever others take: twice the sixteen services of a robot.
+inline constexpr std::size_t reserved_services = 32;
+/// Publications and subscriptions of all remote participants together beyond what is reserved for each.
+inline constexpr std::size_t max_remote_services = 8192;
+/// Services of all participants that are remembered for a short while after they were withdrawn, in case that was a
+/// lie.
+inline constexpr std::size_t max_withdrawn_services = 4096;
+/// Ways on which one participant is heard (our interface and its interface); further ones are not used.
+inline constexpr std::size_t max_paths = 4;
+
+/// The announced interval. A shorter one would be a flood, a longer one would keep the dead for minutes.
+inline constexpr base::Duration min_interval = std::chrono::milliseconds(50);
+inline constexpr base::Duration max_interval = std::chrono::seconds(60);
+
+/// The interval of a stranger counts only up to this, the usual one, until it is heard again.
+inline constexpr base::Duration stranger_interval = std::chrono::seconds(2);
+/// Who was heard for so long never gives way to a stranger.
+inline constexpr base::Duration seasoned_after = std::chrono::seconds(60);
+/// What a sender has said counts for so many of its intervals against another word, once somebody lies in its name; and
+/// what it has said for less is undone then.
+inline constexpr int hold_intervals = 2;
+/// So many intervals without a contradiction end it: what it takes to believe that somebody is gone.
+inline constexpr int contest_intervals = 5;
+/// A datagram may be overtaken by later ones for so long. What comes later than that was not overtaken.
+inline constexpr base::Duration overtaken_time = std::chrono::milliseconds(200);
+/// How far a revision may be from the one before it at its first word: a change each 10 us for all of ten seconds.
+inline constexpr std::uint64_t max_revision_step = std::uint64_t{1} << 20;
+
+}  // namespace geminga::beacon
+
+#endif

@@ -1,0 +1,95 @@
+// Writes one service into its message.
+#include "discovery/announcement/wire_entry.hpp"
+
+#include "discovery/announcement/address.hpp"
+
+namespace geminga::beacon {
+namespace {
+
+wire::Mode to_wire(ChannelMode mode) {
+  switch (mode) {
+    case ChannelMode::one_to_one:
+      return wire::MODE_ONE_TO_ONE;
+    case ChannelMode::one_to_many_stream:
+      return wire::MODE_ONE_TO_MANY_STREAM;
+    case ChannelMode::one_to_many_pubsub:
+      return wire::MODE_ONE_TO_MANY_PUBSUB;
+  }
+  return wire::MODE_UNSPECIFIED;
+}
+
+wire::Degree to_wire(Degree degree) {
+  switch (degree) {
+    case Degree::exact:
+      return wire::DEGREE_EXACT;
+    case Degree::equivalent:
+      return wire::DEGREE_EQUIVALENT;
+    case Degree::narrower:
+      return wire::DEGREE_NARROWER;
+    case Degree::broader:
+      return wire::DEGREE_BROADER;
+  }
+  return wire::DEGREE_NARROWER;
+}
+
+/// The fields that publications and subscriptions share.
+template <typename Message, typename Service>
+void write_common(const Service& service, TermTable& terms, Message& message) {
+  message.set_mode(to_wire(service.mode));
+  if (const auto* numeric = std::get_if<NumericIdentity>(&service.identity)) {
+    message.set_numeric(numeric->number);
+  } else if (const auto* text = std::get_if<TextIdentity>(&service.identity)) {
+    message.set_text(text->text);
+  } else if (const auto* semantic = std::get_if<SemanticIdentity>(&service.identity)) {
+    if constexpr (requires { message.set_is_expression(true); }) {
+      message.set_is_expression(has_expression(*semantic));
+    }
+    if (has_expression(*semantic)) {
+      message.set_text(semantic->concept_iri);
+    } else {
+      message.set_concept_term(terms.number(semantic->concept_iri));
+    }
+    message.set_representation_term(terms.number(semantic->representation_iri));
+  }
+  message.set_port(service.port);
+  message.set_address(address_octets(service.address));
+  message.set_priority(service.priority);
+  for (const auto& [key, value] : service.attributes) {
+    auto* attribute = message.add_attributes();
+    attribute->set_key(key);
+    attribute->set_value(value);
+  }
+}
+
+}  // namespace
+
+std::string address_octets(const std::string& text) {
+  const auto address = parse_address(text);
+  return address ? std::string(address->octets.begin(), address->octets.end()) : std::string();
+}
+
+wire::Publication to_wire(const NumberedPublication& numbered, TermTable& terms) {
+  wire::Publication message;
+  message.set_number(numbered.number);
+  write_common(numbered.publication, terms, message);
+  if (numbered.publication.protocol != "udp") message.set_protocol(numbered.publication.protocol);
+  return message;
+}
+
+wire::Subscription to_wire(const NumberedSubscription& numbered, TermTable& terms) {
+  wire::Subscription message;
+  message.set_number(numbered.number);
+  write_common(numbered.subscription, terms, message);
+  message.set_weakest(to_wire(numbered.subscription.weakest));
+  for (const auto& filter : numbered.subscription.providers) {
+    auto* provider = message.add_providers();
+    provider->set_participant(filter.participant);
+    provider->set_peer(filter.peer);
+  }
+  message.set_where(numbered.subscription.where);
+  message.set_limit(numbered.subscription.limit);
+  for (const auto& protocol : numbered.subscription.protocols) message.add_protocols(protocol);
+  return message;
+}
+
+}  // namespace geminga::beacon

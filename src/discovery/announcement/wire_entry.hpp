@@ -1,0 +1,27 @@
+// One service as its message of announcement.proto.
+#ifndef GEMINGA_DISCOVERY_ANNOUNCEMENT_WIRE_ENTRY_HPP
+#define GEMINGA_DISCOVERY_ANNOUNCEMENT_WIRE_ENTRY_HPP
+
+#include <string>
+
+#include "discovery/announcement/announcement.hpp"
+#include "discovery/announcement/announcement.pb.h"
+#include "discovery/announcement/term_table.hpp"
+
+namespace geminga::beacon {
+
+/// 'G', 'M', 'N' and the major version, as a little-endian fixed32.
+inline constexpr std::uint32_t format_magic = 0x4E4D47;
+inline constexpr std::uint32_t format_major = 1;
+inline constexpr std::uint32_t format_minor = 0;
+
+/// The octets of a numeric address; empty for an empty text or for what is no address.
+[[nodiscard]] std::string address_octets(const std::string& text);
+
+/// Requires that find_fault() finds none. Adds the identity's IRIs to `terms`.
+[[nodiscard]] wire::Publication to_wire(const NumberedPublication& numbered, TermTable& terms);
+[[nodiscard]] wire::Subscription to_wire(const NumberedSubscription& numbered, TermTable& terms);
+
+}  // namespace geminga::beacon
+
+#endif

@@ -1,0 +1,30 @@
+// Attributes beside keys: how each is written, and which key a mistyped word is a slip of.
+#ifndef GEMINGA_DISCOVERY_GCNP_ATTRIBUTE_HPP
+#define GEMINGA_DISCOVERY_GCNP_ATTRIBUTE_HPP
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "geminga/attribute.hpp"
+
+namespace geminga::gcnp {
+
+/// The key of which `word` is one slip, a letter wrong, missing, too many, of the other case, or swapped; the first
+/// where there are several.
+[[nodiscard]] std::optional<std::string_view> mistyped_key(std::string_view word,
+                                                           std::span<const std::string_view> keys);
+
+/// The attribute that a parameter of the daemon's lines states: what is behind `attr.`, or the key itself; nothing
+/// where that is reserved. Every other key is one, so that a daemon may say more than its client knows.
+[[nodiscard]] std::optional<std::string_view> shown_attribute(std::string_view key);
+
+/// The key under which the daemon shows an attribute: its name, or `attr.NAME` where that could be taken for a key.
+[[nodiscard]] std::string shown_key(std::string_view attribute);
+/// The key under which a client states an attribute: its name where attribute_name() takes it, else `attr.NAME`.
+[[nodiscard]] std::string stated_key(std::string_view attribute);
+
+}  // namespace geminga::gcnp
+
+#endif

@@ -1,0 +1,74 @@
+// Takes the parameters of one statement by key, each once, and says what is wrong with them.
+#ifndef GEMINGA_DISCOVERY_GCNP_KEY_READER_HPP
+#define GEMINGA_DISCOVERY_GCNP_KEY_READER_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "discovery/gcnp/request.hpp"
+#include "discovery/gcnp/statement.hpp"
+#include "geminga/error.hpp"
+#include "geminga/match.hpp"
+#include "geminga/named.hpp"
+#include "geminga/service.hpp"
+
+namespace geminga::gcnp {
+
+/// Each function takes a key if it is there; nothing where it is not. The first thing that is wrong is kept in error(),
+/// and what comes after it does not matter. Borrows the statement for its life.
+class KeyReader {
+ public:
+  explicit KeyReader(const Statement& statement);
+
+  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+  /// Keeps the error unless there is one already.
+  void fail(ErrorCode code, std::string text);
+  /// 400 unless `is_there`: "KEY is missing: HINT".
+  void require(bool is_there, std::string_view key, std::string_view hint);
+
+  std::optional<std::string> text(std::string_view key, std::size_t max_bytes);
+  std::optional<std::uint32_t> number(std::string_view key);
+  std::optional<std::int32_t> priority();
+  std::optional<std::uint16_t> port();
+  /// A numeric IP address that somebody can send to, or an empty text; else 422.
+  std::optional<std::string> address();
+  std::optional<ChannelMode> mode();
+  std::optional<Degree> degree(std::string_view key);
+  std::optional<std::vector<ProviderFilter>> providers();
+  /// Words with commas; none for the empty value.
+  std::optional<std::vector<std::string>> protocols();
+  std::optional<ServiceKey> service_key(std::string_view key);
+  /// `key` or `key=1` is true, `key=0` and no key false.
+  bool flag(std::string_view key);
+  /// At most one of `id`, `text`, and `concept` with or without `representation`.
+  std::optional<IdentityChange> identity_change();
+  std::optional<NamedIdentity> identity();
+  /// 422 where one of keys_without_effect is there.
+  void refuse_without_effect();
+  /// Every key that is left, as attribute_name() takes it; to be called after all others.
+  Attributes attributes();
+  /// 400 where a key is left, with the key of this statement that it is a slip of.
+  void finish();
+
+ private:
+  /// The parameter with this key, marked as taken.
+  const Parameter* take(std::string_view key);
+  /// The value of a key that must have one.
+  std::optional<std::string_view> value(std::string_view key);
+  void fail_value(std::string_view key, std::string_view expected);
+  /// The attribute that a key that is left states, or nothing and an error.
+  std::optional<std::string> attribute(std::string_view key);
+
+  const Statement& statement_;
+  std::vector<bool> taken_;
+  std::vector<std::string_view> asked_;  ///< every key that was looked for, there or not
+  std::optional<Error> error_;
+};
+
+}  // namespace geminga::gcnp
+
+#endif

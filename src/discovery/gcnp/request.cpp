@@ -1,0 +1,255 @@
+// From a statement to a request. The way back is in request_statement.cpp.
+#include "discovery/gcnp/request.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/text.hpp"
+#include "discovery/gcnp/key_reader.hpp"
+#include "discovery/gcnp/limits.hpp"
+
+namespace geminga::gcnp {
+namespace {
+
+constexpr std::string_view identity_hint = "say id=N, text=NAME, or concept=C with or without representation=R";
+constexpr std::string_view mode_hint = "say mode=oto, mode=otm/stream or mode=otm/pubsub";
+
+Request read_hello(KeyReader& keys) { return Hello{keys.text("name", max_line_bytes)}; }
+Request read_ping(KeyReader&) { return Ping{}; }
+Request read_bye(KeyReader&) { return Bye{}; }
+
+Request read_pub_create(KeyReader& keys) {
+  NamedPublication publication;
+  const auto mode = keys.mode();
+  keys.require(mode.has_value(), "mode", mode_hint);
+  auto identity = keys.identity();
+  keys.require(identity.has_value(), "an identity", identity_hint);
+  const auto port = keys.port();
+  keys.require(port.has_value(), "port", "say port=P, where the service can be reached");
+  publication.mode = mode.value_or(publication.mode);
+  publication.identity = std::move(identity).value_or(NamedIdentity{});
+  publication.port = port.value_or(0);
+  publication.address = keys.address().value_or("");
+  publication.protocol = keys.text("protocol", max_protocol_bytes).value_or("udp");
+  publication.priority = keys.priority().value_or(0);
+  publication.attributes = keys.attributes();
+  return PubCreate{std::move(publication)};
+}
+
+Request read_pub_modify(KeyReader& keys) {
+  PubModify change;
+  change.identity = keys.identity_change();
+  change.mode = keys.mode();
+  change.address = keys.address();
+  change.port = keys.port();
+  change.protocol = keys.text("protocol", max_protocol_bytes);
+  change.priority = keys.priority();
+  change.attributes = keys.attributes();
+  return change;
+}
+
+Request read_pub_remove(KeyReader&) { return PubRemove{}; }
+
+Request read_sub_create(KeyReader& keys) {
+  NamedSubscription subscription;
+  keys.refuse_without_effect();
+  const auto mode = keys.mode();
+  keys.require(mode.has_value(), "mode", mode_hint);
+  auto identity = keys.identity();
+  keys.require(identity.has_value(), "an identity", identity_hint);
+  subscription.mode = mode.value_or(subscription.mode);
+  subscription.identity = std::move(identity).value_or(NamedIdentity{});
+  subscription.weakest = keys.degree("match").value_or(Degree::narrower);
+  subscription.providers = keys.providers().value_or(std::vector<ProviderFilter>{});
+  subscription.where = keys.text("where", max_where_bytes).value_or("");
+  subscription.limit = keys.number("limit");
+  subscription.priority = keys.priority().value_or(0);
+  subscription.port = keys.port().value_or(0);
+  subscription.address = keys.address().value_or("");
+  subscription.protocols = keys.protocols().value_or(std::vector<std::string>{});
+  subscription.attributes = keys.attributes();
+  return SubCreate{std::move(subscription)};
+}
+
+Request read_sub_modify(KeyReader& keys) {
+  SubModify change;
+  keys.refuse_without_effect();
+  change.identity = keys.identity_change();
+  change.mode = keys.mode();
+  change.weakest = keys.degree("match");
+  change.providers = keys.providers();
+  change.where = keys.text("where", max_where_bytes);
+  change.limit = keys.number("limit");
+  change.priority = keys.priority();
+  change.port = keys.port();
+  change.address = keys.address();
+  change.protocols = keys.protocols();
+  change.attributes = keys.attributes();
+  return change;
+}
+
+Request read_sub_remove(KeyReader&) { return SubRemove{}; }
+
+ListFilter read_list_filter(KeyReader& keys) {
+  ListFilter filter;
+  filter.identity = keys.identity();
+  filter.mode = keys.mode();
+  filter.providers = keys.providers().value_or(std::vector<ProviderFilter>{});
+  filter.text = keys.text("filter", max_filter_bytes).value_or("");
+  return filter;
+}
+
+Request read_query_participants(KeyReader&) { return QueryParticipants{}; }
+
+Request read_query_services(KeyReader& keys) { return QueryServices{read_list_filter(keys), keys.flag("unused")}; }
+
+Request read_query_requests(KeyReader& keys) {
+  QueryRequests query{read_list_filter(keys), keys.flag("unmatched"), keys.flag("unused")};
+  if (query.unmatched && query.unused) {
+    keys.fail(ErrorCode::malformed, "unmatched and unused together: ask for one of them");
+  }
+  return query;
+}
+
+Request read_query_match(KeyReader& keys) {
+  QueryMatch query;
+  query.identity = keys.identity();
+  query.weakest = keys.degree("degree").value_or(Degree::narrower);
+  query.mode = keys.mode();
+  query.providers = keys.providers().value_or(std::vector<ProviderFilter>{});
+  query.where = keys.text("where", max_where_bytes).value_or("");
+  query.limit = keys.number("limit").value_or(0);
+  return query;
+}
+
+Request read_query_explain(KeyReader& keys) {
+  auto sub = keys.text("sub", max_concept_bytes);
+  auto super = keys.text("super", max_concept_bytes);
+  keys.require(sub.has_value(), "sub", "say sub=NAME super=NAME");
+  keys.require(super.has_value(), "super", "say sub=NAME super=NAME");
+  return QueryExplain{std::move(sub).value_or(""), std::move(super).value_or("")};
+}
+
+Request read_query_why(KeyReader& keys) {
+  const auto subscription = keys.service_key("subscription");
+  const auto service = keys.service_key("service");
+  keys.require(subscription.has_value(), "subscription", "say subscription=PARTICIPANT/PEER/NUMBER");
+  keys.require(service.has_value(), "service", "say service=PARTICIPANT/PEER/NUMBER");
+  return QueryWhy{subscription.value_or(ServiceKey{}), service.value_or(ServiceKey{})};
+}
+
+Request read_query_ontology(KeyReader&) { return QueryOntology{}; }
+Request read_query_status(KeyReader&) { return QueryStatus{}; }
+Request read_query_interfaces(KeyReader&) { return QueryInterfaces{}; }
+Request read_query_peers(KeyReader&) { return QueryPeers{}; }
+
+/// One row a statement that a client may send.
+struct Row {
+  std::string_view command;
+  std::string_view subcommand;
+  Request (*read)(KeyReader&);
+};
+
+constexpr std::array<Row, 19> rows{{
+    {"sys", "hello", read_hello},
+    {"sys", "ping", read_ping},
+    {"sys", "bye", read_bye},
+    {"pub", "create", read_pub_create},
+    {"pub", "modify", read_pub_modify},
+    {"pub", "remove", read_pub_remove},
+    {"sub", "create", read_sub_create},
+    {"sub", "modify", read_sub_modify},
+    {"sub", "remove", read_sub_remove},
+    {"query", "participants", read_query_participants},
+    {"query", "services", read_query_services},
+    {"query", "requests", read_query_requests},
+    {"query", "match", read_query_match},
+    {"query", "explain", read_query_explain},
+    {"query", "why", read_query_why},
+    {"query", "ontology", read_query_ontology},
+    {"query", "status", read_query_status},
+    {"query", "interfaces", read_query_interfaces},
+    {"query", "peers", read_query_peers},
+}};
+
+/// Why no row has this command and subcommand, with the words that there are.
+Error unknown_statement(const Statement& statement) {
+  std::string words;
+  for (const auto& row : rows) {
+    if (row.command == statement.command) words += (words.empty() ? "" : ", ") + std::string(row.subcommand);
+  }
+  if (words.empty()) {
+    return {ErrorCode::malformed,
+            "no command " + base::printable(statement.command, 40) + ": there are sys, pub, sub and query"};
+  }
+  return {ErrorCode::malformed,
+          "no " + statement.command + ' ' + base::printable(statement.subcommand, 40) + ": there are " + words};
+}
+
+}  // namespace
+
+std::expected<Request, Error> read_request(const Statement& statement) {
+  const auto row = std::ranges::find_if(rows, [&](const Row& candidate) {
+    return candidate.command == statement.command && candidate.subcommand == statement.subcommand;
+  });
+  if (row == rows.end()) return std::unexpected(unknown_statement(statement));
+  const bool is_system = row->command == "sys";
+  if (is_system && statement.id != 0) {
+    return std::unexpected(Error{ErrorCode::malformed, "sys statements have the id 0: 0 sys " + statement.subcommand});
+  }
+  if (!is_system && statement.id == 0) {
+    return std::unexpected(Error{ErrorCode::malformed, "the id 0 belongs to sys: choose another number"});
+  }
+  KeyReader keys(statement);
+  Request request = row->read(keys);
+  keys.finish();
+  if (keys.error()) return std::unexpected(*keys.error());
+  return request;
+}
+
+Publication with_identity(const NamedPublication& named, Identity identity) {
+  return {named.mode, std::move(identity), named.address, named.port, named.protocol, named.priority, named.attributes};
+}
+
+Subscription with_identity(const NamedSubscription& named, Identity identity) {
+  const std::uint32_t usual = named.mode == ChannelMode::one_to_one ? 1 : 0;
+  return {
+      named.mode,     std::move(identity), named.weakest, named.providers,  named.where,    named.limit.value_or(usual),
+      named.priority, named.port,          named.address, named.attributes, named.protocols};
+}
+
+namespace {
+
+template <typename Change, typename Service>
+void apply_common(const Change& change, Service& service) {
+  service.mode = change.mode.value_or(service.mode);
+  service.address = change.address.value_or(service.address);
+  service.port = change.port.value_or(service.port);
+  service.priority = change.priority.value_or(service.priority);
+  for (const auto& [key, value] : change.attributes) service.attributes.insert_or_assign(key, value);
+}
+
+}  // namespace
+
+void apply(const PubModify& change, Publication& publication) {
+  apply_common(change, publication);
+  publication.protocol = change.protocol.value_or(publication.protocol);
+}
+
+void apply(const SubModify& change, Subscription& subscription) {
+  apply_common(change, subscription);
+  subscription.weakest = change.weakest.value_or(subscription.weakest);
+  subscription.providers = change.providers.value_or(subscription.providers);
+  subscription.where = change.where.value_or(subscription.where);
+  subscription.limit = change.limit.value_or(subscription.limit);
+  subscription.protocols = change.protocols.value_or(subscription.protocols);
+}
+
+bool matches_text(const Statement& line, std::string_view text) {
+  return text.empty() || std::ranges::any_of(line.parameters, [&](const Parameter& parameter) {
+           return parameter.value && parameter.value->contains(text);
+         });
+}
+
+}  // namespace geminga::gcnp

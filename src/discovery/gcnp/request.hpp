@@ -1,0 +1,143 @@
+// What a client asks for, read from a statement: every key checked, names not yet resolved
+// (src/discovery/gcnp/GCNP.md).
+#ifndef GEMINGA_DISCOVERY_GCNP_REQUEST_HPP
+#define GEMINGA_DISCOVERY_GCNP_REQUEST_HPP
+
+#include <cstdint>
+#include <expected>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "discovery/gcnp/statement.hpp"
+#include "geminga/error.hpp"
+#include "geminga/match.hpp"
+#include "geminga/named.hpp"
+#include "geminga/service.hpp"
+
+namespace geminga::gcnp {
+
+/// `0 sys hello [name=NAME]`. The name is checked by the participant.
+struct Hello {
+  std::optional<std::string> name;
+  friend bool operator==(const Hello&, const Hello&) = default;
+};
+/// `0 sys ping`
+struct Ping {
+  friend bool operator==(const Ping&, const Ping&) = default;
+};
+/// `0 sys bye`
+struct Bye {
+  friend bool operator==(const Bye&, const Bye&) = default;
+};
+
+/// `N pub create ...`
+struct PubCreate {
+  NamedPublication publication;
+  friend bool operator==(const PubCreate&, const PubCreate&) = default;
+};
+/// `N pub modify ...`
+using PubModify = PublicationChange;
+/// `N pub remove`
+struct PubRemove {
+  friend bool operator==(const PubRemove&, const PubRemove&) = default;
+};
+
+/// `N sub create ...`
+struct SubCreate {
+  NamedSubscription subscription;
+  friend bool operator==(const SubCreate&, const SubCreate&) = default;
+};
+/// `N sub modify ...`
+using SubModify = SubscriptionChange;
+/// `N sub remove`
+struct SubRemove {
+  friend bool operator==(const SubRemove&, const SubRemove&) = default;
+};
+
+/// What `services` and `requests` list, and what they leave out: everything given must hold.
+struct ListFilter {
+  std::optional<NamedIdentity> identity;
+  std::optional<ChannelMode> mode;
+  std::vector<ProviderFilter> providers;
+  std::string text;  ///< `filter=TEXT`: occurs in some value of the line (matches_text())
+  friend bool operator==(const ListFilter&, const ListFilter&) = default;
+};
+
+/// `N query KIND ...`; the answers are specified in src/discovery/participant/QUERIES.md.
+struct QueryParticipants {
+  friend bool operator==(const QueryParticipants&, const QueryParticipants&) = default;
+};
+struct QueryServices {
+  ListFilter filter;
+  bool unused = false;  ///< only those that nobody asks for
+  friend bool operator==(const QueryServices&, const QueryServices&) = default;
+};
+struct QueryRequests {
+  ListFilter filter;
+  bool unmatched = false;  ///< only those that nobody serves
+  bool unused = false;     ///< answered as `services unused=1`
+  friend bool operator==(const QueryRequests&, const QueryRequests&) = default;
+};
+struct QueryMatch {
+  std::optional<NamedIdentity> identity;  ///< nothing: every publication
+  Degree weakest = Degree::narrower;
+  std::optional<ChannelMode> mode;
+  std::vector<ProviderFilter> providers;
+  std::string where;
+  std::uint32_t limit = 0;  ///< 0: all
+  friend bool operator==(const QueryMatch&, const QueryMatch&) = default;
+};
+struct QueryExplain {
+  std::string sub;
+  std::string super;
+  friend bool operator==(const QueryExplain&, const QueryExplain&) = default;
+};
+struct QueryWhy {
+  ServiceKey subscription;
+  ServiceKey service;
+  friend bool operator==(const QueryWhy&, const QueryWhy&) = default;
+};
+struct QueryOntology {
+  friend bool operator==(const QueryOntology&, const QueryOntology&) = default;
+};
+struct QueryStatus {
+  friend bool operator==(const QueryStatus&, const QueryStatus&) = default;
+};
+struct QueryInterfaces {
+  friend bool operator==(const QueryInterfaces&, const QueryInterfaces&) = default;
+};
+struct QueryPeers {
+  friend bool operator==(const QueryPeers&, const QueryPeers&) = default;
+};
+
+/// Everything that a client may ask. The statement's id goes beside it.
+using Request = std::variant<Hello, Ping, Bye, PubCreate, PubModify, PubRemove, SubCreate, SubModify, SubRemove,
+                             QueryParticipants, QueryServices, QueryRequests, QueryMatch, QueryExplain, QueryWhy,
+                             QueryOntology, QueryStatus, QueryInterfaces, QueryPeers>;
+
+/// The request of a statement. Errors: 400 for an unknown command, a missing, doubled or unreadable key, a reserved key
+/// where it means nothing, or an id that the command may not have (0 but for sys, and nothing else for sys); 413 for a
+/// value over its limit; 422 for an address that is no IP address. Whether the id is in use is for the participant.
+[[nodiscard]] std::expected<Request, Error> read_request(const Statement& statement);
+
+/// The statement of a request, as a client sends it; read_request() gives the request back.
+[[nodiscard]] Statement to_statement(std::uint32_t id, const Request& request);
+
+/// The publication with its identity resolved.
+[[nodiscard]] Publication with_identity(const NamedPublication& named, Identity identity);
+/// The subscription with its identity resolved; a limit that is not stated becomes 1 for `oto` and 0 (all) otherwise.
+[[nodiscard]] Subscription with_identity(const NamedSubscription& named, Identity identity);
+
+/// Changes everything but the identity, which the participant resolves.
+void apply(const PubModify& change, Publication& publication);
+void apply(const SubModify& change, Subscription& subscription);
+
+/// Whether a line of an answer has a value in which `text` occurs, octet by octet; an empty text always does.
+[[nodiscard]] bool matches_text(const Statement& line, std::string_view text);
+
+}  // namespace geminga::gcnp
+
+#endif

@@ -1,0 +1,173 @@
+// From a request to its statement, as a client sends it. What has its default is left out.
+#include <utility>
+
+#include "discovery/gcnp/attribute.hpp"
+#include "discovery/gcnp/event.hpp"
+#include "discovery/gcnp/parameters.hpp"
+#include "discovery/gcnp/request.hpp"
+
+namespace geminga::gcnp {
+namespace {
+
+using Parameters = std::vector<Parameter>;
+
+void append_change(Parameters& parameters, const IdentityChange& change) {
+  if (const auto* number = std::get_if<NumericIdentity>(&change)) {
+    append(parameters, "id", std::to_string(number->number));
+  } else if (const auto* name = std::get_if<TextIdentity>(&change)) {
+    append(parameters, "text", name->text);
+  } else {
+    const auto& names = std::get<ConceptChange>(change);
+    if (names.concept_name) append(parameters, "concept", *names.concept_name);
+    if (names.representation_name) append(parameters, "representation", *names.representation_name);
+  }
+}
+
+/// As a client states them, which must not be taken for mistyped keys.
+void append_own_attributes(Parameters& parameters, const Attributes& attributes) {
+  for (const auto& [name, value] : attributes) append(parameters, stated_key(name), value);
+}
+
+void append_filter(Parameters& parameters, const ListFilter& filter) {
+  if (filter.identity) append_identity(parameters, *filter.identity);
+  if (filter.mode) append(parameters, "mode", std::string(to_string(*filter.mode)));
+  append_stated(parameters, "provider", provider_list(filter.providers));
+  append_stated(parameters, "filter", filter.text);
+}
+
+template <typename Change>
+void append_common_change(Parameters& parameters, const Change& change) {
+  if (change.identity) append_change(parameters, *change.identity);
+  if (change.mode) append(parameters, "mode", std::string(to_string(*change.mode)));
+  if (change.address) append(parameters, "address", *change.address);
+  if (change.port) append(parameters, "port", std::to_string(*change.port));
+  if (change.priority) append(parameters, "priority", std::to_string(*change.priority));
+}
+
+struct Writer {
+  Statement& statement;
+
+  Parameters& begin(std::string_view command, std::string_view subcommand) const {
+    statement.command = command;
+    statement.subcommand = subcommand;
+    return statement.parameters;
+  }
+
+  void operator()(const Hello& hello) const {
+    auto& parameters = begin("sys", "hello");
+    if (hello.name) append(parameters, "name", *hello.name);
+  }
+  void operator()(const Ping&) const { begin("sys", "ping"); }
+  void operator()(const Bye&) const { begin("sys", "bye"); }
+
+  void operator()(const PubCreate& create) const {
+    auto& parameters = begin("pub", "create");
+    const NamedPublication& publication = create.publication;
+    append(parameters, "mode", std::string(to_string(publication.mode)));
+    append_identity(parameters, publication.identity);
+    append(parameters, "port", std::to_string(publication.port));
+    append_stated(parameters, "address", publication.address);
+    if (publication.protocol != "udp") append(parameters, "protocol", publication.protocol);
+    if (publication.priority != 0) append(parameters, "priority", std::to_string(publication.priority));
+    append_own_attributes(parameters, publication.attributes);
+  }
+  void operator()(const PubModify& change) const {
+    auto& parameters = begin("pub", "modify");
+    append_common_change(parameters, change);
+    if (change.protocol) append(parameters, "protocol", *change.protocol);
+    append_own_attributes(parameters, change.attributes);
+  }
+  void operator()(const PubRemove&) const { begin("pub", "remove"); }
+
+  void operator()(const SubCreate& create) const {
+    auto& parameters = begin("sub", "create");
+    const NamedSubscription& subscription = create.subscription;
+    append(parameters, "mode", std::string(to_string(subscription.mode)));
+    append_identity(parameters, subscription.identity);
+    if (subscription.weakest != Degree::narrower) {
+      append(parameters, "match", std::string(to_string(subscription.weakest)));
+    }
+    append_stated(parameters, "provider", provider_list(subscription.providers));
+    append_stated(parameters, "where", subscription.where);
+    append_stated(parameters, "protocol", protocol_list(subscription.protocols));
+    if (subscription.limit) append(parameters, "limit", std::to_string(*subscription.limit));
+    if (subscription.priority != 0) append(parameters, "priority", std::to_string(subscription.priority));
+    if (subscription.port != 0) append(parameters, "port", std::to_string(subscription.port));
+    append_stated(parameters, "address", subscription.address);
+    append_own_attributes(parameters, subscription.attributes);
+  }
+  void operator()(const SubModify& change) const {
+    auto& parameters = begin("sub", "modify");
+    append_common_change(parameters, change);
+    if (change.weakest) append(parameters, "match", std::string(to_string(*change.weakest)));
+    if (change.providers) append(parameters, "provider", provider_list(*change.providers));
+    if (change.where) append(parameters, "where", *change.where);
+    if (change.protocols) append(parameters, "protocol", protocol_list(*change.protocols));
+    if (change.limit) append(parameters, "limit", std::to_string(*change.limit));
+    append_own_attributes(parameters, change.attributes);
+  }
+  void operator()(const SubRemove&) const { begin("sub", "remove"); }
+
+  void operator()(const QueryParticipants&) const { begin("query", "participants"); }
+  void operator()(const QueryServices& query) const {
+    auto& parameters = begin("query", "services");
+    append_filter(parameters, query.filter);
+    if (query.unused) append(parameters, "unused", "1");
+  }
+  void operator()(const QueryRequests& query) const {
+    auto& parameters = begin("query", "requests");
+    append_filter(parameters, query.filter);
+    if (query.unmatched) append(parameters, "unmatched", "1");
+    if (query.unused) append(parameters, "unused", "1");
+  }
+  void operator()(const QueryMatch& query) const {
+    auto& parameters = begin("query", "match");
+    if (query.identity) append_identity(parameters, *query.identity);
+    if (query.weakest != Degree::narrower) append(parameters, "degree", std::string(to_string(query.weakest)));
+    if (query.mode) append(parameters, "mode", std::string(to_string(*query.mode)));
+    append_stated(parameters, "provider", provider_list(query.providers));
+    append_stated(parameters, "where", query.where);
+    if (query.limit != 0) append(parameters, "limit", std::to_string(query.limit));
+  }
+  void operator()(const QueryExplain& query) const {
+    auto& parameters = begin("query", "explain");
+    append(parameters, "sub", query.sub);
+    append(parameters, "super", query.super);
+  }
+  void operator()(const QueryWhy& query) const {
+    auto& parameters = begin("query", "why");
+    append(parameters, "subscription", to_string(query.subscription));
+    append(parameters, "service", to_string(query.service));
+  }
+  void operator()(const QueryOntology&) const { begin("query", "ontology"); }
+  void operator()(const QueryStatus&) const { begin("query", "status"); }
+  void operator()(const QueryInterfaces&) const { begin("query", "interfaces"); }
+  void operator()(const QueryPeers&) const { begin("query", "peers"); }
+};
+
+}  // namespace
+
+Statement to_statement(std::uint32_t id, const Request& request) {
+  Statement statement;
+  statement.id = id;
+  std::visit(Writer{statement}, request);
+  return statement;
+}
+
+std::string protocol_list(const std::vector<std::string>& protocols) {
+  std::string list;
+  for (const auto& protocol : protocols) list += (list.empty() ? "" : ",") + protocol;
+  return list;
+}
+
+std::string provider_list(const std::vector<ProviderFilter>& providers) {
+  std::string list;
+  for (const auto& provider : providers) {
+    if (!list.empty()) list += ',';
+    list += provider.participant;
+    if (!provider.peer.empty()) list += '/' + provider.peer;
+  }
+  return list;
+}
+
+}  // namespace geminga::gcnp

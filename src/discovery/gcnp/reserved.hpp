@@ -1,0 +1,55 @@
+// The keys that GCNP gives a meaning to; every other key is an attribute of a service.
+#ifndef GEMINGA_DISCOVERY_GCNP_RESERVED_HPP
+#define GEMINGA_DISCOVERY_GCNP_RESERVED_HPP
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace geminga::gcnp {
+
+/// The one table. In a statement where a word has no meaning it is refused with 400, so that a misplaced key is told;
+/// an attribute of that name is written with its prefix (gcnp/attribute.hpp). Words are only ever appended.
+inline constexpr auto reserved_keys = std::to_array<std::string_view>({"mode",
+                                                                       "id",
+                                                                       "text",
+                                                                       "concept",
+                                                                       "representation",
+                                                                       "port",
+                                                                       "address",
+                                                                       "protocol",
+                                                                       "priority",
+                                                                       "match",
+                                                                       "provider",
+                                                                       "where",
+                                                                       "limit",
+                                                                       "service",
+                                                                       "name",
+                                                                       "degree",
+                                                                       "reason",
+                                                                       "subscription",
+                                                                       "participant_name",
+                                                                       "consumer",
+                                                                       "distance",
+                                                                       "age",
+                                                                       "local",
+                                                                       "used",
+                                                                       "served",
+                                                                       "participant",
+                                                                       "peer",
+                                                                       "favour",
+                                                                       "prefer",
+                                                                       "convert",
+                                                                       "scope"});
+
+/// Keys of a subscription that have a meaning already and no effect yet: 422, so that nobody relies on what is not
+/// done.
+inline constexpr auto keys_without_effect = std::to_array<std::string_view>({"favour", "prefer", "convert", "scope"});
+
+[[nodiscard]] constexpr bool is_reserved(std::string_view key) {
+  return std::ranges::find(reserved_keys, key) != reserved_keys.end();
+}
+
+}  // namespace geminga::gcnp
+
+#endif

@@ -1,0 +1,127 @@
+// Which of the publications that meet a subscription are chosen under its limit (paper section 3.6, arbitration).
+#ifndef GEMINGA_DISCOVERY_MATCHING_ARBITRATION_HPP
+#define GEMINGA_DISCOVERY_MATCHING_ARBITRATION_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "discovery/matching/degree.hpp"
+#include "discovery/matching/event.hpp"
+#include "discovery/registry/stored.hpp"
+#include "geminga/service.hpp"
+
+namespace geminga::matching {
+
+/// Where a candidate stands: greater priority, better degree, smaller distance, then the smaller key.
+struct Rank {
+  std::int32_t priority = 0;
+  Match match;
+  ServiceKey key;
+};
+
+/// Whether `a` is better by more than its key, so that it may take the place of an incumbent.
+[[nodiscard]] bool is_strictly_better(const Rank& a, const Rank& b);
+
+struct BestFirst {
+  bool operator()(const Rank& a, const Rank& b) const {
+    if (is_strictly_better(a, b)) return true;
+    return !is_strictly_better(b, a) && a.key < b.key;
+  }
+};
+
+/// How many candidates beyond its limit a subscription remembers, so that one team member that announces thousands of
+/// services, and another that asks for them thousands of times, cost memory for neither product. Fewer than this may go
+/// before the registry has to be searched again.
+inline constexpr std::size_t max_waiting = 16;
+
+/// What one settling changed. Each publication is in at most one of the lists.
+struct Verdict {
+  struct Gone {
+    const registry::StoredPublication* publication = nullptr;
+    Match told;
+    Reason reason = Reason::withdrawn;
+  };
+  struct Kept {
+    const registry::StoredPublication* publication = nullptr;
+    Match told;
+    Match match;
+  };
+  struct Come {
+    const registry::StoredPublication* publication = nullptr;
+    Match match;
+  };
+  std::vector<Gone> gone;       ///< candidates no more; ascending by key
+  std::vector<Gone> outranked;  ///< still candidates, which others have pushed out; ascending by key
+  std::vector<Kept> kept;       ///< chosen before and after, and touched in between; best first
+  std::vector<Come> come;       ///< best first
+};
+
+/// The candidates of one subscription. The chosen ones are the first `limit` in the order of Rank, except that a chosen
+/// candidate keeps its place against one that is no better by priority, degree and distance: a tie never makes a
+/// consumer change its provider. Changes are collected and take effect in settle(), so that one cause gives one
+/// verdict.
+///
+/// Of those that are not chosen only the best wait here, at most `limit + max_waiting`; the others are dropped, and
+/// when it comes to them, settle() asks for all candidates again.
+///
+/// Borrows the publications; one that was withdrawn must live until the next settle(). Each operation is O(log n).
+class Choice {
+ public:
+  static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+  using Dropped = std::vector<const registry::StoredPublication*>;
+
+  /// 0 is no limit, as in Subscription::limit.
+  void set_limit(std::uint32_t limit) { limit_ = limit == 0 ? unlimited : limit; }
+
+  /// A new candidate. `is_incumbent` tells that it was chosen before this Choice heard of it.
+  void offer(const Rank& rank, const registry::StoredPublication& publication, bool is_incumbent = false);
+  /// A candidate that stays one, perhaps with another rank.
+  void change(const Rank& before, const Rank& now);
+  /// A candidate that is none any more.
+  void withdraw(const Rank& rank, Reason reason);
+
+  /// Chooses, and says what became different since the last time. Calls `refill` when those that were dropped may
+  /// matter: it must offer() every candidate that is neither chosen nor waiting.
+  [[nodiscard]] Verdict settle(const std::function<void()>& refill);
+
+  /// Those that were dropped since the last call: candidates no more, until they are offered again.
+  [[nodiscard]] Dropped take_dropped() { return std::exchange(dropped_, {}); }
+
+  [[nodiscard]] bool is_chosen(const Rank& rank) const { return chosen_.contains(rank); }
+  /// Best first.
+  [[nodiscard]] std::vector<Verdict::Come> chosen() const;
+  /// All candidates with their ranks, the chosen first.
+  [[nodiscard]] std::vector<std::pair<Rank, const registry::StoredPublication*>> candidates() const;
+
+ private:
+  struct Candidate {
+    const registry::StoredPublication* publication = nullptr;
+    Match told;  ///< meaningful while it is chosen
+  };
+  using Ranking = std::map<Rank, Candidate, BestFirst>;
+
+  /// Puts a candidate among the waiting, or drops it or the worst of them.
+  void wait(const Rank& rank, const Candidate& candidate);
+  /// The best that waits, after a refill if that could matter; nullptr where nobody does.
+  const Rank* best_waiting(const std::function<void()>& refill);
+  void promote_best(Verdict& verdict);
+  void demote_worst(Verdict& verdict);
+
+  std::size_t limit_ = unlimited;
+  Ranking chosen_;
+  Ranking waiting_;
+  std::optional<Rank> bound_;  ///< every dropped candidate ranks here or behind; nothing: none was dropped
+  Dropped dropped_;
+  std::vector<Verdict::Gone> gone_;
+  std::vector<Rank> touched_;
+};
+
+}  // namespace geminga::matching
+
+#endif

@@ -1,0 +1,70 @@
+// Filing plans and the walk from an offer to the subscriptions that wait for it.
+#include "discovery/matching/candidates.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace geminga::matching {
+
+FilingPlan::FilingPlan(std::optional<el::ClassNumber> own, bool is_below, const Edition& edition)
+    : generation_(edition.generation) {
+  if (!own) return;
+  own_ = std::to_underlying(*own);
+  if (!is_below) return;
+  for (const el::ClassNumber number : edition.ontology->subsumers(*own)) below_.push_back(std::to_underlying(number));
+}
+
+FilingPlan::FilingPlan(const el::ExpressionPlace& place, bool is_below, const Edition& edition)
+    : generation_(edition.generation) {
+  if (place.equivalent) {
+    own_ = std::to_underlying(*place.equivalent);
+  } else {
+    for (const el::ClassNumber child : place.children) further_own_.push_back(std::to_underlying(child));
+  }
+  if (!is_below) return;
+  for (const el::ClassNumber number : el::subsumers(place, *edition.ontology)) {
+    below_.push_back(std::to_underlying(number));
+  }
+}
+
+FilingPlan FilingPlan::of_publication(const Classes& classes, const Edition& edition) {
+  return {classes.concept_class, true, edition};
+}
+
+FilingPlan FilingPlan::of_subscription(const Classes& classes, Degree weakest, const Edition& edition) {
+  if (classes.place) return {*classes.place, weakest >= Degree::broader, edition};
+  return {classes.concept_class, weakest >= Degree::broader, edition};
+}
+
+void add_standing(const registry::Subscriptions& subscriptions, const Identity& offered, const Classes& classes,
+                  const Edition& edition, std::vector<const registry::StoredSubscription*>& standing) {
+  const auto add_all = [&standing](auto filed) {
+    for (const auto& one : filed) standing.push_back(one.stored);
+  };
+  const auto* semantic = std::get_if<SemanticIdentity>(&offered);
+  if (semantic != nullptr) {
+    const NumericIdentity number{id32(offered)};
+    add_all(subscriptions.with_identity(number, number.number));
+  }
+  if (std::holds_alternative<NumericIdentity>(offered)) {
+    std::ranges::for_each(subscriptions.with_number(id32(offered)), add_all);
+  } else if (semantic == nullptr) {
+    add_all(subscriptions.with_identity(offered, id32(offered)));
+  } else if (!classes.concept_class) {
+    add_all(subscriptions.with_concept(semantic->concept_iri));
+  } else {
+    for (const el::ClassNumber wider : edition.ontology->subsumers(*classes.concept_class)) {
+      add_all(subscriptions.own(std::to_underlying(wider), edition.generation));
+    }
+    add_all(subscriptions.below(std::to_underlying(*classes.concept_class), edition.generation));
+  }
+}
+
+void order_by_key(std::vector<const registry::StoredSubscription*>& subscriptions) {
+  std::ranges::sort(subscriptions, {}, [](const auto* stored) { return stored->entry.key; });
+  const auto twice = std::ranges::unique(subscriptions);
+  subscriptions.erase(twice.begin(), twice.end());
+}
+
+}  // namespace geminga::matching

@@ -1,0 +1,80 @@
+// Which numbers are those of two different concepts, and who is told.
+#include "discovery/matching/clash.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "discovery/matching/state.hpp"
+
+namespace geminga::matching {
+
+using registry::StoredPublication;
+using registry::StoredSubscription;
+
+namespace {
+
+template <typename Table>
+void add_identities(const Table& table, Id32 number, std::set<Identity>& concepts, bool& has_number) {
+  for (const auto entries : table.with_number(number)) {
+    const Identity& identity = registry::identity_of(entries.front().stored->entry);
+    if (std::holds_alternative<NumericIdentity>(identity)) has_number = true;
+    if (std::holds_alternative<SemanticIdentity>(identity) && !has_expression(identity)) concepts.insert(identity);
+  }
+}
+
+}  // namespace
+
+bool Matcher::State::is_kept_apart(const Identity& offered, const Identity& requested) const {
+  if (clashing_.empty() || offered.index() == requested.index()) return false;
+  const auto* number = std::get_if<NumericIdentity>(&offered);
+  if (number == nullptr) number = std::get_if<NumericIdentity>(&requested);
+  return number != nullptr && clashing_.contains(number->number);
+}
+
+std::vector<const StoredSubscription*> Matcher::State::review(Id32 number, const ServiceKey* newcomer) {
+  std::set<Identity> concepts;
+  bool has_number = false;
+  add_identities(publications_, number, concepts, has_number);
+  add_identities(subscriptions_, number, concepts, has_number);
+  const bool is_clash = concepts.size() > 1;
+  const bool was_clash = clashing_.contains(number);
+  if (!is_clash && !was_clash) return {};
+  if (is_clash && has_number && (!was_clash || newcomer != nullptr)) tell_clash(number, concepts);
+  if (is_clash == was_clash) return {};
+  if (is_clash) {
+    clashing_.insert(number);
+  } else {
+    clashing_.erase(number);
+  }
+  std::vector<const StoredSubscription*> concerned;
+  for (const auto entries : subscriptions_.with_number(number)) {
+    for (const auto& one : entries) concerned.push_back(one.stored);
+  }
+  order_by_key(concerned);
+  return concerned;
+}
+
+void Matcher::State::tell_clash(Id32 number, const std::set<Identity>& concepts) {
+  std::string names;
+  for (const Identity& one : concepts) names += (names.empty() ? "" : " and ") + canonical_form(one);
+  const std::string text = "the number " + std::to_string(number) + " is that of two different services, " + names +
+                           ": nobody is connected by it, ask for and offer the concept";
+  const auto tell_all = [&](const auto& table) {
+    for (const auto entries : table.with_number(number)) {
+      for (const auto& one : entries) {
+        if (one.stored->entry.is_local) clashes_.push_back({one.stored->entry.key, text});
+      }
+    }
+  };
+  tell_all(publications_);
+  tell_all(subscriptions_);
+}
+
+void Matcher::State::judge_anew(const std::vector<const StoredSubscription*>& subscriptions) {
+  for (const auto* subscription : subscriptions) {
+    judge_all(*subscription);
+    settle(*subscription);
+  }
+}
+
+}  // namespace geminga::matching

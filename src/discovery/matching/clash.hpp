@@ -1,0 +1,19 @@
+// Two different concepts with the same 32-bit identity: nobody is connected by their number.
+#ifndef GEMINGA_DISCOVERY_MATCHING_CLASH_HPP
+#define GEMINGA_DISCOVERY_MATCHING_CLASH_HPP
+
+#include <string>
+
+#include "geminga/service.hpp"
+
+namespace geminga::matching {
+
+/// What a local peer is to be told of its publication or subscription, whose identity has such a number.
+struct Clash {
+  ServiceKey to;
+  std::string text;  ///< one line: which concepts, and what to do
+};
+
+}  // namespace geminga::matching
+
+#endif

@@ -1,0 +1,84 @@
+// Degrees of match by subsumption.
+#include "discovery/matching/degree.hpp"
+
+#include <variant>
+
+#include "discovery/matching/representation.hpp"
+
+namespace geminga::matching {
+namespace {
+
+std::optional<el::ClassNumber> class_of(const std::string& iri, const el::Ontology& ontology) {
+  const auto number = ontology.find_iri(iri);
+  if (!number || !ontology.is_satisfiable(*number)) return std::nullopt;
+  return number;
+}
+
+}  // namespace
+
+Classes classes_of(const Identity& identity, const el::Ontology* ontology) {
+  const auto* semantic = std::get_if<SemanticIdentity>(&identity);
+  if (semantic == nullptr || ontology == nullptr) return {};
+  Classes classes;
+  if (!has_expression(*semantic)) classes.concept_class = class_of(semantic->concept_iri, *ontology);
+  if (!semantic->representation_iri.empty()) {
+    classes.representation_class = class_of(semantic->representation_iri, *ontology);
+  }
+  return classes;
+}
+
+std::optional<Match> degree_of_name(const std::string& offered_iri, std::optional<el::ClassNumber> offered,
+                                    const std::string& requested_iri, std::optional<el::ClassNumber> requested,
+                                    const el::Ontology* ontology) {
+  if (offered_iri == requested_iri) return Match{Degree::exact, 0};
+  if (!offered || !requested || ontology == nullptr) return std::nullopt;
+  if (const auto up = ontology->distance(*offered, *requested)) {
+    if (ontology->is_subsumed(*requested, *offered)) return Match{Degree::equivalent, 0};
+    return Match{Degree::narrower, *up};
+  }
+  if (const auto down = ontology->distance(*requested, *offered)) return Match{Degree::broader, *down};
+  return std::nullopt;
+}
+
+std::optional<Match> degree_of_expression(std::optional<el::ClassNumber> offered, const el::ExpressionPlace* requested,
+                                          const el::Ontology* ontology) {
+  if (!offered || requested == nullptr || !requested->is_satisfiable || ontology == nullptr) return std::nullopt;
+  const auto up = el::distance_down(*requested, *offered, *ontology);
+  if (up) return *up == 0 ? Match{Degree::equivalent, 0} : Match{Degree::narrower, *up};
+  if (const auto down = el::distance_up(*requested, *offered, *ontology)) return Match{Degree::broader, *down};
+  return std::nullopt;
+}
+
+bool is_number_of(const Identity& number, const Identity& named) {
+  const auto* numeric = std::get_if<NumericIdentity>(&number);
+  return numeric != nullptr && std::holds_alternative<SemanticIdentity>(named) && !has_expression(named) &&
+         numeric->number == id32(named);
+}
+
+std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
+                                        const Identity& requested, const Classes& requested_classes,
+                                        const el::Ontology* ontology) {
+  const auto* offer = std::get_if<SemanticIdentity>(&offered);
+  const auto* request = std::get_if<SemanticIdentity>(&requested);
+  if (offer == nullptr || request == nullptr) {
+    const bool is_met = offered == requested || is_number_of(offered, requested) || is_number_of(requested, offered);
+    return is_met ? std::optional(Match{Degree::exact, 0}) : std::nullopt;
+  }
+  const bool is_expression = has_expression(*request) && offer->concept_iri != request->concept_iri;
+  const auto by_concept =
+      is_expression ? degree_of_expression(offered_classes.concept_class, requested_classes.place.get(), ontology)
+                    : degree_of_name(offer->concept_iri, offered_classes.concept_class, request->concept_iri,
+                                     requested_classes.concept_class, ontology);
+  if (!by_concept) return std::nullopt;
+  const auto by_representation =
+      degree_of_representation(offer->representation_iri, offered_classes.representation_class,
+                               request->representation_iri, requested_classes.representation_class, ontology);
+  if (!by_representation) return std::nullopt;
+  // An identity whose concept has no class here is met exactly or not at all, whatever its representations.
+  const bool has_classes =
+      offered_classes.concept_class && (requested_classes.concept_class || requested_classes.place);
+  if (!has_classes && by_representation->degree != Degree::exact) return std::nullopt;
+  return combined(*by_concept, *by_representation);
+}
+
+}  // namespace geminga::matching

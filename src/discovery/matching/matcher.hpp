@@ -1,0 +1,151 @@
+// Who is told of whom: publications and subscriptions in, GCNP events out (paper section 3.6).
+#ifndef GEMINGA_DISCOVERY_MATCHING_MATCHER_HPP
+#define GEMINGA_DISCOVERY_MATCHING_MATCHER_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/time.hpp"
+#include "discovery/matching/clash.hpp"
+#include "discovery/matching/degree.hpp"
+#include "discovery/matching/event.hpp"
+#include "discovery/matching/standing.hpp"
+#include "discovery/matching/where.hpp"  // check_where() is part of this seam
+#include "discovery/registry/entry.hpp"
+#include "geminga/service.hpp"
+#include "reasoning/compiled/ontology.hpp"
+
+namespace geminga::matching {
+
+struct Request;
+
+/// Holds the registry, matches and arbitrates. Not thread-safe. Feeding it is idempotent: a put of what is there
+/// already only moves its age and causes no event. No event is ever doubled: per (to, about) the stream is add
+/// (modify)* del.
+///
+/// Arbitration order: greater priority, better degree, smaller distance, the incumbent, then the smaller key. In the
+/// events of one cause a subscription first loses what matches no more, then come its modifies, then its adds, and the
+/// dels of what was outranked last: a consumer whose provider gives way to a better one is never without, and has one
+/// more than its limit for so long. Subscriptions follow each other by key.
+///
+/// A subscription may ask for a class expression. It is filed under the classes right below the expression's place in
+/// the taxonomy, so that a new publication finds it as it finds any other request above its concept; no class is added
+/// to the ontology, and neither the ontology's index nor the registry's is rebuilt: one more request costs what it is
+/// filed under. Its degree is that of a class in its place.
+///
+/// Providers are told of consumers in the modes oto and otm/pubsub only (paper section 3), and only of those whose
+/// choice they are in. Every host computes the choice of every consumer from its own view; nothing is asked for over
+/// the air. Who is chosen follows from announced facts except between candidates that are equal in all but their key,
+/// where the incumbent stays; there a host that came later may see another one chosen until something changes.
+///
+/// A peer is never told of the end of its own request: after its subscription is removed there are no dels for it.
+class Matcher {
+ public:
+  /// Who is told by an event of what a new or changed subscription is given at once.
+  enum class Telling : std::uint8_t {
+    all,
+    providers,  ///< the consumer is not: it asks by chosen(), piece by piece
+  };
+
+  /// `ontology` may be null: then semantic identities match exactly or not at all. Borrowed until another one has taken
+  /// its place.
+  /// `placing` gives the places of expressions that are asked for; without it they meet nothing.
+  explicit Matcher(const el::Ontology* ontology, Placing placing = {});
+  ~Matcher();
+
+  /// Adds or changes an entry. Its identity is resolved by the caller (IRIs). An entry of another participant whose
+  /// `where` cannot be read never matches.
+  void put(registry::PublicationEntry entry);
+  void put(registry::SubscriptionEntry entry, Telling telling = Telling::all);
+  /// Removes one; false where there was none.
+  bool remove_publication(const ServiceKey& key, Reason reason);
+  bool remove_subscription(const ServiceKey& key, Reason reason);
+  /// Removes all of a peer.
+  void remove_peer(ParticipantId participant, PeerId peer, Reason reason);
+  /// Begins to remove all of a participant, which depart_next() does in steps; everything else may go on between them,
+  /// but that nothing with such a key may be put or removed until it is over. From here on none of it meets anything;
+  /// what was told of it is told off step by step, all that one subscription loses at once.
+  void begin_departure(ParticipantId participant, Reason reason);
+  /// False: no departure was left to do.
+  [[nodiscard]] bool depart_next();
+  [[nodiscard]] bool is_departing() const;
+  /// Begins to put another ontology, or none, in the place of the one in force. That is work over the whole registry,
+  /// and is done in steps between which everything else may go on:
+  ///
+  ///     matcher.begin_ontology(next);
+  ///     while (matcher.file_next()) {}     // what is offered is filed by it, too; nothing else changes
+  ///     matcher.put_in_force();            // at once; from here on `placing` must give places in it
+  ///     while (matcher.rematch_next()) {}  // one subscription after the other, by key, is judged by it
+  ///
+  /// No change may be under way: another begins when rematch_next() has given false. Both ontologies are borrowed until
+  /// then, and the former one not any more. A subscription is judged by one ontology at any time, by the former until
+  /// its step, and its events are those of that step: what stays matched gets none. What is asked of the matcher is
+  /// answered by the ontology in force. A step costs what putting one publication or subscription does.
+  void begin_ontology(const el::Ontology* next);
+  /// False: everything is filed, and put_in_force() is due.
+  [[nodiscard]] bool file_next();
+  void put_in_force();
+  /// False: nothing was left to do.
+  [[nodiscard]] bool rematch_next();
+  /// Has rematch_next() ask again for the place of each subscription whose expression has none.
+  void place_again();
+
+  /// The events since the last call, in the order in which they must be written.
+  [[nodiscard]] std::vector<Event> take_events();
+  /// Whose number turned out to be that of two different concepts since the last call (clash.hpp).
+  [[nodiscard]] std::vector<Clash> take_clashes();
+
+  /// What meets() needs of a request, for as long as the ontology stays.
+  [[nodiscard]] std::shared_ptr<const Request> prepare(const Subscription& asked) const;
+  /// How a publication of the registry meets `asked`, from which `request` was prepared; its mode and its identity may
+  /// have been set to the publication's own since.
+  [[nodiscard]] std::optional<Match> meets(const Subscription& asked, const Request& request,
+                                           const registry::PublicationEntry& publication) const;
+  /// The publications whose identity may meet the request's, in no particular order; nothing where they are more than
+  /// `most`.
+  [[nodiscard]] std::optional<std::vector<ServiceKey>> candidates(const Subscription& asked, const Request& request,
+                                                                  std::size_t most) const;
+  /// How this offer meets this request by identity, mode, provider and filter; the error says what does not fit.
+  [[nodiscard]] std::expected<Match, std::string> why(const registry::SubscriptionEntry& request,
+                                                      const registry::PublicationEntry& offer) const;
+  /// How a publication stands in the arbitration of a subscription, both known here; nothing where they do not match.
+  /// While an ontology changes this is the subscription's step.
+  [[nodiscard]] std::optional<Standing> standing(const ServiceKey& subscription, const ServiceKey& publication);
+  /// Those behind `after`, or all, in ascending order of key, until `visit` gives false. Whether all were visited.
+  using VisitPublication = std::function<bool(const registry::PublicationEntry&)>;
+  using VisitSubscription = std::function<bool(const registry::SubscriptionEntry&)>;
+  bool walk_publications(const std::optional<ServiceKey>& after, const VisitPublication& visit) const;
+  bool walk_subscriptions(const std::optional<ServiceKey>& after, const VisitSubscription& visit) const;
+  [[nodiscard]] std::size_t publication_count() const;
+  [[nodiscard]] std::size_t subscription_count() const;
+  /// What a local subscription is given, best first; nothing where it is not known.
+  [[nodiscard]] std::vector<ServiceKey> chosen(const ServiceKey& subscription) const;
+  /// Whom a local publication is told of, in no particular order.
+  [[nodiscard]] std::vector<ServiceKey> consumers(const ServiceKey& publication) const;
+  /// The match of a pair that stands in chosen().
+  [[nodiscard]] std::optional<Match> given(const ServiceKey& subscription, const ServiceKey& publication) const;
+  /// How many pairs were judged since the start: what matching has cost.
+  [[nodiscard]] std::uint64_t judged() const;
+  /// How many places in the index were given or taken since the start, and what was looked at for that.
+  [[nodiscard]] std::uint64_t filed() const;
+  [[nodiscard]] const registry::PublicationEntry* find_publication(const ServiceKey& key) const;
+  [[nodiscard]] const registry::SubscriptionEntry* find_subscription(const ServiceKey& key) const;
+  /// Whether anybody known, anywhere in the team, serves this subscription / asks for this publication, which must be
+  /// known.
+  [[nodiscard]] bool is_served(const registry::SubscriptionEntry& subscription) const;
+  [[nodiscard]] bool is_used(const registry::PublicationEntry& publication) const;
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace geminga::matching
+
+#endif

@@ -1,0 +1,146 @@
+// The change from one ontology to another, in steps between which everything else goes on.
+#include <algorithm>
+#include <utility>
+
+#include "base/assert.hpp"
+#include "discovery/matching/state.hpp"
+
+namespace geminga::matching {
+namespace {
+
+using registry::StoredPublication;
+using registry::StoredSubscription;
+
+/// Entries that one step of a walk passes at most before it comes to one that there is something to do for.
+constexpr std::size_t entries_in_step = 64;
+
+/// The first entry behind `at`, which it becomes; null: there is none.
+template <typename Table>
+auto next_after(const Table& table, std::optional<ServiceKey>& at) {
+  const typename Table::StoredEntry* found = nullptr;
+  table.visit_after(at, [&](const auto& stored) {
+    found = &stored;
+    return false;
+  });
+  if (found != nullptr) at = found->entry.key;
+  return found;
+}
+
+std::size_t class_count(const Edition& edition) {
+  return edition.ontology == nullptr ? 0 : edition.ontology->class_count();
+}
+
+}  // namespace
+
+Matcher::State::State(const el::Ontology* ontology, Placing placing)
+    : in_force_{ontology}, placing_(std::move(placing)) {
+  publications_.set_class_count(class_count(in_force_));
+  subscriptions_.set_class_count(class_count(in_force_));
+}
+
+void Matcher::State::begin_ontology(const el::Ontology* next) {
+  GEMINGA_ASSERT(stage_ == Stage::none);
+  other_ = {next, registry::other(in_force_.generation)};
+  publications_.set_class_count(class_count(other_), other_.generation);
+  subscriptions_.set_class_count(class_count(other_), other_.generation);
+  stage_ = Stage::filing;
+  at_.reset();
+}
+
+bool Matcher::State::file_next() {
+  GEMINGA_ASSERT(stage_ == Stage::filing);
+  const auto* stored = next_after(publications_, at_);
+  if (stored == nullptr) return false;
+  file(*stored, other_);
+  return true;
+}
+
+void Matcher::State::put_in_force() {
+  GEMINGA_ASSERT(stage_ == Stage::filing);
+  std::swap(in_force_, other_);
+  stage_ = Stage::rematching;
+  at_.reset();
+  placing_walk_.reset();  // all are asked for their places now
+}
+
+bool Matcher::State::rematch_next() {
+  GEMINGA_ASSERT(stage_ != Stage::filing);
+  if (stage_ == Stage::unfiling) return unfile_next();
+  if (stage_ == Stage::none) return place_next();
+  const auto* stored = next_after(subscriptions_, at_);
+  if (stored == nullptr) {
+    stage_ = Stage::unfiling;
+    at_.reset();
+    return true;
+  }
+  if (of(*stored).generation != in_force_.generation) rematch(*stored);
+  return true;
+}
+
+void Matcher::State::rematch(const StoredSubscription& subscription) {
+  begin_cause();
+  subscriptions_.unfile(subscription, of(subscription).generation);
+  of(subscription).generation = in_force_.generation;
+  if (of(subscription).is_leaving) return;
+  auto& known = of(subscription).request.classes = prepare(subscription.entry).classes;
+  const FilingPlan plan = FilingPlan::of_subscription(known, subscription.entry.subscription.weakest, in_force_);
+  subscriptions_.refile(subscription, plan.filing());
+  filed_ += 1 + plan.size();
+  judge_all(subscription);
+  settle(subscription);
+}
+
+bool Matcher::State::unfile_next() {
+  const auto* stored = next_after(publications_, at_);
+  if (stored == nullptr) {
+    publications_.set_class_count(0, other_.generation);
+    subscriptions_.set_class_count(0, other_.generation);
+    other_ = {};
+    stage_ = Stage::none;
+    return true;
+  }
+  filed_ += 1 + stored->filings[std::to_underlying(registry::filed_by(other_.generation))].size();
+  publications_.unfile(*stored, other_.generation);
+  of(*stored).classes[std::to_underlying(other_.generation)] = {};
+  return true;
+}
+
+void Matcher::State::place_again() {
+  if (placing_walk_) {
+    placing_walk_->must_repeat = true;
+  } else {
+    placing_walk_ = PlaceWalk{std::nullopt, false};
+  }
+}
+
+bool Matcher::State::place_next() {
+  if (!placing_walk_) return false;
+  const StoredSubscription* waiting = nullptr;
+  std::size_t passed = 0;
+  const bool is_over = subscriptions_.visit_after(placing_walk_->at, [&](const StoredSubscription& stored) {
+    placing_walk_->at = stored.entry.key;
+    const bool is_placed = of(stored).request.classes.place != nullptr;
+    if (!is_placed && has_expression(stored.entry.subscription.identity)) waiting = &stored;
+    return waiting == nullptr && ++passed < entries_in_step;
+  });
+  filed_ += passed;
+  if (waiting != nullptr) {
+    rematch(*waiting);
+  } else if (is_over) {
+    placing_walk_ = placing_walk_->must_repeat ? std::optional(PlaceWalk{std::nullopt, false}) : std::nullopt;
+  }
+  return true;
+}
+
+std::vector<const StoredSubscription*> Matcher::State::standing(const StoredPublication& publication) const {
+  std::vector<const StoredSubscription*> found;
+  const Identity& offered = publication.entry.publication.identity;
+  add_standing(subscriptions_, offered, classes(publication, in_force_), in_force_, found);
+  if (stage_ == Stage::rematching) {
+    add_standing(subscriptions_, offered, classes(publication, other_), other_, found);
+  }
+  order_by_key(found);
+  return found;
+}
+
+}  // namespace geminga::matching

@@ -1,0 +1,160 @@
+// The judgement on one pair of subscription and publication.
+#include "discovery/matching/request.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/text.hpp"
+
+namespace geminga::matching {
+namespace {
+
+using registry::PublicationEntry;
+
+constexpr std::size_t max_shown_expression = 400;
+
+bool is_participant(const std::string& wanted, const PublicationEntry& publication) {
+  return participant_id(wanted) == publication.key.participant || wanted == publication.participant_name;
+}
+
+bool is_peer(const std::string& wanted, const PublicationEntry& publication) {
+  return base::parse_number<std::uint32_t>(wanted) == std::to_underlying(publication.key.peer) ||
+         wanted == publication.peer_name;
+}
+
+/// An empty participant stands for any, as an empty peer does.
+bool is_accepted_provider(const Subscription& subscription, const PublicationEntry& publication) {
+  const auto accepts = [&](const ProviderFilter& filter) {
+    return (filter.participant.empty() || is_participant(filter.participant, publication)) &&
+           (filter.peer.empty() || is_peer(filter.peer, publication));
+  };
+  return subscription.providers.empty() || std::ranges::any_of(subscription.providers, accepts);
+}
+
+bool is_accepted_protocol(const Subscription& subscription, const PublicationEntry& publication) {
+  return subscription.protocols.empty() ||
+         std::ranges::find(subscription.protocols, publication.publication.protocol) != subscription.protocols.end();
+}
+
+std::string kind_of(const Identity& identity) {
+  if (std::holds_alternative<NumericIdentity>(identity)) return "a number";
+  return std::holds_alternative<TextIdentity>(identity) ? "a text" : "a concept";
+}
+
+std::string named(const el::Ontology* ontology, const std::string& iri) {
+  if (iri.find('<') != std::string::npos) return base::printable(iri, max_shown_expression);
+  return ontology == nullptr ? '<' + iri + '>' : ontology->short_name(std::string_view(iri));
+}
+
+/// Why a name of the ontology has no part in subsumption; empty where it has.
+std::string without_class(const el::Ontology* ontology, const std::string& iri) {
+  if (ontology == nullptr) return "no ontology is loaded";
+  const auto number = ontology->find_iri(iri);
+  if (!number) return named(ontology, iri) + " is unknown to the ontology";
+  return ontology->is_satisfiable(*number) ? "" : named(ontology, iri) + " is unsatisfiable";
+}
+
+std::string unrelated(const el::Ontology* ontology, const std::string& offered, const std::string& requested) {
+  std::string why = named(ontology, offered) + " is offered, " + named(ontology, requested) + " is asked for";
+  for (const auto* iri : {&offered, &requested}) {
+    const std::string reason = without_class(ontology, *iri);
+    if (!reason.empty()) return why.append(", and ").append(reason);
+  }
+  return why + ", and neither subsumes the other";
+}
+
+std::string identity_misfit(const Identity& offered, const Classes& offered_classes, const Identity& requested,
+                            const Classes& requested_classes, const el::Ontology* ontology) {
+  if (offered.index() != requested.index()) {
+    return "identity: " + kind_of(offered) + " is offered, " + kind_of(requested) + " is asked for";
+  }
+  const auto* offer = std::get_if<SemanticIdentity>(&offered);
+  const auto* request = std::get_if<SemanticIdentity>(&requested);
+  if (offer == nullptr || request == nullptr) {
+    return "identity: " + base::printable(canonical_form(offered)) + " is offered, " +
+           base::printable(canonical_form(requested)) + " is asked for";
+  }
+  if (has_expression(*request) && !requested_classes.place) {
+    return "concept: " + named(ontology, offer->concept_iri) + " is offered, " + named(ontology, request->concept_iri) +
+           " is asked for, and that is unknown to the ontology, unsatisfiable, or waits to be classified";
+  }
+  const bool fits =
+      has_expression(*request)
+          ? degree_of_expression(offered_classes.concept_class, requested_classes.place.get(), ontology).has_value()
+          : degree_of_name(offer->concept_iri, offered_classes.concept_class, request->concept_iri,
+                           requested_classes.concept_class, ontology)
+                .has_value();
+  if (!fits && has_expression(*request)) {
+    return "concept: " + named(ontology, offer->concept_iri) + " is offered, " + named(ontology, request->concept_iri) +
+           " is asked for, and neither subsumes the other";
+  }
+  if (!fits) {
+    return "concept: " + unrelated(ontology, offer->concept_iri, request->concept_iri);
+  }
+  if (offer->representation_iri.empty()) {
+    return "representation: none is stated, " + named(ontology, request->representation_iri) + " is asked for";
+  }
+  std::string why = "representation: " + unrelated(ontology, offer->representation_iri, request->representation_iri);
+  if (degree_of_name(offer->representation_iri, offered_classes.representation_class, request->representation_iri,
+                     requested_classes.representation_class, ontology)) {
+    why = "representation: it is not the same, and the concept has no class by which to compare";
+  }
+  return why;
+}
+
+}  // namespace
+
+Request prepared(const Subscription& subscription, const el::Ontology* ontology, const Placing& placing,
+                 ParticipantId from) {
+  Request request{classes_of(subscription.identity, ontology), std::nullopt};
+  if (placing && ontology != nullptr && has_expression(subscription.identity)) {
+    request.classes.place = placing(std::get<SemanticIdentity>(subscription.identity).concept_iri, from);
+    if (request.classes.place && !request.classes.place->is_satisfiable) request.classes.place = nullptr;
+  }
+  if (auto where = Where::parse(subscription.where)) request.where = std::move(*where);
+  return request;
+}
+
+std::optional<Match> meets(const Subscription& subscription, const Request& request,
+                           const PublicationEntry& publication, const Classes& offered, const el::Ontology* ontology) {
+  if (subscription.mode != publication.publication.mode || !request.where) return std::nullopt;
+  if (!is_accepted_provider(subscription, publication)) return std::nullopt;
+  if (!is_accepted_protocol(subscription, publication)) return std::nullopt;
+  const auto match =
+      degree_of_identity(publication.publication.identity, offered, subscription.identity, request.classes, ontology);
+  if (!match || match->degree > subscription.weakest || !request.where->accepts(publication)) return std::nullopt;
+  return match;
+}
+
+std::expected<Match, std::string> explained(const Subscription& subscription, const Request& request,
+                                            const PublicationEntry& publication, const Classes& offered,
+                                            const el::Ontology* ontology) {
+  if (const auto match = meets(subscription, request, publication, offered, ontology)) return *match;
+  std::string why;
+  const auto say = [&why](const std::string& misfit) { why += (why.empty() ? "" : "; ") + misfit; };
+  const auto degree =
+      degree_of_identity(publication.publication.identity, offered, subscription.identity, request.classes, ontology);
+  if (!degree) {
+    say(identity_misfit(publication.publication.identity, offered, subscription.identity, request.classes, ontology));
+  } else if (degree->degree > subscription.weakest) {
+    say("degree: " + std::string(to_string(degree->degree)) + ", but at least " +
+        std::string(to_string(subscription.weakest)) + " is asked for");
+  }
+  if (subscription.mode != publication.publication.mode) {
+    say("mode: " + std::string(to_string(publication.publication.mode)) + " is offered, " +
+        std::string(to_string(subscription.mode)) + " is asked for");
+  }
+  if (!is_accepted_provider(subscription, publication)) say("provider: it is not among those that are asked for");
+  if (!is_accepted_protocol(subscription, publication)) {
+    say("protocol: " + base::printable(publication.publication.protocol) + " is offered, and none of those asked for");
+  }
+  if (!request.where) {
+    say("filter: it cannot be read");
+  } else if (!request.where->accepts(publication)) {
+    say("filter: " + base::printable(subscription.where, max_shown_expression) +
+        " does not hold: " + request.where->misses(publication));
+  }
+  return std::unexpected(why);
+}
+
+}  // namespace geminga::matching

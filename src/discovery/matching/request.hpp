@@ -1,0 +1,40 @@
+// A subscription made ready to be held against many publications, and the judgement on one pair.
+#ifndef GEMINGA_DISCOVERY_MATCHING_REQUEST_HPP
+#define GEMINGA_DISCOVERY_MATCHING_REQUEST_HPP
+
+#include <expected>
+#include <optional>
+#include <string>
+
+#include "discovery/matching/degree.hpp"
+#include "discovery/matching/where.hpp"
+#include "discovery/registry/entry.hpp"
+#include "geminga/service.hpp"
+#include "reasoning/compiled/ontology.hpp"
+
+namespace geminga::matching {
+
+/// What is computed once a subscription: its classes and its parsed filter.
+struct Request {
+  Classes classes;
+  std::optional<Where> where;  ///< nothing: it cannot be read, and the subscription never matches
+};
+
+/// `placing` may be empty: then expressions meet nothing. `from` is whose subscription it is.
+[[nodiscard]] Request prepared(const Subscription& subscription, const el::Ontology* ontology,
+                               const Placing& placing = {}, ParticipantId from = {});
+
+/// How the publication meets the subscription by mode, provider, identity and filter; nothing where it does not.
+/// `subscription` is what `request` was prepared from, `offered` the classes of the publication's identity.
+[[nodiscard]] std::optional<Match> meets(const Subscription& subscription, const Request& request,
+                                         const registry::PublicationEntry& publication, const Classes& offered,
+                                         const el::Ontology* ontology);
+
+/// The same with everything that does not fit in words, joined by "; ".
+[[nodiscard]] std::expected<Match, std::string> explained(const Subscription& subscription, const Request& request,
+                                                          const registry::PublicationEntry& publication,
+                                                          const Classes& offered, const el::Ontology* ontology);
+
+}  // namespace geminga::matching
+
+#endif

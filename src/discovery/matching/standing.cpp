@@ -1,0 +1,44 @@
+// Tells from the choice itself who is chosen; the ranking alone does not know who was there first.
+#include "discovery/matching/standing.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "discovery/matching/state.hpp"
+
+namespace geminga::matching {
+
+using registry::StoredPublication;
+using registry::StoredSubscription;
+
+std::optional<Standing> Matcher::State::standing(const StoredSubscription& subscription,
+                                                 const StoredPublication& publication) {
+  // Its turn in the change to another ontology is now, so that the choice and the ranking speak of the same.
+  if (edition_of(subscription).generation != in_force_.generation) rematch(subscription);
+  const auto ranked = match(subscription.entry.subscription, of_subscription_[subscription.slot].request);
+  const auto at = std::ranges::find(ranked, &publication.entry, &Ranked::publication);
+  if (at == ranked.end()) return std::nullopt;
+  Standing standing{.rank = static_cast<std::size_t>(at - ranked.begin()) + 1, .candidates = ranked.size()};
+  const std::size_t limit =
+      subscription.entry.is_local ? limit_of(subscription.entry) : subscription.entry.subscription.limit;
+  const bool is_within = limit == 0 || standing.rank <= limit;
+  standing.is_chosen = is_within;
+  if (!is_within) standing.rival = ranked[limit - 1].publication;
+  if (limit == 0) return standing;
+  if (!subscription.entry.is_local &&
+      (limit_of(subscription.entry) == 0 || subscription.entry.subscription.mode == ChannelMode::one_to_many_stream)) {
+    standing.decided = Standing::Decided::elsewhere;  // no choice of it is kept here
+    return standing;
+  }
+  const Choice& choice = of_subscription_[subscription.slot].choice;
+  const auto& considered_by = of_publication_[publication.slot].considered_by;
+  const auto considered = considered_by.find(subscription.slot);
+  standing.is_chosen = considered != considered_by.end() && choice.is_chosen(considered->second);
+  standing.rival = nullptr;
+  const auto chosen = choice.chosen();
+  if (!standing.is_chosen && !chosen.empty()) standing.rival = &chosen.back().publication->entry;
+  if (standing.is_chosen != is_within) standing.decided = Standing::Decided::by_incumbent;
+  return standing;
+}
+
+}  // namespace geminga::matching

@@ -1,0 +1,306 @@
+// Changes to the registry, the pairs that they concern, and what they lead to.
+#include "discovery/matching/state.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace geminga::matching {
+
+using registry::PublicationEntry;
+using registry::StoredPublication;
+using registry::StoredSubscription;
+using registry::SubscriptionEntry;
+
+std::optional<Match> Matcher::State::meets(const StoredSubscription& subscription,
+                                           const StoredPublication& publication) const {
+  const Edition& edition = edition_of(subscription);
+  if (of_publication_[publication.slot].leaves || of_subscription_[subscription.slot].is_leaving) return std::nullopt;
+  return meet(subscription.entry.subscription, of_subscription_[subscription.slot].request, publication.entry,
+              classes(publication, edition), edition);
+}
+
+std::optional<Match> Matcher::State::meets(const Subscription& asked, const Request& request,
+                                           const PublicationEntry& publication) const {
+  const StoredPublication* stored = publications_.find(publication.key);
+  if (stored == nullptr || of_publication_[stored->slot].leaves) return std::nullopt;
+  return meet(asked, request, stored->entry, classes(*stored, in_force_), in_force_);
+}
+
+std::optional<Match> Matcher::State::meet(const Subscription& asked, const Request& request,
+                                          const PublicationEntry& offered, const Classes& classes,
+                                          const Edition& edition) const {
+  ++judged_;
+  if (is_kept_apart(offered.publication.identity, asked.identity)) return std::nullopt;
+  return matching::meets(asked, request, offered, classes, edition.ontology);
+}
+
+void Matcher::State::file(const StoredPublication& stored, const Edition& edition) {
+  auto& known = of(stored).classes[std::to_underlying(edition.generation)];
+  known = classes_of(stored.entry.publication.identity, edition.ontology);
+  const FilingPlan plan = FilingPlan::of_publication(known, edition);
+  publications_.refile(stored, plan.filing());
+  filed_ += 1 + plan.size();
+}
+
+const StoredPublication& Matcher::State::store(PublicationEntry entry, const StoredPublication* known) {
+  const registry::Filing nowhere;
+  if (known == nullptr) {
+    known = &publications_.insert(std::move(entry), nowhere);
+    if (known->slot >= of_publication_.size()) of_publication_.resize(known->slot + 1);
+    of(*known) = {};
+  } else {
+    replaced_publication_ = {known, known->entry};
+    publications_.replace(*known, std::move(entry), nowhere);
+  }
+  file(*known, in_force_);
+  if (is_known_by_both()) file(*known, other_);
+  return *known;
+}
+
+const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const StoredSubscription* known) {
+  Request request = prepare(entry);
+  const FilingPlan plan = FilingPlan::of_subscription(request.classes, entry.subscription.weakest, in_force_);
+  if (known == nullptr) {
+    known = &subscriptions_.insert(std::move(entry), plan.filing());
+    if (known->slot >= of_subscription_.size()) of_subscription_.resize(known->slot + 1);
+    of(*known) = {};
+    of(*known).stored = known;
+  } else {
+    replaced_subscription_ = {known, known->entry};
+    replaced_request_ = std::move(of(*known).request);
+    replaced_edition_ = edition_of(*known);
+    replaced_was_clashing_ = clashing_.contains(known->identity);
+    subscriptions_.replace(*known, std::move(entry), plan.filing());
+  }
+  of(*known).request = std::move(request);
+  of(*known).generation = in_force_.generation;
+  of(*known).choice.set_limit(limit_of(known->entry));
+  return *known;
+}
+
+void Matcher::State::put(PublicationEntry entry) {
+  const StoredPublication* known = publications_.find(entry.key);
+  if (known != nullptr && of(*known).leaves) {
+    finish_departures();
+    known = nullptr;
+  }
+  begin_cause();
+  if (known != nullptr && known->entry.is_local != entry.is_local) {
+    remove({known}, {}, Reason::changed);
+    known = nullptr;
+  }
+  if (known != nullptr && known->entry.same_as(entry)) {
+    publications_.refresh(*known, entry.updated);
+    return;
+  }
+  const Id32 number_before = known == nullptr ? id32(entry.publication.identity) : known->identity;
+  const StoredPublication& stored = store(std::move(entry), known);
+  auto anew = review(stored.identity, &stored.entry.key);
+  if (number_before != stored.identity) {
+    const auto further = review(number_before, nullptr);
+    anew.insert(anew.end(), further.begin(), further.end());
+  }
+  auto concerned = standing(stored);
+  for (const auto& [slot, rank] : of(stored).considered_by) concerned.push_back(of_subscription_[slot].stored);
+  order_by_key(concerned);
+  for (const auto* subscription : concerned) {
+    if (std::ranges::find(anew, subscription) != anew.end()) continue;
+    judge(*subscription, stored);
+    settle(*subscription);
+  }
+  judge_anew(anew);
+  replaced_publication_ = {};
+  relieve();
+}
+
+void Matcher::State::put(SubscriptionEntry entry, Telling telling) {
+  const StoredSubscription* known = subscriptions_.find(entry.key);
+  if (known != nullptr && of(*known).is_leaving) {
+    finish_departures();
+    known = nullptr;
+  }
+  begin_cause();
+  if (known != nullptr && known->entry.is_local != entry.is_local) {
+    remove({}, {known}, Reason::changed);
+    known = nullptr;
+  }
+  if (known != nullptr && known->entry.same_as(entry)) {
+    subscriptions_.refresh(*known, entry.updated);
+    return;
+  }
+  const Id32 number_before = known == nullptr ? id32(entry.subscription.identity) : known->identity;
+  const StoredSubscription& stored = store(std::move(entry), known);
+  auto anew = review(stored.identity, &stored.entry.key);
+  if (number_before != stored.identity) {
+    const auto further = review(number_before, nullptr);
+    anew.insert(anew.end(), further.begin(), further.end());
+  }
+  std::erase(anew, &stored);
+  if (telling == Telling::providers) untold_ = &stored;
+  judge_all(stored);
+  settle(stored);
+  untold_ = nullptr;
+  replaced_subscription_ = {};
+  judge_anew(anew);
+  relieve();
+}
+
+void Matcher::State::remove(const std::vector<const StoredPublication*>& publications,
+                            const std::vector<const StoredSubscription*>& subscriptions, Reason reason) {
+  begin_cause();
+  for (const auto* publication : publications) of(*publication).leaves = reason;
+  for (const auto* subscription : subscriptions) of(*subscription).is_leaving = true;
+  for (const auto* subscription : subscriptions) forget(*subscription, reason);
+  std::vector<const StoredSubscription*> concerned;
+  for (const auto* publication : publications) {
+    for (const auto& [slot, rank] : of(*publication).considered_by) {
+      of_subscription_[slot].choice.withdraw(rank, reason);
+      concerned.push_back(of_subscription_[slot].stored);
+    }
+    of(*publication).considered_by.clear();
+  }
+  filed_ += concerned.size();
+  order_by_key(concerned);
+  for (const auto* subscription : concerned) settle(*subscription);
+  std::set<Id32> numbers;
+  for (const auto* publication : publications) erase(*publication, numbers);
+  for (const auto* subscription : subscriptions) erase(*subscription, numbers);
+  begin_cause();
+  for (const Id32 number : numbers) judge_anew(review(number, nullptr));
+  relieve();
+}
+
+void Matcher::State::erase(const StoredPublication& publication, std::set<Id32>& numbers) {
+  if (clashing_.contains(publication.identity)) numbers.insert(publication.identity);
+  filed_ += 1 + publication.filings[std::to_underlying(registry::filed_by(in_force_.generation))].size();
+  publications_.erase(publication);
+}
+
+void Matcher::State::erase(const StoredSubscription& subscription, std::set<Id32>& numbers) {
+  if (clashing_.contains(subscription.identity)) numbers.insert(subscription.identity);
+  of(subscription) = {};
+  subscriptions_.erase(subscription);
+}
+
+void Matcher::State::forget(const StoredSubscription& subscription, Reason reason) {
+  for (const auto& chosen : of(subscription).choice.chosen()) {
+    tell_provider(Change::del, subscription, *chosen.publication, chosen.match, reason);
+  }
+  for (const auto& [rank, publication] : of(subscription).choice.candidates()) {
+    of(*publication).considered_by.erase(subscription.slot);
+    ++filed_;
+  }
+}
+
+std::uint32_t Matcher::State::limit_of(const SubscriptionEntry& subscription) {
+  const std::uint32_t limit = subscription.subscription.limit;
+  if (subscription.is_local) return limit == 0 ? max_given : std::min(limit, max_given);
+  return limit <= max_counted_providers ? limit : 0;
+}
+
+bool Matcher::State::is_of_interest(const SubscriptionEntry& subscription, const PublicationEntry& publication) {
+  if (subscription.is_local) return true;
+  if (subscription.subscription.mode == ChannelMode::one_to_many_stream) return false;  // its provider is not told
+  return publication.is_local || limit_of(subscription) != 0;  // without a limit nobody stands in another's way
+}
+
+bool Matcher::State::was_chosen_unseen(const StoredPublication& publication) const {
+  if (replaced_subscription_.stored == nullptr) return false;
+  const SubscriptionEntry& before = replaced_subscription_.before;
+  const bool was_kept_apart =
+      replaced_was_clashing_ && before.subscription.identity.index() != publication.entry.publication.identity.index();
+  return !is_of_interest(before, publication.entry) && before.subscription.mode != ChannelMode::one_to_many_stream &&
+         !was_kept_apart &&
+         matching::meets(before.subscription, replaced_request_, publication.entry,
+                         classes(publication, replaced_edition_), replaced_edition_.ontology);
+}
+
+void Matcher::State::judge(const StoredSubscription& subscription, const StoredPublication& publication) {
+  auto& considered_by = of(publication).considered_by;
+  auto& choice = of(subscription).choice;
+  const auto match =
+      is_of_interest(subscription.entry, publication.entry) ? meets(subscription, publication) : std::nullopt;
+  const auto known = considered_by.find(subscription.slot);
+  if (!match) {
+    if (known == considered_by.end()) return;
+    choice.withdraw(known->second, of(publication).leaves.value_or(Reason::changed));
+    considered_by.erase(known);
+    return;
+  }
+  const Rank rank{publication.entry.publication.priority, *match, publication.entry.key};
+  if (known != considered_by.end()) {
+    choice.change(std::exchange(known->second, rank), rank);
+  } else {
+    if (is_turned_away(subscription, publication)) return;
+    considered_by.emplace(subscription.slot, rank);
+    choice.offer(rank, publication, was_chosen_unseen(publication));
+  }
+  forget_dropped(subscription);
+}
+
+void Matcher::State::judge_all(const StoredSubscription& subscription) {
+  for (const auto& [rank, publication] : of(subscription).choice.candidates()) judge(subscription, *publication);
+  const Subscription& asked = subscription.entry.subscription;
+  visit_publications(publications_, asked.identity, of(subscription).request.classes, asked.weakest,
+                     edition_of(subscription), [&](const StoredPublication& publication) {
+                       if (!of(publication).considered_by.contains(subscription.slot)) judge(subscription, publication);
+                       return false;
+                     });
+}
+
+void Matcher::State::refill(const StoredSubscription& subscription) {
+  forget_dropped(subscription);
+  const Subscription& asked = subscription.entry.subscription;
+  visit_publications(publications_, asked.identity, of(subscription).request.classes, asked.weakest,
+                     edition_of(subscription), [&](const StoredPublication& publication) {
+                       auto& known = of(publication);
+                       if (known.leaves || known.considered_by.contains(subscription.slot)) return false;
+                       judge(subscription, publication);
+                       return false;
+                     });
+}
+
+void Matcher::State::forget_dropped(const StoredSubscription& subscription) {
+  for (const auto* dropped : of(subscription).choice.take_dropped()) {
+    of(*dropped).considered_by.erase(subscription.slot);
+  }
+}
+
+std::vector<Ranked> Matcher::State::match(const Subscription& asked, const Request& request) const {
+  std::vector<Ranked> ranked;
+  visit_publications(publications_, asked.identity, request.classes, asked.weakest, in_force_,
+                     [&](const StoredPublication& publication) {
+                       if (of_publication_[publication.slot].leaves) return false;
+                       const auto match =
+                           meet(asked, request, publication.entry, classes(publication, in_force_), in_force_);
+                       if (match) ranked.push_back({&publication.entry, *match});
+                       return false;
+                     });
+  std::ranges::sort(ranked, BestFirst{}, [](const Ranked& one) {
+    return Rank{one.publication->publication.priority, one.match, one.publication->key};
+  });
+  return ranked;
+}
+
+bool Matcher::State::is_served(const SubscriptionEntry& subscription) const {
+  const Subscription& asked = subscription.subscription;
+  const Request request = prepare(subscription);
+  bool served = false;
+  visit_publications(
+      publications_, asked.identity, request.classes, asked.weakest, in_force_,
+      [&](const StoredPublication& publication) {
+        served = !of_publication_[publication.slot].leaves &&
+                 meet(asked, request, publication.entry, classes(publication, in_force_), in_force_).has_value();
+        return served;
+      });
+  return served;
+}
+
+bool Matcher::State::is_used(const PublicationEntry& publication) const {
+  const StoredPublication* stored = publications_.find(publication.key);
+  return stored != nullptr && std::ranges::any_of(standing(*stored), [&](const StoredSubscription* subscription) {
+           return meets(*subscription, *stored).has_value();
+         });
+}
+
+}  // namespace geminga::matching

@@ -1,0 +1,245 @@
+// What the matcher knows: the registry, the pairs that match, and the choice of each subscription.
+#ifndef GEMINGA_DISCOVERY_MATCHING_STATE_HPP
+#define GEMINGA_DISCOVERY_MATCHING_STATE_HPP
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "discovery/matching/arbitration.hpp"
+#include "discovery/matching/candidates.hpp"
+#include "discovery/matching/clash.hpp"
+#include "discovery/matching/matcher.hpp"
+#include "discovery/matching/request.hpp"
+#include "discovery/matching/standing.hpp"
+#include "discovery/registry/fields.hpp"
+#include "discovery/registry/table.hpp"
+
+namespace geminga::matching {
+
+/// A remote consumer that asks for more providers than this is treated as one that takes all: its choice then needs no
+/// other candidates than our own publications. The price is that a provider may be told of a consumer that has better
+/// ones.
+inline constexpr std::uint32_t max_counted_providers = 16;
+
+/// A consumer of our own that asks for all is given the best of so many. What one pair costs is memory here and with
+/// its peer, and the air may bring more services than a host has room for pairs.
+inline constexpr std::uint32_t max_given = 1024;
+
+/// Consumers of other hosts without a limit that a publication of our own is told of. One more waits until half of them
+/// have gone: so the walk through all that ask for it is made once for many departures.
+inline constexpr std::size_t max_consumers = 1024;
+
+/// A publication that meets a request.
+struct Ranked {
+  const registry::PublicationEntry* publication = nullptr;  ///< borrowed until the next change of the matcher
+  Match match;
+};
+
+/// Every change runs in three steps: the registry takes it, the pairs that it concerns are judged again, and each
+/// subscription whose candidates changed is settled once, which gives the events.
+class Matcher::State {
+ public:
+  State(const el::Ontology* ontology, Placing placing);
+
+  void put(registry::PublicationEntry entry);
+  void put(registry::SubscriptionEntry entry, Telling telling);
+  /// Removes all of these at once, so that nothing that is about to go takes another's place.
+  void remove(const std::vector<const registry::StoredPublication*>& publications,
+              const std::vector<const registry::StoredSubscription*>& subscriptions, Reason reason);
+  void begin_departure(ParticipantId participant, Reason reason);
+  [[nodiscard]] bool depart_next();
+  void begin_ontology(const el::Ontology* next);
+  [[nodiscard]] bool file_next();
+  void put_in_force();
+  [[nodiscard]] bool rematch_next();
+  void place_again();
+  /// Requires the ontology in force.
+  [[nodiscard]] Request prepare(const registry::SubscriptionEntry& entry) const {
+    return prepared(entry.subscription, in_force_.ontology, placing_, entry.key.participant);
+  }
+
+  [[nodiscard]] std::vector<Ranked> match(const Subscription& asked, const Request& request) const;
+  [[nodiscard]] std::optional<Standing> standing(const registry::StoredSubscription& subscription,
+                                                 const registry::StoredPublication& publication);
+  [[nodiscard]] std::optional<Match> meets(const Subscription& asked, const Request& request,
+                                           const registry::PublicationEntry& publication) const;
+  [[nodiscard]] std::vector<ServiceKey> chosen(const ServiceKey& subscription) const;
+  [[nodiscard]] std::vector<ServiceKey> consumers(const ServiceKey& publication) const;
+  [[nodiscard]] std::optional<Match> given(const ServiceKey& subscription, const ServiceKey& publication) const;
+  [[nodiscard]] bool is_served(const registry::SubscriptionEntry& subscription) const;
+  [[nodiscard]] bool is_used(const registry::PublicationEntry& publication) const;
+
+  Edition in_force_;
+  Placing placing_;
+  registry::Publications publications_;
+  registry::Subscriptions subscriptions_;
+  std::vector<Event> events_;
+  std::vector<Clash> clashes_;
+  mutable std::uint64_t judged_ = 0;
+  std::uint64_t filed_ = 0;
+
+  /// Whether it is about to be erased.
+  [[nodiscard]] bool is_going(const registry::StoredPublication& stored) const {
+    return of_publication_[stored.slot].leaves.has_value();
+  }
+  [[nodiscard]] bool is_going(const registry::StoredSubscription& stored) const {
+    return of_subscription_[stored.slot].is_leaving;
+  }
+
+  /// What is left of a departure. What is in it is judged as if it were gone already.
+  struct Departure {
+    std::vector<const registry::StoredPublication*> publications;
+    std::vector<const registry::StoredSubscription*> subscriptions;
+    Reason reason = Reason::withdrawn;
+    std::set<Id32> numbers;  ///< clashing ones of those that were erased
+  };
+  std::deque<Departure> departures_;
+
+ private:
+  struct OfPublication {
+    std::array<Classes, 2> classes;               ///< by generation
+    std::map<std::uint32_t, Rank> considered_by;  ///< by the slot of the subscription whose candidate it is
+    std::optional<Reason> leaves;                 ///< it is about to be erased, for this reason
+  };
+  struct OfSubscription {
+    const registry::StoredSubscription* stored = nullptr;
+    Request request;
+    Choice choice;
+    registry::Generation generation = registry::Generation::even;  ///< of the ontology that it is judged by
+    bool is_leaving = false;                                       ///< it is about to be erased
+  };
+  /// How far the change to another ontology is. A subscription is judged by one ontology at any time, and filed in its
+  /// index alone; what is offered is known by both from the beginning of `filing` to the end of `rematching`.
+  enum class Stage {
+    none,
+    filing,      ///< what is offered is filed by the next one, too; everything is judged by the one in force
+    rematching,  ///< the next one is in force: one subscription after the other is judged by it
+    unfiling,    ///< what is offered is taken out of the index of the former one
+  };
+
+  [[nodiscard]] OfPublication& of(const registry::StoredPublication& stored) { return of_publication_[stored.slot]; }
+  [[nodiscard]] OfSubscription& of(const registry::StoredSubscription& stored) { return of_subscription_[stored.slot]; }
+  [[nodiscard]] const Classes& classes(const registry::StoredPublication& stored, const Edition& edition) const {
+    return of_publication_[stored.slot].classes[std::to_underlying(edition.generation)];
+  }
+  /// The ontology that a subscription is judged by.
+  [[nodiscard]] const Edition& edition_of(const registry::StoredSubscription& subscription) const {
+    return of_subscription_[subscription.slot].generation == in_force_.generation ? in_force_ : other_;
+  }
+  [[nodiscard]] bool is_known_by_both() const { return stage_ == Stage::filing || stage_ == Stage::rematching; }
+  /// Looks up what is offered in an ontology, and files it by that.
+  void file(const registry::StoredPublication& stored, const Edition& edition);
+  /// For somebody who comes back before his departure is over.
+  void finish_departures() {
+    while (depart_next()) {
+    }
+  }
+  void erase(const registry::StoredPublication& publication, std::set<Id32>& numbers);
+  void erase(const registry::StoredSubscription& subscription, std::set<Id32>& numbers);
+  /// Judges a subscription by the ontology in force, after it was filed by it.
+  void rematch(const registry::StoredSubscription& subscription);
+  [[nodiscard]] bool unfile_next();
+  [[nodiscard]] bool place_next();
+  /// The subscriptions that an offer may meet, each once, in ascending order of key.
+  [[nodiscard]] std::vector<const registry::StoredSubscription*> standing(
+      const registry::StoredPublication& publication) const;
+  [[nodiscard]] std::optional<Match> meets(const registry::StoredSubscription& subscription,
+                                           const registry::StoredPublication& publication) const;
+
+  const registry::StoredPublication& store(registry::PublicationEntry entry, const registry::StoredPublication* known);
+  const registry::StoredSubscription& store(registry::SubscriptionEntry entry,
+                                            const registry::StoredSubscription* known);
+  /// The limit that arbitration works with; 0 is none.
+  [[nodiscard]] static std::uint32_t limit_of(const registry::SubscriptionEntry& subscription);
+  /// Whether the pair can ever cause an event or decide about another one that can.
+  [[nodiscard]] static bool is_of_interest(const registry::SubscriptionEntry& subscription,
+                                           const registry::PublicationEntry& publication);
+  /// The one place where a pair is judged, and counted.
+  [[nodiscard]] std::optional<Match> meet(const Subscription& asked, const Request& request,
+                                          const registry::PublicationEntry& offered, const Classes& classes,
+                                          const Edition& edition) const;
+  /// Whether a number and a concept do not meet because the number is that of another concept, too.
+  [[nodiscard]] bool is_kept_apart(const Identity& offered, const Identity& requested) const;
+  /// Finds out whether the number is that of two concepts, after what has come or gone. Gives the subscriptions that
+  /// must be judged anew. `newcomer` is whose coming it is; null: somebody has gone.
+  [[nodiscard]] std::vector<const registry::StoredSubscription*> review(Id32 number, const ServiceKey* newcomer);
+  void tell_clash(Id32 number, const std::set<Identity>& concepts);
+  void judge_anew(const std::vector<const registry::StoredSubscription*>& subscriptions);
+  /// Whether the publication has as many consumers as it can be told of, and this one has to wait.
+  [[nodiscard]] bool is_turned_away(const registry::StoredSubscription& subscription,
+                                    const registry::StoredPublication& publication);
+  /// Takes up those that wait for a publication that has room again.
+  void relieve();
+  void judge(const registry::StoredSubscription& subscription, const registry::StoredPublication& publication);
+  void judge_all(const registry::StoredSubscription& subscription);
+  /// Offers every candidate that the choice does not hold.
+  void refill(const registry::StoredSubscription& subscription);
+  void forget_dropped(const registry::StoredSubscription& subscription);
+  void forget(const registry::StoredSubscription& subscription, Reason reason);
+  void settle(const registry::StoredSubscription& subscription);
+  /// Whether the pair had been chosen although it was of no interest, before the subscription got a limit.
+  [[nodiscard]] bool was_chosen_unseen(const registry::StoredPublication& publication) const;
+
+  void tell_consumer(Change change, const registry::StoredSubscription& subscription,
+                     const registry::StoredPublication& publication, Match match, Reason reason = Reason::withdrawn);
+  void tell_provider(Change change, const registry::StoredSubscription& subscription,
+                     const registry::StoredPublication& publication, Match match, Reason reason = Reason::withdrawn);
+  [[nodiscard]] const registry::PublicationEntry& as_told(const registry::StoredPublication& publication) const;
+  [[nodiscard]] const registry::SubscriptionEntry& as_told(const registry::StoredSubscription& subscription) const;
+
+  Edition other_;  ///< while filing the next one, then the former one
+  Stage stage_ = Stage::none;
+  std::optional<ServiceKey> at_;  ///< the entry that the change was at last; nothing: it begins
+  /// The walk to the subscriptions that have no place: the one that it was at last.
+  struct PlaceWalk {
+    std::optional<ServiceKey> at;
+    bool must_repeat;
+  };
+  std::optional<PlaceWalk> placing_walk_;
+
+  std::set<ServiceKey> crowded_;                 ///< publications that somebody waits for
+  std::set<Id32> clashing_;                      ///< numbers of two concepts or more
+  std::vector<OfPublication> of_publication_;    ///< by slot
+  std::vector<OfSubscription> of_subscription_;  ///< by slot
+
+  /// The entry that a put() is replacing, as its peers were told of it.
+  template <typename Entry>
+  struct Replaced {
+    const registry::Stored<Entry>* stored = nullptr;
+    Entry before;
+  };
+  /// What was told last, so that many events about it share one copy. Forgotten when another cause begins.
+  template <typename Entry>
+  struct Snapshot {
+    const Entry* of = nullptr;
+    std::shared_ptr<const Entry> copy;
+  };
+  template <typename Entry>
+  static std::shared_ptr<const Entry> snapshot(Snapshot<Entry>& last, const Entry& entry) {
+    if (last.of != &entry) last = {&entry, std::make_shared<const Entry>(entry)};
+    return last.copy;
+  }
+  void begin_cause() {
+    told_publication_ = {};
+    told_subscription_ = {};
+  }
+  Snapshot<registry::PublicationEntry> told_publication_;
+  Snapshot<registry::SubscriptionEntry> told_subscription_;
+  Replaced<registry::PublicationEntry> replaced_publication_;
+  Replaced<registry::SubscriptionEntry> replaced_subscription_;
+  Request replaced_request_;
+  Edition replaced_edition_;                              ///< that replaced_request_ is of
+  bool replaced_was_clashing_ = false;                    ///< whether its number was that of two concepts
+  const registry::StoredSubscription* untold_ = nullptr;  ///< the one whose consumer is told by nobody here
+};
+
+}  // namespace geminga::matching
+
+#endif

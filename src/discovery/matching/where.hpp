@@ -1,0 +1,87 @@
+// The `where` filter of a subscription: a small expression over a publication's attributes and fields (WHERE.md).
+#ifndef GEMINGA_DISCOVERY_MATCHING_WHERE_HPP
+#define GEMINGA_DISCOVERY_MATCHING_WHERE_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "discovery/registry/entry.hpp"
+#include "geminga/error.hpp"
+
+namespace geminga::matching {
+
+/// The longest expression; a longer one is refused with 413.
+inline constexpr std::size_t max_where_octets = 4096;
+/// How deep parentheses and `not` may nest; deeper is refused with 422, so that reading needs little stack.
+inline constexpr std::size_t max_where_depth = 32;
+/// How many keys misses() tells of.
+inline constexpr std::size_t max_missed_keys = 8;
+
+/// A parsed expression. A value: copies and moves. Thousands may come from the air, so it is kept small: about six
+/// octets for each octet of its text at most.
+class Where {
+ public:
+  /// Reads an expression; the empty one accepts everything. The error names the octet, counted from 1. O(length).
+  [[nodiscard]] static std::expected<Where, Error> parse(std::string_view expression);
+
+  /// Whether the publication passes. Allocates nothing for attributes. O(length of the expression).
+  [[nodiscard]] bool accepts(const registry::PublicationEntry& publication) const;
+  /// What the publication says under each key that keeps it from passing: "rate is 33, camera is absent". At most
+  /// max_missed_keys of them. Empty where it passes.
+  [[nodiscard]] std::string misses(const registry::PublicationEntry& publication) const;
+
+  enum class Operator : std::uint8_t { equal, different, less, at_most, greater, at_least };
+
+  /// Octets of the texts that belong to the expression.
+  struct Slice {
+    std::uint16_t at = 0;
+    std::uint16_t size = 0;
+  };
+  static_assert(max_where_octets <= UINT16_MAX);
+
+  /// One node. The nodes of its operands stand before it: the last operand right before, each other one right before
+  /// the first node of the next.
+  struct Node {
+    enum class Kind : std::uint8_t { all_of, any_of, negation, has, comparison } kind = Kind::has;
+    Operator operation = Operator::equal;
+    bool is_number = false;      ///< comparison: the value was written as a number
+    std::uint16_t first = 0;     ///< where its first operand begins; its own place where it has none
+    std::uint16_t operands = 0;  ///< all_of, any_of: two or more; negation: one
+    Slice key{};                 ///< has, comparison
+    Slice value{};               ///< comparison
+  };
+
+  /// What the parser makes of a text.
+  struct Parsed {
+    std::vector<Node> nodes;  ///< the root is the last
+    std::string texts;        ///< keys and values, without escapes
+  };
+
+ private:
+  explicit Where(Parsed parsed) : parsed_(std::move(parsed)) {}
+  [[nodiscard]] std::string_view text(Slice slice) const {
+    return std::string_view(parsed_.texts).substr(slice.at, slice.size);
+  }
+  [[nodiscard]] std::vector<std::uint16_t> operands(std::uint16_t number) const;
+  [[nodiscard]] bool holds(std::uint16_t number, const registry::PublicationEntry& publication) const;
+  [[nodiscard]] bool leaf_holds(const Node& node, const registry::PublicationEntry& publication) const;
+  /// Collects the leaves that make this node what it is, each key once, in the order of the text.
+  void blame(std::uint16_t number, const registry::PublicationEntry& publication,
+             std::vector<const Node*>& leaves) const;
+  [[nodiscard]] std::string said(const Node& leaf, const registry::PublicationEntry& publication) const;
+
+  Parsed parsed_;  ///< no nodes: accepts everything
+};
+
+/// Reads a `where` expression and says what is wrong with it at which octet; used to refuse a bad one with 422.
+[[nodiscard]] std::optional<Error> check_where(std::string_view expression);
+
+}  // namespace geminga::matching
+
+#endif

@@ -1,0 +1,248 @@
+// The reader of `where` expressions.
+#include "discovery/matching/where_parser.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "base/text.hpp"
+
+namespace geminga::matching {
+namespace {
+
+using Node = Where::Node;
+
+bool is_blank(char octet) { return octet == ' ' || octet == '\t' || octet == '\r' || octet == '\n'; }
+
+bool is_key_octet(char octet) {
+  return (octet >= 'a' && octet <= 'z') || (octet >= 'A' && octet <= 'Z') || (octet >= '0' && octet <= '9') ||
+         octet == '_' || octet == '.' || octet == '-';
+}
+
+bool is_word_octet(char octet) { return is_key_octet(octet) || octet == ':' || octet == '/' || octet == '+'; }
+
+bool is_digit(char octet) { return octet >= '0' && octet <= '9'; }
+
+char lower(char octet) { return octet >= 'A' && octet <= 'Z' ? static_cast<char>(octet - 'A' + 'a') : octet; }
+
+/// The words of the language have no case; keys and texts do.
+bool is_keyword(std::string_view word, std::string_view keyword) {
+  return std::ranges::equal(word, keyword, {}, lower);
+}
+
+std::size_t count_digits(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
+}
+
+void skip_sign(std::string_view& text) {
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+}
+
+/// `[sign] digits [ "." digits ] [ "e" [sign] digits ]`, whatever its size.
+bool has_number_form(std::string_view text) {
+  const auto take_digits = [&text] {
+    const std::size_t count = count_digits(text);
+    text.remove_prefix(count);
+    return count != 0;
+  };
+  skip_sign(text);
+  if (!take_digits()) return false;
+  if (text.starts_with('.')) {
+    text.remove_prefix(1);
+    if (!take_digits()) return false;
+  }
+  if (text.starts_with('e') || text.starts_with('E')) {
+    text.remove_prefix(1);
+    skip_sign(text);
+    if (!take_digits()) return false;
+  }
+  return text.empty();
+}
+
+bool is_reserved(std::string_view word) {
+  return std::ranges::any_of(std::array<std::string_view, 4>{"and", "or", "not", "has"},
+                             [word](std::string_view keyword) { return is_keyword(word, keyword); });
+}
+
+}  // namespace
+
+bool is_number(std::string_view text) {
+  if (!has_number_form(text)) return false;
+  if (text.front() == '+') text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+}
+
+std::expected<Where::Parsed, Error> WhereParser::parse() {
+  if (const Result root = any_of(0); !root) return std::unexpected(root.error());
+  skip_blanks();
+  if (at_ != text_.size()) return wrong("expected 'and', 'or' or the end");
+  return std::move(parsed_);
+}
+
+WhereParser::Result WhereParser::any_of(std::size_t depth) { return chain(Node::Kind::any_of, "or", "||", depth); }
+
+WhereParser::Result WhereParser::all_of(std::size_t depth) { return chain(Node::Kind::all_of, "and", "&&", depth); }
+
+WhereParser::Result WhereParser::chain(Node::Kind kind, std::string_view joining, std::string_view sign,
+                                       std::size_t depth) {
+  const auto operand = [&] { return kind == Node::Kind::any_of ? all_of(depth) : unary(depth); };
+  const std::size_t first = parsed_.nodes.size();
+  Node node{.kind = kind};
+  do {
+    if (Result next = operand(); !next) return next;
+    ++node.operands;
+  } while (take_word(joining) || take_sign(sign));
+  return node.operands == 1 ? Result() : add(node, first);
+}
+
+WhereParser::Result WhereParser::unary(std::size_t depth) {
+  skip_blanks();
+  const std::size_t begin = at_;
+  const auto deeper = [&]() -> std::expected<std::size_t, Error> {
+    if (depth >= max_where_depth) return wrong("nested deeper than 32 levels", begin);
+    return depth + 1;
+  };
+  if (take_word("not") || (!text_.substr(at_).starts_with("!=") && take_sign("!"))) {
+    const auto level = deeper();
+    if (!level) return std::unexpected(level.error());
+    const std::size_t first = parsed_.nodes.size();
+    Result negated = unary(*level);
+    if (negated && parsed_.nodes.back().kind == Node::Kind::negation) {
+      parsed_.nodes.pop_back();  // twice is not at all, and so a run of signs from the air costs no memory
+      return negated;
+    }
+    return negated ? add(Node{.kind = Node::Kind::negation, .operands = 1}, first) : negated;
+  }
+  if (take_sign("(")) {
+    const auto level = deeper();
+    if (!level) return std::unexpected(level.error());
+    Result inner = any_of(*level);
+    if (inner && !take_sign(")")) return wrong("expected ')'");
+    return inner;
+  }
+  return take_word("has") ? has() : comparison();
+}
+
+WhereParser::Result WhereParser::has() {
+  const auto name = key("expected a key after 'has'");
+  if (!name) return std::unexpected(name.error());
+  return add(Node{.kind = Node::Kind::has, .key = *name}, parsed_.nodes.size());
+}
+
+WhereParser::Result WhereParser::comparison() {
+  const auto name = key("expected a key, 'has', 'not' or '('");
+  if (!name) return std::unexpected(name.error());
+  const auto sign = operation();
+  if (!sign) return std::unexpected(sign.error());
+  const auto value = literal();
+  if (!value) return std::unexpected(value.error());
+  return add(Node{.kind = Node::Kind::comparison,
+                  .operation = *sign,
+                  .is_number = value->is_number,
+                  .key = *name,
+                  .value = value->text},
+             parsed_.nodes.size());
+}
+
+std::expected<Where::Slice, Error> WhereParser::key(std::string_view wanted) {
+  skip_blanks();
+  const std::string_view name = word();
+  if (name.empty() || is_reserved(name)) return wrong(wanted);
+  const auto odd = std::ranges::find_if_not(name, is_key_octet);
+  if (odd != name.end()) {
+    return wrong("a key has only letters, digits, '_', '.' and '-'",
+                 at_ + static_cast<std::size_t>(odd - name.begin()));
+  }
+  at_ += name.size();
+  return keep(name);
+}
+
+std::expected<Where::Operator, Error> WhereParser::operation() {
+  using enum Where::Operator;
+  // Longer signs first, so that `<=` is not read as `<`.
+  constexpr std::array<std::pair<std::string_view, Where::Operator>, 7> signs{
+      {{"==", equal}, {"!=", different}, {"<=", at_most}, {">=", at_least}, {"=", equal}, {"<", less}, {">", greater}}};
+  for (const auto& [sign, meaning] : signs) {
+    if (take_sign(sign)) return meaning;
+  }
+  return wrong("expected =, !=, <, <=, > or >=");
+}
+
+std::expected<WhereParser::Literal, Error> WhereParser::literal() {
+  skip_blanks();
+  if (at_ < text_.size() && (text_[at_] == '"' || text_[at_] == '\'')) return quoted();
+  const std::string_view bare = word();
+  if (bare.empty() || is_reserved(bare)) return wrong("expected a number, a word or a quoted text");
+  const bool is_numeric = is_number(bare);
+  // As a text it would be compared by its digits, which nobody means.
+  if (!is_numeric && has_number_form(bare))
+    return wrong("this number is out of range: quote it to compare it as a text");
+  at_ += bare.size();
+  return Literal{keep(bare), is_numeric};
+}
+
+std::expected<WhereParser::Literal, Error> WhereParser::quoted() {
+  const std::size_t begin = at_;
+  const char quote = text_[at_++];
+  std::string read;
+  while (at_ < text_.size() && text_[at_] != quote) {
+    if (text_[at_] == '\\') {
+      ++at_;
+      if (at_ == text_.size()) break;
+      if (text_[at_] != '\\' && text_[at_] != '"' && text_[at_] != '\'')
+        return wrong("only \\\\, \\\" and \\' are escapes");
+    }
+    read += text_[at_++];
+  }
+  if (at_ >= text_.size()) return wrong("this text has no closing quote", begin);
+  ++at_;
+  if (!base::is_valid_utf8(read)) return wrong("this text is no UTF-8", begin);
+  return Literal{keep(read), false};
+}
+
+WhereParser::Result WhereParser::add(Node node, std::size_t first) {
+  node.first = static_cast<std::uint16_t>(first);
+  parsed_.nodes.push_back(node);
+  return {};
+}
+
+Where::Slice WhereParser::keep(std::string_view text) {
+  const Where::Slice slice{static_cast<std::uint16_t>(parsed_.texts.size()), static_cast<std::uint16_t>(text.size())};
+  parsed_.texts += text;
+  return slice;
+}
+
+void WhereParser::skip_blanks() {
+  while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+}
+
+std::string_view WhereParser::word() const {
+  const std::string_view rest = text_.substr(at_);
+  const auto end = std::ranges::find_if_not(rest, is_word_octet);
+  return rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
+}
+
+bool WhereParser::take_word(std::string_view wanted) {
+  skip_blanks();
+  if (!is_keyword(word(), wanted)) return false;
+  at_ += wanted.size();
+  return true;
+}
+
+bool WhereParser::take_sign(std::string_view wanted) {
+  skip_blanks();
+  if (!text_.substr(at_).starts_with(wanted)) return false;
+  at_ += wanted.size();
+  return true;
+}
+
+std::unexpected<Error> WhereParser::wrong(std::string_view what, std::size_t at) const {
+  return std::unexpected(
+      Error{ErrorCode::impossible, "where: " + std::string(what) + " at octet " + std::to_string(at + 1)});
+}
+
+}  // namespace geminga::matching

@@ -1,0 +1,166 @@
+// Shares by source, and rank within a share.
+#include "discovery/membership/admission.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "discovery/announcement/limits.hpp"
+
+namespace geminga::beacon {
+namespace {
+
+using base::Instant;
+
+constexpr std::size_t bucket_size = 4;
+/// A stranger that was silent for so long begins anew; and a place whose owner was is nobody's when all are wanted.
+constexpr base::Duration longest_silence = deadline_intervals * stranger_interval;
+
+/// Who is silent for longer than this does not announce itself each interval, or a datagram was lost.
+constexpr base::Duration longest_pause = stranger_interval + stranger_interval / 4;
+
+/// The finalizer of splitmix64: every bit of the result depends on every bit of `bits`.
+std::uint64_t mixed(std::uint64_t bits) {
+  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9;
+  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111eb;
+  return bits ^ (bits >> 31);
+}
+
+}  // namespace
+
+std::uint64_t WaitingList::key_of(ParticipantId id, BootNonce boot) const {
+  return mixed(mixed(secret_ ^ std::to_underlying(id)) ^ std::to_underlying(boot));
+}
+
+WaitingList::Stranger& WaitingList::place_of(std::uint64_t key) {
+  if (strangers_.empty()) strangers_.resize(max_waiting);
+  const auto bucket = std::span(strangers_).subspan(key % (max_waiting / bucket_size) * bucket_size, bucket_size);
+  const auto same = std::ranges::find(bucket, key, &Stranger::key);
+  if (same != bucket.end()) return *same;
+  return *std::ranges::min_element(bucket, {}, [](const Stranger& each) { return each.standing.rank(); });
+}
+
+std::optional<Standing> WaitingList::hear(const Announcement& announcement, Instant now) {
+  const auto key = key_of(announcement.participant, announcement.boot);
+  auto& stranger = place_of(key);
+  if (stranger.key != key || now - stranger.standing.last >= longest_silence) {
+    stranger = {key, announcement.sequence, {now, now}};
+    return std::nullopt;
+  }
+  if (announcement.sequence == stranger.sequence) return std::nullopt;
+  stranger.sequence = announcement.sequence;
+  stranger.standing.hear(now);
+  return stranger.standing;
+}
+
+void WaitingList::put(ParticipantId id, BootNonce boot, std::uint64_t sequence, const Standing& standing) {
+  if (!standing.is_confirmed) return;
+  const auto key = key_of(id, boot);
+  place_of(key) = {key, sequence, standing};
+}
+
+void Admission::insert(ParticipantId id, Place& place) {
+  auto& share = shares_[place.source];
+  const auto before = share.count++;
+  if (!share.unseasoned.empty()) by_count_.erase({before, place.source});
+  if (place.is_seasoned) {
+    ++share.seasoned;
+  } else {
+    share.unseasoned.emplace(place.standing.rank(), id);
+    unseasoned_.emplace(place.standing.rank(), id);
+  }
+  if (!share.unseasoned.empty()) by_count_.emplace(share.count, place.source);
+  by_silence_.emplace(place.standing.last, id);
+}
+
+void Admission::erase(ParticipantId id, const Place& place) {
+  const auto found = shares_.find(place.source);
+  auto& share = found->second;
+  if (!share.unseasoned.empty()) by_count_.erase({share.count, place.source});
+  --share.count;
+  if (place.is_seasoned) {
+    --share.seasoned;
+  } else {
+    share.unseasoned.erase({place.standing.rank(), id});
+    unseasoned_.erase({place.standing.rank(), id});
+  }
+  if (!share.unseasoned.empty()) by_count_.emplace(share.count, place.source);
+  by_silence_.erase({place.standing.last, id});
+  if (share.count == 0) shares_.erase(found);
+}
+
+void Admission::add(ParticipantId id, const std::string& source, const Standing& standing) {
+  auto& place = places_[id];
+  place = {source, standing, false, ++added_};
+  insert(id, place);
+}
+
+void Admission::update(ParticipantId id, const Standing& standing) {
+  auto& place = places_.at(id);
+  if (place.standing.last == standing.last) return;
+  erase(id, place);
+  place.standing = standing;
+  const auto share = shares_.find(place.source);
+  const auto others = share == shares_.end() ? 0 : share->second.seasoned;
+  place.is_seasoned |= standing.last - standing.first >= seasoned_after && others < max_seasoned_per_source;
+  insert(id, place);
+}
+
+void Admission::remove(ParticipantId id) {
+  const auto place = places_.find(id);
+  erase(id, place->second);
+  places_.erase(place);
+}
+
+bool Admission::is_seasoned(ParticipantId id) const {
+  const auto place = places_.find(id);
+  return place != places_.end() && place->second.is_seasoned;
+}
+
+const Admission::Share* Admission::greediest() const {
+  return by_count_.empty() ? nullptr : &shares_.find(by_count_.rbegin()->second)->second;
+}
+
+std::optional<ParticipantId> Admission::from_greedier(std::string_view source) const {
+  const auto own = shares_.find(source);
+  const auto count = own == shares_.end() ? 0 : own->second.count;
+  const auto* most = greediest();
+  // With one less it still has as many as the newcomer's source with one more.
+  if (most == nullptr || most->count < count + 2) return std::nullopt;
+  return most->unseasoned.begin()->second;
+}
+
+Admission::Decision Admission::decide(const Announcement& newcomer, const Arrival& arrival) {
+  if (const auto gives_way = from_greedier(arrival.source)) return {gives_way, std::nullopt};
+  const auto standing = waiting_.hear(newcomer, arrival.now);
+  if (!standing) return {};
+  return {decide(arrival.source, *standing, arrival.now), standing};
+}
+
+std::optional<ParticipantId> Admission::decide(std::string_view source, const Standing& standing, Instant now) const {
+  if (const auto gives_way = from_greedier(source)) return gives_way;
+  const auto own = shares_.find(source);
+  // Where the newcomer's address has no place, all others have one each.
+  const auto& others = own != shares_.end() ? own->second.unseasoned : unseasoned_;
+  if (!others.empty()) {
+    const auto& [rank, id] = *others.begin();
+    // Of two that have proved themselves the known one stays, as long as it keeps announcing itself.
+    const auto ahead = places_.at(id).standing.is_proved() ? longest_pause : base::Duration::zero();
+    if (rank + ahead < standing.rank()) return id;
+  }
+  const auto& [last, id] = *by_silence_.begin();
+  if (now - last >= longest_silence) return id;
+  return std::nullopt;
+}
+
+std::optional<ParticipantId> Admission::decide_return(std::string_view source, Standing standing, Instant now) const {
+  standing.hear(now);
+  if (const auto gives_way = decide(source, standing, now)) return gives_way;
+  if (!standing.is_proved()) return std::nullopt;
+  const auto last = std::ranges::max_element(places_, {}, [](const auto& each) { return each.second.added; });
+  const auto own = shares_.find(source);
+  const bool is_greedier =
+      shares_.find(last->second.source)->second.count > (own == shares_.end() ? 0 : own->second.count);
+  return is_greedier && !last->second.is_seasoned ? std::optional(last->first) : std::nullopt;
+}
+
+}  // namespace geminga::beacon

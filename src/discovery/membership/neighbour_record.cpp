@@ -1,0 +1,361 @@
+// One participant: which of its datagrams are believed, and what follows.
+#include "discovery/membership/neighbour_record.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "discovery/announcement/address.hpp"
+#include "discovery/announcement/limits.hpp"
+
+namespace geminga::beacon {
+namespace {
+
+using base::Duration;
+using base::Instant;
+using Order = NeighbourWay::Order;
+
+/// What was heard again without a change is told again at most once in this share of the interval (and this time), so
+/// that copies on several interfaces and the quick copies of a change cost the caller nothing.
+constexpr int refreshes_per_interval = 16;
+constexpr Duration min_refresh_time = std::chrono::milliseconds(20);
+
+}  // namespace
+
+NeighbourRecord::Header NeighbourRecord::header_of(const Announcement& announcement) {
+  return {announcement.name.empty() ? to_string(announcement.participant) : announcement.name,
+          announcement.ontology_digest, announcement.interval};
+}
+
+NeighbourRecord::NeighbourRecord(const Announcement& first, const Arrival& arrival, Turn since, ServiceRoom& room)
+    : id_(first.participant),
+      boot_(first.boot),
+      source_(arrival.source),
+      since_(since),
+      standing_{arrival.now, arrival.now},
+      header_(header_of(first), arrival.now),
+      heard_(arrival.now),
+      deadline_(deadline_of(arrival.now, std::min(first.interval, stranger_interval), 0)),
+      revision_(first.revision),
+      raised_(first.revision, arrival.now),
+      services_(Owner{first.participant, header_.value().name, {}, {}}, room) {}
+
+Duration NeighbourRecord::settled_interval(Instant now) const {
+  // Of a former interval, how long it counts is reckoned in itself: a forged one cannot outlast or outrun it.
+  const auto* former = header_.former(now, hold_intervals * max_interval);
+  if (former != nullptr && header_.former(now, hold_intervals * former->interval) != nullptr) return former->interval;
+  return header_.value().interval;
+}
+
+Duration NeighbourRecord::lasting_interval(Instant now) const {
+  const auto settled = settled_interval(now);
+  auto interval = header_.value().interval;
+  if (interval < settled || (interval > settled && !header_.is_repeated())) interval = settled;
+  return standing_.is_confirmed ? interval : std::min(interval, stranger_interval);
+}
+
+Duration NeighbourRecord::hold(Instant now) const {
+  const auto known_for = std::max<Duration>(stranger_interval, now - standing_.first);
+  return hold_intervals * std::min(settled_interval(now), known_for);
+}
+
+double NeighbourRecord::loss() const {
+  double best = ways_.empty() ? 0 : 1;
+  for (const auto& way : ways_) best = std::min(best, way.loss());
+  return best;
+}
+
+Moment NeighbourRecord::moment(Instant now, bool is_heard) const {
+  return {.now = now,
+          .deadline = deadline_of(now, lasting_interval(now), loss()),
+          .hold = hold(now),
+          .refresh = std::max(header_.value().interval / refreshes_per_interval, min_refresh_time),
+          .is_contested = is_contested_,
+          .is_complete = is_complete_,
+          .is_heard = is_heard};
+}
+
+NeighbourWay* NeighbourRecord::find_way(const Announcement& announcement, const Arrival& arrival) {
+  const auto way = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
+    return each.interface() == arrival.interface && each.link() == announcement.link;
+  });
+  return way == ways_.end() ? nullptr : &*way;
+}
+
+const NeighbourWay* NeighbourRecord::find_bound(const Announcement& announcement, const Arrival& arrival) const {
+  const auto way = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
+    return each.interface() == arrival.interface && each.link() == announcement.link && each.source() == arrival.source;
+  });
+  return way == ways_.end() ? nullptr : &*way;
+}
+
+bool NeighbourRecord::may_open(const Announcement& announcement, const Arrival& arrival) {
+  if (ways_.empty()) return true;
+  const auto is_alive = [&](const NeighbourWay& way) { return arrival.now - way.heard() < hold(arrival.now); };
+  const auto is_of_source = [&](const NeighbourWay& way) { return way.source() == arrival.source; };
+  const auto is_here = [&](const NeighbourWay& way) { return way.is_on(arrival.interface); };
+  if ((is_contested_ || was_misled_) && std::ranges::any_of(ways_, is_alive)) return false;
+  // Where one way is alive, another one from the same link of ours is not needed.
+  const auto here = std::ranges::find_if(ways_, [&](const NeighbourWay& way) { return is_here(way) && is_alive(way); });
+  if (here != ways_.end() && !is_of_source(*here)) return false;
+  if (here == ways_.end() && std::ranges::any_of(ways_, is_of_source)) return true;
+  // A new address, or an address with another number for its interface: it must say so twice, and nobody else between.
+  const bool is_repeated = opening_ && opening_->interface == arrival.interface &&
+                           opening_->link == announcement.link && opening_->source == arrival.source &&
+                           announcement.sequence != opening_->sequence;
+  opening_ = Opening{arrival.interface, announcement.link, std::string(arrival.source), announcement.sequence};
+  return is_repeated;
+}
+
+NeighbourWay* NeighbourRecord::open_way(const Announcement& announcement, const Arrival& arrival) {
+  if (ways_.size() == max_paths || !may_open(announcement, arrival)) return nullptr;
+  opening_.reset();
+  const auto place = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
+    return std::tuple(each.interface(), each.link()) > std::tuple(arrival.interface, announcement.link);
+  });
+  auto way = ways_.emplace(place, announcement, arrival);
+  way->deadline = deadline_of(arrival.now, lasting_interval(arrival.now), 0);
+  return &*way;
+}
+
+bool NeighbourRecord::close_later_ways(const NeighbourWay& way, const Arrival& arrival) {
+  if (opening_ && opening_->interface == arrival.interface) opening_.reset();
+  const auto opened = way.opened();
+  return std::erase_if(ways_, [&](const NeighbourWay& each) {
+           return each.is_on(arrival.interface) && each.source() == arrival.source && each.opened() > opened;
+         }) > 0;
+}
+
+Order NeighbourRecord::order(const NeighbourWay& way, const Announcement& announcement, const Arrival& arrival) const {
+  const auto order = way.order(announcement, arrival.now);
+  if (order != Order::next) return order;
+  if (announcement.revision < revision_) {
+    // Another way was ahead of this one; but no way is behind for long.
+    return raised_.is_late(announcement.revision, arrival.now) ? Order::contradiction : Order::overtaken;
+  }
+  if (announcement.revision > revision_) return order;
+  const bool is_denied = header_of(announcement) != header_.value() || way.denies(announcement, arrival) ||
+                         services_.denies(announcement, is_complete_ ? &complete_ : nullptr);
+  return is_denied ? Order::contradiction : order;
+}
+
+Hearing NeighbourRecord::hear(const Announcement& announcement, const Arrival& arrival, std::vector<Change>& changes) {
+  const auto now = arrival.now;
+  end_contest(now);
+  bool is_forged = false;  // something that was believed until now
+  auto* way = find_way(announcement, arrival);
+  if (way != nullptr) {
+    const auto origin = way->origin(announcement, arrival, is_contested_, hold(now));
+    if (origin == NeighbourWay::Origin::copied) return Hearing::copied;
+    if (origin == NeighbourWay::Origin::elsewhere) return Hearing::elsewhere;
+    is_forged = origin == NeighbourWay::Origin::back;
+    if (close_later_ways(*way, arrival)) was_misled_ = is_forged = true;
+    way = find_way(announcement, arrival);
+  } else {
+    way = open_way(announcement, arrival);
+    if (way == nullptr) return Hearing::elsewhere;
+  }
+  if (!is_contested_ && way->leaps(announcement, revision_)) return Hearing::leap;
+  const auto order = is_forged ? Order::contradiction : this->order(*way, announcement, arrival);
+  if (std::exchange(has_spoken_, true) && !way->has(announcement.sequence)) standing_.hear(now);
+  way->count(announcement, arrival, order == Order::contradiction);
+  heard_ = now;
+  rival_.reset();
+  if (order == Order::contradiction) contest(now, changes);
+  if (order != Order::overtaken || is_contested_) take_in(*way, announcement, arrival, changes);
+  set_deadlines(*way, now);
+  return order == Order::contradiction ? Hearing::contradiction : Hearing::known;
+}
+
+void NeighbourRecord::take_in(NeighbourWay& way, const Announcement& announcement, const Arrival& arrival,
+                              std::vector<Change>& changes) {
+  const auto now = arrival.now;
+  const auto held = hold(now);
+  auto header = header_of(announcement);
+  if (header == header_.value()) {
+    header_.affirm(now);
+  } else if (!is_contested_ || !header_.is_held(now, held)) {
+    header_.replace(std::move(header), now, held);
+    services_.set_name(header_.value().name);
+  }
+  way.say(announcement, arrival, is_contested_, held);
+  choose_address();
+  take_revision(way, announcement, now, changes);
+  services_.apply(announcement, moment(now, true), changes);
+  services_.tell(moment(now, true), changes);
+}
+
+void NeighbourRecord::take_revision(NeighbourWay& way, const Announcement& announcement, Instant now,
+                                    std::vector<Change>& changes) {
+  if (announcement.revision != revision_) {
+    if (announcement.revision < revision_) raised_.restart(announcement.revision, now);
+    raised_.rise(announcement.revision, now);
+    revision_ = announcement.revision;
+    is_complete_ = false;
+    next_service_deadline_ = services_.earliest_deadline();
+  }
+  if (is_contested_) return;
+  if (!is_complete_ && way.assembly().add(announcement)) {
+    is_complete_ = true;
+    complete_ = way.assembly().services();
+    services_.withdraw_absent(complete_, moment(now, true), changes);
+    for (auto& each : ways_) each.assembly().clear();
+  }
+  if (is_complete_) affirmed_ = now;
+}
+
+void NeighbourRecord::set_deadlines(NeighbourWay& way, Instant now) {
+  way.deadline = deadline_of(now, lasting_interval(now), way.loss());
+  deadline_ = deadline_of(now, lasting_interval(now), loss());
+  // Until the next one, every service that was not heard of keeps the deadline that it had.
+  next_service_deadline_ = std::min(next_service_deadline_, deadline_);
+}
+
+void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
+  const bool is_first = !is_contested_;
+  const auto at = moment(now, false);
+  is_contested_ = true;
+  contested_until_ = now + std::max(contest_intervals * settled_interval(now), at.hold);
+  if (!is_first) return;
+  services_.roll_back(is_complete_ ? affirmed_ : Instant::min(), at, changes);
+  for (auto& way : ways_) {
+    way.roll_back(now, at.hold);
+    way.assembly().clear();
+  }
+  header_.roll_back(now, at.hold);
+  services_.set_name(header_.value().name);
+  choose_address();
+  is_complete_ = false;
+  complete_.clear();
+  // What the lie made longer is as it was.
+  const auto latest = moment(now, false).deadline;
+  for (auto& way : ways_) way.deadline = std::min(way.deadline, latest);
+  services_.shorten(latest);
+  next_service_deadline_ = services_.earliest_deadline();
+  next_lapse_ = now;
+}
+
+void NeighbourRecord::end_contest(Instant now) {
+  if (!is_contested_ || now < contested_until_) return;
+  is_contested_ = false;
+  next_lapse_ = base::never;
+  for (auto& way : ways_) way.assembly().clear();
+  next_service_deadline_ = services_.earliest_deadline();
+}
+
+Hearing NeighbourRecord::hear_goodbye(const Announcement& announcement, const Arrival& arrival) {
+  end_contest(arrival.now);
+  if (find_bound(announcement, arrival) == nullptr) return Hearing::elsewhere;
+  if (!is_contested_) return Hearing::goodbye;
+  deadline_ = std::min(deadline_, arrival.now + hold(arrival.now));
+  contested_until_ = std::max(contested_until_, deadline_);
+  return Hearing::contradiction;
+}
+
+void NeighbourRecord::note_goodbye(const Announcement& announcement, const Arrival& arrival) {
+  if (find_bound(announcement, arrival) == nullptr) return;
+  auto& goodbye = find_way(announcement, arrival)->goodbye;
+  if (!goodbye) goodbye = announcement.sequence;
+}
+
+NeighbourRecord::Proof NeighbourRecord::proof(const Announcement& announcement, const Arrival& arrival, Instant left) {
+  const auto* way = find_bound(announcement, arrival);
+  if (way == nullptr) {
+    // Who said the goodbye may have moved the way before.
+    way = find_way(announcement, arrival);
+    if (way == nullptr || !way->was_of(arrival.source)) return Proof::none;
+  }
+  const bool is_heard = way->has(announcement.sequence);
+  // Nothing comes after a true goodbye. What has a lower number than the goodbye may have been overtaken by it, but not
+  // for long.
+  const bool is_after = way->goodbye && announcement.sequence >= *way->goodbye && !is_heard;
+  if (!is_after && arrival.now - left < overtaken_time) return Proof::none;
+  return is_heard ? Proof::echo : Proof::alive;
+}
+
+Duration NeighbourRecord::memory(Instant now) const { return std::max<Duration>(goodbye_memory, hold(now)); }
+
+void NeighbourRecord::come_back(Instant now, std::vector<Change>& changes) {
+  for (auto& way : ways_) way.goodbye.reset();
+  services_.forget_told();
+  contest(now, changes);
+}
+
+bool NeighbourRecord::yields_to(const Announcement& rival, const Arrival& arrival) {
+  const bool is_repeated =
+      rival_ && rival_->boot == rival.boot && rival_->source == arrival.source && rival.sequence != rival_->sequence;
+  const bool is_silent = arrival.now - heard_ >= hold(arrival.now);
+  if (is_repeated && is_silent) return true;
+  rival_ = Rival{rival.boot, std::string(arrival.source), rival.sequence};
+  return false;
+}
+
+void NeighbourRecord::choose_address() {
+  // (rank, not the one in use, interface, link, place in its list): the smallest is chosen.
+  using Preference = std::tuple<int, bool, std::size_t, std::size_t>;
+  const auto& owner = services_.owner();
+  const std::string* chosen = nullptr;
+  const NeighbourWay* chosen_way = nullptr;
+  Preference best{};
+  for (std::size_t w = 0; w < ways_.size(); ++w) {
+    const auto& addresses = ways_[w].addresses();
+    for (std::size_t i = 0; i < addresses.size(); ++i) {
+      const auto address = parse_address(addresses[i]);
+      if (!address) continue;
+      const bool is_other = addresses[i] != owner.address || ways_[w].interface_name() != owner.zone;
+      const Preference preference{address_rank(*address), is_other, w, i};
+      if (chosen != nullptr && best < preference) continue;
+      best = preference;
+      chosen = &addresses[i];
+      chosen_way = &ways_[w];
+    }
+  }
+  if (chosen == nullptr || (*chosen == owner.address && chosen_way->interface_name() == owner.zone)) return;
+  services_.set_address(*chosen, chosen_way->interface_name());
+}
+
+void NeighbourRecord::expire(Instant now, std::vector<Change>& changes) {
+  const auto lost = std::erase_if(ways_, [&](const NeighbourWay& way) { return way.deadline <= now; });
+  if (lost > 0) choose_address();
+  if (is_contested_ && next_lapse_ <= now) next_lapse_ = services_.lapse(moment(now, false), changes);
+  end_contest(now);
+  if (!is_complete_ && next_service_deadline_ <= now) {
+    services_.expire(moment(now, false), changes);
+    next_service_deadline_ = services_.earliest_deadline();
+  }
+  services_.tell(moment(now, false), changes);
+}
+
+void NeighbourRecord::forget_interface(env::InterfaceIndex interface, std::vector<Change>& changes) {
+  if (std::erase_if(ways_, [&](const NeighbourWay& way) { return way.is_on(interface); }) == 0) return;
+  choose_address();
+  services_.tell(moment(heard_, false), changes);
+}
+
+Instant NeighbourRecord::next_deadline() const {
+  auto next = deadline_;
+  for (const auto& way : ways_) next = std::min(next, way.deadline);
+  if (!is_complete_) next = std::min(next, next_service_deadline_);
+  if (is_contested_) next = std::min({next, contested_until_, next_lapse_});
+  return next;
+}
+
+Neighbour NeighbourRecord::snapshot() const {
+  Neighbour neighbour;
+  neighbour.id = id_;
+  neighbour.boot = boot_;
+  neighbour.name = header_.value().name;
+  neighbour.ontology_digest = header_.value().ontology_digest;
+  neighbour.interval = header_.value().interval;
+  neighbour.heard = heard_;
+  neighbour.deadline = deadline_;
+  neighbour.address = services_.owner().address;
+  for (const auto& way : ways_) neighbour.paths.push_back(way.path());
+  neighbour.loss = loss();
+  neighbour.publications = services_.publications();
+  neighbour.subscriptions = services_.size() - neighbour.publications;
+  neighbour.is_complete = is_complete_;
+  return neighbour;
+}
+
+}  // namespace geminga::beacon

@@ -1,0 +1,158 @@
+// Everything the neighbour table keeps of one participant, and which word counts when somebody lies in its name.
+#ifndef GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_RECORD_HPP
+#define GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_RECORD_HPP
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/time.hpp"
+#include "discovery/membership/neighbour_services.hpp"
+#include "discovery/membership/neighbour_table.hpp"
+#include "discovery/membership/neighbour_way.hpp"
+#include "discovery/membership/passed.hpp"
+#include "discovery/membership/service_room.hpp"
+#include "discovery/membership/settled.hpp"
+#include "discovery/membership/standing.hpp"
+
+namespace geminga::beacon {
+
+/// One known participant: one life of it, that is one boot nonce. Appends what changes to the list it is given.
+///
+/// A sender numbers its datagrams in rising order and its revision never falls. Datagrams that do not fit together
+/// prove that one of them is forged, and nothing tells which. From then on the participant is *contested* until all has
+/// fitted for `hold_intervals`: what was changed within that time is undone, and what is believed stays believed as
+/// long as it is repeated. New services are taken in; one that nobody speaks of any more lapses. So a lie in the name
+/// of a participant lasts until it speaks, and the next lie does nothing to what it keeps saying.
+class NeighbourRecord {
+ public:
+  /// `since`: when its identifier became its own.
+  NeighbourRecord(const Announcement& first, const Arrival& arrival, Turn since, ServiceRoom& room);
+  NeighbourRecord(const NeighbourRecord&) = delete;
+  NeighbourRecord& operator=(const NeighbourRecord&) = delete;
+
+  [[nodiscard]] BootNonce boot() const { return boot_; }
+  /// The source address that it was first heard from: whose share its place is of.
+  [[nodiscard]] const std::string& source() const { return source_; }
+  /// When it was first heard under its identifier, be it with a claim: of several lives under one identifier the one
+  /// for which this is lowest has it.
+  [[nodiscard]] Turn since() const { return since_; }
+  [[nodiscard]] const Standing& standing() const { return standing_; }
+  void set_standing(const Standing& standing) { standing_ = standing; }
+
+  /// Takes in a state of this life. Says `known`, or why it was ignored (copied, elsewhere, leap) or doubted
+  /// (contradiction).
+  Hearing hear(const Announcement& announcement, const Arrival& arrival, std::vector<Change>& changes);
+  /// Whether a goodbye of this life ends it at once. One of a contested participant only shortens its deadline, so that
+  /// it stays if it goes on speaking.
+  [[nodiscard]] Hearing hear_goodbye(const Announcement& announcement, const Arrival& arrival);
+  /// A goodbye was heard on this way: what has a higher number is not from before it.
+  void note_goodbye(const Announcement& announcement, const Arrival& arrival);
+  /// What a state proves of somebody who seemed to leave at `left`.
+  enum class Proof : std::uint8_t {
+    none,   ///< it is from elsewhere, or may be from before that
+    echo,   ///< its number was heard before: it may be a copy
+    alive,  ///< it was sent after that
+  };
+  [[nodiscard]] Proof proof(const Announcement& announcement, const Arrival& arrival, base::Instant left);
+  /// For how long it is remembered when it seems to leave: until it has spoken again, if it was only made to seem so.
+  [[nodiscard]] base::Duration memory(base::Instant now) const;
+  /// It is back: all that is known of it is to be told again, and somebody has lied in its name.
+  void come_back(base::Instant now, std::vector<Change>& changes);
+  /// Another life speaks under this identifier: whether this one has been silent for so long meanwhile that it is over.
+  [[nodiscard]] bool yields_to(const Announcement& rival, const Arrival& arrival);
+
+  /// Drops ways and services that have their deadline at or before `now`; the participant itself is the table's.
+  void expire(base::Instant now, std::vector<Change>& changes);
+  void forget_interface(env::InterfaceIndex interface, std::vector<Change>& changes);
+
+  [[nodiscard]] base::Instant deadline() const { return deadline_; }
+  /// When expire() has something to do, or a little before. Its cost is constant.
+  [[nodiscard]] base::Instant next_deadline() const;
+  [[nodiscard]] Neighbour snapshot() const;
+  /// The highest sequence number that was heard of it; of its first way.
+  [[nodiscard]] std::uint64_t newest() const { return ways_.empty() ? 0 : ways_.front().newest(); }
+  [[nodiscard]] NeighbourServices& services() { return services_; }
+  [[nodiscard]] const NeighbourServices& services() const { return services_; }
+
+ private:
+  /// What an announcement says of the participant itself.
+  struct Header {
+    std::string name;
+    std::uint64_t ontology_digest = 0;
+    base::Duration interval{};
+    friend bool operator==(const Header&, const Header&) = default;
+  };
+  /// Who wants this identifier in another life.
+  struct Rival {
+    BootNonce boot{};
+    std::string source;
+    std::uint64_t sequence = 0;
+  };
+  /// A way that somebody wants to open.
+  struct Opening {
+    env::InterfaceIndex interface{};
+    std::uint32_t link = 0;
+    std::string source;
+    std::uint64_t sequence = 0;
+  };
+
+  static Header header_of(const Announcement& announcement);
+  [[nodiscard]] NeighbourWay* find_way(const Announcement& announcement, const Arrival& arrival);
+  /// The same if the datagram is from the address that the way belongs to.
+  [[nodiscard]] const NeighbourWay* find_bound(const Announcement& announcement, const Arrival& arrival) const;
+  [[nodiscard]] NeighbourWay* open_way(const Announcement& announcement, const Arrival& arrival);
+  [[nodiscard]] bool may_open(const Announcement& announcement, const Arrival& arrival);
+  /// Whether ways were closed that somebody has opened in the name of this one.
+  bool close_later_ways(const NeighbourWay& way, const Arrival& arrival);
+  [[nodiscard]] NeighbourWay::Order order(const NeighbourWay& way, const Announcement& announcement,
+                                          const Arrival& arrival) const;
+  void take_in(NeighbourWay& way, const Announcement& announcement, const Arrival& arrival,
+               std::vector<Change>& changes);
+  void take_revision(NeighbourWay& way, const Announcement& announcement, base::Instant now,
+                     std::vector<Change>& changes);
+  /// Somebody has lied in its name.
+  void contest(base::Instant now, std::vector<Change>& changes);
+  void end_contest(base::Instant now);
+  void set_deadlines(NeighbourWay& way, base::Instant now);
+  /// Picks the address for services without one.
+  void choose_address();
+
+  /// The interval that was announced before the last `hold_intervals` of it.
+  [[nodiscard]] base::Duration settled_interval(base::Instant now) const;
+  /// How long a word counts against another one. An interval counts up to the time for which the participant is known.
+  [[nodiscard]] base::Duration hold(base::Instant now) const;
+  /// The interval that deadlines are made of: no single word makes them shorter or longer.
+  [[nodiscard]] base::Duration lasting_interval(base::Instant now) const;
+  [[nodiscard]] Moment moment(base::Instant now, bool is_heard) const;
+  [[nodiscard]] double loss() const;
+
+  ParticipantId id_;
+  BootNonce boot_;
+  std::string source_;
+  Turn since_;
+  bool has_spoken_ = false;
+  Standing standing_;
+  Settled<Header> header_;
+  base::Instant heard_;
+  base::Instant deadline_;
+  std::uint64_t revision_;  ///< the one that is believed
+  Passed raised_;           ///< when it and those before it were first heard
+  bool is_complete_ = false;
+  std::vector<ServiceNumber> complete_;  ///< the services of a complete revision
+  base::Instant affirmed_;               ///< when a datagram last proved that a complete revision is as it was
+  bool is_contested_ = false;
+  base::Instant contested_until_;
+  base::Instant next_lapse_ = base::never;             ///< while contested: when a service may not be held any more
+  base::Instant next_service_deadline_ = base::never;  ///< while not complete: no service has an earlier one
+  std::optional<Rival> rival_;
+  std::optional<Opening> opening_;
+  bool was_misled_ = false;         ///< a way was opened beside another one that went on speaking
+  std::vector<NeighbourWay> ways_;  ///< by interface and link
+  NeighbourServices services_;
+};
+
+}  // namespace geminga::beacon
+
+#endif

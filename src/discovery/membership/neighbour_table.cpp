@@ -1,0 +1,310 @@
+// Which datagrams count, and for whom; what they say is taken in by the participant's record.
+#include "discovery/membership/neighbour_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "discovery/announcement/limits.hpp"
+#include "discovery/membership/admission.hpp"
+#include "discovery/membership/claims.hpp"
+#include "discovery/membership/former_lives.hpp"
+#include "discovery/membership/neighbour_record.hpp"
+
+namespace geminga::beacon {
+namespace {
+
+using base::Instant;
+
+constexpr std::array<std::string_view, 15> words = {"own",       "clash",       "claim", "newcomer",      "known",
+                                                    "goodbye",   "other-group", "stale", "full",          "copied",
+                                                    "elsewhere", "rival",       "leap",  "contradiction", "returned"};
+
+}  // namespace
+
+std::string_view to_string(Hearing hearing) { return words[std::to_underlying(hearing)]; }
+
+// Adapting the deadline to the measured loss is a matter of this function alone; `loss` is there for it.
+Instant deadline_of(Instant heard, base::Duration interval, [[maybe_unused]] double loss) {
+  return heard + deadline_intervals * interval;
+}
+
+class NeighbourTable::State final : private ServiceRoom {
+ public:
+  explicit State(std::string group) : group_(std::move(group)) {}
+
+  Hearing hear(const Announcement& announcement, const Arrival& arrival) {
+    if (announcement.group != group_) return Hearing::other_group;
+    if (announcement.boot == self_boot_) return Hearing::own;
+    if (announcement.participant == self_) return Hearing::clash;
+    is_room_sought_ = false;
+    turn_ += 2;  // the odd ones are for what was overtaken
+    switch (announcement.kind) {
+      case Kind::claim:
+        return hear_claim(announcement, arrival);
+      case Kind::goodbye:
+        return hear_goodbye(announcement, arrival);
+      case Kind::state:
+        break;
+    }
+    return hear_state(announcement, arrival);
+  }
+
+  void expire(Instant now) {
+    std::set<ParticipantId> due;
+    for (const auto& [instant, id] : due_) {
+      if (instant > now) break;
+      due.insert(id);
+    }
+    for (const auto id : due) {
+      const auto known = records_.find(id);
+      if (known->second.record->deadline() <= now) {
+        remove(known, Departure::expired);
+      } else {
+        known->second.record->expire(now, changes);
+        set_due(*known);
+      }
+    }
+  }
+
+  void forget_interface(env::InterfaceIndex interface) {
+    for (auto& known : records_) {
+      known.second.record->forget_interface(interface, changes);
+      set_due(known);
+    }
+  }
+
+  void set_self(ParticipantId id, BootNonce boot) {
+    self_ = id;
+    self_boot_ = boot;
+  }
+
+  void set_secret(std::uint64_t secret) { admission_.set_secret(secret); }
+
+  [[nodiscard]] Instant next_deadline() const { return due_.empty() ? base::never : due_.begin()->first; }
+  [[nodiscard]] const NeighbourRecord* find(ParticipantId id) const {
+    const auto known = records_.find(id);
+    return known == records_.end() ? nullptr : known->second.record.get();
+  }
+  void for_each(const std::function<void(const Neighbour&)>& visit) const {
+    for (const auto& [id, known] : records_) visit(known.record->snapshot());
+  }
+  [[nodiscard]] std::size_t size() const { return records_.size(); }
+  using ServiceRoom::refused;
+
+  std::vector<Change> changes;
+
+ private:
+  struct Known {
+    std::unique_ptr<NeighbourRecord> record;
+    Instant due = base::never;
+  };
+  using Records = std::map<ParticipantId, Known>;
+
+  Hearing hear_claim(const Announcement& announcement, const Arrival& arrival) {
+    if (former_.find(announcement, arrival.now) != nullptr) return Hearing::stale;
+    const auto holder = records_.find(announcement.participant);
+    if (holder == records_.end()) {
+      claims_.hear(announcement, arrival, turn_);
+      return Hearing::claim;
+    }
+    // One of an identifier that somebody has is no reason to give it to the claimant, unless it was overtaken by an
+    // answer to itself: who has not claimed an identifier cannot have had it before.
+    const auto& record = *holder->second.record;
+    const bool is_recent = arrival.now - record.standing().first < overtaken_time;
+    const bool is_own = record.boot() == announcement.boot && record.source() == arrival.source;
+    if (is_recent && !is_own) claims_.hear(announcement, arrival, record.since() - 1);
+    return Hearing::claim;
+  }
+
+  Hearing hear_goodbye(const Announcement& announcement, const Arrival& arrival) {
+    if (former_.find(announcement, arrival.now) != nullptr) former_.hear_goodbye(announcement, arrival);
+    const auto known = records_.find(announcement.participant);
+    if (known == records_.end() || known->second.record->boot() != announcement.boot) return Hearing::stale;
+    const auto hearing = known->second.record->hear_goodbye(announcement, arrival);
+    if (hearing == Hearing::goodbye) {
+      former_.remember(remove(known, Departure::left), arrival.now);
+      former_.hear_goodbye(announcement, arrival);
+    } else {
+      set_due(*known);
+    }
+    return hearing;
+  }
+
+  /// Whose an identifier is: ANNOUNCEMENT.md, "Whose an identifier is".
+  Hearing hear_state(const Announcement& announcement, const Arrival& arrival) {
+    const auto holder = records_.find(announcement.participant);
+    if (holder != records_.end() && holder->second.record->boot() == announcement.boot) {
+      return hear_holder(holder, announcement, arrival);
+    }
+    auto since = claims_.find(announcement, arrival);
+    const auto* former = former_.find(announcement, arrival.now);
+    if (former != nullptr && since && *since < former->since()) {
+      // Somebody at another address has anticipated the claimant's first state, and left.
+      (void)former_.take(announcement);
+      former = nullptr;
+    } else if (former != nullptr) {
+      former = former_.find_alive(announcement, arrival);
+      if (former == nullptr) return Hearing::stale;
+      since = former->since();
+    }
+    if (holder != records_.end()) {
+      const bool is_first = since && *since < holder->second.record->since();
+      if (!is_first && !holder->second.record->yields_to(announcement, arrival)) return Hearing::rival;
+    } else if (former != nullptr && records_.size() == max_participants) {
+      const auto gives_way = admission_.decide_return(former->source(), former->standing(), arrival.now);
+      if (!gives_way) return Hearing::full;
+      displace(*gives_way);
+    }
+    auto returned = former != nullptr ? former_.take(announcement) : nullptr;
+    if (holder != records_.end()) former_.remember(remove(holder, Departure::expired), arrival.now);
+    if (!returned) return hear_newcomer(announcement, arrival, since.value_or(turn_));
+    returned->come_back(arrival.now, changes);
+    add(std::move(returned), announcement, arrival);
+    return Hearing::returned;
+  }
+
+  Hearing hear_holder(Records::iterator holder, const Announcement& announcement, const Arrival& arrival) {
+    auto& record = *holder->second.record;
+    const auto hearing = record.hear(announcement, arrival, changes);
+    const auto since = claims_.find(announcement, arrival);
+    if (hearing != Hearing::known && since && *since < record.since()) {
+      // Somebody at another address anticipated the claimant's first state, with its boot nonce.
+      (void)remove(holder, Departure::expired);
+      return hear_newcomer(announcement, arrival, *since);
+    }
+    admission_.update(holder->first, record.standing());
+    set_due(*holder);
+    return hearing;
+  }
+
+  Hearing hear_newcomer(const Announcement& announcement, const Arrival& arrival, Turn since) {
+    std::optional<Standing> standing;
+    if (records_.size() == max_participants) {
+      const auto decision = admission_.decide(announcement, arrival);
+      if (!decision.gives_way) return Hearing::full;
+      standing = decision.standing;
+      displace(*decision.gives_way);
+    }
+    auto record = std::make_unique<NeighbourRecord>(announcement, arrival, since, room());
+    if (standing) record->set_standing(*standing);
+    add(std::move(record), announcement, arrival);
+    return Hearing::newcomer;
+  }
+
+  void add(std::unique_ptr<NeighbourRecord> one, const Announcement& announcement, const Arrival& arrival) {
+    auto known = records_.try_emplace(announcement.participant, Known{std::move(one), base::never}).first;
+    auto& record = *known->second.record;
+    admission_.add(known->first, record.source(), record.standing());
+    (void)record.hear(announcement, arrival, changes);
+    admission_.update(known->first, record.standing());
+    set_due(*known);
+  }
+
+  ServiceRoom& room() { return *this; }
+
+  void displace(ParticipantId id) {
+    const auto record = remove(records_.find(id), Departure::expired);
+    admission_.remember(id, record->boot(), record->newest(), record->standing());
+  }
+
+  std::unique_ptr<NeighbourRecord> remove(Records::iterator known, Departure reason) {
+    changes.emplace_back(RemoveParticipant{known->first, reason});
+    admission_.remove(known->first);
+    due_.erase({known->second.due, known->first});
+    auto record = std::move(known->second.record);
+    records_.erase(known);
+    return record;
+  }
+
+  void set_due(Records::value_type& known) {
+    const auto next = known.second.record->next_deadline();
+    if (next == known.second.due) return;
+    due_.erase({known.second.due, known.first});
+    known.second.due = next;
+    due_.emplace(next, known.first);
+  }
+
+  // Whoever has more than the one who asks gives up a service: first of another source that has more altogether, then
+  // of the same one. A stranger is given nothing, and takes nothing from those who are known for long.
+  bool make_room(const NeighbourServices& who) override {
+    if (std::exchange(is_room_sought_, true) && !was_room_found_) return false;
+    was_room_found_ = former_.give_way();
+    if (was_room_found_) return true;
+    const auto asks = records_.find(who.owner().id);
+    if (asks == records_.end() || !asks->second.record->standing().is_confirmed) return false;
+    const auto beyond_reserve = [](const NeighbourRecord& record) {
+      return record.services().size() - std::min(record.services().size(), reserved_services);
+    };
+    std::map<std::string_view, std::size_t> shares;
+    for (const auto& [id, known] : records_) shares[known.record->source()] += beyond_reserve(*known.record);
+    const auto& source = asks->second.record->source();
+    const auto own = beyond_reserve(*asks->second.record);
+    std::tuple<bool, bool, std::size_t, std::size_t> most{};
+    NeighbourRecord* greediest = nullptr;
+    for (auto& [id, known] : records_) {
+      const auto count = beyond_reserve(*known.record);
+      const bool is_seasoned = admission_.is_seasoned(id);
+      const bool is_same = known.record->source() == source;
+      const auto share = shares[known.record->source()];
+      if (count == 0 || (is_seasoned && !admission_.is_seasoned(asks->first))) continue;
+      if (is_same ? count <= own + 1 : share <= shares[source] + 1) continue;
+      const std::tuple order{!is_seasoned, !is_same, share, count};
+      if (greediest != nullptr && order <= most) continue;
+      most = order;
+      greediest = known.record.get();
+    }
+    was_room_found_ = greediest != nullptr && greediest->services().give_way(changes);
+    return was_room_found_;
+  }
+
+  std::string group_;
+  ParticipantId self_{};
+  BootNonce self_boot_{};
+  Admission admission_;
+  FormerLives former_;
+  Claims claims_;
+  Turn turn_ = 0;
+  Records records_;
+  std::set<std::pair<Instant, ParticipantId>> due_;  ///< when expire() has something to do for whom
+  bool is_room_sought_ = false;                      ///< for the datagram that is being taken in
+  bool was_room_found_ = false;
+};
+
+NeighbourTable::NeighbourTable(std::string group) : state_(std::make_unique<State>(std::move(group))) {}
+NeighbourTable::~NeighbourTable() = default;
+
+void NeighbourTable::set_self(ParticipantId id, BootNonce boot) { state_->set_self(id, boot); }
+
+void NeighbourTable::set_secret(std::uint64_t secret) { state_->set_secret(secret); }
+
+Hearing NeighbourTable::hear(const Announcement& announcement, const Arrival& arrival) {
+  return state_->hear(announcement, arrival);
+}
+
+void NeighbourTable::expire(base::Instant now) { state_->expire(now); }
+
+base::Instant NeighbourTable::next_deadline() const { return state_->next_deadline(); }
+
+void NeighbourTable::forget_interface(env::InterfaceIndex interface) { state_->forget_interface(interface); }
+
+std::vector<Change> NeighbourTable::take_changes() { return std::exchange(state_->changes, {}); }
+
+bool NeighbourTable::is_known(ParticipantId id) const { return state_->find(id) != nullptr; }
+
+std::optional<Neighbour> NeighbourTable::find(ParticipantId id) const {
+  const auto* known = state_->find(id);
+  if (known == nullptr) return std::nullopt;
+  return known->snapshot();
+}
+
+void NeighbourTable::for_each(const std::function<void(const Neighbour&)>& visit) const { state_->for_each(visit); }
+
+std::size_t NeighbourTable::size() const { return state_->size(); }
+
+std::uint64_t NeighbourTable::refused_services() const { return state_->refused(); }
+
+}  // namespace geminga::beacon

@@ -1,0 +1,179 @@
+// All other participants that are heard: what they announce, on which ways, and until when it counts.
+#ifndef GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_TABLE_HPP
+#define GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_TABLE_HPP
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "base/time.hpp"
+#include "discovery/announcement/announcement.hpp"
+#include "env/env.hpp"
+#include "geminga/service.hpp"
+
+namespace geminga::beacon {
+
+/// Why something remote is gone. The words of matching::Reason.
+enum class Departure : std::uint8_t {
+  withdrawn,  ///< its participant does not announce it any more
+  expired,    ///< not heard of before the deadline
+  left,       ///< its participant said goodbye
+};
+
+/// A remote publication is there, has changed, or was heard of again (then only `heard` differs). The
+/// address is never empty unless nothing is known of the sender; an IPv6 link-local one carries our interface as zone.
+struct PutPublication {
+  ServiceKey key;
+  Publication publication;
+  std::string peer_name;
+  std::string participant_name;
+  base::Instant heard;  ///< registry::PublicationEntry::updated
+  friend bool operator==(const PutPublication&, const PutPublication&) = default;
+};
+struct PutSubscription {
+  ServiceKey key;
+  Subscription subscription;
+  std::string peer_name;
+  std::string participant_name;
+  base::Instant heard;
+  friend bool operator==(const PutSubscription&, const PutSubscription&) = default;
+};
+struct RemovePublication {
+  ServiceKey key;
+  Departure reason = Departure::withdrawn;
+  friend bool operator==(const RemovePublication&, const RemovePublication&) = default;
+};
+struct RemoveSubscription {
+  ServiceKey key;
+  Departure reason = Departure::withdrawn;
+  friend bool operator==(const RemoveSubscription&, const RemoveSubscription&) = default;
+};
+/// A participant and everything of it is gone; its services are not removed one by one.
+struct RemoveParticipant {
+  ParticipantId participant{};
+  Departure reason = Departure::expired;
+  friend bool operator==(const RemoveParticipant&, const RemoveParticipant&) = default;
+};
+/// What the caller does to its registry, in this order.
+using Change = std::variant<PutPublication, PutSubscription, RemovePublication, RemoveSubscription, RemoveParticipant>;
+
+/// How the table has taken an announcement.
+enum class Hearing : std::uint8_t {
+  own,          ///< our own datagram, come back
+  clash,        ///< our identifier from another boot nonce: feed IdentifierClaim::conflict() with its kind
+  claim,        ///< somebody claims an identifier: it is new here, so Schedule::newcomer()
+  newcomer,     ///< a participant that was not known, or has restarted: Schedule::newcomer()
+  known,        ///< a known participant's; changes may follow
+  goodbye,      ///< a known participant has left
+  other_group,  ///< not for us
+  stale,        ///< from before its sender's goodbye or the loss of its identifier, or the goodbye of somebody unknown
+  full,         ///< an unknown participant, while all places are taken by somebody with a better right to them
+  copied,       ///< a datagram that was heard, sent again from another source address: ignored
+  elsewhere,    ///< in the name of a known participant from another source address: ignored until it is repeated
+  rival,        ///< a known identifier from another boot nonce, while its owner is there: ignored
+  leap,         ///< a revision too far from the one before it: ignored until it is repeated
+  contradiction,  ///< does not fit to what was heard: somebody lies in the name of this participant
+  returned,       ///< a participant goes on after a goodbye in its name, or has its identifier back: it is known again
+};
+/// "own", "clash", ... Static storage.
+[[nodiscard]] std::string_view to_string(Hearing hearing);
+
+/// How a datagram came in.
+struct Arrival {
+  env::InterfaceIndex interface{};
+  std::string_view interface_name;  ///< becomes the zone of IPv6 link-local addresses
+  /// The sender's numeric address, which its ways belong to; also used for a sender that announces no address of its
+  /// own. May be empty.
+  std::string_view source;
+  base::Instant now;
+};
+
+/// One way on which a participant is heard: our interface and its interface.
+struct Path {
+  env::InterfaceIndex interface{};
+  std::string interface_name;
+  std::uint32_t link = 0;
+  std::vector<std::string> addresses;  ///< the sender's there; IPv6 link-local ones with our zone
+  base::Instant heard;
+  double loss = 0;  ///< the share of its last 64 datagrams on this way that were not heard
+};
+
+/// What is known of one participant.
+struct Neighbour {
+  ParticipantId id{};
+  BootNonce boot{};
+  std::string name;
+  std::uint64_t ontology_digest = 0;
+  base::Duration interval{};
+  base::Instant heard;
+  base::Instant deadline;
+  std::string address;  ///< what its services without address are given; may be empty
+  std::vector<Path> paths;
+  double loss = 0;  ///< of the best path
+  std::size_t publications = 0;
+  std::size_t subscriptions = 0;
+  bool is_complete = false;  ///< all parts of its newest revision were heard
+};
+
+/// Intervals without a sign of life after which a participant is gone. 5 at 30 % loss: 0.24 % of being wrong a window.
+inline constexpr int deadline_intervals = 5;
+/// When what was heard at `heard` expires. The one place where a deadline is made.
+[[nodiscard]] base::Instant deadline_of(base::Instant heard, base::Duration interval, double loss);
+/// Goodbyes are remembered so long, so that datagrams which they overtook bring nobody back; at most max_participants.
+inline constexpr base::Duration goodbye_memory = std::chrono::seconds(10);
+
+/// The table of one participant. Not thread-safe. Deterministic: no clock, no chance, no order of a hash map. What a
+/// participant announces is kept by (participant, peer, number); a newer revision wins over an older one; what is in no
+/// part of a completely heard revision is withdrawn; a datagram of the newest, complete revision keeps all alive. Who
+/// is believed when a datagram may be forged is told in ANNOUNCEMENT.md. The address of a path is kept as long as the
+/// path is alive and none of a better rank (address_rank()) turns up.
+class NeighbourTable {
+ public:
+  explicit NeighbourTable(std::string group);
+  ~NeighbourTable();
+  NeighbourTable(const NeighbourTable&) = delete;
+  NeighbourTable& operator=(const NeighbourTable&) = delete;
+
+  /// Who we are, to be told from others; again after each draw of IdentifierClaim.
+  void set_self(ParticipantId id, BootNonce boot);
+
+  /// Random bits that nobody else knows, so that nobody can aim a flood at the places of others. Before anything is
+  /// heard.
+  void set_secret(std::uint64_t secret);
+
+  /// Takes in one decoded announcement. Cost: its entries times the logarithm of the sender's, and when something has
+  /// changed (or a sixteenth of an interval has gone by) all entries of its sender; while all room for services is
+  /// taken also a look at every participant for each service that others make room for.
+  [[nodiscard]] Hearing hear(const Announcement& announcement, const Arrival& arrival);
+  /// Removes what has its deadline at or before `now`.
+  void expire(base::Instant now);
+  /// When expire() has something to do, or a little before; base::never: nothing. Its cost is constant.
+  [[nodiscard]] base::Instant next_deadline() const;
+  /// An interface of ours is gone: its paths are, and addresses are chosen anew. Participants stay until their
+  /// deadline.
+  void forget_interface(env::InterfaceIndex interface);
+
+  /// The changes since the last call, in the order in which they must be done.
+  [[nodiscard]] std::vector<Change> take_changes();
+
+  [[nodiscard]] bool is_known(ParticipantId id) const;
+  [[nodiscard]] std::optional<Neighbour> find(ParticipantId id) const;
+  /// In ascending order of identifier.
+  void for_each(const std::function<void(const Neighbour&)>& visit) const;
+  [[nodiscard]] std::size_t size() const;
+  /// Services that were not taken because of max_services_per_participant or max_remote_services.
+  [[nodiscard]] std::uint64_t refused_services() const;
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace geminga::beacon
+
+#endif

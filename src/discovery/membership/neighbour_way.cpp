@@ -1,0 +1,156 @@
+// Which datagrams belong to a way, and which of them follow each other.
+#include "discovery/membership/neighbour_way.hpp"
+
+#include <utility>
+
+#include "discovery/announcement/address.hpp"
+#include "discovery/announcement/limits.hpp"
+
+namespace geminga::beacon {
+namespace {
+
+using base::Duration;
+using base::Instant;
+
+/// The addresses of a sender as they are used here: link-local ones of IPv6 need our interface.
+std::vector<std::string> usable(const Announcement& announcement, const Arrival& arrival) {
+  std::vector<std::string> addresses;
+  const auto add = [&](std::string_view text) {
+    auto address = parse_address(text);
+    if (!address) return;
+    const bool needs_zone = address->is_ipv6() && address->scope() == AddressScope::link_local;
+    address->zone = needs_zone ? std::string(arrival.interface_name) : std::string();
+    addresses.push_back(address->text());
+  };
+  for (const auto& address : announcement.addresses) add(address);
+  if (addresses.empty()) add(arrival.source);
+  return addresses;
+}
+
+}  // namespace
+
+NeighbourWay::NeighbourWay(const Announcement& first, const Arrival& arrival)
+    : opened_(arrival.now),
+      source_(arrival.source),
+      addresses_(usable(first, arrival), arrival.now),
+      passed_(first.sequence, arrival.now),
+      revision_(first.revision),
+      part_count_(first.part_count) {
+  path_.interface = arrival.interface;
+  path_.interface_name = arrival.interface_name;
+  path_.link = first.link;
+  path_.heard = arrival.now;
+}
+
+NeighbourWay::Origin NeighbourWay::origin(const Announcement& announcement, const Arrival& arrival, bool needs_silence,
+                                          Duration hold) {
+  if (arrival.source == source_) {
+    mover_.reset();
+    return Origin::bound;
+  }
+  if (home_ && arrival.source == home_->source) {
+    const bool may_be_overtaken = arrival.now - home_->left < overtaken_time;
+    if (announcement.sequence <= home_->sequence && may_be_overtaken) return Origin::copied;
+    // What it says now counts no more than what it said then: the source address may be forged, too.
+    source_ = std::move(home_->source);
+    addresses_ = std::move(home_->addresses);
+    home_.reset();
+    mover_.reset();
+    has_moved_ = false;
+    was_misled_ = true;
+    return Origin::back;
+  }
+  const bool is_silent = arrival.now - path_.heard >= hold;
+  if (has(announcement.sequence) || (!is_next(announcement.sequence) && !is_silent)) return Origin::copied;
+  if (!mover_ || mover_->source != arrival.source) {
+    mover_ = Mover{std::string(arrival.source), announcement.sequence};
+    return Origin::elsewhere;
+  }
+  if (announcement.sequence == mover_->sequence) return Origin::copied;
+  mover_->sequence = announcement.sequence;
+  // A datagram of the bound address would have ended the mover.
+  if ((needs_silence || was_misled_) && !is_silent) return Origin::elsewhere;
+  move(arrival, hold);
+  return Origin::bound;
+}
+
+void NeighbourWay::move(const Arrival& arrival, Duration hold) {
+  // The address that the way had for long stays its home while it moves on and on.
+  const bool is_settled = !home_ || arrival.now - home_->left >= hold;
+  if (is_settled) home_ = Home{source_, losses_.newest(), arrival.now, addresses_};
+  source_ = arrival.source;
+  mover_.reset();
+  has_moved_ = true;
+}
+
+NeighbourWay::Order NeighbourWay::order(const Announcement& announcement, Instant now) const {
+  if (losses_.is_empty()) return Order::next;
+  const auto newest = losses_.newest();
+  if (announcement.sequence >= newest) {
+    // A sender's revision never falls, and one datagram has one number.
+    return announcement.revision < revision_ ? Order::contradiction : Order::next;
+  }
+  const bool is_late = passed_.is_late(announcement.sequence, now);
+  if (losses_.has(announcement.sequence) && !is_late) return Order::overtaken;
+  if (announcement.revision > revision_) return Order::contradiction;
+  if (announcement.revision == revision_) return Order::next;
+  return is_late ? Order::contradiction : Order::overtaken;
+}
+
+bool NeighbourWay::leaps(const Announcement& announcement, std::uint64_t believed) {
+  if (announcement.revision <= believed || announcement.revision - believed <= max_revision_step) {
+    leap_.reset();
+    return false;
+  }
+  if (leap_ && announcement.sequence > *leap_) return false;
+  leap_ = announcement.sequence;
+  return true;
+}
+
+bool NeighbourWay::denies(const Announcement& announcement, const Arrival& arrival) const {
+  if (losses_.is_empty() || has_moved_ || announcement.revision != revision_) return false;
+  return announcement.part_count != part_count_ || usable(announcement, arrival) != addresses_.value();
+}
+
+void NeighbourWay::count(const Announcement& announcement, const Arrival& arrival, bool is_contradiction) {
+  const auto sequence = announcement.sequence;
+  const bool is_lower = !is_next(sequence) && sequence != losses_.newest();
+  // What comes so late was not overtaken: its sender is where it says.
+  if (is_lower && (is_contradiction || passed_.is_late(sequence, arrival.now))) {
+    losses_.restart(sequence);
+    passed_.restart(sequence, arrival.now);
+  } else {
+    losses_.count(sequence);
+    passed_.rise(sequence, arrival.now);
+  }
+  path_.heard = arrival.now;
+  path_.interface_name = arrival.interface_name;
+  path_.loss = losses_.loss();
+}
+
+bool NeighbourWay::say(const Announcement& announcement, const Arrival& arrival, bool is_contested, Duration hold) {
+  revision_ = announcement.revision;
+  part_count_ = announcement.part_count;
+  const bool is_free = std::exchange(has_moved_, false) || !is_contested || !addresses_.is_held(arrival.now, hold);
+  auto addresses = usable(announcement, arrival);
+  if (addresses == addresses_.value()) {
+    addresses_.affirm(arrival.now);
+    return false;
+  }
+  if (!is_free) return false;
+  addresses_.replace(std::move(addresses), arrival.now, hold);
+  return true;
+}
+
+Path NeighbourWay::path() const {
+  auto path = path_;
+  path.addresses = addresses_.value();
+  return path;
+}
+
+void NeighbourWay::roll_back(Instant now, Duration hold) {
+  addresses_.roll_back(now, hold);
+  if (home_) home_->addresses.roll_back(now, hold);
+}
+
+}  // namespace geminga::beacon

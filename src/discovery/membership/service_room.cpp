@@ -1,0 +1,22 @@
+// Reserve first, then the pool.
+#include "discovery/membership/service_room.hpp"
+
+#include "discovery/announcement/limits.hpp"
+
+namespace geminga::beacon {
+
+bool ServiceRoom::take(const NeighbourServices& who, std::size_t count) {
+  if (count < reserved_services) return true;
+  if (pool_ >= max_remote_services && !make_room(who)) {
+    ++refused_;
+    return false;
+  }
+  ++pool_;
+  return true;
+}
+
+void ServiceRoom::give(std::size_t count) {
+  if (count > reserved_services) --pool_;
+}
+
+}  // namespace geminga::beacon

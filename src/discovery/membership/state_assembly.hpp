@@ -1,0 +1,45 @@
+// Whether all parts of one revision of a participant's state have been heard on one way, and what was in them.
+#ifndef GEMINGA_DISCOVERY_MEMBERSHIP_STATE_ASSEMBLY_HPP
+#define GEMINGA_DISCOVERY_MEMBERSHIP_STATE_ASSEMBLY_HPP
+
+#include <bitset>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "discovery/announcement/announcement.hpp"
+#include "discovery/announcement/limits.hpp"
+
+namespace geminga::beacon {
+
+/// A service within its participant.
+struct ServiceNumber {
+  PeerId peer{};
+  std::uint32_t number = 0;
+  friend auto operator<=>(const ServiceNumber&, const ServiceNumber&) = default;
+};
+
+/// Collects the parts of the newest revision. Each way has its own, because a state is split differently where other
+/// addresses are valid.
+class StateAssembly {
+ public:
+  /// Takes in a part; whether the revision is complete with it. Says so once for each revision.
+  bool add(const Announcement& part);
+  /// The services of the complete revision, withheld ones included, in ascending order.
+  [[nodiscard]] const std::vector<ServiceNumber>& services() const { return services_; }
+  /// Forgets what was collected.
+  void clear();
+
+ private:
+  bool has_begun_ = false;
+  bool is_overfull_ = false;
+  std::uint64_t revision_ = 0;
+  std::uint32_t part_count_ = 0;
+  std::bitset<max_parts> parts_;
+  std::vector<ServiceNumber> services_;
+};
+
+}  // namespace geminga::beacon
+
+#endif

@@ -1,0 +1,244 @@
+#include "discovery/participant/announcer.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "discovery/announcement/address.hpp"
+#include "discovery/announcement/codec.hpp"
+#include "discovery/announcement/limits.hpp"
+#include "discovery/announcement/on_interface.hpp"
+#include "discovery/participant/own_services.hpp"
+
+namespace geminga::participant {
+namespace {
+
+beacon::ScheduleOptions schedule_options(const Settings& settings) {
+  return {.interval = std::clamp(settings.interval, beacon::min_interval, beacon::max_interval)};
+}
+
+/// "10.0.0.66 on wlan0"
+std::string origin(const Heard& heard) { return std::string(heard.source) + " on " + heard.on.name; }
+
+/// Whether a datagram from this address can be our own. An interface does not show its IPv6 link-local address where it
+/// has another one, so none of those can be ruled out.
+bool may_be_ours(const env::Env& env, std::string_view source) {
+  const auto address = beacon::parse_address(source);
+  if (!address || (address->is_ipv6() && address->scope() == beacon::AddressScope::link_local)) return true;
+  return std::ranges::any_of(env.interfaces(), [&](const env::Interface& interface) {
+    return std::ranges::find(interface.addresses, source) != interface.addresses.end();
+  });
+}
+
+}  // namespace
+
+Announcer::Announcer(Core& core)
+    : core_(core),
+      boot_(beacon::BootNonce(core.env.random_bits())),
+      claim_(core.env.random_bits(), [&core](ParticipantId id) { return core.neighbours.is_known(id); }),
+      schedule_(schedule_options(core.settings), core.env.random_bits()),
+      sent_(core.env.random_bits()) {}
+
+void Announcer::start() {
+  claim_.start(core_.env.now());
+  core_.neighbours.set_self(claim_.id(), boot_);
+}
+
+void Announcer::stop() {
+  is_stopping_ = true;
+  if (!claim_.is_held()) return;
+  farewell_ = claim_.id();
+  schedule_.stop(core_.env.now());
+}
+
+bool Announcer::is_finished() const {
+  return is_stopping_ && (farewell_ == ParticipantId{} || schedule_.is_finished());
+}
+
+Announcer::Step Announcer::step_claim() {
+  for (;;) {
+    if (is_stopping_) return Step::nothing;
+    switch (claim_.step(core_.env.now())) {
+      case beacon::IdentifierClaim::Step::wait:
+        return Step::nothing;
+      case beacon::IdentifierClaim::Step::send_claim:
+        send(header(beacon::Kind::claim, claim_.id()));
+        break;
+      case beacon::IdentifierClaim::Step::claimed:
+        return Step::claimed;
+      case beacon::IdentifierClaim::Step::failed:
+        return Step::failed;
+    }
+  }
+}
+
+void Announcer::announce() {
+  const base::Instant now = core_.env.now();
+  if (is_stopping_) {
+    if (farewell_ == ParticipantId{}) return;
+    while (schedule_.take(now) != beacon::Schedule::Say::nothing) send(header(beacon::Kind::goodbye, farewell_));
+    return;
+  }
+  if (!claim_.is_held()) return;
+  if (std::exchange(core_.is_changed, false)) {
+    ++revision_;
+    schedule_.changed(now);
+  }
+  for (;;) {
+    switch (schedule_.take(now)) {
+      case beacon::Schedule::Say::nothing:
+      case beacon::Schedule::Say::goodbye:
+        return;
+      case beacon::Schedule::Say::state:
+        schedule_.set_size(send(current_state()));
+        break;
+      case beacon::Schedule::Say::presence:
+        send(current_state(), Extent::first_part);
+        break;
+    }
+  }
+}
+
+const beacon::Announcement& Announcer::current_state() {
+  if (state_.revision != revision_ || state_.participant != claim_.id()) state_ = state();
+  return state_;
+}
+
+base::Instant Announcer::due() const {
+  return is_stopping_ ? schedule_.due() : std::min(claim_.due(), schedule_.due());
+}
+
+Announcer::Consequence Announcer::heard(const Heard& heard) {
+  if (is_stopping_) return Consequence::nothing;
+  switch (heard.hearing) {
+    case beacon::Hearing::newcomer:
+    case beacon::Hearing::claim:
+      schedule_.newcomer(core_.env.now());
+      return Consequence::nothing;
+    case beacon::Hearing::own:
+      heard_own(heard);
+      return Consequence::nothing;
+    case beacon::Hearing::clash:
+      return heard_clash(heard);
+    default:
+      return Consequence::nothing;
+  }
+}
+
+Announcer::Consequence Announcer::heard_clash(const Heard& heard) {
+  const base::Instant now = core_.env.now();
+  const ParticipantId lost = claim_.id();
+  clash_from_ = origin(heard);
+  switch (claim_.conflict(heard.announcement.kind, now)) {
+    case beacon::IdentifierClaim::Verdict::ignore:
+      return Consequence::nothing;
+    case beacon::IdentifierClaim::Verdict::answer:
+      ++core_.counters.contested;
+      schedule_.contested(now);
+      report(heard);
+      return Consequence::nothing;
+    case beacon::IdentifierClaim::Verdict::kept:
+      ++core_.counters.contested;
+      schedule_.contradict(now);
+      report(heard);
+      return Consequence::nothing;
+    case beacon::IdentifierClaim::Verdict::redrawn:
+      ++core_.counters.redraws;
+      core_.neighbours.set_self(claim_.id(), boot_);
+      return Consequence::nothing;
+    case beacon::IdentifierClaim::Verdict::dropped:
+      ++core_.counters.redraws;
+      ++core_.counters.clashes;
+      core_.log(base::LogLevel::warning, "another participant (" + clash_from_ + ") has our identifier " +
+                                             to_string(lost) + ", too: taking a new one");
+      send(header(beacon::Kind::goodbye, lost));
+      schedule_.pause();
+      core_.neighbours.set_self(claim_.id(), boot_);
+      return Consequence::nothing;
+    case beacon::IdentifierClaim::Verdict::failed:
+      return Consequence::failed;
+  }
+  return Consequence::nothing;
+}
+
+/// What comes in with our boot nonce is our own echo, or somebody lies about us to all who hear it.
+void Announcer::heard_own(const Heard& heard) {
+  if (!claim_.is_held() || heard.announcement.participant != claim_.id()) return;
+  if (may_be_ours(core_.env, heard.source) && sent_.contains(heard.datagram)) return;
+  ++core_.counters.contradicted;
+  schedule_.contradict(core_.env.now());
+  report(heard);
+}
+
+void Announcer::report(const Heard& heard) {
+  if (!core_.contest.hear(origin(heard), core_.env.now())) return;
+  core_.log(base::LogLevel::warning,
+            core_.contest.from() + " announces in our name (identifier " + to_string(claim_.id()) +
+                "): we keep it and contradict. If this goes on, a program there forges or replays announcements: find "
+                "that host, or keep it off this network");
+}
+
+void Announcer::end_contest() {
+  if (!core_.contest.has_ended(core_.env.now())) return;
+  core_.log(base::LogLevel::info,
+            "nobody else announces in our name any more; " + std::to_string(core_.contest.heard()) + " datagrams did");
+}
+
+std::string Announcer::failure() const {
+  return "no participant identifier could be claimed: each of " + std::to_string(beacon::max_claim_attempts) +
+         " was announced by somebody else at once, the last by " + clash_from_ +
+         ": a program there forges announcements: find that host, or keep it off this network";
+}
+
+beacon::Announcement Announcer::header(beacon::Kind kind, ParticipantId id) const {
+  beacon::Announcement header;
+  header.kind = kind;
+  header.group = core_.settings.group;
+  header.participant = id;
+  header.boot = boot_;
+  header.interval = schedule_options(core_.settings).interval;
+  header.name = core_.settings.name;
+  header.ontology_digest = core_.digest();
+  return header;
+}
+
+beacon::Announcement Announcer::state() const {
+  beacon::Announcement state = header(beacon::Kind::state, claim_.id());
+  state.revision = revision_;
+  for (const Session* session : core_.peers()) {
+    beacon::PeerState peer;
+    peer.id = session->peer();
+    peer.name = session->name;
+    for (const auto& [number, stated] : session->publications) {
+      if (stated.is_in_force) peer.publications.push_back({.number = number, .publication = stated.publication});
+    }
+    for (const auto& [number, stated] : session->subscriptions) {
+      if (stated.is_in_force) peer.subscriptions.push_back({.number = number, .subscription = stated.subscription});
+    }
+    if (!peer.publications.empty() || !peer.subscriptions.empty()) state.peers.push_back(std::move(peer));
+  }
+  return state;
+}
+
+std::size_t Announcer::send(const beacon::Announcement& announcement, Extent extent) {
+  std::size_t most = 0;
+  const auto& interfaces = core_.env.interfaces();
+  for (const env::Interface& interface : interfaces) {
+    beacon::Announcement here = beacon::on_interface(announcement, interface, interfaces);
+    std::uint64_t& sequence = sequences_[interface.index];
+    here.sequence = sequence;
+    auto datagrams = beacon::encode(here);
+    if (extent == Extent::first_part) datagrams.resize(1);
+    for (const beacon::Datagram& datagram : datagrams) {
+      sent_.add(datagram);
+      core_.env.send(interface.index, datagram);
+      ++sequence;
+      ++core_.counters.datagrams_sent;
+      ++core_.counters.interfaces[interface.index].sent;
+      core_.counters.bytes_sent += datagram.size();
+    }
+    most = std::max(most, datagrams.size());
+  }
+  return most;
+}
+
+}  // namespace geminga::participant

@@ -1,0 +1,89 @@
+// Speaks for a participant on the air: claims its identifier, announces its state when it is due, says goodbye.
+#ifndef GEMINGA_DISCOVERY_PARTICIPANT_ANNOUNCER_HPP
+#define GEMINGA_DISCOVERY_PARTICIPANT_ANNOUNCER_HPP
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "discovery/announcement/announcement.hpp"
+#include "discovery/membership/identifier_claim.hpp"
+#include "discovery/membership/schedule.hpp"
+#include "discovery/participant/core.hpp"
+#include "discovery/participant/sent_datagrams.hpp"
+
+namespace geminga::participant {
+
+/// One announcement that came in. Everything is borrowed for the call.
+struct Heard {
+  const beacon::Announcement& announcement;
+  beacon::Hearing hearing;
+  std::span<const std::byte> datagram;
+  std::string_view source;
+  const env::Interface& on;
+};
+
+class Announcer {
+ public:
+  /// Draws its boot nonce and its seeds from Env. Borrows `core` for its life.
+  explicit Announcer(Core& core);
+
+  /// Begins to claim an identifier.
+  void start();
+  /// From now on only goodbyes are due, if there is an identifier to give up.
+  void stop();
+  /// Whether nothing is left to say after stop().
+  [[nodiscard]] bool is_finished() const;
+
+  /// What a step of the claim came to.
+  enum class Step : std::uint8_t { nothing, claimed, failed };
+  /// Sends the claims that are due. Says `claimed` once for each identifier, which id() then is.
+  [[nodiscard]] Step step_claim();
+  /// Announces what has changed or is due; after stop() says goodbye.
+  void announce();
+  /// When step_claim() or announce() has something to do, or base::never.
+  [[nodiscard]] base::Instant due() const;
+
+  /// What was heard, so that newcomers are answered, claims contested and lies about us contradicted.
+  /// Where an identifier is given up, another one is claimed: step_claim() says when it is held.
+  enum class Consequence : std::uint8_t { nothing, failed };
+  [[nodiscard]] Consequence heard(const Heard& heard);
+  /// Says in the log that a contest is over; to be called now and then.
+  void end_contest();
+  /// After `failed`: why, with what to do.
+  [[nodiscard]] std::string failure() const;
+
+  [[nodiscard]] ParticipantId id() const { return claim_.id(); }
+  [[nodiscard]] beacon::BootNonce boot() const { return boot_; }
+
+ private:
+  enum class Extent : std::uint8_t { whole, first_part };
+  /// Sends on all interfaces; returns the most datagrams that one of them took.
+  std::size_t send(const beacon::Announcement& announcement, Extent extent = Extent::whole);
+  /// What is announced at present. Made when it is sent and not with every change: of a hundred changes between two
+  /// datagrams only the last counts.
+  [[nodiscard]] const beacon::Announcement& current_state();
+  Consequence heard_clash(const Heard& heard);
+  void heard_own(const Heard& heard);
+  void report(const Heard& heard);
+  [[nodiscard]] beacon::Announcement header(beacon::Kind kind, ParticipantId id) const;
+  [[nodiscard]] beacon::Announcement state() const;
+
+  Core& core_;
+  beacon::BootNonce boot_;
+  beacon::IdentifierClaim claim_;
+  beacon::Schedule schedule_;
+  std::uint64_t revision_ = 0;
+  beacon::Announcement state_;  ///< as it was sent last, without anything of an interface
+  std::map<env::InterfaceIndex, std::uint64_t> sequences_;
+  SentDatagrams sent_;
+  std::string clash_from_;  ///< where the last clash was heard
+  bool is_stopping_ = false;
+  ParticipantId farewell_{};  ///< whose goodbye is said after stop(); 0: nobody knows us
+};
+
+}  // namespace geminga::participant
+
+#endif

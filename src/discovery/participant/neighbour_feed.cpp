@@ -1,0 +1,124 @@
+#include "discovery/participant/neighbour_feed.hpp"
+
+#include <utility>
+
+#include "discovery/announcement/codec.hpp"
+#include "discovery/participant/own_services.hpp"
+#include "discovery/participant/telling.hpp"
+
+namespace geminga::participant {
+namespace {
+
+matching::Reason reason_of(beacon::Departure departure) {
+  switch (departure) {
+    case beacon::Departure::withdrawn:
+      return matching::Reason::withdrawn;
+    case beacon::Departure::expired:
+      return matching::Reason::expired;
+    case beacon::Departure::left:
+      return matching::Reason::left;
+  }
+  return matching::Reason::withdrawn;
+}
+
+/// Does one change to the registry. Entries have no deadline of their own there: the neighbour table, which hears every
+/// sign of life, is the only one that decides when somebody is gone.
+struct Feed {
+  matching::Matcher& matcher;
+
+  void operator()(beacon::PutPublication& put) const {
+    matcher.put(registry::PublicationEntry{.key = put.key,
+                                           .publication = std::move(put.publication),
+                                           .peer_name = std::move(put.peer_name),
+                                           .participant_name = std::move(put.participant_name),
+                                           .updated = put.heard});
+  }
+  void operator()(beacon::PutSubscription& put) const {
+    matcher.put(registry::SubscriptionEntry{.key = put.key,
+                                            .subscription = std::move(put.subscription),
+                                            .peer_name = std::move(put.peer_name),
+                                            .participant_name = std::move(put.participant_name),
+                                            .updated = put.heard});
+  }
+  void operator()(const beacon::RemovePublication& gone) const {
+    matcher.remove_publication(gone.key, reason_of(gone.reason));
+  }
+  void operator()(const beacon::RemoveSubscription& gone) const {
+    matcher.remove_subscription(gone.key, reason_of(gone.reason));
+  }
+  void operator()(const beacon::RemoveParticipant& gone) const {
+    matcher.begin_departure(gone.participant, reason_of(gone.reason));
+  }
+};
+
+/// One of our own requests, under the identifier that is held now.
+void return_next(Core& core) {
+  const auto [stream, number] = core.returning.back();
+  core.returning.pop_back();
+  const auto session = core.sessions.find(stream);
+  if (session == core.sessions.end() || session->second->is_leaving) return;
+  core.worked += cost_of_statement;
+  return_one(core, *session->second, number);
+}
+
+void feed_next(Core& core) {
+  if (core.matcher.depart_next()) return;
+  if (!core.returning.empty()) return return_next(core);
+  beacon::Change change = core.neighbour_queue.pop();
+  std::visit(Feed{core.matcher}, change);
+}
+
+}  // namespace
+
+bool is_feed_due(const Core& core) {
+  return core.matcher.is_departing() || !core.returning.empty() || !core.neighbour_queue.is_empty();
+}
+
+void proceed_feed(Core& core, Work most) {
+  const Work begin = core.work();
+  while (is_feed_due(core) && core.work() - begin < most) {
+    feed_next(core);
+    deliver_events(core);
+    core.worked += cost_of_entry;
+  }
+}
+
+void feed(Core& core) {
+  const bool is_behind = is_feed_due(core);
+  for (beacon::Change& change : core.neighbours.take_changes()) core.neighbour_queue.push(std::move(change));
+  // Who is behind already goes on in his turns, or a flood of datagrams would leave no time for them.
+  if (!is_behind) proceed_feed(core, work_in_turn);
+}
+
+Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceIndex interface, std::string_view source,
+                            std::span<const std::byte> datagram) {
+  ++core.counters.datagrams_received;
+  core.counters.bytes_received += datagram.size();
+  const env::Interface* on = core.find(interface);
+  if (on == nullptr) return Announcer::Consequence::nothing;  // It came in just before the interface went away.
+  ++core.counters.interfaces[interface].received;
+  const auto announcement = beacon::decode(datagram);
+  if (!announcement) {
+    ++core.counters.undecodable.at(static_cast<std::size_t>(announcement.error()));
+    return Announcer::Consequence::nothing;
+  }
+  if (core.id != announcer.id() && announcement->participant == core.id) {
+    // Whoever else has the identifier that we are giving up is heard once our own services have another one.
+    ++core.counters.hearings[beacon::Hearing::clash];
+    return Announcer::Consequence::nothing;
+  }
+  const beacon::Hearing hearing = core.neighbours.hear(
+      *announcement, {.interface = interface, .interface_name = on->name, .source = source, .now = core.env.now()});
+  ++core.counters.hearings[hearing];
+  feed(core);
+  if (core.expressions.take_waiting(core.env.now())) core.ontology_change.place_again();
+  return announcer.heard(
+      {.announcement = *announcement, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
+}
+
+void expire(Core& core) {
+  core.neighbours.expire(core.env.now());
+  feed(core);
+}
+
+}  // namespace geminga::participant

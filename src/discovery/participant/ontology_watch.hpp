@@ -1,0 +1,38 @@
+// Says in the log when others on the air have another ontology than ours, and when that is mended.
+#ifndef GEMINGA_DISCOVERY_PARTICIPANT_ONTOLOGY_WATCH_HPP
+#define GEMINGA_DISCOVERY_PARTICIPANT_ONTOLOGY_WATCH_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+
+#include "base/time.hpp"
+#include "geminga/service.hpp"
+
+namespace geminga::participant {
+
+struct Core;
+
+/// How often it looks, and so how often it writes a line at most. Longer: a team that reloads one by one says less.
+/// Shorter: a difference is in the log sooner.
+inline constexpr base::Duration ontology_look_interval = std::chrono::seconds(5);
+/// How many others one line names; `query ontology` has them all.
+inline constexpr std::size_t max_named_others = 8;
+
+/// A line a change, never one a second: whoever is at the robot reads it once, and queries show what still differs.
+class OntologyWatch {
+ public:
+  /// To be called at the end of any event; does nothing before its interval has gone by. O(participants).
+  void look(Core& core);
+
+ private:
+  using Others = std::map<ParticipantId, std::uint64_t>;  ///< the digest of each that differs
+
+  base::Instant next_look_{};
+  std::uint64_t own_ = 0;  ///< our digest when it was looked at last
+  Others others_;
+};
+
+}  // namespace geminga::participant
+
+#endif

@@ -1,0 +1,100 @@
+// The whole daemon without an operating system: GCNP lines, datagrams and the time in; GCNP lines, datagrams and the
+// next deadline out.
+#ifndef GEMINGA_DISCOVERY_PARTICIPANT_PARTICIPANT_HPP
+#define GEMINGA_DISCOVERY_PARTICIPANT_PARTICIPANT_HPP
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "discovery/gcnp/statement.hpp"
+#include "discovery/participant/prepared_ontology.hpp"
+#include "discovery/participant/settings.hpp"
+#include "env/env.hpp"
+
+namespace geminga::participant {
+
+/// One participant of a team. Whoever owns it feeds it one event at a time by the on_...() functions, on one thread,
+/// never from within an Env call; after each of them everything that follows from the event has been handed to Env.
+/// Bytes from outside may be anything. No function throws.
+class Participant {
+ public:
+  /// What the names of services mean; null: none is loaded.
+  using Ontology = std::shared_ptr<const el::Ontology>;
+
+  /// Borrows `env` for its life.
+  Participant(env::Env& env, Settings settings, Ontology ontology = nullptr);
+  /// May come at any time; without a stop() that has ended, the team learns of it by the deadline only.
+  ~Participant();
+  Participant(const Participant&) = delete;
+  Participant& operator=(const Participant&) = delete;
+
+  /// Begins to claim an identifier (paper section 3.5.1). Once, before any other event. Clients may connect at once;
+  /// their statements wait until the identifier is claimed, and then handled in their order.
+  void start();
+  /// Withdraws everything, says goodbye on the air and closes the clients. The goodbye is repeated for a few hundredths
+  /// of a second against loss: feed on_timer() until is_stopped().
+  void stop();
+  /// Whether stop() has done everything; then the participant may be destroyed.
+  [[nodiscard]] bool is_stopped() const;
+  /// Why no first identifier could be claimed within the iteration limit (paper section 3.5.1), with what to do: the
+  /// clients were told 503 and closed, is_stopped() holds, and the daemon ends with this error. Empty otherwise.
+  [[nodiscard]] std::string failure() const;
+  /// Whether the identifier is claimed and the participant not stopping.
+  [[nodiscard]] bool is_ready() const;
+
+  /// The instant that was last given to Env::wake_at() has come, or is about to: too early or too often does no harm.
+  void on_timer();
+  /// A datagram came in on an interface. `source` is the sender's numeric address, for the log and for diagnosis only.
+  void on_datagram(env::InterfaceIndex interface, std::string_view source, std::span<const std::byte> datagram);
+  /// Env::interfaces() gives something new.
+  void on_interfaces_changed();
+
+  /// `user` is who connected, where the system tells; else empty.
+  void on_stream_opened(env::StreamId stream, std::string_view user);
+  /// Bytes in the order of the stream, cut anywhere. What they ask for is done in a later on_timer(), in turns.
+  void on_stream_bytes(env::StreamId stream, std::string_view bytes);
+  /// The client is gone: all it offered and asked for is withdrawn. Not called after Env::close().
+  void on_stream_closed(env::StreamId stream);
+  /// What was written to the client has gone on its way, after some of it had to wait.
+  void on_stream_drained(env::StreamId stream);
+
+  /// Takes another ontology, or none. Peers are told what follows: a publication or subscription whose names the new
+  /// one does not know gets one error 422 and its events `del reason=changed`, and comes back by itself when a later
+  /// ontology knows them. What there is to do for a large team is done in later on_timer(), in turns, and another
+  /// ontology that comes meanwhile waits. `prepared` is what PreparedOntology::make() gave of it, or null; without it,
+  /// requests for class expressions are out of force until on_prepared(), and their peers are told so.
+  void set_ontology(Ontology ontology, std::unique_ptr<const PreparedOntology> prepared = nullptr);
+  /// The ontology that is to be prepared for class expressions, because one has come; null: none. To be looked at after
+  /// each event: who owns the participant prepares it elsewhere, since that is long work, and brings it by
+  /// on_prepared(). Statements that need it wait meanwhile, and with them what their clients say behind them.
+  [[nodiscard]] const el::Ontology* wants_prepared() const;
+  /// Whether class expressions are in use with the ontology in force: then the next one had better come prepared.
+  [[nodiscard]] bool uses_expressions() const;
+  /// The ontology is prepared. Of one that is not in force any more it is dropped.
+  void on_prepared(std::unique_ptr<const PreparedOntology> prepared);
+  /// Ontologies are being read: `query status` and `query ontology` say so until one of the other two is called. Where
+  /// none is in force meanwhile, statements with concepts are kept without an answer and come into force with the
+  /// ontology, or get their 422 then; queries that need it are answered 503 at once.
+  void ontology_begun();
+  /// They could not be read, and these lines say why. What was in force stays; queries show the lines until a later
+  /// reading ends in set_ontology().
+  void ontology_failed(const std::vector<std::string>& lines);
+
+  /// Fields that only the owner knows (memory, processor time, files), appended to the answer of `query status`. Called
+  /// within on_timer(); must not call back.
+  using StatusSource = std::function<std::vector<gcnp::Parameter>()>;
+  void set_status_source(StatusSource source);
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace geminga::participant
+
+#endif

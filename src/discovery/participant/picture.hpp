@@ -1,0 +1,49 @@
+// What a peer has still to be told about one of its requests, when it cannot be told all at once.
+#ifndef GEMINGA_DISCOVERY_PARTICIPANT_PICTURE_HPP
+#define GEMINGA_DISCOVERY_PARTICIPANT_PICTURE_HPP
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "geminga/service.hpp"
+
+namespace geminga::participant {
+
+/// A list of keys that is gone through piece by piece. What changes meanwhile about a key that is still in it needs no
+/// event of its own: its turn will come, and it is told then as it is then. About every other key events go on.
+class Picture {
+ public:
+  [[nodiscard]] bool has_begun() const { return has_begun_; }
+  /// `current` are told first, in their order; then `former`, those that the peer knows and that may be gone.
+  void begin(std::vector<ServiceKey> current, std::vector<ServiceKey> former) {
+    has_begun_ = true;
+    keys_ = std::move(current);
+    keys_.insert(keys_.end(), former.begin(), former.end());
+    waiting_.reserve(keys_.size());
+    for (std::size_t place = 0; place < keys_.size(); ++place) waiting_.emplace_back(keys_[place], place);
+    std::ranges::sort(waiting_);
+  }
+  /// The next key; nothing when all have been told.
+  [[nodiscard]] std::optional<ServiceKey> next() {
+    return next_ == keys_.size() ? std::nullopt : std::optional(keys_[next_++]);
+  }
+  /// Whether the key's turn is still to come.
+  [[nodiscard]] bool will_tell(const ServiceKey& key) const {
+    if (!has_begun_) return true;
+    const auto found = std::ranges::lower_bound(waiting_, key, {}, &std::pair<ServiceKey, std::size_t>::first);
+    return found != waiting_.end() && found->first == key && found->second >= next_;
+  }
+
+ private:
+  bool has_begun_ = false;
+  std::vector<ServiceKey> keys_;
+  std::size_t next_ = 0;
+  std::vector<std::pair<ServiceKey, std::size_t>> waiting_;  ///< with the place in keys_, sorted by key
+};
+
+}  // namespace geminga::participant
+
+#endif

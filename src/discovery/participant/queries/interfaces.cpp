@@ -1,0 +1,36 @@
+// `query interfaces` and `query peers`: what a participant speaks over, and with whom on its host.
+#include "discovery/participant/queries/lines.hpp"
+
+namespace geminga::participant {
+
+Answered answer(Core& core, const gcnp::QueryInterfaces&) {
+  Answer answer{.kind = "interfaces", .lines = {}, .end = {}};
+  for (const env::Interface& interface : core.env.interfaces()) {
+    const InterfaceCounters& counters = core.counters.interfaces[interface.index];
+    Line line;
+    append(line, "name", interface.name);
+    append_flag(line, "loopback", interface.is_loopback);
+    append_known(line, "addresses", joined(interface.addresses));
+    append(line, "sent", counters.sent);
+    append(line, "received", counters.received);
+    answer.lines.push_back(std::move(line));
+  }
+  return answer;
+}
+
+Answered answer(Core& core, const gcnp::QueryPeers&) {
+  Answer answer{.kind = "peers", .lines = {}, .end = {}};
+  for (const Session* session : core.peers()) {
+    Line line;
+    append(line, "peer", static_cast<std::uint32_t>(session->peer()));
+    append(line, "name", session->name);
+    append_known(line, "user", session->user);
+    append(line, "publications", session->publications.size());
+    append(line, "subscriptions", session->subscriptions.size());
+    append(line, "statements", session->statements);
+    answer.lines.push_back(std::move(line));
+  }
+  return answer;
+}
+
+}  // namespace geminga::participant

@@ -1,0 +1,113 @@
+#include "discovery/participant/queries/lines.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "base/text.hpp"
+#include "discovery/participant/identities.hpp"
+#include "discovery/participant/naming.hpp"
+#include "reasoning/compiled/ontology.hpp"
+
+namespace geminga::participant {
+namespace {
+
+bool is_accepted(const ProviderFilter& filter, const ServiceKey& key, const std::string& participant_name,
+                 const std::string& peer_name) {
+  const bool is_participant =
+      filter.participant == to_string(key.participant) || filter.participant == participant_name;
+  const std::string number = std::to_string(static_cast<std::uint32_t>(key.peer));
+  return is_participant && (filter.peer.empty() || filter.peer == number || filter.peer == peer_name);
+}
+
+bool is_same_or_narrower(const el::Ontology* ontology, const std::string& sub, const std::string& super) {
+  if (sub == super) return true;
+  if (ontology == nullptr) return false;
+  const auto sub_class = ontology->find_iri(sub);
+  const auto super_class = ontology->find_iri(super);
+  return sub_class && super_class && ontology->is_subsumed(*sub_class, *super_class);
+}
+
+/// `place` is that of the wanted concept where it is an expression.
+bool is_same_or_narrower(const el::Ontology* ontology, const std::string& sub, const std::string& super,
+                         const el::ExpressionPlace* place) {
+  if (sub == super || place == nullptr || ontology == nullptr) return is_same_or_narrower(ontology, sub, super);
+  const auto sub_class = ontology->find_iri(sub);
+  return sub_class && el::is_above(*place, *sub_class, *ontology);
+}
+
+bool is_same_or_narrower(const el::Ontology* ontology, const Identity& identity, const Identity& wanted,
+                         const el::ExpressionPlace* place) {
+  const auto* sub = std::get_if<SemanticIdentity>(&identity);
+  const auto* super = std::get_if<SemanticIdentity>(&wanted);
+  if (sub == nullptr || super == nullptr) return identity == wanted;
+  return is_same_or_narrower(ontology, sub->concept_iri, super->concept_iri, place) &&
+         (super->representation_iri.empty() ||
+          is_same_or_narrower(ontology, sub->representation_iri, super->representation_iri));
+}
+
+}  // namespace
+
+std::string seconds(base::Duration duration) {
+  const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(std::max(duration, base::Duration(0))).count();
+  const std::string fraction = std::to_string(ms % 1000);
+  return std::to_string(ms / 1000) + "." + std::string(3 - fraction.size(), '0') + fraction;
+}
+
+std::string decimal(double number) {
+  return seconds(std::chrono::duration_cast<base::Duration>(std::chrono::duration<double>(number)) +
+                 std::chrono::microseconds(500));
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
+  return text;
+}
+
+std::string joined(const std::vector<ProviderFilter>& filters) {
+  std::vector<std::string> words;
+  for (const ProviderFilter& filter : filters) {
+    words.push_back(filter.peer.empty() ? filter.participant : filter.participant + "/" + filter.peer);
+  }
+  return joined(words);
+}
+
+void append_channel(Line& line, const Publication& publication) {
+  append(line, "mode", std::string(to_string(publication.mode)));
+  append_known(line, "address", publication.address);
+  append(line, "port", publication.port);
+  append(line, "protocol", publication.protocol);
+  append(line, "priority", publication.priority);
+}
+
+std::expected<Sieve, Error> Sieve::make(Core& core, const gcnp::ListFilter& filter) {
+  Sieve sieve(filter);
+  if (filter.identity) {
+    auto identity = resolve_asked(core, *filter.identity);
+    if (!identity) return std::unexpected(identity.error());
+    sieve.identity_ = std::move(*identity);
+    if (has_expression(*sieve.identity_)) {
+      const auto& text = std::get<SemanticIdentity>(*sieve.identity_).concept_iri;
+      sieve.place_ = core.expressions.place(text, std::nullopt, core.env.now());
+    }
+  }
+  return sieve;
+}
+
+bool Sieve::passes(const Core& core, const ServiceKey& key, const std::string& participant_name,
+                   const std::string& peer_name, const Identity& identity, ChannelMode mode) const {
+  if (filter_.mode && *filter_.mode != mode) return false;
+  if (identity_ && !is_same_or_narrower(core.ontology, identity, *identity_, place_.get())) return false;
+  return filter_.providers.empty() || std::ranges::any_of(filter_.providers, [&](const ProviderFilter& one) {
+           return is_accepted(one, key, participant_name, peer_name);
+         });
+}
+
+bool Sieve::passes(const Line& line) const {
+  if (filter_.text.empty()) return true;
+  gcnp::Statement statement;
+  statement.parameters = line;
+  return gcnp::matches_text(statement, filter_.text);
+}
+
+}  // namespace geminga::participant

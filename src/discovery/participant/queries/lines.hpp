@@ -1,0 +1,67 @@
+// What the lines of several answers have in common.
+#ifndef GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_LINES_HPP
+#define GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_LINES_HPP
+
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "discovery/participant/queries/queries.hpp"
+
+namespace geminga::participant {
+
+inline void append(Line& line, std::string_view key, std::string value) {
+  line.push_back({.key = std::string(key), .value = std::move(value)});
+}
+template <std::integral Number>
+void append(Line& line, std::string_view key, Number value) {
+  append(line, key, std::to_string(value));
+}
+inline void append_flag(Line& line, std::string_view key, bool value) { append(line, key, value ? "1" : "0"); }
+/// Left out where it is empty: unknown.
+inline void append_known(Line& line, std::string_view key, const std::string& value) {
+  if (!value.empty()) append(line, key, value);
+}
+
+/// Seconds with three decimals; what is negative counts as 0.
+[[nodiscard]] std::string seconds(base::Duration duration);
+/// Three decimals.
+[[nodiscard]] std::string decimal(double number);
+/// "a,b"
+[[nodiscard]] std::string joined(const std::vector<std::string>& words);
+/// As `provider=` of a statement.
+[[nodiscard]] std::string joined(const std::vector<ProviderFilter>& filters);
+
+/// How long ago an entry was last heard; 0 for one of our own.
+template <typename Entry>
+[[nodiscard]] std::string age(const Core& core, const Entry& entry) {
+  return entry.is_local ? "0.000" : seconds(core.env.now() - entry.updated);
+}
+
+/// `mode address port protocol priority`, as in events.
+void append_channel(Line& line, const Publication& publication);
+
+/// What a FILTER leaves over, with its names resolved in the ontology that is loaded when it is made.
+class Sieve {
+ public:
+  [[nodiscard]] static std::expected<Sieve, Error> make(Core& core, const gcnp::ListFilter& filter);
+  /// Whether an entry by this peer, with this identity and mode, is let through.
+  [[nodiscard]] bool passes(const Core& core, const ServiceKey& key, const std::string& participant_name,
+                            const std::string& peer_name, const Identity& identity, ChannelMode mode) const;
+  /// Whether the finished line is let through.
+  [[nodiscard]] bool passes(const Line& line) const;
+
+ private:
+  explicit Sieve(gcnp::ListFilter filter) : filter_(std::move(filter)) {}
+  gcnp::ListFilter filter_;
+  std::optional<Identity> identity_;
+  Expressions::Place place_;  ///< of the identity where it is an expression
+};
+
+}  // namespace geminga::participant
+
+#endif

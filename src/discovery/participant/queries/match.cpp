@@ -1,0 +1,131 @@
+// `query match`: the publications that meet an identity, best first.
+#include <algorithm>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "discovery/gcnp/event.hpp"
+#include "discovery/matching/request.hpp"
+#include "discovery/participant/identities.hpp"
+#include "discovery/participant/naming.hpp"
+#include "discovery/participant/queries/lines.hpp"
+
+namespace geminga::participant {
+namespace {
+
+/// Fewer publications than this that the index gives are looked at alone; else the whole registry is gone through,
+/// which can be interrupted.
+constexpr std::size_t max_candidates = 256;
+
+/// One that meets the request, with what it ranks by; it may be gone when it is told.
+struct Found {
+  std::int32_t priority = 0;
+  matching::Match match;
+  ServiceKey key;
+};
+
+/// The order of arbitration (matching/matcher.hpp), without an incumbent.
+bool is_better(const Found& a, const Found& b) {
+  const auto rank = [](const Found& one) { return std::tuple(-std::int64_t{one.priority}, one.match, one.key); };
+  return rank(a) < rank(b);
+}
+
+Line line_of(const Core& core, const registry::PublicationEntry& entry, const matching::Match& match) {
+  Line line;
+  append(line, "service", to_string(entry.key));
+  append(line, "provider", gcnp::peer_word(entry.key));
+  append_known(line, "name", entry.peer_name);
+  gcnp::append_identity(line, named(core.ontology, entry.publication.identity));
+  append(line, "degree", std::string(to_string(match.degree)));
+  append(line, "distance", match.distance);
+  append_channel(line, entry.publication);
+  append(line, "age", age(core, entry));
+  append_known(line, "participant_name", entry.participant_name);
+  gcnp::append_attributes(line, entry.publication.attributes);
+  return line;
+}
+
+/// Looks at everything that may meet the request, ranks what does, and tells it in that order.
+class Ranking {
+ public:
+  Ranking(const Core& core, Subscription asked, const gcnp::QueryMatch& query)
+      : asked_(std::move(asked)),
+        request_(core.matcher.prepare(asked_)),
+        is_any_identity_(!query.identity),
+        mode_(query.mode),
+        limit_(query.limit) {
+    if (!is_any_identity_) candidates_ = core.matcher.candidates(asked_, *request_, max_candidates);
+  }
+
+  bool operator()(Core& core, Piece& piece) {
+    if (!is_ranked_ && !look(core, piece)) return false;
+    while (next_ < found_.size() && !piece.is_full()) {
+      const Found& one = found_[next_++];
+      if (const auto* entry = core.matcher.find_publication(one.key)) piece.tell(line_of(core, *entry, one.match));
+    }
+    return next_ == found_.size();
+  }
+
+ private:
+  /// Whether all have been looked at.
+  bool look(Core& core, Piece& piece) {
+    const auto judge_one = [&](const registry::PublicationEntry& entry) {
+      last_ = entry.key;
+      piece.look_at_one();
+      judge(core, entry);
+      return !piece.is_full();
+    };
+    if (candidates_) {
+      for (const ServiceKey& key : *candidates_) {
+        if (const auto* entry = core.matcher.find_publication(key)) judge_one(*entry);
+      }
+    } else if (!core.matcher.walk_publications(last_, judge_one)) {
+      return false;
+    }
+    std::ranges::sort(found_, is_better);
+    if (limit_ != 0 && found_.size() > limit_) found_.resize(limit_);
+    is_ranked_ = true;
+    return true;
+  }
+
+  void judge(const Core& core, const registry::PublicationEntry& entry) {
+    if (mode_ && *mode_ != entry.publication.mode) return;
+    asked_.mode = entry.publication.mode;
+    // Without an identity each is asked for by its own, so that the rest of the request decides.
+    if (is_any_identity_) asked_.identity = entry.publication.identity;
+    if (const auto match = core.matcher.meets(asked_, *request_, entry)) {
+      found_.push_back({entry.publication.priority, *match, entry.key});
+    }
+  }
+
+  Subscription asked_;
+  std::shared_ptr<const matching::Request> request_;
+  bool is_any_identity_;
+  std::optional<ChannelMode> mode_;
+  std::uint32_t limit_;
+  std::optional<std::vector<ServiceKey>> candidates_;
+  std::optional<ServiceKey> last_;
+  std::vector<Found> found_;
+  bool is_ranked_ = false;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+std::expected<Answering, Error> begin(Core& core, const gcnp::QueryMatch& query) {
+  if (!query.where.empty()) {
+    if (auto error = matching::check_where(query.where)) return std::unexpected(std::move(*error));
+  }
+  Subscription asked;
+  asked.weakest = query.weakest;
+  asked.providers = query.providers;
+  asked.where = query.where;
+  if (query.identity) {
+    auto identity = resolve_asked(core, *query.identity);
+    if (!identity) return std::unexpected(identity.error());
+    asked.identity = std::move(*identity);
+  }
+  return Answering{.kind = "match", .proceed = Ranking(core, std::move(asked), query)};
+}
+
+}  // namespace geminga::participant

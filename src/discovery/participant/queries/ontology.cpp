@@ -1,0 +1,65 @@
+// `query ontology`: what is loaded, what the reasoner does not use, and who on the air has loaded something else.
+#include "reasoning/compiled/ontology.hpp"
+
+#include "base/text.hpp"
+#include "discovery/participant/naming.hpp"
+#include "discovery/participant/queries/lines.hpp"
+
+namespace geminga::participant {
+namespace {
+
+/// owl:Thing and owl:Nothing, which no file declares: geminga-ontology counts the others, too.
+constexpr std::uint32_t unnamed_classes = 2;
+
+}  // namespace
+
+Answered answer(Core& core, const gcnp::QueryOntology&) {
+  Answer answer{.kind = "ontology", .lines = {{}}, .end = {}};
+  append_flag(answer.lines.front(), "loaded", core.ontology != nullptr);
+  append(answer.lines.front(), "digest", digest_word(core.digest()));
+  if (core.ontology != nullptr) {
+    const auto files = core.ontology->files();
+    const auto left_out = core.ontology->left_out();
+    append(answer.lines.front(), "classes", core.ontology->class_count() - unnamed_classes);
+    append(answer.lines.front(), "files", files.size());
+    append(answer.lines.front(), "left_out", left_out.size());
+    const auto gaps = core.ontology->gaps();
+    append_flag(answer.lines.front(), "complete", left_out.empty() && gaps.empty());
+    for (const el::LoadedFile& file : files) {
+      Line line;
+      append(line, "file", base::printable(file.path, 4096));
+      append_known(line, "iri", file.ontology_iri);
+      answer.lines.push_back(std::move(line));
+    }
+    for (const el::LeftOut& one : left_out) {
+      Line line;
+      append(line, "left_out", one.construct);
+      append(line, "count", one.count);
+      append_known(line, "first", base::printable(one.first, 4096));
+      answer.lines.push_back(std::move(line));
+    }
+    for (const std::string& gap : gaps) {
+      Line line;
+      append(line, "gap", base::printable(gap, 4096));
+      answer.lines.push_back(std::move(line));
+    }
+  }
+  if (core.ontology_state.is_loading) append_flag(answer.lines.front(), "loading", true);
+  for (const std::string& failure : core.ontology_state.failure) {
+    Line line;
+    append(line, "failed", failure);
+    append(line, "age", seconds(core.env.now() - core.ontology_state.failed_at));
+    answer.lines.push_back(std::move(line));
+  }
+  core.neighbours.for_each([&](const beacon::Neighbour& neighbour) {
+    if (neighbour.ontology_digest == core.digest()) return;
+    Line line;
+    append(line, "other", to_string(neighbour.id));
+    append(line, "name", neighbour.name.empty() ? to_string(neighbour.id) : neighbour.name);
+    append(line, "ontology", digest_word(neighbour.ontology_digest));
+    answer.lines.push_back(std::move(line));
+  });
+  return answer;
+}
+
+}  // namespace geminga::participant

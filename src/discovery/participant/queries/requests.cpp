@@ -1,0 +1,58 @@
+// `query requests`: every known subscription, or those that nobody serves.
+#include <optional>
+#include <utility>
+
+#include "discovery/gcnp/event.hpp"
+#include "discovery/participant/naming.hpp"
+#include "discovery/participant/queries/lines.hpp"
+
+namespace geminga::participant {
+namespace {
+
+Line line_of(const Core& core, const registry::SubscriptionEntry& entry) {
+  const Subscription& subscription = entry.subscription;
+  Line line;
+  append(line, "subscription", to_string(entry.key));
+  append(line, "consumer", gcnp::peer_word(entry.key));
+  append_known(line, "name", entry.peer_name);
+  append_known(line, "participant_name", entry.participant_name);
+  gcnp::append_identity(line, named(core.ontology, subscription.identity));
+  append(line, "match", std::string(to_string(subscription.weakest)));
+  append(line, "mode", std::string(to_string(subscription.mode)));
+  append_known(line, "provider", joined(subscription.providers));
+  append_known(line, "where", subscription.where);
+  append(line, "limit", subscription.limit);
+  append_known(line, "address", subscription.address);
+  if (subscription.port != 0) append(line, "port", subscription.port);
+  append(line, "priority", subscription.priority);
+  append(line, "age", age(core, entry));
+  append_flag(line, "local", entry.is_local);
+  append_flag(line, "served", core.matcher.is_served(entry));
+  append_known(line, "protocol", joined(subscription.protocols));
+  gcnp::append_attributes(line, subscription.attributes);
+  return line;
+}
+
+}  // namespace
+
+std::expected<Answering, Error> begin(Core& core, const gcnp::QueryRequests& query) {
+  if (query.unused) return begin(core, gcnp::QueryServices{.filter = query.filter, .unused = true});
+  auto sieve = Sieve::make(core, query.filter);
+  if (!sieve) return std::unexpected(sieve.error());
+  return Answering{.kind = "requests",
+                   .proceed = [sieve = std::move(*sieve), is_unmatched_only = query.unmatched,
+                               last = std::optional<ServiceKey>()](Core& all, Piece& piece) mutable {
+                     return all.matcher.walk_subscriptions(last, [&](const registry::SubscriptionEntry& entry) {
+                       last = entry.key;
+                       piece.look_at_one();
+                       const bool passes = sieve.passes(all, entry.key, entry.participant_name, entry.peer_name,
+                                                        entry.subscription.identity, entry.subscription.mode) &&
+                                           !(is_unmatched_only && all.matcher.is_served(entry));
+                       Line line = passes ? line_of(all, entry) : Line{};
+                       if (passes && sieve.passes(line)) piece.tell(std::move(line));
+                       return !piece.is_full();
+                     });
+                   }};
+}
+
+}  // namespace geminga::participant

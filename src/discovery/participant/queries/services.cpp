@@ -1,0 +1,48 @@
+// `query services`: every known publication, or those that nobody asks for.
+#include <optional>
+#include <utility>
+
+#include "discovery/gcnp/event.hpp"
+#include "discovery/participant/naming.hpp"
+#include "discovery/participant/queries/lines.hpp"
+
+namespace geminga::participant {
+namespace {
+
+Line line_of(const Core& core, const registry::PublicationEntry& entry) {
+  Line line;
+  append(line, "service", to_string(entry.key));
+  append(line, "provider", gcnp::peer_word(entry.key));
+  append_known(line, "name", entry.peer_name);
+  append_known(line, "participant_name", entry.participant_name);
+  gcnp::append_identity(line, named(core.ontology, entry.publication.identity));
+  append_channel(line, entry.publication);
+  append(line, "age", age(core, entry));
+  append_flag(line, "local", entry.is_local);
+  append_flag(line, "used", core.matcher.is_used(entry));
+  gcnp::append_attributes(line, entry.publication.attributes);
+  return line;
+}
+
+}  // namespace
+
+std::expected<Answering, Error> begin(Core& core, const gcnp::QueryServices& query) {
+  auto sieve = Sieve::make(core, query.filter);
+  if (!sieve) return std::unexpected(sieve.error());
+  return Answering{.kind = "services",
+                   .proceed = [sieve = std::move(*sieve), is_unused_only = query.unused,
+                               last = std::optional<ServiceKey>()](Core& all, Piece& piece) mutable {
+                     return all.matcher.walk_publications(last, [&](const registry::PublicationEntry& entry) {
+                       last = entry.key;
+                       piece.look_at_one();
+                       const bool passes = sieve.passes(all, entry.key, entry.participant_name, entry.peer_name,
+                                                        entry.publication.identity, entry.publication.mode) &&
+                                           !(is_unused_only && all.matcher.is_used(entry));
+                       Line line = passes ? line_of(all, entry) : Line{};
+                       if (passes && sieve.passes(line)) piece.tell(std::move(line));
+                       return !piece.is_full();
+                     });
+                   }};
+}
+
+}  // namespace geminga::participant

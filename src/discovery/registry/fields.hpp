@@ -1,0 +1,14 @@
+// What the registry's templates need to know of an entry without knowing which kind it is.
+#ifndef GEMINGA_DISCOVERY_REGISTRY_FIELDS_HPP
+#define GEMINGA_DISCOVERY_REGISTRY_FIELDS_HPP
+
+#include "discovery/registry/entry.hpp"
+
+namespace geminga::registry {
+
+inline const Identity& identity_of(const PublicationEntry& entry) { return entry.publication.identity; }
+inline const Identity& identity_of(const SubscriptionEntry& entry) { return entry.subscription.identity; }
+
+}  // namespace geminga::registry
+
+#endif

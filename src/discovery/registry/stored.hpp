@@ -1,0 +1,118 @@
+// How an entry stands in the registry: its 32-bit identity, its dense slot, and every bucket it is filed in.
+#ifndef GEMINGA_DISCOVERY_REGISTRY_STORED_HPP
+#define GEMINGA_DISCOVERY_REGISTRY_STORED_HPP
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "discovery/registry/entry.hpp"
+#include "geminga/identity.hpp"
+
+namespace geminga::registry {
+
+template <typename Entry>
+class Bucket;
+template <typename Entry>
+struct Name;
+
+/// Two ontologies are at work while one takes the place of the other, and each has a semantic index; an entry may be
+/// filed in both.
+enum class Generation : std::uint8_t { even, odd };
+[[nodiscard]] constexpr Generation other(Generation one) {
+  return one == Generation::even ? Generation::odd : Generation::even;
+}
+
+/// What an entry is filed by: its names, or the classes of one ontology.
+enum class FiledBy : std::uint8_t { names, even_classes, odd_classes };
+inline constexpr std::size_t ways_to_file = 3;
+[[nodiscard]] constexpr FiledBy filed_by(Generation one) {
+  return one == Generation::even ? FiledBy::even_classes : FiledBy::odd_classes;
+}
+
+/// The place of an entry in one bucket; the way back that makes removal independent of the bucket's size.
+template <typename Entry>
+struct FiledAt {
+  Bucket<Entry>* bucket = nullptr;
+  std::uint32_t position = 0;
+};
+
+/// An entry in the registry. Its address stays the same until it is erased. Only the registry changes it.
+template <typename Entry>
+struct Stored {
+  Entry entry;
+  /// The 32-bit identity: candidates, never proof.
+  Id32 identity = 0;
+  /// A small number that no other entry of the same table has; used again after the entry was erased. Lets others keep
+  /// what they know about an entry in an array.
+  std::uint32_t slot = 0;
+
+  /// The registry's own; mutable because none of it is part of a key of the container.
+  mutable std::array<std::vector<FiledAt<Entry>>, ways_to_file> filings;
+  mutable const Name<Entry>* identity_name = nullptr;
+  mutable const Name<Entry>* concept_name = nullptr;
+};
+
+/// Entries that share something, in no order that means anything. A caller that shows or decides by them sorts first.
+/// A lone entry is kept within, because most identities have one provider and a look-up should not pay for more. Must
+/// not be moved while an entry is filed in it.
+template <typename Entry>
+class Bucket {
+ public:
+  struct Filed {
+    const Stored<Entry>* stored = nullptr;
+    std::uint32_t by : 2 = 0;     ///< in which of stored->filings
+    std::uint32_t back : 30 = 0;  ///< which of them points here
+  };
+
+  /// Appends; amortised O(1).
+  void file(const Stored<Entry>& stored, FiledBy by) {
+    if (size_ == capacity_) grow();
+    auto& filings = stored.filings[std::to_underlying(by)];
+    begin()[size_++] = {&stored, std::to_underlying(by) & 3U, static_cast<std::uint32_t>(filings.size()) & max_filings};
+    filings.push_back({this, size_ - 1});
+  }
+
+  /// Puts the last entry into the hole and tells it its new place; O(1). The caller forgets the filing itself.
+  void remove(std::uint32_t position) {
+    const Filed last = begin()[--size_];
+    begin()[position] = last;
+    last.stored->filings[last.by][last.back].position = position;
+  }
+
+  [[nodiscard]] std::span<const Filed> entries() const { return {many_ ? many_.get() : &only_, size_}; }
+  [[nodiscard]] bool is_empty() const { return size_ == 0; }
+
+ private:
+  static constexpr std::uint32_t max_filings = (std::uint32_t{1} << 30) - 1;  ///< more classes than there can be
+
+  Filed* begin() { return many_ ? many_.get() : &only_; }
+
+  void grow() {
+    const std::uint32_t capacity = capacity_ * 2;
+    auto more = std::make_unique<Filed[]>(capacity);
+    std::copy_n(begin(), size_, more.get());
+    many_ = std::move(more);
+    capacity_ = capacity;
+  }
+
+  Filed only_;
+  std::unique_ptr<Filed[]> many_;
+  std::uint32_t size_ = 0;
+  std::uint32_t capacity_ = 1;
+};
+
+template <typename Entry>
+using Filed = typename Bucket<Entry>::Filed;
+
+using StoredPublication = Stored<PublicationEntry>;
+using StoredSubscription = Stored<SubscriptionEntry>;
+
+}  // namespace geminga::registry
+
+#endif

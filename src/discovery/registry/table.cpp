@@ -1,0 +1,270 @@
+// The MultiIndex containers behind Table; everything else of the registry is plain C++.
+#include "discovery/registry/table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <boost/multi_index/hashed_index.hpp>
+#include <boost/multi_index/identity.hpp>
+#include <boost/multi_index/mem_fun.hpp>
+#include <boost/multi_index/ordered_index.hpp>
+#include <boost/multi_index_container.hpp>
+#include <functional>
+#include <tuple>
+#include <utility>
+
+#include "base/assert.hpp"
+#include "discovery/registry/fields.hpp"
+#include "discovery/registry/name_index.hpp"
+#include "discovery/registry/semantic_index.hpp"
+
+namespace geminga::registry {
+namespace {
+
+namespace mi = boost::multi_index;
+
+struct ByKey {};
+struct InKeyOrder {};
+
+/// Spreads the bits of a number over a word (the finaliser of splitmix64).
+std::size_t mixed(std::uint64_t bits) {
+  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9U;
+  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebU;
+  return static_cast<std::size_t>(bits ^ (bits >> 31));
+}
+
+std::size_t hash_of(ParticipantId participant, PeerId peer, std::uint32_t number) {
+  const auto high = static_cast<std::uint64_t>(std::to_underlying(participant)) << 32;
+  return mixed(mixed(high | std::to_underlying(peer)) + number);
+}
+
+struct KeyHash {
+  std::size_t operator()(const ServiceKey& key) const { return hash_of(key.participant, key.peer, key.number); }
+};
+
+/// The element of the container: a stored entry and the keys that are read from it.
+template <typename Entry>
+struct Element : Stored<Entry> {
+  [[nodiscard]] const ServiceKey& key() const { return this->entry.key; }
+};
+
+template <typename Entry>
+using Container = mi::multi_index_container<
+    Element<Entry>,
+    mi::indexed_by<
+        mi::hashed_unique<mi::tag<ByKey>, mi::const_mem_fun<Element<Entry>, const ServiceKey&, &Element<Entry>::key>,
+                          KeyHash>,
+        mi::ordered_unique<mi::tag<InKeyOrder>,
+                           mi::const_mem_fun<Element<Entry>, const ServiceKey&, &Element<Entry>::key>>>>;
+
+/// Compares keys by what is given of them, so that the entries of a participant or a peer are one range of the key
+/// order.
+struct InParticipant {
+  bool operator()(const ServiceKey& key, ParticipantId participant) const { return key.participant < participant; }
+  bool operator()(ParticipantId participant, const ServiceKey& key) const { return participant < key.participant; }
+};
+
+using PeerPrefix = std::pair<ParticipantId, PeerId>;
+struct InPeer {
+  static PeerPrefix prefix(const ServiceKey& key) { return {key.participant, key.peer}; }
+  bool operator()(const ServiceKey& key, const PeerPrefix& peer) const { return prefix(key) < peer; }
+  bool operator()(const PeerPrefix& peer, const ServiceKey& key) const { return peer < prefix(key); }
+};
+
+template <typename Range>
+auto pointers(const Range& range) {
+  using StoredEntry = std::remove_cvref_t<decltype(*range.first)>;
+  std::vector<const StoredEntry*> entries;
+  for (auto at = range.first; at != range.second; ++at) entries.push_back(&*at);
+  return entries;
+}
+
+template <typename Entry, typename Elements>
+std::vector<const Stored<Entry>*> plain(const Elements& elements) {
+  return {elements.begin(), elements.end()};
+}
+
+}  // namespace
+
+template <typename Entry>
+struct Table<Entry>::Indexes {
+  Container<Entry> container;
+  NameIndex<Entry> names;
+  std::array<SemanticIndex<Entry>, 2> classes;  ///< by generation
+  std::vector<std::uint32_t> free_slots;
+  std::uint32_t next_slot = 0;
+
+  auto position_of(const Stored<Entry>& stored) {
+    return container.iterator_to(static_cast<const Element<Entry>&>(stored));
+  }
+
+  std::uint32_t take_slot() {
+    if (free_slots.empty()) return next_slot++;
+    const std::uint32_t slot = free_slots.back();
+    free_slots.pop_back();
+    return slot;
+  }
+
+  SemanticIndex<Entry>& of(Generation generation) { return classes[std::to_underlying(generation)]; }
+
+  void file(const Stored<Entry>& stored, const Filing& filing) {
+    names.file(stored);
+    file_classes(stored, filing);
+  }
+
+  void file_classes(const Stored<Entry>& stored, const Filing& filing) {
+    filings_of(stored, filed_by(filing.generation))
+        .reserve(filing.below.size() + filing.further_own.size() + (filing.own ? 1 : 0));
+    of(filing.generation).file(stored, filing);
+  }
+
+  static auto& filings_of(const Stored<Entry>& stored, FiledBy by) { return stored.filings[std::to_underlying(by)]; }
+
+  static void unfile(const Stored<Entry>& stored, FiledBy by) {
+    auto& filings = filings_of(stored, by);
+    while (!filings.empty()) {
+      const FiledAt<Entry> last = filings.back();
+      last.bucket->remove(last.position);
+      filings.pop_back();
+    }
+  }
+
+  static void unfile_all(const Stored<Entry>& stored) {
+    for (const FiledBy by : {FiledBy::names, FiledBy::even_classes, FiledBy::odd_classes}) unfile(stored, by);
+  }
+};
+
+template <typename Entry>
+Table<Entry>::Table() : indexes_(std::make_unique<Indexes>()) {}
+
+template <typename Entry>
+Table<Entry>::~Table() = default;
+
+template <typename Entry>
+const Stored<Entry>& Table<Entry>::insert(Entry entry, const Filing& filing) {
+  Element<Entry> element;
+  element.identity = id32(identity_of(entry));
+  element.slot = indexes_->take_slot();
+  element.entry = std::move(entry);
+  const auto [at, is_new] = indexes_->container.insert(std::move(element));
+  GEMINGA_ASSERT(is_new);
+  indexes_->file(*at, filing);
+  return *at;
+}
+
+template <typename Entry>
+void Table<Entry>::replace(const StoredEntry& stored, Entry entry, const Filing& filing) {
+  GEMINGA_ASSERT(stored.entry.key == entry.key);
+  const auto at = indexes_->position_of(stored);
+  Indexes::unfile_all(stored);
+  indexes_->names.release(stored);
+  const bool is_replaced = indexes_->container.modify(at, [&](Element<Entry>& element) {
+    element.identity = id32(identity_of(entry));
+    element.entry = std::move(entry);
+  });
+  GEMINGA_ASSERT(is_replaced);
+  indexes_->file(*at, filing);
+}
+
+template <typename Entry>
+void Table<Entry>::refresh(const StoredEntry& stored, base::Instant updated) {
+  indexes_->container.modify(indexes_->position_of(stored),
+                             [&](Element<Entry>& element) { element.entry.updated = updated; });
+}
+
+template <typename Entry>
+void Table<Entry>::erase(const StoredEntry& stored) {
+  Indexes::unfile_all(stored);
+  indexes_->names.release(stored);
+  indexes_->free_slots.push_back(stored.slot);
+  indexes_->container.erase(indexes_->position_of(stored));
+}
+
+template <typename Entry>
+void Table<Entry>::set_class_count(std::size_t count, Generation generation) {
+  indexes_->of(generation).set_class_count(count);
+}
+
+template <typename Entry>
+void Table<Entry>::refile(const StoredEntry& stored, const Filing& filing) {
+  unfile(stored, filing.generation);
+  indexes_->file_classes(stored, filing);
+}
+
+template <typename Entry>
+void Table<Entry>::unfile(const StoredEntry& stored, Generation generation) {
+  auto& filings = Indexes::filings_of(stored, filed_by(generation));
+  Indexes::unfile(stored, filed_by(generation));
+  filings.shrink_to_fit();
+}
+
+template <typename Entry>
+std::size_t Table<Entry>::size() const {
+  return indexes_->container.size();
+}
+
+template <typename Entry>
+const Stored<Entry>* Table<Entry>::find(const ServiceKey& key) const {
+  const auto& index = indexes_->container.template get<ByKey>();
+  const auto at = index.find(key);
+  return at == index.end() ? nullptr : &*at;
+}
+
+template <typename Entry>
+std::span<const Filed<Entry>> Table<Entry>::with_identity(const Identity& identity, Id32 id) const {
+  const auto* name = indexes_->names.find(identity, id);
+  return name == nullptr ? std::span<const Filed<Entry>>{} : name->same.entries();
+}
+
+template <typename Entry>
+std::vector<std::span<const Filed<Entry>>> Table<Entry>::with_number(Id32 id) const {
+  return indexes_->names.find_all(id);
+}
+
+template <typename Entry>
+std::span<const Filed<Entry>> Table<Entry>::with_concept(std::string_view concept_iri) const {
+  const Identity alone = SemanticIdentity{std::string(concept_iri), {}};
+  const auto* name = indexes_->names.find(alone, id32(alone));
+  return name == nullptr ? std::span<const Filed<Entry>>{} : name->same_concept.entries();
+}
+
+template <typename Entry>
+std::span<const Filed<Entry>> Table<Entry>::own(ClassIndex number, Generation generation) const {
+  return indexes_->of(generation).own(number);
+}
+
+template <typename Entry>
+std::span<const Filed<Entry>> Table<Entry>::below(ClassIndex number, Generation generation) const {
+  return indexes_->of(generation).below(number);
+}
+
+template <typename Entry>
+std::vector<const Stored<Entry>*> Table<Entry>::of_participant(ParticipantId participant) const {
+  const auto& index = indexes_->container.template get<InKeyOrder>();
+  return plain<Entry>(pointers(index.equal_range(participant, InParticipant{})));
+}
+
+template <typename Entry>
+std::vector<const Stored<Entry>*> Table<Entry>::of_peer(ParticipantId participant, PeerId peer) const {
+  const auto& index = indexes_->container.template get<InKeyOrder>();
+  return plain<Entry>(pointers(index.equal_range(PeerPrefix{participant, peer}, InPeer{})));
+}
+
+template <typename Entry>
+void Table<Entry>::for_each(const std::function<void(const StoredEntry&)>& visit) const {
+  for (const auto& element : indexes_->container.template get<InKeyOrder>()) visit(element);
+}
+
+template <typename Entry>
+bool Table<Entry>::visit_after(const std::optional<ServiceKey>& after,
+                               const std::function<bool(const StoredEntry&)>& visit) const {
+  const auto& index = indexes_->container.template get<InKeyOrder>();
+  for (auto at = after ? index.upper_bound(*after) : index.begin(); at != index.end(); ++at) {
+    if (!visit(*at)) return false;
+  }
+  return true;
+}
+
+template class Table<PublicationEntry>;
+template class Table<SubscriptionEntry>;
+
+}  // namespace geminga::registry

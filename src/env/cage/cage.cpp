@@ -1,0 +1,41 @@
+#include "env/cage/cage.hpp"
+
+#include <linux/capability.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <array>
+
+#include "env/cage/landlock.hpp"
+#include "env/cage/system_calls.hpp"
+
+namespace geminga::cage {
+namespace {
+
+/// Root without these is nobody special: it may not look into other processes whatever else it is allowed.
+void drop_capabilities(bool may_write) {
+  std::uint32_t kept = 1U << CAP_DAC_READ_SEARCH;
+  if (may_write) kept |= 1U << CAP_DAC_OVERRIDE;
+  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+  std::array<__user_cap_data_struct, 2> sets{};
+  if (::syscall(SYS_capget, &header, sets.data()) != 0) return;
+  sets[0].effective &= kept;
+  sets[0].permitted &= kept;
+  sets[0].inheritable = 0;
+  sets[1] = {};
+  ::syscall(SYS_capset, &header, sets.data());
+}
+
+}  // namespace
+
+Held close(const Freedom& freedom) {
+  ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  drop_capabilities(!freedom.writable_folders.empty());
+  Held held;
+  held.by_paths = restrict_paths(freedom);
+  held.by_system_calls = restrict_system_calls(freedom);
+  return held;
+}
+
+}  // namespace geminga::cage

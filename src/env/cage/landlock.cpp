@@ -1,0 +1,98 @@
+// By raw system calls: the C library of Debian 12 has none of them, and its headers only the first version.
+#include "env/cage/landlock.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cstdint>
+
+namespace geminga::cage {
+namespace {
+
+// <linux/landlock.h> of Linux 6.12; the numbers are the same on every architecture.
+constexpr long create_ruleset = 444;
+constexpr long add_rule = 445;
+constexpr long restrict_self = 446;
+constexpr unsigned ask_version = 1;
+constexpr int rule_path_beneath = 1;
+
+struct Ruleset {
+  std::uint64_t handled_fs = 0;
+  std::uint64_t handled_net = 0;  // version 4
+  std::uint64_t scoped = 0;       // version 6
+};
+
+struct PathBeneath {
+  std::uint64_t allowed;
+  std::int32_t parent;
+} __attribute__((packed));
+
+constexpr std::uint64_t bit(unsigned number) { return std::uint64_t{1} << number; }
+constexpr std::uint64_t execute = bit(0);
+constexpr std::uint64_t write_file = bit(1);
+constexpr std::uint64_t read_file = bit(2);
+constexpr std::uint64_t read_dir = bit(3);
+constexpr std::uint64_t remove_file = bit(5);
+constexpr std::uint64_t make_regular = bit(8);
+constexpr std::uint64_t truncate = bit(14);
+constexpr std::uint64_t of_files = execute | write_file | read_file | truncate | bit(15);
+
+/// Everything that a version can forbid of the file system.
+constexpr std::uint64_t all_rights(long version) {
+  if (version >= 5) return bit(16) - 1;  // ioctl of devices
+  if (version >= 3) return bit(15) - 1;  // truncate
+  if (version == 2) return bit(14) - 1;  // rename into another folder
+  return bit(13) - 1;
+}
+
+class Rules {
+ public:
+  Rules(const Ruleset& ruleset, std::size_t size)
+      : handled_(ruleset.handled_fs), descriptor_(static_cast<int>(::syscall(create_ruleset, &ruleset, size, 0))) {}
+  ~Rules() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Rules(const Rules&) = delete;
+  Rules& operator=(const Rules&) = delete;
+
+  /// What does not exist needs no right.
+  void allow(const std::string& path, std::uint64_t rights) {
+    const int place = ::open(path.c_str(), O_PATH | O_CLOEXEC);
+    if (place < 0) return;
+    struct stat status{};
+    const bool is_folder = ::fstat(place, &status) == 0 && S_ISDIR(status.st_mode);
+    const PathBeneath rule{rights & handled_ & (is_folder ? ~std::uint64_t{0} : of_files), place};
+    if (rule.allowed != 0) ::syscall(add_rule, descriptor_, rule_path_beneath, &rule, 0);
+    ::close(place);
+  }
+
+  [[nodiscard]] bool enforce() const { return descriptor_ >= 0 && ::syscall(restrict_self, descriptor_, 0) == 0; }
+
+ private:
+  std::uint64_t handled_;
+  int descriptor_;
+};
+
+}  // namespace
+
+bool restrict_paths(const Freedom& freedom) {
+  const long version = ::syscall(create_ruleset, nullptr, 0, ask_version);
+  if (version < 1) return false;
+  Ruleset ruleset;
+  ruleset.handled_fs = all_rights(version);
+  if (freedom.may_read_all) ruleset.handled_fs &= ~(execute | read_file | read_dir);
+  if (version >= 4) ruleset.handled_net = bit(2) - 1;  // bind and connect
+  if (version >= 6) ruleset.scoped = bit(2) - 1;       // abstract sockets and signals
+  // A kernel takes no longer a structure than it knows.
+  const std::size_t size = version >= 6 ? 24 : version >= 4 ? 16 : 8;
+  Rules rules(ruleset, size);
+  if (is_sanitized) rules.allow("/proc", read_file | read_dir);
+  for (const std::string& path : freedom.readable) rules.allow(path, read_file | read_dir);
+  for (const std::string& folder : freedom.writable_folders)
+    rules.allow(folder, write_file | truncate | make_regular | remove_file);
+  return rules.enforce();
+}
+
+}  // namespace geminga::cage

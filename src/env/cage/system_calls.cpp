@@ -1,0 +1,145 @@
+// libseccomp with the list of what reading, reasoning and writing need.
+#include "env/cage/system_calls.hpp"
+
+#include <fcntl.h>
+#include <sched.h>
+#include <seccomp.h>
+#include <sys/ioctl.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <span>
+
+namespace geminga::cage {
+namespace {
+
+/// Whatever their arguments are, they reach nothing but this process, what it has open, and what it may read. Those
+/// that an architecture does not have are passed over.
+constexpr std::array plain{
+    // files
+    SCMP_SYS(read), SCMP_SYS(readv), SCMP_SYS(pread64), SCMP_SYS(write), SCMP_SYS(writev), SCMP_SYS(pwrite64),
+    SCMP_SYS(lseek), SCMP_SYS(close), SCMP_SYS(dup), SCMP_SYS(dup2), SCMP_SYS(dup3), SCMP_SYS(pipe), SCMP_SYS(pipe2),
+    SCMP_SYS(stat), SCMP_SYS(lstat), SCMP_SYS(fstat), SCMP_SYS(newfstatat), SCMP_SYS(statx), SCMP_SYS(statfs),
+    SCMP_SYS(fstatfs), SCMP_SYS(access), SCMP_SYS(faccessat), SCMP_SYS(faccessat2), SCMP_SYS(readlink),
+    SCMP_SYS(readlinkat), SCMP_SYS(getdents64), SCMP_SYS(getcwd), SCMP_SYS(umask), SCMP_SYS(fadvise64),
+    SCMP_SYS(memfd_create), SCMP_SYS(ftruncate), SCMP_SYS(copy_file_range), SCMP_SYS(poll), SCMP_SYS(ppoll),
+    // memory and threads
+    SCMP_SYS(munmap), SCMP_SYS(mremap), SCMP_SYS(madvise), SCMP_SYS(brk), SCMP_SYS(futex), SCMP_SYS(set_robust_list),
+    SCMP_SYS(rseq), SCMP_SYS(set_tid_address), SCMP_SYS(sched_yield), SCMP_SYS(sched_getaffinity), SCMP_SYS(exit),
+    SCMP_SYS(exit_group),
+    // itself
+    SCMP_SYS(rt_sigaction), SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigreturn), SCMP_SYS(sigaltstack),
+    SCMP_SYS(restart_syscall), SCMP_SYS(getpid), SCMP_SYS(getppid), SCMP_SYS(gettid), SCMP_SYS(getuid),
+    SCMP_SYS(geteuid), SCMP_SYS(getgid), SCMP_SYS(getegid), SCMP_SYS(getpgrp), SCMP_SYS(getrlimit), SCMP_SYS(setrlimit),
+    SCMP_SYS(getrusage), SCMP_SYS(times), SCMP_SYS(uname), SCMP_SYS(sysinfo), SCMP_SYS(getrandom), SCMP_SYS(wait4),
+    SCMP_SYS(capget), SCMP_SYS(capset),
+    // time
+    SCMP_SYS(clock_gettime), SCMP_SYS(clock_getres), SCMP_SYS(gettimeofday), SCMP_SYS(time), SCMP_SYS(clock_nanosleep),
+    // a narrower cage
+    SCMP_SYS(seccomp), SCMP_SYS(landlock_create_ruleset), SCMP_SYS(landlock_add_rule),
+    SCMP_SYS(landlock_restrict_self)};
+
+constexpr std::array to_become{SCMP_SYS(execve), SCMP_SYS(arch_prctl)};
+constexpr std::array to_write_files{SCMP_SYS(open),      SCMP_SYS(openat), SCMP_SYS(rename),   SCMP_SYS(renameat),
+                                    SCMP_SYS(renameat2), SCMP_SYS(unlink), SCMP_SYS(unlinkat), SCMP_SYS(fchmod)};
+constexpr std::array to_be_sanitized{SCMP_SYS(mmap),
+                                     SCMP_SYS(mprotect),
+                                     SCMP_SYS(ptrace),
+                                     SCMP_SYS(prctl),
+                                     SCMP_SYS(personality),
+                                     SCMP_SYS(arch_prctl),
+                                     SCMP_SYS(process_vm_readv),
+                                     SCMP_SYS(sched_getparam),
+                                     SCMP_SYS(sched_getscheduler)};
+
+class Filter {
+ public:
+  Filter() : context_(seccomp_init(SCMP_ACT_ERRNO(EACCES))) {}
+  ~Filter() {
+    if (context_ != nullptr) seccomp_release(context_);
+  }
+  Filter(const Filter&) = delete;
+  Filter& operator=(const Filter&) = delete;
+
+  void allow(std::span<const int> calls) {
+    for (const int call : calls) seccomp_rule_add(context_, SCMP_ACT_ALLOW, call, 0);
+  }
+  void allow(int call, scmp_arg_cmp argument) { seccomp_rule_add(context_, SCMP_ACT_ALLOW, call, 1, argument); }
+  /// As if the kernel did not know the call, so that the C library takes an older one.
+  void hide(int call) { seccomp_rule_add(context_, SCMP_ACT_ERRNO(ENOSYS), call, 0); }
+  [[nodiscard]] bool load() { return context_ != nullptr && seccomp_load(context_) == 0; }
+
+ private:
+  scmp_filter_ctx context_;
+};
+
+scmp_arg_cmp equals(unsigned argument, std::uint64_t value) { return {argument, SCMP_CMP_EQ, value, 0}; }
+scmp_arg_cmp masked(unsigned argument, std::uint64_t mask, std::uint64_t value) {
+  return {argument, SCMP_CMP_MASKED_EQ, mask, value};
+}
+
+/// A thread, and neither a process nor a namespace. clone3() has its flags in memory, where no filter sees them.
+void allow_threads(Filter& filter) {
+  constexpr std::uint64_t namespaces =
+      CLONE_NEWNS | CLONE_NEWUTS | CLONE_NEWIPC | CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNET | CLONE_NEWCGROUP;
+  filter.allow(SCMP_SYS(clone), masked(0, CLONE_THREAD | CLONE_VM | namespaces, CLONE_THREAD | CLONE_VM));
+  filter.hide(SCMP_SYS(clone3));
+  // What looks for leaks shares our memory and is nobody's child.
+  constexpr std::uint64_t tracer = CLONE_VM | CLONE_UNTRACED;
+  if (is_sanitized) filter.allow(SCMP_SYS(clone), masked(0, tracer | namespaces, tracer));
+}
+
+void allow_reading(Filter& filter) {
+  constexpr std::uint64_t writing = O_WRONLY | O_RDWR | O_CREAT | O_TRUNC | O_APPEND;
+  filter.allow(SCMP_SYS(open), masked(1, writing, O_RDONLY));
+  filter.allow(SCMP_SYS(openat), masked(2, writing, O_RDONLY));
+}
+
+/// Its own process only: a signal to ourselves is how abort() ends.
+void allow_on_itself(Filter& filter) {
+  const auto self = static_cast<std::uint64_t>(::getpid());
+  filter.allow(SCMP_SYS(tgkill), equals(0, self));
+  filter.allow(SCMP_SYS(kill), equals(0, self));
+  filter.allow(SCMP_SYS(prlimit64), equals(0, 0));
+  filter.allow(SCMP_SYS(prlimit64), equals(0, self));
+  for (const int option : {PR_SET_NO_NEW_PRIVS, PR_SET_SECCOMP, PR_GET_SECCOMP, PR_SET_NAME, PR_CAPBSET_READ})
+    filter.allow(SCMP_SYS(prctl), equals(0, static_cast<std::uint64_t>(option)));
+}
+
+/// Not those that send signals to an owner of the descriptor, or words to a terminal.
+void allow_on_descriptors(Filter& filter) {
+  for (const int command : {F_DUPFD, F_DUPFD_CLOEXEC, F_GETFD, F_SETFD, F_GETFL})
+    filter.allow(SCMP_SYS(fcntl), equals(1, static_cast<std::uint64_t>(command)));
+  for (const unsigned long request : {static_cast<unsigned long>(TCGETS), static_cast<unsigned long>(TIOCGWINSZ)})
+    filter.allow(SCMP_SYS(ioctl), equals(1, request));
+}
+
+/// Only what was a program before can be executed: memory that can be written to never is.
+void allow_memory(Filter& filter, bool may_become) {
+  if (may_become) return filter.allow(std::array{SCMP_SYS(mmap), SCMP_SYS(mprotect)});
+  filter.allow(SCMP_SYS(mmap), masked(2, PROT_EXEC, 0));
+  filter.allow(SCMP_SYS(mprotect), masked(2, PROT_EXEC, 0));
+}
+
+}  // namespace
+
+bool restrict_system_calls(const Freedom& freedom) {
+  Filter filter;
+  filter.allow(plain);
+  allow_threads(filter);
+  allow_reading(filter);
+  allow_on_itself(filter);
+  allow_on_descriptors(filter);
+  allow_memory(filter, freedom.may_become);
+  if (freedom.may_become) filter.allow(to_become);
+  if (!freedom.writable_folders.empty()) filter.allow(to_write_files);
+  if (is_sanitized) filter.allow(to_be_sanitized);
+  return filter.load();
+}
+
+}  // namespace geminga::cage

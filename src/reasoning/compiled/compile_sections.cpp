@@ -1,0 +1,197 @@
+// Files, classes, taxonomy and labels as the compiled form has them.
+#include "reasoning/compiled/compile_sections.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <tuple>
+
+#include "base/rows.hpp"
+#include "reasoning/compiled/similar.hpp"
+#include "reasoning/owl/source_paths.hpp"
+#include "reasoning/taxonomy/interval_index.hpp"
+
+namespace geminga::el {
+namespace {
+
+constexpr std::uint32_t none = NumberTable::none;
+
+/// Prefixes that explanations use, where the files do not give these words another meaning.
+constexpr std::pair<std::string_view, std::string_view> usual_prefixes[] = {
+    {"owl", "http://www.w3.org/2002/07/owl#"},
+    {"rdf", "http://www.w3.org/1999/02/22-rdf-syntax-ns#"},
+    {"rdfs", "http://www.w3.org/2000/01/rdf-schema#"},
+    {"xsd", "http://www.w3.org/2001/XMLSchema#"},
+};
+
+void append(std::vector<std::uint8_t>& text, std::vector<std::uint32_t>& ends, std::string_view piece) {
+  text.insert(text.end(), piece.begin(), piece.end());
+  ends.push_back(static_cast<std::uint32_t>(text.size()));
+}
+
+void write_prefixes(const OntologySource& source, compiled::TaxonomyT& out) {
+  std::vector<std::pair<std::string_view, std::string_view>> prefixes;
+  for (const OntologySource::Prefix& prefix : source.prefixes()) {
+    prefixes.emplace_back(source.name(prefix.prefix), source.name(prefix.iri));
+  }
+  for (const auto& usual : usual_prefixes) {
+    if (std::ranges::none_of(prefixes, [&](const auto& known) { return known.first == usual.first; })) {
+      prefixes.push_back(usual);
+    }
+  }
+  std::ranges::sort(prefixes);
+  for (const auto& [word, iri] : prefixes) {
+    auto entry = std::make_unique<compiled::PrefixT>();
+    entry->prefix = word;
+    entry->iri = iri;
+    out.prefixes.push_back(std::move(entry));
+  }
+}
+
+/// A label of a class.
+struct Label {
+  std::string_view text;
+  std::uint32_t class_number;
+  std::string_view language;
+};
+
+/// Those of classes, by text, then class, then language; each once.
+std::vector<Label> labels_of_classes(const CompilerInput& input) {
+  const OntologySource& source = input.source;
+  std::vector<std::uint32_t> class_of_name(source.name_count(), none);
+  for (std::uint32_t number = 0; number < input.classification.class_count(); ++number) {
+    class_of_name[static_cast<std::size_t>(input.classification.classes[number])] = number;
+  }
+  std::vector<Label> labels;
+  for (const OntologySource::Label& label : source.labels()) {
+    const std::uint32_t number = class_of_name[static_cast<std::size_t>(label.entity)];
+    if (number != none) labels.push_back({source.name(label.text), number, source.name(label.language)});
+  }
+  const auto key = [](const Label& label) { return std::tuple(label.text, label.class_number, label.language); };
+  std::ranges::sort(labels, {}, key);
+  const auto repeated = std::ranges::unique(labels, {}, key);
+  labels.erase(repeated.begin(), repeated.end());
+  return labels;
+}
+
+/// English first, then what has no language, then the rest.
+auto preference(const Label& label) {
+  const int rank = label.language == "en" ? 0 : label.language.starts_with("en") ? 1 : label.language.empty() ? 2 : 3;
+  return std::tuple(rank, label.language, label.text);
+}
+
+}  // namespace
+
+void write_sources(const CompilerInput& input, const CompileOptions& options, compiled::TaxonomyT& out) {
+  const OntologySource& source = input.source;
+  std::vector<std::uint32_t> number_of_file(source.files().size(), none);
+  for (const FileId id : input.order.files) {
+    number_of_file[static_cast<std::size_t>(id)] = static_cast<std::uint32_t>(out.files.size());
+    const LoadedFile& loaded = source.files()[static_cast<std::size_t>(id)];
+    auto file = std::make_unique<compiled::FileT>();
+    file->path = options.folder.empty() ? loaded.path : seen_from_folder(options.folder, loaded.path);
+    file->ontology_iri = loaded.ontology_iri;
+    file->size = loaded.content.size;
+    file->hash = loaded.content.hash;
+    out.files.push_back(std::move(file));
+  }
+  for (const LeftOut& left : left_out(source, input.classification)) {
+    auto entry = std::make_unique<compiled::LeftOutT>();
+    entry->construct = left.construct;
+    entry->count = left.count;
+    entry->file = left.file < number_of_file.size() ? number_of_file[left.file] : none;
+    entry->line = left.line;
+    out.left_out.push_back(std::move(entry));
+  }
+  out.gaps.assign(options.gaps.begin(), options.gaps.end());
+  write_prefixes(source, out);
+  for (const auto& axiom : input.order.axioms) {
+    out.axioms += source.axiom(axiom.axiom).kind == AxiomKind::declaration ? 0U : 1U;
+  }
+}
+
+void write_classes(const CompilerInput& input, compiled::TaxonomyT& out) {
+  const Classification& classification = input.classification;
+  const auto count = static_cast<std::uint32_t>(classification.class_count());
+  out.is_consistent = classification.is_consistent;
+  out.thing = static_cast<std::uint32_t>(classification.thing);
+  out.nothing = static_cast<std::uint32_t>(classification.nothing);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> up;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> down;
+  for (std::uint32_t number = 0; number < count; ++number) {
+    append(out.class_text, out.class_end, input.source.name(classification.classes[number]));
+    const auto node = static_cast<std::uint32_t>(classification.representative[number]);
+    out.representative.push_back(node);
+    if (node != number) out.members.emplace_back(node, number);
+    for (const ClassNumber parent : classification.parents_of(ClassNumber{number})) {
+      up.emplace_back(number, static_cast<std::uint32_t>(parent));
+      down.emplace_back(static_cast<std::uint32_t>(parent), number);
+    }
+  }
+  std::ranges::sort(out.members, {}, [](const compiled::Member& one) { return std::pair(one.node(), one.other()); });
+  const Rows<std::uint32_t> parents(count, up);
+  const Rows<std::uint32_t> children(count, down);
+  const IntervalIndex index(parents);
+  out.parent_begin.push_back(0);
+  out.child_begin.push_back(0);
+  for (std::uint32_t number = 0; number < count; ++number) {
+    out.parents.insert(out.parents.end(), parents[number].begin(), parents[number].end());
+    out.parent_begin.push_back(static_cast<std::uint32_t>(out.parents.size()));
+    out.children.insert(out.children.end(), children[number].begin(), children[number].end());
+    out.child_begin.push_back(static_cast<std::uint32_t>(out.children.size()));
+    const std::uint32_t node = out.representative[number];
+    const Interval own = index.own(node);
+    // Equivalents have the intervals of their representative, which is the smallest of them.
+    if (node != number) {
+      out.reach.push_back(out.reach[node]);
+      continue;
+    }
+    const auto further_begin = static_cast<std::uint32_t>(out.further.size());
+    for (const Interval interval : index.further(node)) out.further.emplace_back(interval.first, interval.last);
+    const auto further_end = static_cast<std::uint32_t>(out.further.size());
+    const std::uint32_t flag = further_begin == further_end ? 0 : Reach::flag;
+    if (node == out.representative[out.nothing]) {
+      out.reach.emplace_back(Reach::flag, 0, 0, 0);
+    } else {
+      out.reach.emplace_back(own.first, (own.last - own.first) | flag, further_begin, further_end);
+    }
+  }
+}
+
+void write_signatures(const compiled::LabelsT& labels, compiled::TaxonomyT& out) {
+  const std::string_view iris(reinterpret_cast<const char*>(out.class_text.data()), out.class_text.size());
+  const std::string_view texts(reinterpret_cast<const char*>(labels.text.data()), labels.text.size());
+  const auto row = [](std::string_view text, const std::vector<std::uint32_t>& ends, std::size_t at) {
+    const std::uint32_t begin = at == 0 ? 0 : ends[at - 1];
+    return text.substr(begin, ends[at] - begin);
+  };
+  out.signatures.reserve(2 * out.class_end.size());
+  for (std::size_t number = 0; number < out.class_end.size(); ++number) {
+    out.signatures.push_back(signature_of(local_name(row(iris, out.class_end, number))));
+    const std::uint32_t label = labels.label_of_class[number];
+    out.signatures.push_back(label == none ? 0 : signature_of(row(texts, labels.end, label)));
+  }
+}
+
+void write_labels(const CompilerInput& input, compiled::LabelsT& out) {
+  const std::vector<Label> labels = labels_of_classes(input);
+  std::vector<const Label*> best(input.classification.class_count(), nullptr);
+  out.label_of_class.assign(best.size(), none);
+  out.class_begin.push_back(0);
+  std::string_view last;
+  for (const Label& label : labels) {
+    if (out.end.empty() || label.text != last) {
+      if (!out.end.empty()) out.class_begin.push_back(static_cast<std::uint32_t>(out.classes.size()));
+      append(out.text, out.end, label.text);
+      last = label.text;
+    }
+    const bool is_repeated = out.classes.size() > out.class_begin.back() && out.classes.back() == label.class_number;
+    if (!is_repeated) out.classes.push_back(label.class_number);
+    const Label*& known = best[label.class_number];
+    if (known != nullptr && preference(*known) <= preference(label)) continue;
+    known = &label;
+    out.label_of_class[label.class_number] = static_cast<std::uint32_t>(out.end.size() - 1);
+  }
+  if (!out.end.empty()) out.class_begin.push_back(static_cast<std::uint32_t>(out.classes.size()));
+}
+
+}  // namespace geminga::el

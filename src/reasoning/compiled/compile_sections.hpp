@@ -1,0 +1,44 @@
+// The sections of the compiled form, each written by a function of its own; compile.cpp puts them together.
+#ifndef GEMINGA_REASONING_COMPILED_COMPILE_SECTIONS_HPP
+#define GEMINGA_REASONING_COMPILED_COMPILE_SECTIONS_HPP
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compiled_generated.h"
+#include "reasoning/compiled/compile.hpp"
+#include "reasoning/owl/canonical.hpp"
+#include "reasoning/owl/source.hpp"
+#include "reasoning/taxonomy/classification.hpp"
+
+namespace geminga::el {
+
+/// Most items of the lists whose length is not known before: intervals, and axioms that wait for names. Both are few
+/// except where hardly anything is a tree.
+inline constexpr std::size_t max_list_items = std::size_t{1} << 26;
+
+/// What all sections are written from.
+struct CompilerInput {
+  const OntologySource& source;
+  const Classification& classification;
+  const ContentHashes& hashes;
+  const CanonicalOrder& order;
+};
+
+/// Files, left-outs, gaps and prefixes.
+void write_sources(const CompilerInput& input, const CompileOptions& options, compiled::TaxonomyT& out);
+/// Classes, taxonomy and index of intervals.
+void write_classes(const CompilerInput& input, compiled::TaxonomyT& out);
+void write_labels(const CompilerInput& input, compiled::LabelsT& out);
+/// By which names that are like another are found. Classes and labels have been written.
+void write_signatures(const compiled::LabelsT& labels, compiled::TaxonomyT& out);
+/// Names, terms, axioms and what modules are found by. The taxonomy has been written. False where there would be more
+/// than max_list_items, or more files than sixteen bits can count.
+[[nodiscard]] bool write_axioms(const CompilerInput& input, const compiled::TaxonomyT& taxonomy,
+                                compiled::AxiomsT& out);
+
+}  // namespace geminga::el
+
+#endif

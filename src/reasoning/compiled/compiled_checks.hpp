@@ -1,0 +1,97 @@
+// What must be right in a compiled ontology so that reading it needs no further checks: nothing in it is trusted.
+#ifndef GEMINGA_REASONING_COMPILED_COMPILED_CHECKS_HPP
+#define GEMINGA_REASONING_COMPILED_COMPILED_CHECKS_HPP
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "reasoning/compiled/compiled_view.hpp"
+
+namespace geminga::el {
+
+/// Notes the first thing that is wrong, and where in the file it stands. Passes over arrays have no branches, so that
+/// compilers use vectors; only what has failed is looked at again, for the offset.
+class Checker {
+ public:
+  explicit Checker(std::span<const std::byte> file) : file_(file) {}
+
+  void expect(bool condition, std::string_view what) {
+    if (!condition && problem_.empty()) problem_ = what;
+  }
+  /// The same of an array: where it begins is said.
+  template <typename Number>
+  void expect(bool condition, std::string_view what, std::span<const Number> array, std::size_t at = 0) {
+    if (condition || failed()) return;
+    problem_ = what;
+    offset_ = static_cast<std::size_t>(reinterpret_cast<const std::byte*>(array.data() + at) - file_.data());
+  }
+
+  /// That all numbers are below `end`.
+  template <typename Number>
+  void in_range(std::span<const Number> numbers, std::size_t end, std::string_view what) {
+    const auto is_wrong = [&](Number number) { return number >= end; };
+    if (end > 0xffffffffU) return;
+    const auto bound = static_cast<std::uint32_t>(end);
+    std::uint32_t wrong = 0;
+    for (const Number number : numbers) wrong |= static_cast<std::uint32_t>(number >= bound);
+    if (wrong != 0) locate(numbers, is_wrong, what);
+  }
+  /// The same where a number may be none.
+  void in_range_or_none(ClassifiedView::Numbers numbers, std::size_t end, std::string_view what) {
+    const auto is_wrong = [&](std::uint32_t number) { return number >= end && number != ClassifiedView::none; };
+    std::uint32_t wrong = 0;
+    for (const std::uint32_t number : numbers) wrong |= static_cast<std::uint32_t>(is_wrong(number));
+    if (wrong != 0) locate(numbers, is_wrong, what);
+  }
+  /// Row borders: one more than rows, from 0 to the number of items, never down.
+  void borders(ClassifiedView::Numbers begin, std::size_t rows, std::size_t items, std::string_view what) {
+    expect(begin.size() == rows + 1, what, begin);
+    if (failed()) return;
+    expect(begin.front() == 0, what, begin);
+    ends(begin.subspan(1), items, what);
+  }
+  /// Ends of pieces: never down, the last at the number of items.
+  void ends(ClassifiedView::Numbers ends, std::size_t items, std::string_view what) {
+    expect((ends.empty() ? 0 : ends.back()) == items, what, ends);
+    std::uint32_t wrong = 0;
+    for (std::size_t at = 1; at < ends.size(); ++at) wrong |= static_cast<std::uint32_t>(ends[at] < ends[at - 1]);
+    if (wrong == 0) return;
+    const auto down = std::ranges::adjacent_find(ends, std::greater<>());
+    expect(false, what, ends, static_cast<std::size_t>(down - ends.begin()) + 1);
+  }
+
+  [[nodiscard]] bool failed() const { return !problem_.empty(); }
+  /// One line.
+  [[nodiscard]] CompiledError error() const {
+    return {"the compiled ontology is damaged: " + problem_ +
+            (offset_ ? " at offset " + std::to_string(*offset_) : std::string()) +
+            " cannot be right: compile it again"};
+  }
+
+ private:
+  template <typename Number, typename Test>
+  void locate(std::span<const Number> numbers, Test&& is_wrong, std::string_view what) {
+    const auto found = std::ranges::find_if(numbers, is_wrong);
+    expect(false, what, numbers, static_cast<std::size_t>(found - numbers.begin()));
+  }
+
+  std::span<const std::byte> file_;
+  std::string problem_;
+  std::optional<std::size_t> offset_;
+};
+
+void check_taxonomy(const ClassifiedView& view, Checker& check);
+void check_labels(const LabelsView& labels, const ClassifiedView& taxonomy, Checker& check);
+/// Of a view with taxonomy and axioms, the first of which was checked. `files` and `groups` are how many there are of
+/// files and left-outs.
+void check_axioms(const ClassifiedView& view, std::size_t files, std::size_t groups, Checker& check);
+
+}  // namespace geminga::el
+
+#endif

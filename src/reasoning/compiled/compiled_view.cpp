@@ -1,0 +1,152 @@
+// From sections to spans: each is a FlatBuffer, verified, then checked number by number.
+#include "reasoning/compiled/compiled_view.hpp"
+
+#include <bit>
+
+#include "compiled_generated.h"
+#include "reasoning/compiled/compiled_checks.hpp"
+
+namespace geminga::el {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the compiled form is read in place");
+static_assert(sizeof(Interval) == sizeof(compiled::Interval));
+static_assert(sizeof(Reach) == sizeof(compiled::Reach));
+static_assert(sizeof(EquivalentMember) == sizeof(compiled::Member));
+
+template <typename Element>
+std::span<const std::uint32_t> numbers(const flatbuffers::Vector<Element>* vector) {
+  return {reinterpret_cast<const std::uint32_t*>(vector->Data()), vector->size()};
+}
+template <typename Ours, typename Theirs>
+std::span<const Ours> structs(const flatbuffers::Vector<const Theirs*>* vector) {
+  static_assert(sizeof(Ours) == sizeof(Theirs));
+  return {reinterpret_cast<const Ours*>(vector->Data()), vector->size()};
+}
+std::span<const std::uint8_t> octets(const flatbuffers::Vector<std::uint8_t>* vector) {
+  return {vector->Data(), vector->size()};
+}
+std::string_view text(const flatbuffers::Vector<std::uint8_t>* vector) {
+  return {reinterpret_cast<const char*>(vector->Data()), vector->size()};
+}
+
+/// The root of a section.
+template <typename Root>
+std::expected<const Root*, CompiledError> root_of(const Container& file, Section section) {
+  constexpr flatbuffers::uoffset_t max_depth = 4;
+  constexpr flatbuffers::uoffset_t max_tables = 1'000'000;  // files and the like; all else is in flat arrays
+  const std::span<const std::byte> bytes = file.section(section);
+  const auto* begin = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  flatbuffers::Verifier verifier(begin, bytes.size(), max_depth, max_tables);
+  if (bytes.empty() || !verifier.VerifyBuffer<Root>(nullptr)) {
+    return std::unexpected(CompiledError{"the compiled ontology is damaged: its " + std::string(to_string(section)) +
+                                         " at offset " + std::to_string(bytes.data() - file.file().data()) +
+                                         " are no FlatBuffer of the schema: compile it again"});
+  }
+  return flatbuffers::GetRoot<Root>(begin);
+}
+
+}  // namespace
+
+std::expected<ClassifiedView, CompiledError> view_taxonomy(const Container& file) {
+  const auto found = root_of<compiled::Taxonomy>(file, Section::taxonomy);
+  if (!found) return std::unexpected(found.error());
+  const compiled::Taxonomy& root = **found;
+  ClassifiedView view;
+  view.root = &root;
+  view.digest = root.digest();
+  view.is_consistent = root.is_consistent();
+  view.class_text = text(root.class_text());
+  view.class_end = numbers(root.class_end());
+  view.representative = numbers(root.representative());
+  view.thing = root.thing();
+  view.nothing = root.nothing();
+  view.members = structs<EquivalentMember>(root.members());
+  view.parent_begin = numbers(root.parent_begin());
+  view.parents = numbers(root.parents());
+  view.child_begin = numbers(root.child_begin());
+  view.children = numbers(root.children());
+  view.reach = structs<Reach>(root.reach());
+  view.further = structs<Interval>(root.further());
+  Checker check(file.file());
+  check_taxonomy(view, check);
+  if (check.failed()) return std::unexpected(check.error());
+  return view;
+}
+
+std::expected<LabelsView, CompiledError> view_labels(const Container& file, const ClassifiedView& taxonomy) {
+  if (auto whole = file.verify(Section::labels); !whole) return std::unexpected(whole.error());
+  const auto found = root_of<compiled::Labels>(file, Section::labels);
+  if (!found) return std::unexpected(found.error());
+  const compiled::Labels& root = **found;
+  const LabelsView labels{text(root.text()), numbers(root.end()), numbers(root.class_begin()), numbers(root.classes()),
+                          numbers(root.label_of_class())};
+  Checker check(file.file());
+  check_labels(labels, taxonomy, check);
+  if (check.failed()) return std::unexpected(check.error());
+  return labels;
+}
+
+std::expected<ClassifiedView, CompiledError> view_axioms(const Container& file, const ClassifiedView& taxonomy) {
+  if (auto whole = file.verify(Section::axioms); !whole) return std::unexpected(whole.error());
+  const auto found = root_of<compiled::Axioms>(file, Section::axioms);
+  if (!found) return std::unexpected(found.error());
+  const compiled::Axioms& root = **found;
+  ClassifiedView view = taxonomy;
+  view.term_text = text(root.text());
+  view.name_end = numbers(root.name_end());
+  view.term_kind = octets(root.term_kind());
+  view.term_word = numbers(root.term_word());
+  view.term_begin = numbers(root.term_begin());
+  view.term_arguments = numbers(root.term_arguments());
+  view.axiom_kind = octets(root.axiom_kind());
+  view.axiom_file = {reinterpret_cast<const std::uint16_t*>(root.axiom_file()->Data()), root.axiom_file()->size()};
+  view.axiom_line = numbers(root.axiom_line());
+  view.axiom_begin = numbers(root.axiom_begin());
+  view.axiom_arguments = numbers(root.axiom_arguments());
+  view.unused_axiom = numbers(root.unused_axiom());
+  view.unused_group = numbers(root.unused_group());
+  view.built_in = numbers(root.built_in());
+  view.uses = numbers(root.uses());
+  view.term_of_class = numbers(root.term_of_class());
+  view.waiting_begin = numbers(root.waiting_begin());
+  view.waiting = numbers(root.waiting());
+  view.unconditional = numbers(root.unconditional());
+  Checker check(file.file());
+  check_axioms(view, taxonomy.root->files()->size(), taxonomy.root->left_out()->size(), check);
+  if (check.failed()) return std::unexpected(check.error());
+  return view;
+}
+
+std::vector<LoadedFile> files_of(const ClassifiedView& view) {
+  std::vector<LoadedFile> files;
+  for (const compiled::File* file : *view.root->files())
+    files.push_back({file->path()->str(), file->ontology_iri()->str(), {file->size(), file->hash()}});
+  return files;
+}
+
+std::vector<LeftOut> left_out_of(const ClassifiedView& view) {
+  std::vector<LeftOut> left_out;
+  for (const compiled::LeftOut* left : *view.root->left_out()) {
+    left_out.push_back({left->construct()->str(), left->count(), {}, left->file(), left->line()});
+  }
+  return left_out;
+}
+
+std::vector<std::string> gaps_of(const ClassifiedView& view) {
+  std::vector<std::string> gaps;
+  for (const flatbuffers::String* gap : *view.root->gaps()) gaps.push_back(gap->str());
+  return gaps;
+}
+
+std::vector<std::pair<std::string_view, std::string_view>> prefixes_of(const ClassifiedView& view) {
+  std::vector<std::pair<std::string_view, std::string_view>> prefixes;
+  for (const compiled::Prefix* prefix : *view.root->prefixes())
+    prefixes.emplace_back(prefix->prefix()->string_view(), prefix->iri()->string_view());
+  std::ranges::sort(prefixes);
+  return prefixes;
+}
+
+std::uint32_t counted_axioms(const ClassifiedView& view) { return view.root->axioms(); }
+
+}  // namespace geminga::el

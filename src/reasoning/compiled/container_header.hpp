@@ -1,0 +1,20 @@
+// What the first octets of a compiled ontology tell before the rest is read.
+#ifndef GEMINGA_REASONING_COMPILED_CONTAINER_HEADER_HPP
+#define GEMINGA_REASONING_COMPILED_CONTAINER_HEADER_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <span>
+
+#include "reasoning/compiled/compiled_error.hpp"
+
+namespace geminga::el {
+
+/// Whether a file of `size` octets that begins so can be one. `beginning` is the whole header, or all of a shorter
+/// file. Refuses what has another magic, version or size.
+[[nodiscard]] std::expected<void, CompiledError> check_header(std::span<const std::byte> beginning, std::uint64_t size);
+
+}  // namespace geminga::el
+
+#endif

@@ -1,0 +1,134 @@
+// A classified ontology as the daemon sees it: names, subsumption and axioms, read from its compiled form.
+#ifndef GEMINGA_REASONING_COMPILED_ONTOLOGY_HPP
+#define GEMINGA_REASONING_COMPILED_ONTOLOGY_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reasoning/compiled/compiled_error.hpp"
+#include "reasoning/owl/left_out.hpp"
+#include "reasoning/owl/loaded_file.hpp"
+#include "reasoning/taxonomy/class_number.hpp"
+#include "reasoning/taxonomy/interval.hpp"
+#include "reasoning/taxonomy/reach.hpp"
+
+namespace geminga::el {
+
+/// Why a name could not be resolved. `text` is one line that says what to do, for a user.
+struct NameError {
+  enum class Kind { malformed, unknown, ambiguous } kind = Kind::unknown;
+  std::string text;
+};
+
+struct ClassifiedView;
+class ModuleIndex;
+
+/// An immutable classified ontology over a compiled form. Movable, not copyable; safe to read from many threads.
+/// Every string_view and span points into the compiled form and lives as long as the ontology.
+///
+/// The form has sections. What matching needs is verified when it is mapped; labels and axioms when they are asked for
+/// first, so that a start does not wait for them. Where one of these is damaged there are no labels or no axioms, and
+/// check_labels() and check_axioms() say why.
+class Ontology {
+ public:
+  /// Maps a compiled file, checks its version, and the checksum and every number of its taxonomy. Cost: linear in that
+  /// section, no parsing. files() are then where they are seen from here: paths in the form are relative to its folder.
+  [[nodiscard]] static std::expected<Ontology, CompiledError> map(const std::string& path);
+  /// The same over bytes in memory. Paths of files are as they stand in them.
+  [[nodiscard]] static std::expected<Ontology, CompiledError> from_bytes(std::vector<std::byte> bytes);
+
+  Ontology(Ontology&&) noexcept;
+  Ontology& operator=(Ontology&&) noexcept;
+  ~Ontology();
+
+  /// Whether labels and axioms are as they were written: verified now, unless they were before. Linear in them.
+  [[nodiscard]] std::expected<void, CompiledError> check_labels() const;
+  [[nodiscard]] std::expected<void, CompiledError> check_axioms() const;
+  /// Both, for who must know at once.
+  [[nodiscard]] std::expected<void, CompiledError> check_whole() const;
+
+  /// A digest of the axioms and names: equal on every host that loaded the same ontologies, whatever their order or
+  /// format.
+  [[nodiscard]] std::uint64_t digest() const;
+  [[nodiscard]] std::uint32_t class_count() const;
+  [[nodiscard]] std::vector<LoadedFile> files() const;
+  /// One line for a user where a file that this was compiled from has changed since: "soma.owl has changed since this
+  /// was compiled: compile it again". Files that are gone are not asked for. Reads the files, so that a copy or a
+  /// checkout of the same content is no change.
+  [[nodiscard]] std::optional<std::string> stale_source() const;
+  [[nodiscard]] std::vector<LeftOut> left_out() const;
+  /// Why something may be missing although its axioms were used, one line each. Where this and left_out() are empty,
+  /// the taxonomy is complete.
+  [[nodiscard]] std::vector<std::string> gaps() const;
+  /// Axioms, each counted once, without declarations.
+  [[nodiscard]] std::size_t axiom_count() const;
+  /// False: some individual cannot exist, and every class is below every other.
+  [[nodiscard]] bool is_consistent() const;
+
+  /// Resolves `prefix:Name`, `<IRI>`, a bare IRI, or a label where it is unambiguous. Labels are asked for where the
+  /// name is nothing else.
+  [[nodiscard]] std::expected<ClassNumber, NameError> find(std::string_view name) const;
+  [[nodiscard]] std::optional<ClassNumber> find_iri(std::string_view iri) const;
+
+  [[nodiscard]] std::string_view iri(ClassNumber number) const;
+  /// The label, or an empty view. Asks for the labels.
+  [[nodiscard]] std::string_view label(ClassNumber number) const;
+  /// `prefix:Name` where a prefix of the ontology fits, else `<IRI>`.
+  [[nodiscard]] std::string short_name(ClassNumber number) const;
+  /// The same for any IRI, known as a class or not.
+  [[nodiscard]] std::string short_name(std::string_view iri) const;
+
+  /// False where the class is subsumed by owl:Nothing.
+  [[nodiscard]] bool is_satisfiable(ClassNumber number) const;
+  /// Whether every instance of `sub` is one of `super`. Reflexive. O(1) to O(log n).
+  [[nodiscard]] bool is_subsumed(ClassNumber sub, ClassNumber super) const {
+    const std::uint32_t rank = reach_[static_cast<std::size_t>(sub)].first;
+    const Reach& above = reach_[static_cast<std::size_t>(super)];
+    // One comparison, since numbers below the first wrap around to large ones.
+    const bool is_in_own = rank - above.first <= (above.extent & ~Reach::flag);
+    const bool is_settled = is_in_own || ((rank | above.extent) & Reach::flag) == 0;
+    return is_settled ? is_in_own : is_in_further(rank, above);
+  }
+  [[nodiscard]] bool is_equivalent(ClassNumber a, ClassNumber b) const {
+    return is_subsumed(a, b) && is_subsumed(b, a);
+  }
+  /// Edges of the shortest way up the taxonomy from `sub` to `super`: 0 for equivalents; nothing where not subsumed.
+  [[nodiscard]] std::optional<std::uint32_t> distance(ClassNumber sub, ClassNumber super) const;
+  /// Every named class that subsumes this one, itself, its equivalents and owl:Thing included, ascending by number.
+  [[nodiscard]] std::vector<ClassNumber> subsumers(ClassNumber number) const;
+  /// Direct superclasses and subclasses in the reduced taxonomy, one representative a node of equivalents, ascending.
+  /// Unsatisfiable classes have neither, and are the children of none.
+  [[nodiscard]] std::vector<ClassNumber> parents(ClassNumber number) const;
+  [[nodiscard]] std::vector<ClassNumber> children(ClassNumber number) const;
+
+  /// The taxonomy as numbers. It has no terms and no axioms.
+  [[nodiscard]] const ClassifiedView& view() const;
+  /// The taxonomy with terms and axioms, for who reasons over them; without them where check_axioms() fails.
+  [[nodiscard]] const ClassifiedView& axioms() const;
+  /// From names to axioms(). Cheap: it is part of the compiled form.
+  [[nodiscard]] ModuleIndex module_index() const;
+
+ private:
+  struct Mapped;
+  explicit Ontology(std::unique_ptr<const Mapped> mapped);
+  /// What can have no instance is below everything.
+  [[nodiscard]] bool is_in_further(std::uint32_t rank, const Reach& above) const {
+    return (rank & Reach::flag) != 0 ||
+           contains_rank({further_ + above.further_begin, further_ + above.further_end}, rank);
+  }
+
+  std::unique_ptr<const Mapped> mapped_;
+  const Reach* reach_ = nullptr;  ///< of each class, in what mapped_ holds
+  const Interval* further_ = nullptr;
+};
+
+}  // namespace geminga::el
+
+#endif

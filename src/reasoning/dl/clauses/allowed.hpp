@@ -1,0 +1,44 @@
+// What of an axiom OWL 2 DL forbids, or is beyond a limit, so that it has no clauses.
+#ifndef GEMINGA_REASONING_DL_CLAUSES_ALLOWED_HPP
+#define GEMINGA_REASONING_DL_CLAUSES_ALLOWED_HPP
+
+#include <cstdint>
+#include <map>
+#include <string_view>
+#include <tuple>
+
+#include "reasoning/dl/clauses/literal.hpp"
+#include "reasoning/dl/clauses/vocabulary.hpp"
+#include "reasoning/owl/role_box.hpp"
+
+namespace geminga::clauses {
+
+inline constexpr std::string_view top_object_property = "http://www.w3.org/2002/07/owl#topObjectProperty";
+inline constexpr std::string_view bottom_object_property = "http://www.w3.org/2002/07/owl#bottomObjectProperty";
+inline constexpr std::string_view top_data_property = "http://www.w3.org/2002/07/owl#topDataProperty";
+inline constexpr std::string_view bottom_data_property = "http://www.w3.org/2002/07/owl#bottomDataProperty";
+
+/// Looks through expressions with their signs (OWL 2 structural specification, section 11.2). A minimum of a property
+/// that is not simple is allowed where it does not say at most of another: it is exact, as edges are paths.
+class Allowed {
+ public:
+  Allowed(Vocabulary& vocabulary, const el::RoleBox& roles, std::uint32_t max_cardinality)
+      : vocabulary_(vocabulary), roles_(roles), max_cardinality_(max_cardinality) {}
+
+  /// Why the literal has no clauses where it is asserted; empty: it has.
+  [[nodiscard]] std::string_view problem(Literal literal);
+  [[nodiscard]] bool is_simple(el::TermId property);
+  [[nodiscard]] bool is_top_data(el::TermId property) const;
+
+ private:
+  [[nodiscard]] std::string_view problem_of(const Shape& shape);
+
+  Vocabulary& vocabulary_;
+  const el::RoleBox& roles_;
+  std::uint32_t max_cardinality_;
+  std::map<std::tuple<el::TermId, bool, Part>, std::string_view> known_;
+};
+
+}  // namespace geminga::clauses
+
+#endif

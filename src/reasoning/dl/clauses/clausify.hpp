@@ -1,0 +1,40 @@
+// From the axioms of an OntologySource to clauses: negation normal form, names for parts, automata for chains.
+#ifndef GEMINGA_REASONING_DL_CLAUSES_CLAUSIFY_HPP
+#define GEMINGA_REASONING_DL_CLAUSES_CLAUSIFY_HPP
+
+#include <cstdint>
+#include <expected>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "reasoning/dl/clauses/clause.hpp"
+
+namespace geminga::clauses {
+
+struct ClausifyLimits {
+  std::size_t clauses = 4'000'000;
+  std::size_t automaton_states = 100'000;  ///< of one property; a box of chains may need exponentially many
+  std::uint32_t cardinality = 256;         ///< axioms with a greater number are left out and named
+};
+
+/// Why an ontology has no clauses (a limit). `text` is one line.
+struct ClausifyError {
+  std::string text;
+};
+
+/// Translates the axioms with these numbers (nothing: all). Every construct of OWL 2 DL has a translation; what OWL 2
+/// DL forbids (irregular chains, cardinalities of properties that are not simple) is left out and named in `unused`, so
+/// the clauses never say more than the axioms. `queries` are class expressions of the source: each gets a concept Q
+/// with Q SubClassOf expression, so that Q is satisfiable exactly if the expression is; each of `complements` one with
+/// Q SubClassOf not expression.
+/// Depends on the set of axioms, not on their order.
+[[nodiscard]] std::expected<ClauseSet, ClausifyError> clausify(const el::OntologySource& source,
+                                                               std::optional<std::span<const std::uint32_t>> axioms,
+                                                               std::span<const el::TermId> queries,
+                                                               std::span<const el::TermId> complements = {},
+                                                               const ClausifyLimits& limits = {});
+
+}  // namespace geminga::clauses
+
+#endif

@@ -1,0 +1,151 @@
+// The clauses of one context, found by their literals, without those that others make redundant.
+//
+// Most clauses of real ontologies are facts: an empty body and one literal in the head. Such a unit is a bit in the
+// table of literals and nothing else. Other clauses are filed under their maximal literals (for the rules and to find
+// what makes a new clause redundant), and under all others (to find what a new clause makes redundant).
+#ifndef GEMINGA_REASONING_DL_CONSEQUENCE_CLAUSE_STORE_HPP
+#define GEMINGA_REASONING_DL_CONSEQUENCE_CLAUSE_STORE_HPP
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "reasoning/dl/consequence/literal.hpp"
+#include "reasoning/dl/consequence/pool.hpp"
+
+namespace geminga::consequence {
+
+using ClauseNumber = std::uint32_t;
+
+class ClauseStore {
+ public:
+  /// What is filed under a literal, or under what stands for one (in_body(), neighbours()).
+  struct Lists {
+    Pooled<std::uint32_t> maximal;  ///< clauses with it as a maximal literal; of neighbours(): terms
+    Pooled<std::uint32_t> others;   ///< clauses with it elsewhere in the head; of in_body(): in the body
+    Pooled<std::uint32_t> waiting;  ///< others' clauses that wait for it; of in_body(): edges that assume it
+  };
+
+  [[nodiscard]] std::span<const Literal> body(ClauseNumber clause) const {
+    return std::span(literals_).subspan(clauses_[clause].begin, clauses_[clause].body);
+  }
+  /// Descending.
+  [[nodiscard]] std::span<const Literal> head(ClauseNumber clause) const {
+    return std::span(literals_).subspan(clauses_[clause].begin + clauses_[clause].body, clauses_[clause].head);
+  }
+  [[nodiscard]] bool is_live(ClauseNumber clause) const { return clauses_[clause].state != State::redundant; }
+  /// Whether it is there and has been processed.
+  [[nodiscard]] bool is_active(ClauseNumber clause) const { return clauses_[clause].state == State::active; }
+  void activate(ClauseNumber clause) { clauses_[clause].state = State::active; }
+
+  /// A bit of a literal; `unit` is set by insert_unit(), others by their users.
+  enum Flag : std::uint32_t { unit = 1, active_unit = 2, listed = 4, assumed = 8, noted = 16 };
+  [[nodiscard]] bool has(Literal literal, Flag flag) const {
+    const Slot* const slot = find(literal);
+    return slot != nullptr && (slot->flags & flag) != 0;
+  }
+  /// False where it was set.
+  bool set(Literal literal, Flag flag) {
+    Slot& slot = slot_of(literal);
+    if ((slot.flags & flag) != 0) return false;
+    slot.flags |= flag;
+    return true;
+  }
+
+  /// Calls `use` with each literal that is a unit, in no order.
+  template <typename Use>
+  void for_each_unit(Use&& use) const {
+    for (const Slot& slot : slots_) {
+      if (slot.key != no_literal && (slot.flags & unit) != 0) use(slot.key);
+    }
+  }
+
+  /// nullptr where nothing is filed. Valid until something is filed under a literal for the first time.
+  [[nodiscard]] const Lists* lists(Literal literal) const {
+    const Slot* const slot = find(literal);
+    return slot == nullptr || slot->lists == 0 ? nullptr : &lists_[slot->lists - 1];
+  }
+  [[nodiscard]] Lists& lists_of(Literal literal);
+  /// What may have the literal as a maximal one: a unit that has been processed, or else some clauses.
+  struct Found {
+    bool is_unit = false;
+    const Lists* lists = nullptr;
+  };
+  [[nodiscard]] Found look_up(Literal literal) const {
+    const Slot* const slot = find(literal);
+    if (slot == nullptr) return {};
+    if ((slot->flags & active_unit) != 0) return {true, nullptr};
+    return {false, slot->lists == 0 ? nullptr : &lists_[slot->lists - 1]};
+  }
+  /// Whether look_up() finds anything.
+  [[nodiscard]] bool may_match(Literal literal) const {
+    const Slot* const slot = find(literal);
+    if (slot == nullptr) return false;
+    return (slot->flags & active_unit) != 0 || (slot->lists != 0 && !lists_[slot->lists - 1].maximal.empty());
+  }
+  /// A number of the user's under a key under which nothing else is filed; 0 at first.
+  [[nodiscard]] std::uint32_t& number_of(Literal key) { return slot_of(key).lists; }
+  [[nodiscard]] std::uint32_t find_number(Literal key) const {
+    const Slot* const slot = find(key);
+    return slot == nullptr ? 0 : slot->lists;
+  }
+
+  /// Adds  true -> literal  and drops what it makes redundant. False where it was there.
+  bool insert_unit(Literal literal);
+  /// Whether a clause that is not a unit is made redundant by one that is there. Head descending, body ascending.
+  [[nodiscard]] bool is_redundant(std::span<const Literal> body, std::span<const Literal> head) const;
+  /// Adds a clause that is not redundant and drops those that it makes redundant. The first `maximal` literals of the
+  /// head are maximal ones.
+  ClauseNumber insert(std::span<const Literal> body, std::span<const Literal> head, std::size_t maximal);
+  /// Whether some clause has more than one literal in its head.
+  [[nodiscard]] bool has_alternatives() const;
+  /// Drops every clause with more than one literal in its head.
+  void drop_alternatives();
+  void clear();
+  /// How many clauses were compared with others since this was asked last.
+  [[nodiscard]] std::size_t take_compared() { return std::exchange(compared_, 0); }
+
+ private:
+  enum class State : std::uint8_t { waiting, active, redundant };
+  struct Slot {
+    Literal key = no_literal;
+    std::uint32_t flags = 0;
+    std::uint32_t lists = 0;
+  };
+  struct Record {
+    std::uint32_t begin = 0;
+    std::uint16_t body = 0;
+    std::uint16_t head = 0;
+    State state = State::waiting;
+    std::uint64_t body_signature = 0;
+    std::uint64_t head_signature = 0;
+  };
+
+  [[nodiscard]] const Slot* find(Literal key) const {
+    if (slots_.empty()) return nullptr;
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t at = static_cast<std::size_t>(hash_of(key)) & mask;; at = (at + 1) & mask) {
+      if (slots_[at].key == key) return &slots_[at];
+      if (slots_[at].key == no_literal) return nullptr;
+    }
+  }
+  void grow();
+  [[nodiscard]] Slot& slot_of(Literal key);
+  [[nodiscard]] bool is_part(const Record& record, std::uint64_t body_signature, std::uint64_t head_signature,
+                             std::span<const Literal> body, std::span<const Literal> head) const;
+  void drop_implied(ClauseNumber clause);
+  void drop_implied(const Record& by, const Pooled<std::uint32_t>& candidates);
+
+  Pooled<Slot> slots_;
+  std::size_t used_slots_ = 0;
+  Pooled<Lists> lists_;
+  Pooled<Literal> literals_;
+  Pooled<Record> clauses_;
+  Pooled<ClauseNumber> headless_;
+  mutable std::size_t compared_ = 0;
+};
+
+}  // namespace geminga::consequence
+
+#endif

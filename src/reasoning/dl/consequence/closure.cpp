@@ -1,0 +1,89 @@
+#include "reasoning/dl/consequence/closure.hpp"
+
+#include <algorithm>
+
+#include "reasoning/dl/consequence/saturation.hpp"
+#include "reasoning/dl/consequence/settled.hpp"
+
+namespace geminga::consequence {
+namespace {
+
+using clauses::ConceptId;
+using clauses::number;
+
+[[nodiscard]] ContextKey key_of(const CentredRules& vocabulary, ConceptId wanted) {
+  ContextKey key;
+  if (wanted != clauses::thing) key.core.push_back(unary(vocabulary.predicate_of[number(wanted)], x_term));
+  return key;
+}
+
+[[nodiscard]] std::vector<ConceptId> subsumers_of(const CentredRules& vocabulary, const Context& context,
+                                                  ConceptId wanted) {
+  if (context.is_unsatisfiable) return {clauses::nothing};
+  std::vector<ConceptId> found{clauses::thing, wanted};
+  context.store.for_each_unit([&](Literal literal) {
+    if (literal.term() != x_term || literal.kind() != LiteralKind::unary) return;
+    if (literal.predicate() < vocabulary.query_count) found.push_back(vocabulary.query_concepts[literal.predicate()]);
+  });
+  std::ranges::sort(found);
+  found.erase(std::ranges::unique(found).begin(), found.end());
+  return found;
+}
+
+}  // namespace
+
+Closure saturate(const el::OntologySource& source, const clauses::ClauseSet& clauses, std::span<const ConceptId> wanted,
+                 const Options& options) {
+  const Rules rules(Centring(source, clauses, options.facts).run());
+  const CentredRules& vocabulary = rules.vocabulary();
+  std::vector<std::uint32_t> wanted_predicates;
+  for (const ConceptId asked : wanted) wanted_predicates.push_back(vocabulary.predicate_of[number(asked)]);
+  Saturation saturation(rules, wanted_predicates,
+                        {.clauses = options.clauses, .alternatives = options.alternatives, .budget = options.budget});
+  const ArenaUse use(saturation.arena());
+  // Something exists, and each individual does.
+  const auto exists = [&](ContextKey&& key) {
+    saturation.post(saturation.context_for(std::move(key), 0), MessageKind::exists, nullptr, x_term, {}, {}, 0);
+  };
+  exists({});
+  if (options.facts) {
+    for (const std::uint32_t nominal : vocabulary.nominal_of) exists({{unary(nominal, x_term)}});
+  }
+  for (const ConceptId asked : wanted) {
+    if (asked != clauses::nothing) static_cast<void>(saturation.context_for(key_of(vocabulary, asked), 0));
+  }
+  saturation.run(std::max(1U, options.threads));
+
+  Closure closure;
+  closure.gaps = vocabulary.gaps;
+  if (saturation.is_cut_off() && !saturation.is_contradictory()) {
+    const auto spent = options.budget == nullptr ? std::nullopt : options.budget->reason();
+    const std::string most = saturation.is_flooded()
+                                 ? std::to_string(saturation.max_messages()) + " messages between contexts waited"
+                                 : std::to_string(options.clauses) + " clauses were derived";
+    closure.gaps.push_back(spent ? *spent : "more than " + most);
+  }
+  if (saturation.has_cut_context() && !saturation.is_contradictory()) closure.gaps.emplace_back(alternative_gap);
+  std::ranges::sort(closure.gaps);
+  closure.gaps.erase(std::ranges::unique(closure.gaps).begin(), closure.gaps.end());
+  closure.contexts = saturation.context_count();
+  closure.derived = saturation.clause_count();
+  closure.is_consistent = !saturation.is_contradictory();
+  const Settled settled(saturation, closure.gaps);
+  for (const ConceptId asked : wanted) {
+    if (!closure.is_consistent || asked == clauses::nothing) {
+      closure.subsumers.push_back({clauses::nothing});
+      closure.is_settled.push_back(true);
+      closure.is_plain.push_back(false);
+      continue;
+    }
+    const Context& context = *saturation.find(key_of(vocabulary, asked));
+    closure.subsumers.push_back(subsumers_of(vocabulary, context, asked));
+    closure.is_settled.push_back(settled.is_settled(context));
+    closure.is_plain.push_back(settled.is_settled(context) && !context.is_unsatisfiable &&
+                               !context.store.has_alternatives());
+  }
+  return closure;
+}
+
+}  // namespace geminga::consequence

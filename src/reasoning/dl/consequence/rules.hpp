@@ -1,0 +1,109 @@
+// The ontology as the saturation reads it: centred rules without what cannot matter, found by each atom of their
+// bodies.
+#ifndef GEMINGA_REASONING_DL_CONSEQUENCE_RULES_HPP
+#define GEMINGA_REASONING_DL_CONSEQUENCE_RULES_HPP
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/rows.hpp"
+#include "reasoning/dl/consequence/centring.hpp"
+
+namespace geminga::consequence {
+
+/// A place in a body.
+struct Occurrence {
+  std::uint32_t rule = 0;
+  std::uint32_t atom = 0;
+};
+
+/// Read only once it is made; many threads may share it.
+///
+/// Inclusions of roles are no rules. A rule with R(s,t) in its head stands for one with S(s,t) for each S with R below
+/// S that occurs in a body, because R(s,t) itself can do no more than that. And what occurs in no body can be true
+/// everywhere, so that a clause with it in its head says nothing (pure literals): such rules are dropped. What is open
+/// stays, as who asks where it may hold must see it.
+class Rules {
+ public:
+  explicit Rules(CentredRules centred);
+
+  [[nodiscard]] const Rule& rule(std::uint32_t index) const { return centred_.rules[index]; }
+  [[nodiscard]] std::size_t rule_count() const { return centred_.rules.size(); }
+  /// A < L for one literal L over x.
+  [[nodiscard]] std::span<const Literal> told(std::uint32_t predicate) const { return told_[predicate]; }
+  /// All other rules with A(x), with R(x, y) or, where `is_incoming`, R(y, x), and with R(x, x) in their bodies.
+  [[nodiscard]] std::span<const Occurrence> with_unary(std::uint32_t predicate) const { return unary_[predicate]; }
+  [[nodiscard]] std::span<const Occurrence> with_role(std::uint32_t role, bool is_incoming) const {
+    return roles_[role * 2 + (is_incoming ? 1 : 0)];
+  }
+  [[nodiscard]] std::span<const Occurrence> with_reflexive(std::uint32_t role) const { return reflexive_[role]; }
+  /// Rules with an empty body.
+  [[nodiscard]] std::span<const std::uint32_t> always() const { return always_; }
+
+  /// Literals that may be passed to a successor (Su(O) in the paper), as that successor's context names them.
+  [[nodiscard]] bool is_trigger(Literal literal) const {
+    switch (literal.kind()) {
+      case LiteralKind::unary:
+        return is_unary_trigger_[literal.predicate()];
+      case LiteralKind::incoming:
+        return !roles_[std::size_t{literal.predicate()} * 2 + 1].empty();
+      case LiteralKind::outgoing:
+        return !roles_[std::size_t{literal.predicate()} * 2].empty();
+      default:
+        return true;
+    }
+  }
+  /// What "at least" puts there; nullptr for predicates that are no such.
+  [[nodiscard]] const Expansion* expansion(std::uint32_t predicate) const {
+    const std::uint32_t index = predicate - centred_.first_marker;
+    return index < centred_.expansions.size() ? &centred_.expansions[index] : nullptr;
+  }
+  /// Whether f and g come from the same "at least", so that f(x) and g(x) are different.
+  [[nodiscard]] bool are_siblings(std::uint32_t f, std::uint32_t g) const { return marker_of_[f] == marker_of_[g]; }
+  [[nodiscard]] std::uint32_t first_sibling(std::uint32_t f) const {
+    return centred_.expansions[marker_of_[f]].first_function;
+  }
+  /// Whether f(x) is a value.
+  [[nodiscard]] bool is_value(std::uint32_t f) const { return centred_.expansions[marker_of_[f]].is_value; }
+  /// Literals B(x) with which a question may be answered. In contexts that do, none of them is above another.
+  [[nodiscard]] bool is_query(Literal literal) const {
+    return literal.term() == x_term && literal.kind() == LiteralKind::unary &&
+           literal.predicate() < centred_.query_count;
+  }
+  [[nodiscard]] bool is_open(std::uint32_t predicate) const { return centred_.is_open[predicate]; }
+  [[nodiscard]] bool is_nominal(std::uint32_t predicate) const { return is_nominal_[predicate]; }
+  [[nodiscard]] bool has_nominals() const { return !centred_.nominal_of.empty(); }
+  [[nodiscard]] const CentredRules& vocabulary() const { return centred_; }
+
+ private:
+  void take_out_inclusions();
+  void drop_pure();
+  void mark_used();
+  [[nodiscard]] bool is_used(const RuleAtom& atom);
+  void expand_heads();
+  void index();
+  /// The roles above this one that occur in bodies, with whether they are turned round.
+  [[nodiscard]] const std::vector<RuleAtom>& supers(std::uint32_t role);
+  [[nodiscard]] std::vector<std::vector<RuleAtom>> expanded(const std::vector<RuleAtom>& head);
+
+  CentredRules centred_;
+  el::Rows<RuleAtom> inclusions_;  ///< of each role; predicate: what is above it, incoming: turned round
+  std::vector<bool> is_used_unary_;
+  std::vector<bool> is_used_role_;
+  std::vector<std::vector<RuleAtom>> supers_;
+  std::vector<bool> has_supers_;
+  el::Rows<Literal> told_;
+  el::Rows<Occurrence> unary_;
+  std::vector<std::vector<Occurrence>> roles_;
+  std::vector<std::vector<Occurrence>> reflexive_;
+  std::vector<std::uint32_t> always_;
+  std::vector<bool> is_unary_trigger_;
+  std::vector<std::uint32_t> marker_of_;  ///< of each function, the index of its expansion
+  std::vector<bool> is_nominal_;
+};
+
+}  // namespace geminga::consequence
+
+#endif

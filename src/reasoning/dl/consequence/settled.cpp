@@ -1,0 +1,38 @@
+#include "reasoning/dl/consequence/settled.hpp"
+
+#include <algorithm>
+
+#include "reasoning/dl/consequence/closure.hpp"
+
+namespace geminga::consequence {
+
+Settled::Settled(const Saturation& saturation, std::span<const std::string> gaps) {
+  const auto is_about_facts = [](std::string_view gap) { return gap == fact_gap || gap == key_gap; };
+  const auto is_local = [&](std::string_view gap) {
+    return is_about_facts(gap) || gap == nominal_gap || gap == range_gap || gap == alternative_gap;
+  };
+  is_open_.assign(saturation.context_count(), !std::ranges::all_of(gaps, is_local));
+  if (!std::ranges::all_of(gaps, is_about_facts) && std::ranges::all_of(gaps, is_local)) find_open(saturation);
+}
+
+void Settled::find_open(const Saturation& saturation) {
+  std::vector<std::vector<std::uint32_t>> predecessors(saturation.context_count());
+  std::vector<std::uint32_t> open;
+  saturation.for_each_context([&](const Context& context) {
+    for (const Successor& successor : context.successors) {
+      if (successor.target != nullptr) predecessors[successor.target->number].push_back(context.number);
+    }
+    if ((context.has_open || context.is_cut) && !context.is_unsatisfiable) open.push_back(context.number);
+  });
+  for (const std::uint32_t number : open) is_open_[number] = true;
+  while (!open.empty()) {
+    const std::uint32_t number = open.back();
+    open.pop_back();
+    for (const std::uint32_t before : predecessors[number]) {
+      if (!is_open_[before]) open.push_back(before);
+      is_open_[before] = true;
+    }
+  }
+}
+
+}  // namespace geminga::consequence

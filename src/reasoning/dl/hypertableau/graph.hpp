@@ -1,0 +1,137 @@
+// The model under construction: nodes and facts on one stack, so that going back is cutting it off.
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_GRAPH_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_GRAPH_HPP
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "reasoning/dl/hypertableau/dependency.hpp"
+
+namespace geminga::tableau {
+
+using NodeId = std::uint32_t;
+using FactId = std::uint32_t;
+inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+enum class FactKind : std::uint8_t {
+  concept_of,     ///< predicate(a)
+  role,           ///< predicate(a, b)
+  at_least,       ///< an index of ClauseSet::at_leasts, of a
+  at_most,        ///< an index of Program::bounds, of a
+  unequal,        ///< a and b differ; a < b
+  data_role,      ///< predicate(a, b), b a value
+  data_range,     ///< predicate(a), a a value
+  data_at_least,  ///< an index of ClauseSet::data_at_leasts, of a
+};
+
+struct Fact {
+  FactKind kind = FactKind::concept_of;
+  std::uint32_t predicate = 0;
+  NodeId a = 0;
+  NodeId b = 0;
+  DependencySet dependency = no_dependency;
+  FactId next_a = none;  ///< the next older fact in the list of a
+  FactId next_b = none;
+};
+
+enum class NodeKind : std::uint8_t {
+  root,      ///< an individual, the instance that was asked for, or one that the NI rule made: never blocked
+  tree,      ///< made for an at-least of its parent
+  constant,  ///< the value of a literal
+  value,     ///< a value made for an at-least of its parent
+};
+enum class NodeState : std::uint8_t { active, merged, pruned };
+
+struct Node {
+  NodeKind kind = NodeKind::tree;
+  NodeState state = NodeState::active;
+  bool is_blocked = false;  ///< as of the last look, itself or an ancestor
+  std::uint32_t depth = 0;
+  NodeId parent = none;
+  NodeId merged_into = none;
+  DependencySet merged_by = no_dependency;
+  std::uint32_t literal = none;  ///< of constants: the term
+  NodeId first_child = none;
+  NodeId next_child = none;
+  // The newest fact of each list.
+  FactId labels = none;
+  FactId out = none;
+  FactId in = none;
+  FactId others = none;
+  std::uint32_t label_count = 0;
+  std::uint32_t edge_count = 0;  ///< between it and its parent
+  /// Another number whenever the label or the edge to the parent has changed.
+  std::uint64_t version = 0;
+  std::uint64_t label_hash = 0;  ///< of a set: order does not matter
+  std::uint64_t edge_hash = 0;
+};
+
+/// A place on the stack.
+struct Mark {
+  std::size_t facts = 0;
+  std::size_t nodes = 0;
+  std::size_t trail = 0;
+};
+
+class Graph {
+ public:
+  [[nodiscard]] const std::vector<Fact>& facts() const { return facts_; }
+  [[nodiscard]] const Fact& fact(FactId id) const { return facts_[id]; }
+  [[nodiscard]] std::size_t node_count() const { return nodes_.size(); }
+  [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
+  /// How many nodes are values.
+  [[nodiscard]] std::size_t value_count() const { return value_count_; }
+  [[nodiscard]] bool is_active(NodeId id) const { return nodes_[id].state == NodeState::active; }
+  void set_blocked(NodeId id, bool is_blocked) { nodes_[id].is_blocked = is_blocked; }
+
+  NodeId add_node(NodeKind kind, NodeId parent);
+  void set_literal(NodeId id, std::uint32_t literal) { nodes_[id].literal = literal; }
+  [[nodiscard]] FactId find(FactKind kind, std::uint32_t predicate, NodeId a, NodeId b = 0) const;
+  /// Adds a fact that find() did not find.
+  FactId add(const Fact& fact);
+
+  /// `from` becomes another name of `to`; everything under it goes.
+  void merge(NodeId from, NodeId to, DependencySet by);
+  void prune(NodeId node);
+  /// What the node is now; unites the reasons into `dependency`. It may be pruned.
+  [[nodiscard]] NodeId current(NodeId id, DependencySets& sets, DependencySet& dependency) const;
+
+  [[nodiscard]] Mark mark() const { return {facts_.size(), nodes_.size(), trail_.size()}; }
+  void cut(const Mark& mark);
+
+  /// The first node whose label, edges or state may have changed since the last call.
+  [[nodiscard]] NodeId take_changed() { return std::exchange(changed_, none); }
+  /// Whether they are in the same concepts and number restrictions.
+  [[nodiscard]] bool has_label_of(NodeId node, NodeId other) const;
+
+  /// The fact after this one in the list of the node that has both kinds of ends in it.
+  [[nodiscard]] FactId next_other(FactId id, NodeId node) const {
+    return facts_[id].a == node ? facts_[id].next_a : facts_[id].next_b;
+  }
+
+ private:
+  [[nodiscard]] static std::uint64_t hash_of(const Fact& fact);
+  void count_label(const Fact& fact, bool is_added);
+  void count_edge(const Fact& fact, bool is_added);
+  void link(FactId id);
+  void unlink(FactId id);
+  void grow();
+  void set_state(NodeId node, NodeState state);
+  void note_change(NodeId node) { changed_ = std::min(changed_, node); }
+
+  std::vector<Node> nodes_;
+  std::vector<Fact> facts_;
+  /// Open addressing. The last that came is the first to go, so an emptied slot is in nobody's way.
+  std::vector<FactId> slots_;
+  std::vector<NodeId> trail_;  ///< nodes that were merged or pruned
+  NodeId changed_ = 0;
+  std::size_t value_count_ = 0;
+  std::uint64_t versions_ = 0;
+};
+
+}  // namespace geminga::tableau
+
+#endif

@@ -1,0 +1,253 @@
+// A small constraint problem: every value in its ranges, some pairs different.
+//
+// A node whose ranges have more values than it has nodes to differ from can always be given one, and is put aside; what
+// remains is small, and is tried out. Where not all is known of a range, a clash must come from what it has at most,
+// and a model from what it has at least.
+#include "reasoning/dl/hypertableau/value_check.hpp"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "reasoning/dl/hypertableau/value_ranges.hpp"
+
+namespace geminga::tableau {
+
+using clauses::DataRangeId;
+
+class ValueCheck::Problem {
+ public:
+  Problem(const el::OntologySource& source, const clauses::ClauseSet& set) : ranges_(source, set) {}
+
+  [[nodiscard]] ValueRanges& ranges() { return ranges_; }
+  [[nodiscard]] std::optional<bool> is_in(el::TermId literal, std::uint32_t range);
+  [[nodiscard]] el::TermId representative(el::TermId literal);
+  [[nodiscard]] std::optional<DependencySet> clash(const Graph& graph, DependencySets& sets, std::string& unknown);
+
+ private:
+  /// A node that has ranges or must differ from others.
+  struct Variable {
+    NodeId node = 0;
+    DependencySet dependency = no_dependency;  ///< of its ranges
+    std::uint32_t known = 0;                   ///< its set, in sets_
+    std::vector<std::uint32_t> differs;        ///< other variables
+    std::vector<DependencySet> because;        ///< of each of them
+  };
+  struct Counted {
+    KnownSet set;
+    std::uint64_t least = 0;
+    std::uint64_t most = 0;
+    bool is_harmless = false;  ///< one datatype that is not known, which is taken to have values
+  };
+
+  [[nodiscard]] std::vector<Variable> variables_of(const Graph& graph, DependencySets& sets);
+  std::uint32_t known_set(const std::vector<std::uint32_t>& ranges, std::uint32_t literal);
+  /// Whether different values can be given; nothing after too many attempts.
+  [[nodiscard]] std::optional<bool> can_differ(const std::vector<Variable>& variables,
+                                               const std::vector<std::uint32_t>& group, bool uses_most);
+
+  ValueRanges ranges_;
+  std::map<std::pair<std::vector<std::uint32_t>, std::uint32_t>, std::uint32_t> set_of_ranges_;
+  std::vector<Counted> sets_;
+  std::map<Value, el::TermId> representative_;
+};
+
+ValueCheck::ValueCheck(const el::OntologySource& source, const clauses::ClauseSet& set)
+    : problem_(std::make_unique<Problem>(source, set)) {}
+ValueCheck::~ValueCheck() = default;
+
+std::optional<bool> ValueCheck::is_in(el::TermId literal, std::uint32_t range) {
+  return problem_->is_in(literal, range);
+}
+
+el::TermId ValueCheck::representative(el::TermId literal) { return problem_->representative(literal); }
+
+std::optional<DependencySet> ValueCheck::clash(const Graph& graph, DependencySets& sets, std::string& unknown) {
+  return problem_->clash(graph, sets, unknown);
+}
+
+bool ValueCheck::are_different(el::TermId first, el::TermId second) {
+  const std::optional<Value> a = problem_->ranges().value(first);
+  const std::optional<Value>& b = problem_->ranges().value(second);
+  return a && b && !(*a == *b);
+}
+
+std::optional<bool> ValueCheck::Problem::is_in(el::TermId literal, std::uint32_t range) {
+  const auto& value = ranges_.value(literal);
+  if (!value) return std::nullopt;
+  const KnownSet& set = ranges_.of(DataRangeId{range});
+  if (set.least.contains(*value)) return true;
+  if (!set.most.contains(*value)) return false;
+  return std::nullopt;
+}
+
+el::TermId ValueCheck::Problem::representative(el::TermId literal) {
+  const auto& value = ranges_.value(literal);
+  return value ? representative_.try_emplace(*value, literal).first->second : literal;
+}
+
+std::uint32_t ValueCheck::Problem::known_set(const std::vector<std::uint32_t>& ranges, std::uint32_t literal) {
+  const auto [found, is_new] = set_of_ranges_.try_emplace({ranges, literal}, static_cast<std::uint32_t>(sets_.size()));
+  if (!is_new) return found->second;
+  Counted counted{{ValueSet::everything(), ValueSet::everything(), {}}};
+  KnownSet& set = counted.set;
+  if (literal != none) {
+    const auto& value = ranges_.value(el::TermId{literal});
+    if (value) {
+      set = {ValueSet::one(*value), ValueSet::one(*value), {}};
+    } else {
+      set.least = ValueSet::nothing();
+      set.reason = "literals of datatypes that are not known";
+      counted.is_harmless = ranges.empty();
+    }
+  }
+  for (const std::uint32_t range : ranges) {
+    const KnownSet& one = ranges_.of(DataRangeId{range});
+    set.least = set.least.intersection(one.least);
+    set.most = set.most.intersection(one.most);
+    if (set.reason.empty()) set.reason = one.reason;
+    counted.is_harmless = literal == none && ranges.size() == 1 && ranges_.is_unknown_datatype(DataRangeId{range});
+  }
+  counted.least = set.least.count();
+  counted.most = set.most.count();
+  sets_.push_back(std::move(counted));
+  return found->second;
+}
+
+std::vector<ValueCheck::Problem::Variable> ValueCheck::Problem::variables_of(const Graph& graph, DependencySets& sets) {
+  std::vector<Variable> variables;
+  std::vector<std::uint32_t> number_of(graph.node_count(), none);
+  std::vector<std::uint32_t> ranges;
+  for (NodeId node = 0; node < graph.node_count(); ++node) {
+    const NodeKind kind = graph.node(node).kind;
+    if ((kind != NodeKind::value && kind != NodeKind::constant) || !graph.is_active(node)) continue;
+    Variable variable;
+    variable.node = node;
+    ranges.clear();
+    bool is_free = true;
+    for (FactId id = graph.node(node).others; id != none; id = graph.next_other(id, node)) {
+      const Fact& fact = graph.fact(id);
+      is_free = false;
+      if (fact.kind == FactKind::data_range) {
+        ranges.push_back(fact.predicate);
+        variable.dependency = sets.unite(variable.dependency, fact.dependency);
+      } else if (fact.kind == FactKind::unequal) {
+        const NodeId other = fact.a == node ? fact.b : fact.a;
+        if (other > node || number_of[other] == none) continue;
+        variable.differs.push_back(number_of[other]);
+        variable.because.push_back(fact.dependency);
+      }
+    }
+    if (is_free) continue;
+    std::ranges::sort(ranges);
+    variable.known = known_set(ranges, graph.node(node).literal);
+    number_of[node] = static_cast<std::uint32_t>(variables.size());
+    for (std::size_t at = 0; at < variable.differs.size(); ++at) {
+      variables[variable.differs[at]].differs.push_back(number_of[node]);
+      variables[variable.differs[at]].because.push_back(variable.because[at]);
+    }
+    variables.push_back(std::move(variable));
+  }
+  return variables;
+}
+
+std::optional<DependencySet> ValueCheck::Problem::clash(const Graph& graph, DependencySets& sets,
+                                                        std::string& unknown) {
+  const std::vector<Variable> variables = variables_of(graph, sets);
+  std::vector<bool> is_seen(variables.size(), false);
+  for (std::uint32_t start = 0; start < variables.size(); ++start) {
+    if (is_seen[start]) continue;
+    // What must differ from each other, from here on.
+    std::vector<std::uint32_t> group = {start};
+    is_seen[start] = true;
+    for (std::size_t at = 0; at < group.size(); ++at) {
+      for (const std::uint32_t other : variables[group[at]].differs) {
+        if (!is_seen[other]) group.push_back(other);
+        is_seen[other] = true;
+      }
+    }
+    const auto can_with_most = can_differ(variables, group, true);
+    if (can_with_most == false) {
+      DependencySet dependency = no_dependency;
+      for (const std::uint32_t at : group) {
+        // An empty range is enough of a reason.
+        if (sets_[variables[at].known].most == 0) return variables[at].dependency;
+        dependency = sets.unite(dependency, variables[at].dependency);
+        for (const DependencySet because : variables[at].because) dependency = sets.unite(dependency, because);
+      }
+      return dependency;
+    }
+    if (!can_with_most) unknown = "values that must differ are too many to try out";
+    const Counted& first = sets_[variables[start].known];
+    if (group.size() == 1 && first.is_harmless) continue;
+    if (can_with_most && can_differ(variables, group, false) != true) {
+      for (const std::uint32_t at : group) {
+        if (unknown.empty()) unknown = sets_[variables[at].known].set.reason;
+      }
+      if (unknown.empty()) unknown = "values that must differ are too many to try out";
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<bool> ValueCheck::Problem::can_differ(const std::vector<Variable>& variables,
+                                                    const std::vector<std::uint32_t>& group, bool uses_most) {
+  const auto count = [&](std::uint32_t at) {
+    const Counted& one = sets_[variables[at].known];
+    return uses_most ? one.most : one.least;
+  };
+  std::map<std::uint32_t, std::size_t> open;  // with how many open ones each must differ from
+  for (const std::uint32_t at : group) open.emplace(at, variables[at].differs.size());
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (auto one = open.begin(); one != open.end();) {
+      if (count(one->first) == 0) return false;
+      if (count(one->first) <= one->second) {
+        ++one;
+        continue;
+      }
+      for (const std::uint32_t other : variables[one->first].differs) {
+        if (const auto found = open.find(other); found != open.end()) --found->second;
+      }
+      one = open.erase(one);
+      changed = true;
+    }
+  }
+  if (open.empty()) return true;
+  std::vector<std::uint32_t> order;
+  for (const auto& [at, degree] : open) order.push_back(at);
+  std::ranges::stable_sort(order, {}, count);
+  std::vector<std::vector<Value>> values;
+  for (const std::uint32_t at : order) {
+    const Counted& one = sets_[variables[at].known];
+    values.push_back((uses_most ? one.set.most : one.set.least).list(count(at)));
+    if (values.back().size() < count(at)) return std::nullopt;  // not all of them can be listed
+  }
+  // Depth first, with an index into the values of each.
+  std::vector<std::size_t> chosen = {0};
+  for (std::size_t attempts = 0; attempts < max_value_attempts; ++attempts) {
+    const std::size_t last = chosen.size() - 1;
+    if (chosen[last] == values[last].size()) {
+      if (last == 0) return false;
+      chosen.pop_back();
+      ++chosen.back();
+      continue;
+    }
+    bool is_free = true;
+    for (std::size_t before = 0; before < last && is_free; ++before) {
+      const bool must_differ =
+          std::ranges::find(variables[order[last]].differs, order[before]) != variables[order[last]].differs.end();
+      is_free = !must_differ || !(values[before][chosen[before]] == values[last][chosen[last]]);
+    }
+    if (!is_free) {
+      ++chosen[last];
+    } else if (chosen.size() == order.size()) {
+      return true;
+    } else {
+      chosen.push_back(0);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace geminga::tableau

@@ -1,0 +1,59 @@
+// Which values a data range has: datatypes, facets, enumerations, and what is defined by them.
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_VALUE_RANGES_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_VALUE_RANGES_HPP
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+
+#include "reasoning/dl/clauses/clause.hpp"
+#include "reasoning/dl/hypertableau/value_set.hpp"
+
+namespace geminga::tableau {
+
+/// Larger enumerations, and restrictions by more facets, may have any of the values that they could have.
+inline constexpr std::size_t max_enumerated_values = 20'000;
+inline constexpr std::size_t max_facets = 1000;
+
+/// What is known of a set: it has at least the values of `least` and at most those of `most`.
+struct KnownSet {
+  ValueSet least;
+  ValueSet most;
+  /// Why they differ; empty: they do not.
+  std::string reason;
+};
+
+/// The sets of the data ranges of one source. Facets that are not worked out (patterns, language ranges) and datatypes
+/// that are not in the OWL 2 datatype map leave a set between nothing and what it is taken from.
+class ValueRanges {
+ public:
+  ValueRanges(const el::OntologySource& source, const clauses::ClauseSet& set);
+
+  [[nodiscard]] const KnownSet& of(clauses::DataRangeId range);
+  /// Whether it is a datatype of which nothing is said. It is taken to have values, as nobody names one that has none.
+  [[nodiscard]] bool is_unknown_datatype(clauses::DataRangeId range) const;
+  /// Of a literal; its value is kept.
+  [[nodiscard]] const std::optional<Value>& value(el::TermId literal);
+
+ private:
+  /// `depth` bounds definitions that define each other in a circle.
+  KnownSet evaluate(el::TermId term, unsigned depth);
+  KnownSet datatype(el::TermId term, unsigned depth);
+  KnownSet enumeration(const el::Term& term);
+  KnownSet restriction(const el::Term& term, unsigned depth);
+  /// The values of the base type that a facet allows.
+  std::optional<ValueSet> facet(std::string_view name, el::TermId value);
+
+  const el::OntologySource& source_;
+  const clauses::ClauseSet& set_;
+  std::unordered_map<el::TermId, el::TermId> definitions_;
+  std::unordered_map<std::uint32_t, KnownSet> known_;
+  std::unordered_map<el::TermId, KnownSet> evaluated_;
+  std::unordered_map<el::TermId, std::optional<Value>> literals_;
+};
+
+}  // namespace geminga::tableau
+
+#endif

@@ -1,0 +1,358 @@
+// The way from axioms to the taxonomy: normalise, saturate, reduce.
+#include "reasoning/el/classify.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <initializer_list>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "reasoning/el/finished.hpp"
+#include "reasoning/el/index.hpp"
+#include "reasoning/el/inheritance.hpp"
+#include "reasoning/el/nominals.hpp"
+#include "reasoning/el/normaliser.hpp"
+#include "reasoning/el/saturation.hpp"
+#include "reasoning/el/settlement.hpp"
+#include "reasoning/el/shared.hpp"
+#include "reasoning/el/taxonomy.hpp"
+
+namespace geminga::el {
+namespace {
+
+constexpr std::size_t max_pairs = std::size_t{1} << 28;  // of one closure before saturation
+
+/// What may follow. It grows with what is written, so that a small file that means much takes the memory of a small one
+/// (a conclusion is about ten octets); published ontologies have tens of conclusions an axiom.
+constexpr std::size_t always_concluded = 8'000'000;
+constexpr std::size_t concluded_per_axiom = 300;
+
+/// The work of one classification, step by step.
+class Classifier {
+ public:
+  /// `told` are inclusions that follow, between expressions of a classifier of the same source.
+  using Inclusions = std::vector<std::pair<ExprId, ExprId>>;
+  Classifier(const OntologySource& source, const ClassifyOptions& options, Inclusions told)
+      : source_(source),
+        options_(options),
+        limits_{.conclusions =
+                    options.limits.conclusions.value_or(always_concluded + concluded_per_axiom * source.axiom_count()),
+                .merged_atoms = options.limits.merged_atoms,
+                .budget = options.budget},
+        told_(std::move(told)),
+        normaliser_(source, index_) {}
+
+  /// What was found to follow besides, of unions; for another classifier.
+  [[nodiscard]] const Inclusions& shared() const { return shared_; }
+
+  std::expected<Classification, ClassifyError> run() {
+    if (source_.problem()) return std::unexpected(ClassifyError{*source_.problem()});
+    find_classes();
+    add_axioms();
+    if (!index_.finish(max_pairs)) {
+      return std::unexpected(ClassifyError{"the closure of the properties has more than " +
+                                           std::to_string(max_role_pairs) + " pairs, or that of the told classes " +
+                                           std::to_string(max_pairs)});
+    }
+    find_roots();
+    if (options_.inherits && !may_settle_ && Inheritance::is_for(index_)) {
+      if (!inherit()) return std::unexpected(too_large());
+      classify_all_properties();
+      return std::move(result_);
+    }
+    auto saturation = saturate();
+    if (saturation->is_over_merged()) {
+      leave_out_merging();
+      saturation.reset();  // before there are two
+      saturation = saturate();
+    }
+    if (is_too_large(*saturation)) return std::unexpected(too_large());
+    if (may_settle_) use_inverses(*saturation);
+    if (is_too_large(*saturation)) return std::unexpected(too_large());
+    if (saturation->is_consistent() && !result_.is_cut_off)
+      shared_ = find_shared(index_, *saturation, normaliser_.open());
+    count(*saturation);
+    reduce(*saturation);
+    if (may_settle_ && result_.is_consistent && !result_.is_cut_off) settle();
+    classify_all_properties();
+    return std::move(result_);
+  }
+
+ private:
+  /// Every class in an axiom, ascending by IRI, and T and F.
+  void find_classes() {
+    std::vector<bool> is_used(source_.term_count(), false);
+    is_used[static_cast<std::size_t>(thing_term)] = true;
+    is_used[static_cast<std::size_t>(nothing_term)] = true;
+    for (std::size_t number_of_axiom = 0; number_of_axiom < source_.axiom_count(); ++number_of_axiom) {
+      for (const TermId argument : source_.axiom(number_of_axiom).arguments) {
+        is_used[static_cast<std::size_t>(argument)] = true;
+      }
+    }
+    std::vector<std::pair<std::string_view, TermId>> named;
+    // The arguments of a term have smaller numbers than it, so that one pass downwards finds all that is used.
+    for (std::uint32_t id = static_cast<std::uint32_t>(source_.term_count()); id-- > 0;) {
+      if (!is_used[id]) continue;
+      const Term term = source_.term(TermId{id});
+      for (const TermId argument : term.arguments) is_used[static_cast<std::size_t>(argument)] = true;
+      if (term.kind == TermKind::named_class) named.emplace_back(source_.name(term.name), TermId{id});
+    }
+    std::ranges::sort(named);
+    for (const auto& [iri, term] : named) classes_.push_back(term);
+  }
+
+  void add_axioms() {
+    for (std::uint32_t axiom = 0; axiom < source_.axiom_count(); ++axiom) {
+      const Construct unused = normaliser_.add(axiom);
+      if (unused != Construct::none) result_.unused.push_back({axiom, to_string(unused)});
+      if (source_.axiom(axiom).kind != AxiomKind::declaration) ++result_.counts.axioms;
+    }
+    for (const TermId term : classes_) exprs_.push_back(normaliser_.expression(term));
+    for (const auto& [sub, super] : told_) index_.add_told(sub, super);
+    // Where another engine has to do everything again, universals are left to it.
+    const bool is_more = normaliser_.open().is_more;
+    const Normaliser::Unused late =
+        normaliser_.finish(is_more ? Normaliser::Universals::left_out : Normaliser::Universals::used);
+    may_settle_ = !result_.unused.empty() && late.empty() && !is_more;
+    for (const auto& [axiom, construct] : late) result_.unused.push_back({axiom, to_string(construct)});
+    sort_unused();
+  }
+
+  void find_roots() {
+    for (ExprId& expr : exprs_) {
+      expr = index_.representative(expr);
+      // Where a class has nothing but one expression with rules above it, that one's context says all.
+      if (!index_.needs_no_context(expr)) {
+        asked_.push_back(expr);
+      } else if (!index_.frontier(expr).empty()) {
+        asked_.push_back(index_.frontier(expr).front());
+      }
+    }
+    std::ranges::sort(asked_);
+    asked_.erase(std::unique(asked_.begin(), asked_.end()), asked_.end());
+  }
+
+  [[nodiscard]] std::unique_ptr<Saturation> saturate() const {
+    auto saturation = std::make_unique<Saturation>(index_, limits_);
+    for (const ExprId root : asked_) saturation->require(root);
+    for (const ExprId individual : normaliser_.individuals()) saturation->require(index_.representative(individual));
+    saturation->run(options_.threads);
+    return saturation;
+  }
+
+  /// Derives what follows through links against their direction, as far as few rounds find it.
+  void use_inverses(Saturation& saturation) {
+    CopyLimits limits = options_.limits.copies;
+    limits.budget = options_.budget;
+    for (unsigned round = 0; saturation.is_consistent() && !saturation.is_over_limit(); ++round) {
+      settlement_.emplace(index_, saturation, normaliser_.open(), exprs_, limits);
+      if (settlement_->is_cut_off()) result_.is_cut_off = true;
+      if (round == options_.limits.rounds_of_inverses || result_.is_cut_off) break;
+      const Copies::Derived derived = settlement_->derived();
+      if (derived.empty()) break;
+      for (const auto& [context, expr] : derived) saturation.conclude(context, expr);
+      saturation.run();
+    }
+  }
+
+  /// Whether a limit is passed that leaves nothing to go on with. The budget is none: what is derived by then counts.
+  bool is_too_large(const Saturation& saturation) {
+    if (!saturation.is_consistent()) return false;
+    if (!saturation.is_cut_off()) return saturation.is_over_limit();
+    result_.is_cut_off = true;
+    return false;
+  }
+
+  [[nodiscard]] ClassifyError too_large() const {
+    return {"more than " + std::to_string(limits_.conclusions) + " conclusions follow: the ontology is too large"};
+  }
+
+  void classify_all_properties() {
+    result_.object_properties = classify_properties(source_, PropertyKind::object, result_.is_consistent);
+    result_.data_properties = classify_properties(source_, PropertyKind::data, result_.is_consistent);
+  }
+
+  /// False over the limit of conclusions.
+  bool inherit() {
+    std::vector<ExprId> seeds = asked_;
+    for (const ExprId individual : normaliser_.individuals()) seeds.push_back(index_.representative(individual));
+    SubsumptionGraph graph(index_);
+    {
+      Inheritance inheritance(index_, limits_, seeds);
+      if (!inheritance.run(options_.threads) && !inheritance.is_cut_off()) return false;
+      result_.is_cut_off = inheritance.is_cut_off();
+      result_.counts.expressions = index_.size();
+      result_.counts.contexts = inheritance.nodes().size();
+      result_.counts.subsumptions = inheritance.conclusion_count();
+      result_.counts.links = inheritance.link_count();
+      result_.is_consistent = inheritance.is_consistent();
+      add_edges(inheritance.nodes(), graph);
+      if (result_.is_cut_off && result_.unused.empty()) result_.is_settled = find_finished(index_, inheritance, exprs_);
+    }
+    name_classes();
+    std::move(graph).reduce(exprs_, result_);
+    return true;
+  }
+
+  void add_edges(const NodeStore& nodes, SubsumptionGraph& graph) const {
+    graph.add_nodes(nodes.size());
+    const std::size_t size = index_.size();
+    for (std::uint32_t at = 0; at < nodes.size(); ++at) {
+      const Node& node = nodes[at];
+      const ExprId own{node.is_existential() ? static_cast<std::uint32_t>(size) + at : node.root};
+      if (node.is_unsatisfiable) graph.set_unsatisfiable(own);
+      for (const std::uint32_t above : node.above) {
+        // Existentials that nothing is above of interest nobody.
+        if (above >= size && nodes[above - size].above.empty()) continue;
+        graph.add_edge(own, ExprId{above});
+      }
+    }
+  }
+
+  void count(const Saturation& saturation) {
+    result_.counts.expressions = index_.size();
+    result_.counts.contexts = saturation.contexts().size();
+    result_.counts.subsumptions = saturation.conclusion_count();
+    result_.counts.links = saturation.link_count();
+  }
+
+  void reduce(const Saturation& saturation) {
+    SubsumptionGraph graph(index_);
+    result_.is_consistent = saturation.is_consistent();
+    for (const Context& context : saturation.contexts()) {
+      if (!context.together.empty()) continue;  // it is of no atom
+      if (context.is_unsatisfiable) graph.set_unsatisfiable(context.root);
+      for (const ExprId above : context.derived) graph.add_edge(context.root, above);
+    }
+    if (!result_.is_cut_off) add_worlds(saturation, graph);
+    name_classes();
+    std::move(graph).reduce(exprs_, result_);
+  }
+
+  /// What holds where a class has an instance. Over a limit the rest keeps what holds without one, and the axioms with
+  /// nominals count as unused.
+  void add_worlds(const Saturation& saturation, SubsumptionGraph& graph) {
+    const std::vector<ExprId> conditional = find_conditional_roots(index_, saturation, asked_);
+    bool is_left_out = conditional.size() > options_.limits.worlds;
+    for (std::size_t at = 0; at < std::min(conditional.size(), options_.limits.worlds); ++at) {
+      const auto world = find_world(index_, conditional[at], normaliser_.individuals(), limits_);
+      result_.is_cut_off = options_.budget != nullptr && options_.budget->is_spent();
+      if (result_.is_cut_off) return;
+      if (!world) {
+        is_left_out = true;
+        continue;
+      }
+      if (!world->is_possible) graph.set_unsatisfiable(conditional[at]);
+      for (const ExprId above : world->above) graph.add_edge(conditional[at], above);
+    }
+    if (is_left_out) leave_out_nominals();
+  }
+
+  /// Names the axioms in which a term of one of these kinds occurs, or that are of these kinds themselves.
+  template <typename IsConcerned>
+  void leave_out(Construct construct, std::initializer_list<AxiomKind> axioms, IsConcerned&& is_concerned) {
+    std::vector<bool> has_it(source_.term_count(), false);
+    for (std::uint32_t id = 0; id < source_.term_count(); ++id) {
+      const Term term = source_.term(TermId{id});
+      has_it[id] = is_concerned(term.kind) || std::ranges::any_of(term.arguments, [&](TermId argument) {
+                     return has_it[static_cast<std::size_t>(argument)];
+                   });
+    }
+    for (std::uint32_t number = 0; number < source_.axiom_count(); ++number) {
+      const Axiom axiom = source_.axiom(number);
+      const bool is_here = std::ranges::find(axioms, axiom.kind) != axioms.end() ||
+                           std::ranges::any_of(axiom.arguments, [&](TermId argument) {
+                             return has_it[static_cast<std::size_t>(argument)];
+                           });
+      if (is_here) result_.unused.push_back({number, to_string(construct)});
+    }
+    sort_unused();
+  }
+
+  /// Where the contexts are a model of what the rules do not use, too, it is used.
+  void settle() {
+    for (const ExprId expr : exprs_) result_.is_settled.push_back(settlement_->is_settled(expr));
+    if (!settlement_->is_world_settled() || !std::ranges::all_of(result_.is_settled, std::identity())) return;
+    result_.unused.clear();
+    result_.counts.used_axioms = result_.counts.axioms;
+  }
+
+  void leave_out_merging() {
+    may_settle_ = false;
+    index_.forget_merging();
+    for (const auto& [axiom, construct] : normaliser_.uses_of_universals())
+      result_.unused.push_back({axiom, to_string(construct)});
+    leave_out(Construct::too_many_merged,
+              {AxiomKind::functional_object_property, AxiomKind::inverse_functional_object_property,
+               AxiomKind::functional_data_property},
+              [](TermKind kind) {
+                return kind == TermKind::object_max_cardinality || kind == TermKind::object_exact_cardinality ||
+                       kind == TermKind::data_max_cardinality || kind == TermKind::data_exact_cardinality;
+              });
+  }
+
+  void leave_out_nominals() {
+    may_settle_ = false;
+    leave_out(Construct::too_many_nominals, {},
+              [](TermKind kind) { return kind == TermKind::object_has_value || kind == TermKind::object_one_of; });
+  }
+
+  /// By axiom, the first reason of each.
+  void sort_unused() {
+    std::map<std::uint32_t, std::string_view> reason_of;
+    for (const UnusedAxiom& unused : result_.unused) reason_of.try_emplace(unused.axiom, unused.construct);
+    result_.unused.clear();
+    for (const auto& [axiom, construct] : reason_of) result_.unused.push_back({axiom, construct});
+    result_.counts.used_axioms = result_.counts.axioms - result_.unused.size();
+  }
+
+  void name_classes() {
+    for (const TermId term : classes_) result_.classes.push_back(source_.term(term).name);
+    const auto find = [&](std::string_view iri) {
+      const auto found =
+          std::ranges::lower_bound(result_.classes, iri, {}, [&](NameId id) { return source_.name(id); });
+      return ClassNumber{static_cast<std::uint32_t>(found - result_.classes.begin())};
+    };
+    result_.thing = find(owl_thing);
+    result_.nothing = find(owl_nothing);
+  }
+
+  const OntologySource& source_;
+  const ClassifyOptions& options_;
+  SaturationLimits limits_;
+  Inclusions told_;
+  Inclusions shared_;
+  Index index_;
+  Normaliser normaliser_;
+  std::vector<TermId> classes_;
+  std::vector<ExprId> exprs_;
+  std::vector<ExprId> asked_;
+  std::optional<Settlement> settlement_;
+  bool may_settle_ = false;  ///< all that the rules do not use can be tested
+  Classification result_;
+};
+
+}  // namespace
+
+std::expected<Classification, ClassifyError> classify(const OntologySource& source, const ClassifyOptions& options) {
+  // What a union is found to be in may show more of what other unions are in. Few rounds find more than one does.
+  std::vector<std::pair<ExprId, ExprId>> told;
+  std::optional<Classification> before;
+  for (unsigned round = 0;; ++round) {
+    Classifier classifier(source, options, told);
+    auto found = classifier.run();
+    if (found && found->is_cut_off && before) {
+      // The round before was not, and knows more.
+      before->is_cut_off = true;
+      before->is_settled.clear();
+      return std::move(*before);
+    }
+    if (!found || classifier.shared().empty() || round == options.limits.rounds_of_unions) return found;
+    before = std::move(*found);
+    told.insert(told.end(), classifier.shared().begin(), classifier.shared().end());
+  }
+}
+
+}  // namespace geminga::el

@@ -1,0 +1,40 @@
+// Classification: from the axioms of an OntologySource to the taxonomy of its named classes.
+#ifndef GEMINGA_REASONING_EL_CLASSIFY_HPP
+#define GEMINGA_REASONING_EL_CLASSIFY_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/budget.hpp"
+#include "reasoning/el/limits.hpp"
+#include "reasoning/owl/source.hpp"
+#include "reasoning/taxonomy/classification.hpp"
+
+namespace geminga::el {
+
+struct ClassifyOptions {
+  unsigned threads = 1;  ///< of saturation; the result does not depend on it
+  bool inherits = true;  ///< the closure is inherited where it can be: inheritance.hpp
+  /// What deriving may cost; nothing: no more than the limits. Borrowed. What is linear in the axioms is done in any
+  /// case: where the budget is spent, what was derived by then is reduced to a taxonomy.
+  base::Budget* budget = nullptr;
+  ClassifyLimits limits{};
+};
+
+/// Why an ontology could not be classified. `text` is one line for a user.
+struct ClassifyError {
+  std::string text;
+};
+
+/// Classifies. The result depends only on the set of axioms, not on their order or on threads, unless it is cut off.
+[[nodiscard]] std::expected<Classification, ClassifyError> classify(const OntologySource& source,
+                                                                    const ClassifyOptions& options = {});
+
+}  // namespace geminga::el
+
+#endif

@@ -1,0 +1,31 @@
+// A saturation that starts from one class only.
+#include "reasoning/el/entailment.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "reasoning/el/index.hpp"
+#include "reasoning/el/nominals.hpp"
+#include "reasoning/el/normaliser.hpp"
+
+namespace geminga::el {
+
+Entailed find_entailed(const OntologySource& source, std::span<const std::uint32_t> axioms, TermId sub, TermId super) {
+  constexpr std::size_t max_pairs = std::size_t{1} << 26;
+  Index index;
+  Normaliser normaliser(source, index);
+  bool is_complete = true;
+  for (const std::uint32_t axiom : axioms) is_complete &= normaliser.add(axiom) == Construct::none;
+  const ExprId from = normaliser.expression(sub);
+  const ExprId to = normaliser.expression(super);
+  is_complete &= normaliser.finish().empty();
+  const Entailed otherwise = is_complete ? Entailed::no : Entailed::not_found;
+  if (!index.finish(max_pairs)) return Entailed::not_found;
+  const std::optional<World> world = find_world(index, from, normaliser.individuals(), {.conclusions = max_pairs});
+  if (!world) return Entailed::not_found;
+  if (!world->is_possible) return Entailed::yes;
+  const bool is_above = std::ranges::find(world->above, index.representative(to)) != world->above.end();
+  return is_above ? Entailed::yes : otherwise;
+}
+
+}  // namespace geminga::el

@@ -1,0 +1,31 @@
+// One question to some axioms: is this class below that one? The goal-directed run behind explanations.
+#ifndef GEMINGA_REASONING_EL_ENTAILMENT_HPP
+#define GEMINGA_REASONING_EL_ENTAILMENT_HPP
+
+#include <cstdint>
+#include <span>
+
+#include "reasoning/owl/source.hpp"
+
+namespace geminga::el {
+
+enum class Entailed : std::uint8_t {
+  yes,
+  no,        ///< all axioms were used, and it does not follow
+  not_found  ///< it was not derived, but an axiom was not used in full
+};
+
+/// Whether these axioms of the source entail `sub` SubClassOf `super`, two named classes. Cost: that of the axioms
+/// given and of what the sub class leads to; other classes are not looked at.
+[[nodiscard]] Entailed find_entailed(const OntologySource& source, std::span<const std::uint32_t> axioms, TermId sub,
+                                     TermId super);
+
+/// Whether it is found to be entailed.
+[[nodiscard]] inline bool entails(const OntologySource& source, std::span<const std::uint32_t> axioms, TermId sub,
+                                  TermId super) {
+  return find_entailed(source, axioms, sub, super) == Entailed::yes;
+}
+
+}  // namespace geminga::el
+
+#endif

@@ -1,0 +1,141 @@
+// Universals right of "SubClassOf", and the ranges that OWL 2 EL does not allow. Legend as in index.hpp.
+//
+// A range of R is a universal of everything, T < R only C. As long as the last property of each chain below R has the
+// range, too (OWL 2 profiles, section 2.2.6), it is enough that the fillers of existentials are in it (Baader, Brandt,
+// Lutz: Pushing the EL Envelope Further, 2008). Elsewhere what comes last in a chain is in C only where the rest of the
+// chain comes before it, so that C has to travel: along the automaton of R, whose states are atoms (Horrocks, Kutz,
+// Sattler: The Even More Irresistible SROIQ, 2006, section 4). Universals of properties with chains travel the same
+// way.
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "reasoning/el/normaliser.hpp"
+
+namespace geminga::el {
+namespace {
+
+constexpr std::size_t max_automaton_states = 1000;  // of one property
+
+/// The roles whose automata lack something: a chain that is not regular, or one of too many, is somewhere below them.
+std::vector<bool> find_partial(const Roles& closed, const RoleBox& box, std::span<const RoleChain> chains) {
+  std::vector<bool> is_partial(closed.count(), false);
+  const auto touch = [&](Role role) {
+    bool is_new = false;
+    for (const RoleId super : closed.supers(RoleId{static_cast<std::uint32_t>(role.property)})) {
+      is_new = is_new || !is_partial[static_cast<std::size_t>(super)];
+      is_partial[static_cast<std::size_t>(super)] = true;
+    }
+    return is_new;
+  };
+  for (const std::uint32_t chain : box.left_out()) touch(chains[chain].super);
+  const auto has_partial = [&](const RoleChain& chain) {
+    return std::ranges::any_of(chain.word,
+                               [&](Role part) { return is_partial[static_cast<std::size_t>(part.property)]; });
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const RoleChain& chain : chains) changed = (has_partial(chain) && touch(chain.super)) || changed;
+  }
+  return is_partial;
+}
+
+RoleId label_of(const Automaton::Move& move) { return RoleId{static_cast<std::uint32_t>(move.label.property)}; }
+
+}  // namespace
+
+// Each range whose property has a chain below it of which the last property has it not.
+std::vector<std::size_t> Normaliser::find_ranges_over_chains(const Roles& closed) const {
+  std::vector<std::size_t> found;
+  for (std::size_t at = 0; at < ranges_.size(); ++at) {
+    const Range& range = ranges_[at];
+    const auto escapes = [&](const Roles::Chain& chain) {
+      if (!closed.is_sub_role(chain.result, range.role) || closed.is_sub_role(chain.second, range.role)) return false;
+      return std::ranges::none_of(ranges_, [&](const Range& other) {
+        return other.range == range.range && closed.is_sub_role(chain.second, other.role);
+      });
+    };
+    if (std::ranges::any_of(closed.chains(), escapes)) found.push_back(at);
+  }
+  return found;
+}
+
+void Normaliser::add_universals(Universals universals, Unused& unused) {
+  if (index_.roles().chains().empty() && universals_.empty()) return;
+  Roles closed = index_.roles();
+  if (!closed.close_hierarchy(max_role_pairs)) return;  // the index will not close either, and that is reported
+  find_not_simple(closed, unused);
+  const std::vector<std::size_t> over_chains = find_ranges_over_chains(closed);
+  if (over_chains.empty() && universals_.empty()) return;
+  std::vector<RoleInclusion> inclusions;
+  for (const auto& [sub, super] : closed.told_supers()) inclusions.push_back({role_of(RoleId{sub}), role_of(super)});
+  const RoleBox box(closed.count(), inclusions, chains_, max_automaton_states);
+  const std::vector<bool> is_partial = find_partial(closed, box, chains_);
+  const auto can_use = [&](RoleId role) {
+    return universals == Universals::used && !is_partial[static_cast<std::size_t>(role)];
+  };
+
+  std::map<RoleId, std::vector<ExprId>> ranges_of;
+  for (const std::size_t at : over_chains) {
+    const Range& range = ranges_[at];
+    const bool is_used = can_use(range.role);
+    if (is_used) ranges_of[range.role].push_back(range.range);
+    (is_used ? uses_of_universals_ : unused).emplace_back(range.axiom, Construct::range_over_chain);
+  }
+  for (const auto& [role, ranges] : ranges_of) add_range_over_chains(role, ranges, box);
+  for (const Universal& universal : universals_) {
+    if (can_use(universal.property.role))
+      add_universal(universal.restricting, universal.property, universal.filler, box);
+  }
+  for (const LaterUse& later : later_) {
+    const auto* use = std::get_if<UniversalUse>(&later.use);
+    if (use == nullptr) continue;
+    const bool is_used = can_use(universals_[use->universal].property.role);
+    (is_used ? uses_of_universals_ : unused).emplace_back(later.axiom, Construct::all_values_from);
+  }
+  std::ranges::sort(uses_of_universals_);
+}
+
+//  Q < R only C  is  Q < S only Q'  for each move S of the automaton of R from its first state to Q', the same for its
+//  other states, and Q'' < C for the final ones
+void Normaliser::add_universal(ExprId restricting, const Property& property, ExprId filler, const RoleBox& box) {
+  const Role role = role_of(property.role);
+  if (property.is_data || box.is_simple(role)) {
+    // What is said of values must not be said of what else is in a class of the same atom.
+    const ExprId target = property.is_data ? index_.add_atom() : filler;
+    if (property.is_data) index_.add_told(target, filler);
+    index_.add_universal(restricting, property.role, target);
+    return;
+  }
+  const Automaton& automaton = box.automaton(box.canonical(role));
+  std::vector<ExprId> states(automaton.state_count(), restricting);
+  for (Automaton::State state = 0; state < automaton.state_count(); ++state) {
+    if (state != Automaton::begin) states[state] = index_.add_atom();
+    if (automaton.is_final(state)) index_.add_told(states[state], filler);
+  }
+  for (const Automaton::Move& move : automaton.moves()) {
+    index_.add_universal(states[move.from], label_of(move), states[move.to]);
+  }
+}
+
+//  T < R only C  is the same with T as the first state, of which Q < S only Q' is the range Q' of S
+void Normaliser::add_range_over_chains(RoleId role, std::span<const ExprId> ranges, const RoleBox& box) {
+  const Automaton& automaton = box.automaton(box.canonical(role_of(role)));
+  std::vector<ExprId> states(automaton.state_count(), top_expr);
+  for (Automaton::State state = 0; state < automaton.state_count(); ++state) {
+    if (state == Automaton::begin) continue;
+    states[state] = index_.add_atom();
+    if (!automaton.is_final(state)) continue;
+    for (const ExprId range : ranges) index_.add_told(states[state], range);
+  }
+  for (const Automaton::Move& move : automaton.moves()) {
+    if (move.to == Automaton::begin) continue;
+    if (move.from == Automaton::begin) {
+      index_.add_told(index_.range_atom(label_of(move)), states[move.to]);
+    } else {
+      index_.add_universal(states[move.from], label_of(move), states[move.to]);
+    }
+  }
+}
+
+}  // namespace geminga::el

@@ -1,0 +1,95 @@
+// The rules for nominals, and for what must have an instance; the legend is in saturation.hpp.
+#include <algorithm>
+
+#include "reasoning/el/worker.hpp"
+
+namespace geminga::el {
+
+void Worker::require_nonempty(std::uint32_t context) {
+  std::vector<std::uint32_t> stack = {context};
+  while (!stack.empty()) {
+    const std::uint32_t at = stack.back();
+    stack.pop_back();
+    Context& self = contexts_[at];
+    if (self.is_nonempty) continue;
+    self.is_nonempty = true;
+    if (self.is_unsatisfiable) shared_.is_inconsistent = true;
+    // What is still to be processed will see the flag.
+    for (std::uint32_t done = 0; done < self.forward_done; ++done) stack.push_back(self.forward[done].context);
+    for (const std::uint32_t nominal : self.nominals) merge_into_nominal(at, nominal);
+  }
+}
+
+//  C < {a}   {a} < D     C < {a}   C < D
+//  -----------------     --------------- [C is not empty; neither where C is of values, which are no individuals]
+//  C < D                 {a} < D
+void Worker::process_nominal(std::uint32_t context, ExprId subsumer) {
+  // Only what is said of everything is said of values, too, and they are no part of what there is.
+  if (is_of_values(context)) return;
+  Context& self = contexts_[context];
+  // What is new here is passed on to what is below this nominal, and to the nominals that this is equal to.
+  work_.add(self.members.size());
+  for (std::size_t at = 0; at < self.members.size(); ++at) add_subsumer(self.members[at], subsumer);
+  if (self.is_nonempty) {
+    for (const std::uint32_t nominal : self.nominals) add_subsumer(nominal, subsumer);
+  }
+  if (!index_.is_nominal(subsumer)) return;
+  const std::uint32_t nominal = require(subsumer);
+  if (nominal == context) return;
+  self.nominals.own().push_back(nominal);
+  contexts_[nominal].members.own().push_back(context);
+  const ArenaSet<std::uint32_t>& known = contexts_[nominal].subsumers;
+  work_.add(known.size());
+  for (std::size_t at = 0; at < known.size(); ++at) {
+    if (known[at] < index_.size()) add_subsumer(context, ExprId{known[at]});
+  }
+  if (self.is_nonempty) merge_into_nominal(context, nominal);
+  if (index_.has_negative_self()) find_selfs(context, nominal);
+}
+
+bool Worker::is_of_values(std::uint32_t context) const {
+  const Context& self = contexts_[context];
+  if (self.together.empty()) return index_.is_value(self.root);
+  return std::ranges::any_of(self.together, [&](ExprId atom) { return index_.is_value(atom); });
+}
+
+void Worker::merge_into_nominal(std::uint32_t context, std::uint32_t nominal) {
+  for (const ExprId atom : atoms_of(context)) add_derived_atom(nominal, atom);
+  const ArenaSet<std::uint32_t>& known = contexts_[context].subsumers;
+  work_.add(known.size());
+  for (std::size_t at = 0; at < known.size(); ++at) {
+    if (known[at] < index_.size()) add_subsumer(nominal, ExprId{known[at]});
+  }
+}
+
+//  C < {a}   D < {a}   C -R-> D
+//  ----------------------------
+//  C < R Self
+void Worker::find_selfs(std::uint32_t context, std::uint32_t nominal) {
+  const auto is_same = [&](std::uint32_t other) {
+    return other == nominal ||
+           std::ranges::find(contexts_[other].nominals.get(), nominal) != contexts_[other].nominals.get().end();
+  };
+  for (std::size_t at = 0; at < contexts_[context].backward.size(); ++at) {
+    const Link link = contexts_[context].backward[at];
+    if (is_same(link.context)) add_self(link.context, link.role);
+  }
+  for (std::size_t at = 0; at < contexts_[context].forward.size(); ++at) {
+    const Link link = contexts_[context].forward[at];
+    if (is_same(link.context)) add_self(context, link.role);
+  }
+}
+
+void Worker::find_self_of_link(std::uint32_t from, RoleId role, std::uint32_t to) {
+  const auto nominals_of = [&](std::uint32_t context) {
+    std::vector<std::uint32_t> nominals = contexts_[context].nominals.get();
+    if (index_.is_nominal(contexts_[context].root)) nominals.push_back(context);
+    return nominals;
+  };
+  const std::vector<std::uint32_t> ends = nominals_of(to);
+  for (const std::uint32_t nominal : nominals_of(from)) {
+    if (std::ranges::find(ends, nominal) != ends.end()) return add_self(from, role);
+  }
+}
+
+}  // namespace geminga::el

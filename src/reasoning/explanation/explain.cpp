@@ -1,0 +1,86 @@
+// Module, then the first axioms of it that are enough, then the minimal set, then an order in which one reads it.
+#include "reasoning/explanation/explain.hpp"
+
+#include <array>
+
+namespace geminga::reasoner {
+namespace {
+
+/// An engine that gives up on a small set where it answered for a larger one is not monotone; then the larger one is
+/// kept, so that what is shown always entails.
+AxiomSet minimal_of(const AxiomSet& enough, const Holds& holds) {
+  AxiomSet minimal = find_minimal(enough, holds);
+  return minimal.size() == enough.size() || holds(minimal) ? minimal : enough;
+}
+
+}  // namespace
+
+Explainer::Explainer(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super, Patience patience)
+    : module_(ontology, std::array{sub, super}),
+      oracle_(module_.source(), patience),
+      sub_(module_.term(sub)),
+      super_(module_.term(super)) {}
+
+std::optional<AxiomSet> Explainer::find_one() {
+  if (auto found = find_one_of(module_.all())) return found;
+  const std::uint32_t known = module_.axiom_count();
+  module_.add_rest();
+  if (module_.axiom_count() == known) return std::nullopt;
+  return find_one_of(module_.all());
+}
+
+std::optional<AxiomSet> Explainer::find_one_of(const AxiomSet& candidates) {
+  const auto holds = [this](std::span<const std::uint32_t> axioms) { return oracle_.holds(axioms, sub_, super_); };
+  const auto follows_by_rules = [this](std::span<const std::uint32_t> axioms) {
+    return oracle_.find_by_rules(axioms, sub_, super_) == el::Entailed::yes;
+  };
+  switch (oracle_.find_by_rules(candidates, sub_, super_)) {
+    case el::Entailed::no:
+      return std::nullopt;
+    case el::Entailed::yes: {
+      // Minimal for the rules; whether the other engines need even less is asked of few axioms only.
+      const auto enough = find_sufficient_prefix(candidates, follows_by_rules);
+      return minimal_of(minimal_of(*enough, follows_by_rules), holds);
+    }
+    case el::Entailed::not_found:
+      break;
+  }
+  const auto enough = find_sufficient_prefix(candidates, holds);
+  if (!enough) return std::nullopt;
+  return minimal_of(*enough, holds);
+}
+
+AllSets Explainer::find_all(const ExplanationLimits& limits, std::size_t max_work) {
+  // A first one decides whether the module is enough.
+  if (!find_one()) return {};
+  const std::size_t end = oracle_.work() + max_work;
+  return find_all_minimal(
+      module_.all(), [this](const AxiomSet& candidates) { return find_one_of(candidates); },
+      [this, end] { return oracle_.work() > end; }, limits);
+}
+
+std::vector<ExplainedAxiom> Explainer::explained(const AxiomSet& axioms) const {
+  std::vector<ExplainedAxiom> list;
+  for (const std::uint32_t axiom : module_.in_order_of_argument(axioms, sub_)) {
+    list.push_back(module_.explained(axiom));
+  }
+  return list;
+}
+
+std::optional<std::vector<ExplainedAxiom>> explain(const el::Ontology& ontology, el::ClassNumber sub,
+                                                   el::ClassNumber super, Patience patience) {
+  if (!ontology.is_subsumed(sub, super)) return std::nullopt;
+  Explainer explainer(ontology, sub, super, patience);
+  const auto found = explainer.find_one();
+  if (!found) return std::nullopt;
+  return explainer.explained(*found);
+}
+
+std::optional<std::vector<ExplainedAxiom>> explain_inconsistency(const el::Ontology& ontology) {
+  const auto thing = ontology.find_iri(el::owl_thing);
+  const auto nothing = ontology.find_iri(el::owl_nothing);
+  if (ontology.is_consistent() || !thing || !nothing) return std::nullopt;
+  return explain(ontology, *thing, *nothing);
+}
+
+}  // namespace geminga::reasoner

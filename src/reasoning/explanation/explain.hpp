@@ -1,0 +1,61 @@
+// Why one class is below another: minimal sets of axioms that entail it, whichever engine derived it.
+//
+// A set is minimal where none of its axioms can be left out (a justification; Kalyanpur, Parsia, Horridge, Sirin 2007).
+// That a class can have no instance is its being below owl:Nothing; that the ontology contradicts itself is owl:Thing's
+// being below owl:Nothing.
+#ifndef GEMINGA_REASONING_EXPLANATION_EXPLAIN_HPP
+#define GEMINGA_REASONING_EXPLANATION_EXPLAIN_HPP
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/explanation/explain_module.hpp"
+#include "reasoning/explanation/explain_oracle.hpp"
+#include "reasoning/explanation/explanations.hpp"
+
+namespace geminga::reasoner {
+
+/// One question to one ontology, which it borrows. Not thread-safe; several may ask one ontology at once.
+class Explainer {
+ public:
+  Explainer(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super,
+            Patience patience = Patience::of_a_person);
+
+  /// One minimal set, as numbers of the module, ascending. Nothing where no engine finds that it is entailed.
+  [[nodiscard]] std::optional<AxiomSet> find_one();
+  /// The same, of these axioms of the module only (a set whose order is that in which they are tried).
+  [[nodiscard]] std::optional<AxiomSet> find_one_of(const AxiomSet& candidates);
+
+  /// All minimal sets up to limits. Work is counted in axioms asked about, so that the answer is the same everywhere.
+  [[nodiscard]] AllSets find_all(const ExplanationLimits& limits = {}, std::size_t max_work = 4'000'000);
+
+  [[nodiscard]] Module& module() { return module_; }
+  [[nodiscard]] const Module& module() const { return module_; }
+  [[nodiscard]] Oracle& oracle() { return oracle_; }
+  [[nodiscard]] el::TermId sub() const { return sub_; }
+  [[nodiscard]] el::TermId super() const { return super_; }
+  /// In readable syntax, in the order of the argument.
+  [[nodiscard]] std::vector<ExplainedAxiom> explained(const AxiomSet& axioms) const;
+
+ private:
+  Module module_;
+  Oracle oracle_;
+  el::TermId sub_;
+  el::TermId super_;
+};
+
+/// A minimal set of axioms that entails `sub` SubClassOf `super`, in the order of the argument. Empty: it is so in
+/// every ontology. Nothing: it is not entailed, or (rarely) no engine finds it again within its limits; is_subsumed()
+/// of the ontology tells which.
+[[nodiscard]] std::optional<std::vector<ExplainedAxiom>> explain(const el::Ontology& ontology, el::ClassNumber sub,
+                                                                 el::ClassNumber super,
+                                                                 Patience patience = Patience::of_a_person);
+
+/// Why the ontology contradicts itself; nothing where it does not.
+[[nodiscard]] std::optional<std::vector<ExplainedAxiom>> explain_inconsistency(const el::Ontology& ontology);
+
+}  // namespace geminga::reasoner
+
+#endif

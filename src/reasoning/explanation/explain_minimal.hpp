@@ -1,0 +1,28 @@
+// A minimal set of axioms for which something holds, found by asking about subsets: the black box method.
+#ifndef GEMINGA_REASONING_EXPLANATION_EXPLAIN_MINIMAL_HPP
+#define GEMINGA_REASONING_EXPLANATION_EXPLAIN_MINIMAL_HPP
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace geminga::reasoner {
+
+/// Numbers of axioms of one source.
+using AxiomSet = std::vector<std::uint32_t>;
+/// Whether something holds for these axioms. Monotone: what holds for some axioms holds for more.
+using Holds = std::function<bool(std::span<const std::uint32_t>)>;
+
+/// A minimal subset of `candidates` for which `holds` is true, ascending. It must hold for all of them. It is asked
+/// O(k log(n / k)) times for a subset of k among n (QuickXplain, Junker 2004).
+[[nodiscard]] AxiomSet find_minimal(const AxiomSet& candidates, const Holds& holds);
+
+/// The first candidates, as many as are needed, up to a factor of two; nothing where it does not hold for all of them.
+/// Where what is near stands first, this leaves little to look through, and no question is larger than it must be.
+[[nodiscard]] std::optional<AxiomSet> find_sufficient_prefix(const AxiomSet& candidates, const Holds& holds);
+
+}  // namespace geminga::reasoner
+
+#endif

@@ -1,0 +1,65 @@
+// Axioms of a compiled ontology as a source of their own, to be printed, reasoned with and added to.
+#ifndef GEMINGA_REASONING_EXPLANATION_EXPLAIN_MODULE_HPP
+#define GEMINGA_REASONING_EXPLANATION_EXPLAIN_MODULE_HPP
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/explanation/explain_minimal.hpp"
+#include "reasoning/owl/source.hpp"
+
+namespace geminga::reasoner {
+
+/// One axiom in readable syntax and where it stands, e.g. "soccer:SharedBallInfo SubClassOf soccer:BallInfo".
+struct ExplainedAxiom {
+  std::string text;
+  std::string file;
+  std::uint32_t line = 0;  ///< 0: unknown
+};
+
+/// The axioms that can matter for what is said of some classes. Borrows the ontology.
+class Module {
+ public:
+  /// What can matter for subsumptions of these classes, and for what else these terms of the compiled form say.
+  Module(const el::Ontology& ontology, std::span<const el::ClassNumber> classes,
+         std::span<const std::uint32_t> more_terms = {});
+
+  /// The axioms are those of the module and nothing else, in the order in which the walk from the classes reached them.
+  [[nodiscard]] const el::OntologySource& source() const { return source_; }
+  /// May be added to: questions, names for expressions. What is added has numbers from axiom_count() on.
+  [[nodiscard]] el::OntologySource& source() { return source_; }
+  [[nodiscard]] std::uint32_t axiom_count() const { return axiom_count_; }
+  /// All of them.
+  [[nodiscard]] AxiomSet all() const;
+  /// To be called before anything is added. Brings in the other axioms of the ontology: a module is enough for what
+  /// follows, but the rules of an engine are not always all of OWL, and may find with more axioms what they do not find
+  /// with enough.
+  void add_rest();
+
+  [[nodiscard]] const el::Ontology& ontology() const { return ontology_; }
+  [[nodiscard]] el::TermId term(el::ClassNumber number);
+  /// The same term as the compiled form has it, in the module's source. Recursion is bounded by the nesting of terms.
+  el::TermId copy_term(std::uint32_t term);
+  [[nodiscard]] ExplainedAxiom explained(std::uint32_t axiom) const;
+  /// An axiom by its number in the compiled form, of the module or not.
+  [[nodiscard]] ExplainedAxiom explained_original(std::uint32_t axiom);
+  [[nodiscard]] std::string print(el::TermId term) const;
+  /// Axioms in an order in which each speaks, where possible, of what was spoken of before, beginning with `first`.
+  [[nodiscard]] AxiomSet in_order_of_argument(AxiomSet axioms, el::TermId first) const;
+
+ private:
+  void copy(std::uint32_t axiom);
+
+  const el::Ontology& ontology_;
+  el::OntologySource source_;
+  std::uint32_t axiom_count_ = 0;
+  std::vector<std::uint32_t> originals_;  ///< of each axiom: its number in the ontology
+  std::unordered_map<std::uint32_t, el::TermId> terms_;
+};
+
+}  // namespace geminga::reasoner
+
+#endif

@@ -1,0 +1,65 @@
+// The rules of EL first, then a model that would be an exception, then the consequences of clauses.
+#include "reasoning/explanation/explain_oracle.hpp"
+
+#include <algorithm>
+
+#include "reasoning/dl/clauses/clausify.hpp"
+#include "reasoning/dl/consequence/closure.hpp"
+#include "reasoning/dl/hypertableau/tableau.hpp"
+
+namespace geminga::reasoner {
+namespace {
+
+/// Of one question. An explanation asks tens of them, most about a handful of axioms.
+struct Bounds {
+  tableau::Limits model;
+  std::size_t derived_clauses = 0;
+  std::size_t undecided = 0;  ///< so many of these questions may be too hard
+};
+
+Bounds bounds(Patience patience) {
+  if (patience == Patience::of_a_person) return {{.nodes = 50'000, .steps = 3'000'000}, 200'000, 16};
+  return {{.nodes = 5'000, .steps = 100'000}, 10'000, 3};
+}
+
+/// Whether the consequences of the one query hold `super`, or the query can have no instance.
+bool is_derived(const el::OntologySource& source, const clauses::ClauseSet& clauses, el::TermId super,
+                std::size_t max_clauses) {
+  const consequence::Closure closure =
+      consequence::saturate(source, clauses, clauses.queries, {.threads = 1, .clauses = max_clauses});
+  if (!closure.is_consistent) return true;
+  return std::ranges::any_of(closure.subsumers.front(), [&](clauses::ConceptId above) {
+    const clauses::Concept& found = clauses.concepts[clauses::number(above)];
+    return above == clauses::nothing || (found.kind == clauses::ConceptKind::named && found.term == super);
+  });
+}
+
+}  // namespace
+
+el::Entailed Oracle::find_by_rules(std::span<const std::uint32_t> axioms, el::TermId sub, el::TermId super) {
+  work_ += 1 + axioms.size();
+  return el::find_entailed(source_, axioms, sub, super);
+}
+
+bool Oracle::holds(std::span<const std::uint32_t> axioms, el::TermId sub, el::TermId super) {
+  const el::Entailed by_rules = find_by_rules(axioms, sub, super);
+  if (by_rules != el::Entailed::not_found) return by_rules == el::Entailed::yes;
+  const Bounds limits = bounds(patience_);
+  if (undecided_ >= limits.undecided) return false;
+  work_ += 10 * axioms.size();  // the other engines need about ten times as long
+  const auto clauses = clauses::clausify(source_, axioms, std::span(&sub, 1), std::span(&super, 1));
+  if (!clauses) {
+    ++undecided_;
+    return false;
+  }
+  tableau::Tableau tableau(source_, *clauses, limits.model);
+  const tableau::Answer exception = tableau.is_satisfiable({clauses->queries.front(), clauses->complements.front()});
+  if (exception.verdict == tableau::Verdict::no) return true;
+  if (exception.verdict == tableau::Verdict::unknown) {
+    if (is_derived(source_, *clauses, super, limits.derived_clauses)) return true;
+    ++undecided_;
+  }
+  return false;
+}
+
+}  // namespace geminga::reasoner

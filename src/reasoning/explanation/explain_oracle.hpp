@@ -1,0 +1,47 @@
+// Answers whether some axioms entail that one class is below another, with the cheapest engine that knows.
+#ifndef GEMINGA_REASONING_EXPLANATION_EXPLAIN_ORACLE_HPP
+#define GEMINGA_REASONING_EXPLANATION_EXPLAIN_ORACLE_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "reasoning/el/entailment.hpp"
+#include "reasoning/owl/source.hpp"
+
+namespace geminga::reasoner {
+
+/// How much may be asked of the engines beyond the rules of EL. The bounds count work, so that the answer is the same
+/// everywhere.
+enum class Patience : std::uint8_t {
+  of_a_person,  ///< who asked a program on a command line
+  of_a_daemon,  ///< which has others to serve, on the same thread
+};
+
+/// Asks about one source, which must outlive it and may grow. Every yes is sound. After some questions that were too
+/// hard, only the rules are asked.
+class Oracle {
+ public:
+  explicit Oracle(const el::OntologySource& source, Patience patience = Patience::of_a_person)
+      : source_(source), patience_(patience) {}
+
+  /// As far as the rules of EL carry; they are so much cheaper than the rest that they are always asked first.
+  [[nodiscard]] el::Entailed find_by_rules(std::span<const std::uint32_t> axioms, el::TermId sub, el::TermId super);
+  /// With every engine. What cannot be decided within an engine's limits counts as not entailed.
+  [[nodiscard]] bool holds(std::span<const std::uint32_t> axioms, el::TermId sub, el::TermId super);
+
+  /// Axioms that were asked about, over all questions: the same everywhere for the same questions.
+  [[nodiscard]] std::size_t work() const { return work_; }
+  /// Questions that were left undecided.
+  [[nodiscard]] std::size_t undecided_count() const { return undecided_; }
+
+ private:
+  const el::OntologySource& source_;
+  Patience patience_;
+  std::size_t work_ = 0;
+  std::size_t undecided_ = 0;
+};
+
+}  // namespace geminga::reasoner
+
+#endif

@@ -1,0 +1,92 @@
+// The tree, breadth first, with labels used again and paths cut.
+#include "reasoning/explanation/explanations.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <set>
+#include <utility>
+
+namespace geminga::reasoner {
+namespace {
+
+/// Whether all of an ascending list is in another.
+bool is_part(const AxiomSet& part, const AxiomSet& whole) { return std::ranges::includes(whole, part); }
+
+bool is_disjoint(const AxiomSet& one, const AxiomSet& other) {
+  return std::ranges::none_of(one, [&](std::uint32_t axiom) { return std::ranges::binary_search(other, axiom); });
+}
+
+class Tree {
+ public:
+  Tree(const AxiomSet& candidates, const FindOne& find_one, const IsSpent& is_spent, const ExplanationLimits& limits)
+      : candidates_(candidates), find_one_(find_one), is_spent_(is_spent), limits_(limits) {}
+
+  AllSets run() {
+    AllSets result;
+    push({});
+    while (!open_.empty()) {
+      // One more than wanted is looked for, to know whether there are others.
+      const bool is_over = sets_.size() > limits_.sets;
+      if (is_over) sets_.pop_back();
+      if (is_over || seen_.size() > limits_.nodes || (!sets_.empty() && is_spent_())) {
+        result.may_have_more = true;
+        break;
+      }
+      const AxiomSet removed = std::move(open_.front());
+      open_.pop_front();
+      expand(removed);
+    }
+    result.sets = std::move(sets_);
+    std::ranges::sort(result.sets, {}, [](const AxiomSet& set) { return std::pair(set.size(), set); });
+    return result;
+  }
+
+ private:
+  void push(AxiomSet removed) {
+    // Where less was taken away and nothing was left, nothing is left here; and no node is looked at twice.
+    if (std::ranges::any_of(closed_, [&](const AxiomSet& less) { return is_part(less, removed); })) return;
+    if (seen_.insert(removed).second) open_.push_back(std::move(removed));
+  }
+
+  void expand(const AxiomSet& removed) {
+    const auto known = std::ranges::find_if(sets_, [&](const AxiomSet& set) { return is_disjoint(set, removed); });
+    AxiomSet label;
+    if (known != sets_.end()) {
+      label = *known;
+    } else {
+      AxiomSet left;
+      std::ranges::copy_if(candidates_, std::back_inserter(left),
+                           [&](std::uint32_t axiom) { return !std::ranges::binary_search(removed, axiom); });
+      auto found = find_one_(left);
+      if (!found) {
+        closed_.push_back(removed);
+        return;
+      }
+      label = std::move(*found);
+      sets_.push_back(label);
+    }
+    for (const std::uint32_t axiom : label) {
+      AxiomSet more = removed;
+      more.insert(std::ranges::lower_bound(more, axiom), axiom);
+      push(std::move(more));
+    }
+  }
+
+  const AxiomSet& candidates_;
+  const FindOne& find_one_;
+  const IsSpent& is_spent_;
+  const ExplanationLimits& limits_;
+  std::deque<AxiomSet> open_;
+  std::set<AxiomSet> seen_;
+  std::vector<AxiomSet> closed_;
+  std::vector<AxiomSet> sets_;
+};
+
+}  // namespace
+
+AllSets find_all_minimal(const AxiomSet& candidates, const FindOne& find_one, const IsSpent& is_spent,
+                         const ExplanationLimits& limits) {
+  return Tree(candidates, find_one, is_spent, limits).run();
+}
+
+}  // namespace geminga::reasoner

@@ -1,0 +1,37 @@
+// A minimal set of axioms as an argument: numbered steps, each from axioms and earlier steps by a rule with a name.
+//
+// What the rules of proof_search.hpp do not reach is bridged by lemmas: inclusions between class expressions of the set
+// that an engine finds to follow from some of the axioms. Such a step says so, and names the axioms. The goal itself is
+// such a step at worst.
+#ifndef GEMINGA_REASONING_EXPLANATION_PROOF_HPP
+#define GEMINGA_REASONING_EXPLANATION_PROOF_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "reasoning/explanation/explain.hpp"
+#include "reasoning/explanation/proof_search.hpp"
+
+namespace geminga::reasoner {
+
+/// One step. Its number is that of the axioms before it, the steps before it, and 1.
+struct ProofStep {
+  std::string text;  ///< the conclusion in readable syntax
+  ProofRule rule = ProofRule::subclass;
+  std::vector<std::uint32_t> from;  ///< numbers of axioms and earlier steps, ascending
+  el::TermId sub{};                 ///< the conclusion as terms of the module: sub SubClassOf super
+  el::TermId super{};
+};
+
+struct Proof {
+  AxiomSet axioms;               ///< numbers of the module, in the order of the argument; numbered from 1
+  std::vector<ProofStep> steps;  ///< the last one is what was asked; none where an axiom says it as it is
+};
+
+/// The argument for a set that Explainer found. Adds terms and questions to the explainer's module.
+[[nodiscard]] Proof prove(Explainer& explainer, const AxiomSet& axioms);
+
+}  // namespace geminga::reasoner
+
+#endif

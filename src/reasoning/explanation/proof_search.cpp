@@ -1,0 +1,240 @@
+// What the axioms give, what is known, and rounds of rules until the goal is reached.
+#include "reasoning/explanation/proof_search.hpp"
+
+#include <algorithm>
+
+namespace geminga::reasoner {
+
+using el::Axiom;
+using el::AxiomKind;
+using el::TermId;
+using el::TermKind;
+
+namespace {
+
+// A proof for people has tens of steps; these bounds are far beyond, and end what generates terms without end.
+constexpr std::size_t max_contexts = 120;
+constexpr std::size_t max_conclusions = 4'000;
+constexpr std::uint32_t max_depth = 24;  ///< of expressions that rules make
+
+}  // namespace
+
+std::string_view to_string(ProofRule rule) {
+  switch (rule) {
+    case ProofRule::trivial:
+      return "in every ontology";
+    case ProofRule::subclass:
+      return "a chain of subclasses";
+    case ProofRule::conjunct:
+      return "taking a conjunction apart";
+    case ProofRule::conjunction:
+      return "putting a conjunction together";
+    case ProofRule::alternative:
+      return "an alternative of a union";
+    case ProofRule::existential:
+      return "the existential rule";
+    case ProofRule::empty:
+      return "a successor that cannot exist";
+    case ProofRule::domain:
+      return "the domain";
+    case ProofRule::range:
+      return "the range";
+    case ProofRule::universal:
+      return "the universal restriction";
+    case ProofRule::chain:
+      return "the property chain";
+    case ProofRule::inverse:
+      return "the inverse property";
+    case ProofRule::functional:
+      return "the functional property";
+    case ProofRule::cardinality:
+      return "counting";
+    case ProofRule::self:
+      return "the self restriction";
+    case ProofRule::disjointness:
+      return "disjointness";
+    case ProofRule::negation:
+      return "negation";
+    case ProofRule::cases:
+      return "cases";
+    case ProofRule::contradiction:
+      return "contradiction";
+    case ProofRule::together:
+      return "all of them together, as an engine finds that shows no steps";
+  }
+  return {};
+}
+
+ProofSearch::ProofSearch(el::OntologySource& source, const AxiomSet& axioms, TermId sub, TermId super)
+    : source_(source),
+      terms_(source),
+      roles_(source, terms_, axioms),
+      sub_(terms_.normal(sub)),
+      super_(terms_.normal(super)) {
+  look_into(sub_);
+  look_into(super_);
+  for (const std::uint32_t axiom : axioms) use(axiom);
+  open(sub_);
+  open(el::thing_term);
+}
+
+void ProofSearch::tell(TermId sub, TermId super, std::uint32_t axiom) {
+  const Told told{terms_.normal(sub), terms_.normal(super), axiom};
+  look_into(told.sub);
+  look_into(told.super);
+  told_.push_back(told);
+}
+
+/// Takes note of an expression and its parts. Recursion is bounded by the nesting of terms.
+void ProofSearch::look_into(TermId expression) {
+  if (std::ranges::find(expressions_, expression) != expressions_.end()) return;
+  if (!el::is_class_expression(kind(expression))) return;
+  expressions_.push_back(expression);
+  for (const TermId argument : arguments(expression)) look_into(argument);
+}
+
+void ProofSearch::use(std::uint32_t number) {
+  const Axiom axiom = source_.axiom(number);
+  const std::vector<TermId> given(axiom.arguments.begin(), axiom.arguments.end());
+  const auto one = [&](TermId individual) {
+    const TermId alone = terms_.singleton(individual);
+    if (source_.kind(individual) != TermKind::literal) open(alone);
+    return alone;
+  };
+  const auto disjoint = [&](const std::vector<TermId>& members) {
+    for (std::size_t first = 0; first < members.size(); ++first) {
+      for (std::size_t second = first + 1; second < members.size(); ++second) {
+        disjoint_.push_back({terms_.normal(members[first]), terms_.normal(members[second]), number});
+        look_into(disjoint_.back().sub);
+        look_into(disjoint_.back().super);
+      }
+    }
+  };
+  switch (axiom.kind) {
+    case AxiomKind::sub_class_of:
+      return tell(given[0], given[1], number);
+    case AxiomKind::equivalent_classes:
+      for (const TermId from : given) {
+        for (const TermId to : given) {
+          if (from != to) tell(from, to, number);
+        }
+      }
+      return;
+    case AxiomKind::disjoint_classes:
+      return disjoint(given);
+    case AxiomKind::disjoint_union: {
+      const std::vector<TermId> parts(given.begin() + 1, given.end());
+      for (const TermId part : parts) tell(part, given[0], number);
+      if (parts.size() > 1) tell(given[0], source_.term(TermKind::object_union_of, parts), number);
+      if (parts.size() == 1) tell(given[0], parts.front(), number);
+      return disjoint(parts);
+    }
+    case AxiomKind::data_property_domain:
+      data_domains_.insert(data_domains_.end(), {given[0], terms_.normal(given[1])});
+      data_domain_axioms_.push_back(number);
+      return;
+    case AxiomKind::reflexive_object_property:
+      return tell(el::thing_term, source_.term(TermKind::object_has_self, {given[0]}), number);
+    case AxiomKind::irreflexive_object_property:
+      return tell(source_.term(TermKind::object_has_self, {given[0]}), el::nothing_term, number);
+    case AxiomKind::class_assertion:
+      return tell(one(given[1]), given[0], number);
+    case AxiomKind::object_property_assertion:
+      tell(one(given[1]), terms_.some(given[0], one(given[2])), number);
+      return tell(one(given[2]), terms_.some(terms_.inverse(given[0]), one(given[1])), number);
+    case AxiomKind::data_property_assertion:
+      return tell(one(given[1]), terms_.some(given[0], one(given[2])), number);
+    case AxiomKind::negative_object_property_assertion:
+    case AxiomKind::negative_data_property_assertion: {
+      const TermId some = terms_.some(given[0], one(given[2]));
+      look_into(some);
+      disjoint_.push_back({one(given[1]), some, number});
+      return;
+    }
+    case AxiomKind::same_individual:
+      for (const TermId from : given) {
+        for (const TermId to : given) {
+          if (from != to) tell(one(from), one(to), number);
+        }
+      }
+      return;
+    case AxiomKind::different_individuals: {
+      std::vector<TermId> members;
+      for (const TermId individual : given) members.push_back(one(individual));
+      return disjoint(members);
+    }
+    default:
+      return;  // of properties: proof_roles.cpp; keys and datatypes have no rule here
+  }
+}
+
+void ProofSearch::open(TermId context) {
+  if (is_open(context) || contexts_.size() >= max_contexts) return;
+  contexts_.push_back(context);
+  about_.try_emplace(context);
+  add(context, context, ProofRule::trivial, {});
+  add(context, el::thing_term, ProofRule::trivial, {});
+}
+
+void ProofSearch::add(TermId sub, TermId super, ProofRule rule, std::vector<std::uint32_t> steps, AxiomSet axioms) {
+  if (find(sub, super) != nullptr || conclusions_.size() >= max_conclusions) return;
+  if (source_.depth(super) > max_depth) return;
+  const auto number = static_cast<std::uint32_t>(conclusions_.size());
+  std::ranges::sort(axioms);
+  axioms.erase(std::unique(axioms.begin(), axioms.end()), axioms.end());
+  conclusions_.push_back({sub, super, rule, std::move(steps), std::move(axioms)});
+  known_.emplace(std::pair(sub, super), number);
+  about_[sub].push_back(number);
+}
+
+void ProofSearch::assume(TermId sub, TermId super, AxiomSet axioms) {
+  open(sub);
+  add(sub, super, ProofRule::together, {}, std::move(axioms));
+}
+
+const std::uint32_t* ProofSearch::find(TermId sub, TermId super) const {
+  const auto found = known_.find({sub, super});
+  return found == known_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::uint32_t> ProofSearch::about(TermId context) const {
+  const auto found = about_.find(context);
+  return found == about_.end() ? std::vector<std::uint32_t>{} : found->second;
+}
+
+std::vector<TermId> ProofSearch::arguments(TermId term) const {
+  const auto view = source_.term(term).arguments;
+  return {view.begin(), view.end()};
+}
+
+//  C < F    a is in F    owl:Thing < F
+//  -----    ---------    -------------
+//  C < D      C < D          C < D
+void ProofSearch::conclude_goal() {
+  if (const std::uint32_t* reached = find(sub_, super_)) {
+    goal_ = *reached;
+    return;
+  }
+  for (const TermId context : contexts_) {
+    const bool must_exist = context == el::thing_term || kind(context) == TermKind::object_one_of;
+    const std::uint32_t* empty = find(context, el::nothing_term);
+    if (empty == nullptr || (context != sub_ && !must_exist)) continue;
+    add(sub_, super_, ProofRule::contradiction, {*empty});
+    if (const std::uint32_t* reached = find(sub_, super_)) goal_ = *reached;
+    return;
+  }
+}
+
+std::optional<std::uint32_t> ProofSearch::run() {
+  conclude_goal();
+  for (std::size_t before = 0; !goal_ && before != conclusions_.size();) {
+    before = conclusions_.size();
+    for (std::size_t at = 0; at < contexts_.size() && !goal_; ++at) {
+      apply(contexts_[at]);
+      conclude_goal();
+    }
+  }
+  return goal_;
+}
+
+}  // namespace geminga::reasoner

@@ -1,0 +1,150 @@
+// Derives a subsumption from few axioms by rules that one can follow, and remembers from what each step came.
+//
+// The rules are those of EL and the simplest of what is beyond it: universal restrictions, inverses, functional
+// properties, unions by cases. They need not be complete: what they do not reach is bridged by lemmas (proof.hpp). Each
+// conclusion is an inclusion of class expressions in the form of ProofTerms; the axioms are a minimal set, so nothing
+// here needs to be fast for many.
+//
+// Legend: C D E F class expressions, R S T property expressions, a an individual, R <* S "R is S or below it by told
+// inclusions"; premises stand above the line, the conclusion below, side conditions in brackets.
+#ifndef GEMINGA_REASONING_EXPLANATION_PROOF_SEARCH_HPP
+#define GEMINGA_REASONING_EXPLANATION_PROOF_SEARCH_HPP
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "reasoning/explanation/explain_minimal.hpp"
+#include "reasoning/explanation/proof_roles.hpp"
+#include "reasoning/explanation/proof_terms.hpp"
+#include "reasoning/owl/source.hpp"
+
+namespace geminga::reasoner {
+
+/// By which rule a step follows from its premises.
+enum class ProofRule : std::uint8_t {
+  trivial,      ///< C SubClassOf C, C SubClassOf owl:Thing: no step at all
+  subclass,     ///< C < D, D < E: C < E
+  conjunct,     ///< C < D and E: C < D
+  conjunction,  ///< C < D, C < E: C < D and E
+  alternative,  ///< C < D: C < D or E
+  existential,  ///< C < R some D, D < E, R < S: C < S some E
+  empty,        ///< C < R some owl:Nothing: C < owl:Nothing
+  domain,
+  range,
+  universal,
+  chain,
+  inverse,
+  functional,
+  cardinality,
+  self,
+  disjointness,   ///< C < D, C < E, D and E disjoint: C < owl:Nothing
+  negation,       ///< C < D, C < not D: C < owl:Nothing; C and D < owl:Nothing: C < not D
+  cases,          ///< C < D or E, C and D < F, C and E < F: C < F
+  contradiction,  ///< C < owl:Nothing: C < D; a is in owl:Nothing: C < D
+  together,       ///< the axioms entail it, as an engine says that shows no steps
+};
+/// "the existential rule", "the domain", "cases": what stands behind "by".
+[[nodiscard]] std::string_view to_string(ProofRule rule);
+
+/// A conclusion and its premises: earlier conclusions by number, and axioms.
+struct Conclusion {
+  el::TermId sub{};
+  el::TermId super{};
+  ProofRule rule = ProofRule::trivial;
+  std::vector<std::uint32_t> steps;
+  AxiomSet axioms;
+};
+
+/// Searches forward from the goal's sub class until the goal is there, nothing is left to derive, or a limit is
+/// reached.
+class ProofSearch {
+ public:
+  /// Adds terms to the source. Only the given axioms are used.
+  ProofSearch(el::OntologySource& source, const AxiomSet& axioms, el::TermId sub, el::TermId super);
+
+  /// The number of the goal's conclusion, where it was reached. May be called again after assume().
+  [[nodiscard]] std::optional<std::uint32_t> run();
+  /// Takes as given what these axioms entail together.
+  void assume(el::TermId sub, el::TermId super, AxiomSet axioms);
+
+  [[nodiscard]] const std::vector<Conclusion>& conclusions() const { return conclusions_; }
+  /// What the search looks at: the goal's sub class, fillers, individuals, cases; and all class expressions of axioms.
+  [[nodiscard]] const std::vector<el::TermId>& contexts() const { return contexts_; }
+  [[nodiscard]] const std::vector<el::TermId>& expressions() const { return expressions_; }
+  [[nodiscard]] bool is_known(el::TermId sub, el::TermId super) const { return find(sub, super) != nullptr; }
+  [[nodiscard]] ProofTerms& terms() { return terms_; }
+
+ private:
+  struct Told {
+    el::TermId sub{};
+    el::TermId super{};
+    std::uint32_t axiom = 0;
+  };
+  /// C < R some D, as a conclusion.
+  struct Link {
+    std::uint32_t step = 0;
+    el::TermId role{};
+    el::TermId filler{};
+  };
+
+  // proof_search.cpp: what is given, and what is known.
+  void use(std::uint32_t axiom);
+  void tell(el::TermId sub, el::TermId super, std::uint32_t axiom);
+  void look_into(el::TermId expression);
+  void open(el::TermId context);
+  void add(el::TermId sub, el::TermId super, ProofRule rule, std::vector<std::uint32_t> steps, AxiomSet axioms = {});
+  [[nodiscard]] const std::uint32_t* find(el::TermId sub, el::TermId super) const;
+  /// The conclusions about a context, by number; a copy, for it grows.
+  [[nodiscard]] std::vector<std::uint32_t> about(el::TermId context) const;
+  [[nodiscard]] std::vector<el::TermId> arguments(el::TermId term) const;
+  [[nodiscard]] el::TermKind kind(el::TermId term) const { return source_.kind(term); }
+  [[nodiscard]] bool is_open(el::TermId context) const { return about_.contains(context); }
+  [[nodiscard]] std::vector<Link> links(el::TermId context);
+  void conclude_goal();
+
+  // proof_rules.cpp: what needs no successor.
+  void apply(el::TermId context);
+  void apply_told(el::TermId context);
+  void apply_parts(el::TermId context);
+  void apply_clashes(el::TermId context);
+  void apply_cases(el::TermId context);
+  void apply_selfs(el::TermId context);
+
+  // proof_rules_links.cpp: what follows along links.
+  void apply_links(el::TermId context);
+  void apply_existentials(el::TermId context, const Link& link);
+  void apply_ranges(el::TermId context, const Link& link);
+  void apply_universals(el::TermId context, const Link& link);
+  void apply_inverses(el::TermId context, const Link& link);
+  void apply_functional(el::TermId context, const std::vector<Link>& links);
+  void apply_numbers(el::TermId context, const std::vector<Link>& links);
+  void apply_chains(el::TermId context);
+  void follow_chain(const RoleChain& chain, std::size_t at, el::TermId from, el::TermId to,
+                    std::vector<std::uint32_t>& steps, AxiomSet& axioms);
+  void refine(el::TermId context, const Link& link, el::TermId more, ProofRule rule, std::vector<std::uint32_t> steps,
+              AxiomSet axioms);
+
+  el::OntologySource& source_;
+  ProofTerms terms_;
+  ProofRoles roles_;
+  el::TermId sub_;
+  el::TermId super_;
+  std::vector<Told> told_;
+  std::vector<Told> disjoint_;
+  std::vector<el::TermId> data_domains_;  ///< property, class, ... of data properties, in pairs
+  std::vector<std::uint32_t> data_domain_axioms_;
+  std::vector<el::TermId> expressions_;
+  std::vector<el::TermId> contexts_;
+  std::map<el::TermId, std::vector<std::uint32_t>> about_;
+  std::map<std::pair<el::TermId, el::TermId>, std::uint32_t> known_;
+  std::vector<Conclusion> conclusions_;
+  std::optional<std::uint32_t> goal_;
+};
+
+}  // namespace geminga::reasoner
+
+#endif

@@ -1,0 +1,60 @@
+// Why one class is not below another: what they have in common, and what is missing.
+#ifndef GEMINGA_REASONING_EXPLANATION_WHY_NOT_HPP
+#define GEMINGA_REASONING_EXPLANATION_WHY_NOT_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/explanation/explain_module.hpp"
+#include "reasoning/explanation/explain_oracle.hpp"
+
+namespace geminga::reasoner {
+
+/// Something that every instance of the broader class has to be.
+struct Requirement {
+  std::string text;  ///< "core:observes some soccer:Ball"
+  bool is_met = false;
+  std::string remark;  ///< of what is nearly met: in how far; empty for others
+};
+
+/// One axiom that says what the broader class is.
+struct Way {
+  ExplainedAxiom axiom;
+  /// Whoever meets all requirements is in the class. False: they are necessary, and to meet them is not enough.
+  bool is_sufficient = false;
+  std::vector<Requirement> requirements;
+  [[nodiscard]] std::size_t missing_count() const;
+};
+
+struct WhyNot {
+  /// The most specific classes that are above both, one of each node of equivalents; owl:Thing where there is no other.
+  std::vector<el::ClassNumber> common;
+  /// Sufficient ones first, of these the nearest first: the one of which least is missing.
+  std::vector<Way> ways;
+  bool has_more_ways = false;  ///< than are listed
+  /// Nothing can be in both classes, and these axioms say so.
+  bool is_excluded = false;
+  std::vector<ExplainedAxiom> exclusion;
+  /// Axioms were left out when the ontology was loaded: with them it might follow after all.
+  bool may_be_incomplete = false;
+};
+
+/// Requires that `sub` is not below `super`. Cost: a pass over the kinds of all axioms, and a question to the engines
+/// for each requirement.
+[[nodiscard]] WhyNot why_not(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super,
+                             Patience patience = Patience::of_a_person);
+
+/// The same in lines for a person, without the first one ("A is not subsumed by B").
+[[nodiscard]] std::vector<std::string> describe(const el::Ontology& ontology, el::ClassNumber sub,
+                                                el::ClassNumber super, const WhyNot& why_not);
+
+/// The same in one line of few words: what is nearest, and what the nearest sufficient axiom asks for beyond that.
+[[nodiscard]] std::string describe_briefly(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super,
+                                           const WhyNot& why_not);
+
+}  // namespace geminga::reasoner
+
+#endif

@@ -1,0 +1,90 @@
+// What keeps an axiom from mattering: the names that a module would have to hold before the axiom says something.
+//
+// An axiom is local with respect to a signature S where it holds once every name outside S is empty (bottom locality;
+// Cuenca Grau, Horrocks, Kazakov, Sattler: Modular Reuse of Ontologies, 2008). Instead of asking "is it local" of every
+// axiom after each growth of S, one asks "what is it waiting for": a set of names of which at least one must come into
+// S before the axiom can cease to be local.
+#ifndef GEMINGA_REASONING_MODULES_MODULE_LOCALITY_HPP
+#define GEMINGA_REASONING_MODULES_MODULE_LOCALITY_HPP
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "reasoning/taxonomy/classified_view.hpp"
+
+namespace geminga::el {
+
+/// Terms with a meaning of their own, or ClassifiedView::none where no axiom uses them.
+struct BuiltIn {
+  std::uint32_t thing = ClassifiedView::none;
+  std::uint32_t nothing = ClassifiedView::none;
+  std::uint32_t top_object_property = ClassifiedView::none;
+  std::uint32_t top_data_property = ClassifiedView::none;
+  std::uint32_t bottom_object_property = ClassifiedView::none;
+  std::uint32_t bottom_data_property = ClassifiedView::none;
+};
+inline constexpr std::size_t built_in_count = 6;
+
+/// Whether a module's signature is made of such terms.
+[[nodiscard]] constexpr bool is_entity(TermKind kind) {
+  return kind <= TermKind::anonymous_individual && kind != TermKind::datatype;
+}
+
+/// Whether an axiom is local, and what it waits for.
+enum class Locality : std::uint8_t {
+  not_local,  ///< it says something already
+  waiting,    ///< local until one of the names comes
+  always,     ///< it never says anything
+};
+
+/// Terms of one axiom, each as often as it occurs, that are looked at before it counts as not local, which is always
+/// allowed: terms may share their parts, so that a few lines of a file can mean 2^60 of them.
+inline constexpr std::uint32_t max_terms_looked_at = 10'000;
+
+/// Looks at axioms against a signature that somebody else keeps. Recursion is bounded by the nesting of terms.
+class LocalityTest {
+ public:
+  /// `is_in_signature` and `uses` have an entry for each term; of several names to wait for those with few uses are
+  /// taken. All must outlive the test.
+  LocalityTest(const ClassifiedView& view, const BuiltIn& built_in, const std::vector<bool>& is_in_signature,
+               std::span<const std::uint32_t> uses)
+      : view_(view), built_in_(built_in), is_in_signature_(is_in_signature), uses_(uses) {}
+
+  [[nodiscard]] Locality of(std::uint32_t axiom);
+  /// What the axiom asked about last waits for, until of() is called again.
+  [[nodiscard]] std::span<const std::uint32_t> names() const { return names_; }
+
+ private:
+  using Numbers = ClassifiedView::Numbers;
+
+  template <typename Test>
+  Locality any(Numbers terms, Test&& test);
+  template <typename Test>
+  Locality all(Numbers terms, Test&& test);
+  template <typename Test>
+  Locality two(Numbers terms, Test&& test);
+  template <typename First, typename Second>
+  Locality both(First&& first, Second&& second);
+  Locality keep_better(std::size_t start, std::size_t middle);
+  [[nodiscard]] std::uint64_t cost(std::size_t first, std::size_t last) const;
+  Locality wait_for(std::uint32_t entity);
+
+  // Until when is it certain that ... ? "not_local" stands for "it is so".
+  Locality not_empty_role(std::uint32_t term);
+  Locality not_empty(std::uint32_t term);
+  Locality not_everything(std::uint32_t term);
+  Locality not_empty_successor(Numbers arguments);
+  Locality of_class_axiom(AxiomKind kind, Numbers arguments);
+
+  const ClassifiedView& view_;
+  const BuiltIn& built_in_;
+  const std::vector<bool>& is_in_signature_;
+  std::span<const std::uint32_t> uses_;
+  std::uint32_t looked_at_ = 0;
+  std::vector<std::uint32_t> names_;  ///< a stack: each test leaves its names on top
+};
+
+}  // namespace geminga::el
+
+#endif

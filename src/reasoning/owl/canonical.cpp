@@ -1,0 +1,194 @@
+// Content hashes, bottom up, and sorting by them.
+#include "reasoning/owl/canonical.hpp"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace geminga::el {
+namespace {
+
+using Hash = ContentHashes::Hash;
+
+Hash hash_words(std::span<const std::uint64_t> words) {
+  const XXH128_hash_t hash = XXH3_128bits(words.data(), words.size_bytes());
+  return {hash.high64, hash.low64};
+}
+
+}  // namespace
+
+std::size_t set_begin(TermKind kind, std::size_t count) {
+  switch (kind) {
+    case TermKind::object_intersection_of:
+    case TermKind::object_union_of:
+    case TermKind::object_one_of:
+    case TermKind::data_intersection_of:
+    case TermKind::data_union_of:
+    case TermKind::data_one_of:
+      return 0;
+    case TermKind::datatype_restriction:
+      return 1;
+    default:
+      return count;
+  }
+}
+
+std::size_t set_begin(AxiomKind kind, std::size_t count) {
+  switch (kind) {
+    case AxiomKind::equivalent_classes:
+    case AxiomKind::disjoint_classes:
+    case AxiomKind::equivalent_object_properties:
+    case AxiomKind::disjoint_object_properties:
+    case AxiomKind::inverse_object_properties:
+    case AxiomKind::equivalent_data_properties:
+    case AxiomKind::disjoint_data_properties:
+    case AxiomKind::same_individual:
+    case AxiomKind::different_individuals:
+      return 0;
+    case AxiomKind::disjoint_union:
+    case AxiomKind::has_key:
+      return 1;
+    default:
+      return count;
+  }
+}
+
+ContentHashes::ContentHashes(const OntologySource& source, BlankNodes blank_nodes) : source_(source) {
+  terms_.reserve(source.term_count());
+  std::vector<std::uint64_t> words;
+  for (std::uint32_t id = 0; id < source.term_count(); ++id) {
+    const Term term = source.term(TermId{id});
+    const bool is_forgotten = term.kind == TermKind::anonymous_individual && blank_nodes == BlankNodes::all_alike;
+    const std::string_view name = is_forgotten ? std::string_view() : source.name(term.name);
+    const XXH128_hash_t name_hash = XXH3_128bits(name.data(), name.size());
+    words = {static_cast<std::uint64_t>(term.kind), term.number, name_hash.high64, name_hash.low64};
+    for (const TermId argument : sorted(term.arguments, set_begin(term.kind, term.arguments.size()))) {
+      words.push_back(of(argument).first);
+      words.push_back(of(argument).second);
+    }
+    terms_.push_back(hash_words(words));
+  }
+}
+
+std::vector<TermId> ContentHashes::sorted(std::span<const TermId> arguments, std::size_t set_from) const {
+  std::vector<TermId> result(arguments.begin(), arguments.end());
+  if (set_from >= result.size()) return result;
+  const auto key = [&](TermId id) {
+    const Term term = source_.term(id);
+    const bool is_name = term.arguments.empty();
+    return std::tuple(!is_name, is_name ? source_.name(term.name) : std::string_view(), of(id));
+  };
+  std::sort(result.begin() + static_cast<std::ptrdiff_t>(set_from), result.end(),
+            [&](TermId a, TermId b) { return a != b && key(a) < key(b); });
+  return result;
+}
+
+ContentHashes::Hash ContentHashes::of(const Axiom& axiom) const {
+  std::vector<std::uint64_t> words = {static_cast<std::uint64_t>(axiom.kind)};
+  for (const TermId argument : sorted(axiom.arguments, set_begin(axiom.kind, axiom.arguments.size()))) {
+    words.push_back(of(argument).first);
+    words.push_back(of(argument).second);
+  }
+  return hash_words(words);
+}
+
+namespace {
+
+void order_files(const OntologySource& source, CanonicalOrder& order, std::vector<std::uint32_t>& number_of_file) {
+  for (std::uint32_t file = 0; file < source.files().size(); ++file) order.files.push_back(FileId{file});
+  std::ranges::sort(order.files, {}, [&](FileId id) {
+    const LoadedFile& file = source.files()[static_cast<std::size_t>(id)];
+    return std::tuple<std::string_view, std::string_view, FileId>(file.path, file.ontology_iri, id);
+  });
+  number_of_file.resize(order.files.size());
+  for (std::uint32_t at = 0; at < order.files.size(); ++at) {
+    number_of_file[static_cast<std::size_t>(order.files[at])] = at;
+  }
+}
+
+void order_axioms(const OntologySource& source, const ContentHashes& hashes,
+                  const std::vector<std::uint32_t>& number_of_file, CanonicalOrder& order) {
+  struct Entry {
+    AxiomKind kind;
+    Hash hash;
+    std::uint32_t file;
+    std::uint32_t line;
+    std::uint32_t axiom;
+  };
+  std::vector<Entry> entries;
+  entries.reserve(source.axiom_count());
+  for (std::uint32_t number = 0; number < source.axiom_count(); ++number) {
+    const Axiom axiom = source.axiom(number);
+    entries.push_back(
+        {axiom.kind, hashes.of(axiom), number_of_file[static_cast<std::size_t>(axiom.file)], axiom.line, number});
+  }
+  std::ranges::sort(entries, {}, [](const Entry& e) { return std::tuple(e.kind, e.hash, e.file, e.line); });
+  const auto repeated = std::ranges::unique(entries, {}, [](const Entry& e) { return std::pair(e.kind, e.hash); });
+  entries.erase(repeated.begin(), repeated.end());
+  for (const Entry& entry : entries) {
+    const Axiom axiom = source.axiom(entry.axiom);
+    order.axioms.push_back({entry.axiom, entry.file, entry.line,
+                            hashes.sorted(axiom.arguments, set_begin(axiom.kind, axiom.arguments.size()))});
+  }
+}
+
+}  // namespace
+
+CanonicalOrder canonical_order(const OntologySource& source, const ContentHashes& hashes) {
+  CanonicalOrder order;
+  std::vector<std::uint32_t> number_of_file;
+  order_files(source, order, number_of_file);
+  order_axioms(source, hashes, number_of_file, order);
+
+  std::vector<bool> is_used(source.term_count(), false);
+  for (const auto& axiom : order.axioms) {
+    for (const TermId argument : axiom.arguments) is_used[static_cast<std::size_t>(argument)] = true;
+  }
+  for (std::uint32_t id = static_cast<std::uint32_t>(source.term_count()); id-- > 0;) {
+    if (!is_used[id]) continue;
+    for (const TermId argument : source.term(TermId{id}).arguments) is_used[static_cast<std::size_t>(argument)] = true;
+    order.terms.push_back(TermId{id});
+  }
+  std::ranges::sort(order.terms, [&](TermId a, TermId b) {
+    return std::pair(source.depth(a), hashes.of(a)) < std::pair(source.depth(b), hashes.of(b));
+  });
+  // Terms that differ only in the order of a set are one.
+  order.number_of_term.assign(source.term_count(), NumberTable::none);
+  std::vector<TermId> distinct;
+  for (const TermId term : order.terms) {
+    if (distinct.empty() || hashes.of(distinct.back()) != hashes.of(term)) distinct.push_back(term);
+    order.number_of_term[static_cast<std::size_t>(term)] = static_cast<std::uint32_t>(distinct.size() - 1);
+  }
+  order.terms = std::move(distinct);
+  return order;
+}
+
+std::uint64_t digest(const OntologySource& source) {
+  const ContentHashes hashes(source, BlankNodes::all_alike);
+  std::vector<Hash> contents;
+  std::vector<bool> is_used(source.term_count(), false);
+  for (std::uint32_t number = 0; number < source.axiom_count(); ++number) {
+    const Axiom axiom = source.axiom(number);
+    for (const TermId argument : axiom.arguments) is_used[static_cast<std::size_t>(argument)] = true;
+    // Whether an entity is declared does not change what follows; that it is there does.
+    if (axiom.kind != AxiomKind::declaration) contents.push_back(hashes.of(axiom));
+  }
+  for (std::uint32_t id = static_cast<std::uint32_t>(source.term_count()); id-- > 0;) {
+    if (!is_used[id]) continue;
+    const Term term = source.term(TermId{id});
+    for (const TermId argument : term.arguments) is_used[static_cast<std::size_t>(argument)] = true;
+    if (term.kind == TermKind::named_class) contents.push_back(hashes.of(TermId{id}));
+  }
+  std::ranges::sort(contents);
+  contents.erase(std::unique(contents.begin(), contents.end()), contents.end());
+  std::vector<std::uint64_t> words;
+  words.reserve(contents.size() * 2);
+  for (const auto& [high, low] : contents) {
+    words.push_back(high);
+    words.push_back(low);
+  }
+  return XXH3_64bits(words.data(), words.size() * sizeof(std::uint64_t));
+}
+
+}  // namespace geminga::el

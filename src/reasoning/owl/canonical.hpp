@@ -1,0 +1,61 @@
+// One order for the terms and axioms of a source, whatever the order in which they were read; and their digest.
+#ifndef GEMINGA_REASONING_OWL_CANONICAL_HPP
+#define GEMINGA_REASONING_OWL_CANONICAL_HPP
+
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "reasoning/owl/source.hpp"
+
+namespace geminga::el {
+
+/// Labels of blank nodes differ between files and readers: a digest must not see them, an order must.
+enum class BlankNodes { by_label, all_alike };
+
+/// Hashes of what terms and axioms say: equal for equal content in any source. Members of sets, as the operands of an
+/// intersection, count in any order.
+class ContentHashes {
+ public:
+  explicit ContentHashes(const OntologySource& source, BlankNodes blank_nodes = BlankNodes::by_label);
+
+  using Hash = std::pair<std::uint64_t, std::uint64_t>;
+  [[nodiscard]] Hash of(TermId term) const { return terms_[static_cast<std::size_t>(term)]; }
+  [[nodiscard]] Hash of(const Axiom& axiom) const;
+  /// The arguments with the members of sets sorted: names first, by name, then expressions.
+  [[nodiscard]] std::vector<TermId> sorted(std::span<const TermId> arguments, std::size_t set_from) const;
+
+ private:
+  const OntologySource& source_;
+  std::vector<Hash> terms_;
+};
+
+/// From which argument on the arguments are a set; their number where they are none.
+[[nodiscard]] std::size_t set_begin(TermKind kind, std::size_t count);
+[[nodiscard]] std::size_t set_begin(AxiomKind kind, std::size_t count);
+
+/// A source in canonical order: files by path; terms that an axiom uses, arguments before what they are in; axioms,
+/// each once, at the first place where it stands.
+struct CanonicalOrder {
+  struct CanonicalAxiom {
+    std::uint32_t axiom = 0;  ///< in the source
+    std::uint32_t file = 0;   ///< canonical
+    std::uint32_t line = 0;
+    std::vector<TermId> arguments;
+  };
+  std::vector<FileId> files;
+  std::vector<TermId> terms;
+  std::vector<std::uint32_t> number_of_term;  ///< by TermId
+  std::vector<CanonicalAxiom> axioms;
+};
+
+[[nodiscard]] CanonicalOrder canonical_order(const OntologySource& source, const ContentHashes& hashes);
+
+/// What identifies an ontology between hosts: equal for the same axioms and classes, whatever their order, files or
+/// syntax.
+[[nodiscard]] std::uint64_t digest(const OntologySource& source);
+
+}  // namespace geminga::el
+
+#endif

@@ -1,0 +1,32 @@
+// What a file held when it was read: enough to know later that it has changed.
+#ifndef GEMINGA_REASONING_OWL_FINGERPRINT_HPP
+#define GEMINGA_REASONING_OWL_FINGERPRINT_HPP
+
+#include <cstdint>
+#include <expected>
+#include <string>
+#include <string_view>
+
+namespace geminga::el {
+
+/// Size and XXH3-64 of a file's octets; not its time, which a copy or a checkout changes, and which would make the
+/// compiled forms of equal files differ. Both 0: not known.
+struct Fingerprint {
+  std::uint64_t size = 0;
+  std::uint64_t hash = 0;
+  [[nodiscard]] bool is_known() const { return size != 0 || hash != 0; }
+  friend bool operator==(const Fingerprint&, const Fingerprint&) = default;
+};
+
+[[nodiscard]] Fingerprint fingerprint_of(std::string_view octets);
+
+/// Of a regular file, read in pieces. The error is one line that names the file.
+[[nodiscard]] std::expected<Fingerprint, std::string> fingerprint_of_file(const std::string& path);
+
+/// Whether the file is there and holds something else than it did. A file that is gone or cannot be read is not known
+/// to have changed. Reads the file only where its size is the same.
+[[nodiscard]] bool has_changed(const std::string& path, const Fingerprint& known);
+
+}  // namespace geminga::el
+
+#endif

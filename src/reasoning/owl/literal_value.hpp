@@ -1,0 +1,17 @@
+// The value of a literal of an ontology.
+#ifndef GEMINGA_REASONING_OWL_LITERAL_VALUE_HPP
+#define GEMINGA_REASONING_OWL_LITERAL_VALUE_HPP
+
+#include <optional>
+
+#include "reasoning/owl/datatypes.hpp"
+#include "reasoning/owl/source.hpp"
+
+namespace geminga::el {
+
+/// Nothing where the datatype is not known. Literals of axioms are of their datatypes (OntologySource::literal()).
+[[nodiscard]] std::optional<DataValue> value_of(const OntologySource& source, const Term& literal);
+
+}  // namespace geminga::el
+
+#endif

@@ -1,0 +1,263 @@
+// Printing in the manner of the Manchester syntax.
+#include "reasoning/owl/print.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace geminga::el {
+namespace {
+
+/// Facets have words of their own in the Manchester syntax.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> facets{{
+    {"http://www.w3.org/2001/XMLSchema#maxInclusive", "<="},
+    {"http://www.w3.org/2001/XMLSchema#maxExclusive", "<"},
+    {"http://www.w3.org/2001/XMLSchema#minInclusive", ">="},
+    {"http://www.w3.org/2001/XMLSchema#minExclusive", ">"},
+    {"http://www.w3.org/2001/XMLSchema#length", "length"},
+    {"http://www.w3.org/2001/XMLSchema#minLength", "minLength"},
+    {"http://www.w3.org/2001/XMLSchema#maxLength", "maxLength"},
+    {"http://www.w3.org/2001/XMLSchema#pattern", "pattern"},
+    {"http://www.w3.org/1999/02/22-rdf-syntax-ns#langRange", "langRange"},
+}};
+
+/// Prints terms of one source. Depth is bounded by SourceLimits::nesting.
+class Printer {
+ public:
+  Printer(const OntologySource& source, const ShortName& short_name, PrintStyle style)
+      : source_(source), short_name_(short_name), style_(style) {}
+
+  std::string term(TermId id);
+  std::string axiom(const Axiom& axiom);
+
+ private:
+  /// Terms may share their parts, so that a few lines of a file can mean a text without end.
+  [[nodiscard]] bool is_cut() const { return style_ == PrintStyle::reading && printed_ > max_printed_terms; }
+  std::string nested(TermId id);
+  std::string joined(std::span<const TermId> terms, std::string_view between);
+  std::string literal(const Term& literal);
+  std::string cardinality(const Term& term, std::string_view word);
+  std::string facet(const Term& term);
+  std::string listed(const Axiom& axiom, std::string_view pair_word);
+
+  const OntologySource& source_;
+  const ShortName& short_name_;
+  PrintStyle style_;
+  std::size_t printed_ = 0;  ///< terms
+};
+
+std::string Printer::nested(TermId id) {
+  const Term inner = source_.term(id);
+  const bool is_bare = inner.arguments.empty() || inner.kind == TermKind::literal ||
+                       inner.kind == TermKind::object_one_of || inner.kind == TermKind::data_one_of ||
+                       inner.kind == TermKind::object_inverse_of || inner.kind == TermKind::datatype_restriction ||
+                       inner.kind == TermKind::facet;
+  return is_bare ? term(id) : "(" + term(id) + ")";
+}
+
+std::string Printer::joined(std::span<const TermId> terms, std::string_view between) {
+  std::string text;
+  for (const TermId id : terms) {
+    if (!text.empty()) text += between;
+    text += nested(id);
+    if (is_cut()) break;
+  }
+  return text;
+}
+
+std::string Printer::literal(const Term& term) {
+  constexpr std::string_view controls = "\n\r\t";
+  constexpr std::string_view control_letters = "nrt";
+  std::string text = "\"";
+  for (const char character : source_.name(term.name)) {
+    if (character == '"' || character == '\\') text += '\\';
+    const std::size_t control = style_ == PrintStyle::parsing ? std::string_view::npos : controls.find(character);
+    if (control == std::string_view::npos) {
+      text += character;
+    } else {
+      text.append(1, '\\').append(1, control_letters[control]);
+    }
+  }
+  text += '"';
+  if (term.arguments.size() == 2) return text + "@" + std::string(source_.name_of(term.arguments[1]));
+  const std::string_view datatype = source_.name_of(term.arguments[0]);
+  if (datatype == "http://www.w3.org/2001/XMLSchema#string") return text;
+  return text + "^^" + short_name_(datatype);
+}
+
+std::string Printer::cardinality(const Term& term, std::string_view word) {
+  std::string text = nested(term.arguments[0]) + " " + std::string(word) + " " + std::to_string(term.number);
+  if (term.arguments.size() == 2) text += " " + nested(term.arguments[1]);
+  return text;
+}
+
+std::string Printer::facet(const Term& term) {
+  const auto* const found =
+      std::ranges::find(facets, source_.name(term.name), &std::pair<std::string_view, std::string_view>::first);
+  const std::string word = found == facets.end() ? short_name_(source_.name(term.name)) : std::string(found->second);
+  return word + " " + nested(term.arguments[0]);
+}
+
+std::string Printer::term(TermId id) {
+  const Term term = source_.term(id);
+  const auto arguments = term.arguments;
+  ++printed_;
+  if (is_cut()) return "...";
+  const auto restriction = [&](std::string_view word) {
+    // One after the other, as what comes first is printed where there is not room for all.
+    std::string text = nested(arguments[0]).append(" ").append(word).append(" ");
+    return text += nested(arguments[1]);
+  };
+  switch (term.kind) {
+    case TermKind::named_class:
+    case TermKind::object_property:
+    case TermKind::data_property:
+    case TermKind::annotation_property:
+    case TermKind::datatype:
+    case TermKind::individual:
+      return short_name_(source_.name(term.name));
+    case TermKind::anonymous_individual:
+    case TermKind::language_tag:
+      return std::string(source_.name(term.name));
+    case TermKind::literal:
+      return literal(term);
+    case TermKind::object_inverse_of:
+      return "inverse " + nested(arguments[0]);
+    case TermKind::object_property_chain:
+      return joined(arguments, " o ");
+    case TermKind::object_intersection_of:
+    case TermKind::data_intersection_of:
+      return arguments.empty() ? short_name_(owl_thing) : joined(arguments, " and ");
+    case TermKind::object_union_of:
+    case TermKind::data_union_of:
+      return arguments.empty() ? short_name_(owl_nothing) : joined(arguments, " or ");
+    case TermKind::object_complement_of:
+    case TermKind::data_complement_of:
+      return "not " + nested(arguments[0]);
+    case TermKind::object_one_of:
+    case TermKind::data_one_of:
+      return "{" + joined(arguments, ", ") + "}";
+    case TermKind::object_some_values_from:
+    case TermKind::data_some_values_from:
+      return restriction("some");
+    case TermKind::object_all_values_from:
+    case TermKind::data_all_values_from:
+      return restriction("only");
+    case TermKind::object_has_value:
+    case TermKind::data_has_value:
+      return restriction("value");
+    case TermKind::object_has_self:
+      return nested(arguments[0]) + " Self";
+    case TermKind::object_min_cardinality:
+    case TermKind::data_min_cardinality:
+      return cardinality(term, "min");
+    case TermKind::object_max_cardinality:
+    case TermKind::data_max_cardinality:
+      return cardinality(term, "max");
+    case TermKind::object_exact_cardinality:
+    case TermKind::data_exact_cardinality:
+      return cardinality(term, "exactly");
+    case TermKind::datatype_restriction:
+      return nested(arguments[0]) + "[" + joined(arguments.subspan(1), ", ") + "]";
+    case TermKind::facet:
+      return facet(term);
+  }
+  return {};
+}
+
+std::string Printer::listed(const Axiom& axiom, std::string_view pair_word) {
+  if (axiom.arguments.size() == 2) {
+    return nested(axiom.arguments[0]) + " " + std::string(pair_word) + " " + nested(axiom.arguments[1]);
+  }
+  return std::string(to_string(axiom.kind)) + ": " + joined(axiom.arguments, ", ");
+}
+
+std::string Printer::axiom(const Axiom& axiom) {
+  const auto arguments = axiom.arguments;
+  const auto between = [&](std::string_view word) {
+    std::string text = term(arguments[0]).append(" ").append(word).append(" ");
+    return text += term(arguments[1]);
+  };
+  switch (axiom.kind) {
+    case AxiomKind::sub_class_of:
+      return between("SubClassOf");
+    case AxiomKind::equivalent_classes:
+      return arguments.size() == 2 ? between("EquivalentTo") : listed(axiom, "");
+    case AxiomKind::equivalent_object_properties:
+    case AxiomKind::equivalent_data_properties:
+      return listed(axiom, "EquivalentTo");
+    case AxiomKind::disjoint_classes:
+    case AxiomKind::disjoint_object_properties:
+    case AxiomKind::disjoint_data_properties:
+      return listed(axiom, "DisjointWith");
+    case AxiomKind::disjoint_union:
+      return term(arguments[0]) + " DisjointUnionOf " + joined(arguments.subspan(1), ", ");
+    case AxiomKind::sub_object_property_of:
+    case AxiomKind::sub_data_property_of:
+      return between("SubPropertyOf");
+    case AxiomKind::inverse_object_properties:
+      return between("InverseOf");
+    case AxiomKind::object_property_domain:
+    case AxiomKind::data_property_domain:
+      return between("Domain");
+    case AxiomKind::object_property_range:
+    case AxiomKind::data_property_range:
+      return between("Range");
+    case AxiomKind::datatype_definition:
+      return between("EquivalentTo");
+    case AxiomKind::has_key:
+      return term(arguments[0]) + " HasKey " + joined(arguments.subspan(1), ", ");
+    case AxiomKind::same_individual:
+      return listed(axiom, "SameAs");
+    case AxiomKind::different_individuals:
+      return listed(axiom, "DifferentFrom");
+    case AxiomKind::class_assertion:
+      return term(arguments[1]) + " Type " + term(arguments[0]);
+    case AxiomKind::object_property_assertion:
+    case AxiomKind::data_property_assertion:
+      return term(arguments[1]) + " Fact " + term(arguments[0]) + " " + term(arguments[2]);
+    case AxiomKind::negative_object_property_assertion:
+    case AxiomKind::negative_data_property_assertion:
+      return term(arguments[1]) + " Fact not " + term(arguments[0]) + " " + term(arguments[2]);
+    default:
+      return std::string(to_string(axiom.kind)) + ": " + joined(arguments, ", ");
+  }
+}
+
+bool is_plain_local_name(std::string_view name) {
+  const auto is_plain = [](char c) {
+    const auto octet = static_cast<unsigned char>(c);
+    return octet >= 0x80 || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '.';
+  };
+  return !name.empty() && name.front() != '.' && name.front() != '-' && name.back() != '.' &&
+         std::ranges::all_of(name, is_plain);
+}
+
+}  // namespace
+
+std::string print(const OntologySource& source, TermId term, const ShortName& short_name, PrintStyle style) {
+  return Printer(source, short_name, style).term(term);
+}
+
+std::string print(const OntologySource& source, const Axiom& axiom, const ShortName& short_name) {
+  return Printer(source, short_name, PrintStyle::reading).axiom(axiom);
+}
+
+std::string shorten(std::string_view iri, std::span<const std::pair<std::string_view, std::string_view>> prefixes) {
+  const std::pair<std::string_view, std::string_view>* best = nullptr;
+  for (std::size_t at = 0; at < prefixes.size(); ++at) {
+    const auto& prefix = prefixes[at];
+    const bool is_shared = (at > 0 && prefixes[at - 1].first == prefix.first) ||
+                           (at + 1 < prefixes.size() && prefixes[at + 1].first == prefix.first);
+    if (is_shared || prefix.second.empty() || !iri.starts_with(prefix.second)) continue;
+    if (!is_plain_local_name(iri.substr(prefix.second.size()))) continue;
+    // A named prefix reads better than the empty one, which every file uses for something else.
+    const bool is_better = best == nullptr || prefix.second.size() > best->second.size() ||
+                           (prefix.second.size() == best->second.size() && best->first.empty());
+    if (is_better) best = &prefix;
+  }
+  if (best == nullptr) return "<" + std::string(iri) + ">";
+  return std::string(best->first) + ":" + std::string(iri.substr(best->second.size()));
+}
+
+}  // namespace geminga::el

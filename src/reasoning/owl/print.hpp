@@ -1,0 +1,41 @@
+// Axioms as a person reads them: Manchester-like, with short names.
+#ifndef GEMINGA_REASONING_OWL_PRINT_HPP
+#define GEMINGA_REASONING_OWL_PRINT_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "reasoning/owl/source.hpp"
+
+namespace geminga::el {
+
+/// How an IRI is written: `soccer:BallInfo` or `<https://...>`.
+using ShortName = std::function<std::string(std::string_view iri)>;
+
+/// Terms that are printed for reading before "..." stands for the rest.
+inline constexpr std::size_t max_printed_terms = 2'000;
+
+enum class PrintStyle : std::uint8_t {
+  reading,  ///< on one line: line ends in literals are written \n, \r, \t
+  parsing,  ///< so that manchester::parse() reads the same term again
+};
+
+/// "soccer:Camera and (core:observes some soccer:Ball)".
+[[nodiscard]] std::string print(const OntologySource& source, TermId term, const ShortName& short_name,
+                                PrintStyle style = PrintStyle::reading);
+/// "soccer:SharedBallInfo SubClassOf soccer:BallInfo".
+[[nodiscard]] std::string print(const OntologySource& source, const Axiom& axiom, const ShortName& short_name);
+
+/// `prefix:local` by the longest of the given prefix IRIs after which a plain local name is left, else `<iri>`. A
+/// prefix that is given for two IRIs is not used. `prefixes` are (word, IRI), sorted.
+[[nodiscard]] std::string shorten(std::string_view iri,
+                                  std::span<const std::pair<std::string_view, std::string_view>> prefixes);
+
+}  // namespace geminga::el
+
+#endif

@@ -1,0 +1,196 @@
+// What readers fill and the reasoner consumes: terms, axioms with file and line, labels, prefixes, files, left-outs.
+// See el/axiom.hpp for an example.
+#ifndef GEMINGA_REASONING_OWL_SOURCE_HPP
+#define GEMINGA_REASONING_OWL_SOURCE_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/interner.hpp"
+#include "reasoning/owl/axiom.hpp"
+#include "reasoning/owl/loaded_file.hpp"
+
+namespace geminga::el {
+
+/// The most that one ontology may hold. Beyond any of them problem() says so, and what is added is ignored.
+struct SourceLimits {
+  std::size_t name_bytes = std::size_t{1} << 16;      ///< of one IRI or label; longer names are a problem
+  std::size_t literal_bytes = std::size_t{1} << 20;   ///< of one lexical form
+  std::size_t all_name_bytes = std::size_t{1} << 29;  ///< of all names together
+  std::size_t terms = std::size_t{1} << 23;           ///< different terms
+  std::size_t arguments = std::size_t{1} << 24;       ///< arguments of all terms, and of all axioms
+  std::size_t axioms = std::size_t{1} << 23;
+  std::size_t files = 10'000;
+  /// Levels of nested class expressions; an axiom with more is left out and named, it is not a problem.
+  std::uint32_t nesting = 500;
+};
+
+/// owl:Thing and owl:Nothing have these numbers in every source.
+inline constexpr TermId thing_term{0};
+inline constexpr TermId nothing_term{1};
+
+/// What an axiom with a literal that is not of its datatype is left out as.
+inline constexpr std::string_view damaged_literal = "a literal that is not of its datatype";
+
+/// An ontology as it was read, in no particular order. Only appended to; ids stay valid. Not thread-safe.
+class OntologySource {
+ public:
+  struct Label {
+    NameId entity{};
+    NameId text{};
+    NameId language{};  ///< the empty name: none
+  };
+  struct Prefix {
+    NameId prefix{};  ///< without the colon
+    NameId iri{};
+  };
+  struct Omission {
+    NameId construct{};
+    FileId file{};
+    std::uint32_t line = 0;
+    std::uint32_t count = 1;
+  };
+
+  explicit OntologySource(const SourceLimits& limits = {});
+
+  /// Files are numbered in the order in which they are added. `ontology_iri` may be given later, when it has been read.
+  FileId add_file(std::string_view path, std::string_view ontology_iri = {});
+  void set_ontology_iri(FileId file, std::string_view ontology_iri);
+  /// What the file held when it was read; a compiled form can then be told from one of other content.
+  void set_content(FileId file, const Fingerprint& content);
+
+  // Entities. They are not declared by that: a class of no axiom is not in the ontology.
+  TermId named_class(std::string_view iri) { return entity(TermKind::named_class, iri); }
+  TermId object_property(std::string_view iri) { return entity(TermKind::object_property, iri); }
+  TermId data_property(std::string_view iri) { return entity(TermKind::data_property, iri); }
+  TermId annotation_property(std::string_view iri) { return entity(TermKind::annotation_property, iri); }
+  TermId datatype(std::string_view iri) { return entity(TermKind::datatype, iri); }
+  TermId individual(std::string_view iri) { return entity(TermKind::individual, iri); }
+  /// `label` must be unique to the blank node among all files.
+  TermId anonymous_individual(std::string_view label) { return entity(TermKind::anonymous_individual, label); }
+  /// Any kind that is a bare name.
+  TermId entity(TermKind kind, std::string_view name);
+  /// A literal. One whose lexical form is not of its datatype is no term of OWL 2 (Structural Specification, section
+  /// 4): an axiom that holds it is left out and named. An empty datatype means xsd:string, or rdf:langString where
+  /// there is a language.
+  TermId literal(std::string_view lexical, std::string_view datatype_iri, std::string_view language = {});
+  TermId facet(std::string_view facet_iri, TermId value);
+  /// Any kind of term as another source or a compiled ontology holds it.
+  TermId copy(TermKind kind, std::string_view name, std::uint32_t number, std::span<const TermId> arguments);
+  /// A term of another source with all that is in it.
+  TermId copy(const OntologySource& from, TermId id);
+  /// A property, class or data range expression. Its arguments must be terms of this source, and as many and of such
+  /// kinds as the kind's comment says; see is_well_formed(). `number` is for cardinalities only.
+  TermId term(TermKind kind, std::span<const TermId> arguments, std::uint32_t number = 0);
+  TermId term(TermKind kind, std::initializer_list<TermId> arguments, std::uint32_t number = 0) {
+    return term(kind, std::span<const TermId>(arguments.begin(), arguments.size()), number);
+  }
+
+  /// Adds an axiom. One whose arguments are not as its kind wants them (a literal for a class) is left out and named.
+  void add(AxiomKind kind, std::span<const TermId> arguments, FileId file, std::uint32_t line);
+  void add(AxiomKind kind, std::initializer_list<TermId> arguments, FileId file, std::uint32_t line) {
+    add(kind, std::span<const TermId>(arguments.begin(), arguments.size()), file, line);
+  }
+  void add_label(std::string_view entity_iri, std::string_view text, std::string_view language = {});
+  void add_prefix(std::string_view prefix, std::string_view iri);
+  /// Says that something was read that no axiom can express. `construct` is a short name like "swrl:Imp".
+  void leave_out(std::string_view construct, FileId file, std::uint32_t line, std::uint32_t count = 1);
+
+  /// Why this ontology must be refused (a limit was exceeded), in one line; nothing where it is whole.
+  [[nodiscard]] const std::optional<std::string>& problem() const { return problem_; }
+
+  [[nodiscard]] std::string_view name(NameId id) const;
+  [[nodiscard]] std::optional<NameId> find_name(std::string_view name) const;
+  [[nodiscard]] Term term(TermId id) const;
+  /// Whether every literal in it is of its datatype.
+  [[nodiscard]] bool is_well_typed(TermId id) const {
+    return terms_[static_cast<std::size_t>(id)].form != Form::ill_typed;
+  }
+  [[nodiscard]] TermKind kind(TermId id) const { return terms_[static_cast<std::size_t>(id)].kind; }
+  /// The name of an entity, literal, language tag or facet.
+  [[nodiscard]] std::string_view name_of(TermId id) const { return name(terms_[static_cast<std::size_t>(id)].name); }
+  /// Levels of arguments under a term; 0 for entities.
+  [[nodiscard]] std::uint32_t depth(TermId id) const { return terms_[static_cast<std::size_t>(id)].depth; }
+  [[nodiscard]] std::size_t name_count() const { return name_ends_.size(); }
+  [[nodiscard]] std::size_t term_count() const { return terms_.size(); }
+  [[nodiscard]] std::size_t axiom_count() const { return axioms_.size(); }
+  [[nodiscard]] Axiom axiom(std::size_t index) const { return axiom_of(axioms_[index]); }
+  /// The axioms that were left out because a literal in them is not of its datatype, and are whole but for that.
+  [[nodiscard]] std::size_t damaged_count() const { return damaged_.size(); }
+  [[nodiscard]] Axiom damaged(std::size_t index) const { return axiom_of(damaged_[index]); }
+  [[nodiscard]] std::span<const Label> labels() const { return labels_; }
+  [[nodiscard]] std::span<const Prefix> prefixes() const { return prefixes_; }
+  [[nodiscard]] std::span<const LoadedFile> files() const { return files_; }
+  [[nodiscard]] std::span<const Omission> omissions() const { return omissions_; }
+
+ private:
+  /// The worst of a term and its arguments.
+  enum class Form : std::uint8_t { good, ill_typed, malformed };
+  struct TermRecord {
+    TermKind kind;
+    Form form;  ///< of it and everything in it
+    std::uint16_t depth;
+    NameId name;
+    std::uint32_t number;
+    std::uint32_t begin;
+    std::uint32_t count;
+  };
+  struct AxiomRecord {
+    AxiomKind kind;
+    std::uint32_t begin;
+    std::uint32_t count;
+    FileId file;
+    std::uint32_t line;
+  };
+
+  [[nodiscard]] Axiom axiom_of(const AxiomRecord& record) const {
+    return {record.kind, record.file, record.line, std::span(axiom_arguments_).subspan(record.begin, record.count)};
+  }
+  NameId intern(std::string_view name, std::size_t max_bytes);
+  TermId intern_term(TermKind kind, NameId name, std::uint32_t number, std::span<const TermId> arguments);
+  [[nodiscard]] bool is_of_its_datatype(std::string_view lexical, std::span<const TermId> arguments) const;
+  void fail(std::string text);
+  [[nodiscard]] std::span<const TermKind> kinds_of(std::span<const TermId> arguments);
+
+  SourceLimits limits_;
+  std::optional<std::string> problem_;
+  std::vector<char> name_bytes_;
+  std::vector<std::uint32_t> name_ends_;
+  NumberTable name_table_;
+  std::vector<std::uint32_t> entity_of_name_;  ///< the last entity of each name
+  std::vector<TermRecord> terms_;
+  std::vector<TermId> term_arguments_;
+  std::vector<TermKind> kinds_;  ///< room for kinds_of()
+  NumberTable term_table_;
+  std::vector<AxiomRecord> axioms_;
+  std::vector<AxiomRecord> damaged_;
+  std::vector<TermId> axiom_arguments_;
+  std::vector<Label> labels_;
+  std::vector<Prefix> prefixes_;
+  std::vector<LoadedFile> files_;
+  std::vector<Omission> omissions_;
+};
+
+/// These terms and all that are in them, each once: in a tree of them a part can stand 2^60 times.
+[[nodiscard]] std::vector<TermId> terms_in(const OntologySource& source, std::span<const TermId> roots);
+
+/// Whether a kind of term may stand where a class expression, property expression, data range or individual is wanted.
+[[nodiscard]] bool is_class_expression(TermKind kind);
+[[nodiscard]] bool is_object_property_expression(TermKind kind);
+[[nodiscard]] bool is_data_range(TermKind kind);
+[[nodiscard]] bool is_individual(TermKind kind);
+
+/// Whether a term or axiom of this kind may have arguments of these kinds. Readers need not ask: term() refuses nothing
+/// but marks what is not well-formed, and add() leaves out an axiom that holds such a term.
+[[nodiscard]] bool is_well_formed(TermKind kind, std::span<const TermKind> arguments);
+[[nodiscard]] bool is_well_formed(AxiomKind kind, std::span<const TermKind> arguments);
+
+}  // namespace geminga::el
+
+#endif

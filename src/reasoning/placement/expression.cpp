@@ -1,0 +1,59 @@
+// Questions to a place, answered by the taxonomy around it.
+#include "reasoning/placement/expression.hpp"
+
+#include <algorithm>
+
+namespace geminga::el {
+namespace {
+
+void keep_smaller(std::optional<std::uint32_t>& best, std::optional<std::uint32_t> other) {
+  if (other && (!best || *other < *best)) best = other;
+}
+
+}  // namespace
+
+bool is_below(const ExpressionPlace& place, ClassNumber super, const Ontology& ontology) {
+  if (!place.is_satisfiable) return true;
+  if (place.equivalent) return ontology.is_subsumed(*place.equivalent, super);
+  return std::ranges::any_of(place.parents, [&](ClassNumber parent) { return ontology.is_subsumed(parent, super); });
+}
+
+bool is_above(const ExpressionPlace& place, ClassNumber sub, const Ontology& ontology) {
+  if (!ontology.is_satisfiable(sub)) return true;
+  if (place.equivalent) return ontology.is_subsumed(sub, *place.equivalent);
+  return std::ranges::any_of(place.children, [&](ClassNumber child) { return ontology.is_subsumed(sub, child); });
+}
+
+std::optional<std::uint32_t> distance_up(const ExpressionPlace& place, ClassNumber super, const Ontology& ontology) {
+  if (place.equivalent) return ontology.distance(*place.equivalent, super);
+  std::optional<std::uint32_t> best;
+  for (const ClassNumber parent : place.parents) keep_smaller(best, ontology.distance(parent, super));
+  if (best) ++*best;
+  return best;
+}
+
+std::optional<std::uint32_t> distance_down(const ExpressionPlace& place, ClassNumber sub, const Ontology& ontology) {
+  if (place.equivalent) return ontology.distance(sub, *place.equivalent);
+  std::optional<std::uint32_t> best;
+  for (const ClassNumber child : place.children) keep_smaller(best, ontology.distance(sub, child));
+  if (best) ++*best;
+  return best;
+}
+
+std::vector<ClassNumber> subsumers(const ExpressionPlace& place, const Ontology& ontology) {
+  if (place.equivalent) return ontology.subsumers(*place.equivalent);
+  std::vector<ClassNumber> classes;
+  if (!place.is_satisfiable) {
+    for (std::uint32_t number = 0; number < ontology.class_count(); ++number) classes.push_back(ClassNumber{number});
+    return classes;
+  }
+  for (const ClassNumber parent : place.parents) {
+    const std::vector<ClassNumber> above = ontology.subsumers(parent);
+    classes.insert(classes.end(), above.begin(), above.end());
+  }
+  std::ranges::sort(classes);
+  classes.erase(std::unique(classes.begin(), classes.end()), classes.end());
+  return classes;
+}
+
+}  // namespace geminga::el

@@ -1,0 +1,150 @@
+// An ontology saturated once, and then only read, by the classification of any number of expressions.
+//
+// The taxonomy of the compiled form goes in beside the axioms: it may come from an engine that sees more than the rules
+// of saturation.hpp, and what it says of named classes must hold for what is built of them, too.
+#ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_BASE_HPP
+#define GEMINGA_REASONING_PLACEMENT_EXPRESSION_BASE_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/rows.hpp"
+#include "reasoning/compiled/compiled_view.hpp"
+#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/el/index.hpp"
+#include "reasoning/el/normaliser.hpp"
+#include "reasoning/el/saturation.hpp"
+#include "reasoning/owl/datatypes.hpp"
+#include "reasoning/owl/source.hpp"
+
+namespace geminga::el {
+
+/// How large an ontology may be for expressions to be classified in it. Beyond these there is an error instead of a
+/// base, since the base is built while others wait.
+struct ExpressionLimits {
+  std::size_t axioms = 200'000;
+  std::size_t conclusions = 20'000'000;  ///< of the base
+  std::size_t work = 200'000;            ///< conclusions for one expression; over it the answer has a gap
+  /// Axioms that are classified anew for one expression where individuals decide; over it the answer has a gap.
+  std::size_t scratch_axioms = 20'000;
+  std::size_t parts = 64;  ///< alternatives that one expression is taken apart into at its unions
+};
+
+/// Why no expression can be classified. `text` is one line for a user.
+struct ExpressionError {
+  std::string text;
+};
+
+/// What the rules derived, with the tables that answer questions from below. Neither copied nor moved.
+class ExpressionBase {
+  /// Whatever a context keeps its members in.
+  template <typename Members>
+  [[nodiscard]] static auto as_span(const Members& members) {
+    if constexpr (requires { members.items(); }) {
+      return std::span(members.items());
+    } else if constexpr (requires { members.get(); }) {
+      return std::span(members.get());
+    } else {
+      return std::span(members.data(), members.size());
+    }
+  }
+
+ public:
+  [[nodiscard]] static std::expected<std::unique_ptr<const ExpressionBase>, ExpressionError> build(
+      const Ontology& ontology, const ExpressionLimits& limits);
+  ExpressionBase(const ExpressionBase&) = delete;
+  ExpressionBase& operator=(const ExpressionBase&) = delete;
+
+  [[nodiscard]] const ExpressionLimits& limits() const { return limits_; }
+  [[nodiscard]] const ClassifiedView& view() const { return view_; }
+  [[nodiscard]] const Index& index() const { return index_; }
+  /// The axioms with the taxonomy, each edge an axiom.
+  [[nodiscard]] const OntologySource& source() const { return source_; }
+  [[nodiscard]] std::size_t context_count() const { return saturation_->contexts().size(); }
+  [[nodiscard]] const Context& context(std::uint32_t number) const { return saturation_->contexts()[number]; }
+  /// What a context holds; spans live as long as the base.
+  [[nodiscard]] auto subsumers_of(std::uint32_t number) const { return as_span(context(number).subsumers); }
+  [[nodiscard]] auto backward_of(std::uint32_t number) const { return as_span(context(number).backward); }
+  [[nodiscard]] auto forward_of(std::uint32_t number) const { return as_span(context(number).forward); }
+  /// Subsumers with existential rules.
+  [[nodiscard]] auto propagating_of(std::uint32_t number) const { return as_span(context(number).propagating); }
+  [[nodiscard]] auto derived_of(std::uint32_t number) const { return as_span(context(number).derived); }
+  [[nodiscard]] auto selfs_of(std::uint32_t number) const { return as_span(context(number).selfs); }
+  /// The atoms that it is of together; none where it is of its root alone.
+  [[nodiscard]] auto together_of(std::uint32_t number) const { return as_span(context(number).together); }
+  [[nodiscard]] const Context* find(ExprId root) const { return saturation_->find(root); }
+  [[nodiscard]] std::uint32_t number_of(ExprId root) const { return saturation_->number_of(root); }
+  /// The constructs of axioms that the rules do not use in full.
+  [[nodiscard]] const std::vector<std::string>& gaps() const { return gaps_; }
+
+  /// What a term of the query is here; nothing for what the ontology does not say anything about.
+  [[nodiscard]] std::optional<TermId> find_term(TermKind kind, std::string_view name, std::uint32_t number,
+                                                std::span<const TermId> arguments) const;
+  /// The representative of a term of source(): a class expression, individual, literal or data range.
+  [[nodiscard]] ExprId expr(TermId term) const { return exprs_[static_cast<std::size_t>(term)]; }
+  /// The role of a property of source().
+  [[nodiscard]] RoleId role(TermId property) const { return RoleId{number(expr(property))}; }
+  /// The atom of a value, whatever literal it was written as.
+  [[nodiscard]] std::optional<ExprId> find_value(const DataValue& value) const;
+  /// The datatypes of OWL 2's map that the ontology names, and its literals.
+  [[nodiscard]] std::span<const std::pair<Datatype, ExprId>> datatypes() const { return datatypes_; }
+  [[nodiscard]] std::span<const std::pair<DataValue, ExprId>> values() const { return values_; }
+
+  /// The classes of an atom, representatives of nodes, ascending.
+  [[nodiscard]] std::span<const ClassNumber> classes_of(ExprId atom) const { return classes_of_[number(atom)]; }
+  /// The expression of a class's node.
+  [[nodiscard]] ExprId expr_of(ClassNumber node) const { return class_exprs_[static_cast<std::size_t>(node)]; }
+  /// The contexts below an atom, ascending, those without instances included.
+  [[nodiscard]] std::vector<std::uint32_t> contexts_below(ExprId atom) const;
+  /// Contexts without instances, ascending.
+  [[nodiscard]] const std::vector<std::uint32_t>& unsatisfiable() const { return unsatisfiable_; }
+  /// Whether more may follow for a context, where it has an instance, than it says: it leads to an individual.
+  [[nodiscard]] bool is_conditional(std::uint32_t context) const { return is_conditional_[context]; }
+  [[nodiscard]] bool has_conditional() const { return has_conditional_; }
+
+ private:
+  ExpressionBase(const ClassifiedView& view, const ExpressionLimits& limits) : view_(view), limits_(limits) {}
+  void copy_axioms();
+  void add_taxonomy();
+  void name_properties();
+  void index_terms();
+  [[nodiscard]] std::optional<ExpressionError> saturate();
+  void find_classes();
+  void find_edges_down();
+  void find_conditional();
+  void find_data();
+  [[nodiscard]] std::uint64_t hash_of(TermKind kind, NameId name, std::uint32_t number_of_term,
+                                      std::span<const TermId> arguments) const;
+
+  ClassifiedView view_;
+  ExpressionLimits limits_;
+  OntologySource source_;
+  Index index_;
+  std::unique_ptr<Normaliser> normaliser_;
+  std::unique_ptr<Saturation> saturation_;
+  std::vector<std::string> gaps_;
+  NumberTable term_table_;
+  std::vector<std::pair<TermId, TermId>> properties_;  ///< a property, and `property some everything`
+  std::vector<ExprId> exprs_;                          ///< by term; of a property its role
+  std::vector<ExprId> class_exprs_;                    ///< by class
+  Rows<ClassNumber> classes_of_;                       ///< by atom
+  Rows<std::uint32_t> down_;  ///< by atom: atoms right below, and contexts behind the number of expressions
+  std::vector<std::uint32_t> unsatisfiable_;
+  std::vector<bool> is_conditional_;
+  bool has_conditional_ = false;
+  std::vector<std::pair<Datatype, ExprId>> datatypes_;
+  std::vector<std::pair<DataValue, ExprId>> values_;
+  std::map<std::pair<DataFamily, std::string>, ExprId> expr_of_value_;
+};
+
+}  // namespace geminga::el
+
+#endif

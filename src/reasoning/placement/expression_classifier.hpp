@@ -1,0 +1,47 @@
+// Classification of class expressions on arrival, one by one, without a change to what is loaded.
+//
+// Above an expression is what the rules derive for a context of its own, laid over the base (expression_overlay.hpp);
+// below it are the contexts of the base that are in it (expression_members.hpp). So an expression costs what it leads
+// to and what is below it, not what the ontology holds, and leaves nothing behind.
+#ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_CLASSIFIER_HPP
+#define GEMINGA_REASONING_PLACEMENT_EXPRESSION_CLASSIFIER_HPP
+
+#include <cstddef>
+#include <expected>
+#include <memory>
+
+#include "reasoning/placement/expression.hpp"
+#include "reasoning/placement/expression_base.hpp"
+
+namespace geminga::el {
+
+/// Answers questions about expressions over one ontology, which must outlive it. Movable; may be shared by threads.
+class ExpressionClassifier {
+ public:
+  /// Saturates the ontology: what its classification costs, and the memory of that. An error where it is over a limit
+  /// or inconsistent.
+  [[nodiscard]] static std::expected<ExpressionClassifier, ExpressionError> build(const Ontology& ontology,
+                                                                                  const ExpressionLimits& limits = {});
+
+  /// The place of a class expression of `query`, whose names are those of the ontology. Sound always. Complete, which
+  /// is where the place has no gaps, for ontologies in OWL 2 EL with functional properties, and expressions of these
+  /// with unions, and complements outside of restrictions and unions.
+  [[nodiscard]] ExpressionPlace classify(const OntologySource& query, TermId expression) const;
+  /// Whether every instance of one expression is an instance of the other. `gaps` says why a no may be wrong.
+  struct Subsumption {
+    bool holds = false;
+    std::vector<std::string> gaps;
+  };
+  [[nodiscard]] Subsumption is_subsumed(const OntologySource& query, TermId sub, TermId super) const;
+
+  /// Contexts of the base. The same after any number of questions.
+  [[nodiscard]] std::size_t context_count() const { return base_->context_count(); }
+
+ private:
+  explicit ExpressionClassifier(std::unique_ptr<const ExpressionBase> base) : base_(std::move(base)) {}
+  std::unique_ptr<const ExpressionBase> base_;
+};
+
+}  // namespace geminga::el
+
+#endif

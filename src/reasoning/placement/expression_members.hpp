@@ -1,0 +1,56 @@
+// Which contexts are below an expression: its structure evaluated from the inside outwards over what was derived.
+//
+// A saturated base is a canonical model: a context is below an EL expression exactly if it is in it there, and, what is
+// derived being Horn, below a union exactly if below one part (Baader, Brandt, Lutz 2005).
+#ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_MEMBERS_HPP
+#define GEMINGA_REASONING_PLACEMENT_EXPRESSION_MEMBERS_HPP
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "reasoning/placement/expression_overlay.hpp"
+#include "reasoning/placement/expression_shape.hpp"
+
+namespace geminga::el {
+
+/// Contexts of a base and of an overlay whose rules have all fired, ascending.
+using Contexts = std::vector<std::uint32_t>;
+
+class ExpressionMembers {
+ public:
+  enum class Wanted : std::uint8_t {
+    every_context,
+    named_classes,  ///< of() may leave out contexts that are of no class of the ontology
+  };
+  /// `shapes` takes the gaps that are met.
+  ExpressionMembers(const ExpressionOverlay& overlay, ShapeReader& shapes, Wanted wanted)
+      : overlay_(overlay), base_(overlay.base()), shapes_(shapes), wanted_(wanted) {}
+
+  [[nodiscard]] const Contexts& of(ShapeId shape);
+
+ private:
+  [[nodiscard]] Contexts find(ShapeId shape);
+  [[nodiscard]] Contexts all() const;
+  [[nodiscard]] Contexts below_atom(ExprId atom);
+  [[nodiscard]] Contexts in_all(const Shape& shape);
+  [[nodiscard]] Contexts in_some(const Shape& shape);
+  [[nodiscard]] Contexts in_only(const Shape& shape);
+  [[nodiscard]] Contexts with_self(const Shape& shape);
+  /// Those of `candidates` that have nothing in common with a shape.
+  [[nodiscard]] Contexts disjoint_from(ShapeId shape, const Contexts& candidates);
+  [[nodiscard]] Contexts to_be_tested(const Contexts& candidates) const;
+  void add_unsatisfiable(Contexts& contexts) const;
+
+  const ExpressionOverlay& overlay_;
+  const ExpressionBase& base_;
+  ShapeReader& shapes_;
+  std::map<ShapeId, Contexts> known_;
+  std::vector<std::vector<ExprId>> atoms_above_;  ///< by context of the overlay
+  Wanted wanted_;
+  bool is_inside_some_ = false;
+};
+
+}  // namespace geminga::el
+
+#endif

@@ -1,0 +1,107 @@
+// The contexts of one expression, laid over a base that never changes.
+//
+// A new context links into the base, whose contexts are saturated already, so that every conclusion about it is drawn
+// when the link is made; nothing is ever added to the base. The rules are those of saturation.hpp, where the legend
+// is, and X stands for a context of the overlay.
+#ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_OVERLAY_HPP
+#define GEMINGA_REASONING_PLACEMENT_EXPRESSION_OVERLAY_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "reasoning/placement/expression_base.hpp"
+#include "reasoning/placement/expression_shape.hpp"
+
+namespace geminga::el {
+
+/// What a context of the overlay is of: atoms of the base, and shapes behind the number of its expressions. Ascending.
+using Seeds = std::vector<std::uint32_t>;
+
+struct OverlayContext {
+  Seeds seeds;
+  bool is_unsatisfiable = false;
+  GrowingSet<std::uint32_t> subsumers;
+  std::uint32_t subsumers_done = 0;
+  GrowingSet<Link> forward;
+  std::uint32_t forward_done = 0;
+  std::vector<Link> backward;  ///< from contexts of the overlay
+  std::vector<ExistentialRule> propagations;
+  std::vector<RoleId> selfs;
+  std::uint32_t selfs_done = 0;
+  std::vector<FunctionalGroup> groups;
+  std::vector<RoleId> functional;     ///< at most one successor, by a shape
+  GrowingSet<std::uint32_t> derived;  ///< atoms that were asserted or derived
+  std::vector<ShapeId> universals;    ///< `R only C`
+  std::vector<ShapeId> negations;     ///< what must not hold
+};
+
+class ExpressionOverlay {
+ public:
+  ExpressionOverlay(const ExpressionBase& base, const ShapeReader& shapes);
+
+  /// The context of these shapes together; it may be one of the base. Its conclusions are drawn by run().
+  std::uint32_t require(std::span<const ShapeId> together);
+  /// The context of what another one is of, which may be one of another overlay, and of a shape.
+  std::uint32_t require_with(Seeds seeds, ShapeId shape);
+  [[nodiscard]] Seeds seeds_of(std::uint32_t context) const;
+  /// Applies the rules until none is left to fire. False, and what was derived is right all the same, over the limit.
+  bool run();
+  /// Says that a context can have no instance; run() carries it on.
+  void add_bottom(std::uint32_t context);
+
+  [[nodiscard]] const ExpressionBase& base() const { return base_; }
+  /// Contexts of the base come first.
+  [[nodiscard]] std::uint32_t context_count() const { return base_count_ + static_cast<std::uint32_t>(own_.size()); }
+  [[nodiscard]] std::span<const OverlayContext> own() const { return own_; }
+  [[nodiscard]] std::uint32_t base_count() const { return base_count_; }
+  [[nodiscard]] bool is_unsatisfiable(std::uint32_t context) const;
+  /// Whether something here may say more in a world where it has an instance.
+  [[nodiscard]] bool is_conditional() const { return is_conditional_; }
+  [[nodiscard]] std::size_t work() const { return work_; }
+  /// Everything that is an atom and above a context: representatives, ascending.
+  [[nodiscard]] std::vector<ExprId> atoms_above(std::uint32_t context) const;
+
+ private:
+  [[nodiscard]] OverlayContext& own(std::uint32_t context) { return own_[context - base_count_]; }
+  [[nodiscard]] bool is_own(std::uint32_t context) const { return context >= base_count_; }
+  [[nodiscard]] std::span<const Link> forward_of(std::uint32_t context) const;
+  [[nodiscard]] std::vector<ExistentialRule> propagations_of(std::uint32_t context) const;
+  void add_seed(Seeds& seeds, ShapeId shape) const;
+  std::uint32_t context_of(Seeds seeds);
+  std::uint32_t context_of_atom(ExprId atom);
+  void enqueue(std::uint32_t context);
+  void process(std::uint32_t context);
+  void assert_shape(std::uint32_t context, ShapeId shape);
+  void add_successor(std::uint32_t context, RoleId role, ShapeId filler);
+  void add_subsumer(std::uint32_t context, ExprId subsumer);
+  void add_atom(std::uint32_t context, ExprId atom);
+  void process_subsumer(std::uint32_t context, ExprId subsumer);
+  void process_nominal(std::uint32_t context, ExprId nominal);
+  void add_link(std::uint32_t from, RoleId role, std::uint32_t to);
+  void process_link(std::uint32_t context, Link link);
+  void compose(std::uint32_t from, RoleId first, RoleId second, std::uint32_t to);
+  void apply_universal(std::uint32_t context, ShapeId universal, Link link);
+  void add_self(std::uint32_t context, RoleId role);
+  void process_self(std::uint32_t context, RoleId role);
+  void process_functional(std::uint32_t context, Link link);
+  void group_successor(std::uint32_t context, RoleId functional, Link link);
+  void process_functional_self(std::uint32_t context, RoleId functional);
+
+  const ExpressionBase& base_;
+  const Index& index_;
+  const ShapeReader& shapes_;
+  std::uint32_t base_count_;
+  std::uint32_t size_;  ///< of the index: seeds from here on are shapes
+  std::vector<OverlayContext> own_;
+  std::map<Seeds, std::uint32_t> context_of_seeds_;
+  std::vector<std::uint32_t> queue_;
+  std::size_t work_ = 0;
+  bool is_conditional_ = false;
+};
+
+}  // namespace geminga::el
+
+#endif

@@ -1,0 +1,23 @@
+// The slow and exact way to the place of an expression: the whole ontology classified once more, with a name for it.
+//
+// Needed where individuals decide: what follows for an expression then holds in worlds where it has an instance, and
+// such an instance may be an individual of which the base knows less (nominals.hpp).
+#ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_SCRATCH_HPP
+#define GEMINGA_REASONING_PLACEMENT_EXPRESSION_SCRATCH_HPP
+
+#include <cstddef>
+#include <optional>
+
+#include "reasoning/placement/expression.hpp"
+#include "reasoning/placement/expression_base.hpp"
+
+namespace geminga::el {
+
+/// Classifies the axioms of the base with a class that is equivalent to the expression. Nothing where they are more
+/// than ExpressionLimits::scratch_axioms.
+[[nodiscard]] std::optional<ExpressionPlace> place_by_scratch(const ExpressionBase& base, const OntologySource& query,
+                                                              TermId expression);
+
+}  // namespace geminga::el
+
+#endif

@@ -1,0 +1,299 @@
+// From the terms of a query to shapes.
+#include "reasoning/placement/expression_shape.hpp"
+
+#include <algorithm>
+
+#include "reasoning/owl/literal_value.hpp"
+
+namespace geminga::el {
+namespace {
+
+constexpr std::string_view owl = "http://www.w3.org/2002/07/owl#";
+constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
+
+bool is_top_property(std::string_view iri) {
+  return iri.starts_with(owl) &&
+         (iri.substr(owl.size()) == "topObjectProperty" || iri.substr(owl.size()) == "topDataProperty");
+}
+
+}  // namespace
+
+ShapeId ShapeReader::add(Shape shape) {
+  shapes_.push_back(std::move(shape));
+  return static_cast<ShapeId>(shapes_.size() - 1);
+}
+
+ShapeId ShapeReader::atom(ExprId expr) { return add({.kind = ShapeKind::atom, .atom = expr}); }
+
+bool ShapeReader::is(ShapeId id, ExprId expr) const {
+  return shapes_[id].kind == ShapeKind::atom && shapes_[id].atom == base_.index().representative(expr);
+}
+
+ExprId ShapeReader::known_atom(TermId id) const {
+  const auto known = in_base(id);
+  return known && base_.index().is_atom(base_.expr(*known)) ? base_.expr(*known) : top_expr;
+}
+
+std::optional<TermId> ShapeReader::in_base(TermId id) const {
+  const Term term = query_.term(id);
+  std::vector<TermId> arguments;
+  for (const TermId argument : term.arguments) {
+    const auto found = in_base(argument);
+    if (!found) return std::nullopt;
+    arguments.push_back(*found);
+  }
+  return base_.find_term(term.kind, query_.name(term.name), term.number, arguments);
+}
+
+ShapeId ShapeReader::unknown(TermId id, std::string_view words) {
+  add_gap(words);
+  return add({.kind = ShapeKind::opaque, .atom = known_atom(id)});
+}
+
+std::optional<RoleId> ShapeReader::role_of(TermId property) {
+  const Term term = query_.term(property);
+  if (term.kind == TermKind::object_inverse_of || is_top_property(query_.name(term.name))) return std::nullopt;
+  const auto known = in_base(property);
+  if (!known) return std::nullopt;
+  return base_.role(*known);
+}
+
+bool ShapeReader::has_negation(ShapeId id) const {
+  return shapes_[id].kind == ShapeKind::negation ||
+         std::ranges::any_of(shapes_[id].parts, [&](ShapeId part) { return has_negation(part); });
+}
+
+//  not not C is C;  not (C or D) is not C and not D;  not (R only C) is R some not C
+ShapeId ShapeReader::negated(ShapeId id) {
+  const Shape shape = shapes_[id];
+  switch (shape.kind) {
+    case ShapeKind::negation:
+      return shape.parts[0];
+    case ShapeKind::any_of: {
+      std::vector<ShapeId> parts;
+      for (const ShapeId part : shape.parts) parts.push_back(negated(part));
+      return all_of(parts);
+    }
+    case ShapeKind::only:
+      return add({.kind = ShapeKind::some, .role = shape.role, .parts = {negated(shape.parts[0])}});
+    case ShapeKind::at_most:
+      if (shape.count == 0) return add({.kind = ShapeKind::some, .role = shape.role, .parts = shape.parts});
+      return add({.kind = ShapeKind::at_least, .role = shape.role, .count = shape.count + 1, .parts = shape.parts});
+    case ShapeKind::at_least:
+      return add({.kind = ShapeKind::at_most, .role = shape.role, .count = shape.count - 1, .parts = shape.parts});
+    default:
+      if (is(id, top_expr)) return atom(base_.index().representative(bottom_expr));
+      if (is(id, bottom_expr)) return atom(base_.index().representative(top_expr));
+      return add({.kind = ShapeKind::negation, .parts = {id}});
+  }
+}
+
+ShapeId ShapeReader::all_of(const std::vector<ShapeId>& parts) {
+  std::vector<ShapeId> kept;
+  for (const ShapeId part : parts) {
+    if (is(part, bottom_expr)) return part;
+    if (!is(part, top_expr)) kept.push_back(part);
+  }
+  if (kept.empty()) return atom(base_.index().representative(top_expr));
+  if (kept.size() == 1) return kept.front();
+  return add({.kind = ShapeKind::all_of, .parts = std::move(kept)});
+}
+
+//  not C or not D is not (C and D), which is looked for more exactly
+ShapeId ShapeReader::any_of(const std::vector<ShapeId>& parts) {
+  std::vector<ShapeId> kept;
+  for (const ShapeId part : parts) {
+    if (is(part, top_expr)) return part;
+    if (!is(part, bottom_expr)) kept.push_back(part);
+  }
+  if (kept.empty()) return atom(base_.index().representative(bottom_expr));
+  if (kept.size() == 1) return kept.front();
+  const auto is_negation = [&](ShapeId part) { return shapes_[part].kind == ShapeKind::negation; };
+  if (std::ranges::all_of(kept, is_negation)) {
+    for (ShapeId& part : kept) part = shapes_[part].parts[0];
+    return negated(all_of(kept));
+  }
+  if (std::ranges::any_of(kept, is_negation)) add_gap("a complement in a union");
+  return add({.kind = ShapeKind::any_of, .parts = std::move(kept)});
+}
+
+ShapeId ShapeReader::restriction(ShapeKind kind, TermId term, ShapeId part, std::uint32_t count) {
+  const TermId property = query_.term(term).arguments[0];
+  const auto role = role_of(property);
+  if (!role) {
+    const bool is_inverse = query_.kind(property) == TermKind::object_inverse_of;
+    return unknown(term, is_inverse ? "owl:inverseOf in the expression" : "a property that the ontology does not use");
+  }
+  return add({.kind = kind, .atom = known_atom(term), .role = *role, .count = count, .parts = {part}});
+}
+
+ShapeId ShapeReader::at_least(TermId term, std::uint32_t count, ShapeId part) {
+  if (count == 0) return atom(base_.index().representative(top_expr));
+  if (is(part, bottom_expr)) return part;
+  return restriction(count == 1 ? ShapeKind::some : ShapeKind::at_least, term, part, count);
+}
+
+ShapeId ShapeReader::at_most(TermId term, std::uint32_t count, ShapeId part) {
+  const ShapeId all = atom(base_.index().representative(top_expr));
+  if (is(part, bottom_expr)) return all;
+  if (count > 0) {
+    //  all are in R max n C where R is functional, n > 0
+    const auto role = role_of(query_.term(term).arguments[0]);
+    const auto is_functional = [&](RoleId super) { return base_.index().is_functional(super); };
+    if (role && std::ranges::any_of(base_.index().roles().supers(*role), is_functional)) return all;
+    return restriction(ShapeKind::at_most, term, part, count);
+  }
+  const ShapeId some = restriction(ShapeKind::some, term, part);
+  return shapes_[some].kind == ShapeKind::some ? negated(some) : some;
+}
+
+ShapeId ShapeReader::read_restriction(TermId id, const Term& term) {
+  const bool is_qualified = term.arguments.size() == 2;
+  const auto part = [&] {
+    return is_qualified ? read(term.arguments[1]) : atom(base_.index().representative(top_expr));
+  };
+  switch (term.kind) {
+    case TermKind::object_some_values_from:
+    case TermKind::data_some_values_from:
+    case TermKind::object_has_value:
+    case TermKind::data_has_value:
+      return at_least(id, 1, part());
+    case TermKind::object_has_self: {
+      const auto role = role_of(term.arguments[0]);
+      return role ? add({.kind = ShapeKind::self, .role = *role}) : unknown(id, "Self of such a property");
+    }
+    case TermKind::object_all_values_from:
+    case TermKind::data_all_values_from: {
+      const ShapeId filler = part();
+      return is(filler, top_expr) ? filler : restriction(ShapeKind::only, id, filler);
+    }
+    case TermKind::object_min_cardinality:
+    case TermKind::data_min_cardinality:
+      return at_least(id, term.number, part());
+    case TermKind::object_max_cardinality:
+    case TermKind::data_max_cardinality:
+      return at_most(id, term.number, part());
+    default: {
+      const ShapeId filler = part();
+      return all_of({at_least(id, term.number, filler), at_most(id, term.number, filler)});
+    }
+  }
+}
+
+ShapeId ShapeReader::read_literal(TermId id, const Term& term) {
+  if (const auto known = in_base(id)) return atom(base_.expr(*known));
+  const auto value = value_of(query_, term);
+  if (!value) return unknown(id, "a literal of an unknown datatype");
+  if (const auto known = base_.find_value(*value)) return atom(*known);
+  Shape shape{.kind = ShapeKind::value};
+  for (const auto& [type, expr] : base_.datatypes()) {
+    if (value->is_in(type)) shape.above.push_back(expr);
+  }
+  return add(std::move(shape));
+}
+
+ShapeId ShapeReader::read_datatype(TermId id, const Term& term) {
+  if (query_.name(term.name) == rdfs_literal) return atom(base_.index().representative(top_expr));
+  if (const auto known = in_base(id)) return atom(base_.expr(*known));
+  const auto type = Datatype::find(query_.name(term.name));
+  if (!type) return unknown(id, "a datatype that the ontology does not use");
+  Shape shape{.kind = ShapeKind::value};
+  for (const auto& [other, expr] : base_.datatypes()) {
+    if (type->is_within(other)) shape.above.push_back(expr);
+    if (other.is_within(*type)) shape.below.push_back(expr);
+  }
+  for (const auto& [value, expr] : base_.values()) {
+    if (value.is_in(*type)) shape.below.push_back(expr);
+  }
+  return add(std::move(shape));
+}
+
+ShapeId ShapeReader::read(TermId id) {
+  const Term term = query_.term(id);
+  std::vector<ShapeId> parts;
+  const auto read_parts = [&] {
+    for (const TermId part : term.arguments) parts.push_back(read(part));
+  };
+  switch (term.kind) {
+    case TermKind::named_class:
+    case TermKind::individual:
+    case TermKind::anonymous_individual: {
+      const auto known = in_base(id);
+      return known ? atom(base_.expr(*known)) : unknown(id, "a name that the ontology does not use");
+    }
+    case TermKind::literal:
+      return read_literal(id, term);
+    case TermKind::datatype:
+      return read_datatype(id, term);
+    case TermKind::object_intersection_of:
+    case TermKind::data_intersection_of:
+      read_parts();
+      return all_of(parts);
+    case TermKind::object_union_of:
+    case TermKind::data_union_of:
+    case TermKind::object_one_of:
+    case TermKind::data_one_of:
+      read_parts();
+      return any_of(parts);
+    case TermKind::object_complement_of: {
+      const ShapeId complement = negated(read(term.arguments[0]));
+      if (shapes_[complement].kind == ShapeKind::negation) shapes_[complement].atom = known_atom(id);
+      return complement;
+    }
+    case TermKind::data_complement_of:
+      return unknown(id, "owl:datatypeComplementOf in the expression");
+    case TermKind::datatype_restriction:
+      return unknown(id, "owl:withRestrictions in the expression");
+    default:
+      return read_restriction(id, term);
+  }
+}
+
+std::vector<ShapeId> ShapeReader::alternatives_of(ShapeId id) {
+  const Shape shape = shapes_[id];
+  std::vector<ShapeId> found;
+  const auto give_up = [&] {
+    add_gap("too many alternatives");
+    return std::vector<ShapeId>{id};
+  };
+  if (shape.kind == ShapeKind::any_of) {
+    for (const ShapeId part : shape.parts) {
+      for (const ShapeId alternative : alternatives_of(part)) found.push_back(alternative);
+      if (found.size() > base_.limits().parts) return give_up();
+    }
+    return found;
+  }
+  if (shape.kind == ShapeKind::all_of) {
+    std::vector<std::vector<ShapeId>> products(1);
+    for (const ShapeId part : shape.parts) {
+      const std::vector<ShapeId> alternatives = alternatives_of(part);
+      if (products.size() * alternatives.size() > base_.limits().parts) return give_up();
+      std::vector<std::vector<ShapeId>> longer;
+      for (const auto& product : products) {
+        for (const ShapeId alternative : alternatives) {
+          longer.push_back(product);
+          longer.back().push_back(alternative);
+        }
+      }
+      products = std::move(longer);
+    }
+    if (products.size() == 1) {
+      // Nothing was taken apart at this level; below it something may have been.
+      return products.front() == shape.parts ? std::vector<ShapeId>{id}
+                                             : std::vector<ShapeId>{all_of(products.front())};
+    }
+    for (auto& product : products) found.push_back(all_of(product));
+    return found;
+  }
+  if (shape.kind == ShapeKind::some) {
+    const std::vector<ShapeId> alternatives = alternatives_of(shape.parts[0]);
+    if (alternatives.size() == 1 && alternatives.front() == shape.parts[0]) return {id};
+    for (const ShapeId alternative : alternatives) {
+      found.push_back(add({.kind = ShapeKind::some, .role = shape.role, .parts = {alternative}}));
+    }
+    return found;
+  }
+  return {id};
+}
+
+}  // namespace geminga::el

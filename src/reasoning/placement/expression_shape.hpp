@@ -1,0 +1,94 @@
+// A class expression in the words of a base: what the overlay asserts and what is looked for below.
+//
+// Complements stand where they were written or further inside; two of them cancel. Unions are taken apart by
+// alternatives_of(): everywhere but inside a complement or a universal restriction, an expression is the union of its
+// alternatives, which have none.
+#ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_SHAPE_HPP
+#define GEMINGA_REASONING_PLACEMENT_EXPRESSION_SHAPE_HPP
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "reasoning/placement/expression_base.hpp"
+
+namespace geminga::el {
+
+enum class ShapeKind : std::uint8_t {
+  atom,      ///< a class, individual, literal or data range that the base knows
+  all_of,    ///< parts
+  any_of,    ///< parts
+  some,      ///< role, one part
+  only,      ///< role, one part
+  self,      ///< role
+  at_least,  ///< role, count of 2 and more, one part
+  at_most,   ///< role, count, one part
+  negation,  ///< one part
+  value,     ///< a literal or datatype that the base does not name: above it `atoms`, below it `below`
+  opaque,    ///< beyond the rules: known by `atom` alone where the ontology has the same expression
+};
+
+/// Number of a shape in its ShapeReader.
+using ShapeId = std::uint32_t;
+
+struct Shape {
+  ShapeKind kind = ShapeKind::opaque;
+  /// Of an atom: itself. Of others: the name of the very same expression in the ontology, or T where there is none.
+  ExprId atom = top_expr;
+  RoleId role{};
+  std::uint32_t count = 0;
+  std::vector<ShapeId> parts{};
+  std::vector<ExprId> above{};  ///< of a value: datatypes of the base that hold it
+  std::vector<ExprId> below{};  ///< of a value: literals and datatypes of the base that are in it
+};
+
+/// Reads terms of a query's source. Everything it could not express exactly is named in gaps().
+class ShapeReader {
+ public:
+  ShapeReader(const ExpressionBase& base, const OntologySource& query) : base_(base), query_(query) {}
+
+  /// The shape of a class expression. Its nesting is bounded by that of terms.
+  [[nodiscard]] ShapeId read(TermId term);
+  /// The shapes without unions whose union the expression is. One that would be taken apart into more than the limit
+  /// stays as it is, with a gap.
+  [[nodiscard]] std::vector<ShapeId> alternatives_of(ShapeId id);
+
+  [[nodiscard]] const Shape& shape(ShapeId id) const { return shapes_[id]; }
+  /// Whether it is a complement or one is somewhere in it.
+  [[nodiscard]] bool has_negation(ShapeId id) const;
+  [[nodiscard]] std::size_t count() const { return shapes_.size(); }
+  void add_gap(std::string_view words) { gaps_.emplace(words); }
+  [[nodiscard]] const std::set<std::string, std::less<>>& gaps() const { return gaps_; }
+
+ private:
+  struct Property {
+    std::optional<RoleId> role;  ///< nothing: inverse, top, or not of the ontology
+  };
+  ShapeId add(Shape shape);
+  ShapeId atom(ExprId expr);
+  ShapeId negated(ShapeId id);
+  ShapeId all_of(const std::vector<ShapeId>& parts);
+  ShapeId any_of(const std::vector<ShapeId>& parts);
+  ShapeId restriction(ShapeKind kind, TermId term, ShapeId part, std::uint32_t count = 0);
+  ShapeId at_least(TermId term, std::uint32_t count, ShapeId part);
+  ShapeId at_most(TermId term, std::uint32_t count, ShapeId part);
+  ShapeId read_restriction(TermId id, const Term& term);
+  ShapeId read_literal(TermId id, const Term& term);
+  ShapeId read_datatype(TermId id, const Term& term);
+  ShapeId unknown(TermId id, std::string_view words);
+  [[nodiscard]] std::optional<RoleId> role_of(TermId property);
+  [[nodiscard]] std::optional<TermId> in_base(TermId term) const;
+  [[nodiscard]] ExprId known_atom(TermId term) const;
+  [[nodiscard]] bool is(ShapeId id, ExprId expr) const;
+
+  const ExpressionBase& base_;
+  const OntologySource& query_;
+  std::vector<Shape> shapes_;
+  std::set<std::string, std::less<>> gaps_;
+};
+
+}  // namespace geminga::el
+
+#endif

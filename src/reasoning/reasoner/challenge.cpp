@@ -1,0 +1,202 @@
+// Classes and object properties: no nominals are needed, so that every engine can answer.
+//
+// Legend: C D E class expressions, r s object properties, N M classes of no other axiom, G the class that a challenge
+// asks about, C < D "C SubClassOf D", F owl:Nothing. A challenge "in C and not in D" is G < C and (G and D) < F.
+#include "reasoning/reasoner/challenge.hpp"
+
+#include <string_view>
+
+namespace geminga::reasoner {
+
+using el::AxiomKind;
+using el::TermId;
+using el::TermKind;
+
+namespace {
+
+constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
+constexpr std::string_view top_object_property = "http://www.w3.org/2002/07/owl#topObjectProperty";
+constexpr std::string_view bottom_object_property = "http://www.w3.org/2002/07/owl#bottomObjectProperty";
+
+}  // namespace
+
+Challenger::Challenger(Excerpt& excerpt) : excerpt_(excerpt), any_value_(excerpt.source.datatype(rdfs_literal)) {}
+
+Refutation Challenger::refute(AxiomKind kind, const Terms& terms) {
+  Refutation result;
+  if (kind >= AxiomKind::same_individual) {
+    refute_fact(result, kind, terms);
+  } else if (kind >= AxiomKind::sub_data_property_of) {
+    refute_data_property_axiom(result, kind, terms);
+  } else if (kind >= AxiomKind::sub_object_property_of) {
+    refute_object_property_axiom(result, kind, terms);
+  } else {
+    refute_class_axiom(result, kind, terms);
+  }
+  return result;
+}
+
+Refutation Challenger::refute_emptiness_everywhere(TermId expression) {
+  Refutation result;
+  Challenge& none = result.all.emplace_back();
+  none.statements.push_back({AxiomKind::sub_class_of, {expression, el::nothing_term}});
+  none.first_axiom = none.last_axiom = next();
+  return result;
+}
+
+Challenge Challenger::challenge(const Terms& in, const Terms& not_in, std::size_t first) {
+  Challenge result;
+  result.of = excerpt_.fresh(TermKind::named_class);
+  for (const TermId above : in) excerpt_.add({AxiomKind::sub_class_of, {*result.of, above}});
+  for (const TermId apart : not_in) excerpt_.add({AxiomKind::disjoint_classes, {*result.of, apart}});
+  result.first_axiom = first;
+  result.last_axiom = next();
+  return result;
+}
+
+TermId Challenger::some(TermId property, TermId filler) {
+  return excerpt_.source.term(TermKind::object_some_values_from, {property, filler});
+}
+
+TermId Challenger::inverse(TermId property) {
+  if (excerpt_.source.kind(property) == TermKind::object_inverse_of)
+    return excerpt_.source.term(property).arguments.front();
+  return excerpt_.source.term(TermKind::object_inverse_of, {property});
+}
+
+bool Challenger::is_named(TermId property, std::string_view iri) const {
+  const el::Term term = excerpt_.source.term(property);
+  return term.kind == TermKind::object_inverse_of ? excerpt_.source.name_of(term.arguments.front()) == iri
+                                                  : excerpt_.source.name(term.name) == iri;
+}
+
+void Challenger::for_pairs(Refutation& into, const Terms& members, const std::function<void(TermId, TermId)>& use) {
+  if (members.size() * (members.size() - 1) / 2 > max_pairs_of_members) {
+    into.undecided = "an axiom of " + std::to_string(members.size()) + " members has too many pairs";
+    return;
+  }
+  for (std::size_t first = 0; first < members.size(); ++first) {
+    for (std::size_t second = first + 1; second < members.size(); ++second) use(members[first], members[second]);
+  }
+}
+
+/// C or D < E holds if C < E and D < E do, and each of these is easier.
+void Challenger::subsume(Refutation& into, TermId sub, TermId super) {
+  const el::Term term = excerpt_.source.term(sub);
+  if (term.kind != TermKind::object_union_of) {
+    into.all.push_back(challenge({sub}, {super}));
+    return;
+  }
+  const Terms parts(term.arguments.begin(), term.arguments.end());
+  for (const TermId part : parts) into.all.push_back(challenge({part}, {super}));
+}
+
+void Challenger::refute_class_axiom(Refutation& into, AxiomKind kind, const Terms& terms) {
+  const auto keep_apart = [&](const Terms& members) {
+    for_pairs(into, members, [&](TermId a, TermId b) { into.all.push_back(challenge({a, b})); });
+  };
+  if (kind == AxiomKind::sub_class_of) {
+    subsume(into, terms[0], terms[1]);
+  } else if (kind == AxiomKind::equivalent_classes) {
+    for (std::size_t at = 0; at < terms.size(); ++at) subsume(into, terms[at], terms[(at + 1) % terms.size()]);
+  } else if (kind == AxiomKind::disjoint_classes) {
+    keep_apart(terms);
+  } else if (kind == AxiomKind::disjoint_union) {
+    const Terms parts(terms.begin() + 1, terms.end());
+    const TermId whole = excerpt_.source.term(TermKind::object_union_of, parts);
+    subsume(into, terms[0], whole);
+    subsume(into, whole, terms[0]);
+    keep_apart(parts);
+  }
+}
+
+/// r1 o ... o rn < s: for any N, what is in (r1 some ... (rn some N)) is in (s some N).
+void Challenger::include(Refutation& into, const Terms& chain, TermId super) {
+  if (is_named(super, top_object_property)) return;
+  TermId reached = excerpt_.fresh(TermKind::named_class);
+  const TermId target = reached;
+  for (auto step = chain.rbegin(); step != chain.rend(); ++step) {
+    if (is_named(*step, bottom_object_property)) return;
+    reached = some(*step, reached);
+  }
+  into.all.push_back(challenge({reached}, {some(super, target)}));
+}
+
+/// Disjoint(r s): nothing is in (t some T), where t < r and t < s. Asymmetric(r) is Disjoint(r r-).
+void Challenger::share_pair(Refutation& into, TermId first, TermId second) {
+  const std::size_t begin = next();
+  const TermId shared = excerpt_.fresh(TermKind::object_property);
+  excerpt_.add({AxiomKind::sub_object_property_of, {shared, first}});
+  excerpt_.add({AxiomKind::sub_object_property_of, {shared, second}});
+  into.all.push_back(challenge({some(shared, el::thing_term)}, {}, begin));
+}
+
+/// Range(r C): nothing is in (r some N), where N and C < F.
+void Challenger::reach_outside(Refutation& into, TermId property, TermId range) {
+  const std::size_t begin = next();
+  const TermId outside = excerpt_.fresh(TermKind::named_class);
+  excerpt_.add({AxiomKind::disjoint_classes, {outside, range}});
+  into.all.push_back(challenge({some(property, outside)}, {}, begin));
+}
+
+/// Functional(r): nothing is in (r some N) and (r some M), where N and M < F.
+void Challenger::reach_two(Refutation& into, TermId property) {
+  const std::size_t begin = next();
+  const TermId one = excerpt_.fresh(TermKind::named_class);
+  const TermId other = excerpt_.fresh(TermKind::named_class);
+  excerpt_.add({AxiomKind::disjoint_classes, {one, other}});
+  into.all.push_back(challenge({some(property, one), some(property, other)}, {}, begin));
+}
+
+/// Irreflexive(r): nothing is in (s Self), where s < r. A new property is simple, as Self wants it.
+void Challenger::reach_itself(Refutation& into, TermId property) {
+  const std::size_t begin = next();
+  const TermId below = excerpt_.fresh(TermKind::object_property);
+  excerpt_.add({AxiomKind::sub_object_property_of, {below, property}});
+  into.all.push_back(challenge({excerpt_.source.term(TermKind::object_has_self, {below})}, {}, begin));
+}
+
+void Challenger::refute_object_property_axiom(Refutation& into, AxiomKind kind, const Terms& terms) {
+  const TermId property = terms[0];
+  switch (kind) {
+    case AxiomKind::sub_object_property_of: {
+      const el::Term sub = excerpt_.source.term(property);
+      const bool is_chain = sub.kind == TermKind::object_property_chain;
+      return include(into, is_chain ? Terms(sub.arguments.begin(), sub.arguments.end()) : Terms{property}, terms[1]);
+    }
+    case AxiomKind::equivalent_object_properties:
+      for (std::size_t at = 0; at < terms.size(); ++at) include(into, {terms[at]}, terms[(at + 1) % terms.size()]);
+      return;
+    case AxiomKind::disjoint_object_properties:
+      return for_pairs(into, terms, [&](TermId a, TermId b) { share_pair(into, a, b); });
+    case AxiomKind::inverse_object_properties:
+      include(into, {property}, inverse(terms[1]));
+      return include(into, {inverse(terms[1])}, property);
+    case AxiomKind::object_property_domain:
+      into.all.push_back(challenge({some(property, el::thing_term)}, {terms[1]}));
+      return;
+    case AxiomKind::object_property_range:
+      return reach_outside(into, property, terms[1]);
+    case AxiomKind::functional_object_property:
+      return reach_two(into, property);
+    case AxiomKind::inverse_functional_object_property:
+      return reach_two(into, inverse(property));
+    case AxiomKind::reflexive_object_property: {
+      const TermId any = excerpt_.fresh(TermKind::named_class);
+      into.all.push_back(challenge({any}, {some(property, any)}));
+      return;
+    }
+    case AxiomKind::irreflexive_object_property:
+      return reach_itself(into, property);
+    case AxiomKind::symmetric_object_property:
+      return include(into, {property}, inverse(property));
+    case AxiomKind::asymmetric_object_property:
+      return share_pair(into, property, inverse(property));
+    case AxiomKind::transitive_object_property:
+      return include(into, {property, property}, property);
+    default:
+      return;
+  }
+}
+
+}  // namespace geminga::reasoner

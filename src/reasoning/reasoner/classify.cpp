@@ -1,0 +1,210 @@
+// Classification: the fast engine, then the one that knows more, then models for what both leave open.
+#include <algorithm>
+#include <iterator>
+#include <new>
+#include <utility>
+
+#include "reasoning/dl/clauses/clausify.hpp"
+#include "reasoning/dl/consequence/closure.hpp"
+#include "reasoning/reasoner/completion.hpp"
+#include "reasoning/reasoner/named_concepts.hpp"
+#include "reasoning/reasoner/reasoner.hpp"
+#include "reasoning/reasoner/taxonomy.hpp"
+
+namespace geminga::reasoner {
+namespace {
+
+/// What the clauses may have as consequences. It grows with what is written, so that a small file that means much takes
+/// the memory of a small one (a clause is about 150 octets), and ends at a bound that nothing known comes near.
+constexpr std::size_t always_derived = 400'000;
+constexpr std::size_t derived_per_axiom = 100;
+constexpr std::size_t max_derived_clauses = 5'000'000;
+/// What a clause may cost of a budget at most, vain attempts included: half of it is kept for models.
+constexpr std::size_t steps_per_clause = 100;
+
+void leave_all_undecided(Classified& result) {
+  result.undecided.consistency = true;
+  result.undecided.classes.clear();
+  const auto empty = result.representative[static_cast<std::size_t>(result.nothing)];
+  for (std::uint32_t of = 0; of < result.class_count(); ++of) {
+    const bool is_settled = of < result.is_settled.size() && result.is_settled[of];
+    if (result.representative[of] != empty && !is_settled) result.undecided.classes.push_back(el::ClassNumber{of});
+  }
+}
+
+/// Most classes have a model within these; where some have none, more is derived by cases before the search goes on.
+constexpr CompletionLimits quick_models{.unanswered = 3, .question = {.nodes = 20'000, .steps = 50'000}};
+constexpr std::uint64_t more_alternatives = 25;
+constexpr std::uint64_t most_alternatives = 1'000'000;
+
+/// Adds what the clauses have as consequences.
+class Deepening {
+ public:
+  Deepening(const el::OntologySource& source, const Options& options, Classified& result)
+      : source_(source), options_(options), result_(result) {}
+
+  void run() {
+    report("translating to clauses", 0);
+    auto clauses = clauses::clausify(source_, std::nullopt, {});
+    if (!clauses) {
+      result_.gaps.push_back(clauses.error().text);
+      leave_all_undecided(result_);
+      return;
+    }
+    is_settled_ = result_.is_settled;
+    is_settled_.resize(result_.class_count(), false);
+    is_plain_.assign(result_.class_count(), false);
+    derive(*clauses, options_.alternatives);
+    bool is_open = !is_finished();
+    if (std::ranges::find(result_.gaps, consequence::alternative_gap) != result_.gaps.end()) {
+      search(*clauses, quick_models);
+      is_open = !is_finished() && !is_spent();
+      // Some questions are hard for a search and easy by cases.
+      if (is_open) {
+        derive(*clauses,
+               static_cast<std::uint32_t>(std::min(options_.alternatives * more_alternatives, most_alternatives)));
+      }
+    }
+    if (is_open && !is_finished()) search(*clauses, {});
+    settle(clauses->unused);
+  }
+
+ private:
+  void report(std::string_view phase, double done) const {
+    if (options_.progress) options_.progress(phase, done);
+  }
+
+  [[nodiscard]] bool is_finished() const { return !result_.is_consistent || result_.gaps.empty(); }
+
+  [[nodiscard]] bool is_spent() const { return options_.budget != nullptr && options_.budget->is_spent(); }
+
+  void derive(const clauses::ClauseSet& clauses, std::uint32_t alternatives) {
+    result_.undecided = {};
+    report("deriving consequences", 0.1);
+    const NamedConcepts concepts(source_, result_, clauses);
+    std::vector<clauses::ConceptId> wanted;
+    std::vector<std::uint32_t> classes;
+    for (std::uint32_t of = 0; of < result_.class_count(); ++of) {
+      if (is_settled_[of]) continue;
+      const auto found = concepts.concept_of(of);
+      if (!found || result_.representative[of] == result_.representative[static_cast<std::size_t>(result_.nothing)])
+        continue;
+      wanted.push_back(*found);
+      classes.push_back(of);
+    }
+    std::size_t most = std::min(max_derived_clauses, always_derived + derived_per_axiom * source_.axiom_count());
+    if (options_.budget != nullptr) most = std::min<std::size_t>(most, options_.budget->left() / 2 / steps_per_clause);
+    const consequence::Closure closure = consequence::saturate(
+        source_, clauses, wanted,
+        {.threads = options_.threads, .clauses = most, .alternatives = alternatives, .budget = options_.budget});
+    if (!closure.is_consistent) return contradict(result_, source_);
+    Subsumptions more;
+    for (std::size_t at = 0; at < classes.size(); ++at) {
+      for (const clauses::ConceptId above : closure.subsumers[at]) {
+        const auto super = concepts.class_of(above);
+        if (super && *super != classes[at]) more.emplace_back(classes[at], *super);
+      }
+    }
+    extend(result_, more);
+    result_.gaps = closure.gaps;
+    for (std::size_t at = 0; at < classes.size(); ++at) {
+      is_settled_[classes[at]] = closure.is_settled[at];
+      is_plain_[classes[at]] = closure.is_plain[at];
+    }
+  }
+
+  void search(const clauses::ClauseSet& clauses, const CompletionLimits& limits) {
+    Completion completion = complete(source_, {result_, clauses, is_settled_, is_plain_}, options_, limits);
+    if (!completion.is_consistent) return contradict(result_, source_);
+    if (!completion.gaps.empty()) {
+      note_undecided(completion);
+      if (!completion.is_consistency_open) settle_all_but(result_.undecided.classes);
+    }
+    extend(result_, completion.found);
+    if (completion.gaps.empty()) {
+      result_.gaps.clear();
+    } else {
+      std::ranges::move(completion.gaps, std::back_inserter(result_.gaps));
+      std::ranges::sort(result_.gaps);
+      result_.gaps.erase(std::ranges::unique(result_.gaps).begin(), result_.gaps.end());
+    }
+  }
+
+  /// The representatives are those of the taxonomy that was completed.
+  void note_undecided(const Completion& completion) {
+    std::vector<bool> is_open(result_.class_count(), false);
+    for (const std::uint32_t of : completion.open) is_open[of] = true;
+    result_.undecided = {.classes = {}, .consistency = completion.is_consistency_open, .held_up_by = std::nullopt};
+    if (completion.held_up_by) result_.undecided.held_up_by = el::ClassNumber{*completion.held_up_by};
+    for (std::uint32_t of = 0; of < result_.class_count(); ++of) {
+      if (is_open[static_cast<std::size_t>(result_.representative[of])])
+        result_.undecided.classes.push_back(el::ClassNumber{of});
+    }
+  }
+
+  /// What models have settled need not be derived again.
+  void settle_all_but(const std::vector<el::ClassNumber>& open) {
+    is_settled_.assign(result_.class_count(), true);
+    for (const el::ClassNumber of : open) is_settled_[static_cast<std::size_t>(of)] = false;
+  }
+
+  /// Where the clauses were exhausted only what is not in them can be missing. Otherwise everything that the fast
+  /// engine could not use may have more to say, too.
+  void settle(const std::vector<clauses::Unused>& unused) {
+    if (!result_.is_consistent) {
+      result_.unused.clear();
+      result_.gaps.clear();
+      result_.undecided = {};
+    } else {
+      if (result_.gaps.empty()) result_.unused.clear();
+      for (const clauses::Unused& entry : unused) result_.unused.push_back({entry.axiom, entry.construct});
+      std::ranges::stable_sort(result_.unused, {}, &el::UnusedAxiom::axiom);
+      result_.unused.erase(std::ranges::unique(result_.unused, {}, &el::UnusedAxiom::axiom).begin(),
+                           result_.unused.end());
+    }
+    const auto is_declared = [&](const el::UnusedAxiom& entry) {
+      return source_.axiom(entry.axiom).kind == el::AxiomKind::declaration;
+    };
+    result_.counts.used_axioms =
+        result_.counts.axioms -
+        (result_.unused.size() - static_cast<std::size_t>(std::ranges::count_if(result_.unused, is_declared)));
+  }
+
+  const el::OntologySource& source_;
+  const Options& options_;
+  Classified& result_;
+  std::vector<bool> is_settled_;  ///< by class: that no gap matters to it
+  std::vector<bool> is_plain_;    ///< by class: see Closure::is_plain
+};
+
+}  // namespace
+
+std::expected<Classified, el::ClassifyError> classify(const el::OntologySource& source, const Options& options) {
+  if (options.progress) options.progress("classifying", 0);
+  auto found = el::classify(source, {.threads = options.threads, .budget = options.budget});
+  if (!found) return std::unexpected(std::move(found.error()));
+  Classified result{std::move(*found), {}, {}};
+  if (!result.is_consistent) {
+    result.unused.clear();  // nothing can be missing where everything follows
+    return result;
+  }
+  if (result.is_cut_off) {
+    result.gaps.push_back(*options.budget->reason());
+    leave_all_undecided(result);
+    return result;
+  }
+  if (result.unused.empty()) return result;
+  // What the engines beyond EL need more memory for than there is remains as EL has found it.
+  Classified deepened = result;
+  try {
+    Deepening(source, options, deepened).run();
+  } catch (const std::bad_alloc&) {
+    result.gaps.emplace_back("there is not enough memory for more than the EL part");
+    leave_all_undecided(result);
+    return result;
+  }
+  deepened.is_cut_off = options.budget != nullptr && options.budget->is_spent();
+  return deepened;
+}
+
+}  // namespace geminga::reasoner

@@ -1,0 +1,323 @@
+// First a model for every class, then the pairs that all models leave open.
+#include "reasoning/reasoner/completion.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "reasoning/dl/clauses/clausify.hpp"
+#include "reasoning/dl/hypertableau/tableau.hpp"
+#include "reasoning/reasoner/named_concepts.hpp"
+
+namespace geminga::reasoner {
+namespace {
+
+using Numbers = std::vector<std::uint32_t>;
+
+bool contains(const Numbers& sorted, std::uint32_t wanted) { return std::ranges::binary_search(sorted, wanted); }
+
+void insert(Numbers& sorted, std::uint32_t added) {
+  const auto place = std::ranges::lower_bound(sorted, added);
+  if (place == sorted.end() || *place != added) sorted.insert(place, added);
+}
+
+/// What a fact may cost in the one model of all facts, and one of the many inequalities of individuals.
+constexpr std::size_t steps_a_fact = 500;
+constexpr std::size_t steps_an_inequality = 4;
+
+class Completing {
+ public:
+  Completing(const el::OntologySource& source, const Incomplete& given, const Options& options,
+             const CompletionLimits& limits)
+      : source_(source),
+        given_(given),
+        classification_(given.classification),
+        options_(options),
+        limits_(limits),
+        question_(limits.question),
+        top_(representative(static_cast<std::uint32_t>(classification_.thing))),
+        bottom_(representative(static_cast<std::uint32_t>(classification_.nothing))) {
+    question_.budget = options.budget;
+    const clauses::ClauseSet& set = given.clauses;
+    const std::size_t facts =
+        set.individuals.size() + set.concept_facts.size() + set.role_facts.size() + set.data_facts.size();
+    question_.world_steps = steps_a_fact * facts + steps_an_inequality * set.equalities.size();
+    question_.nodes += set.individuals.size() + set.data_facts.size();
+  }
+
+  Completion run() {
+    if (classification_.class_count() > limits_.classes) {
+      gaps_.insert("more than " + std::to_string(limits_.classes) + " classes are too many to look for models");
+      result_.is_consistency_open = true;
+      for (std::uint32_t of = 0; of < classification_.class_count(); ++of) {
+        if (is_asked(of) && !given_.is_settled[of]) result_.open.push_back(of);
+      }
+      return finish();
+    }
+    known_ = find_ancestors(classification_);
+    possible_.resize(known_.size());
+    is_empty_.assign(known_.size(), false);
+    has_model_.assign(known_.size(), false);
+    for (std::uint32_t of = 0; of < known_.size(); ++of) {
+      if (given_.is_settled[of]) possible_[representative(of)] = known_[representative(of)];
+    }
+    find_models(given_.clauses);
+    if (result_.is_consistent) ask_pairs();
+    return finish();
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t representative(std::uint32_t of) const {
+    return static_cast<std::uint32_t>(classification_.representative[of]);
+  }
+  [[nodiscard]] bool is_asked(std::uint32_t of) const {
+    return representative(of) == of && of != top_ && of != bottom_;
+  }
+  [[nodiscard]] el::TermId term_of(std::uint32_t of) const { return terms_[of]; }
+
+  Completion finish() {
+    result_.gaps.assign(gaps_.begin(), gaps_.end());
+    for (std::uint32_t of = 0; of < possible_.size() && !gaps_.empty(); ++of) {
+      const bool is_open = !possible_[of] || !open_above(of).empty();
+      if ((is_asked(of) || of == top_) && !is_empty_[of] && is_open) result_.open.push_back(of);
+    }
+    return std::move(result_);
+  }
+
+  /// False where no more questions are allowed, and none about this class.
+  bool may_ask(std::uint32_t of, double done) {
+    if (options_.progress) options_.progress("looking for models", done);
+    const auto spent = options_.budget == nullptr ? std::nullopt : options_.budget->reason();
+    if (!spent && questions_ < limits_.questions && unanswered_ < limits_.unanswered) return true;
+    if (!result_.held_up_by) result_.held_up_by = of;
+    if (spent) {
+      gaps_.insert(*spent);
+      return false;
+    }
+    gaps_.insert(unanswered_ < limits_.unanswered
+                     ? "more than " + std::to_string(limits_.questions) + " questions to the tableau"
+                     : std::to_string(limits_.unanswered) + " questions were too hard for the tableau");
+    return false;
+  }
+
+  /// The answer to a question about a class, or about everything.
+  Verdict note(const Answer& answer, std::optional<std::uint32_t> of) {
+    ++questions_;
+    if (answer.verdict == Verdict::unknown) {
+      ++unanswered_;
+      gaps_.insert(answer.reason);
+      if (of && !result_.held_up_by) result_.held_up_by = of;
+    }
+    return answer.verdict;
+  }
+
+  /// Every instance in a model bounds what is above the classes that it is in.
+  void learn(const tableau::Model& model, const NamedConcepts& concepts) {
+    std::vector<Numbers> labels;
+    for (const auto& label : model.labels) labels.push_back(classes_of(label, concepts));
+    std::ranges::sort(labels);
+    labels.erase(std::ranges::unique(labels).begin(), labels.end());
+    for (const Numbers& label : labels) learn(label);
+  }
+  void learn(const Numbers& label) {
+    narrow(top_, label, known_[top_].size());
+    for (const std::uint32_t of : label) narrow(of, label, known_[of].size() + 1);
+  }
+
+  /// Derivation has shown for each of these what a model with an instance of it looks like.
+  void learn_plain() {
+    for (std::uint32_t of = 0; of < known_.size(); ++of) {
+      if (!given_.is_plain[of] || !is_asked(of)) continue;
+      Numbers label = known_[of];
+      insert(label, of);
+      learn(label);
+    }
+  }
+
+  /// Where not all that may be above it is known to be: `closed` many are, itself included.
+  void narrow(std::uint32_t of, const Numbers& label, std::size_t closed) {
+    if (!possible_[of]) {
+      possible_[of] = label;
+    } else if (possible_[of]->size() > closed) {
+      std::erase_if(*possible_[of], [&](std::uint32_t above) { return !contains(label, above); });
+    }
+  }
+
+  [[nodiscard]] Numbers classes_of(const std::vector<clauses::ConceptId>& label, const NamedConcepts& concepts) const {
+    Numbers classes;
+    for (const clauses::ConceptId concept_id : label) {
+      const auto named = concepts.class_of(concept_id);
+      if (named && representative(*named) != top_) classes.push_back(representative(*named));
+    }
+    std::ranges::sort(classes);
+    classes.erase(std::ranges::unique(classes).begin(), classes.end());
+    return classes;
+  }
+
+  void add(std::uint32_t sub, std::uint32_t super) {
+    result_.found.emplace_back(sub, super);
+    insert(known_[sub], super);
+    const Numbers above = known_[super];
+    for (const std::uint32_t higher : above) {
+      if (higher != sub) insert(known_[sub], higher);
+    }
+  }
+
+  void inherit(std::uint32_t of) {
+    if (result_.found.empty()) return;
+    const Numbers direct = known_[of];
+    for (const std::uint32_t above : direct) {
+      for (const std::uint32_t higher : known_[above]) {
+        if (higher != of) insert(known_[of], higher);
+      }
+    }
+  }
+
+  void set_empty(std::uint32_t of) {
+    is_empty_[of] = true;
+    result_.found.emplace_back(of, static_cast<std::uint32_t>(classification_.nothing));
+  }
+
+  /// Classes with the most above them first: their models are those of all above, too.
+  [[nodiscard]] Numbers lowest_first() const {
+    Numbers order;
+    for (std::uint32_t of = 0; of < known_.size(); ++of) {
+      if (is_asked(of)) order.push_back(of);
+    }
+    std::ranges::stable_sort(order,
+                             [&](std::uint32_t a, std::uint32_t b) { return known_[a].size() > known_[b].size(); });
+    return order;
+  }
+
+  void find_models(const clauses::ClauseSet& clauses) {
+    const NamedConcepts concepts(source_, classification_, clauses);
+    terms_ = concepts.terms();
+    tableau::Tableau tableau(source_, clauses, question_);
+    const Verdict world = note(tableau.is_consistent(), std::nullopt);
+    result_.is_consistency_open = world == Verdict::unknown;
+    if (world == Verdict::no) result_.is_consistent = false;
+    if (world == Verdict::no) return;
+    if (world == Verdict::yes) {
+      learn(tableau.model(), concepts);
+      learn_plain();
+    }
+    const Numbers order = lowest_first();
+    for (std::size_t at = 0; at < order.size(); ++at) {
+      const double done = 0.5 * static_cast<double>(at) / static_cast<double>(order.size());
+      if (!find_model(order[at], tableau, concepts, done)) return;
+      if (!is_empty_[order[at]]) continue;
+      // It is often empty because of what is above it, and then its brothers are, too: the highest first.
+      Numbers above = known_[order[at]];
+      std::ranges::stable_sort(above, {}, [&](std::uint32_t of) { return known_[of].size(); });
+      for (std::size_t next = 0; next < above.size() && (next == 0 || !is_empty_[above[next - 1]]); ++next) {
+        if (!find_model(above[next], tableau, concepts, done)) return;
+      }
+    }
+  }
+
+  /// Whether it is known what is above the class, or that nothing can be in it.
+  [[nodiscard]] bool is_closed(std::uint32_t of) const {
+    return is_empty_[of] || (possible_[of] && possible_[of]->size() <= known_[of].size() + 1);
+  }
+
+  /// Asks for a model with an instance of the class where other models have not said all. False: no more may be asked.
+  bool find_model(std::uint32_t of, tableau::Tableau& tableau, const NamedConcepts& concepts, double done) {
+    if (!is_asked(of) || is_closed(of) || has_model_[of]) return true;
+    if (std::ranges::any_of(known_[of], [&](std::uint32_t above) { return is_empty_[above]; })) {
+      set_empty(of);
+      return true;
+    }
+    const auto asked = concepts.concept_of(of);
+    // What no clause speaks of has nothing above it.
+    if (!asked) possible_[of] = known_[of];
+    if (!asked) return true;
+    if (!may_ask(of, done)) return false;
+    has_model_[of] = true;
+    const Verdict verdict = note(tableau.is_satisfiable({*asked}), of);
+    if (verdict == Verdict::no) set_empty(of);
+    if (verdict != Verdict::yes) return true;
+    for (const std::uint32_t above : classes_of(tableau.model().certain, concepts)) {
+      if (above != of && !contains(known_[of], above)) add(of, above);
+    }
+    learn(tableau.model(), concepts);
+    return true;
+  }
+
+  [[nodiscard]] Numbers open_above(std::uint32_t of) const {
+    Numbers open;
+    if (!possible_[of] || is_empty_[of]) return open;
+    for (const std::uint32_t above : *possible_[of]) {
+      if (above == of || is_empty_[above] || contains(known_[of], above)) continue;
+      if (!contains(known_[top_], above)) open.push_back(above);
+    }
+    // The most specific first: with it goes all above it.
+    std::ranges::stable_sort(open,
+                             [&](std::uint32_t a, std::uint32_t b) { return known_[a].size() > known_[b].size(); });
+    return open;
+  }
+
+  void ask_pairs() {
+    // What is above a class need not be asked again of what is below it.
+    Numbers order = lowest_first();
+    order.push_back(top_);
+    std::ranges::reverse(order);
+    std::set<std::uint32_t> supers;
+    for (const std::uint32_t of : order) {
+      for (const std::uint32_t above : open_above(of)) supers.insert(above);
+    }
+    if (supers.empty()) return;
+    const Numbers asked(supers.begin(), supers.end());
+    std::vector<el::TermId> complements;
+    for (const std::uint32_t above : asked) complements.push_back(term_of(above));
+    const auto clauses = clauses::clausify(source_, std::nullopt, {}, complements);
+    if (!clauses) {
+      gaps_.insert(clauses.error().text);
+      return;
+    }
+    const NamedConcepts concepts(source_, classification_, *clauses);
+    tableau::Tableau tableau(source_, *clauses, question_);
+    for (std::size_t at = 0; at < order.size(); ++at) {
+      const std::uint32_t of = order[at];
+      const auto sub = concepts.concept_of(of);
+      inherit(of);
+      for (const std::uint32_t above : open_above(of)) {
+        if (!sub || contains(known_[of], above) || contains(known_[top_], above)) continue;
+        if (!contains(*possible_[of], above)) continue;
+        if (!may_ask(of, 0.5 + 0.5 * static_cast<double>(at) / static_cast<double>(order.size()))) return;
+        const auto place = static_cast<std::size_t>(std::ranges::lower_bound(asked, above) - asked.begin());
+        const Verdict verdict = note(tableau.is_satisfiable({*sub, clauses->complements[place]}), of);
+        if (verdict == Verdict::no) add(of, above);
+        if (verdict == Verdict::yes) learn(tableau.model(), concepts);
+      }
+    }
+  }
+
+  const el::OntologySource& source_;
+  const Incomplete& given_;
+  const el::Classification& classification_;
+  const Options& options_;
+  const CompletionLimits& limits_;
+  tableau::Limits question_;
+  std::uint32_t top_;
+  std::uint32_t bottom_;
+  Completion result_;
+  std::set<std::string> gaps_;
+  std::size_t questions_ = 0;
+  std::size_t unanswered_ = 0;
+  std::vector<el::TermId> terms_;                 ///< by class
+  std::vector<Numbers> known_;                    ///< by representative: what is strictly above it, ascending
+  std::vector<std::optional<Numbers>> possible_;  ///< by representative: what may be above it, itself (but T) included
+  std::vector<bool> has_model_;                   ///< by representative: a model of it was looked for
+  std::vector<bool> is_empty_;                    ///< by representative: found to be below owl:Nothing
+};
+
+}  // namespace
+
+Completion complete(const el::OntologySource& source, const Incomplete& known, const Options& options,
+                    const CompletionLimits& limits) {
+  return Completing(source, known, options, limits).run();
+}
+
+}  // namespace geminga::reasoner

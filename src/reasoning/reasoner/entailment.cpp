@@ -1,0 +1,191 @@
+// Conclusions: told ones at once, those about anonymous individuals rolled up, all others refuted or not.
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
+
+#include "reasoning/owl/canonical.hpp"
+#include "reasoning/reasoner/anonymous.hpp"
+#include "reasoning/reasoner/challenge.hpp"
+#include "reasoning/reasoner/possibility.hpp"
+#include "reasoning/reasoner/reasoner.hpp"
+
+namespace geminga::reasoner {
+namespace {
+
+using el::AxiomKind;
+using el::TermId;
+
+using Content = std::pair<AxiomKind, std::vector<TermId>>;
+
+/// An axiom with the members of sets in one order, so that equal ones are equal.
+Content content_of(const el::Axiom& axiom) {
+  std::vector<TermId> arguments(axiom.arguments.begin(), axiom.arguments.end());
+  const auto members = arguments.begin() + static_cast<std::ptrdiff_t>(el::set_begin(axiom.kind, arguments.size()));
+  std::sort(members, arguments.end());
+  return {axiom.kind, std::move(arguments)};
+}
+
+/// Some conclusions that stand or fall together, and where their challenges are.
+struct Part {
+  std::vector<std::size_t> conclusions;  ///< their positions
+  std::size_t first = 0;                 ///< challenges of which none may be possible: [first, witnesses)
+  std::size_t witnesses = 0;             ///< [witnesses, last)
+  std::size_t last = 0;
+  std::string undecided;
+};
+
+class Entailment {
+ public:
+  Entailment(const el::OntologySource& source, std::span<const std::uint32_t> premise,
+             std::span<const std::uint32_t> conclusion, base::Budget* budget)
+      : source_(source),
+        premise_(premise),
+        conclusion_(conclusion),
+        budget_(budget),
+        answers_(conclusion.size(), Answer{Verdict::yes, {}}),
+        excerpt_(source, premise),
+        challenger_(excerpt_) {}
+
+  std::vector<Answer> run() {
+    settle_told();
+    add_groups();
+    for (std::size_t at = 0; at < conclusion_.size(); ++at) {
+      if (!is_settled_[at]) add_axiom(at);
+    }
+    const std::vector<Answer> possible = are_possible(excerpt_, challenges_, budget_);
+    for (const Part& part : parts_) {
+      const Answer answer = conclude(part, possible);
+      for (const std::size_t at : part.conclusions) join(answers_[at], answer);
+    }
+    follow_from_contradiction();
+    return std::move(answers_);
+  }
+
+ private:
+  /// Of parts of one conclusion: each must follow.
+  static void join(Answer& all, const Answer& part) {
+    const auto rank = [](const Answer& answer) {
+      return answer.verdict == Verdict::no ? 2 : answer.verdict == Verdict::unknown ? 1 : 0;
+    };
+    if (rank(part) > rank(all)) all = part;
+  }
+
+  /// What cannot be reduced follows all the same where everything does.
+  void follow_from_contradiction() {
+    const auto is_unknown = [](const Answer& answer) { return answer.verdict == Verdict::unknown; };
+    if (std::ranges::none_of(answers_, is_unknown)) return;
+    if (is_consistent(excerpt_.source, budget_).verdict != Verdict::no) return;
+    for (Answer& answer : answers_) answer = {Verdict::yes, {}};
+  }
+
+  /// Declarations say nothing; what the premise says in the same words follows.
+  void settle_told() {
+    is_settled_.assign(conclusion_.size(), false);
+    std::map<Content, std::vector<std::size_t>> wanted;
+    for (std::size_t at = 0; at < conclusion_.size(); ++at) {
+      const el::Axiom axiom = source_.axiom(conclusion_[at]);
+      if (axiom.kind == AxiomKind::declaration) {
+        is_settled_[at] = true;
+      } else {
+        wanted[content_of(axiom)].push_back(at);
+      }
+    }
+    for (const std::uint32_t number : premise_) {
+      const auto found = wanted.find(content_of(source_.axiom(number)));
+      if (found == wanted.end()) continue;
+      for (const std::size_t at : found->second) is_settled_[at] = true;
+    }
+  }
+
+  void add_groups() {
+    std::vector<std::uint32_t> open;
+    std::map<std::uint32_t, std::size_t> position;
+    for (std::size_t at = 0; at < conclusion_.size(); ++at) {
+      if (is_settled_[at]) continue;
+      open.push_back(conclusion_[at]);
+      position.emplace(conclusion_[at], at);
+    }
+    for (const auto& group : find_groups(source_, open)) {
+      Part part;
+      std::vector<Statement> facts;
+      for (const std::uint32_t number : group) {
+        const el::Axiom axiom = source_.axiom(number);
+        Statement& fact = facts.emplace_back(axiom.kind, std::vector<TermId>{});
+        for (const TermId argument : axiom.arguments) fact.arguments.push_back(excerpt_.term(argument));
+        part.conclusions.push_back(position.at(number));
+        is_settled_[part.conclusions.back()] = true;
+      }
+      add_group(std::move(part), std::move(facts));
+    }
+  }
+
+  void add_group(Part part, std::vector<Statement> facts) {
+    auto rolled = roll_up(excerpt_, std::move(facts));
+    if (!rolled) {
+      part.undecided = std::move(rolled.error());
+      part.first = part.witnesses = part.last = challenges_.size();
+      parts_.push_back(std::move(part));
+      return;
+    }
+    if (rolled->has_expression) {
+      add(part, rolled->individual
+                    ? challenger_.refute(AxiomKind::class_assertion, {rolled->expression, *rolled->individual})
+                    : challenger_.refute_emptiness_everywhere(rolled->expression));
+    }
+    for (const Statement& fact : rolled->plain) add(part, challenger_.refute(fact.kind, fact.arguments));
+  }
+
+  void add_axiom(std::size_t at) {
+    const el::Axiom axiom = source_.axiom(conclusion_[at]);
+    std::vector<TermId> arguments;
+    for (const TermId argument : axiom.arguments) arguments.push_back(excerpt_.term(argument));
+    Part part;
+    part.conclusions.push_back(at);
+    add(part, challenger_.refute(axiom.kind, arguments));
+  }
+
+  void add(Part part, Refutation refutation) {
+    const auto append = [&](std::vector<Challenge>& more) {
+      std::ranges::move(more, std::back_inserter(challenges_));
+      return challenges_.size();
+    };
+    part.first = challenges_.size();
+    part.witnesses = append(refutation.all);
+    part.last = append(refutation.witnesses);
+    part.undecided = std::move(refutation.undecided);
+    parts_.push_back(std::move(part));
+  }
+
+  static Answer conclude(const Part& part, const std::vector<Answer>& possible) {
+    const std::span<const Answer> all(possible);
+    const auto is_possible = [](const Answer& answer) { return answer.verdict == Verdict::yes; };
+    if (std::ranges::any_of(all.subspan(part.first, part.last - part.first), is_possible)) return {Verdict::no, {}};
+    if (!part.undecided.empty()) return {Verdict::unknown, part.undecided};
+    for (const Answer& answer : all.subspan(part.first, part.witnesses - part.first)) {
+      if (answer.verdict == Verdict::unknown) return answer;
+    }
+    return {Verdict::yes, {}};
+  }
+
+  const el::OntologySource& source_;
+  std::span<const std::uint32_t> premise_;
+  std::span<const std::uint32_t> conclusion_;
+  base::Budget* budget_;
+  std::vector<Answer> answers_;
+  std::vector<bool> is_settled_;
+  Excerpt excerpt_;
+  Challenger challenger_;
+  std::vector<Part> parts_;
+  std::vector<Challenge> challenges_;
+};
+
+}  // namespace
+
+std::vector<Answer> entails_each(const el::OntologySource& source, std::span<const std::uint32_t> premise,
+                                 std::span<const std::uint32_t> conclusion, base::Budget* budget) {
+  if (source.problem()) return {conclusion.size(), {Verdict::unknown, *source.problem()}};
+  return Entailment(source, premise, conclusion, budget).run();
+}
+
+}  // namespace geminga::reasoner

@@ -1,0 +1,166 @@
+#include "reasoning/reasoner/readings.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "reasoning/reasoner/damaged_values.hpp"
+#include "reasoning/reasoner/data_use.hpp"
+
+namespace geminga::reasoner {
+namespace {
+
+using el::AxiomKind;
+using el::TermId;
+using el::TermKind;
+
+/// So many damaged literals whose values may have been equal or not.
+constexpr std::size_t max_alike = 4;
+
+/// One damaged literal of one axiom: the same words elsewhere may have meant something else.
+struct Slot {
+  std::size_t axiom = 0;  ///< position among the damaged ones
+  TermId literal{};
+  std::vector<TermId> values;
+};
+
+class Readings {
+ public:
+  Readings(el::OntologySource& source, std::span<const std::size_t> damaged)
+      : source_(source), damaged_(damaged), uses_(source) {}
+
+  std::expected<std::vector<std::vector<Statement>>, std::string> run(std::span<const std::uint32_t> premise,
+                                                                      std::span<const std::uint32_t> conclusion) {
+    for (const std::uint32_t number : premise) uses_.add(source_.axiom(number), true);
+    for (const std::uint32_t number : conclusion) uses_.add(source_.axiom(number), false);
+    for (const std::size_t number : damaged_) uses_.add(source_.damaged(number), true);
+    for (std::size_t at = 0; at < damaged_.size(); ++at) {
+      // Whoever uses it is not among the properties of the axiom.
+      if (source_.damaged(damaged_[at]).kind == AxiomKind::datatype_definition)
+        return std::unexpected("the definition of a datatype is damaged");
+      if (!find_slots(at)) return std::unexpected("a bound of a datatype is damaged");
+    }
+    if (std::ranges::count_if(slots_, [&](const Slot& slot) { return !is_fact(slot.axiom); }) >
+        static_cast<std::ptrdiff_t>(max_readings))
+      return std::unexpected("there are too many of them");
+    are_facts_ = std::ranges::all_of(slots_, [&](const Slot& slot) { return is_fact(slot.axiom); });
+    std::size_t readings = 1;
+    for (Slot& slot : slots_) {
+      auto values = values_in(slot);
+      if (!values) return std::unexpected(std::move(values.error()));
+      slot.values = std::move(*values);
+      readings *= slot.values.size();
+      if (readings > max_readings)
+        return std::unexpected("there are more than " + std::to_string(max_readings) + " readings of it");
+    }
+    std::vector<std::vector<Statement>> all;
+    all.reserve(readings);
+    for (std::size_t reading = 0; reading < readings; ++reading) all.push_back(written(reading));
+    return all;
+  }
+
+ private:
+  /// False where a bound is damaged: what is between two bounds depends on more than their order.
+  bool find_slots(std::size_t axiom) {
+    const auto terms = el::terms_in(source_, source_.damaged(damaged_[axiom]).arguments);
+    for (const TermId id : terms) {
+      if (source_.is_well_typed(id)) continue;
+      if (source_.kind(id) == TermKind::facet) return false;
+      if (source_.kind(id) == TermKind::literal) slots_.push_back({axiom, id, {}});
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool is_fact(std::size_t axiom) const {
+    return source_.damaged(damaged_[axiom]).kind == AxiomKind::data_property_assertion;
+  }
+
+  /// The property of which all damaged axioms that speak of these properties are facts, if it is one: then a value at
+  /// one individual can be exchanged without those of others.
+  [[nodiscard]] std::optional<TermId> property_of_facts(const DataUse& use) const {
+    std::optional<TermId> property;
+    if (!are_facts_) return std::nullopt;
+    for (const std::size_t number : damaged_) {
+      const TermId its = source_.damaged(number).arguments[0];
+      if (!use.facts.contains(its)) continue;
+      if (property && *property != its) return std::nullopt;
+      property = its;
+    }
+    return use.is_key ? std::nullopt : property;
+  }
+
+  /// The facts of one property with literals of one datatype have the same values, and may be many.
+  std::expected<std::vector<TermId>, std::string> values_in(const Slot& slot) {
+    const el::Axiom axiom = source_.damaged(damaged_[slot.axiom]);
+    const TermId datatype = source_.term(slot.literal).arguments[0];
+    if (!is_fact(slot.axiom)) return values_in(uses_.of(axiom), datatype);
+    const std::pair key{axiom.arguments[0], datatype};
+    if (const auto known = values_.find(key); known != values_.end()) return known->second;
+    auto values = values_in(uses_.of(axiom), datatype);
+    if (values) values_.emplace(key, *values);
+    return values;
+  }
+
+  std::expected<std::vector<TermId>, std::string> values_in(const DataUse& use, TermId type) {
+    Distinctions distinctions{use.datatypes, use.literals, use.facets};
+    std::set<TermId> taken;
+    const std::optional<TermId> alone = property_of_facts(use);
+    for (const auto& [property, literals] : use.facts)
+      (alone == property ? taken : distinctions.literals).insert(literals.begin(), literals.end());
+    const std::size_t alike = use.is_counted || !are_facts_ ? slots_.size() : 1;
+    if (alike > max_alike) return std::unexpected("there are " + std::to_string(alike) + " of them");
+    const std::string datatype(source_.name_of(type));
+    return values_of(source_, datatype, distinctions, taken, alike);
+  }
+
+  /// The axioms of one reading: its number, in a mixed base, has the value of each slot.
+  std::vector<Statement> written(std::size_t reading) {
+    std::vector<std::map<TermId, TermId>> meanings(damaged_.size());
+    for (const Slot& slot : slots_) {
+      meanings[slot.axiom].emplace(slot.literal, slot.values[reading % slot.values.size()]);
+      reading /= slot.values.size();
+    }
+    std::vector<Statement> statements;
+    for (std::size_t axiom = 0; axiom < damaged_.size(); ++axiom) {
+      const el::Axiom damaged = source_.damaged(damaged_[axiom]);
+      const std::vector<TermId> arguments(damaged.arguments.begin(), damaged.arguments.end());
+      Statement& statement = statements.emplace_back(damaged.kind, std::vector<TermId>{});
+      for (const TermId id : arguments) statement.arguments.push_back(mended(id, meanings[axiom]));
+    }
+    return statements;
+  }
+
+  /// The term with the meanings in place of what is damaged. Terms are nested a bounded number of levels; one that is
+  /// mended is remembered, since it may stand in another twice.
+  TermId mended(TermId id, std::map<TermId, TermId>& meanings) {
+    if (source_.is_well_typed(id)) return id;
+    if (const auto known = meanings.find(id); known != meanings.end()) return known->second;
+    const el::Term term = source_.term(id);
+    const std::vector<TermId> parts(term.arguments.begin(), term.arguments.end());
+    std::vector<TermId> arguments;
+    arguments.reserve(parts.size());
+    for (const TermId part : parts) arguments.push_back(mended(part, meanings));
+    const TermId made = source_.term(term.kind, arguments, term.number);
+    meanings.emplace(id, made);
+    return made;
+  }
+
+  el::OntologySource& source_;
+  std::span<const std::size_t> damaged_;
+  DataUses uses_;
+  std::vector<Slot> slots_;
+  bool are_facts_ = false;                                           ///< all damaged axioms are facts
+  std::map<std::pair<TermId, TermId>, std::vector<TermId>> values_;  ///< of facts: by property and datatype
+};
+
+}  // namespace
+
+std::expected<std::vector<std::vector<Statement>>, std::string> find_readings(el::OntologySource& source,
+                                                                              std::span<const std::uint32_t> premise,
+                                                                              std::span<const std::uint32_t> conclusion,
+                                                                              std::span<const std::size_t> damaged) {
+  return Readings(source, damaged).run(premise, conclusion);
+}
+
+}  // namespace geminga::reasoner

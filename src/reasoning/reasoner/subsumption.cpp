@@ -1,0 +1,64 @@
+// One subsumption from some axioms: the question behind explanations, asked often and of few axioms.
+#include <algorithm>
+#include <numeric>
+
+#include "reasoning/dl/clauses/clausify.hpp"
+#include "reasoning/dl/consequence/closure.hpp"
+#include "reasoning/el/entailment.hpp"
+#include "reasoning/reasoner/reasoner.hpp"
+#include "reasoning/reasoner/unused.hpp"
+
+namespace geminga::reasoner {
+namespace {
+
+constexpr std::size_t max_derived_clauses = 500'000;
+constexpr std::uint32_t max_levels = 500;  // as SourceLimits::nesting, of expressions that are in no axiom
+
+bool is_subsumed_in_el(const el::OntologySource& source, std::optional<std::span<const std::uint32_t>> axioms,
+                       el::TermId sub, el::TermId super) {
+  if (source.kind(sub) != el::TermKind::named_class || source.kind(super) != el::TermKind::named_class) return false;
+  if (axioms) return el::entails(source, *axioms, sub, super);
+  std::vector<std::uint32_t> all(source.axiom_count());
+  std::iota(all.begin(), all.end(), 0U);
+  return el::entails(source, all, sub, super);
+}
+
+/// The consequences of one concept. It says yes or nothing: where it has gaps it cannot say no.
+bool is_derived(const el::OntologySource& source, const clauses::ClauseSet& clauses, el::TermId super,
+                base::Budget* budget) {
+  const consequence::Closure closure = consequence::saturate(
+      source, clauses, clauses.queries, {.threads = 1, .clauses = max_derived_clauses, .budget = budget});
+  if (!closure.is_consistent) return true;
+  return std::ranges::any_of(closure.subsumers.front(), [&](clauses::ConceptId above) {
+    const clauses::Concept& found = clauses.concepts[clauses::number(above)];
+    return above == clauses::nothing || (found.kind == clauses::ConceptKind::named && found.term == super);
+  });
+}
+
+}  // namespace
+
+Answer entails(const el::OntologySource& source, std::optional<std::span<const std::uint32_t>> axioms, el::TermId sub,
+               el::TermId super, base::Budget* budget) {
+  if (source.problem()) return {Verdict::unknown, *source.problem()};
+  if (source.depth(sub) > max_levels || source.depth(super) > max_levels)
+    return {Verdict::unknown, "an expression nests over " + std::to_string(max_levels) + " levels"};
+  if (is_subsumed_in_el(source, axioms, sub, super)) return {Verdict::yes, {}};
+  const auto clauses = clauses::clausify(source, axioms, std::span(&sub, 1), std::span(&super, 1));
+  if (!clauses) return {Verdict::unknown, clauses.error().text};
+  Answer counterexample = tableau::Tableau(source, *clauses, {.budget = budget})
+                              .is_satisfiable({clauses->queries.front(), clauses->complements.front()});
+  switch (counterexample.verdict) {
+    case Verdict::no:
+      return {Verdict::yes, {}};
+    case Verdict::yes:
+      if (clauses->unused.empty()) return {Verdict::no, {}};
+      return {Verdict::unknown,
+              describe_unused(source, clauses->unused.front().axiom, clauses->unused.front().construct)};
+    case Verdict::unknown:
+      break;
+  }
+  if (is_derived(source, *clauses, super, budget)) return {Verdict::yes, {}};
+  return counterexample;
+}
+
+}  // namespace geminga::reasoner

@@ -1,0 +1,92 @@
+// Old edges and new ones go through el's reduction together.
+#include "reasoning/reasoner/taxonomy.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "base/components.hpp"
+#include "reasoning/taxonomy/reduction.hpp"
+
+namespace geminga::reasoner {
+namespace {
+
+std::uint32_t number(el::ClassNumber of) { return static_cast<std::uint32_t>(of); }
+
+void reduce(el::Classification& classification, el::Inclusions&& graph) {
+  const el::Reduced reduced = el::reduce(std::move(graph));
+  const auto named = [](const std::vector<std::uint32_t>& numbers) {
+    std::vector<el::ClassNumber> result;
+    result.reserve(numbers.size());
+    for (const std::uint32_t of : numbers) result.push_back(el::ClassNumber{of});
+    return result;
+  };
+  classification.representative = named(reduced.representative);
+  classification.parents = named(reduced.parents);
+  classification.parent_begin = reduced.parent_begin;
+  classification.is_consistent = reduced.is_consistent;
+}
+
+/// The taxonomy as it is: a node a class.
+el::Inclusions graph_of(const el::Classification& classification) {
+  const auto count = static_cast<std::uint32_t>(classification.class_count());
+  el::Inclusions graph;
+  graph.node_count = count;
+  graph.is_empty.assign(count, false);
+  graph.is_empty[number(classification.nothing)] = true;
+  graph.top = graph.top_entity = number(classification.thing);
+  graph.bottom_entity = number(classification.nothing);
+  graph.is_consistent = classification.is_consistent;
+  for (std::uint32_t at = 0; at < count; ++at) {
+    graph.node_of.push_back(at);
+    const std::uint32_t representative = number(classification.representative[at]);
+    if (representative != at) {
+      graph.edges.emplace_back(at, representative);
+      graph.edges.emplace_back(representative, at);
+    }
+    for (const el::ClassNumber parent : classification.parents_of(el::ClassNumber{at}))
+      graph.edges.emplace_back(at, number(parent));
+  }
+  return graph;
+}
+
+}  // namespace
+
+void extend(el::Classification& classification, const Subsumptions& more) {
+  if (more.empty()) return;
+  el::Inclusions graph = graph_of(classification);
+  graph.edges.insert(graph.edges.end(), more.begin(), more.end());
+  reduce(classification, std::move(graph));
+}
+
+void contradict(el::Classification& classification, const el::OntologySource& source) {
+  el::Inclusions graph = graph_of(classification);
+  graph.is_consistent = false;
+  reduce(classification, std::move(graph));
+  classification.object_properties = el::classify_properties(source, el::PropertyKind::object, false);
+  classification.data_properties = el::classify_properties(source, el::PropertyKind::data, false);
+}
+
+std::vector<std::vector<std::uint32_t>> find_ancestors(const el::Classification& classification) {
+  const auto count = static_cast<std::uint32_t>(classification.class_count());
+  const std::uint32_t top = number(classification.representative[number(classification.thing)]);
+  // Without cycles each component is one class, and those above come first.
+  const el::Components components =
+      el::find_components(count, [&](std::uint32_t at) { return classification.parents_of(el::ClassNumber{at}); });
+  std::vector<std::uint32_t> order(count);
+  for (std::uint32_t at = 0; at < count; ++at) order[components.component[at]] = at;
+  std::vector<std::vector<std::uint32_t>> ancestors(count);
+  for (const std::uint32_t at : order) {
+    std::vector<std::uint32_t>& own = ancestors[at];
+    for (const el::ClassNumber parent : classification.parents_of(el::ClassNumber{at})) {
+      if (number(parent) == top) continue;
+      own.push_back(number(parent));
+      const auto& above = ancestors[number(parent)];
+      own.insert(own.end(), above.begin(), above.end());
+    }
+    std::ranges::sort(own);
+    own.erase(std::ranges::unique(own).begin(), own.end());
+  }
+  return ancestors;
+}
+
+}  // namespace geminga::reasoner

@@ -1,0 +1,14 @@
+// The place of an axiom, and why it is not used.
+#include "reasoning/reasoner/unused.hpp"
+
+namespace geminga::reasoner {
+
+std::string describe_unused(const el::OntologySource& source, std::uint32_t axiom, std::string_view construct) {
+  const el::Axiom unused = source.axiom(axiom);
+  const std::string& path = source.files()[static_cast<std::size_t>(unused.file)].path;
+  std::string text = "an axiom cannot be used because of " + std::string(construct);
+  if (unused.line != 0) text += ": " + path + ':' + std::to_string(unused.line);
+  return text;
+}
+
+}  // namespace geminga::reasoner

@@ -1,0 +1,131 @@
+#include "reasoning/syntax/files.hpp"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include "base/text.hpp"
+#include "reasoning/syntax/long_text_watch.hpp"
+
+namespace geminga::rdf {
+namespace {
+
+constexpr std::size_t read_at_once = std::size_t{1} << 20;
+
+std::unexpected<LoadError> refuse(std::string file, std::string text) {
+  return std::unexpected(LoadError{base::printable(file, 4096), 0, std::move(text), true});
+}
+
+std::string kernel_words(int error) { return std::generic_category().message(error); }
+
+/// The words for a file that is not a regular one.
+std::string_view kind_of(mode_t mode) {
+  if (S_ISDIR(mode)) return "is a folder";
+  if (S_ISFIFO(mode)) return "is a FIFO";
+  if (S_ISSOCK(mode)) return "is a socket";
+  return "is a device";
+}
+
+}  // namespace
+
+FileBytes::FileBytes(FileBytes&& other) noexcept
+    : data_(std::exchange(other.data_, nullptr)),
+      size_(std::exchange(other.size_, 0)),
+      mapped_(std::exchange(other.mapped_, 0)) {}
+
+FileBytes& FileBytes::operator=(FileBytes&& other) noexcept {
+  std::swap(data_, other.data_);
+  std::swap(size_, other.size_);
+  std::swap(mapped_, other.mapped_);
+  return *this;
+}
+
+FileBytes::~FileBytes() {
+  if (mapped_ != 0) munmap(data_, mapped_);
+}
+
+std::size_t FileBytes::release(std::size_t begin, std::size_t end) {
+  constexpr std::size_t page = std::size_t{1} << 16;  // coarser than any page that Linux uses for this
+  begin = (begin + page - 1) / page * page;
+  end = std::min(end, size_) / page * page;
+  if (end <= begin) return begin;
+  madvise(data_ + begin, end - begin, MADV_DONTNEED);
+  return end;
+}
+
+std::expected<FileBytes, LoadError> FileBytes::read(const std::string& path, const Limits& limits) {
+  struct stat status{};
+  // Asked by name first: opening a device or a FIFO can have effects of its own.
+  if (stat(path.c_str(), &status) != 0) return refuse(path, "cannot be opened: " + kernel_words(errno));
+  if (!S_ISREG(status.st_mode)) return refuse(path, std::string(kind_of(status.st_mode)) + ", not a regular file");
+  const int file = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+  if (file < 0) return refuse(path, "cannot be opened: " + kernel_words(errno));
+  struct Closer {
+    int file;
+    ~Closer() { close(file); }
+  } closer{file};
+  if (fstat(file, &status) != 0) return refuse(path, "cannot be read: " + kernel_words(errno));
+  if (!S_ISREG(status.st_mode)) return refuse(path, std::string(kind_of(status.st_mode)) + ", not a regular file");
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size > limits.file_bytes)
+    return refuse(path, "is larger than " + std::to_string(limits.file_bytes) + " bytes: split it");
+
+  // A file that is being written is not read by halves. Files of /proc, too, hold more than they say.
+  const auto has_more = [&] {
+    char next = 0;
+    return ::read(file, &next, 1) > 0;
+  };
+  const std::string grew = "became longer while it was read: try again";
+  FileBytes bytes;
+  if (size == 0) return has_more() ? refuse(path, grew) : std::expected<FileBytes, LoadError>(std::move(bytes));
+  void* memory = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) return refuse(path, "is too large for the memory: " + kernel_words(errno));
+  bytes.data_ = static_cast<char*>(memory);
+  bytes.mapped_ = size;
+  LongTextWatch watch(path, size, limits);
+  while (bytes.size_ < size) {
+    const ssize_t count = ::read(file, bytes.data_ + bytes.size_, std::min(size - bytes.size_, read_at_once));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return refuse(path, "cannot be read: " + kernel_words(errno));
+    if (count == 0) return refuse(path, "became shorter while it was read: try again");
+    bytes.size_ += static_cast<std::size_t>(count);
+    if (auto error = watch.look_at(bytes.view().substr(bytes.size_ - static_cast<std::size_t>(count))))
+      return std::unexpected(std::move(*error));
+  }
+  if (has_more()) return refuse(path, grew);
+  return bytes;
+}
+
+char* FileBytes::room_for(std::size_t count) {
+  constexpr std::size_t step = std::size_t{1} << 20;
+  if (mapped_ - size_ >= count) return data_ + size_;
+  const std::size_t wanted = (std::max(size_ + count, mapped_ + mapped_ / 2) + step - 1) / step * step;
+  void* memory = mapped_ == 0 ? mmap(nullptr, wanted, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)
+                              : mremap(data_, mapped_, wanted, MREMAP_MAYMOVE);
+  if (memory == MAP_FAILED) return nullptr;
+  data_ = static_cast<char*>(memory);
+  mapped_ = wanted;
+  return data_ + size_;
+}
+
+std::string_view FileBytes::take_room(std::size_t count) {
+  const std::string_view taken(data_ + size_, count);
+  size_ += count;
+  return taken;
+}
+
+void FileBytes::give_back_room() {
+  constexpr std::size_t page = std::size_t{1} << 16;
+  const std::size_t needed = (std::max<std::size_t>(size_, 1) + page - 1) / page * page;
+  if (needed >= mapped_ || mremap(data_, mapped_, needed, 0) == MAP_FAILED) return;
+  mapped_ = needed;
+}
+
+}  // namespace geminga::rdf

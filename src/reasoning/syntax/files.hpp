@@ -1,0 +1,46 @@
+// The bytes of one file, read with nothing but plain system calls, so that what is opened is plain, too.
+#ifndef GEMINGA_REASONING_SYNTAX_FILES_HPP
+#define GEMINGA_REASONING_SYNTAX_FILES_HPP
+
+#include <cstddef>
+#include <expected>
+#include <string>
+#include <string_view>
+
+#include "reasoning/syntax/error.hpp"
+#include "reasoning/syntax/limits.hpp"
+
+namespace geminga::rdf {
+
+/// The bytes of one file in memory of their own, given back to the kernel piece by piece as they are used up.
+class FileBytes {
+ public:
+  FileBytes() = default;
+  FileBytes(FileBytes&& other) noexcept;
+  FileBytes& operator=(FileBytes&& other) noexcept;
+  ~FileBytes();
+
+  /// Reads a regular file as a whole. Never blocks on a FIFO or a device, and never opens one.
+  [[nodiscard]] static std::expected<FileBytes, LoadError> read(const std::string& path, const Limits& limits);
+
+  [[nodiscard]] std::string_view view() const { return {data_, size_}; }
+  /// What stands between two places will not be read again: its memory is released as far as it is whole pages, and
+  /// reads as zero. Gives the end of what was released. Several threads may release what only they read.
+  std::size_t release(std::size_t begin, std::size_t end);
+
+  /// Room for so many bytes behind those that are there; what was there may move. nullptr: there is no memory.
+  [[nodiscard]] char* room_for(std::size_t count);
+  /// The first `count` bytes of that room belong to the file from now on, and are these.
+  std::string_view take_room(std::size_t count);
+  /// No more will come.
+  void give_back_room();
+
+ private:
+  char* data_ = nullptr;
+  std::size_t size_ = 0;
+  std::size_t mapped_ = 0;
+};
+
+}  // namespace geminga::rdf
+
+#endif

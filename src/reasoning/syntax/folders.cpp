@@ -1,0 +1,144 @@
+#include "reasoning/syntax/folders.hpp"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "base/text.hpp"
+#include "reasoning/syntax/inflate.hpp"
+#include "reasoning/syntax/syntax.hpp"
+
+namespace geminga::rdf {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 9> extensions{".ttl", ".nt",  ".rdf", ".owl", ".xml",
+                                                     ".owx", ".omn", ".ofn", ".fss"};
+/// What is looked at of a file whose name ends in .xml, as those of many programs do.
+constexpr std::size_t begin_bytes = std::size_t{1} << 16;
+
+LoadError unreadable(const std::string& file, std::string text) {
+  return {base::printable(file, 4096), 0, std::move(text), true};
+}
+
+bool is_ontology_name(std::string_view name) {
+  name = name_without_gz(name);
+  if (name.starts_with("catalog-v")) return false;
+  return std::ranges::any_of(extensions, [&](std::string_view extension) { return name.ends_with(extension); });
+}
+
+/// Whether a file that is only XML by its name says early that it is about RDF or OWL.
+bool is_ontology_xml(const fs::path& path) {
+  std::string begin(begin_bytes, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  return begin.empty() || !is_foreign_xml(begin);
+}
+
+/// One folder that was named, with all below it.
+class Walk {
+ public:
+  Walk(std::string folder, const Limits& limits, Listing& listing)
+      : folder_(std::move(folder)), limits_(limits), listing_(listing) {}
+
+  std::optional<LoadError> run() {
+    std::error_code error;
+    inside_ = fs::canonical(folder_, error);
+    if (error) return unreadable(folder_, "cannot be resolved: " + error.message());
+    const std::size_t before = listing_.files.size();
+    if (auto failed = enter(folder_, 0)) return failed;
+    if (listing_.files.size() == before)
+      return unreadable(folder_,
+                        "holds no ontology file: put files named .ttl, .nt, .rdf, .owl, .owx, .omn or .ofn there");
+    std::ranges::sort(listing_.files.begin() + static_cast<std::ptrdiff_t>(before), listing_.files.end());
+    return std::nullopt;
+  }
+
+ private:
+  /// Calls itself once a level, which is bounded.
+  std::optional<LoadError> enter(const fs::path& folder, std::size_t level) {
+    if (level > limits_.folder_levels)
+      return unreadable(folder.string(), "is more than " + std::to_string(limits_.folder_levels) +
+                                             " folders deep: name the folders of the ontologies");
+    listing_.folders.push_back(folder.string());
+    std::error_code error;
+    std::vector<fs::path> names;
+    fs::directory_iterator entries(folder, error);
+    for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
+      if (++entries_ > limits_.folder_entries)
+        return unreadable(folder_, "holds more than " + std::to_string(limits_.folder_entries) +
+                                       " files: name the folders of the ontologies");
+      if (!entries->path().filename().string().starts_with('.')) names.push_back(entries->path());
+    }
+    if (error) return unreadable(folder.string(), "cannot be listed: " + error.message());
+    std::ranges::sort(names);
+    for (const fs::path& path : names) {
+      if (auto failed = take(path, level)) return failed;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<LoadError> take(const fs::path& path, std::size_t level) {
+    std::error_code error;
+    const bool is_link = fs::is_symlink(path, error);
+    if (fs::is_directory(path, error)) {
+      // A link may lead round in circles, and what is inside of the folder is found without it.
+      if (!is_link) return enter(path, level + 1);
+      listing_.skipped.push_back(path.string());
+      return std::nullopt;
+    }
+    const std::string name = path.filename().string();
+    if (!is_ontology_name(name)) {
+      if (!name.starts_with("catalog-v")) listing_.skipped.push_back(path.string());
+      return std::nullopt;
+    }
+    const fs::path target = fs::canonical(path, error);
+    if (error) return unreadable(path.string(), "cannot be resolved: " + error.message());
+    const auto [end, rest] = std::mismatch(inside_.begin(), inside_.end(), target.begin(), target.end());
+    if (end != inside_.end())
+      return unreadable(path.string(), "is a link that leads out of its folder: name the file itself");
+    const bool is_foreign = name.ends_with(".xml") && fs::is_regular_file(target, error) && !is_ontology_xml(target);
+    (is_foreign ? listing_.skipped : listing_.files).push_back(path.string());
+    return std::nullopt;
+  }
+
+  const std::string folder_;
+  const Limits& limits_;
+  Listing& listing_;
+  fs::path inside_;
+  std::size_t entries_ = 0;
+};
+
+}  // namespace
+
+std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments, const Limits& limits) {
+  Listing listing;
+  for (const std::string& argument : arguments) {
+    std::error_code error;
+    if (!fs::is_directory(argument, error)) {
+      listing.files.push_back(argument);
+    } else if (auto failed = Walk(argument, limits, listing).run()) {
+      return std::unexpected(std::move(*failed));
+    }
+  }
+  std::set<std::pair<dev_t, ino_t>> seen;
+  std::erase_if(listing.files, [&](const std::string& path) {
+    struct stat status{};
+    return stat(path.c_str(), &status) == 0 && !seen.emplace(status.st_dev, status.st_ino).second;
+  });
+  if (listing.files.size() > limits.files)
+    return std::unexpected(
+        unreadable("", "more than " + std::to_string(limits.files) + " ontology files are named: merge some"));
+  return listing;
+}
+
+}  // namespace geminga::rdf

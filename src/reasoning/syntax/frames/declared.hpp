@@ -1,0 +1,35 @@
+// Which properties are of objects and which of data: Manchester syntax writes both alike, and what says so may stand
+// behind their first use or in another file.
+#ifndef GEMINGA_REASONING_SYNTAX_FRAMES_DECLARED_HPP
+#define GEMINGA_REASONING_SYNTAX_FRAMES_DECLARED_HPP
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "reasoning/owl/source.hpp"
+
+namespace geminga::frames {
+
+/// The kinds under which IRIs are declared, or used in a syntax that tells them apart, in all files of a load.
+class Declared {
+ public:
+  void add(el::TermKind kind, std::string_view iri);
+  /// What a source holds of properties and datatypes.
+  void add(const el::OntologySource& source);
+  [[nodiscard]] bool has(el::TermKind kind, std::string_view iri) const;
+
+ private:
+  struct TextHash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
+  };
+  /// A bit a kind of entity.
+  std::unordered_map<std::string, std::uint8_t, TextHash, std::equal_to<>> kinds_;
+};
+
+}  // namespace geminga::frames
+
+#endif

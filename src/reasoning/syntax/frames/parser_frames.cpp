@@ -1,0 +1,338 @@
+// Frames and their sections. The productions of FRAMES.md stand above each function.
+#include <array>
+
+#include "base/text.hpp"
+#include "reasoning/syntax/frames/parser.hpp"
+
+namespace geminga::frames {
+
+using el::AxiomKind;
+using el::TermKind;
+using manchester::Token;
+using manchester::TokenKind;
+
+bool Parser::take_comma() { return take_symbol(","); }
+
+void Parser::add(AxiomKind kind, std::span<const Term> arguments, std::uint32_t line) {
+  if (failed()) return;
+  const std::size_t before = source_.axiom_count();
+  const std::size_t damaged = source_.damaged_count();
+  source_.add(kind, arguments, file_, line);
+  document_.axioms += source_.axiom_count() - before;
+  annotations_.settle(source_, before, damaged);
+}
+
+void Parser::declare(Term entity, std::uint32_t line) {
+  if (!failed() && declarations_.insert(entity).second) add(AxiomKind::declaration, std::array{entity}, line);
+}
+
+el::TermId Parser::member(Member kind) {
+  switch (kind) {
+    case Member::class_expression:
+      return description();
+    case Member::object_property:
+      return object_property_expression();
+    case Member::data_property:
+      return is_name() ? entity(TermKind::data_property, take()) : expected("a data property");
+    case Member::data_range:
+      return data_range();
+    case Member::individual:
+      return individual();
+    case Member::annotation_property:
+    case Member::iri:
+      break;  // no terms
+  }
+  return el::thing_term;
+}
+
+// objectPropertyExpression = name / "inverse" name / "inverse" "(" name ")"
+el::TermId Parser::object_property_expression() {
+  if (failed()) return el::thing_term;
+  if (is_keyword("inverse")) return property();
+  return is_name() ? entity(TermKind::object_property, take()) : expected("an object property");
+}
+
+el::TermId Parser::any_property() {
+  if (failed()) return el::thing_term;
+  return is_name() || is_keyword("inverse") ? property() : expected("a property");
+}
+
+// section = WORD annotations member *( "," annotations member )
+bool Parser::list_section(Frame frame, Term subject, std::string_view name) {
+  if (failed() || !is_section()) return false;
+  const Section* section = find_section(frame, tokens_.token().text);
+  if (section == nullptr) return false;
+  take();
+  // OWL tools write a section without members where they have none.
+  if (is_section() && !is_section("Annotations:")) return true;
+  if (tokens_.token().kind == TokenKind::end) return true;
+  do {
+    annotations();
+    if (failed()) return true;
+    parts_ = 0;
+    const std::uint32_t line = this->line();
+    if (!section->is_axiom) {
+      annotation_axiom(name, section->word,
+                       iri(section->member == Member::iri ? "an IRI" : "the name of an annotation property"));
+      continue;
+    }
+    const Term of = member(section->member);
+    if (failed()) return true;
+    if (section->is_subject_last) {
+      add(section->kind, std::array{of, subject}, line);
+    } else {
+      add(section->kind, std::array{subject, of}, line);
+    }
+  } while (take_comma());
+  return true;
+}
+
+// classFrame = "Class:" description *section
+void Parser::class_frame() {
+  take();
+  const std::uint32_t line = this->line();
+  const Term subject = description();
+  if (failed()) return;
+  const bool is_named = source_.kind(subject) == TermKind::named_class;
+  if (is_named) declare(subject, line);
+  const std::string name(is_named ? source_.name_of(subject) : std::string_view());
+  while (!failed()) {
+    if (is_section("Annotations:")) {
+      own_annotations(name);
+    } else if (is_section("DisjointUnionOf:")) {
+      disjoint_union(subject);
+    } else if (is_section("HasKey:")) {
+      has_key(subject);
+    } else if (!list_section(Frame::of_class, subject)) {
+      break;
+    }
+  }
+}
+
+// objectPropertyFrame = "ObjectProperty:" objectPropertyExpression *section
+void Parser::object_property_frame() {
+  take();
+  const std::uint32_t line = this->line();
+  const Term subject = object_property_expression();
+  if (failed()) return;
+  const bool is_named = source_.kind(subject) == TermKind::object_property;
+  if (is_named) declare(subject, line);
+  const std::string name(is_named ? source_.name_of(subject) : std::string_view());
+  while (!failed()) {
+    if (is_section("Annotations:")) {
+      own_annotations(name);
+    } else if (is_section("Characteristics:")) {
+      characteristics(subject, false);
+    } else if (is_section("SubPropertyChain:")) {
+      property_chain(subject);
+    } else if (!list_section(Frame::of_object_property, subject)) {
+      break;
+    }
+  }
+}
+
+void Parser::data_property_frame() {
+  take();
+  const std::uint32_t line = this->line();
+  const Term subject = member(Member::data_property);
+  declare(subject, line);
+  const std::string name(failed() ? std::string_view() : source_.name_of(subject));
+  while (!failed()) {
+    if (is_section("Annotations:")) {
+      own_annotations(name);
+    } else if (is_section("Characteristics:")) {
+      characteristics(subject, true);
+    } else if (!list_section(Frame::of_data_property, subject)) {
+      break;
+    }
+  }
+}
+
+void Parser::annotation_property_frame() {
+  take();
+  const std::uint32_t line = this->line();
+  const std::string name = iri("the name of an annotation property");
+  if (failed()) return;
+  declare(source_.annotation_property(name), line);
+  while (!failed()) {
+    if (is_section("Annotations:")) {
+      own_annotations(name);
+    } else if (!list_section(Frame::of_annotation_property, el::thing_term, name)) {
+      break;
+    }
+  }
+}
+
+void Parser::datatype_frame() {
+  take();
+  const std::uint32_t line = this->line();
+  const Term subject = is_name() ? entity(TermKind::datatype, take()) : expected("a datatype");
+  declare(subject, line);
+  const std::string name(failed() ? std::string_view() : source_.name_of(subject));
+  while (!failed()) {
+    if (is_section("Annotations:")) {
+      own_annotations(name);
+    } else if (!list_section(Frame::of_datatype, subject)) {
+      break;
+    }
+  }
+}
+
+void Parser::individual_frame() {
+  take();
+  const std::uint32_t line = this->line();
+  const Term subject = individual();
+  if (failed()) return;
+  if (source_.kind(subject) == TermKind::individual) declare(subject, line);
+  const std::string name(source_.name_of(subject));
+  while (!failed()) {
+    if (is_section("Annotations:")) {
+      own_annotations(name);
+    } else if (is_section("Facts:")) {
+      facts(subject);
+    } else if (!list_section(Frame::of_individual, subject)) {
+      break;
+    }
+  }
+}
+
+// "Characteristics:" annotations WORD *( "," annotations WORD )
+void Parser::characteristics(Term subject, bool is_data) {
+  take();
+  do {
+    annotations();
+    if (failed()) return;
+    const std::uint32_t line = this->line();
+    const Token& word = tokens_.token();
+    const Characteristic* found = word.kind == TokenKind::name ? find_characteristic(word.text, is_data) : nullptr;
+    if (found == nullptr) {
+      expected(is_data ? "Functional"
+                       : "Functional, InverseFunctional, Reflexive, Irreflexive, Symmetric, Asymmetric or Transitive");
+      return;
+    }
+    take();
+    add(found->kind, std::array{subject}, line);
+  } while (take_comma());
+}
+
+// "DisjointUnionOf:" annotations description *( "," description )
+void Parser::disjoint_union(Term subject) {
+  const std::uint32_t line = this->line();
+  take();
+  annotations();
+  std::vector<Term> arguments{subject};
+  do arguments.push_back(description());
+  while (take_comma());
+  add(AxiomKind::disjoint_union, arguments, line);
+}
+
+// "HasKey:" annotations property *( [ "," ] property )
+void Parser::has_key(Term subject) {
+  const std::uint32_t line = this->line();
+  take();
+  annotations();
+  std::vector<Term> arguments{subject};
+  std::vector<Term> of_data;
+  do {
+    const Term key = any_property();
+    if (failed()) return;
+    (source_.kind(key) == TermKind::data_property ? of_data : arguments).push_back(key);
+  } while (take_comma() || is_name() || is_keyword("inverse"));
+  arguments.insert(arguments.end(), of_data.begin(), of_data.end());
+  add(AxiomKind::has_key, arguments, line);
+}
+
+// "SubPropertyChain:" annotations property 1*( "o" property ) *( "," ... )
+void Parser::property_chain(Term subject) {
+  take();
+  do {
+    annotations();
+    if (failed()) return;
+    const std::uint32_t line = this->line();
+    std::vector<Term> chain{object_property_expression()};
+    while (!failed() && tokens_.token().kind == TokenKind::name && tokens_.token().text == "o") {
+      take();
+      chain.push_back(object_property_expression());
+    }
+    if (failed()) return;
+    if (chain.size() < 2) {
+      expected("'o' and another property of the chain");
+      return;
+    }
+    add(AxiomKind::sub_object_property_of, std::array{source_.term(TermKind::object_property_chain, chain), subject},
+        line);
+  } while (take_comma());
+}
+
+// "Facts:" annotations [ "not" ] property ( individual / literal ) *( "," ... )
+void Parser::facts(Term subject) {
+  take();
+  do {
+    annotations();
+    if (failed()) return;
+    parts_ = 0;
+    const std::uint32_t line = this->line();
+    const bool is_negative = take_keyword("not");
+    const Term of = any_property();
+    if (failed()) return;
+    if (is_literal()) {
+      const Term value = literal();
+      add(is_negative ? AxiomKind::negative_data_property_assertion : AxiomKind::data_property_assertion,
+          std::array{of, subject, value}, line);
+    } else {
+      const Term value = individual();
+      add(is_negative ? AxiomKind::negative_object_property_assertion : AxiomKind::object_property_assertion,
+          std::array{of, subject, value}, line);
+    }
+  } while (take_comma());
+}
+
+// misc = WORD annotations member 1*( "," member )
+void Parser::misc(std::string_view word) {
+  const std::uint32_t line = this->line();
+  Member members = Member::class_expression;
+  AxiomKind kind = AxiomKind::equivalent_classes;
+  bool are_properties = false;
+  if (word == "EquivalentClasses:") {
+    kind = AxiomKind::equivalent_classes;
+  } else if (word == "DisjointClasses:") {
+    kind = AxiomKind::disjoint_classes;
+  } else if (word == "EquivalentProperties:" || word == "DisjointProperties:") {
+    are_properties = true;
+  } else if (word == "SameIndividual:" || word == "DifferentIndividuals:") {
+    members = Member::individual;
+    kind = word == "SameIndividual:" ? AxiomKind::same_individual : AxiomKind::different_individuals;
+  } else {
+    expected("a frame like Class:, an axiom like DisjointClasses:, or the end");
+    return;
+  }
+  take();
+  annotations();
+  std::vector<Term> arguments;
+  do {
+    arguments.push_back(are_properties ? any_property() : member(members));
+  } while (!failed() && take_comma());
+  if (failed() || arguments.size() < 2) return annotations_.drop();  // of one, nothing is said
+  if (are_properties) {
+    const bool is_data = source_.kind(arguments.front()) == TermKind::data_property;
+    const bool is_disjoint = word == "DisjointProperties:";
+    kind = is_data ? (is_disjoint ? AxiomKind::disjoint_data_properties : AxiomKind::equivalent_data_properties)
+                   : (is_disjoint ? AxiomKind::disjoint_object_properties : AxiomKind::equivalent_object_properties);
+  }
+  add(kind, arguments, line);
+}
+
+// What the OWL API writes for SWRL: no axiom can express it, and it has symbols that nothing else has.
+void Parser::rule() {
+  source_.leave_out("swrl:Imp", file_, line());
+  take();
+  while (!failed() && !is_section() && tokens_.token().kind != TokenKind::end) {
+    if (is_endless_text()) {
+      expected("a rule");
+      return;
+    }
+    take();
+  }
+}
+
+}  // namespace geminga::frames

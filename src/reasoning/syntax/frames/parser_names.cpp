@@ -1,0 +1,167 @@
+// IRIs, properties of either kind, individuals and literals.
+#include <xxhash.h>
+
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "reasoning/owl/datatypes.hpp"
+#include "reasoning/syntax/frames/parser.hpp"
+
+namespace geminga::frames {
+
+using el::TermKind;
+using manchester::ParseError;
+using manchester::Token;
+using manchester::TokenKind;
+
+namespace {
+
+constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
+constexpr std::string_view plain_literal = "http://www.w3.org/1999/02/22-rdf-syntax-ns#PlainLiteral";
+constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
+constexpr std::string_view not_in_iris = " <>\"{}|\\^`";
+
+/// Section 2.3 of the note: datatypes that need no prefix.
+bool is_short_datatype(std::string_view word) {
+  return word == "integer" || word == "decimal" || word == "float" || word == "string";
+}
+
+bool is_language(std::string_view tag) {
+  bool is_first = true;
+  while (true) {
+    const std::size_t end = std::min(tag.find('-'), tag.size());
+    const auto fits = [&](char c) {
+      const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+      return is_letter || (!is_first && c >= '0' && c <= '9');
+    };
+    if (end == 0 || !std::ranges::all_of(tag.substr(0, end), fits)) return false;
+    if (end == tag.size()) return true;
+    tag.remove_prefix(end + 1);
+    is_first = false;
+  }
+}
+
+std::string in_lower_case(std::string_view tag) {
+  std::string lower(tag);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
+  return lower;
+}
+
+}  // namespace
+
+std::expected<std::string, std::string> Parser::expand(const Token& token) const {
+  if (token.kind == TokenKind::label)
+    return std::unexpected("names in single quotation marks are not read in documents: write prefix:Name");
+  std::string_view word = token.text;
+  if (word.starts_with('<')) {
+    word = word.substr(1, word.size() - 2);
+    if (word.size() > frame_limits_.iri_bytes)
+      return std::unexpected("an IRI of more than " + std::to_string(frame_limits_.iri_bytes) + " bytes");
+    if (base::has_control_character(word)) return std::unexpected("an IRI with a control character");
+    return std::string(word);
+  }
+  const std::size_t colon = word.find(':');
+  const std::string_view prefix = colon == std::string_view::npos ? std::string_view() : word.substr(0, colon);
+  const std::string_view local = colon == std::string_view::npos ? word : word.substr(colon + 1);
+  const auto found = prefixes_.find(prefix);
+  if (found == prefixes_.end()) {
+    return std::unexpected(colon == std::string_view::npos
+                               ? "'" + base::printable(word, 60) + "' has no prefix, and no default one is declared"
+                               : "the prefix " + base::printable(prefix, 60) + ": is not declared");
+  }
+  if (local.find_first_of(not_in_iris) != std::string_view::npos || base::has_control_character(local))
+    return std::unexpected("'" + base::printable(word, 60) + "' has a character that no IRI may have");
+  std::string full = found->second + std::string(local);
+  if (full.size() > frame_limits_.iri_bytes)
+    return std::unexpected("an IRI of more than " + std::to_string(frame_limits_.iri_bytes) + " bytes");
+  return full;
+}
+
+std::string Parser::iri(std::string_view what) {
+  if (failed()) return {};
+  if (!is_name() || tokens_.token().text.starts_with("_:")) {
+    expected(what);
+    return {};
+  }
+  const Token token = take();
+  auto name = expand(token);
+  if (name) return std::move(*name);
+  fail(ParseError::Kind::name, token.begin, name.error());
+  return {};
+}
+
+std::expected<std::string, std::string> Parser::iri_of(TermKind kind, const Token& token) {
+  if (token.text.starts_with("_:")) return std::unexpected("a blank node where a name is wanted");
+  if (kind == TermKind::datatype && is_short_datatype(token.text)) return std::string(xsd) += token.text;
+  return expand(token);
+}
+
+// The word that follows says what is asked of the property; what is behind it, of which kind its values are.
+bool Parser::is_value_of_data(manchester::Tokenizer behind) const {
+  const auto is = [&](TokenKind kind, std::string_view text) {
+    return behind.token().kind == kind && behind.token().text == text;
+  };
+  while (behind.token().kind == TokenKind::keyword && !is(TokenKind::keyword, "true") &&
+         !is(TokenKind::keyword, "false")) {
+    const bool is_counted =
+        is(TokenKind::keyword, "min") || is(TokenKind::keyword, "max") || is(TokenKind::keyword, "exactly");
+    behind.advance();
+    if (is_counted && behind.token().kind == TokenKind::number) behind.advance();
+  }
+  while (is(TokenKind::symbol, "{") || is(TokenKind::symbol, "(") || is(TokenKind::keyword, "not")) behind.advance();
+  const Token& token = behind.token();
+  if (token.kind == TokenKind::string || token.kind == TokenKind::number || is(TokenKind::keyword, "true") ||
+      is(TokenKind::keyword, "false"))
+    return true;
+  if (token.kind != TokenKind::name) return false;
+  if (is_short_datatype(token.text)) return true;
+  const auto name = expand(token);
+  return name &&
+         (el::Datatype::find(*name).has_value() || *name == rdfs_literal || declared_.has(TermKind::datatype, *name));
+}
+
+std::expected<TermKind, std::string> Parser::kind_of_property(const Token& token) {
+  const auto name = iri_of(TermKind::object_property, token);
+  if (!name) return std::unexpected(name.error());
+  const bool is_object = declared_.has(TermKind::object_property, *name) || *name == el::owl_top_object_property ||
+                         *name == el::owl_bottom_object_property;
+  const bool is_data = declared_.has(TermKind::data_property, *name) || *name == el::owl_top_data_property ||
+                       *name == el::owl_bottom_data_property;
+  if (is_object != is_data) return is_data ? TermKind::data_property : TermKind::object_property;
+  return is_value_of_data(tokens_) ? TermKind::data_property : TermKind::object_property;
+}
+
+el::TermId Parser::literal_of(const Token& text, std::string_view datatype, std::string_view language) {
+  if (text.value.size() > frame_limits_.literal_bytes)
+    return fail(ParseError::Kind::too_large, text.begin,
+                "a text of more than " + std::to_string(frame_limits_.literal_bytes) + " bytes");
+  if (!language.empty() && !is_language(language))
+    return fail(ParseError::Kind::malformed, text.begin,
+                "a language tag that is none: @" + base::printable(language, 60));
+  last_text_ = text.value;
+  // Tags that differ in case are one (RFC 5646, section 2.1.1).
+  last_language_ = in_lower_case(language);
+  std::string& kind = last_datatype_;
+  kind = datatype;
+  // "text@en"^^rdf:PlainLiteral is "text"@en, and "text@"^^rdf:PlainLiteral is "text" (OWL 2, section 5.7).
+  if (kind == plain_literal) {
+    kind.clear();
+    const std::size_t at = last_text_.rfind('@');
+    if (at != std::string::npos) {
+      last_language_ = in_lower_case(std::string_view(last_text_).substr(at + 1));
+      last_text_.resize(at);
+    }
+  }
+  return source_.literal(last_text_, kind, last_language_);
+}
+
+el::TermId Parser::individual() {
+  if (failed()) return el::thing_term;
+  const Token& token = tokens_.token();
+  if (!is_name() || !token.text.starts_with("_:")) return manchester::Parser::individual();
+  if (token.text.size() == 2) return expected("the name of a blank node behind '_:'");
+  if (blank_prefix_.empty()) blank_prefix_ = "_:" + base::to_hex(XXH3_64bits(bytes_.data(), bytes_.size()), 16) + '.';
+  return source_.anonymous_individual(blank_prefix_ + std::string(take().text.substr(2)));
+}
+
+}  // namespace geminga::frames

@@ -1,0 +1,47 @@
+// From the bytes of one document in the Manchester syntax of OWL 2 to the axioms of an OntologySource.
+//
+//   frames::Declared declared;
+//   frames::look_ahead(bytes, declared);                     // of every file, before the first is read
+//   const el::FileId file = source.add_file(path);
+//   const auto document = frames::read(bytes, file, source, declared);
+//   if (!document) return refuse(document.error());          // "oeo.omn", 17, "expected a class, found ','"
+//
+// The syntax is that of https://www.w3.org/TR/owl2-manchester-syntax/; FRAMES.md says what is read beyond it, and what
+// is not.
+#ifndef GEMINGA_REASONING_SYNTAX_FRAMES_READ_HPP
+#define GEMINGA_REASONING_SYNTAX_FRAMES_READ_HPP
+
+#include <expected>
+#include <string_view>
+#include <vector>
+
+#include "reasoning/owl/annotation.hpp"
+#include "reasoning/owl/document.hpp"
+#include "reasoning/owl/source.hpp"
+#include "reasoning/syntax/frames/declared.hpp"
+#include "reasoning/syntax/frames/limits.hpp"
+
+namespace geminga::frames {
+
+using el::Document;
+using el::ReadError;
+
+/// Notes the properties and datatypes that a file has frames of. What is wrong with the file is said by read(). Linear.
+void look_ahead(std::string_view bytes, Declared& declared, const Limits& limits = {});
+
+/// Reads a whole file into the source. Sets the ontology IRI of `file` there, adds every axiom with its line, and the
+/// texts of rdfs:label and skos:prefLabel as labels. Declared prefixes are not added: which file's meaning of a prefix
+/// counts is settled among all files. A property that nobody declares is one of data where what stands behind it is a
+/// literal or a datatype, and otherwise one of objects.
+///
+/// The annotations of frames and of the ontology are put where they are wanted.
+///
+/// On an error the source holds an unknown part of the file: the caller drops it. Linear in the file.
+[[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, el::FileId file,
+                                                      el::OntologySource& source, const Declared& declared,
+                                                      const Limits& limits = {},
+                                                      std::vector<el::Annotation>* annotations = nullptr);
+
+}  // namespace geminga::frames
+
+#endif

@@ -1,0 +1,59 @@
+// The words with a colon that begin what stands in a document: its head, frames, the sections of frames.
+#ifndef GEMINGA_REASONING_SYNTAX_FRAMES_SECTIONS_HPP
+#define GEMINGA_REASONING_SYNTAX_FRAMES_SECTIONS_HPP
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "reasoning/owl/axiom.hpp"
+
+namespace geminga::frames {
+
+/// All of them, sorted.
+[[nodiscard]] std::span<const std::string_view> section_words();
+
+/// What the members of a section's list are.
+enum class Member : std::uint8_t {
+  class_expression,
+  object_property,
+  data_property,
+  annotation_property,
+  iri,
+  data_range,
+  individual,
+};
+
+/// Which frames a section may stand in.
+enum class Frame : std::uint8_t {
+  of_class,
+  of_object_property,
+  of_data_property,
+  of_annotation_property,
+  of_datatype,
+  of_individual,
+};
+
+/// A section whose every member makes one axiom of two arguments.
+struct Section {
+  Frame frame = Frame::of_class;
+  std::string_view word;
+  Member member = Member::class_expression;
+  el::AxiomKind kind = el::AxiomKind::sub_class_of;
+  bool is_axiom = true;          ///< false: about annotation properties, which mean nothing to a reasoner
+  bool is_subject_last = false;  ///< the frame's subject is the second argument
+};
+
+/// The section of a word in a frame, or nullptr where it is none of these simple ones.
+[[nodiscard]] const Section* find_section(Frame frame, std::string_view word);
+
+/// A characteristic of properties, `Transitive`; is_data: of data properties.
+struct Characteristic {
+  std::string_view word;
+  el::AxiomKind kind = el::AxiomKind::functional_object_property;
+};
+[[nodiscard]] const Characteristic* find_characteristic(std::string_view word, bool is_data);
+
+}  // namespace geminga::frames
+
+#endif

@@ -1,0 +1,69 @@
+// The words of the functional-style syntax, and what stands between their brackets, as a table.
+#ifndef GEMINGA_REASONING_SYNTAX_FUNCTIONAL_GRAMMAR_HPP
+#define GEMINGA_REASONING_SYNTAX_FUNCTIONAL_GRAMMAR_HPP
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "reasoning/owl/axiom.hpp"
+
+namespace geminga::functional {
+
+/// A place in the grammar that a term can stand at.
+enum class Operand : std::uint8_t {
+  none,
+  named_class,
+  class_expression,
+  named_object_property,
+  object_property,  ///< a name or an inverse
+  property_chain,   ///< a chain, or an object property
+  data_property,
+  datatype,
+  data_range,
+  individual,
+  literal,
+  facet,  ///< an IRI and a literal
+};
+
+/// What a word begins. Each has a function of its own in the parser, or is read by its operands.
+enum class Form : std::uint8_t {
+  document,    ///< Prefix, Ontology: outside of the ontology's brackets
+  import,      ///< Import
+  annotation,  ///< Annotation
+  entity,      ///< Class and its like, in declarations
+  expression,  ///< a term: its operands
+  n_ary_data,  ///< DataSomeValuesFrom and DataAllValuesFrom: data properties, and a data range of as many values
+  axiom,       ///< its operands
+  declaration,
+  has_key,
+  annotation_assertion,  ///< AnnotationAssertion
+  annotation_axiom,      ///< the other three about annotation properties
+  extension,             ///< not of OWL 2, but written by tools: skipped, and left out by name
+};
+
+/// One word. Behind its opening bracket stand a number where `is_counted`, then `first`, then at most one `optional`,
+/// then one or more `repeated`.
+struct Production {
+  std::string_view word;
+  Form form = Form::axiom;
+  std::uint8_t kind = 0;           ///< of el::TermKind or el::AxiomKind
+  Operand result = Operand::none;  ///< of expressions: what they may stand for
+  bool is_counted = false;
+  std::array<Operand, 3> first{};
+  Operand optional = Operand::none;
+  Operand repeated = Operand::none;
+
+  [[nodiscard]] el::TermKind term() const { return static_cast<el::TermKind>(kind); }
+  [[nodiscard]] el::AxiomKind axiom() const { return static_cast<el::AxiomKind>(kind); }
+};
+
+/// The production of a word, or nullptr where the grammar has no such word.
+[[nodiscard]] const Production* find_production(std::string_view word);
+
+/// "a class expression".
+[[nodiscard]] std::string_view to_string(Operand operand);
+
+}  // namespace geminga::functional
+
+#endif

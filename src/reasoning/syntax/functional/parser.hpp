@@ -1,0 +1,135 @@
+// Recursive descent over the tokens of one file, from the document down to names and literals.
+//
+// Every function below reads one piece of the grammar and says whether it was there; once one has failed, the
+// tokenizer gives no more tokens, and all of them return. Terms that were read stand on a stack.
+#ifndef GEMINGA_REASONING_SYNTAX_FUNCTIONAL_PARSER_HPP
+#define GEMINGA_REASONING_SYNTAX_FUNCTIONAL_PARSER_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "reasoning/owl/source.hpp"
+#include "reasoning/syntax/functional/grammar.hpp"
+#include "reasoning/syntax/functional/limits.hpp"
+#include "reasoning/syntax/functional/read.hpp"
+#include "reasoning/syntax/functional/tokenizer.hpp"
+
+namespace geminga::functional {
+
+/// Reads one file once.
+class Parser {
+ public:
+  /// The bytes have passed check_text(). All arguments must outlive the parser.
+  Parser(std::string_view bytes, el::FileId file, el::OntologySource& source, const Limits& limits,
+         std::vector<el::Annotation>* annotations);
+
+  [[nodiscard]] std::expected<Document, Problem> run();
+
+ private:
+  // parser.cpp: the document, its header, and what all others use.
+  bool prefix_declaration();
+  bool ontology();
+  bool header();
+  bool import();
+  bool expect(TokenKind kind, std::string_view what);
+  /// Fails with what was wanted here and what was found; always false.
+  bool expected(std::string_view what);
+
+  // parser_axioms.cpp
+  bool axiom();
+  /// What stands behind the bracket and the annotations of an axiom. Terms go to the stack.
+  bool axiom_operands(const Production& production);
+  bool declaration();
+  bool bracketed(Operand wanted);
+  bool extension(std::string_view construct, std::uint32_t line);
+  /// Declares the entity on the stack, once in a file.
+  void declare(std::uint32_t line);
+  /// Hands over the terms on the stack as one axiom, or leaves it out where something in it has no term.
+  void add(el::AxiomKind kind, std::uint32_t line);
+
+  // parser_annotations.cpp
+  bool annotation();
+  bool annotations();
+  bool annotation_value();
+  bool annotation_assertion();
+  bool annotation_axiom(std::string_view word);
+  /// Hands over what was read last as the value of an annotation.
+  void keep(el::Annotation annotation, TokenKind value, std::size_t level);
+
+  // parser_expressions.cpp
+  bool operand(Operand wanted);
+  bool operands(const Production& production);
+  bool expression(Operand wanted);
+  bool n_ary_data();
+  bool facet();
+  bool counted(std::uint32_t& number);
+  /// One or more, up to the closing bracket, which is left.
+  bool repeated(Operand wanted);
+  bool too_many_operands();
+  /// One level deeper, where the limit allows it; the caller takes it back.
+  bool descend();
+  /// The term of an expression whose operands stand on the stack from `base` on.
+  el::TermId term_of(const Production& production, std::size_t base, std::uint32_t number);
+
+  // parser_names.cpp
+  [[nodiscard]] bool is_name() const { return tokens_.is(TokenKind::full_iri) || tokens_.is(TokenKind::prefixed_name); }
+  /// Reads a name; its IRI is in iri_.
+  bool iri(std::string_view what);
+  bool resolve(const Token& name);
+  /// These two leave a term on the stack.
+  bool entity(el::TermKind kind, std::string_view what);
+  bool individual(std::string_view what);
+  /// The name of a blank node, which no other file has; valid until the next name.
+  std::string_view blank_name(std::string_view label);
+  /// Reads a literal; it is in lexical_, language_ and, the datatype, iri_.
+  bool literal();
+  void take_language(std::string_view tag);
+
+  struct TextHash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
+  };
+
+  struct Prefix {
+    std::string iri;
+    bool is_declared = false;  ///< in this file
+  };
+
+  el::OntologySource& source_;
+  const el::FileId file_;
+  const Limits& limits_;
+  const std::string_view bytes_;
+  el::AnnotationStack annotations_;
+  Tokenizer tokens_;
+  Document document_;
+
+  std::unordered_map<std::string, Prefix, TextHash, std::equal_to<>> prefixes_;
+  std::string last_prefix_;                       ///< whose IRI is last_prefix_iri_
+  const std::string* last_prefix_iri_ = nullptr;  ///< into prefixes_, whose nodes do not move
+  std::unordered_set<std::string> imported_;
+  std::string blank_prefix_;  ///< the same for the same file on every host: made of its content
+
+  std::string_view iri_;  ///< the last name; valid until the next
+  std::string iri_buffer_;
+  std::string_view lexical_;   ///< of the last literal, without escapes
+  std::string_view language_;  ///< of the last literal, in lower case
+  std::string lexical_buffer_;
+  std::string language_buffer_;
+
+  std::vector<el::TermId> terms_;
+  std::size_t depth_ = 0;           ///< of expressions or annotations
+  bool is_of_ontology_ = false;     ///< what is read now is an annotation of the ontology
+  const char* obstacle_ = nullptr;  ///< what in the current axiom has no term
+  std::vector<bool> declared_;      ///< by term
+};
+
+}  // namespace geminga::functional
+
+#endif

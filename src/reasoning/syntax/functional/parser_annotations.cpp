@@ -1,0 +1,89 @@
+// Annotations: read to the letter, used for labels, and otherwise counted.
+#include <utility>
+
+#include "reasoning/syntax/functional/parser.hpp"
+
+namespace geminga::functional {
+namespace {
+
+constexpr std::string_view rdfs_label = "http://www.w3.org/2000/01/rdf-schema#label";
+constexpr std::string_view skos_pref_label = "http://www.w3.org/2004/02/skos/core#prefLabel";
+constexpr std::string_view property_name = "the name of an annotation property";
+
+}  // namespace
+
+bool Parser::annotations() {
+  while (tokens_.is(TokenKind::word) && tokens_.token().text == "Annotation") {
+    if (!annotation()) return false;
+  }
+  return true;
+}
+
+bool Parser::annotation() {
+  if (!descend()) return false;
+  tokens_.advance();
+  bool is_read = expect(TokenKind::open, "'(' behind Annotation") && annotations() && iri(property_name);
+  std::string property(annotations_.is_wanted() && is_read ? iri_ : std::string_view());
+  const TokenKind kind = tokens_.token().kind;
+  is_read = is_read && annotation_value();
+  if (is_read && annotations_.is_wanted()) {
+    el::Annotation read = el::annotation_of({}, std::move(property));
+    if (is_of_ontology_ && depth_ == 1) {
+      read.of = el::Annotation::Of::ontology;
+      read.number = static_cast<std::uint32_t>(file_);
+    }
+    keep(std::move(read), kind, depth_);
+  }
+  is_read = is_read && expect(TokenKind::close, "')' behind the annotation");
+  --depth_;
+  ++document_.annotations;
+  return is_read;
+}
+
+void Parser::keep(el::Annotation annotation, TokenKind value, std::size_t level) {
+  annotation.is_literal = value == TokenKind::string;
+  annotation.value = annotation.is_literal ? lexical_ : iri_;
+  if (annotation.is_literal) {
+    annotation.datatype = iri_;
+    annotation.language = language_;
+  }
+  annotations_.add(std::move(annotation), level);
+}
+
+bool Parser::annotation_value() {
+  if (tokens_.is(TokenKind::string)) return literal();
+  if (is_name()) return iri("an IRI");
+  if (tokens_.is(TokenKind::node_id) && annotations_.is_wanted()) iri_ = blank_name(tokens_.token().text);
+  return expect(TokenKind::node_id, "an IRI, a blank node or a literal");
+}
+
+bool Parser::annotation_assertion() {
+  if (!iri(property_name)) return false;
+  const bool is_label = iri_ == rdfs_label || iri_ == skos_pref_label;
+  std::string property(annotations_.is_wanted() ? iri_ : std::string_view());
+  std::string subject;
+  const bool is_of_blank = tokens_.is(TokenKind::node_id);
+  if (is_name()) {
+    if (!iri("an IRI")) return false;
+    if (is_label || annotations_.is_wanted()) subject = iri_;
+  } else {
+    if (is_of_blank && annotations_.is_wanted()) subject = blank_name(tokens_.token().text);
+    if (!expect(TokenKind::node_id, "an IRI or a blank node")) return false;
+  }
+  const TokenKind value = tokens_.token().kind;
+  if (!annotation_value()) return false;
+  if (is_label && !is_of_blank && value == TokenKind::string) source_.add_label(subject, lexical_, language_);
+  if (annotations_.is_wanted()) keep(el::annotation_of(std::move(subject), std::move(property)), value, 0);
+  return true;
+}
+
+bool Parser::annotation_axiom(std::string_view word) {
+  if (!iri(property_name)) return false;
+  std::string subject(iri_);
+  if (!iri("an IRI")) return false;
+  if (annotations_.is_wanted())
+    keep(el::annotation_of(std::move(subject), el::property_of_annotation_axiom(word)), TokenKind::full_iri, 0);
+  return true;
+}
+
+}  // namespace geminga::functional

@@ -1,0 +1,138 @@
+// Expressions of classes, properties and data ranges, by the table of the grammar.
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "reasoning/syntax/functional/parser.hpp"
+
+namespace geminga::functional {
+
+using el::TermKind;
+
+bool Parser::operand(Operand wanted) {
+  switch (wanted) {
+    case Operand::named_class:
+      return entity(TermKind::named_class, to_string(wanted));
+    case Operand::named_object_property:
+      return entity(TermKind::object_property, to_string(wanted));
+    case Operand::data_property:
+      return entity(TermKind::data_property, to_string(wanted));
+    case Operand::datatype:
+      return entity(TermKind::datatype, to_string(wanted));
+    case Operand::individual:
+      return individual(to_string(wanted));
+    case Operand::class_expression:
+      return is_name() ? entity(TermKind::named_class, to_string(wanted)) : expression(wanted);
+    case Operand::object_property:
+    case Operand::property_chain:
+      return is_name() ? entity(TermKind::object_property, to_string(wanted)) : expression(wanted);
+    case Operand::data_range:
+      return is_name() ? entity(TermKind::datatype, to_string(wanted)) : expression(wanted);
+    case Operand::literal:
+      if (!literal()) return false;
+      terms_.push_back(source_.literal(lexical_, iri_, language_));
+      return true;
+    case Operand::facet:
+      return facet();
+    case Operand::none:
+      break;
+  }
+  return true;
+}
+
+bool Parser::operands(const Production& production) {
+  for (const Operand wanted : production.first) {
+    if (wanted == Operand::none) break;
+    if (!operand(wanted)) return false;
+  }
+  if (production.optional != Operand::none && !tokens_.is(TokenKind::close)) return operand(production.optional);
+  return production.repeated == Operand::none || repeated(production.repeated);
+}
+
+bool Parser::repeated(Operand wanted) {
+  std::size_t count = 0;
+  do {
+    if (++count > limits_.operands) return too_many_operands();
+    if (!operand(wanted)) return false;
+  } while (!tokens_.is(TokenKind::close));
+  return true;
+}
+
+bool Parser::too_many_operands() {
+  tokens_.fail("more than " + std::to_string(limits_.operands) + " operands");
+  return false;
+}
+
+bool Parser::descend() {
+  if (depth_ >= limits_.nesting) {
+    tokens_.fail("more than " + std::to_string(limits_.nesting) + " levels of nesting");
+    return false;
+  }
+  ++depth_;
+  return true;
+}
+
+bool Parser::expression(Operand wanted) {
+  const Production* production = tokens_.is(TokenKind::word) ? find_production(tokens_.token().text) : nullptr;
+  const bool fits =
+      production != nullptr && (production->result == wanted ||
+                                (wanted == Operand::property_chain && production->result == Operand::object_property));
+  if (!fits) return expected(to_string(wanted));
+  if (!descend()) return false;
+  tokens_.advance();
+  if (!expect(TokenKind::open, "'('")) return false;
+  std::uint32_t number = 0;
+  if (production->is_counted && !counted(number)) return false;
+  const std::size_t base = terms_.size();
+  const bool is_read = production->form == Form::n_ary_data ? n_ary_data() : operands(*production);
+  --depth_;
+  if (!is_read || !expect(TokenKind::close, "')' behind the operands")) return false;
+  const el::TermId term = term_of(*production, base, number);
+  terms_.resize(base);
+  terms_.push_back(term);
+  return true;
+}
+
+el::TermId Parser::term_of(const Production& production, std::size_t base, std::uint32_t number) {
+  const std::span<const el::TermId> operands = std::span(terms_).subspan(base);
+  // One operand where the grammar wants two is what it says by itself; OWL tools write such.
+  const bool is_list = production.repeated != Operand::none && production.first.front() == Operand::none &&
+                       production.term() != TermKind::object_one_of && production.term() != TermKind::data_one_of;
+  if (is_list && operands.size() == 1) return operands.front();
+  return source_.term(production.term(), operands, number);
+}
+
+bool Parser::counted(std::uint32_t& number) {
+  if (!tokens_.is(TokenKind::number)) return expected("a number");
+  std::string_view digits = tokens_.token().text;
+  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size() - 1));
+  const auto parsed = base::parse_number<std::uint32_t>(digits);
+  if (!parsed) obstacle_ = "a cardinality above 4294967295";
+  number = parsed.value_or(0);
+  tokens_.advance();
+  return true;
+}
+
+bool Parser::n_ary_data() {
+  if (!operand(Operand::data_property)) return false;
+  for (std::size_t properties = 1; is_name(); ++properties) {
+    if (!iri(to_string(Operand::data_range))) return false;
+    if (tokens_.is(TokenKind::close)) {
+      terms_.push_back(source_.datatype(iri_));
+      return true;
+    }
+    // So it was one more property. No data range of OWL 2 has several values: such a class cannot be understood.
+    obstacle_ = "owl:onProperties";
+    if (properties >= limits_.operands) return too_many_operands();
+  }
+  return operand(Operand::data_range);
+}
+
+bool Parser::facet() {
+  if (!iri("the IRI of a facet")) return false;
+  const std::string facet_iri(iri_);
+  if (!operand(Operand::literal)) return false;
+  terms_.back() = source_.facet(facet_iri, terms_.back());
+  return true;
+}
+
+}  // namespace geminga::functional

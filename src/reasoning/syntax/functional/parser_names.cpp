@@ -1,0 +1,112 @@
+// IRIs, entities, individuals and literals.
+#include <xxhash.h>
+
+#include "base/text.hpp"
+#include "reasoning/syntax/functional/parser.hpp"
+
+namespace geminga::functional {
+namespace {
+
+constexpr std::string_view plain_literal = "http://www.w3.org/1999/02/22-rdf-syntax-ns#PlainLiteral";
+
+}  // namespace
+
+bool Parser::iri(std::string_view what) {
+  const Token& token = tokens_.token();
+  if (token.kind == TokenKind::full_iri) {
+    iri_ = token.text;
+    if (iri_.empty()) return expected(what);
+  } else if (token.kind == TokenKind::prefixed_name) {
+    if (!resolve(token)) return false;
+  } else {
+    return expected(what);
+  }
+  tokens_.advance();
+  return true;
+}
+
+bool Parser::resolve(const Token& name) {
+  const std::string_view prefix = name.text.substr(0, name.prefix_bytes);
+  if (last_prefix_iri_ == nullptr || last_prefix_ != prefix) {
+    const auto found = prefixes_.find(prefix);
+    if (found == prefixes_.end()) {
+      tokens_.fail("the prefix " + base::printable(prefix, 60) + ": is not declared");
+      return false;
+    }
+    last_prefix_ = prefix;
+    last_prefix_iri_ = &found->second.iri;
+  }
+  const std::string_view local = name.text.substr(name.prefix_bytes + 1);
+  iri_buffer_.assign(*last_prefix_iri_);
+  if (name.has_escapes) {
+    append_unescaped(iri_buffer_, local);
+  } else {
+    iri_buffer_.append(local);
+  }
+  if (iri_buffer_.size() > limits_.iri_bytes || iri_buffer_.empty()) {
+    tokens_.fail(iri_buffer_.empty() ? std::string("a name that stands for an empty IRI")
+                                     : "an IRI of more than " + std::to_string(limits_.iri_bytes) + " bytes");
+    return false;
+  }
+  iri_ = iri_buffer_;
+  return true;
+}
+
+bool Parser::entity(el::TermKind kind, std::string_view what) {
+  if (!iri(what)) return false;
+  terms_.push_back(source_.entity(kind, iri_));
+  return true;
+}
+
+bool Parser::individual(std::string_view what) {
+  if (!tokens_.is(TokenKind::node_id)) return entity(el::TermKind::individual, what);
+  terms_.push_back(source_.anonymous_individual(blank_name(tokens_.token().text)));
+  tokens_.advance();
+  return true;
+}
+
+std::string_view Parser::blank_name(std::string_view label) {
+  if (blank_prefix_.empty()) blank_prefix_ = "_:" + base::to_hex(XXH3_64bits(bytes_.data(), bytes_.size()), 16) + '.';
+  return iri_buffer_.assign(blank_prefix_).append(label);
+}
+
+void Parser::take_language(std::string_view tag) {
+  // Tags that differ in case are one (RFC 5646, section 2.1.1); raptor reads RDF/XML so, too.
+  language_buffer_ = tag;
+  for (char& c : language_buffer_) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
+  }
+  language_ = language_buffer_;
+}
+
+bool Parser::literal() {
+  const Token token = tokens_.token();
+  if (token.kind != TokenKind::string) return expected(to_string(Operand::literal));
+  lexical_ = token.text;
+  if (token.has_escapes) {
+    lexical_buffer_.clear();
+    append_unescaped(lexical_buffer_, token.text);
+    lexical_ = lexical_buffer_;
+  }
+  language_ = {};
+  iri_ = {};
+  tokens_.advance();
+  if (tokens_.is(TokenKind::language)) {
+    take_language(tokens_.token().text);
+    tokens_.advance();
+    return true;
+  }
+  if (!tokens_.is(TokenKind::carets)) return !tokens_.is(TokenKind::failed);
+  tokens_.advance();
+  if (!iri("the name of a datatype behind '^^'")) return false;
+  // "text@en"^^rdf:PlainLiteral is "text"@en, and "text@"^^rdf:PlainLiteral is "text" (OWL 2, section 5.7).
+  if (iri_ != plain_literal) return true;
+  iri_ = {};
+  const std::size_t at = lexical_.rfind('@');
+  if (at == std::string_view::npos) return true;
+  take_language(lexical_.substr(at + 1));
+  lexical_ = lexical_.substr(0, at);
+  return true;
+}
+
+}  // namespace geminga::functional

@@ -1,0 +1,68 @@
+// Annotations (mapping to RDF, section 2.3): what an axiom's own node says where it has one; for an axiom that is a
+// triple owl:Axiom, for an annotation owl:Annotation, with the triple's subject, predicate and object.
+#include "reasoning/syntax/graph/axiom_triples.hpp"
+
+namespace geminga::graph {
+
+using el::Annotation;
+
+Annotations::Annotations(std::span<const Annotation> all) : all_(all) {
+  for (std::uint32_t number = 0; number < all.size(); ++number) {
+    const Annotation& annotation = all[number];
+    if (annotation.of != Annotation::Of::name) about_[{annotation.of, annotation.number}].push_back(number);
+  }
+}
+
+std::span<const std::uint32_t> Annotations::about(Annotation::Of of, std::uint32_t number) const {
+  const auto found = about_.find({of, number});
+  return found == about_.end() ? std::span<const std::uint32_t>() : found->second;
+}
+
+Node AxiomTriples::reify(const Triple& triple, std::string_view type) {
+  const Node made = fresh();
+  const std::string owl(owl_namespace);
+  link(made, rdf_type, owl_word(type));
+  link(made, owl + "annotatedSource", triple.subject);
+  link(made, owl + "annotatedProperty", triple.predicate);
+  link(made, owl + "annotatedTarget", triple.object);
+  return made;
+}
+
+/// Annotations are nested as deep as the readers let them be.
+void AxiomTriples::annotate(const Node& holder, const Annotations& annotations, std::span<const std::uint32_t> own,
+                            std::string_view type) {
+  for (const std::uint32_t number : own) {
+    const Annotation& annotation = annotations.at(number);
+    Node value{Node::Kind::literal, annotation.value, annotation.language.empty() ? annotation.datatype : "",
+               annotation.language};
+    if (!annotation.is_literal)
+      value = annotation.value.starts_with("_:") ? individual(annotation.value) : iri(annotation.value);
+    const Triple triple{holder, iri(annotation.property), std::move(value)};
+    link(triple.subject, annotation.property, triple.object);
+    const auto nested = annotations.about(Annotation::Of::annotation, number);
+    if (!nested.empty()) annotate(reify(triple, type), annotations, nested);
+  }
+}
+
+void AxiomTriples::annotate(const Annotations& annotations, std::span<const std::uint32_t> own) {
+  if (own.empty()) return;
+  if (holder_) annotate(*holder_, annotations, own);
+  for (const Triple& triple : std::exchange(said_, {})) annotate(reify(triple, "Axiom"), annotations, own);
+}
+
+void AxiomTriples::add(const Annotations& annotations, std::uint32_t number) {
+  const Annotation& annotation = annotations.at(number);
+  const std::uint32_t own[]{number};
+  if (annotation.of == Annotation::Of::ontology)
+    return annotate(ontology(static_cast<el::FileId>(annotation.number)), annotations, own);
+  // The annotation is an axiom itself.
+  const std::string& subject = annotation.subject;
+  annotate(subject.starts_with("_:") ? individual(subject) : iri(subject), annotations, own, "Axiom");
+}
+
+Node AxiomTriples::ontology(el::FileId file) const {
+  const std::string& name = source_.files()[static_cast<std::size_t>(file)].ontology_iri;
+  return name.empty() ? blank("o" + std::to_string(static_cast<std::uint32_t>(file))) : iri(name);
+}
+
+}  // namespace geminga::graph

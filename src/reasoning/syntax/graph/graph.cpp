@@ -1,0 +1,197 @@
+#include "reasoning/syntax/graph/graph.hpp"
+
+#include <algorithm>
+#include <new>
+
+#include "base/text.hpp"
+#include "reasoning/syntax/files.hpp"
+#include "reasoning/syntax/graph/state.hpp"
+#include "reasoning/syntax/graph/turtle_numbers.hpp"
+#include "reasoning/syntax/inflate.hpp"
+#include "reasoning/syntax/rdf/load.hpp"
+#include "reasoning/syntax/syntax.hpp"
+
+namespace geminga::graph {
+namespace {
+
+constexpr std::size_t chunk_bytes = std::size_t{1} << 16;
+
+/// One file on its way into a graph.
+struct Reading {
+  Graph::State& graph;
+  std::string blank_prefix;
+  std::uint64_t generated = 0;
+
+  static void on_statement(void* data, raptor_statement* statement) {
+    auto& self = *static_cast<Reading*>(data);
+    if (!self.graph.make_room()) return;
+    try {
+      if (self.graph.keeps && !self.keeps(*statement)) return;
+      if (!self.graph.statements.add_copy(statement)) self.graph.fail("memory is short");
+    } catch (const std::bad_alloc&) {  // nothing may pass through raptor
+      self.graph.fail("memory is short");
+    }
+  }
+
+  [[nodiscard]] bool keeps(const raptor_statement& statement) const {
+    return graph.keeps(node_of(*statement.subject), node_of(*statement.predicate).text, node_of(*statement.object));
+  }
+
+  /// Names of blank nodes, those that a file gives and those that raptor makes up. Raptor frees what it is given and
+  /// what it gets.
+  static unsigned char* on_blank(void* data, unsigned char* given) {
+    auto& self = *static_cast<Reading*>(data);
+    const std::string label = self.blank_prefix + (given == nullptr ? 'g' + std::to_string(++self.generated)
+                                                                    : 'u' + label_of(reinterpret_cast<char*>(given)));
+    if (given != nullptr) raptor_free_memory(given);
+    auto* name = static_cast<unsigned char*>(raptor_alloc_memory(label.size() + 1));
+    if (name != nullptr) std::copy_n(label.c_str(), label.size() + 1, reinterpret_cast<char*>(name));
+    return name;
+  }
+};
+
+const char* parser_of(rdf::Syntax syntax) {
+  // N-Triples are Turtle, whose reader passes nothing over in silence.
+  return syntax == rdf::Syntax::rdf_xml ? "rdfxml" : "turtle";
+}
+
+/// Takes every occurrence of a word out of a text; how many there were.
+std::size_t take_out(std::string_view word, std::string& text) {
+  std::size_t count = 0;
+  std::size_t kept = 0;
+  std::size_t at = 0;
+  for (std::size_t next = text.find(word); next != std::string::npos; next = text.find(word, at), ++count) {
+    std::copy(text.begin() + static_cast<std::ptrdiff_t>(at), text.begin() + static_cast<std::ptrdiff_t>(next),
+              text.begin() + static_cast<std::ptrdiff_t>(kept));
+    kept += next - at;
+    at = next + word.size();
+  }
+  text.erase(kept, at - kept);
+  return count;
+}
+
+}  // namespace
+
+std::optional<Format> find_format(std::string_view name) {
+  if (name == "turtle" || name == "ttl") return Format::turtle;
+  if (name == "rdfxml" || name == "rdf" || name == "owl") return Format::rdf_xml;
+  if (name == "ntriples" || name == "nt") return Format::n_triples;
+  return std::nullopt;
+}
+
+std::optional<Format> format_of_file(std::string_view path) {
+  if (path.ends_with(".ttl")) return Format::turtle;
+  if (path.ends_with(".nt")) return Format::n_triples;
+  if (path.ends_with(".rdf") || path.ends_with(".owl") || path.ends_with(".xml")) return Format::rdf_xml;
+  return std::nullopt;
+}
+
+Graph::Graph(const Limits& limits) : state_(std::make_unique<State>(limits)) {
+  if (!state_->world.is_open()) state_->fail("Redland does not start: memory is short");
+}
+
+Graph::~Graph() = default;
+
+void Graph::set_filter(std::function<bool(const Node&, std::string_view, const Node&)> keeps) {
+  state_->keeps = std::move(keeps);
+}
+
+void Graph::add(const Node& subject, const Node& predicate, const Node& object) {
+  if (!state_->make_room()) return;
+  if (state_->keeps && !state_->keeps(subject, predicate.text, object)) return;
+  if (!state_->statements.add(subject, predicate, object))
+    state_->fail("a triple cannot be held: memory is short, or a language tag has more than 255 letters");
+}
+
+std::optional<rdf::LoadError> Graph::add_file(const std::string& path, std::size_t number) {
+  const auto refuse = [&](std::string text) { return rdf::LoadError{base::printable(path, 4096), 0, std::move(text)}; };
+  if (state_->problem) return std::nullopt;
+  const auto text = rdf::read_text(path);
+  if (!text) return text.error();
+  raptor_world* raptor = state_->world.raptor();
+  Reading reading{*state_, 'f' + std::to_string(number)};
+  raptor_world_set_generate_bnodeid_handler(raptor, &reading, Reading::on_blank);
+  raptor_parser* parser = raptor_new_parser(raptor, parser_of(text->syntax));
+  raptor_uri* base = raptor_new_uri(raptor, octets(text->base_iri));
+  bool is_read = parser != nullptr && base != nullptr;
+  if (is_read) {
+    raptor_parser_set_statement_handler(parser, &reading, Reading::on_statement);
+    raptor_parser_set_option(parser, RAPTOR_OPTION_NO_NET, nullptr, 1);
+    raptor_parser_set_option(parser, RAPTOR_OPTION_NO_FILE, nullptr, 1);
+    raptor_parser_set_option(parser, RAPTOR_OPTION_LOAD_EXTERNAL_ENTITIES, nullptr, 0);
+    is_read = raptor_parser_parse_start(parser, base) == 0;
+  }
+  const std::string_view bytes = rdf::without_mark(text->bytes.view());
+  for (std::size_t at = 0; at < bytes.size() && is_read; at += chunk_bytes) {
+    const std::string_view chunk = bytes.substr(at, chunk_bytes);
+    is_read =
+        raptor_parser_parse_chunk(parser, reinterpret_cast<const unsigned char*>(chunk.data()), chunk.size(), 0) == 0;
+  }
+  is_read = is_read && raptor_parser_parse_chunk(parser, nullptr, 0, 1) == 0;
+  if (parser != nullptr) raptor_free_parser(parser);
+  if (base != nullptr) raptor_free_uri(base);
+  raptor_world_set_generate_bnodeid_handler(raptor, nullptr, nullptr);
+  if (is_read) return std::nullopt;
+  const std::string error = state_->world.take_error();
+  return refuse(error.empty() ? "cannot be parsed" : error);
+}
+
+const std::optional<std::string>& Graph::problem() const { return state_->problem; }
+
+void Graph::settle() { state_->statements.settle(); }
+
+void Graph::remove(const Graph& others) { state_->statements.remove(others.state_->statements); }
+
+std::size_t Graph::size() const { return state_->statements.size(); }
+
+void Graph::for_each(const TripleSink& sink) const { state_->statements.for_each(sink); }
+
+std::expected<std::string, std::string> Graph::write(Format format, const Prefixes& prefixes) const {
+  return graph::write(state_->world, state_->statements, format, prefixes);
+}
+
+const char* name_of(Format format) {
+  switch (format) {
+    case Format::turtle:
+      return "turtle";
+    case Format::rdf_xml:
+      return "rdfxml-abbrev";
+    case Format::n_triples:
+      return "ntriples";
+  }
+  return "";
+}
+
+std::expected<std::string, std::string> write(World& world, const Statements& statements, Format format,
+                                              const Prefixes& prefixes) {
+  Statements turtle(world);
+  std::size_t marked = 0;
+  if (format == Format::turtle && !turtle.make_turtle_of(statements, marked)) return std::unexpected("memory is short");
+  const Statements& written_ones = format == Format::turtle ? turtle : statements;
+  librdf_serializer* serializer = librdf_new_serializer(world.redland(), name_of(format), nullptr, nullptr);
+  librdf_stream* stream = serializer == nullptr ? nullptr : written_ones.stream();
+  std::expected<std::string, std::string> text = std::unexpected("Redland cannot write: memory is short");
+  if (stream != nullptr) {
+    for (const auto& [prefix, name] : prefixes) {
+      librdf_uri* uri = librdf_new_uri(world.redland(), octets(name));
+      if (uri != nullptr) librdf_serializer_set_namespace(serializer, uri, prefix.c_str());
+      if (uri != nullptr) librdf_free_uri(uri);
+    }
+    std::size_t size = 0;
+    unsigned char* written = librdf_serializer_serialize_stream_to_counted_string(serializer, nullptr, stream, &size);
+    const std::string error = world.take_error();
+    if (!error.empty()) {
+      text = std::unexpected(error);
+    } else if (written != nullptr) {
+      text = std::string(reinterpret_cast<const char*>(written), size);
+      if (marked != 0 && take_out(in_quotes, *text) != marked)
+        text = std::unexpected("a name ends in " + std::string(in_quotes) + ": write --to rdfxml or ntriples");
+    }
+    if (written != nullptr) librdf_free_memory(written);
+    librdf_free_stream(stream);
+  }
+  if (serializer != nullptr) librdf_free_serializer(serializer);
+  return text;
+}
+
+}  // namespace geminga::graph

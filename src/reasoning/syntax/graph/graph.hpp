@@ -1,0 +1,74 @@
+// A set of triples that is filled from files and axioms, and then written or asked.
+//
+//   graph::Graph all;
+//   if (auto error = all.add_file("team.ttl", 0)) return refuse(*error);
+//   all.add(graph::iri(a), graph::iri(graph::rdfs_sub_class_of), graph::iri(b));
+//   if (const auto& problem = all.problem()) return refuse(*problem);
+//   const auto text = all.write(graph::Format::turtle, prefixes);
+#ifndef GEMINGA_REASONING_SYNTAX_GRAPH_GRAPH_HPP
+#define GEMINGA_REASONING_SYNTAX_GRAPH_GRAPH_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "reasoning/syntax/error.hpp"
+#include "reasoning/syntax/graph/limits.hpp"
+#include "reasoning/syntax/graph/node.hpp"
+
+namespace geminga::graph {
+
+/// What librdf writes, and our readers read.
+enum class Format : std::uint8_t { turtle, rdf_xml, n_triples };
+
+/// "turtle", "rdfxml", "ntriples"; nothing where it is none of these.
+[[nodiscard]] std::optional<Format> find_format(std::string_view name);
+/// By what a file's name ends in: .ttl, .nt; .rdf, .owl and .xml are RDF/XML.
+[[nodiscard]] std::optional<Format> format_of_file(std::string_view path);
+
+using Prefixes = std::vector<std::pair<std::string, std::string>>;  ///< without the colon; the IRI
+
+class Graph {
+ public:
+  explicit Graph(const Limits& limits = {});
+  Graph(const Graph&) = delete;
+  Graph& operator=(const Graph&) = delete;
+  ~Graph();
+
+  /// From now on triples for which this says no are passed over.
+  void set_filter(std::function<bool(const Node& subject, std::string_view predicate, const Node& object)> keeps);
+  void add(const Node& subject, const Node& predicate, const Node& object);
+  /// The triples of a file that rdf::load() has read, all of them, comments too. Its blank nodes are told apart from
+  /// those of other files by their number. Opens nothing else, whatever the file says.
+  [[nodiscard]] std::optional<rdf::LoadError> add_file(const std::string& path, std::size_t number);
+
+  /// Why it is not whole: a limit was exceeded, or memory is short; in one line.
+  [[nodiscard]] const std::optional<std::string>& problem() const;
+
+  /// Each triple once, in an order that depends on nothing but what they say. To be called before what follows.
+  void settle();
+  /// Takes out what another graph of the same settled kind has.
+  void remove(const Graph& others);
+  [[nodiscard]] std::size_t size() const;
+  /// In their order.
+  void for_each(const TripleSink& sink) const;
+  /// The whole of it in one text, or why there is none.
+  [[nodiscard]] std::expected<std::string, std::string> write(Format format, const Prefixes& prefixes) const;
+
+  struct State;
+  [[nodiscard]] State& state() const { return *state_; }
+
+ private:
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace geminga::graph
+
+#endif

@@ -1,0 +1,19 @@
+// The most that a graph may hold, and that a query may ask of it.
+#ifndef GEMINGA_REASONING_SYNTAX_GRAPH_LIMITS_HPP
+#define GEMINGA_REASONING_SYNTAX_GRAPH_LIMITS_HPP
+
+#include <cstddef>
+
+namespace geminga::graph {
+
+struct Limits {
+  /// Each takes about 200 octets, and 500 more where it is asked.
+  std::size_t triples = 10'000'000;
+  std::size_t query_bytes = std::size_t{1} << 16;
+  /// Rows of one answer; what is beyond them is not given.
+  std::size_t rows = 1'000'000;
+};
+
+}  // namespace geminga::graph
+
+#endif

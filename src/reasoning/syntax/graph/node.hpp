@@ -1,0 +1,43 @@
+// What a triple is made of, as plain texts.
+#ifndef GEMINGA_REASONING_SYNTAX_GRAPH_NODE_HPP
+#define GEMINGA_REASONING_SYNTAX_GRAPH_NODE_HPP
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/text.hpp"
+
+namespace geminga::graph {
+
+struct Node {
+  enum class Kind : std::uint8_t { iri, blank, literal } kind = Kind::iri;
+  std::string text;      ///< IRI, the label of a blank node without _:, or lexical form
+  std::string datatype;  ///< of literals: an IRI; empty: a plain one, or one with a language
+  std::string language;
+
+  friend bool operator==(const Node&, const Node&) = default;
+};
+
+[[nodiscard]] inline Node iri(std::string_view text) { return {Node::Kind::iri, std::string(text), {}, {}}; }
+[[nodiscard]] inline Node blank(std::string label) { return {Node::Kind::blank, std::move(label), {}, {}}; }
+
+/// A part of a blank node's label, as different as the text: letters and digits only. Redland's Turtle writer gives a
+/// node with any other character one label as a subject and another as an object.
+[[nodiscard]] inline std::string label_of(std::string_view text) {
+  std::string label;
+  for (const char c : text) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c < 'Z') || (c >= '0' && c <= '9');
+    label += is_plain ? std::string(1, c) : 'Z' + base::to_hex(static_cast<unsigned char>(c), 2);
+  }
+  return label;
+}
+
+/// Takes the triples that something makes.
+using TripleSink = std::function<void(const Node& subject, const Node& predicate, const Node& object)>;
+
+}  // namespace geminga::graph
+
+#endif

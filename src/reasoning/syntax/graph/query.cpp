@@ -1,0 +1,164 @@
+#include "reasoning/syntax/graph/query.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "base/text.hpp"
+#include "reasoning/syntax/graph/state.hpp"
+
+namespace geminga::graph {
+namespace {
+
+struct Free {
+  void operator()(rasqal_query* query) const { rasqal_free_query(query); }
+  void operator()(librdf_query* query) const { librdf_free_query(query); }
+  void operator()(librdf_query_results* results) const { librdf_free_query_results(results); }
+  void operator()(librdf_storage* storage) const { librdf_free_storage(storage); }
+  void operator()(librdf_model* model) const { librdf_free_model(model); }
+  void operator()(librdf_stream* stream) const { librdf_free_stream(stream); }
+};
+template <typename T>
+using Owned = std::unique_ptr<T, Free>;
+
+constexpr const char* language = "sparql";
+
+/// Whether the query says itself what the prefix stands for.
+bool declares(std::string_view query, std::string_view prefix) {
+  const std::string word = std::string(prefix) + ':';
+  for (std::size_t at = query.find(word); at != std::string_view::npos; at = query.find(word, at + 1)) {
+    const bool is_word = at > 0 && std::string_view(" \t\r\n").find(query[at - 1]) != std::string_view::npos;
+    const std::size_t behind = query.find_first_not_of(" \t\r\n", at + word.size());
+    if (is_word && behind != std::string_view::npos && query[behind] == '<') return true;
+  }
+  return false;
+}
+
+/// On one line, so that the lines of errors stay right.
+std::string with_prefixes(const std::string& query, const Prefixes& prefixes) {
+  std::string text;
+  for (const auto& [prefix, name] : prefixes) {
+    const bool is_plain = std::ranges::all_of(prefix, [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+    });
+    const bool is_iri = name.find_first_of("<>\"{}|\\^` ") == std::string::npos;
+    if (is_plain && is_iri && !declares(query, prefix))
+      text.append("PREFIX ").append(prefix).append(": <").append(name).append("> ");
+  }
+  return text + query;
+}
+
+bool has_service(rasqal_graph_pattern* pattern) {
+  if (pattern == nullptr) return false;
+  if (rasqal_graph_pattern_get_operator(pattern) == RASQAL_GRAPH_PATTERN_OPERATOR_SERVICE) return true;
+  for (int at = 0;; ++at) {
+    rasqal_graph_pattern* below = rasqal_graph_pattern_get_sub_graph_pattern(pattern, at);
+    if (below == nullptr) return false;
+    if (has_service(below)) return true;
+  }
+}
+
+/// Why a query is not asked; its variables. Rasqal reads it and is asked for nothing else.
+std::optional<std::string> refusal_of(World& world, const std::string& query, std::vector<std::string>& variables) {
+  const Owned<rasqal_query> read(rasqal_new_query(world.rasqal(), language, nullptr));
+  if (read == nullptr) return "memory is short";
+  if (rasqal_query_prepare(read.get(), octets(query), nullptr) != 0) {
+    const std::string error = world.take_error();
+    return "the query cannot be read: " + (error.empty() ? "check its syntax" : error);
+  }
+  const rasqal_query_verb verb = rasqal_query_get_verb(read.get());
+  const bool is_known =
+      verb == RASQAL_QUERY_VERB_SELECT || verb == RASQAL_QUERY_VERB_ASK || verb == RASQAL_QUERY_VERB_CONSTRUCT;
+  if (!is_known)
+    return std::string(rasqal_query_verb_as_string(verb)) + " is not answered here: write SELECT, ASK or CONSTRUCT";
+  raptor_sequence* sources = rasqal_query_get_data_graph_sequence(read.get());
+  if (sources != nullptr && raptor_sequence_size(sources) > 0)
+    return "FROM would fetch a graph, and nothing is fetched: name the file before the query";
+  if (has_service(rasqal_query_get_query_graph_pattern(read.get())))
+    return "SERVICE would ask another host, and nothing is fetched";
+  raptor_sequence* named = rasqal_query_get_bound_variable_sequence(read.get());
+  for (int at = 0; named != nullptr && at < raptor_sequence_size(named); ++at) {
+    const auto* variable = static_cast<const rasqal_variable*>(raptor_sequence_get_at(named, at));
+    if (variable->name != nullptr) variables.emplace_back(reinterpret_cast<const char*>(variable->name));
+  }
+  return std::nullopt;
+}
+
+void read_rows(librdf_query_results* results, std::size_t most, Answer& answer) {
+  const int count = librdf_query_results_get_bindings_count(results);
+  // Of an answer without rows librdf does not know them.
+  if (count > 0) answer.variables.clear();
+  for (int at = 0; at < count; ++at) answer.variables.emplace_back(librdf_query_results_get_binding_name(results, at));
+  for (; librdf_query_results_finished(results) == 0; librdf_query_results_next(results)) {
+    if (answer.rows.size() >= most) {
+      answer.is_cut = true;
+      return;
+    }
+    auto& row = answer.rows.emplace_back();
+    for (int at = 0; at < count; ++at) {
+      librdf_node* node = librdf_query_results_get_binding_value(results, at);
+      row.push_back(node == nullptr ? std::nullopt : std::optional(node_of(*node)));
+      if (node != nullptr) librdf_free_node(node);
+    }
+  }
+}
+
+std::optional<std::string> read_triples(World& world, librdf_query_results* results, const Prefixes& prefixes,
+                                        Format format, std::size_t most, Answer& answer) {
+  Statements made(world);
+  const Owned<librdf_stream> stream(librdf_query_results_as_stream(results));
+  for (; stream != nullptr && librdf_stream_end(stream.get()) == 0; librdf_stream_next(stream.get())) {
+    if (made.size() >= most) {
+      answer.is_cut = true;
+      break;
+    }
+    if (!made.add_copy(librdf_stream_get_object(stream.get()))) return "memory is short";
+  }
+  made.settle();
+  auto text = write(world, made, format, prefixes);
+  if (!text) return text.error();
+  answer.text = std::move(*text);
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::expected<Answer, std::string> ask(const Graph& graph, const std::string& query, const Prefixes& prefixes,
+                                       Format format, const Limits& limits) {
+  if (query.size() > limits.query_bytes)
+    return std::unexpected("the query has more than " + std::to_string(limits.query_bytes) + " bytes");
+  if (!base::is_valid_utf8(query) || query.find('\0') != std::string::npos)
+    return std::unexpected("the query is no text in UTF-8");
+  World& world = graph.state().world;
+  const std::string text = with_prefixes(query, prefixes);
+  Answer answer;
+  if (auto refusal = refusal_of(world, text, answer.variables)) return std::unexpected(std::move(*refusal));
+
+  const Owned<librdf_storage> storage(
+      librdf_new_storage(world.redland(), "hashes", "asked", "hash-type='memory',index-predicates='yes'"));
+  const Owned<librdf_model> model(storage ? librdf_new_model(world.redland(), storage.get(), nullptr) : nullptr);
+  const Owned<librdf_stream> all(model ? graph.state().statements.stream() : nullptr);
+  if (!all || librdf_model_add_statements(model.get(), all.get()) != 0)
+    return std::unexpected("Redland cannot hold the graph: memory is short");
+  const Owned<librdf_query> asked(librdf_new_query(world.redland(), language, nullptr, octets(text), nullptr));
+  const Owned<librdf_query_results> results(asked ? librdf_model_query_execute(model.get(), asked.get()) : nullptr);
+  if (!results) {
+    const std::string error = world.take_error();
+    return std::unexpected("the query cannot be answered: " + (error.empty() ? "memory is short" : error));
+  }
+  std::optional<std::string> failed;
+  if (librdf_query_results_is_boolean(results.get()) != 0) {
+    answer.kind = Answer::Kind::truth;
+    answer.is_true = librdf_query_results_get_boolean(results.get()) > 0;
+  } else if (librdf_query_results_is_graph(results.get()) != 0) {
+    answer.kind = Answer::Kind::triples;
+    failed = read_triples(world, results.get(), prefixes, format, limits.rows, answer);
+  } else {
+    read_rows(results.get(), limits.rows, answer);
+  }
+  if (failed) return std::unexpected(std::move(*failed));
+  if (const std::string error = world.take_error(); !error.empty())
+    return std::unexpected("the query cannot be answered: " + error);
+  return answer;
+}
+
+}  // namespace geminga::graph

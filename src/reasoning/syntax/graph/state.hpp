@@ -1,0 +1,45 @@
+// What a graph is made of, for the files of this folder.
+#ifndef GEMINGA_REASONING_SYNTAX_GRAPH_STATE_HPP
+#define GEMINGA_REASONING_SYNTAX_GRAPH_STATE_HPP
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "reasoning/syntax/graph/graph.hpp"
+#include "reasoning/syntax/graph/statements.hpp"
+#include "reasoning/syntax/graph/world.hpp"
+
+namespace geminga::graph {
+
+struct Graph::State {
+  explicit State(const Limits& with) : limits(with), statements(world) {}
+
+  Limits limits;
+  World world;
+  Statements statements;
+  std::function<bool(const Node&, std::string_view, const Node&)> keeps;
+  std::optional<std::string> problem;
+
+  /// Counts one more triple; false: it has no room.
+  bool make_room() {
+    if (!problem && statements.size() >= limits.triples)
+      problem = "more than " + std::to_string(limits.triples) + " triples in all: give fewer files";
+    return !problem;
+  }
+  void fail(std::string_view words) {
+    if (!problem) problem = words;
+  }
+};
+
+/// Redland's serializer's name.
+[[nodiscard]] const char* name_of(Format format);
+
+/// Writes statements as text, or says why not.
+[[nodiscard]] std::expected<std::string, std::string> write(World& world, const Statements& statements, Format format,
+                                                            const Prefixes& prefixes);
+
+}  // namespace geminga::graph
+
+#endif

@@ -1,0 +1,166 @@
+#include "reasoning/syntax/graph/statements.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "reasoning/syntax/graph/turtle_numbers.hpp"
+
+namespace geminga::graph {
+namespace {
+
+/// What librdf asks of a stream.
+struct Cursor {
+  const std::vector<raptor_statement*>& all;
+  std::size_t place = 0;
+
+  static int is_end(void* cursor) {
+    const auto& self = *static_cast<Cursor*>(cursor);
+    return self.place >= self.all.size() ? 1 : 0;
+  }
+  static int next(void* cursor) {
+    auto& self = *static_cast<Cursor*>(cursor);
+    ++self.place;
+    return is_end(cursor);
+  }
+  static void* get(void* cursor, int flags) {
+    const auto& self = *static_cast<Cursor*>(cursor);
+    const bool is_object = flags == LIBRDF_STREAM_GET_METHOD_GET_OBJECT;
+    return is_object && self.place < self.all.size() ? self.all[self.place] : nullptr;
+  }
+  static void finish(void* cursor) { delete static_cast<Cursor*>(cursor); }
+};
+
+bool is_less(const raptor_statement* a, const raptor_statement* b) { return raptor_statement_compare(a, b) < 0; }
+bool is_equal(const raptor_statement* a, const raptor_statement* b) { return raptor_statement_compare(a, b) == 0; }
+
+std::string text_of(const unsigned char* text, std::size_t size) {
+  return text == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(text), size);
+}
+
+std::string text_of(raptor_uri* uri) {
+  std::size_t size = 0;
+  const unsigned char* text = raptor_uri_as_counted_string(uri, &size);
+  return text_of(text, size);
+}
+
+}  // namespace
+
+Statements::~Statements() {
+  for (raptor_statement* statement : all_) raptor_free_statement(statement);
+}
+
+raptor_term* Statements::term_of(const Node& node) const {
+  raptor_world* raptor = world_.raptor();
+  const unsigned char* text = octets(node.text);
+  switch (node.kind) {
+    case Node::Kind::iri:
+      return raptor_new_term_from_counted_uri_string(raptor, text, node.text.size());
+    case Node::Kind::blank:
+      return raptor_new_term_from_counted_blank(raptor, text, node.text.size());
+    case Node::Kind::literal:
+      break;
+  }
+  if (node.language.size() > std::numeric_limits<unsigned char>::max()) return nullptr;
+  raptor_uri* datatype = node.datatype.empty()
+                             ? nullptr
+                             : raptor_new_uri_from_counted_string(raptor, octets(node.datatype), node.datatype.size());
+  raptor_term* term = raptor_new_term_from_counted_literal(raptor, text, node.text.size(), datatype,
+                                                           node.language.empty() ? nullptr : octets(node.language),
+                                                           static_cast<unsigned char>(node.language.size()));
+  if (datatype != nullptr) raptor_free_uri(datatype);
+  return term;
+}
+
+bool Statements::add(const Node& subject, const Node& predicate, const Node& object) {
+  raptor_term* s = term_of(subject);
+  raptor_term* p = term_of(predicate);
+  raptor_term* o = term_of(object);
+  if (s == nullptr || p == nullptr || o == nullptr) {
+    for (raptor_term* term : {s, p, o}) {
+      if (term != nullptr) raptor_free_term(term);
+    }
+    return false;
+  }
+  raptor_statement* statement = raptor_new_statement_from_nodes(world_.raptor(), s, p, o, nullptr);
+  if (statement == nullptr) return false;
+  all_.push_back(statement);
+  return true;
+}
+
+bool Statements::add_copy(const raptor_statement* statement) {
+  // A statement of a parser is its own until the next; its terms are counted.
+  const auto copy = [](raptor_term* term) { return raptor_term_copy(term); };
+  raptor_statement* kept = raptor_new_statement_from_nodes(
+      world_.raptor(), copy(statement->subject), copy(statement->predicate), copy(statement->object), nullptr);
+  if (kept == nullptr) return false;
+  all_.push_back(kept);
+  return true;
+}
+
+bool Statements::make_turtle_of(const Statements& others, std::size_t& marked) {
+  for (const raptor_statement* statement : others.all_) {
+    const bool has_datatype =
+        statement->object->type == RAPTOR_TERM_TYPE_LITERAL && statement->object->value.literal.datatype != nullptr;
+    const auto object = has_datatype ? turtle_number(node_of(*statement->object)) : std::nullopt;
+    if (object && object->datatype.ends_with(in_quotes)) ++marked;
+    const bool is_kept =
+        object ? add(node_of(*statement->subject), node_of(*statement->predicate), *object) : add_copy(statement);
+    if (!is_kept) return false;
+  }
+  return true;
+}
+
+void Statements::settle() {
+  std::ranges::sort(all_, is_less);
+  std::vector<raptor_statement*> once;
+  for (raptor_statement* statement : all_) {
+    if (!once.empty() && is_equal(once.back(), statement)) {
+      raptor_free_statement(statement);
+    } else {
+      once.push_back(statement);
+    }
+  }
+  all_ = std::move(once);
+}
+
+void Statements::remove(const Statements& others) {
+  std::erase_if(all_, [&](raptor_statement* statement) {
+    const bool is_there = std::ranges::binary_search(others.all_, statement, is_less);
+    if (is_there) raptor_free_statement(statement);
+    return is_there;
+  });
+}
+
+void Statements::for_each(const TripleSink& sink) const {
+  for (const raptor_statement* statement : all_)
+    sink(node_of(*statement->subject), node_of(*statement->predicate), node_of(*statement->object));
+}
+
+librdf_stream* Statements::stream() const {
+  auto cursor = std::make_unique<Cursor>(all_);
+  librdf_stream* stream =
+      librdf_new_stream(world_.redland(), cursor.get(), Cursor::is_end, Cursor::next, Cursor::get, Cursor::finish);
+  if (stream != nullptr) (void)cursor.release();
+  return stream;
+}
+
+Node node_of(const raptor_term& term) {
+  switch (term.type) {
+    case RAPTOR_TERM_TYPE_URI:
+      return iri(text_of(term.value.uri));
+    case RAPTOR_TERM_TYPE_BLANK:
+      return blank(text_of(term.value.blank.string, term.value.blank.string_len));
+    case RAPTOR_TERM_TYPE_LITERAL: {
+      const raptor_term_literal_value& literal = term.value.literal;
+      return {Node::Kind::literal, text_of(literal.string, literal.string_len),
+              literal.datatype == nullptr ? std::string() : text_of(literal.datatype),
+              text_of(literal.language, literal.language_len)};
+    }
+    default:
+      return {};
+  }
+}
+
+}  // namespace geminga::graph

@@ -1,0 +1,27 @@
+// Files that gzip made smaller: how they are known, and what they are called without it.
+#ifndef GEMINGA_REASONING_SYNTAX_INFLATE_HPP
+#define GEMINGA_REASONING_SYNTAX_INFLATE_HPP
+
+#include <expected>
+#include <string>
+#include <string_view>
+
+#include "reasoning/syntax/files.hpp"
+
+namespace geminga::rdf {
+
+/// Whether a file begins as gzip writes it (RFC 1952, section 2.3.1). No syntax of ontologies begins so.
+[[nodiscard]] bool is_gzip(std::string_view content);
+
+/// "pizza.owl" of "pizza.owl.gz"; any other name as it is.
+[[nodiscard]] std::string_view name_without_gz(std::string_view path);
+
+/// What a gzip file holds, in memory of its own that grows with it. One that would grow beyond the limits costs no more
+/// than these before it is refused; an error names the octet of the compressed file. The packed bytes are released as
+/// they are used up.
+[[nodiscard]] std::expected<FileBytes, LoadError> inflate(const std::string& path, FileBytes& packed,
+                                                          const Limits& limits);
+
+}  // namespace geminga::rdf
+
+#endif

@@ -1,0 +1,55 @@
+// The most that a file of triples may hold. Each limit is there because a parser behind it can be made to suffer.
+#ifndef GEMINGA_REASONING_SYNTAX_LIMITS_HPP
+#define GEMINGA_REASONING_SYNTAX_LIMITS_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+namespace geminga::rdf {
+
+/// What is beyond any of these refuses the file that goes beyond it, by name and line, before or while Redland reads
+/// it.
+struct Limits {
+  std::size_t files = 10'000;
+  /// What a folder holds, its ontologies or not, and all folders below it.
+  std::size_t folder_entries = 100'000;
+  /// Folders in each other below the one that is named.
+  std::size_t folder_levels = 64;
+  std::size_t file_bytes = std::size_t{1} << 30;
+  /// A packed file may unpack to so many times its size, or to `inflated_free_bytes` where that is more, and never to
+  /// more than file_bytes. Ontologies come to 5 to 60 times, a bomb to 1000.
+  std::size_t inflated_growth = 200;
+  std::size_t inflated_free_bytes = std::size_t{1} << 20;
+  /// No limit: of a larger file, a text that is too long is found before the rest of the file is in memory.
+  std::size_t watched_bytes = std::size_t{8} << 20;
+  /// No limit, but where large files are cut to be read by several threads; smaller ones are read whole.
+  std::size_t piece_bytes = std::size_t{2} << 20;
+  std::size_t triples = 100'000'000;  ///< of all files together
+  /// Of one text: raptor's N-Triples reader is quadratic in it.
+  std::size_t literal_bytes = std::size_t{1} << 20;
+  std::size_t iri_bytes = 8192;
+  /// White space and comments of Turtle and N-Triples in a row: raptor's Turtle reader keeps what is before the next
+  /// statement, its N-Triples reader is quadratic in a line.
+  std::size_t blank_bytes = std::size_t{1} << 20;
+  /// Of XML elements or Turtle brackets: raptor's RDF/XML reader is quadratic in it.
+  std::size_t nesting = 512;
+  /// Of one Turtle statement: raptor keeps it as a whole.
+  std::size_t statement_triples = 200'000;
+  /// Different prefixes of all files together.
+  std::size_t prefixes = 10'000;
+  /// Of one XML element: libxml2 compares each with each.
+  std::size_t attributes = 1024;
+  /// Of one XML tag.
+  std::size_t tag_bytes = std::size_t{1} << 22;
+  /// Internal entities of one DOCTYPE.
+  std::size_t entities = 4096;
+  /// What one internal entity expands to.
+  std::size_t entity_bytes = std::size_t{1} << 16;
+  /// What all references to internal entities expand to: this, and `entity_growth` times the size of the file.
+  std::size_t expansion_bytes = std::size_t{1} << 20;
+  std::size_t entity_growth = 16;
+};
+
+}  // namespace geminga::rdf
+
+#endif

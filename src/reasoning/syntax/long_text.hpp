@@ -1,0 +1,68 @@
+// Finds a text, a name or a stretch of nothing that is too long while its file is read, so that a refused file is not
+// in memory as a whole first.
+#ifndef GEMINGA_REASONING_SYNTAX_LONG_TEXT_HPP
+#define GEMINGA_REASONING_SYNTAX_LONG_TEXT_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "reasoning/syntax/syntax.hpp"
+
+namespace geminga::rdf {
+
+/// What may be too long.
+struct LongTextLimits {
+  std::size_t text = 0;
+  std::size_t blank = 0;                            ///< white space and comments in a row, but in XML
+  std::size_t name = 0;                             ///< IRIs, too; in XML they are texts
+  std::size_t xml_comment = std::size_t{8} << 20U;  ///< libxml2 keeps one as a whole
+};
+
+/// Goes over a file in stretches. It knows where texts begin and end and nothing else: what it lets pass is scanned by
+/// the reader of its syntax, with the exact limits.
+class LongText {
+ public:
+  enum class Kind : std::uint8_t { text, blank, name, xml_comment };
+
+  /// A text are the octets between two ends of tags, of XML, or in one pair of quotation marks, of other syntaxes.
+  LongText(Syntax syntax, const LongTextLimits& limits) : is_xml_(is_xml(syntax)), limits_(limits) {}
+
+  /// The line in which something begins that is too long; nothing so far.
+  [[nodiscard]] std::optional<std::uint32_t> look_at(std::string_view stretch);
+  /// Of what was found.
+  [[nodiscard]] Kind kind() const { return kind_; }
+
+ private:
+  enum class Within : std::uint8_t { nothing, iri, comment, text, long_text };
+  void step(char c);
+  void step_xml(char c);
+  void begin_text(Within within);
+  void note_blank(bool is_blank);
+  void note_name(bool is_name);
+  [[nodiscard]] std::optional<std::uint32_t> found(Kind kind, std::uint32_t line) {
+    kind_ = kind;
+    return line;
+  }
+
+  bool is_xml_;
+  LongTextLimits limits_;
+  Kind kind_ = Kind::text;
+  Within within_ = Within::nothing;
+  char quote_ = '"';
+  bool is_escaped_ = false;
+  unsigned quotes_ = 0;      ///< in a row: three open and close a long text
+  std::uint32_t last_ = 0;   ///< the three octets before, of XML
+  std::uint32_t line_ = 1;   ///< of this octet
+  std::uint32_t begin_ = 1;  ///< the line in which the text begins
+  std::size_t text_bytes_ = 0;
+  std::size_t blank_bytes_ = 0;
+  std::uint32_t blank_begin_ = 1;
+  std::size_t name_bytes_ = 0;  ///< of this name or IRI
+  std::size_t comment_bytes_ = 0;
+};
+
+}  // namespace geminga::rdf
+
+#endif

@@ -1,0 +1,79 @@
+// The whole of one text.
+#include "reasoning/syntax/manchester/parse.hpp"
+
+#include <utility>
+
+#include "base/text.hpp"
+#include "reasoning/syntax/manchester/parser.hpp"
+#include "reasoning/syntax/manchester/tokenizer.hpp"
+
+namespace geminga::manchester {
+namespace {
+
+/// An expression over an ontology that is loaded: its names are those of the ontology.
+class ExpressionParser final : public Parser {
+ public:
+  ExpressionParser(std::string_view text, const el::Names& names, const Limits& limits, el::OntologySource& source)
+      : Parser(Tokenizer(text), limits, source), names_(names) {}
+
+  /// description, then the end of the text.
+  el::TermId read() {
+    const Term term = description();
+    if (tokens_.token().kind != TokenKind::end) return expected("'and', 'or' or the end");
+    return term;
+  }
+  [[nodiscard]] ParseError error() const {
+    return {problem()->kind, tokens_.column_of(problem()->octet), problem()->text};
+  }
+
+ private:
+  std::expected<std::string, std::string> iri_of(el::TermKind kind, const Token& token) override {
+    return names_.find(kind, token.kind == TokenKind::label ? std::string_view(token.value) : token.text);
+  }
+  std::expected<el::TermKind, std::string> kind_of_property(const Token& token) override {
+    const bool is_object = names_.find(el::TermKind::object_property, token.text).has_value();
+    const bool is_data = names_.find(el::TermKind::data_property, token.text).has_value();
+    if (is_object && is_data)
+      return std::unexpected("'" + base::printable(token.text) +
+                             "' is an object property and a data property: say which by its IRI");
+    return is_data ? el::TermKind::data_property : el::TermKind::object_property;
+  }
+  Term literal_of(const Token& text, std::string_view datatype, std::string_view language) override {
+    const Term made = source_.literal(text.value, datatype, language);
+    if (source_.is_well_typed(made)) return made;
+    return fail(ParseError::Kind::malformed, text.begin, "a literal that is not of its datatype");
+  }
+
+  const el::Names& names_;
+};
+
+}  // namespace
+
+std::expected<Expression, ParseError> parse(std::string_view text, const el::Names& names, const Limits& limits) {
+  if (text.size() > limits.text_bytes) {
+    return std::unexpected(
+        ParseError{ParseError::Kind::too_large, 1, "more than " + std::to_string(limits.text_bytes) + " octets"});
+  }
+  if (!base::is_valid_utf8(text)) return std::unexpected(ParseError{ParseError::Kind::malformed, 1, "no UTF-8"});
+  Expression expression;
+  ExpressionParser parser(text, names, limits, expression.source);
+  expression.term = parser.read();
+  if (parser.problem()) return std::unexpected(parser.error());
+  if (expression.source.problem()) {
+    return std::unexpected(ParseError{ParseError::Kind::too_large, 1, *expression.source.problem()});
+  }
+  return expression;
+}
+
+bool is_compound(std::string_view text) {
+  if (!base::is_valid_utf8(text)) return false;
+  Tokenizer tokens(text);
+  for (; tokens.token().kind != TokenKind::end; tokens.advance()) {
+    const TokenKind kind = tokens.token().kind;
+    if (kind == TokenKind::keyword || kind == TokenKind::symbol || kind == TokenKind::label) return true;
+    if (kind == TokenKind::bad) return false;
+  }
+  return false;
+}
+
+}  // namespace geminga::manchester

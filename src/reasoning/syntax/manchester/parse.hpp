@@ -1,0 +1,36 @@
+// From a class expression in the Manchester syntax of OWL 2 to a term of the reasoner. The grammar is in MANCHESTER.md.
+//
+//   const el::EntityNames names(ontology);
+//   const auto expression = manchester::parse("Sensor and (observes some Ball)", names);
+//   if (!expression) return refuse(to_string(expression.error()));  // "column 13: no object property is 'observs'"
+//   const auto place = classifier.classify(expression->source, expression->term);
+#ifndef GEMINGA_REASONING_SYNTAX_MANCHESTER_PARSE_HPP
+#define GEMINGA_REASONING_SYNTAX_MANCHESTER_PARSE_HPP
+
+#include <expected>
+#include <string_view>
+
+#include "reasoning/owl/names.hpp"
+#include "reasoning/owl/source.hpp"
+#include "reasoning/syntax/manchester/error.hpp"
+#include "reasoning/syntax/manchester/limits.hpp"
+
+namespace geminga::manchester {
+
+/// One expression: a term of a source that holds nothing else. Its names are full IRIs.
+struct Expression {
+  el::OntologySource source;
+  el::TermId term{};
+};
+
+/// Reads a whole text. Any bytes may be given.
+[[nodiscard]] std::expected<Expression, ParseError> parse(std::string_view text, const el::Names& names,
+                                                          const Limits& limits = {});
+
+/// Whether a text is more than one name: it holds a keyword, or a bracket or comma, outside of quotes and IRIs. What is
+/// no expression by this is better looked up as a name, whose error says more.
+[[nodiscard]] bool is_compound(std::string_view text);
+
+}  // namespace geminga::manchester
+
+#endif

@@ -1,0 +1,112 @@
+// The productions of class expressions, one function each, whatever their names mean.
+#ifndef GEMINGA_REASONING_SYNTAX_MANCHESTER_PARSER_HPP
+#define GEMINGA_REASONING_SYNTAX_MANCHESTER_PARSER_HPP
+
+#include <cstddef>
+#include <expected>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "reasoning/owl/source.hpp"
+#include "reasoning/syntax/manchester/error.hpp"
+#include "reasoning/syntax/manchester/limits.hpp"
+#include "reasoning/syntax/manchester/tokenizer.hpp"
+
+namespace geminga::manchester {
+
+/// What is wrong, and at which octet of the text.
+struct Problem {
+  ParseError::Kind kind = ParseError::Kind::malformed;
+  std::size_t octet = 0;
+  std::string text;
+};
+
+/// Reads a text into a source. What names mean is said by whoever derives from it. The first problem ends everything:
+/// from then on each function gives owl:Thing.
+class Parser {
+ public:
+  Parser(Tokenizer tokens, const Limits& limits, el::OntologySource& source)
+      : tokens_(std::move(tokens)), limits_(limits), source_(source) {}
+  Parser(const Parser&) = delete;
+  Parser& operator=(const Parser&) = delete;
+  virtual ~Parser() = default;
+
+  [[nodiscard]] const std::optional<Problem>& problem() const { return problem_; }
+
+ protected:
+  using Term = el::TermId;
+
+  Term description();
+  Term conjunction();
+  Term primary();
+  Term negation();
+  Term enumeration();
+  Term restriction();
+  Term object_restriction(Term property);
+  Term cardinality(Term property, bool is_data);
+  virtual Term individual();
+
+  // Data (parser_data.cpp).
+  Term data_restriction(Term property);
+  Term data_range();
+  Term data_conjunction();
+  Term data_primary();
+  Term datatype_restriction(Term datatype);
+  Term facet();
+  Term literal();
+  Term number();
+
+  // Names.
+  Term property();
+  Term entity(el::TermKind kind, const Token& token);
+  /// The IRI of an entity, or why there is none.
+  [[nodiscard]] virtual std::expected<std::string, std::string> iri_of(el::TermKind kind, const Token& token) = 0;
+  /// Whether a property, which was taken just now, is one of objects or of data, or why it is neither.
+  [[nodiscard]] virtual std::expected<el::TermKind, std::string> kind_of_property(const Token& token) = 0;
+  /// A literal with a datatype or a language, neither or not both.
+  virtual Term literal_of(const Token& text, std::string_view datatype, std::string_view language) = 0;
+  [[nodiscard]] bool is_restriction_next() const;
+
+  // Tokens.
+  [[nodiscard]] bool is(TokenKind kind, std::string_view text) const;
+  [[nodiscard]] bool is_keyword(std::string_view word) const { return is(TokenKind::keyword, word); }
+  [[nodiscard]] bool is_symbol(std::string_view symbol) const { return is(TokenKind::symbol, symbol); }
+  [[nodiscard]] bool is_name() const;
+  [[nodiscard]] bool is_literal() const;
+  [[nodiscard]] bool has_filler() const;
+  bool take_keyword(std::string_view word);
+  bool take_symbol(std::string_view symbol);
+  void expect_symbol(std::string_view symbol, std::string_view expected);
+  Token take();
+  Term expected(std::string_view what);
+  Term fail(ParseError::Kind kind, std::size_t octet, std::string text);
+  [[nodiscard]] bool failed() const { return problem_.has_value(); }
+  /// Counts one part, and descends one level while it lives.
+  class Level;
+
+  Tokenizer tokens_;
+  const Limits& limits_;
+  el::OntologySource& source_;
+  std::size_t depth_ = 0;
+  std::size_t parts_ = 0;
+  std::optional<Problem> problem_;
+};
+
+/// One level of nesting.
+class Parser::Level {
+ public:
+  explicit Level(Parser& parser);
+  ~Level() { --parser_.depth_; }
+  Level(const Level&) = delete;
+  Level& operator=(const Level&) = delete;
+
+ private:
+  Parser& parser_;
+};
+
+}  // namespace geminga::manchester
+
+#endif

@@ -1,0 +1,125 @@
+// From the elements of one file to axioms: each open element keeps its place on a stack of operands, and takes those
+// above it when it ends. What may stand in which element is the grammar of the functional syntax, whose words it
+// shares.
+#ifndef GEMINGA_REASONING_SYNTAX_OWLXML_BUILDER_HPP
+#define GEMINGA_REASONING_SYNTAX_OWLXML_BUILDER_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "reasoning/owl/source.hpp"
+#include "reasoning/syntax/functional/grammar.hpp"
+#include "reasoning/syntax/owlxml/elements.hpp"
+#include "reasoning/syntax/owlxml/read.hpp"
+
+namespace geminga::owlxml {
+
+/// Builds the axioms of one file, once.
+class Builder final : public Listener {
+ public:
+  /// All arguments must outlive it.
+  Builder(std::string_view bytes, el::FileId file, el::OntologySource& source, const Limits& limits,
+          std::vector<el::Annotation>* annotations);
+
+  Refusal begin(std::string_view space, std::string_view name, std::span<const Attribute> attributes,
+                std::uint32_t line) override;
+  Refusal text(std::string_view part) override;
+  Refusal end() override;
+
+  /// When the file has ended.
+  [[nodiscard]] Document take_document() { return std::move(document_); }
+
+ private:
+  /// What an element is, where it is no word of the functional syntax or means something else there.
+  enum class Role : std::uint8_t { production, ontology, prefix, literal, facet, iri, short_iri, blank, left_out };
+
+  /// An open element.
+  struct Open {
+    const functional::Production* production = nullptr;
+    Role role = Role::production;
+    bool is_annotation = false;  ///< it, or one around it, is about annotations: nothing in it becomes a term
+    std::size_t first = 0;       ///< its operands begin here
+    std::uint32_t line = 0;
+    std::uint32_t number = 0;  ///< cardinality
+    std::size_t bases = 0;     ///< xml:base is that of so many
+  };
+
+  /// Something that stood in an element that is still open.
+  struct Operand {
+    enum class Kind : std::uint8_t { term, iri, text, annotation } kind = Kind::term;
+    el::TermId term{};
+    std::string iri;       ///< of an entity or an IRI in annotations
+    std::string text;      ///< of a literal in annotations
+    std::string language;  ///< of a literal in annotations
+    std::string datatype;  ///< of a literal in annotations
+  };
+
+  // builder.cpp: the document.
+  Refusal begin_ontology(std::span<const Attribute> attributes);
+  Refusal begin_prefix(std::span<const Attribute> attributes);
+  /// The form of its production; of an element that has none, that of no element at all.
+  static functional::Form form_of(const Open& open) {
+    return open.production == nullptr ? functional::Form::document : open.production->form;
+  }
+  Refusal end_import(const Open& open);
+  Refusal open_element(std::string_view name, std::span<const Attribute> attributes, Open& open);
+  Refusal check_attributes(std::string_view name, std::span<const Attribute> attributes);
+
+  // builder_elements.cpp: what becomes of an element when it ends.
+  Refusal end_expression(const Open& open);
+  Refusal end_axiom(const Open& open);
+  Refusal end_annotation(const Open& open);
+  Refusal end_annotation_assertion(const Open& open);
+  Refusal check_operands(const Open& open);
+  Refusal check_n_ary_data(const Open& open);
+  Refusal expected(std::string_view what, const Open& open, std::size_t place) const;
+  [[nodiscard]] bool fits(functional::Operand wanted, const Operand& operand) const;
+  void add(el::AxiomKind kind, const Open& open);
+  void drop_annotations(const Open& open);
+  /// Hands over an annotation with this value.
+  void keep(el::Annotation annotation, const Operand& value, std::size_t level);
+
+  // builder_names.cpp: names and literals.
+  Refusal entity(const Open& open, std::span<const Attribute> attributes);
+  Refusal end_literal(const Open& open);
+  Refusal end_facet(const Open& open);
+  Refusal end_iri(const Open& open);
+  Refusal blank(const Open& open, std::span<const Attribute> attributes);
+  Refusal full_iri(std::string_view written, std::string& iri) const;
+  Refusal short_iri(std::string_view written, std::string& iri) const;
+  Refusal check_iri(std::string_view iri) const;
+
+  struct TextHash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
+  };
+
+  const std::string_view bytes_;
+  const el::FileId file_;
+  el::OntologySource& source_;
+  const Limits& limits_;
+  el::AnnotationStack annotations_;
+  Document document_;
+  std::vector<Open> open_;
+  std::vector<Operand> operands_;
+  std::vector<std::string> bases_;
+  std::unordered_map<std::string, std::string, TextHash, std::equal_to<>> prefixes_;
+  std::unordered_set<std::string> imported_;
+  std::unordered_set<el::TermId> declared_;
+  std::string blank_prefix_;        ///< the same for the same file on every host: made of its content
+  std::string text_;                ///< of the element that is open and may hold one
+  std::string literal_datatype_;    ///< of the literal that is open
+  std::string literal_language_;    ///< of the literal that is open
+  std::string facet_iri_;           ///< of the facet restriction that is open
+  const char* obstacle_ = nullptr;  ///< what in the current axiom has no term
+};
+
+}  // namespace geminga::owlxml
+
+#endif

@@ -1,0 +1,221 @@
+// What becomes of an element when it ends: an operand of the one around it, or an axiom.
+#include <algorithm>
+#include <span>
+
+#include "reasoning/syntax/owlxml/builder.hpp"
+
+namespace geminga::owlxml {
+namespace {
+
+using el::TermKind;
+using functional::Form;
+using Wanted = functional::Operand;
+
+constexpr std::string_view rdfs_label = "http://www.w3.org/2000/01/rdf-schema#label";
+constexpr std::string_view skos_pref_label = "http://www.w3.org/2004/02/skos/core#prefLabel";
+
+}  // namespace
+
+bool Builder::fits(Wanted wanted, const Operand& operand) const {
+  if (operand.kind != Operand::Kind::term) return false;
+  const TermKind kind = source_.kind(operand.term);
+  switch (wanted) {
+    case Wanted::none:
+      return false;
+    case Wanted::named_class:
+      return kind == TermKind::named_class;
+    case Wanted::class_expression:
+      return el::is_class_expression(kind);
+    case Wanted::named_object_property:
+      return kind == TermKind::object_property;
+    case Wanted::object_property:
+      return el::is_object_property_expression(kind);
+    case Wanted::property_chain:
+      return el::is_object_property_expression(kind) || kind == TermKind::object_property_chain;
+    case Wanted::data_property:
+      return kind == TermKind::data_property;
+    case Wanted::datatype:
+      return kind == TermKind::datatype;
+    case Wanted::data_range:
+      return el::is_data_range(kind);
+    case Wanted::individual:
+      return el::is_individual(kind);
+    case Wanted::literal:
+      return kind == TermKind::literal;
+    case Wanted::facet:
+      return kind == TermKind::facet;
+  }
+  return false;
+}
+
+Listener::Refusal Builder::expected(std::string_view what, const Open& open, std::size_t place) const {
+  std::string found = "the end of the element";
+  if (place < operands_.size()) {
+    const Operand& operand = operands_[place];
+    found = operand.kind == Operand::Kind::term ? std::string(el::to_string(source_.kind(operand.term)))
+                                                : std::string("something of annotations");
+  }
+  return "expected " + std::string(what) + " in <" + std::string(open.production->word) + ">, found " + found;
+}
+
+Listener::Refusal Builder::check_n_ary_data(const Open& open) {
+  std::size_t place = open.first;
+  while (place < operands_.size() && fits(Wanted::data_property, operands_[place])) ++place;
+  if (place == open.first) return expected(functional::to_string(Wanted::data_property), open, place);
+  // No data range of OWL 2 has several values: such a class cannot be understood.
+  if (place > open.first + 1) obstacle_ = "owl:onProperties";
+  if (place + 1 != operands_.size() || !fits(Wanted::data_range, operands_[place]))
+    return expected(functional::to_string(Wanted::data_range), open, place);
+  return std::nullopt;
+}
+
+Listener::Refusal Builder::check_operands(const Open& open) {
+  const functional::Production& production = *open.production;
+  std::size_t place = open.first;
+  const auto has = [&](Wanted wanted) { return place < operands_.size() && fits(wanted, operands_[place]); };
+  for (const Wanted wanted : production.first) {
+    if (wanted == Wanted::none) break;
+    if (!has(wanted)) return expected(functional::to_string(wanted), open, place);
+    ++place;
+  }
+  if (production.optional != Wanted::none && has(production.optional)) ++place;
+  if (production.repeated != Wanted::none) {
+    do {
+      if (!has(production.repeated)) return expected(functional::to_string(production.repeated), open, place);
+      ++place;
+    } while (place < operands_.size());
+  }
+  return place == operands_.size() ? std::nullopt : expected("no more", open, place);
+}
+
+Listener::Refusal Builder::end_expression(const Open& open) {
+  const functional::Production& production = *open.production;
+  if (auto refusal = production.form == Form::n_ary_data ? check_n_ary_data(open) : check_operands(open))
+    return refusal;
+  std::vector<el::TermId> arguments;
+  for (std::size_t place = open.first; place < operands_.size(); ++place) arguments.push_back(operands_[place].term);
+  operands_.resize(open.first);
+  // One operand where the grammar wants two is what it says by itself; OWL tools write such.
+  const bool is_list = production.repeated != Wanted::none && production.first.front() == Wanted::none &&
+                       production.term() != TermKind::object_one_of && production.term() != TermKind::data_one_of;
+  const el::TermId term =
+      is_list && arguments.size() == 1 ? arguments.front() : source_.term(production.term(), arguments, open.number);
+  operands_.push_back({Operand::Kind::term, term, {}, {}, {}, {}});
+  return std::nullopt;
+}
+
+void Builder::drop_annotations(const Open& open) {
+  const auto first = operands_.begin() + static_cast<std::ptrdiff_t>(open.first);
+  operands_.erase(std::remove_if(first, operands_.end(),
+                                 [](const Operand& operand) { return operand.kind == Operand::Kind::annotation; }),
+                  operands_.end());
+}
+
+void Builder::add(el::AxiomKind kind, const Open& open) {
+  if (obstacle_ != nullptr) {
+    source_.leave_out(obstacle_, file_, open.line);
+    return annotations_.drop();
+  }
+  std::vector<el::TermId> arguments;
+  for (std::size_t place = open.first; place < operands_.size(); ++place) arguments.push_back(operands_[place].term);
+  const std::size_t before = source_.axiom_count();
+  const std::size_t damaged = source_.damaged_count();
+  source_.add(kind, arguments, file_, open.line);
+  document_.axioms += source_.axiom_count() - before;
+  annotations_.settle(source_, before, damaged);
+}
+
+Listener::Refusal Builder::end_axiom(const Open& open) {
+  drop_annotations(open);
+  const functional::Production& production = *open.production;
+  const std::size_t count = operands_.size() - open.first;
+  Refusal refusal;
+  switch (production.form) {
+    case Form::declaration: {
+      const bool is_entity = count == 1 && operands_.back().kind == Operand::Kind::term &&
+                             source_.kind(operands_.back().term) <= TermKind::individual;
+      if (!is_entity) return expected("one name", open, open.first);
+      if (declared_.insert(operands_.back().term).second) {
+        add(el::AxiomKind::declaration, open);
+      } else {
+        annotations_.drop();
+      }
+      break;
+    }
+    case Form::has_key:
+      for (std::size_t place = open.first; place < operands_.size() && !refusal; ++place) {
+        const Wanted property =
+            fits(Wanted::data_property, operands_[place]) ? Wanted::data_property : Wanted::object_property;
+        const Wanted wanted = place == open.first ? Wanted::class_expression : property;
+        if (!fits(wanted, operands_[place])) refusal = expected("a class, then properties", open, place);
+      }
+      if (count == 0) return expected("a class, then properties", open, open.first);
+      if (!refusal) add(el::AxiomKind::has_key, open);
+      break;
+    case Form::annotation_assertion:
+      refusal = end_annotation_assertion(open);
+      break;
+    case Form::annotation_axiom:
+      if (count != 2) return expected("two names", open, open.first);
+      ++document_.annotations;
+      if (operands_[open.first].kind != Operand::Kind::iri) break;
+      keep(el::annotation_of(operands_[open.first].iri, el::property_of_annotation_axiom(production.word)),
+           operands_[open.first + 1], 0);
+      break;
+    default:
+      refusal = check_operands(open);
+      if (refusal) break;
+      // Of one operand where the grammar wants two, nothing is said; OWL tools write such.
+      if (production.repeated != Wanted::none && count < 2) {
+        ++document_.vacuous;
+        annotations_.drop();
+      } else {
+        add(production.axiom(), open);
+      }
+      break;
+  }
+  operands_.resize(open.first);
+  return refusal;
+}
+
+void Builder::keep(el::Annotation annotation, const Operand& value, std::size_t level) {
+  if (!annotations_.is_wanted()) return;
+  annotation.is_literal = value.kind == Operand::Kind::text;
+  annotation.value = annotation.is_literal ? value.text : value.iri;
+  annotation.datatype = value.datatype;
+  annotation.language = value.language;
+  annotations_.add(std::move(annotation), level);
+}
+
+// A property, annotations of the annotation before or behind it, and a value.
+Listener::Refusal Builder::end_annotation(const Open& open) {
+  drop_annotations(open);
+  const bool is_whole = operands_.size() == open.first + 2 && operands_[open.first].kind == Operand::Kind::iri;
+  if (!is_whole) return expected("an annotation property and a value", open, open.first);
+  el::Annotation read = el::annotation_of({}, operands_[open.first].iri);
+  if (open_.size() == 1) {
+    read.of = el::Annotation::Of::ontology;
+    read.number = static_cast<std::uint32_t>(file_);
+  }
+  const bool is_in_axiom = open_.size() > 1 && open_[1].production->form != Form::annotation;
+  keep(std::move(read), operands_[open.first + 1], open_.size() - (is_in_axiom ? 1 : 0));
+  operands_.resize(open.first);
+  ++document_.annotations;
+  // Of the ontology it is no operand of anything.
+  if (open_.size() > 1) operands_.push_back({Operand::Kind::annotation, {}, {}, {}, {}, {}});
+  return std::nullopt;
+}
+
+Listener::Refusal Builder::end_annotation_assertion(const Open& open) {
+  const std::span<const Operand> of = std::span<const Operand>(operands_).subspan(open.first);
+  const bool is_whole = of.size() == 3 && of[0].kind == Operand::Kind::iri && of[1].kind == Operand::Kind::iri;
+  if (!is_whole) return expected("an annotation property, a subject and a value", open, open.first);
+  ++document_.annotations;
+  const bool is_label = of[0].iri == rdfs_label || of[0].iri == skos_pref_label;
+  if (is_label && of[2].kind == Operand::Kind::text && !of[1].iri.starts_with("_:"))
+    source_.add_label(of[1].iri, of[2].text, of[2].language);
+  keep(el::annotation_of(of[1].iri, of[0].iri), of[2], 0);
+  return std::nullopt;
+}
+
+}  // namespace geminga::owlxml

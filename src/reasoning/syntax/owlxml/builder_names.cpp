@@ -1,0 +1,144 @@
+// IRIs in their three forms, entities, blank nodes, literals and facets.
+#include <xxhash.h>
+
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "reasoning/syntax/owlxml/builder.hpp"
+
+namespace geminga::owlxml {
+namespace {
+
+constexpr std::string_view plain_literal = "http://www.w3.org/1999/02/22-rdf-syntax-ns#PlainLiteral";
+constexpr std::string_view not_in_iris = " <>\"{}|\\^`";
+constexpr std::string_view blanks = " \t\r\n";
+
+/// A scheme and a colon (RFC 3986, section 3.1).
+bool is_absolute(std::string_view iri) {
+  const std::size_t colon = iri.find(':');
+  if (colon == 0 || colon == std::string_view::npos) return false;
+  return std::ranges::all_of(iri.substr(0, colon), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '+' || c == '-' ||
+           c == '.';
+  });
+}
+
+std::string in_lower_case(std::string_view tag) {
+  std::string lower(tag);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
+  return lower;
+}
+
+}  // namespace
+
+Listener::Refusal Builder::check_iri(std::string_view iri) const {
+  if (iri.empty()) return "an IRI that is empty, or missing";
+  if (iri.size() > limits_.iri_bytes) return "an IRI of more than " + std::to_string(limits_.iri_bytes) + " bytes";
+  if (iri.find_first_of(not_in_iris) != std::string_view::npos || base::has_control_character(iri))
+    return "an IRI with a character that none may have: " + base::printable(iri, 60);
+  return std::nullopt;
+}
+
+Listener::Refusal Builder::full_iri(std::string_view written, std::string& iri) const {
+  if (auto refusal = check_iri(written)) return refusal;
+  if (bases_.empty() || is_absolute(written)) {
+    iri = written;
+    return std::nullopt;
+  }
+  const std::string& base = bases_.back();
+  // The usual form, by hand: what stands behind it is no URI for libxml2 where it has letters beyond ASCII.
+  iri = written.front() == '#' ? base.substr(0, base.find('#')) + std::string(written) : resolve(written, base);
+  return check_iri(iri);
+}
+
+Listener::Refusal Builder::short_iri(std::string_view written, std::string& iri) const {
+  const std::size_t colon = written.find(':');
+  if (colon == std::string_view::npos) return "expected prefix:Name, found " + base::printable(written, 60);
+  const auto found = prefixes_.find(written.substr(0, colon));
+  if (found == prefixes_.end())
+    return "the prefix " + base::printable(written.substr(0, colon), 60) + ": is not declared";
+  iri = found->second + std::string(written.substr(colon + 1));
+  return check_iri(iri);
+}
+
+Listener::Refusal Builder::entity(const Open& open, std::span<const Attribute> attributes) {
+  std::string iri;
+  bool is_named = false;
+  for (const Attribute& attribute : attributes) {
+    if (!attribute.space.empty()) continue;
+    const bool is_full = attribute.name == "IRI";
+    if (!is_full && attribute.name != "abbreviatedIRI") continue;
+    if (auto refusal = is_full ? full_iri(attribute.value, iri) : short_iri(attribute.value, iri)) return refusal;
+    is_named = true;
+  }
+  if (!is_named) return "expected the IRI of <" + std::string(open.production->word) + '>';
+  if (open.is_annotation) {
+    operands_.push_back({Operand::Kind::iri, {}, std::move(iri), {}, {}, {}});
+  } else {
+    operands_.push_back({Operand::Kind::term, source_.entity(open.production->term(), iri), {}, {}, {}, {}});
+  }
+  return std::nullopt;
+}
+
+Listener::Refusal Builder::blank(const Open& open, std::span<const Attribute> attributes) {
+  std::string_view label;
+  for (const Attribute& attribute : attributes) {
+    if (attribute.space.empty() && attribute.name == "nodeID") label = attribute.value;
+  }
+  if (label.starts_with("_:")) label.remove_prefix(2);
+  if (auto refusal = check_iri(label)) return "expected the nodeID of <AnonymousIndividual>";
+  if (blank_prefix_.empty()) blank_prefix_ = "_:" + base::to_hex(XXH3_64bits(bytes_.data(), bytes_.size()), 16) + '.';
+  std::string name = blank_prefix_ + std::string(label);
+  if (open.is_annotation) {
+    operands_.push_back({Operand::Kind::iri, {}, std::move(name), {}, {}, {}});
+  } else {
+    operands_.push_back({Operand::Kind::term, source_.anonymous_individual(name), {}, {}, {}, {}});
+  }
+  return std::nullopt;
+}
+
+Listener::Refusal Builder::end_literal(const Open& open) {
+  if (operands_.size() != open.first) return "an element within <Literal>";
+  std::string language = in_lower_case(literal_language_);
+  // "text@en"^^rdf:PlainLiteral is "text"@en, and "text@"^^rdf:PlainLiteral is "text" (OWL 2, section 5.7). OWL tools
+  // write the datatype beside the language, too.
+  if (literal_datatype_ == plain_literal) {
+    literal_datatype_.clear();
+    const std::size_t at = language.empty() ? text_.rfind('@') : std::string::npos;
+    if (at != std::string::npos) {
+      language = in_lower_case(std::string_view(text_).substr(at + 1));
+      text_.resize(at);
+    }
+  }
+  if (!language.empty()) literal_datatype_.clear();
+  if (open.is_annotation) {
+    operands_.push_back({Operand::Kind::text, {}, {}, text_, std::move(language), literal_datatype_});
+  } else {
+    operands_.push_back({Operand::Kind::term, source_.literal(text_, literal_datatype_, language), {}, {}, {}, {}});
+  }
+  return std::nullopt;
+}
+
+Listener::Refusal Builder::end_facet(const Open& open) {
+  const bool is_one = operands_.size() == open.first + 1 && operands_.back().kind == Operand::Kind::term &&
+                      source_.kind(operands_.back().term) == el::TermKind::literal;
+  if (!is_one) return "expected one <Literal> in <FacetRestriction>";
+  operands_.back().term = source_.facet(facet_iri_, operands_.back().term);
+  return std::nullopt;
+}
+
+Listener::Refusal Builder::end_iri(const Open& open) {
+  if (!open.is_annotation) return "an <IRI> outside of annotations";
+  if (operands_.size() != open.first) return "an element within <IRI>";
+  std::string_view written = text_;
+  const std::size_t begin = std::min(written.find_first_not_of(blanks), written.size());
+  written.remove_prefix(begin);
+  written = written.substr(0, written.find_last_not_of(blanks) + 1);
+  Operand operand{Operand::Kind::iri, {}, {}, {}, {}, {}};
+  const bool is_full = open.role == Role::iri;
+  if (auto refusal = is_full ? full_iri(written, operand.iri) : short_iri(written, operand.iri)) return refusal;
+  operands_.push_back(std::move(operand));
+  return std::nullopt;
+}
+
+}  // namespace geminga::owlxml

@@ -1,0 +1,188 @@
+#include "reasoning/syntax/owlxml/elements.hpp"
+
+#include <libxml/SAX2.h>
+#include <libxml/parser.h>
+#include <libxml/parserInternals.h>
+#include <libxml/uri.h>
+
+#include <algorithm>
+#include <memory>
+#include <new>
+#include <vector>
+
+#include "base/text.hpp"
+
+namespace geminga::owlxml {
+namespace {
+
+/// libxml2 goes on to the end of a chunk after it was stopped.
+constexpr std::size_t chunk_bytes = std::size_t{1} << 16;
+
+std::string_view view(const xmlChar* text) {
+  return text == nullptr ? std::string_view() : reinterpret_cast<const char*>(text);
+}
+
+std::string_view view(const xmlChar* text, std::ptrdiff_t size) {
+  return {reinterpret_cast<const char*>(text), static_cast<std::size_t>(size)};
+}
+
+xmlParserInputPtr no_external_entity(const char*, const char*, xmlParserCtxtPtr) { return nullptr; }
+
+struct FreeContext {
+  void operator()(xmlParserCtxt* context) const {
+    if (context->myDoc != nullptr) xmlFreeDoc(context->myDoc);  // holds the entities
+    context->myDoc = nullptr;
+    xmlFreeParserCtxt(context);
+  }
+};
+
+/// One file. libxml2 calls the static functions with its context, which knows the walk.
+class Walk {
+ public:
+  Walk(const Limits& limits, Listener& listener) : limits_(limits), listener_(listener) {}
+
+  std::optional<Problem> run(std::string_view bytes) {
+    xmlSAXHandler handler{};
+    if (xmlSAXVersion(&handler, 2) != 0) return Problem{0, "cannot be read: memory is short"};
+    handler.startElementNs = begin;
+    handler.endElementNs = end;
+    handler.characters = text;
+    handler.cdataBlock = text;
+    handler.ignorableWhitespace = text;
+    handler.comment = nullptr;
+    handler.processingInstruction = nullptr;
+    handler.entityDecl = entity;
+    handler.externalSubset = nullptr;
+    handler.serror = on_error;
+    handler.warning = nullptr;
+    handler.error = nullptr;
+    handler.fatalError = nullptr;
+    const std::unique_ptr<xmlParserCtxt, FreeContext> context(
+        xmlCreatePushParserCtxt(&handler, nullptr, nullptr, 0, nullptr));
+    if (context == nullptr) return Problem{0, "cannot be read: memory is short"};
+    context_ = context.get();
+    context_->_private = this;
+    xmlCtxtUseOptions(context_, XML_PARSE_NONET | XML_PARSE_NOENT | XML_PARSE_NOCDATA);
+    context_->_private = this;
+    for (std::size_t at = 0; at < bytes.size() && !problem_; at += chunk_bytes) {
+      const std::string_view chunk = bytes.substr(at, chunk_bytes);
+      xmlParseChunk(context_, chunk.data(), static_cast<int>(chunk.size()), 0);
+    }
+    if (!problem_) xmlParseChunk(context_, nullptr, 0, 1);
+    if (!problem_ && context_->wellFormed == 0) fail("is not well-formed XML");
+    return std::move(problem_);
+  }
+
+ private:
+  static Walk& of(void* context) { return *static_cast<Walk*>(static_cast<xmlParserCtxt*>(context)->_private); }
+
+  [[nodiscard]] std::uint32_t line() const {
+    const int line = xmlSAX2GetLineNumber(context_);
+    return line > 0 ? static_cast<std::uint32_t>(line) : 1;
+  }
+
+  void fail(std::string text) {
+    if (!problem_) problem_ = Problem{line(), std::move(text)};
+    xmlStopParser(context_);
+  }
+
+  /// No exception may pass through libxml2.
+  template <typename Call>
+  void guarded(const Call& call) {
+    if (problem_) return;
+    try {
+      if (auto refusal = call()) fail(std::move(*refusal));
+    } catch (const std::bad_alloc&) {
+      problem_ = Problem{0, "needs more memory than there is"};
+      xmlStopParser(context_);
+    }
+  }
+
+  static void begin(void* context, const xmlChar* name, const xmlChar* /*prefix*/, const xmlChar* space,
+                    int /*namespace_count*/, const xmlChar** /*namespaces*/, int attribute_count, int /*defaulted*/,
+                    const xmlChar** attributes) {
+    Walk& walk = of(context);
+    walk.guarded([&]() -> Listener::Refusal {
+      if (++walk.depth_ > walk.limits_.nesting)
+        return "more than " + std::to_string(walk.limits_.nesting) + " levels of elements";
+      walk.attributes_.clear();
+      for (int at = 0; at < attribute_count; ++at) {
+        // Local name, prefix, namespace, begin and end of the value.
+        const xmlChar** attribute = attributes + std::ptrdiff_t{5} * at;
+        walk.attributes_.push_back(
+            {view(attribute[2]), view(attribute[0]), view(attribute[3], attribute[4] - attribute[3])});
+      }
+      return walk.listener_.begin(view(space), view(name), walk.attributes_, walk.line());
+    });
+  }
+
+  static void end(void* context, const xmlChar* /*name*/, const xmlChar* /*prefix*/, const xmlChar* /*space*/) {
+    Walk& walk = of(context);
+    walk.guarded([&] {
+      --walk.depth_;
+      return walk.listener_.end();
+    });
+  }
+
+  static void text(void* context, const xmlChar* part, int size) {
+    Walk& walk = of(context);
+    walk.guarded([&] { return walk.listener_.text(view(part, size)); });
+  }
+
+  /// Plain internal entities, as Protégé writes them for namespaces, are kept; nothing else is.
+  static void entity(void* context, const xmlChar* name, int type, const xmlChar* public_id, const xmlChar* system_id,
+                     xmlChar* content) {
+    Walk& walk = of(context);
+    walk.guarded([&]() -> Listener::Refusal {
+      const std::string shown = base::printable(view(name), 60);
+      if (type != XML_INTERNAL_GENERAL_ENTITY) return "the entity " + shown + " is not a plain internal one";
+      if (view(content).find_first_of("<&%") != std::string_view::npos)
+        return "the entity " + shown + " has markup in it";
+      if (view(content).size() > walk.limits_.entity_bytes)
+        return "the entity " + shown + " has more than " + std::to_string(walk.limits_.entity_bytes) + " bytes";
+      if (++walk.entities_ > walk.limits_.entities)
+        return "more than " + std::to_string(walk.limits_.entities) + " entities";
+      return std::nullopt;
+    });
+    if (!walk.problem_) xmlSAX2EntityDecl(context, name, type, public_id, system_id, content);
+  }
+
+  static void on_error(void* context, xmlErrorPtr error) {
+    if (error == nullptr || error->level < XML_ERR_ERROR) return;
+    Walk& walk = of(context);
+    std::string_view words = error->message == nullptr ? "is not well-formed XML" : error->message;
+    words = words.substr(0, words.find('\n'));
+    if (!walk.problem_)
+      walk.problem_ =
+          Problem{error->line > 0 ? static_cast<std::uint32_t>(error->line) : walk.line(), base::printable(words, 200)};
+    xmlStopParser(walk.context_);
+  }
+
+  const Limits& limits_;
+  Listener& listener_;
+  xmlParserCtxt* context_ = nullptr;
+  std::vector<Attribute> attributes_;
+  std::optional<Problem> problem_;
+  std::size_t depth_ = 0;
+  std::size_t entities_ = 0;
+};
+
+}  // namespace
+
+std::optional<Problem> walk(std::string_view bytes, const Limits& limits, Listener& listener) {
+  xmlInitParser();
+  xmlSetExternalEntityLoader(no_external_entity);
+  return Walk(limits, listener).run(bytes);
+}
+
+std::string resolve(std::string_view iri, const std::string& base) {
+  std::string relative(iri);
+  xmlChar* whole =
+      xmlBuildURI(reinterpret_cast<const xmlChar*>(relative.c_str()), reinterpret_cast<const xmlChar*>(base.c_str()));
+  if (whole == nullptr) return relative;
+  std::string found(view(whole));
+  xmlFree(whole);
+  return found;
+}
+
+}  // namespace geminga::owlxml

@@ -1,0 +1,47 @@
+// libxml2's events as calls with plain texts; the only file of this folder that it is named in is elements.cpp.
+#ifndef GEMINGA_REASONING_SYNTAX_OWLXML_ELEMENTS_HPP
+#define GEMINGA_REASONING_SYNTAX_OWLXML_ELEMENTS_HPP
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "reasoning/syntax/owlxml/limits.hpp"
+
+namespace geminga::owlxml {
+
+struct Attribute {
+  std::string_view space;  ///< of its namespace; empty: none, so that it belongs to its element
+  std::string_view name;
+  std::string_view value;
+};
+
+/// What is wrong with a file, and in which line.
+struct Problem {
+  std::uint32_t line = 0;
+  std::string text;
+};
+
+/// Is told what stands in a file, in its order. The views hold for the call. What gives a text refuses the file with
+/// it, and is told no more.
+class Listener {
+ public:
+  virtual ~Listener() = default;
+  using Refusal = std::optional<std::string>;
+  virtual Refusal begin(std::string_view space, std::string_view name, std::span<const Attribute> attributes,
+                        std::uint32_t line) = 0;
+  virtual Refusal text(std::string_view part) = 0;
+  virtual Refusal end() = 0;
+};
+
+/// Walks over a file; what is wrong with it as XML, or what the listener gave.
+[[nodiscard]] std::optional<Problem> walk(std::string_view bytes, const Limits& limits, Listener& listener);
+
+/// A relative IRI made whole.
+[[nodiscard]] std::string resolve(std::string_view iri, const std::string& base);
+
+}  // namespace geminga::owlxml
+
+#endif

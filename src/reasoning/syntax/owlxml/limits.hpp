@@ -1,0 +1,29 @@
+// The most that one file in OWL/XML may hold.
+#ifndef GEMINGA_REASONING_SYNTAX_OWLXML_LIMITS_HPP
+#define GEMINGA_REASONING_SYNTAX_OWLXML_LIMITS_HPP
+
+#include <cstddef>
+
+namespace geminga::owlxml {
+
+/// What is beyond any of these refuses the file, with the line. What el::SourceLimits names holds as well.
+struct Limits {
+  std::size_t file_bytes = std::size_t{1} << 30;
+  /// Of one IRI, written out.
+  std::size_t iri_bytes = 8192;
+  /// Of one text.
+  std::size_t literal_bytes = std::size_t{1} << 20;
+  /// Elements in each other. libxml2 has a limit of its own, which is 256.
+  std::size_t nesting = 250;
+  /// Of one expression or axiom.
+  std::size_t operands = 1'000'000;
+  std::size_t prefixes = 10'000;
+  std::size_t imports = 10'000;
+  /// Of a DOCTYPE: how many, and what one of them expands to.
+  std::size_t entities = 4096;
+  std::size_t entity_bytes = std::size_t{1} << 16;
+};
+
+}  // namespace geminga::owlxml
+
+#endif

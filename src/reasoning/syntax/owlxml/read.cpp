@@ -1,0 +1,24 @@
+#include "reasoning/syntax/owlxml/read.hpp"
+
+#include <utility>
+
+#include "base/text.hpp"
+#include "reasoning/syntax/owlxml/builder.hpp"
+
+namespace geminga::owlxml {
+
+std::expected<Document, ReadError> read(std::string_view bytes, el::FileId file, el::OntologySource& source,
+                                        const Limits& limits, std::vector<el::Annotation>* annotations) {
+  const auto refuse = [&](std::uint32_t line, std::string text) {
+    const std::string& path = source.files()[static_cast<std::size_t>(file)].path;
+    return std::unexpected(ReadError{base::printable(path, 4096), line, std::move(text)});
+  };
+  if (bytes.size() > limits.file_bytes)
+    return refuse(0, "larger than " + std::to_string(limits.file_bytes) + " bytes: split it");
+  Builder builder(bytes, file, source, limits, annotations);
+  if (auto problem = walk(bytes, limits, builder)) return refuse(problem->line, std::move(problem->text));
+  if (const auto& problem = source.problem()) return refuse(0, *problem);
+  return builder.take_document();
+}
+
+}  // namespace geminga::owlxml

@@ -1,0 +1,39 @@
+// From the bytes of one file in OWL/XML to the axioms of an OntologySource.
+//
+//   const el::FileId file = source.add_file(path);
+//   const auto document = owlxml::read(bytes, file, source);
+//   if (!document) return refuse(document.error());     // "team.owx", 17, "expected a class expression, found
+//   <Literal>"
+//
+// The syntax is that of https://www.w3.org/TR/owl2-xml-serialization/; OWLXML.md says what is read beyond it, and what
+// is not. The XML is libxml2's work: nothing is opened and nothing is fetched, whatever the file asks for.
+#ifndef GEMINGA_REASONING_SYNTAX_OWLXML_READ_HPP
+#define GEMINGA_REASONING_SYNTAX_OWLXML_READ_HPP
+
+#include <expected>
+#include <string_view>
+#include <vector>
+
+#include "reasoning/owl/annotation.hpp"
+#include "reasoning/owl/document.hpp"
+#include "reasoning/owl/source.hpp"
+#include "reasoning/syntax/owlxml/limits.hpp"
+
+namespace geminga::owlxml {
+
+using el::Document;
+using el::ReadError;
+
+/// Reads a whole file into the source. Sets the ontology IRI of `file` there, adds every axiom with the line in which
+/// its element ends its start tag, and the texts of rdfs:label and skos:prefLabel as labels. Declared prefixes are not
+/// added: which file's meaning of a prefix counts is settled among all files. What no axiom kind can express is left
+/// out there by name. Annotations of names and of the ontology are put where they are wanted.
+///
+/// On an error the source holds an unknown part of the file: the caller drops it. Linear in the file.
+[[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, el::FileId file,
+                                                      el::OntologySource& source, const Limits& limits = {},
+                                                      std::vector<el::Annotation>* annotations = nullptr);
+
+}  // namespace geminga::owlxml
+
+#endif

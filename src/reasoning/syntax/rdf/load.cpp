@@ -1,0 +1,307 @@
+// Lists, reads, scans, parses and maps; then settles imports and prefixes among all files.
+#include "reasoning/syntax/rdf/load.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "base/text.hpp"
+#include "reasoning/syntax/files.hpp"
+#include "reasoning/syntax/inflate.hpp"
+#include "reasoning/syntax/rdf/catalog.hpp"
+#include "reasoning/syntax/rdf/graph.hpp"
+#include "reasoning/syntax/rdf/mapping.hpp"
+#include "reasoning/syntax/rdf/redland.hpp"
+#include "reasoning/syntax/rdf/scan.hpp"
+#include "reasoning/syntax/rdf/turtle_lines.hpp"
+#include "reasoning/syntax/syntax.hpp"
+
+namespace geminga::rdf {
+namespace {
+
+/// Different ontologies that are imported; what is imported beyond them is not looked for.
+constexpr std::size_t max_imports = 1000;
+
+/// What a file's relative IRIs are relative to: its name, not its place, so that they are the same on every robot.
+std::string base_iri(const std::string& path) {
+  std::string iri = "file:///";
+  for (const char c : std::filesystem::path(name_without_gz(path)).filename().string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain =
+        (byte > 0x20 && byte < 0x7f && std::string_view("<>\"{}|\\^`%#?").find(c) == std::string_view::npos);
+    if (is_plain) {
+      iri += c;
+    } else {
+      iri += '%' + base::to_hex(byte, 2);
+    }
+  }
+  return iri;
+}
+
+std::string in_lower_case(std::string_view iri) {
+  std::string lower(iri);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
+  return lower;
+}
+
+/// Ontology headers: what the files call themselves, and what they import.
+class Headers {
+ public:
+  explicit Headers(const std::vector<std::string>& paths) : own_(paths.size()) {
+    for (const std::string& path : paths) {
+      names_.insert(base_iri(path));
+      std::error_code error;
+      const std::filesystem::path absolute = std::filesystem::absolute(path, error).lexically_normal();
+      if (!error) names_.insert("file://" + absolute.string());
+    }
+  }
+
+  /// The first ontology that a file declares is the one that it is.
+  void name(std::size_t file, std::string_view iri) {
+    if (own_[file].empty()) own_[file] = iri;
+    names_.emplace(iri);
+  }
+  void version(std::string_view iri) { names_.emplace(iri); }
+  void import(std::size_t file, std::string_view iri, std::uint32_t line) {
+    if (!seen_.emplace(iri).second) return;
+    if (imports_.size() < max_imports) imports_.push_back({std::string(iri), file, line});
+  }
+
+  void read(const Graph& graph) {
+    for (std::uint32_t number = 0; number < graph.triple_count(); ++number) {
+      const Triple& triple = graph.triple(number);
+      const auto object = [&] { return graph.text(triple.object); };
+      if (triple.predicate == node_of(Word::rdf_type) && triple.object == node_of(Word::owl_ontology)) {
+        if (graph.is_iri(triple.subject)) name(graph.file_of(number), graph.text(triple.subject));
+      } else if (triple.predicate == node_of(Word::owl_version_iri)) {
+        version(object());
+      } else if (triple.predicate == node_of(Word::owl_imports)) {
+        import(graph.file_of(number), object(), triple.line);
+      }
+    }
+  }
+
+  [[nodiscard]] const std::string& own(std::size_t file) const { return own_[file]; }
+
+  /// The imports that no file answers. Each is left out in the source, too.
+  [[nodiscard]] std::vector<UnresolvedImport> settle(const std::vector<std::string>& paths,
+                                                     el::OntologySource& source) const {
+    std::vector<UnresolvedImport> missing;
+    std::set<std::string> own_in_lower_case;
+    for (const std::string& own : own_) own_in_lower_case.insert(in_lower_case(own));
+    for (const Import& import : imports_) {
+      // SOMA-HOME imports .../SOMA-ALL.owl, whose name is .../SOMA-All.owl: a file system may not care, nor do we.
+      if (is_known(import.iri) || own_in_lower_case.contains(in_lower_case(import.iri))) continue;
+      missing.push_back({import.iri, paths[import.file], import.line});
+      source.leave_out("owl:imports <" + import.iri + ">", el::FileId{static_cast<std::uint32_t>(import.file)},
+                       import.line);
+    }
+    return missing;
+  }
+
+ private:
+  struct Import {
+    std::string iri;
+    std::size_t file;
+    std::uint32_t line;
+  };
+
+  [[nodiscard]] bool is_known(std::string_view iri) const {
+    if (names_.contains(iri)) return true;
+    // A trailing # is not part of an ontology's IRI, but often written.
+    return iri.ends_with('#') ? names_.contains(iri.substr(0, iri.size() - 1))
+                              : names_.contains(std::string(iri) + '#');
+  }
+
+  std::vector<std::string> own_;
+  std::set<std::string, std::less<>> names_;
+  std::set<std::string, std::less<>> seen_;
+  std::vector<Import> imports_;
+};
+
+/// Gives every prefix one IRI: the one that most files declare, the smallest among equals, so that neither the order of
+/// files nor that of lines decides. The empty prefix means another thing in every file and counts only where it does
+/// not.
+std::vector<PrefixConflict> settle_prefixes(const std::vector<DeclaredPrefix>& declared, el::OntologySource& source) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> fixed{
+      {{"rdf", rdf_namespace}, {"rdfs", rdfs_namespace}, {"owl", owl_namespace}, {"xsd", xsd_namespace}}};
+  std::map<std::string, std::map<std::string, std::set<std::uint32_t>>> files_of;
+  for (const DeclaredPrefix& prefix : declared) files_of[prefix.prefix][prefix.iri].insert(prefix.file);
+  for (const auto& [prefix, iri] : fixed) {
+    auto& iris = files_of[std::string(prefix)];
+    iris[std::string(iri)];
+  }
+  std::vector<PrefixConflict> conflicts;
+  for (const auto& [prefix, iris] : files_of) {
+    auto chosen = std::ranges::max_element(iris, {}, [](const auto& entry) { return entry.second.size(); });
+    for (const auto& [name, iri] : fixed) {
+      if (name == prefix) chosen = iris.find(std::string(iri));
+    }
+    if (prefix.empty() && iris.size() > 1) continue;
+    source.add_prefix(prefix, chosen->first);
+    if (iris.size() == 1) continue;
+    PrefixConflict conflict{prefix, chosen->first, {}};
+    for (const auto& [iri, files] : iris) {
+      if (iri != chosen->first) conflict.others.push_back(iri);
+    }
+    conflicts.push_back(std::move(conflict));
+  }
+  return conflicts;
+}
+
+/// One load, file by file.
+class Loading {
+ public:
+  Loading(const std::vector<std::string>& paths, const Limits& limits, OtherReader* other, unsigned threads)
+      : paths_(paths), limits_(limits), other_(other), redland_(limits, threads), headers_(paths) {}
+
+  std::optional<LoadError> read(std::size_t number) {
+    const std::string& path = paths_[number];
+    const el::FileId file = loaded_.source.add_file(path);
+    auto bytes = FileBytes::read(path, limits_);
+    if (!bytes) return std::move(bytes.error());
+    loaded_.source.set_content(file, el::fingerprint_of(bytes->view()));
+    if (is_gzip(bytes->view())) bytes = inflate(path, *bytes, limits_);
+    if (!bytes) return std::move(bytes.error());
+    auto syntax = detect_syntax(path, bytes->view());
+    if (!syntax) return LoadError{base::printable(path, 4096), 0, syntax.error()};
+    loaded_.syntaxes.push_back(*syntax);
+    TurtleLines lines;
+    Pieces pieces(limits_.piece_bytes);
+    if (auto problem = scan(*syntax, bytes->view(), limits_, lines, pieces))
+      return LoadError{base::printable(path, 4096), problem->line, std::move(problem->text)};
+    if (!has_triples(*syntax)) {
+      graph_.begin_file();  // without triples, so that the graph's files have the source's numbers
+      if (auto error = refuse_other(number, *syntax)) return error;
+      if (!is_read_last(*syntax)) return read_other(number, *syntax, bytes->view());
+      other_->look_ahead(*syntax, bytes->view());
+      waiting_.push_back({number, std::move(*bytes)});
+      return std::nullopt;
+    }
+    if (*syntax == Syntax::n_triples && lines.has_quote_in_comment()) syntax = Syntax::turtle;
+    return redland_.read(path, *syntax, *bytes, base_iri(path), lines.take(), pieces, graph_);
+  }
+
+  /// Takes the catalogue of a folder, where there is one: an import that it gives to one of our files is answered.
+  std::optional<LoadError> read_catalog_in(const std::string& folder) {
+    const std::filesystem::path path = std::filesystem::path(folder) / catalog_name;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
+    const auto bytes = FileBytes::read(path.string(), limits_);
+    if (!bytes) return bytes.error();
+    const auto entries = read_catalog(path.string(), bytes->view(), limits_);
+    if (!entries) return entries.error();
+    const auto resolved = [&](const std::filesystem::path& file) {
+      return std::filesystem::weakly_canonical(file, error).string();
+    };
+    std::set<std::string> ours;
+    for (const std::string& ours_path : paths_) ours.insert(resolved(ours_path));
+    for (const CatalogEntry& entry : *entries) {
+      const bool is_url = entry.file.starts_with("file://");
+      if (ours.contains(resolved(std::filesystem::path(folder) / (is_url ? entry.file.substr(7) : entry.file))))
+        headers_.version(entry.iri);
+    }
+    return std::nullopt;
+  }
+
+  std::expected<Loaded, LoadError> finish() {
+    loaded_.triples = redland_.triple_count();
+    headers_.read(graph_);
+    graph_.index();
+    loaded_.unknown_words = unknown_words(graph_);
+    loaded_.undeclared_predicates = undeclared_predicates(graph_);
+    std::vector<el::FileId> files;
+    for (std::uint32_t number = 0; number < paths_.size(); ++number) files.push_back(el::FileId{number});
+    Mapping(graph_, loaded_.source, std::move(files)).run();
+    for (const Waiting& waiting : waiting_) {
+      if (auto error = read_other(waiting.number, loaded_.syntaxes[waiting.number], waiting.bytes.view()))
+        return std::unexpected(std::move(*error));
+    }
+    std::vector<DeclaredPrefix> prefixes = redland_.prefixes();
+    prefixes.insert(prefixes.end(), other_prefixes_.begin(), other_prefixes_.end());
+    loaded_.conflicts = settle_prefixes(prefixes, loaded_.source);
+    for (std::uint32_t number = 0; number < paths_.size(); ++number)
+      loaded_.source.set_ontology_iri(el::FileId{number}, headers_.own(number));
+    loaded_.unresolved = headers_.settle(paths_, loaded_.source);
+    if (const auto& problem = loaded_.source.problem()) return std::unexpected(LoadError{{}, 0, *problem});
+    return std::move(loaded_);
+  }
+
+ private:
+  /// A file in a syntax whose names mean what all others say that they do.
+  struct Waiting {
+    std::size_t number;
+    FileBytes bytes;
+  };
+
+  std::optional<LoadError> refuse_other(std::size_t number, Syntax syntax) const {
+    if (other_ != nullptr) return std::nullopt;
+    return LoadError{
+        base::printable(paths_[number], 4096), 0,
+        "is in " + std::string(to_string(syntax)) + ", which is not read here: convert it to RDF/XML or Turtle"};
+  }
+
+  std::optional<LoadError> read_other(std::size_t number, Syntax syntax, std::string_view bytes) {
+    const auto document = other_->read(syntax, bytes, el::FileId{static_cast<std::uint32_t>(number)}, loaded_.source,
+                                       loaded_.annotations);
+    if (!document) return LoadError{document.error().file, document.error().line, document.error().text};
+    if (!document->ontology_iri.empty()) headers_.name(number, document->ontology_iri);
+    if (!document->version_iri.empty()) headers_.version(document->version_iri);
+    for (const el::Import& import : document->imports) headers_.import(number, import.iri, import.line);
+    for (const auto& [prefix, iri] : document->prefixes)
+      other_prefixes_.push_back({prefix, iri, static_cast<std::uint32_t>(number)});
+    return std::nullopt;
+  }
+
+  const std::vector<std::string>& paths_;
+  const Limits& limits_;
+  OtherReader* other_;
+  Redland redland_;
+  Graph graph_;
+  Headers headers_;
+  std::vector<DeclaredPrefix> other_prefixes_;
+  std::vector<Waiting> waiting_;
+  Loaded loaded_;
+};
+
+}  // namespace
+
+std::expected<TextFile, LoadError> read_text(const std::string& path, const Limits& limits) {
+  const auto refuse = [&](std::uint32_t line, std::string text) {
+    return std::unexpected(LoadError{base::printable(path, 4096), line, std::move(text)});
+  };
+  auto bytes = FileBytes::read(path, limits);
+  if (bytes && is_gzip(bytes->view())) bytes = inflate(path, *bytes, limits);
+  if (!bytes) return std::unexpected(std::move(bytes.error()));
+  const auto syntax = detect_syntax(path, bytes->view());
+  if (!syntax) return refuse(0, syntax.error());
+  TurtleLines lines;
+  Pieces pieces(limits.piece_bytes);
+  if (auto problem = scan(*syntax, bytes->view(), limits, lines, pieces))
+    return refuse(problem->line, std::move(problem->text));
+  return TextFile{std::move(*bytes), *syntax, base_iri(path)};
+}
+
+std::expected<Loaded, LoadError> load(std::span<const std::string> arguments, const Limits& limits, OtherReader* other,
+                                      unsigned threads) {
+  auto listing = list_files(arguments, limits);
+  if (!listing) return std::unexpected(std::move(listing.error()));
+  Loading loading(listing->files, limits, other, threads);
+  for (std::size_t number = 0; number < listing->files.size(); ++number) {
+    if (auto error = loading.read(number)) return std::unexpected(std::move(*error));
+  }
+  for (const std::string& folder : listing->folders) {
+    if (auto error = loading.read_catalog_in(folder)) return std::unexpected(std::move(*error));
+  }
+  auto loaded = loading.finish();
+  if (loaded) loaded->listing = std::move(*listing);
+  return loaded;
+}
+
+}  // namespace geminga::rdf

@@ -1,0 +1,43 @@
+// Which syntax a file is in, by its name and by how its content begins.
+#ifndef GEMINGA_REASONING_SYNTAX_SYNTAX_HPP
+#define GEMINGA_REASONING_SYNTAX_SYNTAX_HPP
+
+#include <cstdint>
+#include <expected>
+#include <string>
+#include <string_view>
+
+namespace geminga::rdf {
+
+enum class Syntax : std::uint8_t {
+  rdf_xml,
+  turtle,
+  n_triples,
+  // Of OWL 2, without triples, and read by somebody else.
+  functional,
+  manchester,
+  owl_xml,
+};
+
+/// "Turtle", "OWL/XML".
+[[nodiscard]] std::string_view to_string(Syntax syntax);
+[[nodiscard]] constexpr bool is_xml(Syntax syntax) { return syntax == Syntax::rdf_xml || syntax == Syntax::owl_xml; }
+[[nodiscard]] constexpr bool has_triples(Syntax syntax) { return syntax <= Syntax::n_triples; }
+/// Whether a name of an undeclared property says less than all other files do about it.
+[[nodiscard]] constexpr bool is_read_last(Syntax syntax) { return syntax == Syntax::manchester; }
+
+/// Text without the byte order mark that some editors begin UTF-8 with.
+[[nodiscard]] std::string_view without_mark(std::string_view content);
+
+/// The syntax of a file, or why it cannot be read, as the words behind "FILE: ". A name that ends in .ttl or .nt says
+/// what the file is; .owl, .rdf and .xml are used for several syntaxes, and the content decides. The syntaxes of OWL 2
+/// are known by their content whatever the name; .ofn, .fss, .omn and .owx can be nothing else. A .gz behind the name
+/// counts for nothing.
+[[nodiscard]] std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::string_view content);
+
+/// Whether a file is XML by how it begins and names neither RDF's nor OWL's namespace there: some other program's.
+[[nodiscard]] bool is_foreign_xml(std::string_view begin);
+
+}  // namespace geminga::rdf
+
+#endif

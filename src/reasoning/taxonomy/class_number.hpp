@@ -1,0 +1,15 @@
+// Classes of one ontology by number.
+#ifndef GEMINGA_REASONING_TAXONOMY_CLASS_NUMBER_HPP
+#define GEMINGA_REASONING_TAXONOMY_CLASS_NUMBER_HPP
+
+#include <cstdint>
+
+namespace geminga::el {
+
+/// The dense number of a named class in one ontology, [0, class_count). Numbers of different ontologies have nothing in
+/// common.
+enum class ClassNumber : std::uint32_t {};
+
+}  // namespace geminga::el
+
+#endif

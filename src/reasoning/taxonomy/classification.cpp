@@ -1,0 +1,41 @@
+#include "reasoning/taxonomy/classification.hpp"
+
+#include <map>
+#include <string>
+#include <utility>
+
+namespace geminga::el {
+
+std::vector<LeftOut> left_out(const OntologySource& source, const Classification& classification) {
+  struct Place {
+    std::uint32_t count = 0;
+    std::pair<std::string_view, std::uint32_t> first;
+    FileId file{};
+  };
+  std::map<std::string_view, Place> places;
+  const auto add = [&](std::string_view construct, FileId file, std::uint32_t line, std::uint32_t count) {
+    Place& place = places[construct];
+    const std::pair<std::string_view, std::uint32_t> here(source.files()[static_cast<std::size_t>(file)].path, line);
+    if (place.count == 0 || here < place.first) {
+      place.first = here;
+      place.file = file;
+    }
+    place.count += count;
+  };
+  for (const OntologySource::Omission& omission : source.omissions()) {
+    add(source.name(omission.construct), omission.file, omission.line, omission.count);
+  }
+  for (const UnusedAxiom& unused : classification.unused) {
+    const Axiom axiom = source.axiom(unused.axiom);
+    add(unused.construct, axiom.file, axiom.line, 1);
+  }
+  std::vector<LeftOut> result;
+  for (const auto& [construct, place] : places) {
+    result.push_back({std::string(construct), place.count,
+                      std::string(place.first.first) + ":" + std::to_string(place.first.second),
+                      static_cast<std::uint32_t>(place.file), place.first.second});
+  }
+  return result;
+}
+
+}  // namespace geminga::el

@@ -1,0 +1,287 @@
+// The graph of property inclusions. Legend: P Q properties, P- the inverse, P < Q "P SubPropertyOf Q", P o Q a chain.
+#include "reasoning/taxonomy/property_taxonomy.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "base/interner.hpp"
+#include "base/rows.hpp"
+#include "reasoning/taxonomy/reduction.hpp"
+
+namespace geminga::el {
+namespace {
+
+/// Steps down from members of disjointness axioms, all together; beyond it no more empty properties are looked for.
+constexpr std::size_t max_disjointness_steps = std::size_t{1} << 26;
+
+/// One run. A node is a property (2 * number) or its inverse (2 * number + 1); data properties leave the odd ones out.
+class PropertyGraph {
+ public:
+  PropertyGraph(const OntologySource& source, PropertyKind kind, bool is_consistent)
+      : source_(source), is_object_(kind == PropertyKind::object), number_of_term_(source.term_count(), none) {
+    graph_.is_consistent = is_consistent;
+  }
+
+  PropertyTaxonomy run() {
+    find_properties();
+    up_.resize(graph_.node_count);
+    graph_.is_empty.assign(graph_.node_count, false);
+    graph_.is_empty[node(bottom_)] = true;
+    graph_.is_empty[node(bottom_) + 1] = true;
+    graph_.top = node(top_);
+    include(graph_.top, graph_.top + 1);
+    is_reflexive_.assign(graph_.node_count, false);
+    for (std::uint32_t axiom = 0; axiom < source_.axiom_count(); ++axiom) read(source_.axiom(axiom));
+    if (is_object_) spread_reflexivity();
+    for (std::uint32_t sub = 0; sub < graph_.node_count; ++sub) {
+      for (const std::uint32_t super : up_[sub]) graph_.edges.emplace_back(sub, super);
+    }
+    find_disjoint();
+    return finish();
+  }
+
+ private:
+  static constexpr std::uint32_t none = NumberTable::none;
+  struct Chain {
+    std::vector<std::uint32_t> links;
+    std::uint32_t result = 0;
+    std::size_t waiting = 0;  ///< links that are not known to be reflexive
+  };
+
+  void find_properties();
+  void read(const Axiom& axiom);
+  void read_inclusion(TermId sub, TermId super);
+  void include(std::uint32_t sub, std::uint32_t super);
+  void set_reflexive(std::uint32_t at);
+  void shorten(const Chain& chain);
+  void spread_reflexivity();
+  void find_disjoint();
+  PropertyTaxonomy finish();
+
+  [[nodiscard]] static std::uint32_t node(std::uint32_t property) { return 2 * property; }
+  [[nodiscard]] std::uint32_t node(TermId term) const {
+    if (source_.kind(term) == TermKind::object_inverse_of) return node(source_.term(term).arguments[0]) ^ 1;
+    return node(number_of_term_[static_cast<std::size_t>(term)]);
+  }
+
+  const OntologySource& source_;
+  bool is_object_;
+  std::vector<std::uint32_t> number_of_term_;
+  std::vector<NameId> properties_;
+  std::uint32_t top_ = 0;
+  std::uint32_t bottom_ = 0;
+  Inclusions graph_;
+  std::vector<std::vector<std::uint32_t>> up_;
+  std::vector<bool> is_reflexive_;
+  std::vector<std::uint32_t> newly_reflexive_;
+  std::vector<Chain> chains_;
+  std::vector<std::vector<std::uint32_t>> disjoint_;
+};
+
+void PropertyGraph::find_properties() {
+  std::vector<bool> is_used(source_.term_count(), false);
+  for (std::size_t axiom = 0; axiom < source_.axiom_count(); ++axiom) {
+    for (const TermId argument : source_.axiom(axiom).arguments) is_used[static_cast<std::size_t>(argument)] = true;
+  }
+  const TermKind wanted = is_object_ ? TermKind::object_property : TermKind::data_property;
+  const std::string_view top = is_object_ ? owl_top_object_property : owl_top_data_property;
+  const std::string_view bottom = is_object_ ? owl_bottom_object_property : owl_bottom_data_property;
+  std::vector<std::pair<std::string_view, std::uint32_t>> named;
+  bool has_top = false;
+  bool has_bottom = false;
+  // The arguments of a term have smaller numbers than it, so that one pass downwards finds all that is used.
+  for (auto id = static_cast<std::uint32_t>(source_.term_count()); id-- > 0;) {
+    if (!is_used[id]) continue;
+    const Term term = source_.term(TermId{id});
+    for (const TermId argument : term.arguments) is_used[static_cast<std::size_t>(argument)] = true;
+    if (term.kind != wanted) continue;
+    named.emplace_back(source_.name(term.name), id);
+    has_top |= named.back().first == top;
+    has_bottom |= named.back().first == bottom;
+  }
+  if (!has_top) named.emplace_back(top, none);
+  if (!has_bottom) named.emplace_back(bottom, none);
+  std::ranges::sort(named);
+  for (const auto& [iri, term] : named) {
+    const auto number = static_cast<std::uint32_t>(properties_.size());
+    if (iri == top) top_ = number;
+    if (iri == bottom) bottom_ = number;
+    properties_.push_back(*source_.find_name(iri));  // every source knows the names of top and bottom
+    if (term != none) number_of_term_[term] = number;
+  }
+  graph_.node_count = static_cast<std::uint32_t>(2 * properties_.size());
+}
+
+//  P < Q
+//  -------
+//  P- < Q-
+void PropertyGraph::include(std::uint32_t sub, std::uint32_t super) {
+  up_[sub].push_back(super);
+  if (is_object_) up_[sub ^ 1].push_back(super ^ 1);
+}
+
+void PropertyGraph::read_inclusion(TermId sub, TermId super) {
+  if (source_.kind(sub) != TermKind::object_property_chain) return include(node(sub), node(super));
+  Chain chain;
+  for (const TermId link : source_.term(sub).arguments) chain.links.push_back(node(link));
+  chain.result = node(super);
+  chain.waiting = chain.links.size();
+  if (chain.waiting == 1) return include(chain.links.front(), chain.result);
+  chains_.push_back(std::move(chain));
+}
+
+void PropertyGraph::read(const Axiom& axiom) {
+  const auto arguments = axiom.arguments;
+  const auto is_nothing = [&](TermId term) {
+    return source_.kind(term) == TermKind::named_class && source_.name_of(term) == owl_nothing;
+  };
+  switch (axiom.kind) {
+    case AxiomKind::sub_object_property_of:
+      if (is_object_) read_inclusion(arguments[0], arguments[1]);
+      return;
+    case AxiomKind::sub_data_property_of:
+      if (!is_object_) include(node(arguments[0]), node(arguments[1]));
+      return;
+    case AxiomKind::equivalent_object_properties:
+    case AxiomKind::equivalent_data_properties:
+      if (is_object_ != (axiom.kind == AxiomKind::equivalent_object_properties)) return;
+      for (const TermId other : arguments.subspan(1)) {
+        include(node(arguments[0]), node(other));
+        include(node(other), node(arguments[0]));
+      }
+      return;
+    case AxiomKind::inverse_object_properties:
+      //  P and Q inverse of each other: P < Q-, Q- < P
+      if (!is_object_) return;
+      include(node(arguments[0]), node(arguments[1]) ^ 1);
+      include(node(arguments[1]) ^ 1, node(arguments[0]));
+      return;
+    case AxiomKind::symmetric_object_property:
+      if (is_object_) include(node(arguments[0]), node(arguments[0]) ^ 1);
+      return;
+    case AxiomKind::reflexive_object_property:
+      if (is_object_) set_reflexive(node(arguments[0]));
+      return;
+    case AxiomKind::asymmetric_object_property:
+      if (is_object_) disjoint_.push_back({node(arguments[0]), node(arguments[0]) ^ 1});
+      return;
+    case AxiomKind::disjoint_object_properties:
+    case AxiomKind::disjoint_data_properties: {
+      if (is_object_ != (axiom.kind == AxiomKind::disjoint_object_properties)) return;
+      std::vector<std::uint32_t>& members = disjoint_.emplace_back();
+      for (const TermId member : arguments) members.push_back(node(member));
+      return;
+    }
+    case AxiomKind::object_property_domain:
+    case AxiomKind::object_property_range:
+    case AxiomKind::data_property_domain: {
+      if (is_object_ == (axiom.kind == AxiomKind::data_property_domain) || !is_nothing(arguments[1])) return;
+      graph_.is_empty[node(arguments[0])] = true;
+      graph_.is_empty[node(arguments[0]) ^ 1] = true;
+      return;
+    }
+    default:
+      return;
+  }
+}
+
+void PropertyGraph::set_reflexive(std::uint32_t at) {
+  for (const std::uint32_t one : {at, at ^ 1}) {
+    if (is_reflexive_[one]) continue;
+    is_reflexive_[one] = true;
+    newly_reflexive_.push_back(one);
+  }
+}
+
+//  P1 o ... o Pn < Q   all but Pi reflexive      P1 o ... o Pn < Q   all reflexive
+//  ----------------------------------------      ---------------------------------
+//  Pi < Q                                        Q reflexive
+void PropertyGraph::shorten(const Chain& chain) {
+  for (const std::uint32_t link : chain.links) {
+    if (chain.waiting == 0 || !is_reflexive_[link]) include(link, chain.result);
+  }
+  if (chain.waiting == 0) set_reflexive(chain.result);
+}
+
+//  P reflexive   P < Q
+//  -------------------
+//  Q reflexive
+void PropertyGraph::spread_reflexivity() {
+  set_reflexive(graph_.top);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> uses;
+  for (std::uint32_t chain = 0; chain < chains_.size(); ++chain) {
+    for (const std::uint32_t link : chains_[chain].links) {
+      uses.emplace_back(link, chain);
+      uses.emplace_back(link ^ 1, chain);
+    }
+  }
+  const Rows<std::uint32_t> chains_of(graph_.node_count, uses);
+  while (!newly_reflexive_.empty()) {
+    const std::uint32_t at = newly_reflexive_.back();
+    newly_reflexive_.pop_back();
+    for (const std::uint32_t super : up_[at]) set_reflexive(super);
+    if (at % 2 != 0) continue;  // a property and its inverse come together: each link of a chain is counted once
+    for (const std::uint32_t chain : chains_of[at]) {
+      if (--chains_[chain].waiting > 1) continue;
+      shorten(chains_[chain]);
+    }
+    // Edges that shorten() adds below what is reflexive already.
+  }
+}
+
+//  P < Q   P < Q'
+//  -------------- [Q and Q' are different members of a disjointness axiom]
+//  P is empty
+void PropertyGraph::find_disjoint() {
+  if (disjoint_.empty()) return;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> turned;
+  for (const auto& [sub, super] : graph_.edges) turned.emplace_back(super, sub);
+  const Rows<std::uint32_t> down(graph_.node_count, turned);
+  std::vector<std::uint32_t> axiom_of(graph_.node_count, none);   // the last axiom that reached it
+  std::vector<std::uint32_t> member_of(graph_.node_count, none);  // by way of this member
+  std::size_t steps = 0;
+  std::vector<std::uint32_t> stack;
+  for (std::uint32_t axiom = 0; axiom < disjoint_.size(); ++axiom) {
+    for (std::uint32_t member = 0; member < disjoint_[axiom].size(); ++member) {
+      stack.assign(1, disjoint_[axiom][member]);
+      while (!stack.empty()) {
+        const std::uint32_t at = stack.back();
+        stack.pop_back();
+        if (++steps > max_disjointness_steps) return;
+        if (axiom_of[at] == axiom && member_of[at] == member) continue;
+        if (axiom_of[at] == axiom) {
+          graph_.is_empty[at] = true;
+          graph_.is_empty[at ^ 1] = true;
+          continue;  // all below is empty with it
+        }
+        axiom_of[at] = axiom;
+        member_of[at] = member;
+        for (const std::uint32_t below : down[at]) stack.push_back(below);
+      }
+    }
+  }
+}
+
+PropertyTaxonomy PropertyGraph::finish() {
+  PropertyTaxonomy taxonomy;
+  taxonomy.properties = properties_;
+  taxonomy.top = PropertyNumber{top_};
+  taxonomy.bottom = PropertyNumber{bottom_};
+  for (std::uint32_t number = 0; number < properties_.size(); ++number) graph_.node_of.push_back(node(number));
+  graph_.top_entity = top_;
+  graph_.bottom_entity = bottom_;
+  Reduced reduced = reduce(std::move(graph_));
+  taxonomy.parent_begin = std::move(reduced.parent_begin);
+  for (const std::uint32_t number : reduced.representative) taxonomy.representative.push_back(PropertyNumber{number});
+  for (const std::uint32_t number : reduced.parents) taxonomy.parents.push_back(PropertyNumber{number});
+  return taxonomy;
+}
+
+}  // namespace
+
+PropertyTaxonomy classify_properties(const OntologySource& source, PropertyKind kind, bool is_consistent) {
+  return PropertyGraph(source, kind, is_consistent).run();
+}
+
+}  // namespace geminga::el

@@ -1,0 +1,52 @@
+// The reduced hierarchy of the properties of an ontology: nodes of equivalents, and the direct super-properties of
+// each.
+//
+// From the property axioms: inclusions, equivalents, inverses, symmetry, chains whose other links are reflexive, and
+// what is empty (under the bottom property, disjoint with itself, without any domain or range). What only class axioms
+// say of properties is not looked for.
+#ifndef GEMINGA_REASONING_TAXONOMY_PROPERTY_TAXONOMY_HPP
+#define GEMINGA_REASONING_TAXONOMY_PROPERTY_TAXONOMY_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "reasoning/owl/source.hpp"
+
+namespace geminga::el {
+
+/// The dense number of a named property in one taxonomy.
+enum class PropertyNumber : std::uint32_t {};
+
+/// The named object properties, or the named data properties, that the axioms use. They are numbered in ascending order
+/// of their IRIs (octet by octet); the top and the bottom property are always among them.
+struct PropertyTaxonomy {
+  std::vector<NameId> properties;  ///< the IRI of each
+  PropertyNumber top{};
+  PropertyNumber bottom{};
+  /// The smallest property that each is equivalent to; itself for most. Those of empty properties are equal to that of
+  /// the bottom property.
+  std::vector<PropertyNumber> representative;
+  /// The direct super-properties of each representative, as representatives, ascending. Empty for others, for the top
+  /// property, and for the bottom property's (which lies below every leaf).
+  std::vector<std::uint32_t> parent_begin;
+  std::vector<PropertyNumber> parents;
+
+  [[nodiscard]] std::size_t property_count() const { return properties.size(); }
+  [[nodiscard]] std::span<const PropertyNumber> parents_of(PropertyNumber number) const {
+    const auto index = static_cast<std::size_t>(number);
+    return std::span(parents).subspan(parent_begin[index], parent_begin[index + 1] - parent_begin[index]);
+  }
+};
+
+enum class PropertyKind : std::uint8_t { object, data };
+
+/// Depends only on the set of axioms. An inconsistent ontology has one node; classify() knows of that, this does not
+/// unless the caller says so. Linear in axioms, but for a closure of the chains.
+[[nodiscard]] PropertyTaxonomy classify_properties(const OntologySource& source, PropertyKind kind,
+                                                   bool is_consistent = true);
+
+}  // namespace geminga::el
+
+#endif

@@ -1,0 +1,48 @@
+// The worked example of ANNOUNCEMENT.md is what the codec reads and writes.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "discovery/announcement/announcements.hpp"
+
+namespace geminga::beacon {
+namespace {
+
+/// The octets in the first column of the table under "## Worked example".
+std::vector<std::byte> octets_in_specification() {
+  std::ifstream file(GEMINGA_SOURCE_DIR "/src/discovery/announcement/ANNOUNCEMENT.md");
+  std::string hex;
+  bool is_example = false;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("## ")) is_example = line == "## Worked example";
+    if (!is_example || !line.starts_with("| `")) continue;
+    hex += line.substr(3, line.find('`', 3) - 3);
+  }
+  return octets_of(hex);
+}
+
+TEST(AnnouncementSpecification, ItsWorkedExampleIsWhatEncodeWrites) {
+  const auto datagrams = encode(worked_example());
+  ASSERT_EQ(datagrams.size(), 1U);
+  EXPECT_EQ(to_hex_text(datagrams.front()), to_hex_text(octets_in_specification()));
+}
+
+TEST(AnnouncementSpecification, ItsWorkedExampleIsWhatDecodeReads) {
+  const auto decoded = decode(octets_in_specification());
+  ASSERT_TRUE(decoded) << to_string(decoded.error());
+  EXPECT_EQ(*decoded, worked_example());
+}
+
+TEST(AnnouncementSpecification, NamesEveryReasonForRefusal) {
+  std::ifstream file(GEMINGA_SOURCE_DIR "/src/discovery/announcement/ANNOUNCEMENT.md");
+  std::stringstream text;
+  text << file.rdbuf();
+  for (std::size_t i = 0; i < decode_error_count; ++i) {
+    const auto word = to_string(static_cast<DecodeError>(i));
+    EXPECT_THAT(text.str(), ::testing::HasSubstr("`" + std::string(word) + "`"));
+  }
+}
+
+}  // namespace
+}  // namespace geminga::beacon

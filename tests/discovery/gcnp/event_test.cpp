@@ -1,0 +1,104 @@
+#include "discovery/gcnp/event.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace geminga::gcnp {
+namespace {
+
+using testing::HasSubstr;
+
+ServiceEvent service_event() {
+  ServiceEvent event;
+  event.service = {ParticipantId{0x1a2b3c4d}, PeerId{2}, 42};
+  event.peer_name = "vision";
+  event.participant_name = "robot 2";
+  event.publication = {
+      ConceptNames{"s:Ball", "s:Field"},         ChannelMode::one_to_many_stream, "10.0.0.2", 5000, "udp", -3,
+      {{"camera", "front left"}, {"rate", "30"}}};
+  event.degree = Degree::narrower;
+  event.distance = 2;
+  return event;
+}
+
+Event read(const std::string& line) {
+  const auto reply = read_reply(std::string_view(line).substr(0, line.size() - 2));
+  EXPECT_TRUE(reply) << line;
+  return reply ? std::get<Event>(*reply) : Event{};
+}
+
+TEST(ServiceEvent, IsTheSameAfterWritingAndReading) {
+  ServiceEvent event = service_event();
+  for (const auto change : {Change::add, Change::modify}) {
+    event.change = change;
+    EXPECT_EQ(read(to_line(to_statement(7, event))), (Event{7, event}));
+  }
+}
+
+TEST(ServiceEvent, OfADeletionHasServiceAndReasonOnly) {
+  ServiceEvent event = service_event();
+  event.change = Change::del;
+  event.reason = "expired";
+  EXPECT_EQ(to_line(to_statement(7, event)), "7 pub del service=1a2b3c4d/2/42 reason=expired\r\n");
+  ServiceEvent bare;
+  bare.change = Change::del;
+  bare.service = event.service;
+  bare.reason = "expired";
+  EXPECT_EQ(read(to_line(to_statement(7, event))), (Event{7, bare}));
+  EXPECT_EQ(read("7 pub del service=1a2b3c4d/2/42 reason=expired mode=oto protocol=tcp rate=30\r\n"), (Event{7, bare}));
+}
+
+TEST(ServiceEvent, HasNoReasonBeforeItsDeletion) {
+  const auto event =
+      read("7 pub add service=00000001/2/3 degree=exact distance=0 mode=oto port=1 id=1 reason=left\r\n");
+  EXPECT_EQ(std::get<ServiceEvent>(event.what).reason, "");
+}
+
+TEST(ConsumerEvent, IsTheSameAfterWritingAndReading) {
+  ConsumerEvent event;
+  event.subscription = {ParticipantId{1}, PeerId{3}, 4};
+  event.peer_name = "world";
+  event.subscribed.identity = TextIdentity{"ball"};
+  event.subscribed.mode = ChannelMode::one_to_many_pubsub;
+  event.subscribed.port = 9;
+  event.subscribed.address = "::1";
+  event.subscribed.attributes = {{"a", ""}};
+  EXPECT_EQ(read(to_line(to_statement(7, event))), (Event{7, event}));
+}
+
+TEST(Reply, IsAnErrorWhereThreeDigitsFollowTheId) {
+  EXPECT_EQ(std::get<Event>(*read_reply("7 422 say \"what\" = \x01 now")),
+            (Event{7, Error{ErrorCode::impossible, "say \"what\" = ? now"}}));
+  EXPECT_EQ(std::get<Event>(*read_reply("7 503")), (Event{7, Error{ErrorCode::not_ready, ""}}));
+}
+
+TEST(Reply, IsAMessageWhereItIsNoEvent) {
+  const auto reply = read_reply("7 msg end count=3");
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(std::get<Statement>(*reply), (Statement{7, "msg", "end", {{"count", "3"}}}));
+}
+
+TEST(Reply, TakesUnknownKeysOfAnEventForAttributes) {
+  const auto event = read("7 pub add service=00000001/2/3 degree=exact distance=0 mode=oto port=1 id=1 novelty=5\r\n");
+  EXPECT_THAT(std::get<ServiceEvent>(event.what).publication.attributes,
+              testing::ElementsAre(testing::Pair("novelty", "5")));
+}
+
+TEST(Reply, SaysWhichPartOfAnEventCannotBeRead) {
+  for (const auto& [line, what] :
+       std::vector<std::pair<std::string, std::string>>{{"7 pub add degree=exact mode=oto", "service"},
+                                                        {"7 pub add service=1 degree=exact mode=oto", "service"},
+                                                        {"7 pub add service=00000001/2/3 mode=oto", "degree"},
+                                                        {"7 pub add service=00000001/2/3 degree=exact mode=x", "mode"},
+                                                        {"7 sub del reason=left", "subscription"},
+                                                        {"hello", "octet 1"}}) {
+    const auto reply = read_reply(line);
+    ASSERT_FALSE(reply) << line;
+    EXPECT_THAT(reply.error().text, HasSubstr(what)) << line;
+  }
+}
+
+TEST(PeerWord, NamesParticipantAndPeer) { EXPECT_EQ(peer_word({ParticipantId{0xabc}, PeerId{12}, 9}), "00000abc/12"); }
+
+}  // namespace
+}  // namespace geminga::gcnp

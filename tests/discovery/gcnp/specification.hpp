@@ -1,0 +1,22 @@
+// The worked examples of src/discovery/gcnp/GCNP.md, as the tests walk them.
+#ifndef GEMINGA_TESTS_DISCOVERY_GCNP_SPECIFICATION_HPP
+#define GEMINGA_TESTS_DISCOVERY_GCNP_SPECIFICATION_HPP
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace geminga::gcnp {
+
+/// A line of an example and what the line behind `=` says; where there is none, the line itself.
+struct Example {
+  std::string line;
+  std::string expected;
+};
+
+/// The examples of the fenced block with this name. Empty where there is no such block.
+[[nodiscard]] std::vector<Example> examples(std::string_view block);
+
+}  // namespace geminga::gcnp
+
+#endif

@@ -1,0 +1,155 @@
+// Degrees of match of identities, by the table of what each pair must give.
+#include "discovery/matching/degree.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <optional>
+
+#include "discovery/matching/representation.hpp"
+#include "discovery/matching/taxonomy.hpp"
+
+namespace geminga::matching {
+namespace {
+
+using enum Degree;
+
+std::optional<Match> degree_of(const Identity& offered, const Identity& requested, const el::Ontology* ontology) {
+  return degree_of_identity(offered, classes_of(offered, ontology), requested, classes_of(requested, ontology),
+                            ontology);
+}
+
+struct Case {
+  Identity offered;
+  Identity requested;
+  std::optional<Match> wanted;
+};
+
+void expect_all(const std::vector<Case>& cases, const el::Ontology* ontology) {
+  for (const auto& [offered, requested, wanted] : cases) {
+    const auto got = degree_of(offered, requested, ontology);
+    EXPECT_EQ(got.has_value(), wanted.has_value()) << canonical_form(offered) << " for " << canonical_form(requested);
+    if (got && wanted) {
+      EXPECT_EQ(got->degree, wanted->degree) << canonical_form(offered) << " for " << canonical_form(requested);
+      EXPECT_EQ(got->distance, wanted->distance) << canonical_form(offered) << " for " << canonical_form(requested);
+    }
+  }
+}
+
+TEST(Degree, FollowsSubsumptionBetweenConcepts) {
+  const auto ontology = soccer();
+  expect_all({{semantic("Ball"), semantic("Ball"), Match{exact, 0}},
+              {semantic("Sphere"), semantic("Ball"), Match{equivalent, 0}},
+              {semantic("Ball"), semantic("Sphere"), Match{equivalent, 0}},
+              {semantic("OwnBall"), semantic("Ball"), Match{narrower, 1}},
+              {semantic("OwnBall"), semantic("Sphere"), Match{narrower, 1}},
+              {semantic("OwnBall"), semantic("Tracked"), Match{narrower, 2}},
+              {semantic("Tracked"), semantic("OwnBall"), Match{broader, 2}},
+              {semantic("Ball"), semantic("Robot"), std::nullopt}},
+             &ontology);
+}
+
+TEST(Degree, IsTheWeakerOfConceptAndRepresentationAndDistancesAdd) {
+  const auto ontology = soccer();
+  expect_all({{semantic("Ball", "Frame"), semantic("Ball", "Frame"), Match{exact, 0}},
+              {semantic("Ball", "Pitch"), semantic("Ball", "FieldFrame"), Match{equivalent, 0}},
+              {semantic("Sphere", "Frame"), semantic("Ball", "Frame"), Match{equivalent, 0}},
+              {semantic("Ball", "FieldFrame"), semantic("Ball", "Frame"), Match{narrower, 1}},
+              {semantic("Sphere", "PolarFieldFrame"), semantic("Ball", "Frame"), Match{narrower, 2}},
+              {semantic("OwnBall", "PolarFieldFrame"), semantic("Tracked", "Frame"), Match{narrower, 4}},
+              {semantic("OwnBall", "Frame"), semantic("Ball", "FieldFrame"), Match{broader, 2}},
+              {semantic("Tracked", "FieldFrame"), semantic("Ball", "Frame"), Match{broader, 2}},
+              {semantic("Ball", "Robot"), semantic("Ball", "Frame"), std::nullopt},
+              {semantic("Robot", "Frame"), semantic("Ball", "Frame"), std::nullopt}},
+             &ontology);
+}
+
+TEST(Degree, ARequestWithoutRepresentationTakesAnyAndIsNotWeakened) {
+  const auto ontology = soccer();
+  expect_all({{semantic("Ball", "Frame"), semantic("Ball"), Match{exact, 0}},
+              {semantic("Ball", "Unheard"), semantic("Ball"), Match{exact, 0}},
+              {semantic("OwnBall", "PolarFieldFrame"), semantic("Ball"), Match{narrower, 1}}},
+             &ontology);
+}
+
+TEST(Degree, AnUnstatedRepresentationMeetsOnlyARequestWithoutOne) {
+  const auto ontology = soccer();
+  expect_all({{semantic("Ball"), semantic("Ball"), Match{exact, 0}},
+              {semantic("OwnBall"), semantic("Ball"), Match{narrower, 1}},
+              {semantic("Ball"), semantic("Ball", "Frame"), std::nullopt},
+              {semantic("OwnBall"), semantic("Ball", "Frame"), std::nullopt}},
+             &ontology);
+}
+
+TEST(Degree, KindsNeverMatchAcrossButForANumberAndTheConceptWhoseHashItIs) {
+  const auto ontology = soccer();
+  const Identity text = TextIdentity{"<http://example.org/Ball>"};
+  EXPECT_EQ(canonical_form(text), canonical_form(semantic("Ball")));
+  expect_all({{text, semantic("Ball"), std::nullopt},
+              {semantic("Ball"), text, std::nullopt},
+              {NumericIdentity{id32(text)}, text, std::nullopt},
+              {text, NumericIdentity{id32(text)}, std::nullopt},
+              {NumericIdentity{id32(text)}, semantic("Ball"), Match{exact, 0}},
+              {semantic("Ball"), NumericIdentity{id32(text)}, Match{exact, 0}},
+              {NumericIdentity{id32(text) + 1}, semantic("Ball"), std::nullopt},
+              {NumericIdentity{7}, TextIdentity{"7"}, std::nullopt}},
+             &ontology);
+}
+
+TEST(Degree, NumbersAndTextsMatchExactlyOrNotAtAll) {
+  const auto ontology = soccer();
+  expect_all({{NumericIdentity{7}, NumericIdentity{7}, Match{exact, 0}},
+              {NumericIdentity{7}, NumericIdentity{8}, std::nullopt},
+              {TextIdentity{"a"}, TextIdentity{"a"}, Match{exact, 0}},
+              {TextIdentity{"a"}, TextIdentity{"A"}, std::nullopt},
+              {TextIdentity{"service-3352"}, TextIdentity{"service-724358"}, std::nullopt}},
+             &ontology);
+}
+
+TEST(Degree, WhatTheOntologyDoesNotKnowMatchesExactlyOrNotAtAll) {
+  const auto ontology = soccer();
+  const std::vector<Case> cases{{semantic("New"), semantic("New"), Match{exact, 0}},
+                                {semantic("New", "Frame"), semantic("New", "Frame"), Match{exact, 0}},
+                                {semantic("New", "Frame"), semantic("New"), Match{exact, 0}},
+                                {semantic("New", "FieldFrame"), semantic("New", "Frame"), std::nullopt},
+                                {semantic("New"), semantic("Ball"), std::nullopt},
+                                {semantic("Ball"), semantic("New"), std::nullopt},
+                                {semantic("New"), semantic("New", "Frame"), std::nullopt}};
+  expect_all(cases, &ontology);
+  expect_all(cases, nullptr);
+  expect_all({{semantic("Ball", "New"), semantic("Ball", "New"), Match{exact, 0}},
+              {semantic("OwnBall", "New"), semantic("Ball", "New"), Match{narrower, 1}},
+              {semantic("Ball", "New"), semantic("Ball", "Frame"), std::nullopt}},
+             &ontology);
+  expect_all({{semantic("OwnBall"), semantic("Ball"), std::nullopt}}, nullptr);
+}
+
+TEST(Degree, WhatCannotExistMatchesNothingButItselfExactly) {
+  const auto ontology = soccer();
+  expect_all({{semantic("Ghost"), semantic("Ghost"), Match{exact, 0}},
+              {semantic("Ghost"), semantic("Ball"), std::nullopt},
+              {semantic("Ghost"), semantic("Robot"), std::nullopt},
+              {semantic("Ghost"), semantic("Phantom"), std::nullopt},
+              {semantic("Ball"), semantic("Ghost"), std::nullopt},
+              {semantic("Ball", "Ghost"), semantic("Ball", "Frame"), std::nullopt},
+              {semantic("Ball", "Ghost"), semantic("Ball", "Ghost"), Match{exact, 0}},
+              {semantic("Ghost", "FieldFrame"), semantic("Ghost", "Frame"), std::nullopt}},
+             &ontology);
+}
+
+TEST(Degree, EverythingThatCanExistIsAThing) {
+  const auto ontology = soccer();
+  const Identity thing = SemanticIdentity{std::string(el::owl_thing), ""};
+  EXPECT_EQ(degree_of(semantic("Ball"), thing, &ontology)->degree, narrower);
+  EXPECT_FALSE(degree_of(semantic("Ghost"), thing, &ontology));
+  EXPECT_FALSE(degree_of(semantic("New"), thing, &ontology));
+}
+
+TEST(Degree, DistancesThatDoNotFitStayAtTheGreatest) {
+  constexpr auto greatest = std::numeric_limits<std::uint32_t>::max();
+  EXPECT_EQ(combined({narrower, greatest - 1}, {exact, 1}), (Match{narrower, greatest}));
+  EXPECT_EQ(combined({narrower, greatest}, {broader, 1}), (Match{broader, greatest}));
+}
+
+}  // namespace
+}  // namespace geminga::matching

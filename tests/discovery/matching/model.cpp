@@ -1,0 +1,149 @@
+#include "discovery/matching/model.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "discovery/matching/team.hpp"
+
+namespace geminga::matching {
+
+using registry::PublicationEntry;
+using registry::SubscriptionEntry;
+
+bool is_same(const Told& a, const Told& b) {
+  if (a.about.index() != b.about.index() || a.match != b.match) return false;
+  if (a.about.index() == 0) {
+    return std::get<0>(a.about)->same_as(*std::get<0>(b.about));
+  }
+  return std::get<1>(a.about)->same_as(*std::get<1>(b.about));
+}
+
+bool Model::is_kept_apart(const Identity& offered, const Identity& requested) const {
+  const auto* number = std::get_if<NumericIdentity>(&offered);
+  if (number == nullptr) number = std::get_if<NumericIdentity>(&requested);
+  if (number == nullptr || offered.index() == requested.index()) return false;
+  const auto named = concepts_.find(number->number);
+  return named != concepts_.end() && named->second.size() > 1;
+}
+
+std::optional<Match> Model::meets(const SubscriptionEntry& subscription, const PublicationEntry& publication) const {
+  if (is_kept_apart(publication.publication.identity, subscription.subscription.identity)) return std::nullopt;
+  const bool is_former = former.contains(subscription.key);
+  return matching::meets(subscription.subscription, requests_.at(subscription.key), publication,
+                         (is_former ? former_classes_ : classes_).at(publication.key),
+                         is_former ? former_ontology : ontology);
+}
+
+void Model::work_out() {
+  auto before = std::exchange(chosen_, {});
+  requests_.clear();
+  classes_.clear();
+  concepts_.clear();
+  const auto note = [&](const Identity& identity) {
+    if (std::holds_alternative<SemanticIdentity>(identity) && !has_expression(identity))
+      concepts_[id32(identity)].insert(identity);
+  };
+  for (const auto& [key, entry] : publications) note(entry.publication.identity);
+  for (const auto& [key, entry] : subscriptions) note(entry.subscription.identity);
+  for (const auto& [key, entry] : publications) {
+    classes_[key] = classes_of(entry.publication.identity, ontology);
+    former_classes_[key] = classes_of(entry.publication.identity, former_ontology);
+  }
+  for (const auto& [key, entry] : subscriptions) {
+    requests_[key] = prepared(entry.subscription, former.contains(key) ? former_ontology : ontology);
+  }
+  for (const auto& [key, subscription] : subscriptions) {
+    const auto& incumbents = before[key];
+    using Sorted = std::tuple<std::int64_t, Match, bool, ServiceKey>;
+    std::vector<Sorted> candidates;
+    for (const auto& [offer_key, publication] : publications) {
+      if (const auto match = meets(subscription, publication)) {
+        candidates.emplace_back(-std::int64_t{publication.publication.priority}, *match,
+                                !incumbents.contains(offer_key), offer_key);
+      }
+    }
+    std::ranges::sort(candidates);
+    std::uint32_t limit = subscription.subscription.limit;
+    if (!subscription.is_local && limit > 16) limit = 0;  // max_counted_providers: such a consumer takes all
+    if (limit != 0 && candidates.size() > limit) candidates.resize(limit);
+    for (const auto& [priority, match, is_new, offer_key] : candidates) chosen_[key].emplace(offer_key, match);
+  }
+}
+
+View Model::view() const {
+  View view;
+  for (const auto& [key, chosen] : chosen_) {
+    const SubscriptionEntry& subscription = subscriptions.at(key);
+    for (const auto& [offer_key, match] : chosen) {
+      const PublicationEntry& publication = publications.at(offer_key);
+      if (subscription.is_local)
+        view[{key, offer_key}] = {std::make_shared<const PublicationEntry>(publication), match};
+      if (publication.is_local && publication.publication.mode != ChannelMode::one_to_many_stream) {
+        view[{offer_key, key}] = {std::make_shared<const SubscriptionEntry>(subscription), match};
+      }
+    }
+  }
+  return view;
+}
+
+std::string Replay::apply(const std::vector<Event>& events, Reason reason, const Model& model) {
+  std::set<std::pair<ServiceKey, ServiceKey>> seen;
+  std::map<ServiceKey, int> last;
+  // Within a step each consumer hears first of what matches no more, then of what changed, then of what it gains, and
+  // last of what that has outranked.
+  const auto turn = [](const Event& event) {
+    if (event.change == Change::del) return event.reason == Reason::outranked ? 3 : 0;
+    return event.change == Change::modify ? 1 : 2;
+  };
+  for (const Event& event : events) {
+    if (!seen.emplace(event.to, key_of(event)).second) return in_words(event) + ": a second event about one pair";
+    if (event.about.index() == 0) {
+      if (last.contains(event.to) && last[event.to] > turn(event)) return in_words(event) + ": too late";
+      last[event.to] = turn(event);
+    }
+    if (auto wrong = apply(event, reason, model); !wrong.empty()) return in_words(event) + ": " + wrong;
+  }
+  return {};
+}
+
+std::string Replay::apply(const Event& event, Reason reason, const Model& model) {
+  const std::pair pair(event.to, key_of(event));
+  const Told told{event.about, event.match};
+  const auto known = view_.find(pair);
+  if (event.change == Change::add) return view_.emplace(pair, told).second ? "" : "told already";
+  if (known == view_.end()) return "was never told";
+  if (event.change == Change::modify) {
+    if (is_same(known->second, told)) return "nothing changed";
+    known->second = told;
+    return {};
+  }
+  if (!is_same(known->second, told)) return "not as last told";
+  view_.erase(known);
+  const bool is_offer = event.about.index() == 0;
+  const auto publication = model.publications.find(is_offer ? key_of(event) : event.to);
+  const auto subscription = model.subscriptions.find(is_offer ? event.to : key_of(event));
+  Reason wanted = reason;
+  if (publication != model.publications.end() && subscription != model.subscriptions.end()) {
+    wanted = model.meets(subscription->second, publication->second) ? Reason::outranked : Reason::changed;
+  }
+  return event.reason == wanted ? "" : "should be " + std::string(to_string(wanted));
+}
+
+void Replay::forget(const ServiceKey& to) {
+  std::erase_if(view_, [&to](const auto& row) { return row.first.first == to; });
+}
+
+std::string difference(const View& told, const View& wanted) {
+  const auto words = [](const auto& pair) { return name(pair.first) + " about " + name(pair.second); };
+  for (const auto& [pair, what] : wanted) {
+    const auto known = told.find(pair);
+    if (known == told.end()) return words(pair) + ": lost";
+    if (!is_same(known->second, what)) return words(pair) + ": not as it is now";
+  }
+  for (const auto& [pair, what] : told) {
+    if (!wanted.contains(pair)) return words(pair) + ": should be gone";
+  }
+  return {};
+}
+
+}  // namespace geminga::matching

@@ -1,0 +1,66 @@
+// Small ontologies built in memory for tests of matching.
+#ifndef GEMINGA_TESTS_DISCOVERY_MATCHING_TAXONOMY_HPP
+#define GEMINGA_TESTS_DISCOVERY_MATCHING_TAXONOMY_HPP
+
+#include <string>
+#include <string_view>
+
+#include "geminga/identity.hpp"
+#include "reasoning/compiled/compile.hpp"
+#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/el/classify.hpp"
+#include "reasoning/owl/axiom.hpp"
+#include "reasoning/owl/source.hpp"
+
+namespace geminga::matching {
+
+inline std::string iri(std::string_view name) { return "http://example.org/" + std::string(name); }
+
+inline Identity semantic(std::string_view concept_name, std::string_view representation = {}) {
+  return SemanticIdentity{iri(concept_name), representation.empty() ? "" : iri(representation)};
+}
+
+/// Collects axioms about classes of http://example.org/ and classifies them.
+class Taxonomy {
+ public:
+  Taxonomy() : file_(source_.add_file("test.ttl", "http://example.org/")) {}
+
+  Taxonomy& sub(std::string_view sub, std::string_view super) {
+    source_.add(el::AxiomKind::sub_class_of, {named(sub), named(super)}, file_, ++line_);
+    return *this;
+  }
+  Taxonomy& equivalent(std::string_view a, std::string_view b) {
+    source_.add(el::AxiomKind::equivalent_classes, {named(a), named(b)}, file_, ++line_);
+    return *this;
+  }
+  Taxonomy& unsatisfiable(std::string_view name) {
+    source_.add(el::AxiomKind::sub_class_of, {named(name), source_.named_class(el::owl_nothing)}, file_, ++line_);
+    return *this;
+  }
+
+  [[nodiscard]] el::Ontology classified() const {
+    auto classification = el::classify(source_);
+    return std::move(el::Ontology::from_bytes(el::compile(source_, classification.value()))).value();
+  }
+
+ private:
+  el::TermId named(std::string_view name) { return source_.named_class(iri(name)); }
+
+  el::OntologySource source_;
+  el::FileId file_;
+  std::uint32_t line_ = 0;
+};
+
+/// Tracked things and frames as in robot soccer: an own ball is a ball is a tracked object, a sphere is just another
+/// word for a ball, nothing can be a ghost.
+inline el::Ontology soccer() {
+  Taxonomy taxonomy;
+  taxonomy.sub("Ball", "Tracked").sub("OwnBall", "Ball").sub("Robot", "Tracked").equivalent("Sphere", "Ball");
+  taxonomy.sub("FieldFrame", "Frame").sub("PolarFieldFrame", "FieldFrame").equivalent("Pitch", "FieldFrame");
+  taxonomy.sub("Ghost", "Ball").unsatisfiable("Ghost").unsatisfiable("Phantom");
+  return taxonomy.classified();
+}
+
+}  // namespace geminga::matching
+
+#endif

@@ -1,0 +1,394 @@
+// Who keeps a place, and room for services, when more is heard than can be remembered.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "discovery/announcement/limits.hpp"
+#include "discovery/membership/table_rig.hpp"
+
+namespace geminga::beacon {
+namespace {
+
+constexpr auto interval = seconds(2);
+constexpr ParticipantId robot{7};
+
+/// A table in a flood of ten thousand datagrams a second, and a true robot that announces itself as robots do: at once,
+/// four quick copies, then each interval.
+struct Flood {
+  /// Every identity is sent `copies` times from one of `sources` addresses, `gap` between two copies.
+  struct Shape {
+    std::size_t sources = 1;
+    std::size_t copies = 1;
+    base::Duration gap = std::chrono::microseconds(100);
+    bool is_of_robots_address = false;
+  };
+
+  Hearing hear(Announcement announcement, const std::string& source) {
+    rig.source = source;
+    const auto hearing = rig.hear(std::move(announcement), now);
+    (void)rig.table.take_changes();
+    return hearing;
+  }
+  Hearing say() {
+    auto state = speaker(std::to_underlying(robot), 1);
+    state.sequence = ++sequence;
+    return hear(state, robots_address);
+  }
+  void pass_to(base::Instant instant) {
+    now = instant;
+    if (rig.table.next_deadline() <= now) rig.table.expire(now);
+    (void)rig.table.take_changes();
+  }
+  /// The datagram with this number of the flood; 10^4 a second.
+  void forge(const Shape& shape, std::uint64_t number) {
+    // Copies of one identity are `gap` apart: as many others come between them.
+    const auto between = static_cast<std::uint64_t>(shape.gap / std::chrono::microseconds(100));
+    const auto round = number / (between * shape.copies);
+    const auto within = number % (between * shape.copies);
+    const auto identity = static_cast<std::uint32_t>(1000 + round * between + within % between);
+    auto state = speaker(identity, 1);
+    state.sequence = 1 + within / between;
+    state.interval = max_interval;
+    const auto which = identity % shape.sources;
+    (void)hear(state, shape.is_of_robots_address
+                          ? robots_address
+                          : "10.0." + std::to_string(1 + which / 250) + "." + std::to_string(1 + which % 250));
+  }
+  /// Lets the flood go on; in it the robot arrives after `arrival`. How long it was unknown from then on, altogether.
+  base::Duration run(const Shape& shape, base::Duration arrival, base::Duration time) {
+    const std::array<base::Duration, 5> copies = {milliseconds(0), milliseconds(20), milliseconds(60),
+                                                  milliseconds(140), milliseconds(300)};
+    const auto arrives = now + arrival;
+    const auto end = now + time;
+    std::size_t said = 0;
+    auto next = arrives;
+    base::Duration unknown{};
+    for (std::uint64_t number = 0; now < end; ++number) {
+      pass_to(now + std::chrono::microseconds(100));
+      forge(shape, number);
+      if (now >= next) {
+        (void)say();
+        ++said;
+        next = said < copies.size() ? arrives + copies.at(said) : next + interval;
+      }
+      if (now >= arrives && !rig.table.is_known(robot)) unknown += std::chrono::microseconds(100);
+    }
+    return unknown;
+  }
+
+  TableRig rig;
+  std::string robots_address = "10.0.0.7";
+  base::Instant now = rig_start;
+  std::uint64_t sequence = 0;
+};
+
+TEST(Flood, OfAHundredThousandIdentitiesKeepsNoTrueRobotOut) {
+  const std::vector<Flood::Shape> shapes = {
+      {.sources = 1, .copies = 1},
+      {.sources = 250, .copies = 1},
+      {.sources = 250, .copies = 2},
+      {.sources = 250, .copies = 5},
+      {.sources = 250, .copies = 5, .gap = milliseconds(75)},
+      {.sources = 250, .copies = 5, .gap = interval},
+      {.sources = 2500, .copies = 1},
+      {.sources = 1, .copies = 1, .is_of_robots_address = true},
+      {.sources = 1, .copies = 2, .is_of_robots_address = true},
+      {.sources = 1, .copies = 5, .is_of_robots_address = true},
+  };
+  for (const auto& shape : shapes) {
+    Flood flood;
+    const auto unknown = flood.run(shape, seconds(3), seconds(13));
+    const auto what = std::to_string(shape.sources) + " sources, " + std::to_string(shape.copies) + " copies";
+    EXPECT_LE(unknown, 2 * interval) << what;
+    EXPECT_TRUE(flood.rig.table.is_known(robot)) << what;
+    EXPECT_LE(flood.rig.table.size(), max_participants) << what;
+  }
+}
+
+TEST(Flood, ThatIsOverKeepsNoTrueRobotOut) {
+  for (const auto copies : {1U, 2U, 5U}) {
+    for (const bool is_same : {false, true}) {
+      Flood flood;
+      for (std::uint64_t number = 0; number < 10'000; ++number) {
+        flood.pass_to(flood.now + std::chrono::microseconds(100));
+        flood.forge({.sources = 1, .copies = copies, .is_of_robots_address = is_same}, number);
+      }
+      flood.pass_to(flood.now + milliseconds(100));
+      EXPECT_EQ(flood.rig.table.size(), max_participants);
+      (void)flood.say();
+      flood.pass_to(flood.now + milliseconds(20));
+      (void)flood.say();
+      EXPECT_TRUE(flood.rig.table.is_known(robot)) << copies << " copies, the same address: " << is_same;
+    }
+  }
+}
+
+TEST(Flood, PushesNobodyOutWhoIsKnownForLong) {
+  for (const auto known_for : {seasoned_after - milliseconds(1), base::Duration(seasoned_after)}) {
+    Flood flood;
+    // Four robots behind one address, which so has the most of all places; the newest would go first.
+    const auto say_all = [&] {
+      for (std::uint32_t id = 1; id <= 4; ++id) (void)flood.hear(speaker(id, 1), "10.0.0.9");
+    };
+    say_all();
+    for (base::Duration time{}; time < known_for;) {
+      const auto step = std::min(known_for - time, base::Duration(interval));
+      flood.pass_to(flood.now + step);
+      time += step;
+      say_all();
+    }
+    for (std::uint32_t id = 0; id < 1000; ++id) {
+      (void)flood.hear(speaker(1000 + id, 1), "10.1." + std::to_string(id / 250) + "." + std::to_string(id % 250));
+    }
+    std::size_t left = 0;
+    for (std::uint32_t id = 1; id <= 4; ++id) left += flood.rig.table.is_known(ParticipantId{id}) ? 1 : 0;
+    if (known_for == seasoned_after) {
+      EXPECT_EQ(left, 4U);
+    } else {
+      EXPECT_EQ(left, 1U) << "a share of one, since there are more addresses than places";
+    }
+  }
+}
+
+TEST(Flood, LetsOneAddressHaveOnlyTheNamedNumberForGood) {
+  for (const auto count : {max_seasoned_per_source - 1, max_seasoned_per_source, max_seasoned_per_source + 1}) {
+    Flood flood;
+    for (base::Duration time{}; time <= seasoned_after; time += interval) {
+      for (std::uint32_t id = 1; id <= count; ++id) (void)flood.hear(speaker(id, 1), "10.0.0.9");
+      flood.pass_to(flood.now + interval);
+    }
+    for (std::uint32_t id = 1; id <= count; ++id) (void)flood.hear(speaker(id, 1), "10.0.0.9");
+    for (std::uint32_t id = 0; id < 1000; ++id) {
+      (void)flood.hear(speaker(1000 + id, 1), "10.1." + std::to_string(id / 250) + "." + std::to_string(id % 250));
+    }
+    std::size_t left = 0;
+    for (std::uint32_t id = 1; id <= count; ++id) left += flood.rig.table.is_known(ParticipantId{id}) ? 1 : 0;
+    EXPECT_EQ(left, std::min(count, max_seasoned_per_source));
+  }
+}
+
+TEST(Flood, TakesPlacesUpToTheNamedNumberAndFromTheGreediestAddressAfterThat) {
+  TableRig rig;
+  rig.source = "10.0.0.66";
+  for (std::uint32_t id = 1; id <= max_participants; ++id) {
+    EXPECT_EQ(rig.table.size(), id - 1);
+    EXPECT_EQ(rig.hear(speaker(id, 1)), Hearing::newcomer) << id;
+  }
+  EXPECT_EQ(rig.hear(speaker(max_participants + 1, 1)), Hearing::full);
+  rig.source = "10.0.0.7";
+  EXPECT_EQ(rig.hear(speaker(max_participants + 2, 1)), Hearing::newcomer);
+  EXPECT_EQ(rig.table.size(), max_participants);
+  EXPECT_TRUE(rig.table.is_known(ParticipantId{max_participants + 2}));
+  rig.source = "10.0.0.66";
+  auto goodbye = speaker(max_participants, 1);
+  goodbye.kind = Kind::goodbye;
+  EXPECT_EQ(rig.hear(goodbye), Hearing::goodbye);
+  EXPECT_EQ(rig.hear(speaker(max_participants + 1, 1)), Hearing::newcomer);
+}
+
+std::string address_of(std::uint32_t which) {
+  return "10.1." + std::to_string(which / 250) + "." + std::to_string(which % 250);
+}
+
+TEST(Flood, FillsNotThePlaceOfASeasonedRobotInWhoseNameItSaysGoodbye) {
+  for (const bool is_filler_proved : {false, true}) {
+    Flood flood;
+    // Everybody has one place and an address of its own, and keeps it alive.
+    const auto keep = [&] {
+      for (std::uint32_t id = 1; id < max_participants; ++id) (void)flood.hear(speaker(1000 + id, 1), address_of(id));
+    };
+    const auto pass = [&](base::Duration time) { flood.pass_to(flood.now + time); };
+    for (base::Duration time{}; time <= seasoned_after; time += interval, pass(interval)) {
+      keep();
+      (void)flood.say();
+    }
+    ASSERT_EQ(flood.rig.table.size(), max_participants);
+    auto goodbye = speaker(std::to_underlying(robot), 0, {});
+    goodbye.kind = Kind::goodbye;
+    ASSERT_EQ(flood.hear(goodbye, flood.robots_address), Hearing::goodbye);
+    for (int i = 0; i < (is_filler_proved ? 6 : 1); ++i, pass(milliseconds(500))) {
+      (void)flood.hear(speaker(5000, 1), "10.9.9.9");
+    }
+    keep();
+    EXPECT_EQ(flood.say(), Hearing::returned) << is_filler_proved;
+    EXPECT_TRUE(flood.rig.table.is_known(robot));
+    EXPECT_EQ(flood.rig.table.size(), max_participants);
+  }
+}
+
+TEST(Flood, ThatFallsSilentGivesWayThoughOneOfItGoesOn) {
+  // Whichever of the addresses goes on: no place is guarded by the order of their names.
+  for (const std::uint32_t goes_on : {0U, 100U, 255U}) {
+    Flood flood;
+    const auto pass = [&](base::Duration time) { flood.pass_to(flood.now + time); };
+    for (int i = 0; i < 3; ++i, pass(interval)) {
+      for (std::uint32_t id = 0; id < max_participants; ++id) {
+        auto state = speaker(1000 + id, 1);
+        state.interval = max_interval;
+        (void)flood.hear(state, address_of(id));
+      }
+    }
+    base::Duration unknown{};
+    for (int i = 0; i < 10; ++i) {
+      (void)flood.hear(speaker(1000 + goes_on, 1), address_of(goes_on));
+      (void)flood.say();
+      if (flood.rig.table.is_known(robot)) break;
+      pass(interval);
+      unknown += interval;
+    }
+    EXPECT_LE(unknown, 2 * interval) << goes_on;
+  }
+}
+
+TEST(Flood, OfOneDatagramWithTheHighestNumberKeepsNoWaitingStrangerOut) {
+  Flood flood;
+  for (std::uint32_t id = 0; id < max_participants; ++id) {
+    auto state = speaker(1000 + id, 1);
+    state.interval = max_interval;
+    for (int i = 0; i < 2; ++i) (void)flood.hear(state, address_of(id));
+  }
+  flood.pass_to(flood.now + seconds(3));
+  for (std::uint32_t id = 0; id < max_participants; ++id) {
+    (void)flood.hear(speaker(1000 + id, 1), flood.robots_address);
+  }
+  auto forged = speaker(std::to_underlying(robot), 1);
+  forged.sequence = ~std::uint64_t{0};
+  (void)flood.hear(forged, flood.robots_address);
+  base::Duration unknown{};
+  for (const auto step : {milliseconds(20), milliseconds(40), milliseconds(80), milliseconds(160), milliseconds(1700),
+                          milliseconds(2000)}) {
+    (void)flood.say();
+    if (flood.rig.table.is_known(robot)) break;
+    flood.pass_to(flood.now + step);
+    unknown += step;
+  }
+  EXPECT_TRUE(flood.rig.table.is_known(robot)) << "after " << unknown / milliseconds(1) << " ms";
+}
+
+/// All services from 1 to `count`, in as many parts as it takes.
+void offer(Flood& flood, std::uint32_t id, std::uint32_t count, const std::string& source) {
+  const auto parts = (count + 99) / 100;
+  for (std::uint32_t part = 0; part < parts; ++part) {
+    std::vector<std::uint32_t> numbers;
+    for (auto number = part * 100 + 1; number <= std::min(count, (part + 1) * 100); ++number) numbers.push_back(number);
+    auto state = speaker(id, count, numbers);
+    state.part = part;
+    state.part_count = parts;
+    (void)flood.hear(state, source);
+  }
+}
+
+TEST(Flood, OfServicesLeavesRoomForThoseOfARobot) {
+  for (const auto* source : {"10.0.0.66", "10.0.0.7"}) {
+    Flood flood;
+    offer(flood, std::to_underlying(robot), 10, "10.0.0.7");
+    for (std::uint32_t id = 1001; id <= 1009; ++id) offer(flood, id, max_services_per_participant, source);
+    EXPECT_GT(flood.rig.table.refused_services(), 0U);
+    for (const std::uint32_t count : {11U, 16U, 32U, 33U, 200U}) {
+      offer(flood, std::to_underlying(robot), count, "10.0.0.7");
+      EXPECT_EQ(flood.rig.table.find(robot)->publications, count) << source;
+    }
+  }
+}
+
+TEST(Flood, OfServicesLeavesTheReserveToEveryStranger) {
+  Flood flood;
+  for (std::uint32_t id = 1001; id <= 1009; ++id) offer(flood, id, max_services_per_participant, "10.0.0.66");
+  offer(flood, std::to_underlying(robot), reserved_services, "10.0.0.66");
+  EXPECT_EQ(flood.rig.table.find(robot)->publications, reserved_services);
+}
+
+/// The numbers 1 to `count` in as many parts of at most 200 as it takes.
+void hear_many(TableRig& rig, std::uint32_t id, std::uint64_t revision, std::uint32_t count) {
+  const auto parts = (count + 199) / 200;
+  for (std::uint32_t part = 0; part < parts; ++part) {
+    std::vector<std::uint32_t> numbers;
+    for (auto number = part * 200 + 1; number <= std::min(count, (part + 1) * 200); ++number) numbers.push_back(number);
+    auto announcement = speaker(id, revision, numbers);
+    announcement.part = part;
+    announcement.part_count = parts;
+    (void)rig.hear(announcement);
+  }
+}
+
+TEST(NeighbourServices, AreTakenUpToTheNamedNumberOfOneParticipant) {
+  for (const auto count :
+       {max_services_per_participant - 1, max_services_per_participant, max_services_per_participant + 1}) {
+    TableRig rig;
+    hear_many(rig, 1, 1, static_cast<std::uint32_t>(count));
+    EXPECT_EQ(rig.table.find(ParticipantId{1})->publications, std::min(count, max_services_per_participant));
+    EXPECT_EQ(rig.table.refused_services(), count > max_services_per_participant ? 1U : 0U);
+    // What was told cannot be trusted to be all, so nothing would be withdrawn by it.
+    EXPECT_EQ(rig.table.find(ParticipantId{1})->is_complete, count <= max_services_per_participant);
+  }
+}
+
+TEST(NeighbourServices, AreTakenUpToTheNamedNumberOfAllBeyondTheReserveOfEach) {
+  TableRig rig;
+  constexpr auto beyond = max_services_per_participant - reserved_services;
+  const auto full = static_cast<std::uint32_t>(max_remote_services / beyond);
+  for (std::uint32_t id = 1; id <= full; ++id) hear_many(rig, id, 1, max_services_per_participant);
+  const auto left = max_remote_services - full * beyond;
+  EXPECT_EQ(rig.table.refused_services(), 0U);
+  hear_many(rig, full + 1, 1, static_cast<std::uint32_t>(reserved_services + left));
+  EXPECT_EQ(rig.table.refused_services(), 0U);
+  hear_many(rig, full + 2, 1, reserved_services);
+  EXPECT_EQ(rig.table.refused_services(), 0U);
+  EXPECT_EQ(rig.table.find(ParticipantId{full + 2})->publications, reserved_services);
+  // The stranger is given nothing beyond its reserve.
+  rig.source = "10.0.0.66";
+  (void)rig.hear(speaker(full + 3, 1, {1}));
+  auto greedy = speaker(full + 3, 2, {});
+  for (std::uint32_t number = 1; number <= reserved_services + 1; ++number) {
+    greedy.peers[0].publications.push_back({number, simple_publication()});
+  }
+  greedy.participant = ParticipantId{full + 4};
+  greedy.boot = BootNonce{full + 4};
+  (void)rig.hear(greedy);
+  EXPECT_EQ(rig.table.refused_services(), 1U);
+  EXPECT_EQ(rig.table.find(ParticipantId{full + 4})->publications, reserved_services);
+  // Room that is given back is used again.
+  rig.source.clear();
+  (void)rig.hear(speaker(1, 2, {1}));
+  rig.source = "10.0.0.66";
+  (void)rig.hear(greedy);
+  EXPECT_EQ(rig.table.find(ParticipantId{full + 4})->publications, reserved_services + 1);
+}
+
+TEST(NeighbourServices, OfSomebodyWhoLeftGiveOnlyTheRoomThatTheyTook) {
+  for (const auto left : {1U, 32U, 33U, 34U}) {
+    TableRig rig;
+    hear_many(rig, 100, 1, left);
+    for (std::uint32_t id = 1; id <= 9; ++id) hear_many(rig, id, 1, max_services_per_participant);
+    auto goodbye = speaker(100, 1, {});
+    goodbye.kind = Kind::goodbye;
+    ASSERT_EQ(rig.hear(goodbye), Hearing::goodbye);
+    const auto beyond_reserve = [&] {
+      std::size_t count = 0;
+      rig.table.for_each(
+          [&](const Neighbour& each) { count += each.publications - std::min(each.publications, reserved_services); });
+      return count;
+    };
+    for (std::uint32_t id = 101; id <= 120; ++id) {
+      rig.source = "10.0.1." + std::to_string(id);
+      for (int copy = 0; copy < 2; ++copy) hear_many(rig, id, 1, 300);
+      EXPECT_LE(beyond_reserve(), max_remote_services) << left;
+    }
+  }
+}
+
+TEST(NeighbourServices, UseAtMostTheNamedNumberOfWays) {
+  TableRig rig;
+  for (std::uint32_t link = 1; link <= max_paths + 1; ++link) {
+    auto announcement = speaker(1, 1);
+    announcement.link = link;
+    (void)rig.hear(announcement, rig_start, env::InterfaceIndex{link});
+    EXPECT_EQ(rig.table.find(ParticipantId{1})->paths.size(), std::min<std::size_t>(link, max_paths));
+  }
+}
+
+}  // namespace
+}  // namespace geminga::beacon

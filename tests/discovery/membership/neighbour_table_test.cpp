@@ -1,0 +1,304 @@
+// Who is known and until when: newcomers, clashes, restarts, goodbyes, deadlines, limits.
+#include "discovery/membership/neighbour_table.hpp"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "discovery/announcement/limits.hpp"
+#include "discovery/membership/claims.hpp"
+#include "discovery/membership/loss_window.hpp"
+#include "discovery/membership/table_rig.hpp"
+
+namespace geminga::beacon {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+TEST(NeighbourTable, TakesInANewcomerWithItsServices) {
+  TableRig rig;
+  EXPECT_EQ(rig.hear(speaker(1, 1, {5, 6})), Hearing::newcomer);
+  EXPECT_THAT(rig.lines(), ElementsAre("put pub 00000001/1/5 at 10.0.0.1", "put pub 00000001/1/6 at 10.0.0.1"));
+  const auto known = rig.table.find(ParticipantId{1});
+  ASSERT_TRUE(known);
+  EXPECT_EQ(known->name, "robot1");
+  EXPECT_EQ(known->publications, 2U);
+  EXPECT_EQ(known->subscriptions, 0U);
+  EXPECT_TRUE(known->is_complete);
+  EXPECT_EQ(known->heard, rig_start);
+  EXPECT_EQ(known->deadline, rig_start + 5 * seconds(2));
+}
+
+TEST(NeighbourTable, TellsProvenanceAndDeadline) {
+  TableRig rig;
+  (void)rig.hear(speaker(1, 1));
+  const auto changes = rig.table.take_changes();
+  ASSERT_EQ(changes.size(), 1U);
+  const auto& put = std::get<PutPublication>(changes[0]);
+  EXPECT_EQ(put.peer_name, "vision");
+  EXPECT_EQ(put.participant_name, "robot1");
+  EXPECT_EQ(put.heard, rig_start);
+  EXPECT_EQ(rig.table.next_deadline(), rig_start + seconds(10));
+}
+
+TEST(NeighbourTable, CallsTheNamelessByTheirNumbers) {
+  TableRig rig;
+  auto nameless = speaker(1, 1);
+  nameless.name.clear();
+  nameless.peers[0].name.clear();
+  (void)rig.hear(nameless);
+  const auto put = std::get<PutPublication>(rig.table.take_changes().at(0));
+  EXPECT_EQ(put.participant_name, "00000001");
+  EXPECT_EQ(put.peer_name, "1");
+}
+
+TEST(NeighbourTable, IgnoresAnotherGroup) {
+  TableRig rig;
+  auto other = speaker(1, 1);
+  other.group = "red";
+  EXPECT_EQ(rig.hear(other), Hearing::other_group);
+  EXPECT_EQ(rig.table.size(), 0U);
+}
+
+TEST(NeighbourTable, KnowsItsOwnDatagramsUnderWhateverIdentifier) {
+  TableRig rig;
+  for (const auto id : {std::to_underlying(self_id), 1U}) {
+    auto own = speaker(id, 1);
+    own.boot = self_boot;
+    EXPECT_EQ(rig.hear(own), Hearing::own);
+  }
+  EXPECT_EQ(rig.table.size(), 0U);
+}
+
+TEST(NeighbourTable, TellsThatItsIdentifierIsClaimedOrUsedBySomebodyElse) {
+  TableRig rig;
+  for (const auto kind : {Kind::state, Kind::claim, Kind::goodbye}) {
+    auto other = speaker(std::to_underlying(self_id), 1);
+    other.boot = BootNonce{99};
+    other.kind = kind;
+    EXPECT_EQ(rig.hear(other), Hearing::clash);
+  }
+  EXPECT_EQ(rig.table.size(), 0U);
+  EXPECT_THAT(rig.lines(), IsEmpty());
+}
+
+TEST(NeighbourTable, DoesNotTakeAClaimantForAParticipant) {
+  TableRig rig;
+  auto claim = speaker(1, 0, {});
+  claim.kind = Kind::claim;
+  EXPECT_EQ(rig.hear(claim), Hearing::claim);
+  EXPECT_FALSE(rig.table.is_known(ParticipantId{1}));
+}
+
+TEST(NeighbourTable, ExpiresAParticipantAtItsInstantAndNotBefore) {
+  TableRig rig;
+  (void)rig.hear(speaker(1, 1));
+  rig.lines();
+  const auto deadline = rig_start + seconds(10);
+  EXPECT_EQ(rig.table.next_deadline(), deadline);
+  rig.table.expire(deadline - base::Duration(1));
+  EXPECT_THAT(rig.lines(), IsEmpty());
+  EXPECT_TRUE(rig.table.is_known(ParticipantId{1}));
+  rig.table.expire(deadline);
+  EXPECT_THAT(rig.lines(), ElementsAre("remove 00000001 expired"));
+  EXPECT_FALSE(rig.table.is_known(ParticipantId{1}));
+  EXPECT_EQ(rig.table.next_deadline(), base::never);
+}
+
+TEST(NeighbourTable, CountsTheDeadlineFromTheLastDatagramInAnnouncedIntervals) {
+  TableRig rig;
+  auto quick = speaker(1, 1);
+  quick.interval = milliseconds(100);
+  (void)rig.hear(quick);
+  (void)rig.hear(quick, rig_start + milliseconds(7));
+  EXPECT_EQ(rig.table.next_deadline(), rig_start + milliseconds(507));
+}
+
+TEST(NeighbourTable, TakesAnExpiredParticipantInAgainAtOnce) {
+  TableRig rig;
+  (void)rig.hear(speaker(1, 1));
+  rig.table.expire(rig_start + seconds(30));
+  rig.lines();
+  EXPECT_EQ(rig.hear(speaker(1, 1), rig_start + seconds(31)), Hearing::newcomer);
+  EXPECT_THAT(rig.lines(), ElementsAre("put pub 00000001/1/5 at 10.0.0.1"));
+}
+
+TEST(NeighbourTable, RemovesAParticipantAtItsGoodbyeAndLetsNoLateDatagramBringItBack) {
+  TableRig rig;
+  (void)rig.hear(speaker(1, 1));
+  rig.lines();
+  auto goodbye = speaker(1, 2, {});
+  goodbye.kind = Kind::goodbye;
+  goodbye.sequence = 10;
+  EXPECT_EQ(rig.hear(goodbye), Hearing::goodbye);
+  EXPECT_THAT(rig.lines(), ElementsAre("remove 00000001 left"));
+  EXPECT_EQ(rig.hear(goodbye), Hearing::stale);
+  auto late = speaker(1, 1);
+  late.sequence = 9;
+  EXPECT_EQ(rig.hear(late, rig_start + overtaken_time - base::Duration(1)), Hearing::stale);
+  late.sequence = 1;
+  EXPECT_EQ(rig.hear(late, rig_start + goodbye_memory - base::Duration(1)), Hearing::stale);
+  EXPECT_THAT(rig.lines(), IsEmpty());
+  EXPECT_EQ(rig.hear(late, rig_start + goodbye_memory), Hearing::newcomer);
+}
+
+TEST(NeighbourTable, TakesTheNextLifeInRightAfterAGoodbye) {
+  TableRig rig;
+  (void)rig.hear(speaker(1, 1));
+  auto goodbye = speaker(1, 2, {});
+  goodbye.kind = Kind::goodbye;
+  (void)rig.hear(goodbye);
+  rig.lines();
+  auto next = speaker(1, 1);
+  next.boot = BootNonce{77};
+  EXPECT_EQ(rig.hear(next), Hearing::newcomer);
+  EXPECT_THAT(rig.lines(), ElementsAre("put pub 00000001/1/5 at 10.0.0.1"));
+}
+
+TEST(NeighbourTable, IgnoresAGoodbyeOfSomebodyElse) {
+  TableRig rig;
+  (void)rig.hear(speaker(1, 1));
+  auto goodbye = speaker(1, 2, {});
+  goodbye.kind = Kind::goodbye;
+  goodbye.boot = BootNonce{77};
+  EXPECT_EQ(rig.hear(goodbye), Hearing::stale);
+  EXPECT_TRUE(rig.table.is_known(ParticipantId{1}));
+}
+
+TEST(NeighbourTable, LetsANewLifeReplaceTheOldOneWhenThatIsSilentForTwoIntervals) {
+  TableRig rig;
+  (void)rig.hear(speaker(1, 9, {5, 6}));
+  rig.lines();
+  auto next = speaker(1, 1, {6, 7});
+  next.boot = BootNonce{77};
+  EXPECT_EQ(rig.hear(next, rig_start + seconds(1)), Hearing::rival);
+  EXPECT_EQ(rig.hear(next, rig_start + seconds(4) - base::Duration(1)), Hearing::rival);
+  EXPECT_THAT(rig.lines(), IsEmpty());
+  EXPECT_EQ(rig.hear(next, rig_start + seconds(4)), Hearing::newcomer);
+  EXPECT_THAT(rig.lines(), ElementsAre("remove 00000001 expired", "put pub 00000001/1/6 at 10.0.0.1",
+                                       "put pub 00000001/1/7 at 10.0.0.1"));
+  // What the old life said until then brings it not back; what it says now does, because it was not over.
+  auto late = speaker(1, 9, {5});
+  late.sequence = 1;
+  EXPECT_EQ(rig.hear(late, rig_start + seconds(5)), Hearing::stale);
+  EXPECT_EQ(rig.table.find(ParticipantId{1})->boot, BootNonce{77});
+  EXPECT_EQ(rig.hear(speaker(1, 9, {5, 6}), rig_start + seconds(5)), Hearing::returned);
+  EXPECT_EQ(rig.table.find(ParticipantId{1})->boot, BootNonce{1});
+}
+
+TEST(NeighbourTable, GivesAnIdentifierToTheLifeThatClaimedItBeforeWhoAnticipatedIt) {
+  TableRig rig;
+  auto owner = speaker(1, 9, {5});
+  (void)rig.hear(owner);
+  auto goodbye = speaker(1, 9, {});
+  goodbye.kind = Kind::goodbye;
+  EXPECT_EQ(rig.hear(goodbye, rig_start + seconds(1)), Hearing::goodbye);
+  owner.participant = ParticipantId{2};
+  auto claim = owner;
+  claim.kind = Kind::claim;
+  EXPECT_EQ(rig.hear(claim, rig_start + seconds(1)), Hearing::claim);
+  auto forged = speaker(2, 1, {6});
+  forged.boot = BootNonce{77};
+  EXPECT_EQ(rig.hear(forged, rig_start + seconds(1)), Hearing::newcomer);
+  rig.lines();
+  EXPECT_EQ(rig.hear(owner, rig_start + seconds(1)), Hearing::newcomer);
+  EXPECT_THAT(rig.lines(), ElementsAre("remove 00000002 expired", "put pub 00000002/1/5 at 10.0.0.1"));
+  EXPECT_EQ(rig.hear(forged, rig_start + seconds(1)), Hearing::stale);
+  EXPECT_EQ(rig.hear(forged, rig_start + seconds(2)), Hearing::rival);
+}
+
+TEST(NeighbourTable, RemembersClaimsUpToTheNamedNumberAndForTheNamedTime) {
+  for (const auto& [others, after] : {std::pair{std::size_t{0}, claim_memory - base::Duration(1)},
+                                      {0, claim_memory},
+                                      {max_claims - 1, seconds(1)},
+                                      {max_claims, seconds(1)}}) {
+    TableRig rig;
+    auto claim = speaker(1, 1);
+    claim.kind = Kind::claim;
+    (void)rig.hear(claim);
+    for (std::size_t i = 0; i < others; ++i) {
+      claim.participant = ParticipantId(1000 + i);
+      (void)rig.hear(claim);
+    }
+    auto forged = speaker(1, 1);
+    forged.boot = BootNonce{77};
+    (void)rig.hear(forged, rig_start + after);
+    const bool is_remembered = others < max_claims && after < claim_memory;
+    EXPECT_EQ(rig.hear(speaker(1, 1), rig_start + after), is_remembered ? Hearing::newcomer : Hearing::rival)
+        << others << " others";
+  }
+}
+
+TEST(NeighbourTable, IgnoresAnotherLifeUnderAnIdentifierWhoseOwnerIsThere) {
+  TableRig rig;
+  auto other = speaker(1, 1, {});
+  other.boot = BootNonce{77};
+  for (int i = 0; i < 40; ++i) {
+    const auto now = rig_start + i * milliseconds(500);
+    if (i % 4 == 0) (void)rig.hear(speaker(1, 1), now);
+    EXPECT_EQ(rig.hear(other, now), Hearing::rival);
+    rig.table.expire(now);
+  }
+  EXPECT_EQ(rig.table.find(ParticipantId{1})->boot, BootNonce{1});
+  EXPECT_EQ(rig.table.find(ParticipantId{1})->publications, 1U);
+}
+
+TEST(NeighbourTable, VisitsInOrderOfIdentifier) {
+  TableRig rig;
+  for (const auto id : {9U, 3U, 7U}) (void)rig.hear(speaker(id, 1));
+  std::vector<std::uint32_t> ids;
+  rig.table.for_each([&](const Neighbour& neighbour) { ids.push_back(std::to_underlying(neighbour.id)); });
+  EXPECT_THAT(ids, ElementsAre(3, 7, 9));
+}
+
+TEST(NeighbourTable, MeasuresLossFromSequenceNumbers) {
+  TableRig rig;
+  auto announcement = speaker(1, 1);
+  for (std::uint64_t sequence = 0; sequence < 200; ++sequence) {
+    if (sequence % 4 == 3) continue;
+    announcement.sequence = sequence;
+    (void)rig.hear(announcement, rig_start + milliseconds(sequence));
+  }
+  EXPECT_NEAR(rig.table.find(ParticipantId{1})->loss, 0.25, 0.02);
+}
+
+TEST(NeighbourTable, HasADifferentWordForEachHearing) {
+  std::set<std::string_view> words;
+  for (int i = 0; i <= static_cast<int>(Hearing::returned); ++i) words.insert(to_string(static_cast<Hearing>(i)));
+  EXPECT_EQ(words.size(), static_cast<std::size_t>(Hearing::returned) + 1);
+}
+
+TEST(LossWindow, CountsNeitherCopiesNorReorderingAsLoss) {
+  LossWindow window;
+  EXPECT_EQ(window.loss(), 0);
+  for (const std::uint64_t sequence : {10U, 12U, 11U, 12U, 9U, 13U}) window.count(sequence);
+  EXPECT_EQ(window.loss(), 0);
+}
+
+TEST(LossWindow, ForgetsWhatIsLongerAgoThanSixtyFour) {
+  LossWindow window;
+  window.count(0);
+  window.count(63);
+  EXPECT_DOUBLE_EQ(window.loss(), 62.0 / 64);
+  window.count(64);
+  EXPECT_DOUBLE_EQ(window.loss(), 62.0 / 64);
+  for (std::uint64_t sequence = 65; sequence < 200; ++sequence) window.count(sequence);
+  EXPECT_EQ(window.loss(), 0);
+}
+
+TEST(LossWindow, BeginsAnewWhenTheSenderDoes) {
+  LossWindow window;
+  window.count(1000);
+  window.count(1010);
+  EXPECT_GT(window.loss(), 0.7);
+  window.count(1010 - 64);
+  EXPECT_EQ(window.loss(), 0);
+  window.count(std::numeric_limits<std::uint64_t>::max());
+  EXPECT_DOUBLE_EQ(window.loss(), 63.0 / 64);
+}
+
+}  // namespace
+}  // namespace geminga::beacon

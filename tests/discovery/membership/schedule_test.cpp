@@ -1,0 +1,298 @@
+// Timelines of the schedule.
+#include "discovery/membership/schedule.hpp"
+
+#include <gmock/gmock.h>
+
+#include <functional>
+#include <vector>
+
+namespace geminga::beacon {
+namespace {
+
+using base::Duration;
+using base::Instant;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using Say = Schedule::Say;
+
+constexpr Instant start{seconds(100)};
+
+/// All instants at which something is sent until `end`; `at` may change the schedule at its instants.
+struct Disturbance {
+  Instant when;
+  std::function<void(Schedule&, Instant)> what;
+};
+std::vector<Instant> run(Schedule& schedule, Instant end, std::vector<Disturbance> disturbances = {}) {
+  std::vector<Instant> sent;
+  std::size_t next = 0;
+  while (true) {
+    const auto disturbed = next < disturbances.size() ? disturbances[next].when : base::never;
+    const auto now = std::min(schedule.due(), disturbed);
+    if (now > end) return sent;
+    if (now == disturbed) disturbances[next].what(schedule, now), ++next;
+    if (schedule.take(now) != Say::nothing) sent.push_back(now);
+    EXPECT_EQ(schedule.take(now), Say::nothing) << "twice at one instant";
+  }
+}
+
+Schedule running(std::uint64_t seed, Duration interval = seconds(2)) {
+  Schedule schedule(ScheduleOptions{interval}, seed);
+  schedule.changed(start);
+  return schedule;
+}
+
+TEST(Schedule, SaysNothingBeforeItBegins) {
+  Schedule schedule({}, 1);
+  EXPECT_EQ(schedule.due(), base::never);
+  schedule.newcomer(start);
+  EXPECT_EQ(schedule.due(), base::never);
+  EXPECT_EQ(schedule.take(start), Say::nothing);
+}
+
+TEST(Schedule, TellsAChangeAtOnceAndFourTimesAgain) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    auto schedule = running(seed);
+    const auto sent = run(schedule, start + seconds(1));
+    ASSERT_EQ(sent.size(), 5U) << "seed " << seed;
+    EXPECT_EQ(sent[0], start);
+    for (std::size_t i = 0; i < repeat_delays.size(); ++i) {
+      const auto after = sent[i + 1] - start;
+      EXPECT_GE(after, repeat_delays[i] * 8 / 10) << "seed " << seed;
+      EXPECT_LE(after, repeat_delays[i] * 12 / 10) << "seed " << seed;
+    }
+  }
+}
+
+TEST(Schedule, RepeatsAnUnchangedStateEveryInterval) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    auto schedule = running(seed);
+    run(schedule, start + seconds(1));
+    auto last = start + seconds(1);
+    const auto sent = run(schedule, start + seconds(2000));
+    for (std::size_t i = 1; i < sent.size(); ++i) {
+      EXPECT_GE(sent[i] - sent[i - 1], milliseconds(1800)) << "seed " << seed;
+      EXPECT_LE(sent[i] - sent[i - 1], milliseconds(2200)) << "seed " << seed;
+      last = sent[i];
+    }
+    EXPECT_GE(last, start + seconds(1997)) << "seed " << seed;
+    EXPECT_NEAR(static_cast<double>(sent.size()), 1000, 15) << "seed " << seed;
+  }
+}
+
+TEST(Schedule, DriftsApartForDifferentSeeds) {
+  auto one = running(1);
+  auto other = running(2);
+  EXPECT_NE(run(one, start + seconds(60)), run(other, start + seconds(60)));
+  auto same = running(1);
+  auto again = running(1);
+  EXPECT_EQ(run(same, start + seconds(60)), run(again, start + seconds(60)));
+}
+
+TEST(Schedule, TellsAChangeInQuietTimesWithoutAnyDelay) {
+  auto schedule = running(3);
+  const auto when = start + milliseconds(7654);
+  const auto sent = run(schedule, when, {{when, [](Schedule& s, Instant now) { s.changed(now); }}});
+  EXPECT_EQ(sent.back(), when);
+}
+
+TEST(Schedule, TellsChangesWithinTheSpacingTogether) {
+  auto schedule = running(4);
+  const auto when = start + seconds(5);
+  const auto change = [](Schedule& s, Instant now) { s.changed(now); };
+  run(schedule, when - milliseconds(1));
+  // Both the last periodic one and this test's first one are more than the spacing away.
+  const auto sent = run(schedule, when + min_spacing,
+                        {{when, change}, {when + milliseconds(1), change}, {when + milliseconds(2), change}});
+  ASSERT_EQ(sent.size(), 2U);
+  EXPECT_EQ(sent[0], when);
+  EXPECT_EQ(sent[1], when + min_spacing);
+}
+
+TEST(Schedule, NeverSendsTwiceWithinTheSpacingNorMoreThanItsRate) {
+  auto schedule = running(5);
+  std::vector<Disturbance> changes;
+  for (int i = 0; i < 10'000; ++i) {
+    changes.push_back({start + milliseconds(i), [](Schedule& s, Instant now) { s.changed(now), s.newcomer(now); }});
+  }
+  const auto sent = run(schedule, start + seconds(10), std::move(changes));
+  for (std::size_t i = 1; i < sent.size(); ++i) EXPECT_GE(sent[i] - sent[i - 1], min_spacing);
+  EXPECT_LE(sent.size(), burst_capacity + seconds(10) / refill_time + 1);
+  EXPECT_GE(sent.size(), static_cast<std::size_t>(seconds(10) / refill_time));
+}
+
+TEST(Schedule, AnswersANewcomerAfterAShortRandomTimeWithCopies) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    auto schedule = running(seed);
+    // Right behind a periodic announcement, so that nothing else is due.
+    run(schedule, start + seconds(10));
+    const auto when = run(schedule, start + seconds(13)).back() + milliseconds(100);
+    const auto sent =
+        run(schedule, when + milliseconds(500), {{when, [](Schedule& s, Instant now) { s.newcomer(now); }}});
+    ASSERT_EQ(sent.size(), answer_delays.size() + 1) << "seed " << seed;
+    EXPECT_GE(sent[0], when);
+    EXPECT_LE(sent[0], when + max_newcomer_delay);
+  }
+}
+
+TEST(Schedule, AnswersNewcomersThatComeTogetherTogether) {
+  auto schedule = running(6);
+  run(schedule, start + seconds(10));
+  const auto when = run(schedule, start + seconds(13)).back() + milliseconds(100);
+  std::vector<Disturbance> newcomers;
+  for (int i = 0; i < 30; ++i)
+    newcomers.push_back({when + milliseconds(i), [](Schedule& s, Instant now) { s.newcomer(now); }});
+  EXPECT_EQ(run(schedule, when + milliseconds(600), std::move(newcomers)).size(), answer_delays.size() + 1);
+}
+
+/// What goes out in a minute with one newcomer a second, beyond what goes out without, in datagrams of one link.
+std::int64_t cost_of_newcomers(std::size_t size) {
+  const auto count = [size](bool has_newcomers) {
+    auto schedule = running(7);
+    schedule.set_size(size);
+    run(schedule, start + seconds(10));
+    std::vector<Disturbance> newcomers;
+    for (int i = 10; has_newcomers && i < 70; ++i)
+      newcomers.push_back({start + seconds(i), [](Schedule& s, Instant now) { s.newcomer(now); }});
+    return static_cast<std::int64_t>(run(schedule, start + seconds(70), std::move(newcomers)).size() * size);
+  };
+  return count(true) - count(false);
+}
+
+TEST(Schedule, DoesNotLetForgedNewcomersMakeItASourceOfTraffic) {
+  const auto refilled = seconds(60) / (answer_refill_intervals * seconds(2));
+  EXPECT_LE(cost_of_newcomers(1), answer_capacity + refilled + 1);
+  EXPECT_LE(cost_of_newcomers(8), answer_capacity + refilled + 2 * 8);
+  EXPECT_LE(cost_of_newcomers(300), 300) << "a large state is told once";
+}
+
+TEST(Schedule, AnswersNewcomersInTheLongRunForAQuarterOfWhatItsPeriodicAnnouncementsCost) {
+  auto schedule = running(7);
+  const auto minutes = std::chrono::minutes(60);
+  std::vector<Disturbance> newcomers;
+  for (auto now = start; now < start + minutes; now += milliseconds(100))
+    newcomers.push_back({now, [](Schedule& s, Instant at) { s.newcomer(at); }});
+  const auto sent = run(schedule, start + minutes, std::move(newcomers));
+  EXPECT_LE(sent.size(), static_cast<std::size_t>(minutes / seconds(2) * 5 / 4) + 60);
+}
+
+TEST(Schedule, AnswersTenNewcomersThatComeOneBehindTheOtherAndAnswersAgainWhenTheBudgetIsBack) {
+  auto schedule = running(7);
+  run(schedule, start + seconds(10));
+  auto now = start + seconds(10);
+  const auto is_answered = [&] {
+    now += 2 * newcomer_spacing;
+    run(schedule, now);
+    const auto sent = run(schedule, now + max_newcomer_delay, {{now, [](Schedule& s, Instant at) { s.newcomer(at); }}});
+    return !sent.empty();
+  };
+  std::size_t answered = 0;
+  for (std::size_t i = 0; i < 10; ++i) answered += is_answered() ? 1 : 0;
+  EXPECT_EQ(answered, 10U);
+  now += answer_capacity * answer_refill_intervals * seconds(2);
+  run(schedule, now);
+  EXPECT_TRUE(is_answered());
+}
+
+TEST(Schedule, AnswersANewcomerThatCopiesDoNotReachWhenTheSpacingIsOver) {
+  auto schedule = running(8);
+  run(schedule, start + seconds(10));
+  const auto first = run(schedule, start + seconds(13)).back() + milliseconds(100);
+  const auto newcomer = [](Schedule& s, Instant now) { s.newcomer(now); };
+  const auto sent =
+      run(schedule, first + milliseconds(1600), {{first, newcomer}, {first + milliseconds(500), newcomer}});
+  ASSERT_EQ(sent.size(), 2 * (answer_delays.size() + 1));
+  EXPECT_EQ(sent[answer_delays.size() + 1], sent[0] + newcomer_spacing);
+}
+
+TEST(Schedule, AnswersEachClaimToItsIdentifierAtOnceWithOneCopy) {
+  auto schedule = running(12);
+  run(schedule, start + seconds(10));
+  const auto when = run(schedule, start + seconds(13)).back() + milliseconds(100);
+  const auto contested = [](Schedule& s, Instant now) { s.contested(now); };
+  const std::vector<Instant> claims{when, when + milliseconds(30), when + milliseconds(60)};
+  const auto sent =
+      run(schedule, when + milliseconds(500), {{claims[0], contested}, {claims[1], contested}, {claims[2], contested}});
+  EXPECT_EQ(sent, claims);
+  schedule.pause();
+  schedule.contested(when + seconds(1));
+  EXPECT_EQ(schedule.due(), base::never);
+}
+
+TEST(Schedule, AnswersAClaimBeforeItsNinetyMillisecondsAreOverEvenWhileAForgerClaimsWithoutEnd) {
+  auto schedule = running(12);
+  run(schedule, start + seconds(1));
+  std::vector<Disturbance> claims;
+  for (int i = 1000; i < 11'000; ++i)
+    claims.push_back({start + milliseconds(i), [](Schedule& s, Instant now) { s.contested(now); }});
+  const auto sent = run(schedule, start + seconds(11), std::move(claims));
+  for (std::size_t i = 1; i < sent.size(); ++i) EXPECT_LT(sent[i] - sent[i - 1], milliseconds(90));
+  EXPECT_LE(sent.size(), static_cast<std::size_t>(contest_capacity + seconds(10) / contest_refill) + 6);
+}
+
+TEST(Schedule, ShowsItsPresenceOnlyWhereItIsContestedAndItsStateIsNotDueAnyway) {
+  auto schedule = running(12);
+  schedule.contested(start);
+  EXPECT_EQ(schedule.take(start), Say::state);
+  run(schedule, start + seconds(1));
+  schedule.contested(start + seconds(1));
+  EXPECT_EQ(schedule.take(start + seconds(1)), Say::presence);
+}
+
+TEST(Schedule, DoesNotDelayAChangeWhileItIsContested) {
+  auto schedule = running(12);
+  std::vector<Disturbance> disturbances;
+  for (int i = 1000; i < 3000; ++i)
+    disturbances.push_back({start + milliseconds(i), [](Schedule& s, Instant now) { s.contested(now); }});
+  run(schedule, start + seconds(2), disturbances);
+  const auto when = start + seconds(2);
+  schedule.changed(when);
+  ASSERT_LE(schedule.due(), when + min_spacing);
+  EXPECT_EQ(schedule.take(schedule.due()), Say::state);
+}
+
+TEST(Schedule, ContradictsALieAtOnceAndABoundedNumberOfTimes) {
+  auto schedule = running(13);
+  run(schedule, start + seconds(10));
+  const auto when = run(schedule, start + seconds(13)).back() + milliseconds(100);
+  const auto contradict = [](Schedule& s, Instant now) { s.contradict(now); };
+  EXPECT_EQ(run(schedule, when + milliseconds(1), {{when, contradict}}), std::vector{when});
+  std::vector<Disturbance> lies;
+  for (int i = 2; i < 60'000; ++i) lies.push_back({when + milliseconds(i), contradict});
+  const auto sent = run(schedule, when + seconds(60), std::move(lies));
+  EXPECT_LE(sent.size(), static_cast<std::size_t>(contradiction_capacity + 30 * contradictions_per_interval));
+  EXPECT_GE(sent.size(), static_cast<std::size_t>(30 * contradictions_per_interval));
+}
+
+TEST(Schedule, IsSilentWhilePaused) {
+  auto schedule = running(9);
+  run(schedule, start + milliseconds(30));
+  schedule.pause();
+  schedule.newcomer(start + milliseconds(40));
+  EXPECT_EQ(schedule.due(), base::never);
+  schedule.changed(start + milliseconds(50));
+  EXPECT_EQ(schedule.due(), start + milliseconds(50));
+}
+
+TEST(Schedule, SaysGoodbyeAtOnceAndTwiceAgainAndThenNothing) {
+  auto schedule = running(10);
+  const auto end = start + seconds(5);
+  run(schedule, end);
+  schedule.stop(end);
+  EXPECT_FALSE(schedule.is_finished());
+  schedule.changed(end);
+  schedule.newcomer(end);
+  const auto sent = run(schedule, end + seconds(10));
+  EXPECT_THAT(sent, ::testing::ElementsAre(end, end + goodbye_spacing, end + 2 * goodbye_spacing));
+  EXPECT_TRUE(schedule.is_finished());
+  EXPECT_EQ(schedule.due(), base::never);
+}
+
+TEST(Schedule, IsNotHarmedByATimerThatComesLate) {
+  auto schedule = running(11);
+  ASSERT_EQ(schedule.take(start + seconds(1)), Say::state);
+  EXPECT_EQ(schedule.take(start + seconds(1)), Say::nothing);
+  EXPECT_GE(schedule.due(), start + milliseconds(2800));
+}
+
+}  // namespace
+}  // namespace geminga::beacon

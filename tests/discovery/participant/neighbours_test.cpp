@@ -1,0 +1,135 @@
+// What neighbours change comes to local clients in turns: counted and not timed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "discovery/participant/neighbour_queue.hpp"
+#include "discovery/participant/work.hpp"
+#include "sim/client.hpp"
+#include "sim/host.hpp"
+#include "sim/world.hpp"
+
+namespace geminga::participant {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+ServiceKey key(std::uint32_t participant, std::uint32_t number) {
+  return {.participant = ParticipantId{participant}, .peer = PeerId{1}, .number = number};
+}
+
+beacon::PutPublication put(const ServiceKey& one, std::uint16_t port) {
+  beacon::PutPublication change;
+  change.key = one;
+  change.publication.port = port;
+  return change;
+}
+
+TEST(NeighbourQueue, KeepsTheOrderAndTheLastChangeOfEachService) {
+  NeighbourQueue queue;
+  queue.push(put(key(1, 1), 1));
+  queue.push(put(key(1, 2), 2));
+  queue.push(put(key(1, 1), 3));
+  EXPECT_EQ(std::get<beacon::PutPublication>(queue.pop()).publication.port, 3);
+  EXPECT_EQ(std::get<beacon::PutPublication>(queue.pop()).publication.port, 2);
+  EXPECT_TRUE(queue.is_empty());
+}
+
+TEST(NeighbourQueue, APublicationDoesNotHideThatASubscriptionOfTheSameNumberWent) {
+  NeighbourQueue queue;
+  queue.push(beacon::RemoveSubscription{key(1, 1), beacon::Departure::withdrawn});
+  queue.push(put(key(1, 1), 1));
+  EXPECT_TRUE(std::holds_alternative<beacon::RemoveSubscription>(queue.pop()));
+  EXPECT_TRUE(std::holds_alternative<beacon::PutPublication>(queue.pop()));
+}
+
+TEST(NeighbourQueue, ADepartureTakesThePlaceOfAllThatWaitsOfTheParticipantAndOfNoOther) {
+  NeighbourQueue queue;
+  queue.push(put(key(1, 1), 1));
+  queue.push(put(key(2, 1), 2));
+  queue.push(put(key(3, 1), 3));
+  queue.push(beacon::RemoveParticipant{ParticipantId{2}, beacon::Departure::left});
+  queue.push(put(key(2, 1), 4));
+  EXPECT_EQ(std::get<beacon::PutPublication>(queue.pop()).publication.port, 1);
+  EXPECT_EQ(std::get<beacon::PutPublication>(queue.pop()).publication.port, 3);
+  EXPECT_TRUE(std::holds_alternative<beacon::RemoveParticipant>(queue.pop()));
+  EXPECT_EQ(std::get<beacon::PutPublication>(queue.pop()).publication.port, 4);
+  EXPECT_TRUE(queue.is_empty());
+}
+
+/// A neighbour that offers much, a consumer that asks for all of it many times, and somebody who pings when it is told.
+class NeighboursTest : public testing::Test {
+ protected:
+  NeighboursTest() {
+    host.switch_on();
+    neighbour.switch_on();
+    world.run_for(milliseconds(500));
+    consumer.on_line = [this](std::string_view line, const gcnp::Statement&) {
+      if (line.find(" pub ") == std::string_view::npos) return;
+      if (!is_waiting) {
+        is_waiting = true;
+        at_ping = events;
+        victim.say("0 sys ping");
+      }
+      ++events;
+    };
+    consumer.connect(host);
+    for (int number = 1; number <= requests; ++number) {
+      consumer.say(std::to_string(number) + " sub create mode=otm/stream text=x");
+    }
+    victim.on_line = [this](std::string_view, const gcnp::Statement&) {
+      worst = std::max(worst, events - at_ping);
+      is_waiting = false;
+    };
+    victim.connect(host);
+    world.run_for(milliseconds(10));
+    provider.connect(neighbour);
+    for (int number = 1; number <= services; ++number) {
+      provider.say(std::to_string(number) + " pub create mode=otm/stream text=x port=1");
+    }
+  }
+
+  /// What one turn may tell, and one step beyond that; and the turns that come while a ping is on its way.
+  static constexpr int told_in_turn = static_cast<int>(work_in_turn / cost_of_event) + 250;
+  static constexpr int told_meanwhile = 4 * told_in_turn;
+  static constexpr int requests = 80;
+  static constexpr int services = 250;
+  sim::World world{sim::World::seed_or(1)};
+  sim::Host& host = world.add_host("robot1");
+  sim::Host& neighbour = world.add_host("robot2");
+  sim::Client& provider = world.add_client("provider");
+  sim::Client& consumer = world.add_client("consumer");
+  sim::Client& victim = world.add_client("victim");
+  int events = 0;
+  bool is_waiting = false;  ///< for a pong
+  int at_ping = 0;          ///< events, when it was asked for
+  int worst = 0;            ///< the most events that were told between a ping and its pong
+};
+
+TEST_F(NeighboursTest, APingWaitsForOneTurnOfWhatANeighbourAnnouncesAndOfItsDeparture) {
+  world.run_for(seconds(3));
+  EXPECT_EQ(consumer.view(1).size(), services);
+  EXPECT_GT(worst, 0);
+  EXPECT_LE(worst, told_meanwhile) << "announced";
+  worst = 0;
+  neighbour.stop();
+  world.run_for(seconds(1));
+  EXPECT_EQ(consumer.view(1).size(), 0U);
+  EXPECT_GT(worst, 0);
+  EXPECT_LE(worst, told_meanwhile) << "said goodbye";
+}
+
+TEST_F(NeighboursTest, OneThatComesBackAtOnceIsThereAgain) {
+  world.run_for(seconds(3));
+  neighbour.crash();
+  neighbour.switch_on();
+  provider.connect(neighbour);
+  provider.say("1 pub create mode=otm/stream text=x port=1");
+  world.run_for(seconds(12));
+  EXPECT_EQ(consumer.view(1).size(), 1U);
+  EXPECT_EQ(consumer.view(requests).size(), 1U);
+}
+
+}  // namespace
+}  // namespace geminga::participant

@@ -1,0 +1,262 @@
+#include "discovery/participant/transcript.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "base/text.hpp"
+#include "discovery/announcement/codec.hpp"
+#include "sim/small_ontology.hpp"
+
+namespace geminga::participant {
+namespace {
+
+std::string next_word(std::string_view& rest) {
+  rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+  const std::size_t end = std::min(rest.find(' '), rest.size());
+  std::string word(rest.substr(0, end));
+  rest.remove_prefix(end);
+  return word;
+}
+
+std::string escaped(std::string_view text) {
+  static const std::regex special(R"([.^$|()\[\]{}*+?\\])");
+  return std::regex_replace(std::string(text), special, R"(\$&)");
+}
+
+/// Turns \r, \n, \t, \\ and \xHH into what they stand for.
+std::string unescaped(std::string_view text) {
+  std::string bytes;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\' || i + 1 == text.size()) {
+      bytes += text[i];
+      continue;
+    }
+    const char kind = text[++i];
+    if (kind == 'x') {
+      bytes += static_cast<char>(std::stoi(std::string(text.substr(i + 1, 2)), nullptr, 16));
+      i += 2;
+    } else {
+      bytes += kind == 'r' ? '\r' : kind == 'n' ? '\n' : kind == 't' ? '\t' : kind;
+    }
+  }
+  return bytes;
+}
+
+}  // namespace
+
+void Transcript::play() {
+  std::ifstream file(path_);
+  ASSERT_TRUE(file) << path_;
+  std::string text;
+  for (int number = 1; std::getline(file, text); ++number) {
+    at_ = path_ + ":" + std::to_string(number) + ": " + text;
+    if (text.empty() || text.starts_with('#')) continue;
+    line(text);
+    if (testing::Test::HasFailure()) return;
+  }
+  at_ = path_ + ": at the end";
+  expect_nothing_more();
+}
+
+void Transcript::line(std::string_view text) {
+  std::string_view rest = text;
+  const std::string who = next_word(rest);
+  if (who == "@") {
+    // Waiting is no action: what comes meanwhile is expected after it.
+    if (!rest.starts_with(" wait")) expect_nothing_more();
+    if (!testing::Test::HasFailure()) direct(rest);
+    return;
+  }
+  const std::string sign = next_word(rest);
+  rest.remove_prefix(std::min<std::size_t>(1, rest.size()));
+  ASSERT_TRUE(clients_.contains(who)) << at_ << ": nobody of that name is connected";
+  if (sign == "<") {
+    expect(who, rest);
+  } else {
+    ASSERT_TRUE(sign == ">" || sign == ">>") << at_;
+    expect_nothing_more();
+    if (!testing::Test::HasFailure()) say(who, substituted(rest), sign == ">>");
+  }
+}
+
+void Transcript::direct(std::string_view words) {
+  const std::string verb = next_word(words);
+  const std::string name = next_word(words);
+  const std::string third = next_word(words);
+  if (verb == "host") {
+    sim::Host& made = world_.add_host(name);
+    hosts_[name] = &made;
+  } else if (verb == "connect") {
+    sim::Client& client = clients_.contains(name) ? *clients_.at(name) : *(clients_[name] = &world_.add_client(name));
+    ASSERT_NE(host(third), nullptr) << at_;
+    client.connect(*host(third));
+  } else if (verb == "wait") {
+    const auto count = base::parse_number<int>(name);
+    ASSERT_TRUE(count && (third == "ms" || third == "s")) << at_;
+    run(*count * (third == "s" ? std::chrono::seconds(1) : base::Duration(std::chrono::milliseconds(1))));
+  } else if (verb == "deaf" || verb == "reading") {
+    clients_.at(name)->set_reading(verb == "reading");
+  } else if (verb == "hang-up") {
+    clients_.at(name)->hang_up();
+  } else if (verb == "closed") {
+    EXPECT_FALSE(clients_.at(name)->is_connected()) << at_;
+  } else if (verb == "open") {
+    EXPECT_TRUE(clients_.at(name)->is_connected()) << at_;
+  } else {
+    sim::Host* const one = host(name);
+    ASSERT_NE(one, nullptr) << at_;
+    if (verb == "on") {
+      one->switch_on();
+    } else if (verb == "crash") {
+      one->crash();
+    } else if (verb == "stop") {
+      one->stop();
+    } else if (verb == "ontology") {
+      one->ontology = sim::small_ontology(third);
+      if (one->is_on()) one->reload(one->ontology);
+    } else if (verb == "unprepared") {
+      one->ontology = sim::small_ontology(third);
+      one->event([&](participant::Participant& participant) { participant.set_ontology(sim::unowned(one->ontology)); });
+    } else if (verb == "preparing") {
+      const auto count = base::parse_number<int>(third);
+      ASSERT_TRUE(count && words == " ms") << at_;
+      one->preparing_takes = std::chrono::milliseconds(*count);
+    } else if (verb == "loading") {
+      one->event([](participant::Participant& participant) { participant.ontology_begun(); });
+    } else if (verb == "failed") {
+      one->event(
+          [&](participant::Participant& participant) { participant.ontology_failed({third + std::string(words)}); });
+    } else if (verb == "log" || verb == "no-log") {
+      expect_logged(*one, third + std::string(words), verb == "log");
+      return;
+    } else if (verb == "limit") {
+      set_limit(*one, third, std::stoul(next_word(words)));
+    } else if (verb == "receive") {
+      const std::string bytes = unescaped(substituted(third));
+      one->receive(one->ports().front().index, "10.0.0.99", bytes);
+    } else if (verb == "clash") {
+      clash(*one, substituted(third));
+    } else {
+      FAIL() << at_ << ": no such direction";
+    }
+  }
+  run(std::chrono::milliseconds(1));
+}
+
+void Transcript::clash(sim::Host& host, const std::string& id) {
+  beacon::Announcement other;
+  other.group = host.settings.group;
+  other.participant = participant_id(id).value_or(ParticipantId{});
+  other.boot = beacon::BootNonce(99);
+  other.name = "another";
+  ASSERT_NE(other.participant, ParticipantId{}) << at_;
+  for (const beacon::Datagram& datagram : beacon::encode(other)) {
+    host.receive(host.ports().front().index, "10.0.0.99",
+                 std::string_view(reinterpret_cast<const char*>(datagram.data()), datagram.size()));
+  }
+}
+
+void Transcript::expect_logged(sim::Host& host, std::string_view pattern, bool is_expected) {
+  auto& logged = host.logged;
+  const auto found = std::ranges::find_if(logged, [&](const std::string& line) { return matches(pattern, line); });
+  EXPECT_EQ(found != logged.end(), is_expected) << at_ << "\n  the log: " << testing::PrintToString(logged);
+  if (found != logged.end()) logged.erase(logged.begin(), found + 1);
+}
+
+void Transcript::set_limit(sim::Host& host, const std::string& name, std::size_t value) {
+  Limits& limits = host.settings.limits;
+  const std::map<std::string, std::size_t*> known{{"peers", &limits.peers},
+                                                  {"services_per_peer", &limits.services_per_peer},
+                                                  {"services", &limits.services},
+                                                  {"statements_per_second", &limits.statements_per_second},
+                                                  {"flood_per_second", &limits.flood_per_second},
+                                                  {"unread", &limits.unread},
+                                                  {"unread_before_more", &limits.unread_before_more}};
+  ASSERT_TRUE(known.contains(name)) << at_;
+  *known.at(name) = value;
+}
+
+void Transcript::say(const std::string& client, std::string text, bool is_raw) {
+  if (is_raw) {
+    clients_.at(client)->send_bytes(unescaped(text));
+  } else {
+    clients_.at(client)->say(text);
+  }
+  run(std::chrono::milliseconds(1));
+}
+
+void Transcript::expect(const std::string& client, std::string_view pattern) {
+  auto& lines = clients_.at(client)->lines;
+  ASSERT_FALSE(lines.empty()) << at_ << ": nothing came";
+  const std::string came = lines.front();
+  lines.erase(lines.begin());
+  ASSERT_TRUE(matches(pattern, came)) << at_ << "\n  came: " << came;
+}
+
+void Transcript::expect_nothing_more() {
+  for (const auto& [name, client] : clients_) {
+    for (const std::string& came : client->lines)
+      ADD_FAILURE() << at_ << "\n  came before, to " << name << ": " << came;
+    client->lines.clear();
+  }
+}
+
+void Transcript::run(base::Duration duration) { world_.run_for(duration); }
+
+std::string Transcript::substituted(std::string_view text) const {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t open = text.find('{');
+    const std::size_t close = text.find('}', open);
+    result += text.substr(0, open);
+    if (open == std::string_view::npos || close == std::string_view::npos) return result;
+    const std::string name(text.substr(open + 1, close - open - 1));
+    const std::size_t star = name.find('*');
+    if (star != std::string::npos) {
+      for (std::size_t i = std::stoul(name.substr(star + 1)); i > 0; --i) result += name.substr(0, star);
+    } else {
+      EXPECT_TRUE(bound_.contains(name)) << at_ << ": {" << name << "} is not known yet";
+      if (bound_.contains(name)) result += bound_.at(name);
+    }
+    text.remove_prefix(close + 1);
+  }
+  return result;
+}
+
+bool Transcript::matches(std::string_view pattern, const std::string& text) {
+  std::string expression;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < pattern.size();) {
+    if (pattern.substr(i).starts_with("...")) {
+      expression += ".*";
+      i += 3;
+    } else if (const std::size_t close = pattern.find('}', i); pattern[i] == '{' && close != std::string_view::npos) {
+      const std::string name(pattern.substr(i + 1, close - i - 1));
+      if (bound_.contains(name)) {
+        expression += escaped(bound_.at(name));
+      } else {
+        names.push_back(name);
+        expression += "([^ /]+)";
+      }
+      i = close + 1;
+    } else {
+      expression += escaped(pattern.substr(i, 1));
+      ++i;
+    }
+  }
+  std::smatch match;
+  if (!std::regex_match(text, match, std::regex(expression))) return false;
+  for (std::size_t i = 0; i < names.size(); ++i) bound_[names[i]] = match[i + 1];
+  return true;
+}
+
+sim::Host* Transcript::host(const std::string& name) {
+  const auto found = hosts_.find(name);
+  return found == hosts_.end() ? nullptr : found->second;
+}
+
+}  // namespace geminga::participant

@@ -1,0 +1,112 @@
+// How much is guessed in vain: what is known to fail, or to hold, is no guess, and one failure tells little of many
+// nodes. Work is counted in steps.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "reasoning/dl/clauses/clausify.hpp"
+#include "reasoning/dl/hypertableau/tableau.hpp"
+#include "support/written.hpp"
+
+namespace geminga::tableau {
+namespace {
+
+constexpr std::size_t count = 400;
+/// Steps are enough for so many facts of each of the families, and for no search.
+constexpr std::size_t steps_a_family = 40;
+
+Verdict answer(const std::string& axioms) {
+  const el::OntologySource source = el::written(axioms);
+  const auto set = clauses::clausify(source, std::nullopt, {});
+  EXPECT_TRUE(set && set->unused.empty());
+  Tableau tableau(source, *set, {.steps = steps_a_family * count});
+  return tableau.is_consistent().verdict;
+}
+
+/// Parents, each with so many children that are known to differ.
+std::string families(std::size_t children) {
+  std::string text;
+  for (std::size_t family = 0; family < count; ++family) {
+    const std::string parent = "i:p" + std::to_string(family);
+    std::string all;
+    for (std::size_t child = 0; child < children; ++child) {
+      const std::string name = parent + "c" + std::to_string(child);
+      text += "ClassAssertion(Person " + name + ")\nObjectPropertyAssertion(r " + parent + " " + name + ")\n";
+      all += " " + name;
+    }
+    text += "ClassAssertion(Person " + parent + ")\n";
+    if (children > 1) text += "DifferentIndividuals(" + all + ")\n";
+  }
+  return text;
+}
+
+const char* const small_family =
+    "EquivalentClasses(Small ObjectIntersectionOf(Person ObjectMinCardinality(1 r Person) "
+    "ObjectMaxCardinality(2 r Person)))\n";
+const char* const large_family =
+    "EquivalentClasses(Large ObjectIntersectionOf(Person ObjectMinCardinality(4 r Person)))\n"
+    "InverseObjectProperties(r q)\nClassAssertion(ObjectOneOf(i:someone) i:someone)\n";
+
+TEST(Guesses, AreNotMadeWhereABoundIsExceeded) {
+  EXPECT_EQ(answer(small_family + families(4)), Verdict::yes);
+  EXPECT_EQ(answer(large_family + families(4)), Verdict::yes);
+}
+
+TEST(Guesses, OfWhatHoldsComeBeforeThoseOfNewNodes) {
+  EXPECT_EQ(answer(small_family + families(1)), Verdict::yes);
+  EXPECT_EQ(answer(large_family + families(1)), Verdict::yes);
+}
+
+TEST(Guesses, AreNotTurnedForAllByOneFailure) {
+  // The first may not be small, for a reason that comes late.
+  const std::string late =
+      "SubClassOf(Small ObjectSomeValuesFrom(s ObjectSomeValuesFrom(s Proof)))\n"
+      "SubClassOf(ObjectSomeValuesFrom(s ObjectSomeValuesFrom(s Proof)) Judged)\n"
+      "ClassAssertion(ObjectComplementOf(Judged) i:p0)\n";
+  EXPECT_EQ(answer(small_family + late + families(1)), Verdict::yes);
+}
+
+TEST(Guesses, AreSeenToFailByTheNeighbourThatIsThere) {
+  // Who is a man or a woman is so by a gender, of which there is one.
+  std::string text =
+      "FunctionalObjectProperty(g)\nDisjointClasses(Male Female)\nSubClassOf(Man ObjectSomeValuesFrom(g Male))\n"
+      "SubClassOf(Woman ObjectSomeValuesFrom(g Female))\nSubClassOf(Spouse ObjectUnionOf(Man Woman))\n";
+  for (std::size_t at = 0; at < count; ++at) {
+    const std::string name = "i:p" + std::to_string(at);
+    text += "ClassAssertion(Spouse " + name + ")\nObjectPropertyAssertion(g " + name +
+            (at % 2 == 0 ? " i:male)\n" : " i:female)\n");
+  }
+  EXPECT_EQ(answer(text + "ClassAssertion(Male i:male)\nClassAssertion(Female i:female)\n"), Verdict::yes);
+}
+
+/// Kinds of which everything has one at most, and parts that may be of many kinds, seen from both ends. Whoever has a
+/// part and is not in one of the definitions has a part of another kind.
+std::string covers(std::size_t kinds) {
+  std::string members;
+  std::string text = "ObjectPropertyRange(p Any)\nInverseObjectProperties(p q)\n";
+  for (std::size_t at = 0; at < kinds; ++at) members += " K" + std::to_string(at);
+  text += "DisjointUnion(Any" + members + ")\n";
+  for (std::size_t at = 0; at < kinds; ++at) {
+    const auto kind = [&](std::size_t step) { return " K" + std::to_string((at * 7 + step) % kinds); };
+    text += "EquivalentClasses(D" + std::to_string(at) + " ObjectIntersectionOf(ObjectSomeValuesFrom(p Any) " +
+            "ObjectAllValuesFrom(p ObjectUnionOf(" + kind(1) + kind(4) + kind(9) + kind(16) + "))))\n";
+    if (at % 3 == 0) text += "SubClassOf(" + kind(0) + " ObjectSomeValuesFrom(p " + kind(3) + "))\n";
+    if (at % 4 != 0) continue;
+    text += "SubClassOf(" + kind(5) + " ObjectAllValuesFrom(q ObjectUnionOf(" + kind(2) + kind(6) + kind(8) + ")))\n";
+  }
+  return text;
+}
+
+TEST(Guesses, NeedNoNeighbourForWhatOneThatIsThereIsNot) {
+  const el::OntologySource source = el::written(covers(30));
+  const auto set = clauses::clausify(source, std::nullopt, {});
+  ASSERT_TRUE(set && set->unused.empty());
+  Tableau tableau(source, *set, {.steps = 50'000});
+  for (std::uint32_t id = 2; id < set->concepts.size(); ++id) {
+    if (set->concepts[id].kind != clauses::ConceptKind::named) continue;
+    EXPECT_NE(tableau.is_satisfiable({clauses::ConceptId{id}}).verdict, Verdict::unknown) << id;
+  }
+}
+
+}  // namespace
+}  // namespace geminga::tableau

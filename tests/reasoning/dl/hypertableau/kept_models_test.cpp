@@ -1,0 +1,75 @@
+// The models of earlier questions stay, and may only make later questions faster.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "reasoning/dl/clauses/clausify.hpp"
+#include "reasoning/dl/hypertableau/tableau.hpp"
+#include "support/written.hpp"
+
+namespace geminga::tableau {
+namespace {
+
+constexpr const char* ontologies[] = {
+    // A circle, with choices on the way.
+    "SubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(B ObjectUnionOf(C D))\nSubClassOf(C ObjectSomeValuesFrom(r "
+    "A))\n"
+    "SubClassOf(D ObjectSomeValuesFrom(r D))\nSubClassOf(A ObjectAllValuesFrom(r ObjectComplementOf(C)))",
+    // What is below is seen from above: pairs block.
+    "SubClassOf(A ObjectSomeValuesFrom(r B))\nInverseObjectProperties(r s)\nSubClassOf(B ObjectAllValuesFrom(s C))\n"
+    "SubClassOf(C ObjectUnionOf(D E))\nDisjointClasses(A D)\nSubClassOf(B ObjectSomeValuesFrom(r B))",
+    // Facts, and individuals in classes: the model of the facts is what questions are put onto.
+    "SubClassOf(A ObjectHasValue(r i:a))\nClassAssertion(B i:a)\nSubClassOf(B ObjectUnionOf(C D))\n"
+    "SubClassOf(ObjectSomeValuesFrom(r C) E)\nSubClassOf(A ObjectComplementOf(E))\nSubClassOf(F ObjectOneOf(i:a))",
+    // Counting.
+    "SubClassOf(A ObjectMinCardinality(2 r B))\nSubClassOf(B ObjectMaxCardinality(1 s C))\nSubClassOf(B "
+    "ObjectSomeValuesFrom(s C))\n"
+    "SubClassOf(C ObjectUnionOf(A D))\nSubClassOf(D ObjectMinCardinality(3 s C))",
+};
+
+TEST(KeptModels, ChangeNoAnswer) {
+  for (const char* text : ontologies) {
+    SCOPED_TRACE(text);
+    const el::OntologySource source = el::written(text);
+    std::vector<el::TermId> classes;
+    for (std::uint32_t id = 0; id < source.term_count(); ++id) {
+      if (source.kind(el::TermId{id}) == el::TermKind::named_class && el::TermId{id} != el::nothing_term)
+        classes.push_back(el::TermId{id});
+    }
+    const auto set = clauses::clausify(source, std::nullopt, classes, classes);
+    ASSERT_TRUE(set) << set.error().text;
+    Tableau kept(source, *set);
+    for (int round = 0; round < 2; ++round) {
+      for (const clauses::ConceptId sub : set->queries) {
+        for (const clauses::ConceptId complement : set->complements) {
+          const Answer beside = kept.is_satisfiable({sub, complement});
+          const Answer alone = Tableau(source, *set).is_satisfiable({sub, complement});
+          ASSERT_EQ(beside.verdict, alone.verdict) << clauses::number(sub) << " " << clauses::number(complement);
+        }
+      }
+    }
+  }
+}
+
+TEST(KeptModels, AreNotBuiltAgain) {
+  // Every class leads along the same chain.
+  std::string text;
+  for (int at = 0; at < 30; ++at)
+    text += "SubClassOf(C" + std::to_string(at) + " ObjectSomeValuesFrom(r C" + std::to_string(at + 1) + "))\n";
+  for (int at = 0; at < 30; ++at) text += "SubClassOf(B" + std::to_string(at) + " ObjectSomeValuesFrom(r C0))\n";
+  const el::OntologySource source = el::written(text);
+  const auto set = clauses::clausify(source, std::nullopt, {});
+  ASSERT_TRUE(set) << set.error().text;
+  Tableau tableau(source, *set);
+  std::size_t nodes = 0;
+  for (std::uint32_t id = 0; id < set->concepts.size(); ++id) {
+    if (set->concepts[id].kind != clauses::ConceptKind::named || id < 2) continue;
+    ASSERT_EQ(tableau.is_satisfiable({clauses::ConceptId{id}}).verdict, Verdict::yes);
+    nodes += tableau.model().labels.size();
+  }
+  EXPECT_LE(nodes, 3 * 61U) << "the labels of all questions: about one for each class";
+}
+
+}  // namespace
+}  // namespace geminga::tableau

@@ -1,0 +1,34 @@
+// A case of a few axioms and everything that follows from them, for parameterised tests.
+#ifndef GEMINGA_TESTS_REASONING_EL_ENTAILED_HPP
+#define GEMINGA_TESTS_REASONING_EL_ENTAILED_HPP
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "support/written.hpp"
+
+namespace geminga::el {
+
+struct Entailed {
+  const char* name;
+  const char* axioms;
+  std::vector<std::string> closure;
+  bool is_complete = true;  ///< nothing is left out
+};
+
+inline void PrintTo(const Entailed& one, std::ostream* out) { *out << one.name; }
+inline std::string name_of(const testing::TestParamInfo<Entailed>& one) { return one.param.name; }
+
+/// The closure is exactly that of the case, and is said to be complete where it is.
+inline void expect_exactly(const Entailed& one) {
+  const OntologySource source = written(one.axioms);
+  EXPECT_EQ(closure(loaded(source)), one.closure) << one.axioms;
+  EXPECT_EQ(classified(source).unused.empty(), one.is_complete) << one.axioms;
+}
+
+}  // namespace geminga::el
+
+#endif

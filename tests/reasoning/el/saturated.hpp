@@ -1,0 +1,28 @@
+// An ontology of a few lines, saturated, with what the rules worked on; and a validator that fires every rule again.
+#ifndef GEMINGA_TESTS_REASONING_EL_SATURATED_HPP
+#define GEMINGA_TESTS_REASONING_EL_SATURATED_HPP
+
+#include <memory>
+#include <string>
+
+#include "reasoning/el/index.hpp"
+#include "reasoning/el/normaliser.hpp"
+#include "reasoning/el/saturation.hpp"
+#include "reasoning/owl/source.hpp"
+
+namespace geminga::el {
+
+/// The contexts of all named classes and individuals of a source, saturated by so many threads.
+struct Saturated {
+  Saturated(const OntologySource& source, unsigned threads, const SaturationLimits& limits = {});
+  Index index;
+  std::unique_ptr<Saturation> saturation;
+};
+
+/// Looks for a premise whose conclusion is missing: what it is, or nothing where no rule is left to fire. It is as slow
+/// as it is simple, and shares no code with the rules.
+std::string rule_left_to_fire(const Index& index, const Saturation& saturation);
+
+}  // namespace geminga::el
+
+#endif

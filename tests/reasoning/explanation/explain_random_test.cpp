@@ -1,0 +1,142 @@
+// Random ontologies: every explanation against all subsets of the axioms, as the naive reasoner judges them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "base/random.hpp"
+#include "reasoning/compiled/compiled_view.hpp"
+#include "reasoning/explanation/explain.hpp"
+#include "support/reference.hpp"
+#include "support/written.hpp"
+
+namespace geminga::reasoner {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The axioms of a few lines, and what the naive reasoner says follows from each subset of them.
+class Subsets {
+ public:
+  explicit Subsets(std::vector<std::string> lines)
+      : lines_(std::move(lines)), closures_(std::size_t{1} << lines_.size()) {}
+
+  /// Whether `t:sub` is below `t:super` by the lines of the mask, or by any.
+  bool entails(std::size_t mask, const std::string& sub, const std::string& super) {
+    const std::set<std::string>& closure = closure_of(mask);
+    return closure.contains("inconsistent") || closure.contains(sub + " < Nothing") ||
+           closure.contains("Thing < " + super) || closure.contains(sub + " < " + super);
+  }
+  /// The masks of all minimal subsets, ascending.
+  std::vector<std::size_t> minimal(const std::string& sub, const std::string& super) {
+    std::vector<std::size_t> found;
+    for (std::size_t mask = 0; mask < closures_.size(); ++mask) {
+      if (!entails(mask, sub, super)) continue;
+      bool is_minimal = true;
+      for (std::size_t bit = 1; bit < closures_.size(); bit *= 2) {
+        if ((mask & bit) != 0 && entails(mask ^ bit, sub, super)) is_minimal = false;
+      }
+      if (is_minimal) found.push_back(mask);
+    }
+    return found;
+  }
+
+ private:
+  const std::set<std::string>& closure_of(std::size_t mask) {
+    auto& closure = closures_[mask];
+    if (!closure) {
+      std::string text;
+      for (std::size_t line = 0; line < lines_.size(); ++line) {
+        text += ((mask >> line) & 1) != 0 ? lines_[line] + "\n" : "\n";
+      }
+      const auto lines = el::reference_closure(el::written(text));
+      closure.emplace(lines.begin(), lines.end());
+    }
+    return *closure;
+  }
+
+  std::vector<std::string> lines_;
+  std::vector<std::optional<std::set<std::string>>> closures_;
+};
+
+/// The lines of the axioms as a mask.
+std::size_t mask_of(Explainer& explainer, const AxiomSet& axioms) {
+  std::size_t mask = 0;
+  for (const std::uint32_t axiom : axioms) {
+    mask |= std::size_t{1} << (explainer.module().source().axiom(axiom).line - 1);
+  }
+  return mask;
+}
+
+/// Calls `check(explainer, subsets, sub, super)` for pairs of classes of random ontologies of EL.
+template <typename Check>
+int for_random_pairs(std::uint64_t seeds, std::size_t axioms, Check&& check) {
+  int checked = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    base::Random random(seed);
+    const std::string text = el::random_ontology(random, axioms);
+    SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
+    const el::OntologySource source = el::written(text);
+    // The naive reasoner knows nothing of ranges that chains escape.
+    if (!el::classified(source).unused.empty() || el::has_range_over_chain(source)) continue;
+    std::vector<std::string> lines = lines_of(text);
+    const el::Ontology ontology = el::loaded(source);
+    if (ontology.axioms().axiom_count() != lines.size()) continue;  // what stands there twice is one axiom
+    Subsets subsets(std::move(lines));
+    for (std::uint32_t sub = 0; sub < ontology.class_count(); ++sub) {
+      for (std::uint32_t super = 0; super < ontology.class_count(); ++super) {
+        const auto local = [&](std::uint32_t number) {
+          const std::string_view iri = ontology.iri(el::ClassNumber{number});
+          return std::string(iri.substr(iri.find('#') + 1));
+        };
+        if (sub == super || local(sub) == "Nothing" || local(super) == "Thing" || local(sub) == "Thing") continue;
+        Explainer explainer(ontology, el::ClassNumber{sub}, el::ClassNumber{super});
+        SCOPED_TRACE(local(sub) + " < " + local(super));
+        check(explainer, subsets, local(sub), local(super));
+        if (testing::Test::HasFatalFailure()) return checked;
+        ++checked;
+      }
+    }
+  }
+  return checked;
+}
+
+TEST(RandomExplanations, AreMinimalByTheNaiveReasoner) {
+  int explained = 0;
+  for_random_pairs(40, 10, [&](Explainer& explainer, Subsets& subsets, const auto& sub, const auto& super) {
+    const auto found = explainer.find_one();
+    ASSERT_EQ(found.has_value(), subsets.entails((std::size_t{1} << 10) - 1, sub, super));
+    if (!found) return;
+    ++explained;
+    const std::size_t mask = mask_of(explainer, *found);
+    ASSERT_TRUE(subsets.entails(mask, sub, super));
+    for (const std::uint32_t axiom : *found) {
+      ASSERT_FALSE(subsets.entails(mask & ~mask_of(explainer, {axiom}), sub, super)) << "axiom " << axiom;
+    }
+  });
+  EXPECT_GT(explained, 300);
+}
+
+TEST(RandomExplanations, AreAllThatThereAre) {
+  int several = 0;
+  for_random_pairs(100, 8, [&](Explainer& explainer, Subsets& subsets, const auto& sub, const auto& super) {
+    const AllSets all = explainer.find_all({.sets = 1000, .nodes = 100'000});
+    ASSERT_FALSE(all.may_have_more);
+    std::vector<std::size_t> masks;
+    for (const AxiomSet& set : all.sets) masks.push_back(mask_of(explainer, set));
+    std::ranges::sort(masks);
+    ASSERT_EQ(masks, subsets.minimal(sub, super));
+    if (masks.size() > 1) ++several;
+  });
+  EXPECT_GT(several, 20);
+}
+
+}  // namespace
+}  // namespace geminga::reasoner

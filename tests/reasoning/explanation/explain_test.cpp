@@ -1,0 +1,82 @@
+// Minimal sets of axioms for what an ontology entails.
+#include "reasoning/explanation/explain.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/written.hpp"
+
+namespace geminga::reasoner {
+namespace {
+
+using el::loaded;
+using el::named;
+using el::Ontology;
+using el::robots;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::vector<std::string> texts(const std::optional<std::vector<ExplainedAxiom>>& steps) {
+  std::vector<std::string> result;
+  if (steps) {
+    for (const ExplainedAxiom& step : *steps) result.push_back(step.text);
+  }
+  return result;
+}
+
+TEST(Explain, NamesFileAndLineInTheOrderOfTheArgument) {
+  const Ontology ontology = loaded(robots);
+  const auto steps = explain(ontology, named(ontology, "SharedBallInfo"), named(ontology, "TrackedObject"));
+  EXPECT_THAT(texts(steps),
+              ElementsAre("t:SharedBallInfo SubClassOf t:BallInfo", "t:BallInfo SubClassOf t:TrackedObject"));
+  EXPECT_EQ(steps->at(0).line, 2);
+  EXPECT_EQ(steps->at(0).file, "written.ofn");
+  EXPECT_THAT(texts(explain(ontology, named(ontology, "Impossible"), *ontology.find("owl:Nothing"))),
+              ElementsAre("t:Impossible SubClassOf t:Shared", "t:Impossible SubClassOf t:Secret",
+                          "t:Secret DisjointWith t:Shared"));
+  EXPECT_FALSE(explain(ontology, named(ontology, "Info"), named(ontology, "BallInfo")).has_value());
+  // What holds without any axiom needs none.
+  EXPECT_THAT(texts(explain(ontology, named(ontology, "Info"), *ontology.find("owl:Thing"))), IsEmpty());
+  EXPECT_TRUE(explain(ontology, named(ontology, "Info"), named(ontology, "Info")).has_value());
+}
+
+TEST(Explain, WritesAxiomsSoThatOneCanReadThem) {
+  const struct {
+    const char* axioms;
+    const char* sub;
+    const char* super;
+    std::vector<std::string> steps;
+  } cases[] = {
+      {"EquivalentClasses(A ObjectIntersectionOf(B ObjectSomeValuesFrom(r ObjectIntersectionOf(C D))))",
+       "A",
+       "B",
+       {"t:A EquivalentTo t:B and (t:r some (t:C and t:D))"}},
+      {"SubClassOf(A ObjectHasValue(r i:x))\nClassAssertion(B i:x)\nSubClassOf(ObjectSomeValuesFrom(r B) C)",
+       "A",
+       "C",
+       {"t:A SubClassOf t:r value t:x", "t:x Type t:B", "t:r some t:B SubClassOf t:C"}},
+      {"ObjectPropertyDomain(r C)\nSubObjectPropertyOf(ObjectPropertyChain(s s) r)\n"
+       "SubClassOf(A ObjectSomeValuesFrom(s ObjectSomeValuesFrom(s B)))",
+       "A",
+       "C",
+       {"t:A SubClassOf t:s some (t:s some t:B)", "t:s o t:s SubPropertyOf t:r", "t:r Domain t:C"}},
+      {"SubClassOf(A ObjectMinCardinality(1 r B))\nObjectPropertyDomain(r ObjectIntersectionOf(C D))",
+       "A",
+       "C",
+       {"t:A SubClassOf t:r min 1 t:B", "t:r Domain t:C and t:D"}},
+  };
+  for (const auto& one : cases) {
+    const Ontology ontology = loaded(one.axioms);
+    EXPECT_EQ(texts(explain(ontology, named(ontology, one.sub), named(ontology, one.super))), one.steps) << one.axioms;
+  }
+}
+
+TEST(Explain, FindsTheContradictionFromWhichEverythingFollows) {
+  const Ontology ontology = loaded("ClassAssertion(A i:a)\nSubClassOf(A Nothing)\nSubClassOf(B C)");
+  EXPECT_FALSE(ontology.is_consistent());
+  EXPECT_THAT(texts(explain(ontology, named(ontology, "C"), named(ontology, "B"))),
+              ElementsAre("t:a Type t:A", "t:A SubClassOf owl:Nothing"));
+}
+
+}  // namespace
+}  // namespace geminga::reasoner

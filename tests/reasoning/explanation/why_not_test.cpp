@@ -1,0 +1,129 @@
+// What is nearest where one class is not below another.
+#include "reasoning/explanation/why_not.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/random.hpp"
+#include "support/reference.hpp"
+#include "support/written.hpp"
+
+namespace geminga::reasoner {
+namespace {
+
+using el::loaded;
+using el::named;
+using el::Ontology;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> lines_for(std::string_view axioms, std::string_view sub, std::string_view super) {
+  const Ontology ontology = loaded(axioms);
+  const el::ClassNumber one = named(ontology, sub);
+  const el::ClassNumber other = named(ontology, super);
+  return describe(ontology, one, other, why_not(ontology, one, other));
+}
+
+std::vector<std::string> common(std::string_view axioms, std::string_view sub, std::string_view super) {
+  const Ontology ontology = loaded(axioms);
+  std::vector<std::string> names;
+  for (const el::ClassNumber number : why_not(ontology, named(ontology, sub), named(ontology, super)).common) {
+    names.push_back(ontology.short_name(number));
+  }
+  return names;
+}
+
+TEST(WhyNot, NamesTheMostSpecificCommonClasses) {
+  constexpr std::string_view axioms =
+      "SubClassOf(A B)\nSubClassOf(A C)\nSubClassOf(D B)\nSubClassOf(D C)\nSubClassOf(B E)\nSubClassOf(C E)\n"
+      "SubClassOf(X Y)";
+  EXPECT_THAT(common(axioms, "A", "D"), ElementsAre("t:B", "t:C"));
+  EXPECT_THAT(common(axioms, "A", "X"), ElementsAre("owl:Thing"));
+  EXPECT_THAT(common(axioms, "E", "A"), ElementsAre("t:E"));
+  EXPECT_THAT(common("EquivalentClasses(B C)\nSubClassOf(A B)\nSubClassOf(D C)", "A", "D"), ElementsAre("t:B"));
+}
+
+TEST(WhyNot, TellsWhatOfADefinitionIsMet) {
+  EXPECT_THAT(lines_for("EquivalentClasses(D ObjectIntersectionOf(B ObjectSomeValuesFrom(r C) ObjectSomeValuesFrom(s F)"
+                        " G))\nSubClassOf(A B)\nSubClassOf(A ObjectSomeValuesFrom(r H))\nSubClassOf(H C)\n"
+                        "SubClassOf(A ObjectSomeValuesFrom(s H))",
+                        "A", "D"),
+              ElementsAre("Nearest: both are t:B", "Enough to be t:D:   [written.ofn:1]", "  met      t:B",
+                          "  missing  t:G", "  met      t:r some t:C",
+                          "  missing  t:s some t:F   (it has t:s, but to nothing that is known to be t:F)"));
+}
+
+TEST(WhyNot, ShowsTheWayOfWhichLeastIsMissingFirst) {
+  const Ontology ontology = loaded(
+      "SubClassOf(ObjectIntersectionOf(P Q R) D)\nSubClassOf(ObjectIntersectionOf(B R) D)\nSubClassOf(A B)\n"
+      "SubClassOf(D N)");
+  const WhyNot found = why_not(ontology, named(ontology, "A"), named(ontology, "D"));
+  ASSERT_EQ(found.ways.size(), 3U);
+  EXPECT_EQ(found.ways[0].missing_count(), 1U);
+  EXPECT_EQ(found.ways[1].missing_count(), 3U);
+  EXPECT_FALSE(found.ways[2].is_sufficient);
+  EXPECT_EQ(describe_briefly(ontology, named(ontology, "A"), named(ontology, "D"), found),
+            "nearest: they have nothing in common but owl:Thing; to be t:D it lacks t:R");
+}
+
+TEST(WhyNot, SaysWhenOnlyBeingToldIsEnough) {
+  EXPECT_THAT(lines_for("SubClassOf(D B)\nSubClassOf(A C)", "A", "D"),
+              ElementsAre("Nearest: they have nothing in common but owl:Thing",
+                          "No axiom says what is enough to be t:D: only what is said to be below it is",
+                          "What every t:D is, too:", "  missing  t:B   [written.ofn:1]"));
+}
+
+TEST(WhyNot, SaysWhenTheTwoExcludeEachOther) {
+  EXPECT_THAT(
+      lines_for("SubClassOf(A B)\nSubClassOf(D C)\nDisjointClasses(B C)", "A", "D"),
+      testing::IsSupersetOf({"Nothing can be t:A and t:D, because:", "  t:A SubClassOf t:B   [written.ofn:1]",
+                             "  t:D SubClassOf t:C   [written.ofn:2]", "  t:B DisjointWith t:C   [written.ofn:3]"}));
+}
+
+TEST(WhyNot, SaysWhenSomethingMayHaveBeenMissed) {
+  el::OntologySource source = el::written("SubClassOf(A B)\nSubClassOf(D C)");
+  EXPECT_FALSE(why_not(loaded(source), el::ClassNumber{0}, el::ClassNumber{1}).may_be_incomplete);
+  source.leave_out("swrl:Imp", el::FileId{0}, 7);
+  EXPECT_TRUE(why_not(loaded(source), el::ClassNumber{0}, el::ClassNumber{1}).may_be_incomplete);
+}
+
+TEST(RandomWhyNots, NeverMissEverythingOfAClassThatIsCommon) {
+  int checked = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    base::Random random(seed);
+    const std::string text = el::random_ontology(random, 14);
+    SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
+    const Ontology ontology = loaded(text);
+    for (std::uint32_t one = 0; one < ontology.class_count(); ++one) {
+      for (std::uint32_t other = 0; other < ontology.class_count(); ++other) {
+        const el::ClassNumber sub{one};
+        const el::ClassNumber super{other};
+        if (ontology.is_subsumed(sub, super)) continue;
+        const WhyNot found = why_not(ontology, sub, super);
+        ASSERT_FALSE(found.common.empty());
+        for (const el::ClassNumber above : found.common) {
+          ASSERT_TRUE(ontology.is_subsumed(sub, above) && ontology.is_subsumed(super, above));
+          // No common class is below another that is listed.
+          for (const el::ClassNumber more : found.common) {
+            ASSERT_TRUE(more == above || !ontology.is_subsumed(more, above));
+          }
+        }
+        for (std::uint32_t number = 0; number < ontology.class_count(); ++number) {
+          const el::ClassNumber any{number};
+          if (!ontology.is_subsumed(sub, any) || !ontology.is_subsumed(super, any)) continue;
+          ASSERT_TRUE(std::ranges::any_of(found.common,
+                                          [&](el::ClassNumber lowest) { return ontology.is_subsumed(lowest, any); }));
+        }
+        // Whoever met all that is enough would be in it.
+        for (const Way& way : found.ways) ASSERT_TRUE(!way.is_sufficient || way.missing_count() > 0);
+        ++checked;
+      }
+    }
+  }
+  EXPECT_GT(checked, 500);
+}
+
+}  // namespace
+}  // namespace geminga::reasoner

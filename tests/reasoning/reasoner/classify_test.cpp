@@ -1,0 +1,216 @@
+// Classification by all engines together: what it finds beyond EL, and what it says where it is not sure.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "reasoning/compiled/compile.hpp"
+#include "reasoning/dl/clauses/clausify.hpp"
+#include "reasoning/reasoner/completion.hpp"
+#include "reasoning/reasoner/reasoner.hpp"
+#include "reasoning/reasoner/taxonomy.hpp"
+#include "support/written.hpp"
+
+namespace geminga::reasoner {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+Classified by_all_engines(const el::OntologySource& source) {
+  auto result = reasoner::classify(source);
+  if (!result) ADD_FAILURE() << result.error().text;
+  return std::move(result).value();
+}
+
+std::vector<std::string> closure(const el::OntologySource& source, const el::Classification& classification) {
+  auto ontology = el::Ontology::from_bytes(el::compile(source, classification));
+  if (!ontology) ADD_FAILURE() << ontology.error().text;
+  return el::closure(*ontology);
+}
+
+std::vector<std::string> closure(std::string_view text) {
+  const el::OntologySource source = el::written(text);
+  const Classified found = by_all_engines(source);
+  EXPECT_THAT(found.unused, IsEmpty()) << text;
+  EXPECT_THAT(found.gaps, IsEmpty()) << text;
+  return closure(source, found);
+}
+
+TEST(Classification, FindsWhatFollowsByCases) {
+  EXPECT_THAT(closure("SubClassOf(A ObjectUnionOf(B C))\nSubClassOf(B D)\nSubClassOf(C D)"),
+              ElementsAre("A < D", "B < D", "C < D"));
+}
+
+TEST(Classification, FindsWhatInversesCarryBack) {
+  EXPECT_THAT(closure("SubClassOf(A ObjectSomeValuesFrom(r B))\nInverseObjectProperties(r s)\n"
+                      "SubClassOf(B ObjectAllValuesFrom(s C))"),
+              ElementsAre("A < C"));
+}
+
+// {a} and B are one, and who is not B has two neighbours in B: so everything is a.
+TEST(Classification, FindsWhatNominalsMakeEverythingBe) {
+  EXPECT_THAT(
+      closure("SubClassOf(ObjectMaxCardinality(1 r B) B)\nSubClassOf(A Thing)\n"
+              "EquivalentClasses(B ObjectIntersectionOf(ObjectOneOf(i:a) ObjectHasValue(ObjectInverseOf(r) i:a)))"),
+      ElementsAre("A < B", "Thing < B"));
+}
+
+TEST(Classification, FindsWhatCannotBe) {
+  EXPECT_THAT(closure("SubClassOf(A ObjectMinCardinality(2 r B))\nSubClassOf(A ObjectMaxCardinality(1 r))"),
+              ElementsAre("A < Nothing"));
+  EXPECT_THAT(closure("SubClassOf(Thing ObjectUnionOf(A B))\nSubClassOf(A Nothing)\nSubClassOf(B Nothing)"),
+              ElementsAre("inconsistent"));
+}
+
+TEST(Classification, FindsContradictionsOfFactsBeyondEl) {
+  EXPECT_THAT(closure("ClassAssertion(ObjectUnionOf(A B) i:a)\nClassAssertion(ObjectComplementOf(A) i:a)\n"
+                      "ClassAssertion(ObjectComplementOf(B) i:a)"),
+              ElementsAre("inconsistent"));
+}
+
+TEST(Classification, KeepsWhatElFoundAndReducesItAgain) {
+  const el::OntologySource source =
+      el::written("SubClassOf(A C)\nSubClassOf(B C)\nSubClassOf(A ObjectUnionOf(B B2))\nSubClassOf(B2 B)");
+  const Classified found = by_all_engines(source);
+  EXPECT_THAT(closure(source, found), ElementsAre("A < B", "A < C", "B < C", "B2 < B", "B2 < C"));
+  std::size_t parents = 0;
+  for (std::uint32_t of = 0; of < found.class_count(); ++of) parents += found.parents_of(el::ClassNumber{of}).size();
+  EXPECT_EQ(parents, 4U) << "A < B, B2 < B, B < C, C < Thing and no more";
+}
+
+TEST(Classification, OfAnElOntologyIsThatOfElToTheLastNumber) {
+  const el::OntologySource source = el::written(
+      "SubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(B C)\n"
+      "SubClassOf(ObjectSomeValuesFrom(r C) D)\nEquivalentClasses(C E)");
+  const Classified all = by_all_engines(source);
+  const el::Classification el_only = el::classified(source);
+  EXPECT_EQ(all.parents, el_only.parents);
+  EXPECT_EQ(all.representative, el_only.representative);
+  EXPECT_EQ(all.counts.contexts, el_only.counts.contexts);
+  EXPECT_THAT(all.gaps, IsEmpty());
+}
+
+TEST(Classification, NamesWhatOwlForbidsAndUsesTheRest) {
+  const el::OntologySource source = el::written(
+      "TransitiveObjectProperty(r)\nSubClassOf(A ObjectMaxCardinality(1 r))\nSubClassOf(A ObjectUnionOf(B C))\n"
+      "SubClassOf(B C)");
+  const Classified found = by_all_engines(source);
+  EXPECT_THAT(found.unused, ElementsAre(testing::Field(&el::UnusedAxiom::axiom, 1U)));
+  EXPECT_THAT(closure(source, found), ElementsAre("A < C", "B < C"));
+  EXPECT_EQ(found.counts.axioms, 4U);
+  EXPECT_EQ(found.counts.used_axioms, 3U);
+}
+
+TEST(Classification, TellsWhatItIsDoing) {
+  std::vector<std::string> phases;
+  const el::OntologySource source = el::written("SubClassOf(ObjectAllValuesFrom(r A) B)");
+  const auto note = [&](std::string_view phase, double done) {
+    EXPECT_GE(done, 0);
+    EXPECT_LE(done, 1);
+    phases.emplace_back(phase);
+  };
+  ASSERT_TRUE(reasoner::classify(source, {.progress = note}));
+  EXPECT_THAT(phases, Contains("classifying"));
+  EXPECT_THAT(phases, Contains("deriving consequences"));
+}
+
+/// What models add to the taxonomy that EL alone has.
+Completion completed(const el::OntologySource& source, const CompletionLimits& limits = {}) {
+  const el::Classification known = el::classified(source);
+  const auto clauses = clauses::clausify(source, std::nullopt, {});
+  if (!clauses) ADD_FAILURE() << clauses.error().text;
+  const std::vector<bool> none(known.class_count(), false);
+  return complete(source, {known, *clauses, none, none}, {}, limits);
+}
+
+constexpr const char* by_cases =
+    "SubClassOf(A ObjectUnionOf(B C))\nSubClassOf(B D)\nSubClassOf(C D)\n"
+    "SubClassOf(E ObjectIntersectionOf(ObjectUnionOf(B C) ObjectComplementOf(D)))\nSubClassOf(F A)";
+
+TEST(Completion, FindsWhatIsAboveEverything) {
+  // There are two things at most, and each has two neighbours in B.
+  EXPECT_THAT(closure("SubClassOf(Thing ObjectOneOf(i:a i:b))\nSubClassOf(Thing ObjectMinCardinality(2 r B))\n"
+                      "SubClassOf(A C)"),
+              Contains("Thing < B"));
+}
+
+TEST(Completion, FindsByModelsAloneWhatElLeavesOpen) {
+  const el::OntologySource source = el::written(by_cases);
+  el::Classification found = el::classified(source);
+  const Completion completion = completed(source);
+  EXPECT_TRUE(completion.is_consistent);
+  EXPECT_THAT(completion.gaps, IsEmpty());
+  extend(found, completion.found);
+  EXPECT_THAT(closure(source, found), ElementsAre("A < D", "B < D", "C < D", "E < Nothing", "F < A", "F < D"));
+}
+
+TEST(Completion, FindsAContradiction) {
+  const el::OntologySource source = el::written(
+      "SubClassOf(Thing ObjectUnionOf(A B))\nSubClassOf(A Nothing)\n"
+      "SubClassOf(B ObjectSomeValuesFrom(r A))");
+  EXPECT_FALSE(completed(source).is_consistent);
+}
+
+TEST(Completion, SaysWhereItStopped) {
+  const el::OntologySource source = el::written(by_cases);
+  const std::size_t classes = el::classified(source).class_count();
+  EXPECT_THAT(completed(source, {.classes = classes}).gaps, IsEmpty());
+  EXPECT_THAT(completed(source, {.classes = classes - 1}).gaps,
+              ElementsAre(HasSubstr("more than " + std::to_string(classes - 1) + " classes")));
+  EXPECT_THAT(completed(source, {.questions = 1}).gaps, ElementsAre("more than 1 questions to the tableau"));
+  EXPECT_THAT(completed(source, {.unanswered = 1, .question = {.nodes = 1, .steps = 1}}).gaps,
+              Contains("1 questions were too hard for the tableau"));
+}
+
+TEST(Completion, FindsNothingThatDoesNotFollowHoweverEarlyItStops) {
+  const el::OntologySource source = el::written(by_cases);
+  for (std::size_t questions = 0; questions < 12; ++questions) {
+    el::Classification found = el::classified(source);
+    extend(found, completed(source, {.questions = questions}).found);
+    const std::vector<std::string> all{"A < D", "B < D", "C < D", "E < Nothing", "F < A", "F < D"};
+    for (const std::string& line : closure(source, found)) {
+      EXPECT_THAT(all, Contains(line)) << questions << " questions";
+    }
+  }
+}
+
+TEST(Taxonomy, LearnsSubsumptionsEquivalencesAndEmptyClasses) {
+  const el::OntologySource source = el::written("SubClassOf(A B)\nSubClassOf(B C)\nSubClassOf(D C)\nSubClassOf(E D)");
+  el::Classification found = el::classified(source);
+  const auto number = [&](const std::string& name) {
+    for (std::uint32_t of = 0; of < found.class_count(); ++of) {
+      if (source.name(found.classes[of]) == "https://t.example/#" + name) return of;
+    }
+    ADD_FAILURE() << name;
+    return 0U;
+  };
+  extend(found, {{number("C"), number("A")}, {number("E"), static_cast<std::uint32_t>(found.nothing)}});
+  EXPECT_THAT(closure(source, found), ElementsAre("A < B", "A < C", "B < A", "B < C", "C < A", "C < B", "D < A",
+                                                  "D < B", "D < C", "E < Nothing"));
+}
+
+TEST(Taxonomy, KnowsTheAncestorsOfEveryNode) {
+  const el::OntologySource source = el::written("SubClassOf(A B)\nSubClassOf(B C)\nSubClassOf(A D)\nSubClassOf(D C)");
+  const el::Classification found = el::classified(source);
+  std::vector<std::size_t> sizes;
+  for (const auto& above : find_ancestors(found)) sizes.push_back(above.size());
+  std::ranges::sort(sizes);
+  EXPECT_THAT(sizes, ElementsAre(0U, 0U, 0U, 1U, 1U, 3U)) << "C, Thing, Nothing; B, D; A";
+}
+
+TEST(Taxonomy, OfAContradictionIsOneNode) {
+  const el::OntologySource source = el::written("SubClassOf(A B)\nSubObjectPropertyOf(r s)");
+  el::Classification found = el::classified(source);
+  contradict(found, source);
+  EXPECT_FALSE(found.is_consistent);
+  for (const el::ClassNumber representative : found.representative) EXPECT_EQ(representative, found.representative[0]);
+}
+
+}  // namespace
+}  // namespace geminga::reasoner

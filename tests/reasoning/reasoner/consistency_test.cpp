@@ -1,0 +1,68 @@
+// Whether there can be a world, asked of what each engine is there for.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "reasoning/reasoner/reasoner.hpp"
+#include "support/written.hpp"
+
+namespace geminga::reasoner {
+namespace {
+
+std::string consistency_of(std::string_view text) {
+  const Answer answer = is_consistent(el::written(text));
+  if (answer.verdict == Verdict::unknown) return "unknown: " + answer.reason;
+  return answer.verdict == Verdict::yes ? "yes" : "no";
+}
+
+TEST(Consistency, OfNothingAndOfPlainFactsIsGiven) {
+  EXPECT_EQ(consistency_of(""), "yes");
+  EXPECT_EQ(consistency_of("ClassAssertion(A i:a)\nDisjointClasses(A B)"), "yes");
+}
+
+TEST(Consistency, IsLostWhereAnIndividualIsInNothing) {
+  EXPECT_EQ(consistency_of("ClassAssertion(A i:a)\nClassAssertion(B i:a)\nDisjointClasses(A B)"), "no");
+  EXPECT_EQ(consistency_of("SubClassOf(Thing Nothing)"), "no");
+  EXPECT_EQ(consistency_of("SubClassOf(A Nothing)"), "yes");
+}
+
+TEST(Consistency, IsLostByCasesThatAllFail) {
+  const std::string cases = "SubClassOf(Thing ObjectUnionOf(A B))\nSubClassOf(A ObjectSomeValuesFrom(r Nothing))\n";
+  EXPECT_EQ(consistency_of(cases), "yes");
+  EXPECT_EQ(consistency_of(cases + "SubClassOf(B Nothing)"), "no");
+}
+
+TEST(Consistency, CountsIndividuals) {
+  const std::string two =
+      "ClassAssertion(ObjectMaxCardinality(1 r) i:a)\nObjectPropertyAssertion(r i:a i:b)\n"
+      "ObjectPropertyAssertion(r i:a i:c)\n";
+  EXPECT_EQ(consistency_of(two), "yes");
+  EXPECT_EQ(consistency_of(two + "DifferentIndividuals(i:b i:c)"), "no");
+}
+
+TEST(Consistency, LooksBackAlongInverses) {
+  EXPECT_EQ(consistency_of("ObjectPropertyAssertion(r i:a i:b)\nInverseObjectProperties(r s)\n"
+                           "ClassAssertion(ObjectAllValuesFrom(s A) i:b)\nClassAssertion(ObjectComplementOf(A) i:a)"),
+            "no");
+}
+
+TEST(Consistency, KnowsValues) {
+  EXPECT_EQ(consistency_of("FunctionalDataProperty(d:p)\nDataPropertyAssertion(d:p i:a \"1\"^x:integer)\n"
+                           "DataPropertyAssertion(d:p i:a \"2\"^x:integer)"),
+            "no");
+  EXPECT_EQ(consistency_of("FunctionalDataProperty(d:p)\nDataPropertyAssertion(d:p i:a \"1\"^x:integer)\n"
+                           "DataPropertyAssertion(d:p i:a \"1.0\"^x:decimal)"),
+            "yes");
+}
+
+TEST(Consistency, ASourceOverItsLimitsIsUndecided) {
+  el::OntologySource source({.axioms = 1});
+  el::write_into(source, "SubClassOf(A B)\nSubClassOf(B C)", "a.ofn");
+  const Answer answer = is_consistent(source);
+  EXPECT_EQ(answer.verdict, Verdict::unknown);
+  EXPECT_THAT(answer.reason, testing::HasSubstr("more than 1 axioms"));
+}
+
+}  // namespace
+}  // namespace geminga::reasoner

@@ -1,0 +1,186 @@
+// What a file says beside its axioms, where it says it, and what is counted or left out.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reasoning/syntax/functional/reading.hpp"
+
+namespace geminga::functional {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+TEST(Document, NamesItsOntologyItsVersionItsImportsAndItsPrefixes) {
+  const Reading reading(
+      "Prefix(:=<http://e/>)\nPrefix(rdfs:=<http://www.w3.org/2000/01/rdf-schema#>)\n"
+      "Prefix( b\n: = <http://b/#> )\nPrefix(b:=<http://b/#>)\n"
+      "Ontology(<http://e> b:1\nImport(<http://x>)\nImport(b:y)\nImport(<http://x>)\n"
+      "Annotation(rdfs:comment \"c\")\nSubClassOf(:A :B))");
+  EXPECT_THAT(reading.error, HasSubstr("t.ofn:3: expected a prefix that ends in a colon, found b"));
+  const Reading good(
+      "Prefix(:=<http://e/>)\nPrefix(rdfs:=<http://www.w3.org/2000/01/rdf-schema#>)\n"
+      "Prefix( b: = <http://b/#> )\nPrefix(b:=<http://b/#>)\n"
+      "Ontology(<http://e> b:1\nImport(<http://x>)\nImport(b:y)\nImport(<http://x>)\n"
+      "Annotation(rdfs:comment \"c\")\nSubClassOf(:A :B))");
+  ASSERT_EQ(good.error, "");
+  EXPECT_EQ(good.document.ontology_iri, "http://e");
+  EXPECT_EQ(good.source.files()[0].ontology_iri, "http://e");
+  EXPECT_EQ(good.document.version_iri, "http://b/#1");
+  ASSERT_EQ(good.document.imports.size(), 2U);
+  EXPECT_EQ(good.document.imports[0].iri, "http://x");
+  EXPECT_EQ(good.document.imports[0].line, 6U);
+  EXPECT_EQ(good.document.imports[1].iri, "http://b/#y");
+  ASSERT_EQ(good.document.prefixes.size(), 3U);
+  EXPECT_EQ(good.document.prefixes[0].prefix, "");
+  EXPECT_EQ(good.document.prefixes[1].prefix, "rdfs");
+  EXPECT_EQ(good.document.prefixes[2].prefix, "b");
+  EXPECT_EQ(good.document.prefixes[2].iri, "http://b/#");
+  EXPECT_TRUE(good.source.prefixes().empty());
+}
+
+TEST(Document, MayHoldNothing) {
+  for (const char* text : {"Ontology()", " Ontology ( ) ", "# a comment\r\nOntology(<http://e>)# another"}) {
+    const Reading reading(text);
+    EXPECT_EQ(reading.error, "") << text;
+    EXPECT_THAT(reading.axioms(), IsEmpty()) << text;
+  }
+}
+
+TEST(Document, MayBeginWithAByteOrderMark) {
+  EXPECT_EQ(Reading("\xef\xbb\xbfOntology()").error, "");
+  EXPECT_TRUE(is_functional("\xef\xbb\xbf Ontology()"));
+}
+
+TEST(Document, KnowsFourPrefixesWithoutDeclaringThem) {
+  const Reading reading("Ontology(SubClassOf(owl:Nothing owl:Thing) DataPropertyRange(<http://e/d> xsd:int))");
+  ASSERT_EQ(reading.error, "");
+  EXPECT_THAT(reading.axioms(), ElementsAre("SubClassOf(owl:Nothing owl:Thing)", "DataPropertyRange(:d xsd:int)"));
+  EXPECT_TRUE(reading.document.prefixes.empty());
+}
+
+TEST(Document, IsRefusedWhereAPrefixMeansTwoThings) {
+  EXPECT_EQ(Reading("Prefix(a:=<http://e/>)\nPrefix(a:=<http://f/>)\nOntology()").error,
+            "t.ofn:2: the prefix a: already stands for <http://e/>");
+  EXPECT_EQ(Reading("Prefix(owl:=<http://e/>) Ontology()").error,
+            "t.ofn:1: the prefix owl: already stands for <http://www.w3.org/2002/07/owl#>");
+  EXPECT_EQ(Reading("Ontology(\n\nDeclaration(Class(b:A)))").error, "t.ofn:3: the prefix b: is not declared");
+}
+
+TEST(Document, EndsWithItsOntology) {
+  EXPECT_EQ(Reading("Ontology()\nOntology()").error,
+            "t.ofn:2: expected the end of the file behind the ontology, found Ontology");
+  EXPECT_EQ(Reading("Ontology())").error, "t.ofn:1: expected the end of the file behind the ontology, found ')'");
+  EXPECT_EQ(Reading("Ontology(").error,
+            "t.ofn:1: expected an axiom, or ')' at the end of the ontology, found the end of the file");
+  EXPECT_EQ(Reading("").error, "t.ofn:1: expected Prefix or Ontology, found the end of the file");
+}
+
+TEST(Document, GivesEveryAxiomTheLineInWhichItBegins) {
+  const Reading reading(
+      "Prefix(:=<http://e/>)\nOntology(\n# a comment\nSubClassOf(:A\n  :B)  SubClassOf(:B :C)\r\n"
+      "AnnotationAssertion(rdfs:comment :A \"two\nlines\")\nEquivalentClasses\n(\n:A ObjectUnionOf(\n:B :C))\n)");
+  ASSERT_EQ(reading.error, "");
+  ASSERT_EQ(reading.source.axiom_count(), 3U);
+  EXPECT_EQ(reading.source.axiom(0).line, 4U);
+  EXPECT_EQ(reading.source.axiom(1).line, 5U);
+  EXPECT_EQ(reading.source.axiom(2).line, 8U);
+  EXPECT_EQ(reading.source.axiom(2).file, el::FileId{0});
+}
+
+TEST(Document, DeclaresAnEntityOnce) {
+  const Reading reading(ontology("Declaration(Class(:A))\nDeclaration(Class(:A))\nDeclaration(NamedIndividual(:A))"));
+  ASSERT_EQ(reading.error, "");
+  EXPECT_THAT(reading.axioms(), ElementsAre("Declaration(:A)", "Declaration(:A)"));
+  EXPECT_EQ(reading.source.kind(reading.source.axiom(0).arguments[0]), el::TermKind::named_class);
+  EXPECT_EQ(reading.source.kind(reading.source.axiom(1).arguments[0]), el::TermKind::individual);
+}
+
+TEST(Document, CollectsLabels) {
+  const Reading reading(
+      "Prefix(:=<http://e/>) Prefix(skos:=<http://www.w3.org/2004/02/skos/core#>) Ontology(<http://e>\n"
+      "Annotation(rdfs:label \"the ontology\")\n"
+      "AnnotationAssertion(rdfs:label :A \"ball\")\nAnnotationAssertion(skos:prefLabel :A \"Ball\"@de-CH)\n"
+      "AnnotationAssertion(Annotation(rdfs:label \"no\") rdfs:label <http://e/B> \"an \\\"x\\\" \\\\\"^^xsd:string)\n"
+      "AnnotationAssertion(rdfs:comment :A \"no\")\nAnnotationAssertion(rdfs:label _:b \"no\")\n"
+      "AnnotationAssertion(rdfs:label :A :B)\nSubClassOf(Annotation(rdfs:label \"no\") :A :B))");
+  ASSERT_EQ(reading.error, "");
+  EXPECT_THAT(reading.labels(), ElementsAre("http://e/A ball", "http://e/A Ball@de-ch", "http://e/B an \"x\" \\"));
+  EXPECT_EQ(reading.document.annotations, 9U);
+  EXPECT_EQ(reading.document.axioms, 1U);
+}
+
+TEST(Document, TellsBlankNodesOfDifferentFilesApart) {
+  el::OntologySource source;
+  const std::string first = ontology("ClassAssertion(:A _:x) ClassAssertion(:B _:x)");
+  const std::string second = ontology("ClassAssertion(:C _:x)");
+  ASSERT_TRUE(read(first, source.add_file("a.ofn"), source));
+  ASSERT_TRUE(read(second, source.add_file("b.ofn"), source));
+  ASSERT_EQ(source.axiom_count(), 3U);
+  EXPECT_EQ(source.axiom(0).arguments[1], source.axiom(1).arguments[1]);
+  EXPECT_NE(source.axiom(0).arguments[1], source.axiom(2).arguments[1]);
+  EXPECT_THAT(std::string(source.name_of(source.axiom(0).arguments[1])), StartsWith("_:"));
+}
+
+TEST(Document, LeavesOutByNameWhatNoTermCanExpress) {
+  const Reading reading(ontology(
+      "SubClassOf(:A DataSomeValuesFrom(:d :e xsd:int))\nSubClassOf(:A :B)\n"
+      "SubClassOf(:A ObjectUnionOf(:B DataAllValuesFrom(:d :e :f DataUnionOf(xsd:int xsd:byte))))\n"
+      "SubClassOf(:A ObjectMinCardinality(4294967296 :p))\n"
+      "DLSafeRule(Annotation(:n \")\") Body(ClassAtom(:A Variable(<urn:x>)))Head(ClassAtom(:B Variable(<urn:x>))))\n"
+      "DGRule(Body()Head())\nDescriptionGraph(:g Nodes() Edges() MainClasses())\nHasKey(:A () ())"));
+  ASSERT_EQ(reading.error, "");
+  EXPECT_THAT(reading.axioms(),
+              ElementsAre("SubClassOf(:A :B)", "left out: owl:onProperties, 2, line 2",
+                          "left out: a cardinality above 4294967295, 1, line 5", "left out: swrl:Imp, 1, line 6",
+                          "left out: DGRule, 1, line 7", "left out: DescriptionGraph, 1, line 8",
+                          "left out: malformed HasKey, 1, line 9"));
+  EXPECT_EQ(reading.document.axioms, 1U);
+}
+
+TEST(Document, ReadsOneOperandWhereTwoAreWantedAsWhatItSays) {
+  const Reading reading(ontology(
+      "SubClassOf(ObjectIntersectionOf(:A) ObjectUnionOf(:B))\nSubObjectPropertyOf(ObjectPropertyChain(:p) :q)\n"
+      "DataPropertyRange(:d DataUnionOf(DataIntersectionOf(xsd:int)))\nSubClassOf(ObjectOneOf(:i) :A)\n"
+      "DisjointUnion(:A :B)\nEquivalentClasses(:A) DisjointClasses(:A) DifferentIndividuals(:i)"));
+  ASSERT_EQ(reading.error, "");
+  EXPECT_THAT(reading.axioms(),
+              ElementsAre("SubClassOf(:A :B)", "SubObjectPropertyOf(:p :q)", "DataPropertyRange(:d xsd:int)",
+                          "SubClassOf(ObjectOneOf(:i) :A)", "DisjointUnion(:A :B)"));
+  EXPECT_EQ(reading.document.vacuous, 3U);
+  EXPECT_EQ(reading.document.axioms, 5U);
+}
+
+TEST(Document, HasNoExpressionWithoutOperands) {
+  for (const char* expression : {"ObjectIntersectionOf()", "ObjectUnionOf()", "ObjectOneOf()"}) {
+    EXPECT_THAT(Reading(ontology("SubClassOf(:A " + std::string(expression) + ")")).error,
+                StartsWith("t.ofn:2: expected"));
+  }
+  EXPECT_EQ(Reading(ontology("EquivalentClasses()")).error, "t.ofn:2: expected a class expression, found ')'");
+}
+
+TEST(Document, MayImportAndAnnotateBetweenAxioms) {
+  const Reading reading(
+      ontology("SubClassOf(:A :B)\nImport(<http://x>)\nAnnotation(rdfs:comment \"c\")\nSubClassOf(:B :C)"));
+  EXPECT_EQ(reading.error, "");
+  EXPECT_EQ(reading.document.imports.size(), 1U);
+  EXPECT_EQ(reading.document.axioms, 2U);
+}
+
+TEST(Sniffing, GoesByTheFirstWord) {
+  EXPECT_TRUE(is_functional("Prefix(:=<http://e/>)"));
+  EXPECT_TRUE(is_functional(" \r\n# Prefix\n#\n Prefix # behind\n ("));
+  EXPECT_TRUE(is_functional("#\rOntology("));
+  EXPECT_FALSE(is_functional("Prefix: : <http://e/>"));
+  EXPECT_FALSE(is_functional("Ontology: <http://e>"));
+  EXPECT_FALSE(is_functional("@prefix : <http://e/> ."));
+  EXPECT_FALSE(is_functional("PREFIX : <http://e/>"));
+  EXPECT_FALSE(is_functional("<?xml version=\"1.0\"?><Ontology(/>"));
+  EXPECT_FALSE(is_functional("Prefixes("));
+  EXPECT_FALSE(is_functional("# Ontology("));
+  EXPECT_FALSE(is_functional(""));
+}
+
+}  // namespace
+}  // namespace geminga::functional

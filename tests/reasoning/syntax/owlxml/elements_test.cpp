@@ -1,0 +1,128 @@
+// Each element becomes what the structural specification says, and where it does not, the file is refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reasoning/syntax/owlxml/reading.hpp"
+
+namespace geminga::owlxml {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::vector<std::string> said(std::string_view lines) {
+  const Reading reading(ontology(lines));
+  return reading.error.empty() ? reading.axioms() : std::vector{reading.error};
+}
+
+TEST(Elements, OfTheHead) {
+  const Reading reading(
+      "\xef\xbb\xbf<?xml version=\"1.0\"?>\n<!DOCTYPE Ontology [ <!ENTITY e \"http://e/\" > ]>\n"
+      "<Ontology xmlns=\"http://www.w3.org/2002/07/owl#\" xml:base=\"http://e/base\"\n"
+      "  xmlns:xsi=\"http://x\" xsi:schemaLocation=\"x\" ontologyIRI=\"&e;o\" versionIRI=\"&e;o/1\">\n"
+      "<Prefix name=\"\" IRI=\"http://e/\"/><Prefix name=\"f\" IRI=\"http://f/\"/><Prefix name=\"f\" "
+      "IRI=\"http://f/\"/>\n"
+      "<Import> http://x </Import><Import>y</Import><Import>http://x</Import>\n"
+      "<Annotation><AnnotationProperty abbreviatedIRI=\"rdfs:comment\"/><Literal>c</Literal></Annotation>\n"
+      "<Declaration><Class IRI=\"#A\"/></Declaration>\n<Declaration><Class IRI=\"#A\"/></Declaration>\n"
+      "<SubClassOf><Class abbreviatedIRI=\"f:A\"/><Class IRI=\"other\"/></SubClassOf></Ontology>");
+  ASSERT_EQ(reading.error, "");
+  EXPECT_EQ(reading.document.ontology_iri, "http://e/o");
+  EXPECT_EQ(reading.source.files()[0].ontology_iri, "http://e/o");
+  EXPECT_EQ(reading.document.version_iri, "http://e/o/1");
+  ASSERT_EQ(reading.document.imports.size(), 2U);
+  EXPECT_EQ(reading.document.imports[0].iri, "http://x");
+  EXPECT_EQ(reading.document.imports[1].iri, "http://e/y");
+  EXPECT_EQ(reading.document.imports[1].line, 6U);
+  ASSERT_EQ(reading.document.prefixes.size(), 2U);
+  EXPECT_EQ(reading.document.annotations, 1U);
+  EXPECT_THAT(reading.axioms(), ElementsAre("Declaration(:base#A)", "SubClassOf(<http://f/A> :other)"));
+  EXPECT_EQ(reading.source.axiom(0).line, 8U);
+}
+
+TEST(Elements, WithoutABaseAreRelativeToTheNameOfTheOntology) {
+  const Reading reading(
+      "<Ontology xmlns=\"http://www.w3.org/2002/07/owl#\" ontologyIRI=\"http://e/o\"><Declaration><Class "
+      "IRI=\"#A\"/></Declaration></Ontology>");
+  EXPECT_THAT(reading.axioms(), ElementsAre("Declaration(:o#A)"));
+}
+
+TEST(Elements, OfAnnotationsKeepLabelsAndNothingElse) {
+  const Reading reading(ontology(
+      "<SubClassOf><Annotation><Annotation><AnnotationProperty IRI=\"n\"/><IRI>#x</IRI></Annotation>"
+      "<AnnotationProperty IRI=\"n\"/><AnonymousIndividual nodeID=\"_:b\"/></Annotation><Class IRI=\"A\"/><Class "
+      "IRI=\"B\"/></SubClassOf>\n"
+      "<AnnotationAssertion><AnnotationProperty abbreviatedIRI=\"rdfs:label\"/><IRI>A</IRI><Literal "
+      "xml:lang=\"EN\">a &amp; b</Literal></AnnotationAssertion>\n"
+      "<AnnotationAssertion><AnnotationProperty abbreviatedIRI=\"rdfs:label\"/><AbbreviatedIRI>owl:Thing"
+      "</AbbreviatedIRI><Literal datatypeIRI=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#PlainLiteral\">all@en"
+      "</Literal></AnnotationAssertion>\n"
+      "<AnnotationAssertion><AnnotationProperty IRI=\"n\"/><AnonymousIndividual nodeID=\"_:b\"/><IRI>A</IRI>"
+      "</AnnotationAssertion>\n"
+      "<SubAnnotationPropertyOf><AnnotationProperty IRI=\"n\"/><AnnotationProperty IRI=\"m\"/>"
+      "</SubAnnotationPropertyOf><AnnotationPropertyDomain><AnnotationProperty IRI=\"n\"/><IRI>A</IRI>"
+      "</AnnotationPropertyDomain>"));
+  ASSERT_EQ(reading.error, "");
+  EXPECT_THAT(reading.axioms(), ElementsAre("SubClassOf(:A :B)"));
+  EXPECT_THAT(reading.labels(), ElementsAre("http://e/A a & b@en", "http://www.w3.org/2002/07/owl#Thing all@en"));
+  EXPECT_EQ(reading.document.annotations, 2U + 3U + 2U);
+}
+
+TEST(Elements, OfKeysListsAndCardinalities) {
+  EXPECT_THAT(said("<HasKey><Class IRI='A'/><ObjectProperty IRI='p'/><DataProperty IRI='d'/></HasKey>"
+                   "<EquivalentClasses><Class IRI='A'/></EquivalentClasses>"
+                   "<SubClassOf><ObjectUnionOf><Class IRI='A'/></ObjectUnionOf><ObjectMinCardinality cardinality='02'>"
+                   "<ObjectInverseOf><ObjectProperty IRI='p'/></ObjectInverseOf></ObjectMinCardinality></SubClassOf>"),
+              ElementsAre("HasKey(:A :p :d)", "SubClassOf(:A ObjectMinCardinality(2 ObjectInverseOf(:p)))"));
+}
+
+TEST(Elements, ThatNoAxiomCanExpressAreLeftOutByName) {
+  EXPECT_THAT(
+      said("<DLSafeRule><Body><ClassAtom><Class IRI='A'/><Variable IRI='x'/></ClassAtom>text</Body></DLSafeRule>\n"
+           "<SubClassOf><Class IRI='A'/><DataSomeValuesFrom><DataProperty IRI='d'/><DataProperty IRI='e'/>"
+           "<Datatype IRI='T'/></DataSomeValuesFrom></SubClassOf>\n"
+           "<SubClassOf><Class IRI='A'/><ObjectMaxCardinality cardinality='4294967296'><ObjectProperty IRI='p'/>"
+           "</ObjectMaxCardinality></SubClassOf>\n"
+           "<ClassAssertion><DataHasValue><DataProperty IRI='d'/><Literal "
+           "datatypeIRI='http://www.w3.org/2001/XMLSchema#int'>x</Literal></DataHasValue><NamedIndividual IRI='a'/>"
+           "</ClassAssertion>"),
+      ElementsAre("left out: swrl:Imp, 1, line 2", "left out: owl:onProperties, 1, line 3",
+                  "left out: a cardinality above 4294967295, 1, line 4",
+                  "left out: a literal that is not of its datatype, 1, line 5"));
+}
+
+TEST(Elements, ThatDoNotFitAreRefusedWithTheirLine) {
+  EXPECT_THAT(said("\n<SubClassOf><Class IRI='A'/></SubClassOf>"),
+              ElementsAre("t.owx:3: expected a class expression in <SubClassOf>, found the end of the element"));
+  EXPECT_THAT(said("<SubClassOf><Class IRI='A'/><ObjectProperty IRI='p'/></SubClassOf>"),
+              ElementsAre("t.owx:2: expected a class expression in <SubClassOf>, found ObjectProperty"));
+  EXPECT_THAT(said("<SubClassOf><Class IRI='A'/><Class IRI='A'/><Class IRI='A'/></SubClassOf>"),
+              ElementsAre("t.owx:2: expected no more in <SubClassOf>, found Class"));
+  EXPECT_THAT(said("<Class IRI='A'/>"), ElementsAre("t.owx:2: expected an axiom, found <Class>"));
+  EXPECT_THAT(said("<Declaration><SubClassOf/></Declaration>"),
+              ElementsAre("t.owx:2: the axiom <SubClassOf> within another element"));
+  EXPECT_THAT(said("<Nonsense/>"), ElementsAre("t.owx:2: <Nonsense> is no element of OWL/XML"));
+  EXPECT_THAT(said("<x xmlns='http://x'/>"), ElementsAre("t.owx:2: expected an element of OWL, found <x>"));
+  EXPECT_THAT(said("<Declaration><Class IRI='A' iri='B'/></Declaration>"),
+              ElementsAre("t.owx:2: the attribute iri of <Class> is none of OWL/XML"));
+  EXPECT_THAT(said("<Declaration><Class/></Declaration>"), ElementsAre("t.owx:2: expected the IRI of <Class>"));
+  EXPECT_THAT(said("<Declaration><Class abbreviatedIRI='x:A'/></Declaration>"),
+              ElementsAre("t.owx:2: the prefix x: is not declared"));
+  EXPECT_THAT(said("<Declaration><Class IRI='a b'/></Declaration>"),
+              ElementsAre("t.owx:2: an IRI with a character that none may have: a b"));
+  EXPECT_THAT(said("<Declaration><Class IRI='A'><Class IRI='B'/></Class></Declaration>"),
+              ElementsAre("t.owx:2: an element where none may stand"));
+  EXPECT_THAT(said("<Declaration>A</Declaration>"), ElementsAre("t.owx:2: text that stands in no <Literal>: A"));
+  EXPECT_THAT(said("<SubClassOf><Class IRI='A'/><ObjectMinCardinality><ObjectProperty IRI='p'/>"
+                   "</ObjectMinCardinality></SubClassOf>"),
+              ElementsAre("t.owx:2: expected a number as the cardinality of <ObjectMinCardinality>"));
+  EXPECT_THAT(said("<IRI>x</IRI>"), ElementsAre("t.owx:2: an <IRI> outside of annotations"));
+  EXPECT_EQ(Reading("<rdf:RDF xmlns:rdf='http://www.w3.org/1999/02/22-rdf-syntax-ns#'/>").error,
+            "t.owx:1: expected an element of OWL, found <RDF>");
+  EXPECT_THAT(said("<Prefix name='a' IRI='http://a/'/>\n<Prefix name='a' IRI='http://b/'/>"),
+              ElementsAre("t.owx:3: the prefix a: already stands for <http://a/>"));
+  EXPECT_THAT(said(""), IsEmpty());
+}
+
+}  // namespace
+}  // namespace geminga::owlxml

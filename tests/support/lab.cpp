@@ -1,0 +1,208 @@
+#include "support/lab.hpp"
+
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace geminga::system {
+namespace {
+
+void must(bool holds, const std::string& what) {
+  if (!holds) throw std::runtime_error("lab: " + what + ": " + std::strerror(errno));
+}
+
+/// Runs `ip` with these words in the namespace that this thread is in.
+void ip(const std::vector<std::string>& words) {
+  std::vector<std::string> line{"/bin/ip"};
+  line.insert(line.end(), words.begin(), words.end());
+  const Ran ran = run({.words = line, .environment = {}, .before = {}});
+  std::string text;
+  for (const std::string& word : words) text += ' ' + word;
+  if (ran.status != 0) throw std::runtime_error("lab: ip" + text + ": " + ran.said);
+}
+
+/// Becomes root of a user namespace of our own, once, where we are not root yet. With GEMINGA_LAB=lo in the environment
+/// the answer is no, so that the other way can be tried anywhere.
+bool may_make_namespaces() {
+  static const bool may = [] {
+    const char* way = std::getenv("GEMINGA_LAB");
+    if (way != nullptr && std::string_view(way) == "lo") return false;
+    const uid_t user = ::getuid();
+    const gid_t group = ::getgid();
+    if (::unshare(CLONE_NEWNET) == 0) return true;
+    if (::unshare(CLONE_NEWUSER | CLONE_NEWNET) != 0) return false;
+    std::ofstream("/proc/self/setgroups") << "deny";
+    std::ofstream("/proc/self/uid_map") << "0 " << user << " 1";
+    std::ofstream("/proc/self/gid_map") << "0 " << group << " 1";
+    return true;
+  }();
+  return may;
+}
+
+/// A TCP or UDP port that nobody uses on loopback at this moment.
+std::uint16_t free_port(int type) {
+  const int socket = ::socket(AF_INET, type | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t length = sizeof address;
+  must(::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0, "bind");
+  ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &length);
+  ::close(socket);
+  return ntohs(address.sin_port);
+}
+
+}  // namespace
+
+struct Lab::Host {
+  std::uint16_t gcnp_port = 4717;
+  std::unique_ptr<Process> daemon;
+};
+
+/// The namespaces of one lab: the test's own with the bridge, and one a host, each held open by its descriptor.
+class Lab::Namespaces {
+ public:
+  explicit Namespaces(std::size_t hosts) {
+    must(::unshare(CLONE_NEWNET) == 0, "unshare");
+    home_ = ::open("/proc/self/ns/net", O_RDONLY | O_CLOEXEC);
+    ip({"link", "set", "lo", "up"});
+    ip({"link", "add", "lab", "type", "bridge", "forward_delay", "0", "mcast_snooping", "0"});
+    ip({"link", "set", "lab", "up"});
+    for (std::size_t host = 0; host < hosts; ++host) add(host);
+  }
+  ~Namespaces() {
+    for (const int descriptor : hosts_) ::close(descriptor);
+    ::close(home_);
+  }
+  Namespaces(const Namespaces&) = delete;
+  Namespaces& operator=(const Namespaces&) = delete;
+
+  void enter(std::size_t host) const { must(::setns(hosts_.at(host), CLONE_NEWNET) == 0, "setns"); }
+  void leave() const noexcept {
+    if (::setns(home_, CLONE_NEWNET) != 0) std::abort();  // every later step would be on the wrong host
+  }
+
+  static std::string address(std::size_t host) { return "10.47.17." + std::to_string(host + 1); }
+
+ private:
+  void add(std::size_t host) {
+    const std::string port = "port" + std::to_string(host);
+    must(::unshare(CLONE_NEWNET) == 0, "unshare");
+    hosts_.push_back(::open("/proc/self/ns/net", O_RDONLY | O_CLOEXEC));
+    leave();
+    ip({"link", "add", port, "type", "veth", "peer", "name", "wlan0", "netns",
+        "/proc/" + std::to_string(::getpid()) + "/fd/" + std::to_string(hosts_.back())});
+    ip({"link", "set", port, "master", "lab", "up"});
+    enter(host);
+    ip({"link", "set", "lo", "up"});
+    ip({"address", "add", address(host) + "/24", "dev", "wlan0"});
+    ip({"link", "set", "wlan0", "up"});
+    leave();
+  }
+
+  int home_ = -1;
+  std::vector<int> hosts_;
+};
+
+Lab::Lab(std::size_t hosts) : hosts_(hosts) {
+  if (may_make_namespaces()) {
+    namespaces_ = std::make_unique<Namespaces>(hosts);
+  } else {
+    udp_port_ = free_port(SOCK_DGRAM);
+    for (Host& host : hosts_) host.gcnp_port = free_port(SOCK_STREAM);
+  }
+  std::cerr << "This lab of " << hosts << " hosts is made of " << way() << ".\n";
+}
+
+Lab::~Lab() = default;
+
+bool Lab::has_namespaces() const { return namespaces_ != nullptr; }
+
+std::string Lab::way() const {
+  return has_namespaces() ? "network namespaces on one bridge" : "daemons on the loopback interface, one port each";
+}
+
+Process::Start Lab::on(std::size_t host, std::vector<std::string> words) const {
+  Process::Start start{.words = std::move(words), .environment = {}, .before = {}};
+  if (has_namespaces()) start.before = [this, host] { namespaces_->enter(host); };
+  return start;
+}
+
+void Lab::visit(std::size_t host, const std::function<void()>& action) const {
+  if (!has_namespaces()) return action();
+  struct Visit {
+    const Namespaces& namespaces;
+    ~Visit() { namespaces.leave(); }
+  };
+  namespaces_->enter(host);
+  const Visit visit{*namespaces_};
+  action();
+}
+
+void Lab::start(std::size_t host, std::vector<std::string> flags) {
+  std::vector<std::string> words{program("gemingad"), "--name", "robot" + std::to_string(host)};
+  if (!has_namespaces()) {
+    for (const std::string& word :
+         {std::string("--interface"), std::string("lo"), std::string("--port"), std::to_string(udp_port_),
+          std::string("--gcnp"), "127.0.0.1:" + std::to_string(hosts_.at(host).gcnp_port)}) {
+      words.push_back(word);
+    }
+  }
+  words.insert(words.end(), flags.begin(), flags.end());
+  hosts_.at(host).daemon = std::make_unique<Process>(on(host, words));
+  if (!daemon(host).wait_for(" ready: ")) throw std::runtime_error("gemingad is not ready: " + daemon(host).said());
+}
+
+void Lab::start_all(const std::vector<std::string>& flags) {
+  for (std::size_t host = 0; host < hosts_.size(); ++host) start(host, flags);
+}
+
+Process& Lab::daemon(std::size_t host) { return *hosts_.at(host).daemon; }
+
+Talk Lab::talk(std::size_t host, const std::string& address) {
+  std::optional<Talk> talk;
+  visit(host, [&] { talk.emplace(address, gcnp_port(host)); });
+  return std::move(*talk);
+}
+
+bool Lab::wait_for_participants(std::size_t host, std::size_t count) {
+  return talk(host).wait_until("participants", [&](const auto& lines) { return lines.size() == count; });
+}
+
+void Lab::cut(std::size_t host) {
+  if (!has_namespaces()) return daemon(host).signal(SIGSTOP);
+  visit(host, [] { ip({"link", "set", "wlan0", "down"}); });
+}
+
+void Lab::join(std::size_t host) {
+  if (!has_namespaces()) return daemon(host).signal(SIGCONT);
+  visit(host, [] { ip({"link", "set", "wlan0", "up"}); });
+}
+
+void Lab::take_ipv4(std::size_t host) {
+  visit(host, [] { ip({"-4", "address", "flush", "dev", "wlan0"}); });
+}
+
+std::uint16_t Lab::gcnp_port(std::size_t host) const { return hosts_.at(host).gcnp_port; }
+std::uint16_t Lab::udp_port() const { return udp_port_; }
+std::string Lab::interface_of(std::size_t) const { return has_namespaces() ? "wlan0" : "lo"; }
+std::string Lab::address_of(std::size_t host) const {
+  return has_namespaces() ? Namespaces::address(host) : "127.0.0.1";
+}
+
+}  // namespace geminga::system

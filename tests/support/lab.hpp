@@ -1,0 +1,71 @@
+// Hosts on one network, each with a gemingad: in network namespaces where the user may make them, all on `lo`
+// otherwise.
+#ifndef GEMINGA_TESTS_SUPPORT_LAB_HPP
+#define GEMINGA_TESTS_SUPPORT_LAB_HPP
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "support/process.hpp"
+#include "support/talk.hpp"
+
+namespace geminga::system {
+
+/// A lab of anonymous network namespaces, one a host, joined by a bridge in one more. Each lives as long as a process
+/// of the lab does, and the kernel kills those with the test: nothing has a name, so nothing can be left behind. Where
+/// namespaces may not be made, every host is a daemon on `lo` with a GCNP port of its own and one UDP port for the lab.
+class Lab {
+ public:
+  explicit Lab(std::size_t hosts);
+  ~Lab();
+  Lab(const Lab&) = delete;
+  Lab& operator=(const Lab&) = delete;
+
+  /// Whether hosts have namespaces; in words: way().
+  [[nodiscard]] bool has_namespaces() const;
+  [[nodiscard]] std::string way() const;
+
+  /// Starts a gemingad on the host, named `robotN`, with further flags, and waits until it is ready.
+  void start(std::size_t host, std::vector<std::string> flags = {});
+  /// The same for all hosts, one after the other.
+  void start_all(const std::vector<std::string>& flags = {});
+  /// The daemon of a host, as it was last started.
+  [[nodiscard]] Process& daemon(std::size_t host);
+  /// Connects to the daemon of a host.
+  [[nodiscard]] Talk talk(std::size_t host, const std::string& address = "127.0.0.1");
+  /// Waits until the daemon of a host knows exactly so many participants, itself included.
+  [[nodiscard]] bool wait_for_participants(std::size_t host, std::size_t count);
+
+  /// How a program is started on a host, e.g. a second daemon.
+  [[nodiscard]] Process::Start on(std::size_t host, std::vector<std::string> words) const;
+  /// Calls `action` with the test's own thread on the host: sockets that it makes stay there.
+  void visit(std::size_t host, const std::function<void()>& action) const;
+
+  /// Takes the host off the network, as a radio does that is switched off: its interface is set down. Without
+  /// namespaces its daemon is stopped (SIGSTOP) instead, so that nobody hears it and it hears nobody.
+  void cut(std::size_t host);
+  void join(std::size_t host);
+
+  /// Takes the host's IPv4 address away. Only with namespaces.
+  void take_ipv4(std::size_t host);
+
+  [[nodiscard]] std::uint16_t gcnp_port(std::size_t host) const;
+  [[nodiscard]] std::uint16_t udp_port() const;
+  /// The interface that the host's daemon uses.
+  [[nodiscard]] std::string interface_of(std::size_t host) const;
+  /// The address that others see of the host.
+  [[nodiscard]] std::string address_of(std::size_t host) const;
+
+ private:
+  struct Host;
+  class Namespaces;
+  std::unique_ptr<Namespaces> namespaces_;
+  std::vector<Host> hosts_;
+  std::uint16_t udp_port_ = 4717;
+};
+
+}  // namespace geminga::system
+
+#endif

@@ -1,0 +1,66 @@
+// A program under test: started, listened to, signalled, and certainly ended.
+#ifndef GEMINGA_TESTS_SUPPORT_PROCESS_HPP
+#define GEMINGA_TESTS_SUPPORT_PROCESS_HPP
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace geminga::system {
+
+/// How long a test waits for something that must happen before it fails. Far beyond what anything takes.
+inline constexpr std::chrono::seconds patience{30};
+
+/// One child process; its standard output and error are kept. The kernel kills it when the test dies.
+class Process {
+ public:
+  struct Start {
+    std::vector<std::string> words;                  ///< the program and its arguments
+    std::map<std::string, std::string> environment;  ///< beside the test's own
+    std::function<void()> before;                    ///< called in the child before exec, e.g. to enter a namespace
+  };
+
+  explicit Process(Start start);
+  ~Process();  ///< kills it
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  [[nodiscard]] pid_t pid() const { return pid_; }
+  void signal(int number) const;
+  /// Waits until what it said contains `text`. False when it ended without, or patience did.
+  [[nodiscard]] bool wait_for(const std::string& text);
+  /// The same for what it says after this call began to count: forgets what it said until now.
+  void forget();
+  /// Waits for its end. The exit status, 128 + N for signal N; nothing when patience ended first.
+  [[nodiscard]] std::optional<int> wait();
+  /// What it has said so far on both.
+  [[nodiscard]] const std::string& said() const { return said_; }
+
+ private:
+  bool read_more(std::chrono::steady_clock::time_point until);
+
+  pid_t pid_ = -1;
+  int output_ = -1;
+  std::string said_;
+  std::size_t forgotten_ = 0;
+  std::optional<int> status_;
+};
+
+/// The path of a program of this build.
+[[nodiscard]] std::string program(const std::string& name);
+
+/// Runs to the end and gives exit status and words; the status is -1 where it did not end.
+struct Ran {
+  int status = -1;
+  std::string said;
+};
+[[nodiscard]] Ran run(Process::Start start);
+
+}  // namespace geminga::system
+
+#endif

@@ -1,0 +1,26 @@
+// A second, slow reasoner that shares nothing with the first but the axioms: the rules of EL over sets of terms,
+// applied everywhere until nothing changes.
+#ifndef GEMINGA_TESTS_SUPPORT_REFERENCE_HPP
+#define GEMINGA_TESTS_SUPPORT_REFERENCE_HPP
+
+#include <string>
+#include <vector>
+
+#include "base/random.hpp"
+#include "reasoning/owl/source.hpp"
+
+namespace geminga::el {
+
+/// As closure() of written.hpp. Without individuals, data and what is beyond EL.
+std::vector<std::string> reference_closure(const OntologySource& source);
+
+/// Whether a range of a property does not hold for the last property of a chain below it, of which the naive reasoner
+/// does not know what follows.
+bool has_range_over_chain(const OntologySource& source);
+
+/// A random ontology in the syntax of written.hpp. `size` is about the number of axioms.
+std::string random_ontology(base::Random& random, std::size_t size);
+
+}  // namespace geminga::el
+
+#endif
