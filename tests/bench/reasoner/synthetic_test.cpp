@@ -8,6 +8,7 @@
 
 #include "reasoning/compiled/compile.hpp"
 #include "reasoning/el/classify.hpp"
+#include "reasoning/owl/canonical.hpp"
 #include "reasoning/syntax/functional/read.hpp"
 #include "reasoning/syntax/rdf/load.hpp"
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "reasoning/compiled/compile.hpp"
+#include "reasoning/owl/canonical.hpp"
 #include "support/written.hpp"
 
 namespace geminga::el {

@@ -10,7 +10,7 @@ namespace {
 
 std::string listed(const std::vector<el::ClassNumber>& classes, const el::Ontology& ontology) {
   std::string text;
-  for (const el::ClassNumber number : classes) text += " " + std::string(el::local_name(ontology.iri(number)));
+  for (const el::ClassNumber number : classes) text += " " + std::string(el::end_of_iri(ontology.iri(number)));
   return text;
 }
 
