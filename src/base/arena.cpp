@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <new>
 
-namespace geminga::el {
+namespace geminga::base {
 namespace {
 
 constexpr std::size_t first_piece_bytes = std::size_t{1} << 15;
@@ -52,4 +52,4 @@ void* Arena::cut(std::size_t size_class) {
   return block;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::base

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-namespace geminga::el {
+namespace geminga::base {
 
 /// Freed blocks are kept for their size. One thread at a time; a block may be released to another arena than the one
 /// that it came from, as long as both live until nobody uses it.
@@ -57,6 +57,6 @@ class Arena {
   std::vector<Piece> pieces_;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::base
 
 #endif

@@ -13,7 +13,7 @@
 #include "base/arena.hpp"
 #include "base/growing_set.hpp"
 
-namespace geminga::el {
+namespace geminga::base {
 
 /// A list of what can be copied byte by byte. Forgets its memory when it is destroyed: the arena frees it.
 template <typename T>
@@ -141,6 +141,6 @@ class ArenaSet {
   std::uint32_t slot_bits_ = 0;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::base
 
 #endif

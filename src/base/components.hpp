@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace geminga::el {
+namespace geminga::base {
 
 /// The component of each node. Components are numbered so that every edge leads to the same or a smaller number: what
 /// is reachable comes first. Linear in nodes and edges.
@@ -65,6 +65,6 @@ template <typename Successors>
   return result;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::base
 
 #endif

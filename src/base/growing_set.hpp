@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace geminga::el {
+namespace geminga::base {
 
 /// Fibonacci hashing: the high bits of the product are well mixed.
 [[nodiscard]] inline std::uint64_t hash_of_key(std::uint32_t key) { return (key * 0x9e3779b97f4a7c15ULL) >> 32; }
@@ -65,6 +65,6 @@ class GrowingSet {
   std::vector<std::uint32_t> slots_;  ///< positions from 1; 0: free
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::base
 
 #endif

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace geminga::el {
+namespace geminga::base {
 
 /// An open-addressing table of numbers of records that live elsewhere. It stores no keys but the upper half of each
 /// hash: a record is looked at only where that agrees, and none to grow. Eight bytes a slot, at most 3/4 full, never
@@ -73,6 +73,6 @@ class NumberTable {
   return hash ^ hash >> 32;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::base
 
 #endif

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace geminga::el {
+namespace geminga::base {
 
 /// Immutable rows. Row r is items[begin[r] .. begin[r + 1]).
 template <typename Item>
@@ -56,6 +56,6 @@ class Rows {
   std::vector<Item> items_;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::base
 
 #endif

@@ -11,7 +11,7 @@
 #include <new>
 #include <type_traits>
 
-namespace geminga::el {
+namespace geminga::base {
 
 /// Blocks of growing size: memory is touched only where a thing is.
 template <typename Thing>
@@ -88,6 +88,6 @@ class StableStore {
   std::atomic<std::uint32_t> count_ = 0;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::base
 
 #endif

@@ -99,7 +99,7 @@ class Resolver {
         result_.ontologies.push_back(ontology.text);
       }
     }
-    if (beacon::is_valid_name(host_name)) result_.name = host_name;
+    if (announcement::is_valid_name(host_name)) result_.name = host_name;
     read_name("name", result_.name);
     read_name("group", result_.group);
   }
@@ -124,9 +124,9 @@ class Resolver {
   void read_name(std::string_view key, std::string& name) {
     const Stated* given = single(key);
     if (given == nullptr) return;
-    if (!beacon::is_valid_name(given->text)) {
+    if (!announcement::is_valid_name(given->text)) {
       fail(*given, '\'' + base::printable(given->text) + "' is no name: 1 to " +
-                       std::to_string(beacon::max_name_bytes) +
+                       std::to_string(announcement::max_name_bytes) +
                        " octets of UTF-8 without control characters, '/' and ','");
     }
     name = given->text;
@@ -220,8 +220,8 @@ class Resolver {
     const char* end = text->text.data() + text->text.size();
     const auto [stop, error] = std::from_chars(text->text.data(), end, seconds, std::chars_format::fixed);
     const bool is_number = error == std::errc() && stop == end && std::isfinite(seconds);
-    if (!is_number || seconds < std::chrono::duration<double>(beacon::min_interval).count() ||
-        seconds > std::chrono::duration<double>(beacon::max_interval).count()) {
+    if (!is_number || seconds < std::chrono::duration<double>(announcement::min_interval).count() ||
+        seconds > std::chrono::duration<double>(announcement::max_interval).count()) {
       fail(*text, '\'' + base::printable(text->text) + "' is no interval: use 0.05 to 60 seconds");
       return;
     }

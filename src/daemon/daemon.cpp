@@ -26,7 +26,7 @@ using base::LogLevel;
 /// the half second that is promised.
 constexpr std::chrono::milliseconds stop_patience{400};
 
-std::string digest_of(const el::Ontology* ontology) {
+std::string digest_of(const compiled::Ontology* ontology) {
   return ontology == nullptr ? "none" : base::to_hex(ontology->digest(), 16);
 }
 
@@ -176,7 +176,7 @@ class Daemon::State final : private env::EventSink {
 
   using Prepared = std::unique_ptr<const participant::PreparedOntology>;
 
-  void put_in_force(std::shared_ptr<const el::Ontology> ontology, Prepared prepared) {
+  void put_in_force(std::shared_ptr<const compiled::Ontology> ontology, Prepared prepared) {
     preparation_.cancel();
     env_.event([&] { participant_->set_ontology(ontology, std::move(prepared)); });
     ontology_ = std::move(ontology);
@@ -185,7 +185,7 @@ class Daemon::State final : private env::EventSink {
 
   /// Has the ontology in force prepared where an event has asked for that.
   void look_for_expressions() {
-    const el::Ontology* wanted = participant_->wants_prepared();
+    const compiled::Ontology* wanted = participant_->wants_prepared();
     if (wanted == nullptr || wanted != ontology_.get() || next_ontology_ != nullptr) return;
     if (preparation_.current() == wanted) return;
     preparation_.start(ontology_, [this](Prepared prepared) {
@@ -341,8 +341,8 @@ class Daemon::State final : private env::EventSink {
   net::steady_timer patience_;
   OntologyLoader loader_;
   env::AsioEnv env_{context_, log_};
-  std::shared_ptr<const el::Ontology> ontology_;
-  std::shared_ptr<const el::Ontology> next_ontology_;  ///< loaded, and not in force until it is prepared
+  std::shared_ptr<const compiled::Ontology> ontology_;
+  std::shared_ptr<const compiled::Ontology> next_ontology_;  ///< loaded, and not in force until it is prepared
   std::unique_ptr<participant::Participant> participant_;
   Preparation preparation_;
   std::chrono::steady_clock::duration load_time_{};

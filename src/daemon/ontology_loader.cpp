@@ -61,15 +61,15 @@ std::unexpected<std::vector<std::string>> failure(std::string line) {
 /// Maps a copy. `shown` names the file in errors.
 Loaded map(const std::string& path, const std::string& shown) {
   LoadedOntology loaded;
-  if (el::MappedFile::needs_memory(path))
+  if (compiled::MappedFile::needs_memory(path))
     loaded.remarks.push_back(shown + " is held in memory: no local disk has room for a copy, set TMPDIR");
-  auto mapped = el::Ontology::map(path);
+  auto mapped = compiled::Ontology::map(path);
   if (!mapped) {
     const std::string& text = mapped.error().text;
     const bool is_named = text.starts_with(path + ": ");
     return failure(shown + ": " + (is_named ? text.substr(path.size() + 2) : text));
   }
-  loaded.ontology = std::make_unique<el::Ontology>(std::move(*mapped));
+  loaded.ontology = std::make_unique<compiled::Ontology>(std::move(*mapped));
   return loaded;
 }
 

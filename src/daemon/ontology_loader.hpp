@@ -16,8 +16,8 @@ namespace geminga::daemon {
 
 /// What loading has given.
 struct LoadedOntology {
-  std::unique_ptr<el::Ontology> ontology;  ///< null: there are no files
-  std::vector<std::string> remarks;        ///< what the compiler said although it succeeded, a line each
+  std::unique_ptr<compiled::Ontology> ontology;  ///< null: there are no files
+  std::vector<std::string> remarks;              ///< what the compiler said although it succeeded, a line each
 };
 
 /// Names for the beginnings of IRIs; both as Turtle can write them.

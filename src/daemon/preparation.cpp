@@ -4,7 +4,7 @@
 
 namespace geminga::daemon {
 
-void Preparation::start(std::shared_ptr<const el::Ontology> ontology, Done done) {
+void Preparation::start(std::shared_ptr<const compiled::Ontology> ontology, Done done) {
   ontology_ = std::move(ontology);
   // It holds the ontology on its own account: whoever started it may be gone before it is done.
   background_.start([ontology = ontology_, done = std::move(done)] {

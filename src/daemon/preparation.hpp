@@ -21,16 +21,18 @@ class Preparation {
 
   /// Prepares `ontology`, which lives at least until `done` has been called: on the event loop, in an event of its own.
   /// One that was asked for earlier is given up, and its `done` never called.
-  void start(std::shared_ptr<const el::Ontology> ontology, Done done);
+  void start(std::shared_ptr<const compiled::Ontology> ontology, Done done);
   /// Gives up what is being prepared.
   void cancel() { background_.cancel(); }
   /// What is being prepared; null: nothing.
-  [[nodiscard]] const el::Ontology* current() const { return background_.is_wanted() ? ontology_.get() : nullptr; }
+  [[nodiscard]] const compiled::Ontology* current() const {
+    return background_.is_wanted() ? ontology_.get() : nullptr;
+  }
   /// Whether the thread is at work, be it for what was given up. The process must not take down then what it uses.
   [[nodiscard]] bool is_at_work() const { return background_.is_at_work(); }
 
  private:
-  std::shared_ptr<const el::Ontology> ontology_;  ///< that was started last
+  std::shared_ptr<const compiled::Ontology> ontology_;  ///< that was started last
   Background background_;
 };
 

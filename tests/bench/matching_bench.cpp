@@ -25,20 +25,20 @@ constexpr std::uint32_t rare = class_count - 1;  // the class that only those ha
 
 std::string class_iri(std::uint32_t number) { return "http://example.org/team#Concept" + std::to_string(number); }
 
-el::Ontology tree() {
-  el::OntologySource source;
-  const el::FileId file = source.add_file("tree.ttl");
+compiled::Ontology tree() {
+  owl::Ontology source;
+  const owl::FileId file = source.add_file("tree.ttl");
   for (std::uint32_t number = 1; number < class_count; ++number) {
-    source.add(el::AxiomKind::sub_class_of,
+    source.add(owl::AxiomKind::sub_class_of,
                {source.named_class(class_iri(number)), source.named_class(class_iri((number - 1) / branching))}, file,
                number);
   }
   auto classification = el::classify(source);
-  return std::move(el::Ontology::from_bytes(el::compile(source, classification.value()))).value();
+  return std::move(compiled::Ontology::from_bytes(compiled::compile(source, classification.value()))).value();
 }
 
-const el::Ontology& ontology() {
-  static const el::Ontology loaded = tree();
+const compiled::Ontology& ontology() {
+  static const compiled::Ontology loaded = tree();
   return loaded;
 }
 

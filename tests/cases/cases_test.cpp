@@ -40,7 +40,7 @@ TEST_P(Case, IsClassifiedAsItsTaxonomy) {
   const auto expected = read_tree(text_of(name.string() + ".taxonomy"));
   ASSERT_TRUE(expected) << expected.error();
   const auto loaded = rdf::load(std::vector{name.string() + ".ttl"});
-  ASSERT_TRUE(loaded) << rdf::to_string(loaded.error());
+  ASSERT_TRUE(loaded) << syntax::to_string(loaded.error());
   ASSERT_THAT(loaded->source.omissions(), IsEmpty());
   const auto classification = reasoner::classify(loaded->source);
   ASSERT_TRUE(classification) << classification.error().text;
@@ -48,7 +48,7 @@ TEST_P(Case, IsClassifiedAsItsTaxonomy) {
   EXPECT_THAT(unsound(found, *expected), IsEmpty()) << "derived, though it does not follow";
   EXPECT_THAT(without(*expected, found), IsEmpty()) << "follows, and is not derived";
   EXPECT_THAT(superfluous_edges(loaded->source, *classification), IsEmpty()) << "the taxonomy is not reduced";
-  for (const el::UnusedAxiom& unused : classification->unused)
+  for (const taxonomy::UnusedAxiom& unused : classification->unused)
     ADD_FAILURE() << "left out: " << unused.construct << " in line " << loaded->source.axiom(unused.axiom).line;
   EXPECT_THAT(classification->gaps, IsEmpty());
 }

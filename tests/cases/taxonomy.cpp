@@ -75,16 +75,16 @@ std::vector<std::string> split(std::string_view text, std::string_view separator
 
 std::string short_name(std::string_view iri) { return std::string(iri.substr(iri.find_last_of("#/") + 1)); }
 
-std::size_t index_of(el::ClassNumber number) { return static_cast<std::size_t>(number); }
+std::size_t index_of(taxonomy::ClassNumber number) { return static_cast<std::size_t>(number); }
 
 /// Everything above a representative, itself included, by the edges of the taxonomy; without `skipped` as first step.
-std::set<el::ClassNumber> above(const el::Classification& taxonomy, el::ClassNumber from,
-                                std::optional<el::ClassNumber> skipped = {}) {
-  std::set<el::ClassNumber> seen{from};
-  for (std::vector<el::ClassNumber> open{from}; !open.empty();) {
-    const el::ClassNumber at = open.back();
+std::set<taxonomy::ClassNumber> above(const taxonomy::Classification& taxonomy, taxonomy::ClassNumber from,
+                                      std::optional<taxonomy::ClassNumber> skipped = {}) {
+  std::set<taxonomy::ClassNumber> seen{from};
+  for (std::vector<taxonomy::ClassNumber> open{from}; !open.empty();) {
+    const taxonomy::ClassNumber at = open.back();
     open.pop_back();
-    for (const el::ClassNumber next : taxonomy.parents_of(at)) {
+    for (const taxonomy::ClassNumber next : taxonomy.parents_of(at)) {
       if (at == from && next == skipped) continue;
       if (seen.insert(next).second) open.push_back(next);
     }
@@ -124,12 +124,12 @@ std::expected<Closure, std::string> read_tree(std::string_view text) {
   return graph.closure();
 }
 
-Closure closure_of(const el::OntologySource& source, const el::Classification& classification, bool are_short) {
+Closure closure_of(const owl::Ontology& source, const taxonomy::Classification& classification, bool are_short) {
   if (!classification.is_consistent) return {"inconsistent"};
   const auto name = [&](std::size_t number) {
     const std::string_view iri = source.name(classification.classes[number]);
-    if (iri == el::owl_thing) return std::string("Thing");
-    if (iri == el::owl_nothing) return std::string("Nothing");
+    if (iri == owl::owl_thing) return std::string("Thing");
+    if (iri == owl::owl_nothing) return std::string("Nothing");
     return are_short ? short_name(iri) : std::string(iri);
   };
   std::vector<std::vector<std::size_t>> members(classification.class_count());
@@ -140,14 +140,14 @@ Closure closure_of(const el::OntologySource& source, const el::Classification& c
   Closure lines;
   for (std::size_t sub = 0; sub < classification.class_count(); ++sub) {
     if (sub == nothing) continue;
-    const el::ClassNumber node = classification.representative[sub];
+    const taxonomy::ClassNumber node = classification.representative[sub];
     if (node == classification.representative[nothing]) {
       lines.push_back(name(sub) + " < Nothing");
       continue;
     }
-    std::set<el::ClassNumber> supers = above(classification, node);
+    std::set<taxonomy::ClassNumber> supers = above(classification, node);
     supers.insert(classification.representative[thing]);
-    for (const el::ClassNumber super : supers) {
+    for (const taxonomy::ClassNumber super : supers) {
       for (const std::size_t member : members[index_of(super)]) {
         if (member != sub && member != thing) lines.push_back(name(sub) + " < " + name(member));
       }
@@ -157,11 +157,12 @@ Closure closure_of(const el::OntologySource& source, const el::Classification& c
   return lines;
 }
 
-std::vector<std::string> superfluous_edges(const el::OntologySource& source, const el::Classification& classification) {
+std::vector<std::string> superfluous_edges(const owl::Ontology& source,
+                                           const taxonomy::Classification& classification) {
   std::vector<std::string> found;
   for (std::uint32_t sub = 0; sub < classification.class_count(); ++sub) {
-    for (const el::ClassNumber parent : classification.parents_of(el::ClassNumber{sub})) {
-      if (!above(classification, el::ClassNumber{sub}, parent).contains(parent)) continue;
+    for (const taxonomy::ClassNumber parent : classification.parents_of(taxonomy::ClassNumber{sub})) {
+      if (!above(classification, taxonomy::ClassNumber{sub}, parent).contains(parent)) continue;
       found.push_back(std::string(source.name(classification.classes[sub])) + " < " +
                       std::string(source.name(classification.classes[index_of(parent)])));
     }

@@ -25,12 +25,12 @@ using Closure = std::vector<std::string>;
 
 /// Of a classification, walked up from each class. Names are what follows the last `#` or `/` of an IRI where
 /// `are_short`, and whole IRIs otherwise.
-[[nodiscard]] Closure closure_of(const el::OntologySource& source, const el::Classification& classification,
+[[nodiscard]] Closure closure_of(const owl::Ontology& source, const taxonomy::Classification& classification,
                                  bool are_short = true);
 
 /// Edges of the taxonomy that another way round it makes superfluous, as `SUB < SUPER` lines: none in a reduced one.
-[[nodiscard]] std::vector<std::string> superfluous_edges(const el::OntologySource& source,
-                                                         const el::Classification& classification);
+[[nodiscard]] std::vector<std::string> superfluous_edges(const owl::Ontology& source,
+                                                         const taxonomy::Classification& classification);
 
 /// The closure of `sub, super` pairs of names, in which owl:Thing and owl:Nothing are `Thing` and `Nothing`.
 [[nodiscard]] Closure closure_of_pairs(const std::vector<std::pair<std::string, std::string>>& pairs);

@@ -40,7 +40,7 @@ void show(const char* what, const cases::Closure& lines, std::size_t most) {
 }
 
 std::expected<cases::Closure, std::string> ours(const Request& request, const std::string& name,
-                                                const el::OntologySource& source, std::string& words) {
+                                                const owl::Ontology& source, std::string& words) {
   if (request.is_case) {
     std::ifstream file(fs::path(name).replace_extension(".taxonomy"));
     return cases::read_tree(std::string(std::istreambuf_iterator<char>(file), {}));
@@ -74,7 +74,7 @@ bool compare(const Request& request, const std::vector<std::string>& files) {
   ontology::Readers readers;
   const auto loaded = rdf::load(files, {}, &readers);
   if (!loaded) {
-    std::printf("%s: cannot be read: %s\n", name.c_str(), rdf::to_string(loaded.error()).c_str());
+    std::printf("%s: cannot be read: %s\n", name.c_str(), syntax::to_string(loaded.error()).c_str());
     return false;
   }
   std::string words;

@@ -9,10 +9,10 @@
 namespace geminga::compare {
 namespace {
 
-using el::AxiomKind;
-using el::Term;
-using el::TermId;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::Term;
+using owl::TermId;
+using owl::TermKind;
 
 std::string quoted(std::string_view text) {
   std::string result = "\"";
@@ -51,7 +51,7 @@ bool is_built_in(std::string_view iri) {
 
 class Writer {
  public:
-  explicit Writer(const el::OntologySource& source) : source_(source) {}
+  explicit Writer(const owl::Ontology& source) : source_(source) {}
 
   std::string document() {
     text_ = "Ontology(\n";
@@ -67,7 +67,7 @@ class Writer {
     ((((text_ += "Declaration(") += word) += '(') += in_brackets(source_.name_of(id))) += "))\n";
   }
 
-  void axiom(const el::Axiom& axiom) {
+  void axiom(const owl::Axiom& axiom) {
     if (axiom.kind == AxiomKind::declaration) return;
     const bool is_key = axiom.kind == AxiomKind::has_key;
     (text_ += to_string(axiom.kind)) += '(';
@@ -80,7 +80,7 @@ class Writer {
   }
 
   /// HasKey(class (object properties) (data properties))
-  void key(const el::Axiom& axiom) {
+  void key(const owl::Axiom& axiom) {
     term(axiom.arguments.front());
     for (const bool is_data : {false, true}) {
       text_ += is_data ? ")(" : " (";
@@ -138,13 +138,13 @@ class Writer {
            (kind >= TermKind::data_min_cardinality && kind <= TermKind::data_exact_cardinality);
   }
 
-  const el::OntologySource& source_;
+  const owl::Ontology& source_;
   std::string text_;
   std::map<TermId, std::size_t> blank_;
 };
 
 }  // namespace
 
-std::string functional_syntax(const el::OntologySource& source) { return Writer(source).document(); }
+std::string functional_syntax(const owl::Ontology& source) { return Writer(source).document(); }
 
 }  // namespace geminga::compare

@@ -10,7 +10,7 @@ namespace geminga::compare {
 
 /// A whole document: every axiom of the source on a line of its own, with a declaration for every entity. Annotations
 /// and what the reader left out are not in it.
-[[nodiscard]] std::string functional_syntax(const el::OntologySource& source);
+[[nodiscard]] std::string functional_syntax(const owl::Ontology& source);
 
 }  // namespace geminga::compare
 

@@ -12,27 +12,27 @@
 namespace geminga::compare {
 namespace {
 
-using el::TermId;
+using owl::TermId;
 
-std::string name_of(const el::OntologySource& source, TermId id) {
-  if (id == el::thing_term) return "Thing";
-  if (id == el::nothing_term) return "Nothing";
+std::string name_of(const owl::Ontology& source, TermId id) {
+  if (id == owl::thing_term) return "Thing";
+  if (id == owl::nothing_term) return "Nothing";
   return std::string(source.name_of(id));
 }
 
 /// owl:Thing and every other named class of the source, in the order of their terms.
-std::vector<TermId> named_classes(const el::OntologySource& source) {
+std::vector<TermId> named_classes(const owl::Ontology& source) {
   std::vector<TermId> classes;
   for (std::uint32_t id = 0; id < source.term_count(); ++id) {
-    if (source.kind(TermId{id}) == el::TermKind::named_class && TermId{id} != el::nothing_term)
+    if (source.kind(TermId{id}) == owl::TermKind::named_class && TermId{id} != owl::nothing_term)
       classes.push_back(TermId{id});
   }
   return classes;
 }
 
-el::OntologySource copy_of(const el::OntologySource& source) {
-  el::OntologySource copy;
-  const el::FileId file = copy.add_file("copy");
+owl::Ontology copy_of(const owl::Ontology& source) {
+  owl::Ontology copy;
+  const owl::FileId file = copy.add_file("copy");
   std::vector<TermId> terms;
   const auto mapped = [&](std::span<const TermId> from) {
     std::vector<TermId> to;
@@ -40,7 +40,7 @@ el::OntologySource copy_of(const el::OntologySource& source) {
     return to;
   };
   for (std::uint32_t id = 0; id < source.term_count(); ++id) {
-    const el::Term term = source.term(TermId{id});
+    const owl::Term term = source.term(TermId{id});
     terms.push_back(copy.copy(term.kind, source.name(term.name), term.number, mapped(term.arguments)));
   }
   for (std::size_t at = 0; at < source.axiom_count(); ++at)
@@ -52,7 +52,7 @@ el::OntologySource copy_of(const el::OntologySource& source) {
 
 namespace {
 
-Opinion of_the_reasoner(const el::OntologySource& source, const reasoner::Options& options) {
+Opinion of_the_reasoner(const owl::Ontology& source, const reasoner::Options& options) {
   const auto classification = reasoner::classify(source, options);
   if (!classification) return {{}, false, {classification.error().text}};
   return {cases::closure_of(source, *classification, false),
@@ -62,17 +62,17 @@ Opinion of_the_reasoner(const el::OntologySource& source, const reasoner::Option
 
 }  // namespace
 
-Opinion of_the_reasoner(const el::OntologySource& source) { return of_the_reasoner(source, {}); }
+Opinion of_the_reasoner(const owl::Ontology& source) { return of_the_reasoner(source, {}); }
 
-Opinion of_models(const el::OntologySource& source) { return of_the_reasoner(source, {.alternatives = 0}); }
+Opinion of_models(const owl::Ontology& source) { return of_the_reasoner(source, {.alternatives = 0}); }
 
-Opinion of_el(const el::OntologySource& source) {
+Opinion of_el(const owl::Ontology& source) {
   const auto classification = el::classify(source);
   if (!classification) return {{}, false, {classification.error().text}};
   return {cases::closure_of(source, *classification, false), classification->unused.empty(), {}};
 }
 
-Opinion of_consequence(const el::OntologySource& source) {
+Opinion of_consequence(const owl::Ontology& source) {
   const auto set = clauses::clausify(source, {}, {});
   if (!set) return {{}, false, {set.error().text}};
   std::vector<clauses::ConceptId> wanted;
@@ -100,34 +100,34 @@ Opinion of_consequence(const el::OntologySource& source) {
   return opinion;
 }
 
-Opinion of_the_tableau(const el::OntologySource& original) {
-  el::OntologySource source = copy_of(original);
+Opinion of_the_tableau(const owl::Ontology& original) {
+  owl::Ontology source = copy_of(original);
   const std::vector<TermId> classes = named_classes(original);
   std::vector<std::pair<TermId, TermId>> asked;
   std::vector<TermId> queries;
   for (const TermId sub : classes) {
-    asked.emplace_back(sub, el::nothing_term);
+    asked.emplace_back(sub, owl::nothing_term);
     queries.push_back(sub);
     for (const TermId super : classes) {
-      if (super == sub || super == el::thing_term) continue;
+      if (super == sub || super == owl::thing_term) continue;
       asked.emplace_back(sub, super);
-      queries.push_back(source.term(el::TermKind::object_intersection_of,
-                                    {sub, source.term(el::TermKind::object_complement_of, {super})}));
+      queries.push_back(source.term(owl::TermKind::object_intersection_of,
+                                    {sub, source.term(owl::TermKind::object_complement_of, {super})}));
     }
   }
   const auto set = clauses::clausify(source, {}, queries);
   if (!set) return {{}, false, {set.error().text}};
   Opinion opinion{{}, set->unused.empty(), {}};
-  tableau::Tableau tableau(source, *set);
-  const tableau::Answer is_consistent = tableau.is_consistent();
-  if (is_consistent.verdict == tableau::Verdict::no) return {{"inconsistent"}, true, {}};
+  hypertableau::Tableau tableau(source, *set);
+  const hypertableau::Answer is_consistent = tableau.is_consistent();
+  if (is_consistent.verdict == hypertableau::Verdict::no) return {{"inconsistent"}, true, {}};
   std::vector<std::pair<std::string, std::string>> pairs;
   for (std::size_t at = 0; at < queries.size(); ++at) {
     const std::pair<std::string, std::string> pair{name_of(original, asked[at].first),
                                                    name_of(original, asked[at].second)};
-    const tableau::Answer answer = tableau.is_satisfiable({set->queries[at]});
-    if (answer.verdict == tableau::Verdict::no) pairs.push_back(pair);
-    if (answer.verdict == tableau::Verdict::unknown) opinion.unknown.push_back(pair.first + " < " + pair.second);
+    const hypertableau::Answer answer = tableau.is_satisfiable({set->queries[at]});
+    if (answer.verdict == hypertableau::Verdict::no) pairs.push_back(pair);
+    if (answer.verdict == hypertableau::Verdict::unknown) opinion.unknown.push_back(pair.first + " < " + pair.second);
   }
   opinion.is_complete = opinion.is_complete && opinion.unknown.empty();
   opinion.closure = cases::closure_of_pairs(pairs);

@@ -18,16 +18,16 @@ struct Opinion {
 };
 
 /// The face of the reasoner.
-[[nodiscard]] Opinion of_the_reasoner(const el::OntologySource& source);
+[[nodiscard]] Opinion of_the_reasoner(const owl::Ontology& source);
 /// The same where nothing is derived by cases: what EL and Horn clauses leave open is settled by models.
-[[nodiscard]] Opinion of_models(const el::OntologySource& source);
+[[nodiscard]] Opinion of_models(const owl::Ontology& source);
 /// The fast engine alone.
-[[nodiscard]] Opinion of_el(const el::OntologySource& source);
+[[nodiscard]] Opinion of_el(const owl::Ontology& source);
 /// The consequence-based engine alone.
-[[nodiscard]] Opinion of_consequence(const el::OntologySource& source);
+[[nodiscard]] Opinion of_consequence(const owl::Ontology& source);
 /// The tableau alone, asked for each pair of named classes whether there can be something in the one and not in the
 /// other.
-[[nodiscard]] Opinion of_the_tableau(const el::OntologySource& source);
+[[nodiscard]] Opinion of_the_tableau(const owl::Ontology& source);
 
 /// How two opinions contradict each other, one line each: a pair that the first has and the second, being complete,
 /// has not, or the other way round.

@@ -24,7 +24,7 @@ constexpr unsigned seconds = 20;
 
 struct Subject {
   std::string name;
-  el::OntologySource source;
+  owl::Ontology source;
 };
 
 /// One of each kind.
@@ -43,7 +43,7 @@ std::vector<Subject> subjects(std::uint64_t seed) {
 
 /// True where both agree, or Konclude has no answer. What it lacks is no fault of ours unless our tableau lacks it too.
 bool is_agreed(const Subject& subject, std::uint64_t seed) {
-  const el::OntologySource& source = subject.source;
+  const owl::Ontology& source = subject.source;
   const auto file = std::filesystem::temp_directory_path() / ("random-" + std::to_string(::getpid()) + ".ofn");
   std::ofstream(file) << functional_syntax(source);
   const auto expected = konclude_closure(file, seconds);

@@ -16,12 +16,12 @@ constexpr std::uint64_t seeds = 400;
 
 class RandomOntologies : public testing::TestWithParam<Profile> {};
 
-std::string told(const el::OntologySource& source) { return functional_syntax(source); }
+std::string told(const owl::Ontology& source) { return functional_syntax(source); }
 
 TEST_P(RandomOntologies, AreUnderstoodByEachEngineAsByTheOthers) {
   std::size_t complete = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const el::OntologySource source = random_ontology(GetParam(), seed, 4 + seed % 12);
+    const owl::Ontology source = random_ontology(GetParam(), seed, 4 + seed % 12);
     SCOPED_TRACE("profile " + std::string(to_string(GetParam())) + ", seed " + std::to_string(seed) + "\n" +
                  told(source));
     const Opinion tableau = of_the_tableau(source);
@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(Profile, RandomOntologies, testing::ValuesIn(profiles),
 
 TEST(RangesOfChains, AreUsedByElAloneAsByTheEnginesBeyondIt) {
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
-    const el::OntologySource source = random_ontology(Profile::ranges, seed, 6 + seed % 14);
+    const owl::Ontology source = random_ontology(Profile::ranges, seed, 6 + seed % 14);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + told(source));
     const Opinion el = of_el(source);
     const Opinion consequence = of_consequence(source);
@@ -69,12 +69,12 @@ TEST(FunctionalSyntax, IsReadBackAsTheSameAxioms) {
   for (const Profile profile : profiles) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       const std::string text = told(random_ontology(profile, seed, 20));
-      el::OntologySource again;
+      owl::Ontology again;
       const auto read = functional::read(text, again.add_file("again.ofn"), again);
       ASSERT_TRUE(read) << read.error().text << "\n" << text;
       EXPECT_THAT(again.omissions(), IsEmpty());
       const std::string second = told(again);
-      el::OntologySource third;
+      owl::Ontology third;
       ASSERT_TRUE(functional::read(second, third.add_file("third.ofn"), third));
       EXPECT_EQ(told(third), second) << "seed " << seed;
     }

@@ -10,9 +10,9 @@
 namespace geminga::compare {
 namespace {
 
-using el::AxiomKind;
-using el::TermId;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
 
 class Writer {
  public:
@@ -25,11 +25,11 @@ class Writer {
     return source_.term(kind, std::move(arguments), number);
   }
   void add(AxiomKind kind, const std::vector<TermId>& arguments) { source_.add(kind, arguments, file_, ++line_); }
-  el::OntologySource take() { return std::move(source_); }
+  owl::Ontology take() { return std::move(source_); }
 
  private:
-  el::OntologySource source_;
-  el::FileId file_{};
+  owl::Ontology source_;
+  owl::FileId file_{};
   std::uint32_t line_ = 0;
 };
 
@@ -66,7 +66,7 @@ void put_pigeons(Writer& writer, const std::string& whole, std::size_t pigeons, 
 
 }  // namespace
 
-el::OntologySource covering_tree(Covering covering, std::size_t classes, std::size_t width) {
+owl::Ontology covering_tree(Covering covering, std::size_t classes, std::size_t width) {
   Writer writer;
   std::map<std::size_t, std::vector<TermId>> children;
   for (std::size_t at = 1; at < classes; ++at)
@@ -76,14 +76,14 @@ el::OntologySource covering_tree(Covering covering, std::size_t classes, std::si
   return writer.take();
 }
 
-el::OntologySource pigeonhole(std::size_t holes) {
+owl::Ontology pigeonhole(std::size_t holes) {
   Writer writer;
   put_pigeons(writer, "A", holes + 1, holes);
   put_pigeons(writer, "B", holes + 1, holes + 1);
   return writer.take();
 }
 
-el::OntologySource enumeration(std::uint64_t seed, std::size_t individuals) {
+owl::Ontology enumeration(std::uint64_t seed, std::size_t individuals) {
   base::Random random(seed);
   Writer writer;
   std::vector<TermId> members;
@@ -98,7 +98,7 @@ el::OntologySource enumeration(std::uint64_t seed, std::size_t individuals) {
   return writer.take();
 }
 
-el::OntologySource qualified_numbers(std::uint64_t seed) {
+owl::Ontology qualified_numbers(std::uint64_t seed) {
   base::Random random(seed);
   Writer writer;
   const TermId has = writer.property("has");
@@ -115,7 +115,7 @@ el::OntologySource qualified_numbers(std::uint64_t seed) {
   return writer.take();
 }
 
-el::OntologySource features(std::uint64_t seed, std::size_t kinds) {
+owl::Ontology features(std::uint64_t seed, std::size_t kinds) {
   constexpr std::size_t properties = 5;
   constexpr std::size_t values = 3;
   base::Random random(seed);
@@ -160,7 +160,7 @@ el::OntologySource features(std::uint64_t seed, std::size_t kinds) {
   return writer.take();
 }
 
-el::OntologySource anatomy(std::uint64_t seed, std::size_t organs) {
+owl::Ontology anatomy(std::uint64_t seed, std::size_t organs) {
   base::Random random(seed);
   Writer writer;
   const TermId part_of = writer.property("part_of");

@@ -13,25 +13,25 @@ enum class Covering : std::uint8_t { disjoint_union, all_disjoint, pairwise_disj
 
 /// A tree of `classes` classes C0, C1, ..., each the union of its children, which are `width` and disjoint. A child
 /// that is alone is a subclass.
-[[nodiscard]] el::OntologySource covering_tree(Covering covering, std::size_t classes, std::size_t width);
+[[nodiscard]] owl::Ontology covering_tree(Covering covering, std::size_t classes, std::size_t width);
 
 /// A is empty, as `holes` holes are one too few for what is in it; B, with one hole more, is not.
-[[nodiscard]] el::OntologySource pigeonhole(std::size_t holes);
+[[nodiscard]] owl::Ontology pigeonhole(std::size_t holes);
 
 /// The class Unit of typed individuals, of which each kind is a class of its own; the same for the same seed.
-[[nodiscard]] el::OntologySource enumeration(std::uint64_t seed, std::size_t individuals);
+[[nodiscard]] owl::Ontology enumeration(std::uint64_t seed, std::size_t individuals);
 
 /// Qualified numbers of the same neighbours over a small tree with covering axioms; the same for the same seed.
-[[nodiscard]] el::OntologySource qualified_numbers(std::uint64_t seed);
+[[nodiscard]] owl::Ontology qualified_numbers(std::uint64_t seed);
 
 /// Disjoint kinds that are told apart by the values of five functional properties, as amino acids are, and as many
 /// classes defined by such values; a thing is of one of the kinds. The same for the same seed.
-[[nodiscard]] el::OntologySource features(std::uint64_t seed, std::size_t kinds);
+[[nodiscard]] owl::Ontology features(std::uint64_t seed, std::size_t kinds);
 
 /// Organs as anatomies are written: each part is part of some whole, and many wholes say that they have it; the two
 /// properties are transitive and inverse to each other, with ranges, sub-properties, a chain and classes defined by
 /// parts and wholes. Some say that parts are disjoint. The same for the same seed.
-[[nodiscard]] el::OntologySource anatomy(std::uint64_t seed, std::size_t organs);
+[[nodiscard]] owl::Ontology anatomy(std::uint64_t seed, std::size_t organs);
 
 }  // namespace geminga::compare
 

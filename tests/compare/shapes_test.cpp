@@ -15,7 +15,7 @@ using testing::IsEmpty;
 
 constexpr Covering coverings[] = {Covering::disjoint_union, Covering::all_disjoint, Covering::pairwise_disjoint};
 
-void expect_agreement(const el::OntologySource& source) {
+void expect_agreement(const owl::Ontology& source) {
   const Opinion tableau = of_the_tableau(source);
   const Opinion models = of_models(source);
   const Opinion whole = of_the_reasoner(source);
@@ -71,7 +71,7 @@ TEST(Anatomy, IsUnderstoodByEachEngineAsByTheTableau) {
   int of_el_alone = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const el::OntologySource source = anatomy(seed, 3 + seed % 6);
+    const owl::Ontology source = anatomy(seed, 3 + seed % 6);
     const Opinion tableau = of_the_tableau(source);
     const Opinion el = of_el(source);
     const Opinion whole = of_the_reasoner(source);

@@ -116,8 +116,8 @@ TEST(Configuration, RefusesAWrongValueWithItsPlace) {
 }
 
 TEST(Configuration, TakesIntervalsWithinTheRangeOfTheAnnouncement) {
-  EXPECT_EQ(resolved(layer_of({{"interval", "0.05"}}))->interval, beacon::min_interval);
-  EXPECT_EQ(resolved(layer_of({{"interval", "60"}}))->interval, beacon::max_interval);
+  EXPECT_EQ(resolved(layer_of({{"interval", "0.05"}}))->interval, announcement::min_interval);
+  EXPECT_EQ(resolved(layer_of({{"interval", "60"}}))->interval, announcement::max_interval);
   EXPECT_EQ(resolved(layer_of({{"interval", "0.125"}}))->interval, std::chrono::milliseconds(125));
 }
 

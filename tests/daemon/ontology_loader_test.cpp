@@ -111,9 +111,9 @@ TEST_F(OntologyLoaderTest, BoundsTheSearchOfTheCompiler) {
 }
 
 TEST_F(OntologyLoaderTest, UsesWhatIsSettledWhereTheCompilerReachedItsLimit) {
-  el::OntologySource source;
+  owl::Ontology source;
   (void)source.add_file("a.ttl");
-  const std::vector<std::byte> bytes = el::compile(source, el::classify(source).value());
+  const std::vector<std::byte> bytes = compiled::compile(source, el::classify(source).value());
   const std::string path = folder / "settled";
   std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
   const Result settled = load("exec perl -e '$/ = undef; open(my $file, \"<\", \"" + path +
@@ -132,9 +132,9 @@ TEST_F(OntologyLoaderTest, RefusesACompiledOntologyThatIsOlderThanItsSources) {
   const std::string compiled_path = folder / "a.geminga";
   const auto say = [&](const std::string& words) { std::ofstream(source_path) << words; };
   say("# one");
-  el::OntologySource source;
-  source.set_content(source.add_file(source_path), el::fingerprint_of("# one"));
-  const std::vector<std::byte> bytes = el::compile(source, el::classify(source).value());
+  owl::Ontology source;
+  source.set_content(source.add_file(source_path), owl::fingerprint_of("# one"));
+  const std::vector<std::byte> bytes = compiled::compile(source, el::classify(source).value());
   std::ofstream(compiled_path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
   EXPECT_TRUE(load("exit 0", {compiled_path}));
   say("# two");
@@ -149,9 +149,9 @@ TEST_F(OntologyLoaderTest, RefusesACompiledOntologyThatIsOlderThanItsSources) {
 
 TEST_F(OntologyLoaderTest, VerifiesAllOfACompiledOntologyOnlyWhereOneIsInForce) {
   const std::string path = folder / "a.geminga";
-  el::OntologySource source;
+  owl::Ontology source;
   (void)source.add_file("a.ttl");
-  std::vector<std::byte> bytes = el::compile(source, el::classify(source).value());
+  std::vector<std::byte> bytes = compiled::compile(source, el::classify(source).value());
   const auto write = [&] {
     std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
   };
@@ -181,9 +181,9 @@ TEST_F(OntologyLoaderTest, VerifiesAllOfACompiledOntologyOnlyWhereOneIsInForce) 
 
 TEST_F(OntologyLoaderTest, VerifiesACompiledOntologyOnAThreadWhileTheEventLoopServes) {
   const std::string path = folder / "a.geminga";
-  el::OntologySource source;
+  owl::Ontology source;
   (void)source.add_file("a.ttl");
-  const std::vector<std::byte> bytes = el::compile(source, el::classify(source).value());
+  const std::vector<std::byte> bytes = compiled::compile(source, el::classify(source).value());
   std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
   boost::asio::io_context context;
   OntologyLoader loader(context, compiler("exit 0"));
@@ -201,10 +201,10 @@ TEST_F(OntologyLoaderTest, KnowsTheSourcesOfACompiledOntologyFromItsOwnFolder) {
   const fs::path team = folder / "team";
   fs::create_directories(team);
   std::ofstream(team / "a.ttl") << "# one";
-  el::OntologySource source;
-  source.set_content(source.add_file((team / "a.ttl").string()), el::fingerprint_of("# one"));
-  const std::vector<std::byte> bytes =
-      el::compile(source, el::classify(source).value(), {.gaps = {}, .folder = el::folder_of(folder / "a.geminga")});
+  owl::Ontology source;
+  source.set_content(source.add_file((team / "a.ttl").string()), owl::fingerprint_of("# one"));
+  const std::vector<std::byte> bytes = compiled::compile(source, el::classify(source).value(),
+                                                         {.gaps = {}, .folder = owl::folder_of(folder / "a.geminga")});
   std::ofstream(folder / "a.geminga", std::ios::binary)
       .write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
   const fs::path moved = folder / "moved";
@@ -219,9 +219,9 @@ TEST_F(OntologyLoaderTest, KnowsTheSourcesOfACompiledOntologyFromItsOwnFolder) {
 }
 
 TEST_F(OntologyLoaderTest, TakesWhatTheCompilerWritesWithoutAFolderForTemporaryFiles) {
-  el::OntologySource source;
+  owl::Ontology source;
   (void)source.add_file("a.ttl");
-  const std::vector<std::byte> bytes = el::compile(source, el::classify(source).value());
+  const std::vector<std::byte> bytes = compiled::compile(source, el::classify(source).value());
   const fs::path compiled = folder / "a.geminga";
   std::ofstream(compiled, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
   ::setenv("TMPDIR", "/no/such/folder", 1);

@@ -16,23 +16,23 @@ namespace {
 using Prepared = std::unique_ptr<const participant::PreparedOntology>;
 
 /// A chain of classes, each with a label.
-std::shared_ptr<const el::Ontology> ontology_of(int classes) {
-  el::OntologySource source;
-  const el::FileId file = source.add_file("chain.ttl");
+std::shared_ptr<const compiled::Ontology> ontology_of(int classes) {
+  owl::Ontology source;
+  const owl::FileId file = source.add_file("chain.ttl");
   const auto iri = [](int number) { return "http://chain.example/#C" + std::to_string(number); };
   for (int number = 1; number < classes; ++number) {
-    source.add(el::AxiomKind::sub_class_of, {source.named_class(iri(number)), source.named_class(iri(number - 1))},
+    source.add(owl::AxiomKind::sub_class_of, {source.named_class(iri(number)), source.named_class(iri(number - 1))},
                file, static_cast<std::uint32_t>(number));
     source.add_label(iri(number), "class " + std::to_string(number));
   }
-  return std::make_shared<const el::Ontology>(
-      el::Ontology::from_bytes(el::compile(source, el::classify(source).value())).value());
+  return std::make_shared<const compiled::Ontology>(
+      compiled::Ontology::from_bytes(compiled::compile(source, el::classify(source).value())).value());
 }
 
 class PreparationTest : public testing::Test {
  protected:
   /// Looks at the parts of the ontology that are verified when they are needed, again and again while it is prepared.
-  void read(const el::Ontology& ontology) {
+  void read(const compiled::Ontology& ontology) {
     if (!preparation.is_at_work()) return;
     ++reads;
     EXPECT_TRUE(ontology.find("class 7"));
@@ -62,7 +62,7 @@ TEST_F(PreparationTest, GoesOnBesideAnEventLoopThatReadsTheSameOntology) {
 
 TEST_F(PreparationTest, DropsWhatIsGivenUpForAnother) {
   const auto second = ontology_of(10);
-  std::weak_ptr<const el::Ontology> given_up;
+  std::weak_ptr<const compiled::Ontology> given_up;
   int stale = 0;
   Prepared result;
   {

@@ -11,7 +11,8 @@
 namespace {
 
 using namespace geminga;
-using namespace geminga::beacon;
+using namespace geminga::announcement;
+using namespace geminga::membership;
 
 void require(bool condition) {
   if (!condition) std::abort();
@@ -24,8 +25,8 @@ void check_round_trip(Announcement announcement) {
   // Services that were written tighter than we write them may take a second datagram; each must be readable.
   const auto datagrams = encode(announcement);
   for (const auto& datagram : datagrams) {
-    require(datagram.size() <= max_datagram_bytes);
-    const auto again = decode(datagram);
+    require(datagram.size() <= announcement::max_datagram_bytes);
+    const auto again = announcement::decode(datagram);
     require(again.has_value());
     require(again->participant == announcement.participant && again->name == announcement.name);
   }
@@ -33,8 +34,8 @@ void check_round_trip(Announcement announcement) {
 
 /// A table that has heard it keeps within its limits, and forgets it at its deadline.
 void check_table(const Announcement& announcement) {
-  NeighbourTable table(announcement.group);
-  table.set_self(ParticipantId{1}, BootNonce{1});
+  membership::NeighbourTable table(announcement.group);
+  table.set_self(ParticipantId{1}, announcement::BootNonce{1});
   const base::Instant now{std::chrono::hours(1)};
   for (int i = 0; i < 2; ++i) (void)table.hear(announcement, {env::InterfaceIndex{1}, "eth0", "10.0.0.1", now});
   table.for_each([&](const Neighbour& neighbour) {
@@ -42,15 +43,15 @@ void check_table(const Announcement& announcement) {
     require(neighbour.paths.size() <= max_paths);
     require(neighbour.deadline > now && neighbour.deadline <= now + deadline_intervals * max_interval);
   });
-  require(table.take_changes().size() <= 2 * max_services_per_participant);
-  table.expire(now + deadline_intervals * max_interval);
+  require(table.take_changes().size() <= 2 * announcement::max_services_per_participant);
+  table.expire(now + membership::deadline_intervals * announcement::max_interval);
   require(table.size() == 0);
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t size) {
-  const auto announcement = decode(std::as_bytes(std::span(octets, size)));
+  const auto announcement = announcement::decode(std::as_bytes(std::span(octets, size)));
   if (!announcement) {
     require(!to_string(announcement.error()).empty());
     return 0;

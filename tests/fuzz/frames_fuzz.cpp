@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t si
   limits.literal_bytes = 300;
   frames::Declared declared;
   frames::look_ahead(bytes, declared, limits);
-  el::OntologySource source;
+  owl::Ontology source;
   const auto document = frames::read(bytes, source.add_file("fuzz.omn"), source, declared, limits);
   const auto last_line = static_cast<std::uint64_t>(std::ranges::count(bytes, '\n')) + 1;
   if (document) {

@@ -16,19 +16,19 @@ namespace {
 
 using namespace geminga;
 
-el::Ontology ontology() {
-  using el::AxiomKind;
-  using el::TermKind;
-  el::OntologySource source;
-  const el::FileId file = source.add_file("fuzz");
+compiled::Ontology ontology() {
+  using owl::AxiomKind;
+  using owl::TermKind;
+  owl::Ontology source;
+  const owl::FileId file = source.add_file("fuzz");
   const auto name = [](const char* local) { return std::string("https://t.example/#") + local; };
-  const el::TermId sensor = source.named_class(name("Sensor"));
-  const el::TermId camera = source.named_class(name("Camera"));
-  const el::TermId ball = source.named_class(name("Ball"));
-  const el::TermId observes = source.object_property(name("observes"));
-  const el::TermId weight = source.data_property(name("weight"));
-  const el::TermId robot = source.individual(name("robot1"));
-  const el::TermId seven = source.literal("7", "http://www.w3.org/2001/XMLSchema#integer");
+  const owl::TermId sensor = source.named_class(name("Sensor"));
+  const owl::TermId camera = source.named_class(name("Camera"));
+  const owl::TermId ball = source.named_class(name("Ball"));
+  const owl::TermId observes = source.object_property(name("observes"));
+  const owl::TermId weight = source.data_property(name("weight"));
+  const owl::TermId robot = source.individual(name("robot1"));
+  const owl::TermId seven = source.literal("7", "http://www.w3.org/2001/XMLSchema#integer");
   source.add_prefix("t", "https://t.example/#");
   source.add_label(name("Camera"), "left eye");
   source.add(AxiomKind::sub_class_of, {camera, sensor}, file, 1);
@@ -38,15 +38,15 @@ el::Ontology ontology() {
   source.add(AxiomKind::functional_object_property, {observes}, file, 4);
   source.add(AxiomKind::class_assertion, {sensor, robot}, file, 5);
   source.add(AxiomKind::sub_class_of, {ball, source.term(TermKind::data_has_value, {weight, seven})}, file, 6);
-  return *el::Ontology::from_bytes(el::compile(source, *el::classify(source)));
+  return *compiled::Ontology::from_bytes(compiled::compile(source, *el::classify(source)));
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t size) {
-  static const el::Ontology loaded = ontology();
-  static const el::EntityNames names(loaded);
-  static const el::ExpressionClassifier classifier = *el::ExpressionClassifier::build(loaded);
+  static const compiled::Ontology loaded = ontology();
+  static const compiled::EntityNames names(loaded);
+  static const placement::ExpressionClassifier classifier = *placement::ExpressionClassifier::build(loaded);
   const std::string_view text(reinterpret_cast<const char*>(octets), size);
   (void)manchester::is_compound(text);
   manchester::Limits limits;
@@ -64,7 +64,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t si
   const auto again = manchester::parse(canonical, names);
   GEMINGA_ASSERT(again.has_value());
   GEMINGA_ASSERT(manchester::canonical(again->source, again->term) == canonical);
-  const el::ExpressionPlace place = classifier.classify(expression->source, expression->term);
+  const placement::ExpressionPlace place = classifier.classify(expression->source, expression->term);
   GEMINGA_ASSERT(!place.is_satisfiable || place.equivalent || !place.parents.empty());
   return 0;
 }

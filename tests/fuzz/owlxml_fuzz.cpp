@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t si
   limits.operands = 50;
   limits.iri_bytes = 200;
   limits.literal_bytes = 300;
-  el::OntologySource source;
+  owl::Ontology source;
   const auto document = owlxml::read(bytes, source.add_file("fuzz.owx"), source, limits);
   const auto last_line = static_cast<std::uint64_t>(std::ranges::count(bytes, '\n')) + 1;
   if (document) {

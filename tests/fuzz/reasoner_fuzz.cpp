@@ -18,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t si
   limits.operands = 10;
   limits.iri_bytes = 100;
   limits.literal_bytes = 100;
-  el::OntologySource source;
+  owl::Ontology source;
   const std::string_view bytes(reinterpret_cast<const char*>(octets), size);
   if (!functional::read(bytes, source.add_file("fuzz.ofn"), source, limits) || source.axiom_count() > 40) return 0;
   clauses::ClausifyLimits few;
@@ -36,16 +36,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t si
       wanted.push_back(clauses::ConceptId{id});
   }
   const consequence::Closure closure = consequence::saturate(source, *set, wanted, {.clauses = 5'000});
-  tableau::Tableau tableau(source, *set, {.nodes = 300, .steps = 30'000});
+  hypertableau::Tableau tableau(source, *set, {.nodes = 300, .steps = 30'000});
   const auto consistent = tableau.is_consistent();
-  GEMINGA_ASSERT(closure.is_consistent || consistent.verdict != tableau::Verdict::yes);
-  if (consistent.verdict != tableau::Verdict::yes || !closure.is_consistent) return 0;
+  GEMINGA_ASSERT(closure.is_consistent || consistent.verdict != hypertableau::Verdict::yes);
+  if (consistent.verdict != hypertableau::Verdict::yes || !closure.is_consistent) return 0;
   for (std::size_t at = 0; at < wanted.size(); ++at) {
     const bool is_empty = closure.subsumers[at] == std::vector{clauses::nothing};
     const auto answer = tableau.is_satisfiable({wanted[at]});
-    GEMINGA_ASSERT(!is_empty || answer.verdict != tableau::Verdict::yes);
+    GEMINGA_ASSERT(!is_empty || answer.verdict != hypertableau::Verdict::yes);
     const bool is_whole = closure.gaps.empty();
-    GEMINGA_ASSERT(!is_whole || is_empty || answer.verdict != tableau::Verdict::no);
+    GEMINGA_ASSERT(!is_whole || is_empty || answer.verdict != hypertableau::Verdict::no);
   }
   return 0;
 }

@@ -46,16 +46,16 @@ struct Field {
   [[nodiscard]] Host& host(std::size_t index) { return *world.hosts().at(index); }
   [[nodiscard]] Module& module(std::size_t index) { return *team.modules().at(index); }
 
-  void forge(beacon::Announcement lie) {
-    for (const beacon::Datagram& datagram : beacon::encode(lie)) {
+  void forge(announcement::Announcement lie) {
+    for (const announcement::Datagram& datagram : announcement::encode(lie)) {
       world.transmit(*forger, forger->ports().front().index,
                      std::string_view(reinterpret_cast<const char*>(datagram.data()), datagram.size()));
     }
   }
 
   /// What a host last announced.
-  [[nodiscard]] static beacon::Announcement read(std::string_view datagram) {
-    return beacon::decode(std::as_bytes(std::span(datagram))).value_or(beacon::Announcement{});
+  [[nodiscard]] static announcement::Announcement read(std::string_view datagram) {
+    return announcement::decode(std::as_bytes(std::span(datagram))).value_or(announcement::Announcement{});
   }
 
   /// One value of `query status`.
@@ -77,11 +77,11 @@ struct Field {
 };
 
 /// A state of nobody in particular.
-beacon::Announcement stranger(std::uint32_t id, std::uint64_t boot) {
-  beacon::Announcement state;
+announcement::Announcement stranger(std::uint32_t id, std::uint64_t boot) {
+  announcement::Announcement state;
   state.group = "default";
   state.participant = ParticipantId(id);
-  state.boot = beacon::BootNonce(boot);
+  state.boot = announcement::BootNonce(boot);
   state.name = "x";
   return state;
 }
@@ -95,7 +95,7 @@ TEST(Forger, ThatAnswersEveryDatagramWithAClashForAMinuteEndsNobodyAndHidesNobod
   field.world.on_transmit = [&](const Host& sender, std::string_view datagram) {
     if (!is_forging || &sender != &field.host(0)) return;
     const auto heard = Field::read(datagram);
-    if (heard.kind == beacon::Kind::goodbye) return;
+    if (heard.kind == announcement::Kind::goodbye) return;
     identifiers.insert(to_string(heard.participant));
     auto lie = stranger(static_cast<std::uint32_t>(heard.participant), 99);
     lie.revision = 7;
@@ -108,10 +108,10 @@ TEST(Forger, ThatAnswersEveryDatagramWithAClashForAMinuteEndsNobodyAndHidesNobod
   EXPECT_TRUE(field.host(0).is_on()) << field.world.when();
   EXPECT_TRUE(field.host(0).participant().is_ready());
   EXPECT_GT(forged, 30U);
-  const auto refilled = seconds(60) / beacon::redraw_refill;
+  const auto refilled = seconds(60) / membership::redraw_refill;
   EXPECT_GE(field.status(field.host(0), "redraws"), 2);
-  EXPECT_LE(field.status(field.host(0), "redraws"), beacon::redraw_capacity + refilled);
-  EXPECT_LE(identifiers.size(), static_cast<std::size_t>(beacon::redraw_capacity + refilled + 1));
+  EXPECT_LE(field.status(field.host(0), "redraws"), membership::redraw_capacity + refilled);
+  EXPECT_LE(identifiers.size(), static_cast<std::size_t>(membership::redraw_capacity + refilled + 1));
   EXPECT_GT(field.status(field.host(0), "contested"), 10);
   EXPECT_GT(field.status(field.host(0), "contested_for"), -2) << "a number with decimals";
   EXPECT_TRUE(field.team.settle(seconds(4)));
@@ -146,9 +146,10 @@ TEST(Forger, WithEightClashesBeforeAnAnswerCanComeLeavesTheLocalServicesInForce)
 }
 
 /// What the first robot sends within five milliseconds of a lie about it.
-std::vector<beacon::Announcement> answer_to(Field& field, const std::function<void(beacon::Announcement&)>& twist) {
-  beacon::Announcement last;
-  std::vector<beacon::Announcement> said;
+std::vector<announcement::Announcement> answer_to(Field& field,
+                                                  const std::function<void(announcement::Announcement&)>& twist) {
+  announcement::Announcement last;
+  std::vector<announcement::Announcement> said;
   field.world.on_transmit = [&](const Host& sender, std::string_view datagram) {
     if (&sender == &field.host(0)) said.push_back(last = Field::read(datagram));
   };
@@ -163,26 +164,26 @@ std::vector<beacon::Announcement> answer_to(Field& field, const std::function<vo
 }
 
 TEST(Forger, ThatLiesInAHostsNameWithItsBootNonceIsContradictedAtOnce) {
-  const std::vector<std::pair<std::string, std::function<void(beacon::Announcement&)>>> lies = {
+  const std::vector<std::pair<std::string, std::function<void(announcement::Announcement&)>>> lies = {
       {"a goodbye",
-       [](beacon::Announcement& lie) {
-         lie.kind = beacon::Kind::goodbye;
+       [](announcement::Announcement& lie) {
+         lie.kind = announcement::Kind::goodbye;
          lie.peers.clear();
          lie.addresses.clear();
          lie.revision = 0;
        }},
-      {"a later revision", [](beacon::Announcement& lie) { lie.revision = ~std::uint64_t{0}; }},
-      {"a later sequence", [](beacon::Announcement& lie) { lie.sequence += 1'000'000; }},
-      {"other services", [](beacon::Announcement& lie) { lie.peers.clear(); }},
-      {"another address", [](beacon::Announcement& lie) { lie.addresses = {"10.0.0.66"}; }},
-      {"its own words from another address", [](beacon::Announcement&) {}},
+      {"a later revision", [](announcement::Announcement& lie) { lie.revision = ~std::uint64_t{0}; }},
+      {"a later sequence", [](announcement::Announcement& lie) { lie.sequence += 1'000'000; }},
+      {"other services", [](announcement::Announcement& lie) { lie.peers.clear(); }},
+      {"another address", [](announcement::Announcement& lie) { lie.addresses = {"10.0.0.66"}; }},
+      {"its own words from another address", [](announcement::Announcement&) {}},
   };
   for (const auto& [what, twist] : lies) {
     Field field(World::seed_or(23), 2);
     field.start();
     const auto said = answer_to(field, twist);
     ASSERT_EQ(said.size(), 1U) << what;
-    EXPECT_EQ(said[0].kind, beacon::Kind::state) << what;
+    EXPECT_EQ(said[0].kind, announcement::Kind::state) << what;
     EXPECT_EQ(said[0].peers.size(), 1U) << what;
     EXPECT_EQ(field.status(field.host(0), "contradicted"), 1) << what;
     EXPECT_EQ(field.status(field.host(1), "contradicted"), 0) << what;
@@ -195,7 +196,7 @@ TEST(Forger, ThatLiesWithoutEndIsContradictedABoundedNumberOfTimes) {
   const auto quiet = field.world.datagrams();
   field.world.run_for(seconds(20));
   const auto periodic = field.world.datagrams() - quiet;
-  beacon::Announcement last;
+  announcement::Announcement last;
   field.world.on_transmit = [&](const Host& sender, std::string_view datagram) {
     if (&sender == &field.host(0)) last = Field::read(datagram);
   };
@@ -209,14 +210,15 @@ TEST(Forger, ThatLiesWithoutEndIsContradictedABoundedNumberOfTimes) {
     field.world.run_for(milliseconds(10));
   }
   const auto contradictions = field.world.datagrams() - before - forged;
-  EXPECT_LE(contradictions, periodic + 10 * beacon::contradictions_per_interval + beacon::contradiction_capacity + 2);
+  EXPECT_LE(contradictions,
+            periodic + 10 * membership::contradictions_per_interval + membership::contradiction_capacity + 2);
 }
 
 TEST(Forger, ThatClaimsAnOwnersIdentifierIsAnsweredWithOneDatagramBeforeItsClaimIsOver) {
   Field field(World::seed_or(25), 1, 100);  // a state of many datagrams
   field.start();
-  beacon::Announcement last;
-  std::vector<beacon::Announcement> said;
+  announcement::Announcement last;
+  std::vector<announcement::Announcement> said;
   field.world.on_transmit = [&](const Host& sender, std::string_view datagram) {
     if (&sender == &field.host(0)) said.push_back(last = Field::read(datagram));
   };
@@ -225,7 +227,7 @@ TEST(Forger, ThatClaimsAnOwnersIdentifierIsAnsweredWithOneDatagramBeforeItsClaim
   ASSERT_GT(last.part_count, 1U);
   said.clear();
   auto claim = stranger(static_cast<std::uint32_t>(last.participant), 99);
-  claim.kind = beacon::Kind::claim;
+  claim.kind = announcement::Kind::claim;
   field.forge(claim);
   field.world.run_for(milliseconds(5));
   ASSERT_EQ(said.size(), 1U);
@@ -298,7 +300,7 @@ TEST(Newcomers, OfAWholeTeamAreAnsweredAsQuicklyAsOne) {
   EXPECT_LE(time_to_know_all(10, milliseconds(0)), milliseconds(200));
   EXPECT_LE(time_to_know_all(30, milliseconds(0)), milliseconds(400));
   // One behind the other they are answered together, once in newcomer_spacing, and the budget lasts for all of them.
-  const auto longest = beacon::newcomer_spacing + milliseconds(100);
+  const auto longest = membership::newcomer_spacing + milliseconds(100);
   EXPECT_LE(time_to_know_all(30, milliseconds(500)), longest);
   EXPECT_LE(time_to_know_all(10, seconds(5)), longest);
   EXPECT_LE(time_to_know_all(30, seconds(10)), longest);

@@ -63,7 +63,7 @@ void Host::stop() {
   end_of_event();
 }
 
-void Host::prepare_for(const el::Ontology& wanted, std::function<void()> then) {
+void Host::prepare_for(const compiled::Ontology& wanted, std::function<void()> then) {
   in_preparation_ = &wanted;
   const std::uint64_t number = ++preparing_;
   const auto done = [this, number, then = std::move(then), life = life_] {
@@ -77,12 +77,12 @@ void Host::prepare_for(const el::Ontology& wanted, std::function<void()> then) {
 }
 
 void Host::prepare() {
-  const el::Ontology* wanted = participant_->wants_prepared();
+  const compiled::Ontology* wanted = participant_->wants_prepared();
   if (wanted == nullptr || in_preparation_ != nullptr) return;
   prepare_for(*wanted, [this, wanted] { participant_->on_prepared(participant::PreparedOntology::make(*wanted)); });
 }
 
-void Host::reload(const el::Ontology* another) {
+void Host::reload(const compiled::Ontology* another) {
   ontology = another;
   ++preparing_;
   in_preparation_ = nullptr;

@@ -9,13 +9,13 @@ namespace geminga::sim {
 Liar::Liar(World& world) : world_(world) {
   world_.on_transmit = [this](const Host& sender, std::string_view datagram) {
     datagrams_[sender.name()].emplace_back(datagram);
-    auto heard = beacon::decode(std::as_bytes(std::span(datagram)));
-    if (heard && heard->kind == beacon::Kind::state) states_.insert_or_assign(sender.name(), std::move(*heard));
+    auto heard = announcement::decode(std::as_bytes(std::span(datagram)));
+    if (heard && heard->kind == announcement::Kind::state) states_.insert_or_assign(sender.name(), std::move(*heard));
   };
 }
 
-void Liar::say(const beacon::Announcement& announcement, const std::string& source) {
-  for (const beacon::Datagram& datagram : beacon::encode(announcement)) {
+void Liar::say(const announcement::Announcement& announcement, const std::string& source) {
+  for (const announcement::Datagram& datagram : announcement::encode(announcement)) {
     world_.inject(source, std::string_view(reinterpret_cast<const char*>(datagram.data()), datagram.size()));
   }
 }

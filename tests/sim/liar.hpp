@@ -21,17 +21,17 @@ class Liar {
   explicit Liar(World& world);
 
   /// The last state that this host has announced, a part of it as it was sent.
-  [[nodiscard]] beacon::Announcement last_state(const Host& host) const { return states_.at(host.name()); }
+  [[nodiscard]] announcement::Announcement last_state(const Host& host) const { return states_.at(host.name()); }
   [[nodiscard]] static std::string address_of(const Host& host) { return host.ports().front().address; }
 
   /// Says it to everybody, from a source address.
-  void say(const beacon::Announcement& announcement, const std::string& source);
+  void say(const announcement::Announcement& announcement, const std::string& source);
   /// Everything that this host has said so far, again.
   void replay(const Host& host, const std::string& source);
 
  private:
   World& world_;
-  std::map<std::string, beacon::Announcement> states_;  ///< by the name of the host
+  std::map<std::string, announcement::Announcement> states_;  ///< by the name of the host
   std::map<std::string, std::vector<std::string>> datagrams_;
 };
 

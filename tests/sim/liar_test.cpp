@@ -52,7 +52,7 @@ struct Attack {
 
 struct Lie {
   std::string what;
-  std::function<void(beacon::Announcement&)> forge;
+  std::function<void(announcement::Announcement&)> forge;
 };
 
 std::vector<Lie> lies() {
@@ -92,16 +92,16 @@ std::vector<Lie> lies() {
        }},
       {"the shortest interval",
        [](auto& lie) {
-         lie.interval = beacon::min_interval;
+         lie.interval = announcement::min_interval;
          ++lie.revision, ++lie.sequence;
        }},
       {"a goodbye",
        [](auto& lie) {
-         lie.kind = beacon::Kind::goodbye;
+         lie.kind = announcement::Kind::goodbye;
          lie.peers.clear();
          ++lie.sequence;
        }},
-      {"another life under its identifier", [](auto& lie) { lie.boot = beacon::BootNonce{66}; }},
+      {"another life under its identifier", [](auto& lie) { lie.boot = announcement::BootNonce{66}; }},
   };
 }
 
@@ -113,7 +113,7 @@ TEST(Liar, EmptiesRedirectsOrHidesNobodyForLongerThanTwoIntervals) {
         auto forged = attack.liar.last_state(attack.victim());
         lie.forge(forged);
         // A clash is another matter: both who have an identifier give it up.
-        if (forged.boot == beacon::BootNonce{66} && !is_own_address) continue;
+        if (forged.boot == announcement::BootNonce{66} && !is_own_address) continue;
         attack.liar.say(forged, is_own_address ? stranger : Liar::address_of(attack.victim()));
         attack.world.run_for(2 * interval);
         attack.expect_right(lie.what);
@@ -146,7 +146,7 @@ TEST(Liar, SaysGoodbyeEverySecondAndHidesNobodyAfterTheFirst) {
   Attack attack(World::seed_or(23));
   for (int i = 0; i < 60; ++i) {
     auto goodbye = attack.liar.last_state(attack.victim());
-    goodbye.kind = beacon::Kind::goodbye;
+    goodbye.kind = announcement::Kind::goodbye;
     goodbye.peers.clear();
     ++goodbye.sequence;
     attack.liar.say(goodbye, Liar::address_of(attack.victim()));
@@ -171,11 +171,11 @@ TEST(Liar, FloodsWithAHundredThousandIdentitiesAndKeepsNoRobotOut) {
     Attack attack(World::seed_or(25));
     auto forged = attack.liar.last_state(attack.victim());
     forged.peers.clear();
-    forged.interval = beacon::max_interval;
+    forged.interval = announcement::max_interval;
     for (std::uint32_t number = 0; number < 100'000; ++number) {
       const auto identity = number / copies;
       forged.participant = ParticipantId{0x10000000 + identity};
-      forged.boot = beacon::BootNonce{identity};
+      forged.boot = announcement::BootNonce{identity};
       forged.sequence = number;
       attack.liar.say(forged, "10.0.7." + std::to_string(1 + identity % sources));
       if (number % 10 == 9) attack.world.run_for(milliseconds(1));
@@ -196,9 +196,9 @@ TEST(Liar, FloodsWithServicesAndLeavesRoomForThoseOfARobot) {
   one.publication.attributes.clear();
   for (std::uint32_t participant = 1; participant <= 9; ++participant) {
     forged.participant = ParticipantId{0x10000000 + participant};
-    forged.boot = beacon::BootNonce{participant};
+    forged.boot = announcement::BootNonce{participant};
     forged.peers = {{PeerId{1}, "liar", {}, {}, {}}};
-    for (std::uint32_t number = 1; number <= beacon::max_services_per_participant; ++number) {
+    for (std::uint32_t number = 1; number <= announcement::max_services_per_participant; ++number) {
       one.number = number;
       forged.peers[0].publications.push_back(one);
     }

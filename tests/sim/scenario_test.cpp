@@ -155,7 +155,7 @@ TEST(Scenario, ACrashIsToldByTheDeadlineAndNotBefore) {
   robots.host(4).crash();
   const auto interval = robots.host(4).settings.interval;
   // The last announcement may be as old as one interval with its jitter.
-  const base::Duration longest = beacon::deadline_of(base::Instant(), interval, 0) - base::Instant();
+  const base::Duration longest = membership::deadline_of(base::Instant(), interval, 0) - base::Instant();
   robots.world.run_for(longest - interval - interval / 4);
   EXPECT_FALSE(robots.team.is_right()) << "told before the deadline. " << robots.world.when();
   robots.world.run_for(interval + interval / 4 + milliseconds(100));
@@ -203,7 +203,7 @@ TEST(Scenario, AModuleThatEndsHasWithdrawnEverywhere) {
 std::pair<std::uint64_t, std::uint64_t> clashing_seeds() {
   std::map<ParticipantId, std::uint64_t> seen;
   for (std::uint64_t seed = 1;; ++seed) {
-    beacon::IdentifierClaim claim(seed);
+    membership::IdentifierClaim claim(seed);
     claim.start(base::Instant());
     const auto [other, is_new] = seen.emplace(claim.id(), seed);
     if (!is_new) return {other->second, seed};

@@ -23,42 +23,42 @@ class Writer {
     source_.add_prefix("owl", "http://www.w3.org/2002/07/owl#");
   }
   void sub(const char* sub, const char* super) {
-    source_.add(el::AxiomKind::sub_class_of, {named(sub), named(super)}, file_, ++line_);
+    source_.add(owl::AxiomKind::sub_class_of, {named(sub), named(super)}, file_, ++line_);
   }
   void equivalent(const char* a, const char* b) {
-    source_.add(el::AxiomKind::equivalent_classes, {named(a), named(b)}, file_, ++line_);
+    source_.add(owl::AxiomKind::equivalent_classes, {named(a), named(b)}, file_, ++line_);
   }
   void unsatisfiable(const char* name) {
-    source_.add(el::AxiomKind::sub_class_of, {named(name), source_.named_class(el::owl_nothing)}, file_, ++line_);
+    source_.add(owl::AxiomKind::sub_class_of, {named(name), source_.named_class(owl::owl_nothing)}, file_, ++line_);
   }
   void sub_some(const char* sub, const char* property, const char* filler) {
-    const el::TermId role = source_.object_property(std::string(soccer) + property);
-    const el::TermId some = source_.term(el::TermKind::object_some_values_from, {role, named(filler)});
-    source_.add(el::AxiomKind::sub_class_of, {named(sub), some}, file_, ++line_);
+    const owl::TermId role = source_.object_property(std::string(soccer) + property);
+    const owl::TermId some = source_.term(owl::TermKind::object_some_values_from, {role, named(filler)});
+    source_.add(owl::AxiomKind::sub_class_of, {named(sub), some}, file_, ++line_);
   }
   void disjoint(const char* a, const char* b) {
-    source_.add(el::AxiomKind::disjoint_classes, {named(a), named(b)}, file_, ++line_);
+    source_.add(owl::AxiomKind::disjoint_classes, {named(a), named(b)}, file_, ++line_);
   }
   void label(const char* name, const char* text) { source_.add_label(std::string(soccer) + name, text); }
   /// Damage is done to the axioms, which are verified when an explanation or an expression is asked for.
-  [[nodiscard]] el::Ontology finish(bool is_damaged = false) const {
+  [[nodiscard]] compiled::Ontology finish(bool is_damaged = false) const {
     const auto classification = el::classify(source_);
     GEMINGA_ASSERT(classification.has_value());
-    std::vector<std::byte> bytes = el::compile(source_, *classification);
+    std::vector<std::byte> bytes = compiled::compile(source_, *classification);
     if (is_damaged) bytes.back() ^= std::byte{1};
-    auto ontology = el::Ontology::from_bytes(std::move(bytes));
+    auto ontology = compiled::Ontology::from_bytes(std::move(bytes));
     GEMINGA_ASSERT(ontology.has_value());
     return std::move(*ontology);
   }
 
  private:
-  el::TermId named(const char* name) { return source_.named_class(std::string(soccer) + name); }
-  el::OntologySource source_;
-  el::FileId file_;
+  owl::TermId named(const char* name) { return source_.named_class(std::string(soccer) + name); }
+  owl::Ontology source_;
+  owl::FileId file_;
   std::uint32_t line_ = 0;
 };
 
-el::Ontology make(bool has_ball) {
+compiled::Ontology make(bool has_ball) {
   Writer writer;
   writer.sub("TrackedObject", "Information");
   writer.sub("Opponent", "TrackedObject");
@@ -75,7 +75,7 @@ el::Ontology make(bool has_ball) {
 }
 
 /// For class expressions: cameras that observe balls, and a lidar.
-el::Ontology make_sensors(bool has_ball, bool is_damaged = false) {
+compiled::Ontology make_sensors(bool has_ball, bool is_damaged = false) {
   Writer writer;
   writer.sub("Camera", "Sensor");
   writer.sub("Lidar", "Sensor");
@@ -93,12 +93,12 @@ el::Ontology make_sensors(bool has_ball, bool is_damaged = false) {
 
 }  // namespace
 
-const el::Ontology* small_ontology(std::string_view name) {
-  static const el::Ontology whole = make(true);
-  static const el::Ontology without_ball = make(false);
-  static const el::Ontology sensors = make_sensors(true);
-  static const el::Ontology blind = make_sensors(false);
-  static const el::Ontology damaged = make_sensors(true, true);
+const compiled::Ontology* small_ontology(std::string_view name) {
+  static const compiled::Ontology whole = make(true);
+  static const compiled::Ontology without_ball = make(false);
+  static const compiled::Ontology sensors = make_sensors(true);
+  static const compiled::Ontology blind = make_sensors(false);
+  static const compiled::Ontology damaged = make_sensors(true, true);
   if (name == "damaged") return &damaged;
   if (name == "soccer") return &whole;
   if (name == "sensors") return &sensors;

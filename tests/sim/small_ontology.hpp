@@ -13,10 +13,10 @@ namespace geminga::sim {
 /// `sensors`, for class expressions, or `blind`: the same without soccer:Ball.
 /// `damaged` is `sensors` from a compiled form whose axioms are damaged.
 /// Each lives as long as the program, so that a participant can borrow it. Null for `none`.
-[[nodiscard]] const el::Ontology* small_ontology(std::string_view name);
+[[nodiscard]] const compiled::Ontology* small_ontology(std::string_view name);
 
 /// As a participant takes it, of one that outlives the participant.
-[[nodiscard]] inline std::shared_ptr<const el::Ontology> unowned(const el::Ontology* ontology) {
+[[nodiscard]] inline std::shared_ptr<const compiled::Ontology> unowned(const compiled::Ontology* ontology) {
   return {std::shared_ptr<void>(), ontology};
 }
 

@@ -9,9 +9,9 @@
 namespace geminga::compare {
 namespace {
 
-using el::AxiomKind;
-using el::TermId;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
 
 constexpr std::string_view name_space = "http://random.example/#";
 constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
@@ -33,7 +33,7 @@ class Maker {
     }
   }
 
-  el::OntologySource take() { return std::move(source_); }
+  owl::Ontology take() { return std::move(source_); }
 
  private:
   [[nodiscard]] bool is_el() const { return profile_ == Profile::ranges; }
@@ -44,7 +44,7 @@ class Maker {
   }
 
   TermId named() {
-    if (random_.chance(0.02)) return random_.chance(0.7) ? el::thing_term : el::nothing_term;
+    if (random_.chance(0.02)) return random_.chance(0.7) ? owl::thing_term : owl::nothing_term;
     return source_.named_class(iri('C', below(class_count_)));
   }
   TermId individual() { return source_.individual(iri('i', below(4))); }
@@ -245,8 +245,8 @@ class Maker {
   Profile profile_;
   std::uint64_t class_count_;
   bool has_facts_ = false;
-  el::OntologySource source_;
-  el::FileId file_{};
+  owl::Ontology source_;
+  owl::FileId file_{};
   std::uint32_t line_ = 0;
 };
 
@@ -270,7 +270,7 @@ std::string_view to_string(Profile profile) {
   return "";
 }
 
-el::OntologySource random_ontology(Profile profile, std::uint64_t seed, std::size_t axioms) {
+owl::Ontology random_ontology(Profile profile, std::uint64_t seed, std::size_t axioms) {
   return Maker(profile, seed, axioms).take();
 }
 

@@ -25,7 +25,7 @@ inline constexpr Profile profiles[] = {Profile::horn,     Profile::choices, Prof
 
 /// About `axioms` axioms over few names, so that they meet. The same for the same arguments, on every machine. Chains
 /// are regular, and properties with cardinalities and self restrictions are simple, as OWL 2 DL wants them.
-[[nodiscard]] el::OntologySource random_ontology(Profile profile, std::uint64_t seed, std::size_t axioms);
+[[nodiscard]] owl::Ontology random_ontology(Profile profile, std::uint64_t seed, std::size_t axioms);
 
 }  // namespace geminga::compare
 

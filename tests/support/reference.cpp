@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-namespace geminga::el {
+namespace geminga::owl {
 namespace {
 
 using Terms = std::set<TermId>;
@@ -14,7 +14,7 @@ using Terms = std::set<TermId>;
 /// Elements of a canonical model: one for each filler and set of ranges.
 class Reference {
  public:
-  explicit Reference(const OntologySource& source) : source_(source) {
+  explicit Reference(const Ontology& source) : source_(source) {
     for (std::uint32_t id = 0; id < source.term_count(); ++id) all_.push_back(TermId{id});
     read();
     for (const TermId term : all_) {
@@ -218,7 +218,7 @@ class Reference {
     return changed;
   }
 
-  const OntologySource& source_;
+  const Ontology& source_;
   std::vector<TermId> all_;
   std::map<Element, std::size_t> number_;
   std::vector<Terms> elements_;
@@ -283,9 +283,9 @@ class Generator {
 
 }  // namespace
 
-std::vector<std::string> reference_closure(const OntologySource& source) { return Reference(source).closure(); }
+std::vector<std::string> reference_closure(const Ontology& source) { return Reference(source).closure(); }
 
-bool has_range_over_chain(const OntologySource& source) { return Reference(source).has_range_over_chain(); }
+bool has_range_over_chain(const Ontology& source) { return Reference(source).has_range_over_chain(); }
 
 std::string random_ontology(base::Random& random, std::size_t size) {
   Generator generator(random, size);
@@ -294,4 +294,4 @@ std::string random_ontology(base::Random& random, std::size_t size) {
   return text;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl

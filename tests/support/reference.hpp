@@ -9,18 +9,18 @@
 #include "base/random.hpp"
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// As closure() of written.hpp. Without individuals, data and what is beyond EL.
-std::vector<std::string> reference_closure(const OntologySource& source);
+std::vector<std::string> reference_closure(const Ontology& source);
 
 /// Whether a range of a property does not hold for the last property of a chain below it, of which the naive reasoner
 /// does not know what follows.
-bool has_range_over_chain(const OntologySource& source);
+bool has_range_over_chain(const Ontology& source);
 
 /// A random ontology in the syntax of written.hpp. `size` is about the number of axioms.
 std::string random_ontology(base::Random& random, std::size_t size);
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

@@ -9,7 +9,7 @@
 
 #include "reasoning/compiled/compile.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 namespace {
 
 const std::string test_namespace = "https://t.example/#";
@@ -17,7 +17,7 @@ const std::string xsd = "http://www.w3.org/2001/XMLSchema#";
 
 class Reader {
  public:
-  Reader(OntologySource& source, std::string_view text, FileId file) : source_(source), text_(text), file_(file) {}
+  Reader(Ontology& source, std::string_view text, FileId file) : source_(source), text_(text), file_(file) {}
 
   void read() {
     std::uint32_t line = 1;
@@ -128,7 +128,7 @@ class Reader {
     return source_.object_property(test_namespace + std::string(name));
   }
 
-  OntologySource& source_;
+  Ontology& source_;
   std::string_view text_;
   std::string_view rest_;
   FileId file_;
@@ -136,50 +136,50 @@ class Reader {
 
 }  // namespace
 
-void write_into(OntologySource& source, std::string_view text, const std::string& path) {
+void write_into(Ontology& source, std::string_view text, const std::string& path) {
   source.add_prefix("t", test_namespace);
   Reader(source, text, source.add_file(path)).read();
 }
 
-OntologySource written(std::string_view text, const std::string& path) {
-  OntologySource source;
+Ontology written(std::string_view text, const std::string& path) {
+  Ontology source;
   write_into(source, text, path);
   EXPECT_FALSE(source.problem()) << *source.problem();
   EXPECT_TRUE(source.omissions().empty()) << source.name(source.omissions().front().construct);
   return source;
 }
 
-Classification classified(const OntologySource& source) {
-  auto classification = classify(source);
+taxonomy::Classification classified(const Ontology& source) {
+  auto classification = el::classify(source);
   if (!classification) ADD_FAILURE() << classification.error().text;
   return std::move(classification).value();
 }
 
-Ontology loaded(const OntologySource& source) {
-  auto ontology = Ontology::from_bytes(compile(source, classified(source)));
+compiled::Ontology loaded(const Ontology& source) {
+  auto ontology = compiled::Ontology::from_bytes(compiled::compile(source, classified(source)));
   if (!ontology) ADD_FAILURE() << ontology.error().text;
   return std::move(ontology).value();
 }
 
-Ontology loaded(std::string_view text) { return loaded(written(text)); }
+compiled::Ontology loaded(std::string_view text) { return loaded(written(text)); }
 
-std::vector<std::string> closure(const Ontology& ontology) {
+std::vector<std::string> closure(const compiled::Ontology& ontology) {
   if (!ontology.is_consistent()) return {"inconsistent"};
-  const auto name_of = [&](ClassNumber number) {
+  const auto name_of = [&](taxonomy::ClassNumber number) {
     const std::string_view iri = ontology.iri(number);
     return std::string(iri.substr(iri.find('#') + 1));
   };
-  const ClassNumber thing = *ontology.find_iri(owl_thing);
-  const ClassNumber nothing = *ontology.find_iri(owl_nothing);
+  const taxonomy::ClassNumber thing = *ontology.find_iri(owl_thing);
+  const taxonomy::ClassNumber nothing = *ontology.find_iri(owl_nothing);
   std::vector<std::string> lines;
   for (std::uint32_t sub = 0; sub < ontology.class_count(); ++sub) {
-    const ClassNumber below{sub};
+    const taxonomy::ClassNumber below{sub};
     if (below == nothing) continue;
     if (!ontology.is_satisfiable(below)) {
       lines.push_back(name_of(below) + " < Nothing");
       continue;
     }
-    for (const ClassNumber above : ontology.subsumers(below)) {
+    for (const taxonomy::ClassNumber above : ontology.subsumers(below)) {
       EXPECT_TRUE(ontology.is_subsumed(below, above)) << name_of(below) << " < " << name_of(above);
       if (above != below && above != thing) lines.push_back(name_of(below) + " < " + name_of(above));
     }
@@ -190,10 +190,10 @@ std::vector<std::string> closure(const Ontology& ontology) {
 
 std::vector<std::string> closure(std::string_view text) { return closure(loaded(text)); }
 
-ClassNumber named(const Ontology& ontology, std::string_view name) {
+taxonomy::ClassNumber named(const compiled::Ontology& ontology, std::string_view name) {
   const auto found = ontology.find("t:" + std::string(name));
   EXPECT_TRUE(found) << (found ? "" : found.error().text);
-  return found.value_or(ClassNumber{0});
+  return found.value_or(taxonomy::ClassNumber{0});
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl

@@ -10,26 +10,26 @@
 #include "reasoning/el/classify.hpp"
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// One axiom a line, e.g. `SubClassOf(A ObjectSomeValuesFrom(r B))`; line numbers are those of the text, `#` is a
 /// comment. Upper case names are classes, lower case ones object properties, `d:x` data properties, `i:x` individuals,
 /// `_:x` blank nodes, `x:integer` XML Schema datatypes, `"1"^x:integer` literals, numbers are cardinalities. `Thing`
 /// and `Nothing` are OWL's; other names are in `t:` = https://t.example/#. What cannot be read fails the test that
 /// asks.
-OntologySource written(std::string_view text, const std::string& path = "written.ofn");
+Ontology written(std::string_view text, const std::string& path = "written.ofn");
 /// Adds to a source.
-void write_into(OntologySource& source, std::string_view text, const std::string& path);
+void write_into(Ontology& source, std::string_view text, const std::string& path);
 
 /// The same, classified.
-Classification classified(const OntologySource& source);
+taxonomy::Classification classified(const Ontology& source);
 /// The same, compiled and read back.
-Ontology loaded(const OntologySource& source);
-Ontology loaded(std::string_view text);
+compiled::Ontology loaded(const Ontology& source);
+compiled::Ontology loaded(std::string_view text);
 
 /// Every subsumption between different named classes other than T and F as `A < B`, sorted; of unsatisfiable classes
 /// only `A < Nothing`; of equivalents of T also `Thing < A`. `inconsistent` alone where the ontology is.
-std::vector<std::string> closure(const Ontology& ontology);
+std::vector<std::string> closure(const compiled::Ontology& ontology);
 std::vector<std::string> closure(std::string_view text);
 
 /// What a team of robots knows about balls: an equivalence, two ways up, and a class that can have no instance.
@@ -45,8 +45,8 @@ inline constexpr std::string_view robots =
     "SubClassOf(Impossible Secret)\n";
 
 /// `t:Name` of a class.
-ClassNumber named(const Ontology& ontology, std::string_view name);
+taxonomy::ClassNumber named(const compiled::Ontology& ontology, std::string_view name);
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

@@ -16,12 +16,12 @@ namespace {
 using testing::HasSubstr;
 using testing::SizeIs;
 
-beacon::Announcement read(const std::string& bytes) {
-  return beacon::decode(std::as_bytes(std::span(bytes))).value_or(beacon::Announcement{});
+announcement::Announcement read(const std::string& bytes) {
+  return announcement::decode(std::as_bytes(std::span(bytes))).value_or(announcement::Announcement{});
 }
 
-std::string written(const beacon::Announcement& announcement) {
-  const auto datagrams = beacon::encode(announcement);
+std::string written(const announcement::Announcement& announcement) {
+  const auto datagrams = announcement::encode(announcement);
   return {reinterpret_cast<const char*>(datagrams.front().data()), datagrams.front().size()};
 }
 
@@ -35,11 +35,11 @@ void contest(const Stranger& stranger, const std::string& name, int count) {
     const auto datagram = stranger.hear();
     if (!datagram) continue;
     const auto heard = read(*datagram);
-    if (heard.name != name || heard.kind == beacon::Kind::goodbye) continue;
-    beacon::Announcement lie;
+    if (heard.name != name || heard.kind == announcement::Kind::goodbye) continue;
+    announcement::Announcement lie;
     lie.group = heard.group;
     lie.participant = heard.participant;
-    lie.boot = beacon::BootNonce(99);
+    lie.boot = announcement::BootNonce(99);
     lie.interval = heard.interval;
     lie.name = "liar";
     ASSERT_TRUE(stranger.send(written(lie)));
@@ -76,15 +76,15 @@ TEST(Forger, ThatSaysGoodbyeInADaemonsNameIsContradictedAtOnce) {
   const Stranger stranger(lab, 1);
   Talk talk = lab.talk(0);
   talk.say("1 pub create mode=otm/stream text=ball port=5000");
-  beacon::Announcement last;
+  announcement::Announcement last;
   for (int silent = 0; silent < 100;) {  // until the copies of the change are over
     const auto datagram = stranger.hear();
     if (datagram) last = read(*datagram);
     silent = datagram ? 0 : silent + 1;
   }
   ASSERT_EQ(last.peers.size(), 1U);
-  beacon::Announcement lie;
-  lie.kind = beacon::Kind::goodbye;
+  announcement::Announcement lie;
+  lie.kind = announcement::Kind::goodbye;
   lie.group = last.group;
   lie.participant = last.participant;
   lie.boot = last.boot;
@@ -92,7 +92,7 @@ TEST(Forger, ThatSaysGoodbyeInADaemonsNameIsContradictedAtOnce) {
   std::optional<std::string> answer;
   for (int silent = 0; silent < 1000 && !answer; ++silent) answer = stranger.hear();
   ASSERT_TRUE(answer);
-  EXPECT_EQ(read(*answer).kind, beacon::Kind::state);
+  EXPECT_EQ(read(*answer).kind, announcement::Kind::state);
   EXPECT_EQ(read(*answer).revision, last.revision);
   EXPECT_GT(read(*answer).sequence, last.sequence);
   EXPECT_EQ(counted(talk.query("status"), "contradicted"), 1);

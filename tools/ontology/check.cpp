@@ -64,7 +64,7 @@ std::string sources_as_text(const Sources& sources) {
   std::string text = counted(sources.files.size(), "file", "files") + ", ";
   if (sources.triples) text += counted(*sources.triples, "triple", "triples") + ", ";
   text += counted(sources.classes, "class", "classes") + ", " + counted(sources.axioms, "axiom", "axioms") + '\n';
-  for (const el::LoadedFile& file : sources.files)
+  for (const owl::LoadedFile& file : sources.files)
     text += "  " + file.path + (file.ontology_iri.empty() ? "" : "  <" + file.ontology_iri + ">") + '\n';
   return text;
 }
@@ -84,8 +84,8 @@ std::string doubts_as_text(const Sources& sources) {
 
 std::string problems_as_text(const Findings& findings) {
   std::string text;
-  const auto add_reason = [&](const std::vector<reasoner::ExplainedAxiom>& reason) {
-    for (const reasoner::ExplainedAxiom& axiom : reason)
+  const auto add_reason = [&](const std::vector<explanation::ExplainedAxiom>& reason) {
+    for (const explanation::ExplainedAxiom& axiom : reason)
       text += "    because " + axiom.text + "   [" + place(axiom.file, axiom.line) + "]\n";
   };
   if (!findings.is_consistent) {
@@ -120,7 +120,7 @@ std::string names_as_text(const NameFindings& names, bool shows_all) {
     std::vector<std::string> lines;
     for (const DoubtfulName& name : found) {
       const std::string what = name.kind == "word" ? "" : "  (" + std::string(name.kind) + ')';
-      const std::string meant = el::did_you_mean(name.similar);
+      const std::string meant = compiled::did_you_mean(name.similar);
       std::string line = base::printable(name.name, 400) + what + meant;
       line.append("   [").append(place(name.file, name.line)).append("]");
       lines.push_back(std::move(line));

@@ -29,7 +29,7 @@ bool to_output(std::string_view text) { return std::fwrite(text.data(), 1, text.
 
 bool write_stats(const Knowledge& knowledge, unsigned threads, const std::string& path) {
   std::uint64_t left_out = 0;
-  for (const el::LeftOut& entry : el::left_out(knowledge.loaded.source, knowledge.classification))
+  for (const owl::LeftOut& entry : taxonomy::left_out(knowledge.loaded.source, knowledge.classification))
     left_out += entry.count;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -79,8 +79,8 @@ bool write_json(const Taxonomies& written, bool are_properties) {
 }
 
 bool write_taxonomies(const Knowledge& knowledge, const ClassifyRequest& request) {
-  const el::OntologySource& source = knowledge.loaded.source;
-  const el::Classification& classification = knowledge.classification;
+  const owl::Ontology& source = knowledge.loaded.source;
+  const taxonomy::Classification& classification = knowledge.classification;
   Taxonomies written;
   written.classes = class_hierarchy(source, classification);
   if (request.are_properties) {

@@ -43,9 +43,9 @@ void find_members(Hierarchy& hierarchy) {
 
 }  // namespace
 
-Hierarchy class_hierarchy(const el::OntologySource& source, const el::Classification& classification) {
+Hierarchy class_hierarchy(const owl::Ontology& source, const taxonomy::Classification& classification) {
   Hierarchy hierarchy;
-  for (const el::NameId name : classification.classes) hierarchy.iris.push_back(source.name(name));
+  for (const owl::NameId name : classification.classes) hierarchy.iris.push_back(source.name(name));
   hierarchy.representative = plain(classification.representative);
   hierarchy.parent_begin = classification.parent_begin;
   hierarchy.parents = plain(classification.parents);
@@ -56,10 +56,10 @@ Hierarchy class_hierarchy(const el::OntologySource& source, const el::Classifica
   return hierarchy;
 }
 
-Hierarchy property_hierarchy(const el::OntologySource& source, const el::PropertyTaxonomy& taxonomy,
+Hierarchy property_hierarchy(const owl::Ontology& source, const taxonomy::PropertyTaxonomy& taxonomy,
                              bool is_consistent) {
   Hierarchy hierarchy;
-  for (const el::NameId name : taxonomy.properties) hierarchy.iris.push_back(source.name(name));
+  for (const owl::NameId name : taxonomy.properties) hierarchy.iris.push_back(source.name(name));
   hierarchy.representative = plain(taxonomy.representative);
   hierarchy.parent_begin = taxonomy.parent_begin;
   hierarchy.parents = plain(taxonomy.parents);
@@ -70,10 +70,10 @@ Hierarchy property_hierarchy(const el::OntologySource& source, const el::Propert
   return hierarchy;
 }
 
-std::vector<std::vector<el::ClassNumber>> equivalents(const el::Classification& classification) {
-  std::vector<std::vector<el::ClassNumber>> members(classification.class_count());
+std::vector<std::vector<taxonomy::ClassNumber>> equivalents(const taxonomy::Classification& classification) {
+  std::vector<std::vector<taxonomy::ClassNumber>> members(classification.class_count());
   for (std::uint32_t number = 0; number < classification.class_count(); ++number)
-    members[static_cast<std::size_t>(classification.representative[number])].push_back(el::ClassNumber{number});
+    members[static_cast<std::size_t>(classification.representative[number])].push_back(taxonomy::ClassNumber{number});
   return members;
 }
 

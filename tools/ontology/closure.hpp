@@ -36,8 +36,8 @@ struct Hierarchy {
   }
 };
 
-[[nodiscard]] Hierarchy class_hierarchy(const el::OntologySource& source, const el::Classification& classification);
-[[nodiscard]] Hierarchy property_hierarchy(const el::OntologySource& source, const el::PropertyTaxonomy& taxonomy,
+[[nodiscard]] Hierarchy class_hierarchy(const owl::Ontology& source, const taxonomy::Classification& classification);
+[[nodiscard]] Hierarchy property_hierarchy(const owl::Ontology& source, const taxonomy::PropertyTaxonomy& taxonomy,
                                            bool is_consistent);
 
 /// One `SUB<TAB>SUPER` line of full IRIs for every entailed inclusion between different named entities, equivalents in
@@ -51,7 +51,8 @@ struct Hierarchy {
                               const std::function<std::string(std::string_view)>& short_name, const Sink& sink);
 
 /// The classes of each representative, ascending; empty for others.
-[[nodiscard]] std::vector<std::vector<el::ClassNumber>> equivalents(const el::Classification& classification);
+[[nodiscard]] std::vector<std::vector<taxonomy::ClassNumber>> equivalents(
+    const taxonomy::Classification& classification);
 
 }  // namespace geminga::ontology
 

@@ -20,13 +20,13 @@ struct Entry {
 };
 
 /// The IRIs of the satisfiable classes below a root, or of all where the ontology knows no such root.
-std::vector<std::string> names_below(const el::Ontology& ontology, std::string_view root, bool all_without_root) {
+std::vector<std::string> names_below(const compiled::Ontology& ontology, std::string_view root, bool all_without_root) {
   const auto top = ontology.find_iri(root);
-  const auto thing = ontology.find_iri(el::owl_thing);
-  const auto nothing = ontology.find_iri(el::owl_nothing);
+  const auto thing = ontology.find_iri(owl::owl_thing);
+  const auto nothing = ontology.find_iri(owl::owl_nothing);
   std::vector<std::string> names;
   for (std::uint32_t number = 0; number < ontology.class_count(); ++number) {
-    const el::ClassNumber named{number};
+    const taxonomy::ClassNumber named{number};
     if (named == thing || named == nothing) continue;
     if (top ? ontology.is_subsumed(named, *top) && ontology.is_satisfiable(named) : all_without_root)
       names.emplace_back(ontology.iri(named));
@@ -70,7 +70,7 @@ Collisions find_collisions(const std::vector<std::string>& concept_iris,
   return collisions;
 }
 
-Collisions find_collisions(const el::Ontology& ontology) {
+Collisions find_collisions(const compiled::Ontology& ontology) {
   return find_collisions(names_below(ontology, concept_root, true), names_below(ontology, representation_root, false));
 }
 

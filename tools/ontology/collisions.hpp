@@ -26,7 +26,7 @@ struct Collisions {
                                          const std::vector<std::string>& representation_iris);
 /// The same for what an ontology holds below geminga:Concept and geminga:Representation, or for all its classes where
 /// it knows neither.
-[[nodiscard]] Collisions find_collisions(const el::Ontology& ontology);
+[[nodiscard]] Collisions find_collisions(const compiled::Ontology& ontology);
 
 }  // namespace geminga::ontology
 

@@ -31,14 +31,14 @@ void add_doubtful_names(const NameFindings& names, std::vector<std::string>& lin
     if (found.empty()) return;
     const DoubtfulName& first = found.front();
     lines.push_back(counted(found.size(), "name", "names") + ' ' + std::string(what) + ", the first " + first.name +
-                    " at " + first.file + ':' + std::to_string(first.line) + el::did_you_mean(first.similar));
+                    " at " + first.file + ':' + std::to_string(first.line) + compiled::did_you_mean(first.similar));
   };
   add(names.unknown_words, "that RDF, RDFS, OWL and XSD do not have");
   add(names.undeclared, "used and nowhere declared");
 }
 
 /// The prefixes of the command line, beside those of the files. A line where one is none.
-std::optional<std::string> add_prefixes(const std::vector<std::string>& prefixes, el::OntologySource& source) {
+std::optional<std::string> add_prefixes(const std::vector<std::string>& prefixes, owl::Ontology& source) {
   for (const std::string& prefix : prefixes) {
     const std::size_t equals = prefix.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == prefix.size())
@@ -49,7 +49,7 @@ std::optional<std::string> add_prefixes(const std::vector<std::string>& prefixes
 }
 
 /// What whoever starts a robot should read in its log, a line each. `geminga-ontology check` says more.
-std::vector<std::string> remarks(const Knowledge& knowledge, const el::Ontology& ontology) {
+std::vector<std::string> remarks(const Knowledge& knowledge, const compiled::Ontology& ontology) {
   std::vector<std::string> lines;
   if (!knowledge.classification.is_consistent) lines.push_back("the ontology contradicts itself: every class is empty");
   for (const rdf::UnresolvedImport& import : knowledge.loaded.unresolved)
@@ -59,7 +59,7 @@ std::vector<std::string> remarks(const Knowledge& knowledge, const el::Ontology&
     lines.push_back("the prefix " + conflict.prefix + ": means several IRIs, and <" + conflict.chosen + "> is taken");
   add_doubtful_names(find_doubtful_names(knowledge.loaded), lines);
   for (std::uint32_t number = 0; number < ontology.class_count() && knowledge.classification.is_consistent; ++number) {
-    const el::ClassNumber named{number};
+    const taxonomy::ClassNumber named{number};
     if (named != knowledge.classification.nothing && is_unsatisfiable(knowledge.classification, named))
       lines.push_back(ontology.short_name(named) + " can have no instance");
   }
@@ -83,10 +83,10 @@ Exit compile(const CompileRequest& request, const WorkLimits& limits) {
   }
   const std::vector<std::string> gaps = gaps_of(*knowledge);
   const std::vector<std::byte> bytes =
-      el::compile(knowledge->loaded.source, knowledge->classification,
-                  {.gaps = gaps, .folder = request.out == to_standard_output ? "" : el::folder_of(request.out)});
+      compiled::compile(knowledge->loaded.source, knowledge->classification,
+                        {.gaps = gaps, .folder = request.out == to_standard_output ? "" : owl::folder_of(request.out)});
   // What cannot be read back is not written.
-  const auto ontology = el::Ontology::from_bytes(bytes);
+  const auto ontology = compiled::Ontology::from_bytes(bytes);
   if (!ontology) return say_error(ontology.error().text);
   if (const auto whole = ontology->check_whole(); !whole) return say_error(whole.error().text);
   const Exit exit = put(request.out, bytes);

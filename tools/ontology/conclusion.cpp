@@ -21,8 +21,8 @@ std::string resolved(const std::string& path) {
 }
 
 std::expected<std::set<std::string>, NoKnowledge> files_of(const std::string& argument) {
-  const auto paths = rdf::list_files(std::vector{argument}, {});
-  if (!paths) return std::unexpected(NoKnowledge{rdf::to_string(paths.error()), paths.error().is_unreadable});
+  const auto paths = syntax::list_files(std::vector{argument}, {});
+  if (!paths) return std::unexpected(NoKnowledge{syntax::to_string(paths.error()), paths.error().is_unreadable});
   std::set<std::string> files;
   for (const std::string& path : paths->files) files.insert(resolved(path));
   return files;
@@ -30,13 +30,12 @@ std::expected<std::set<std::string>, NoKnowledge> files_of(const std::string& ar
 
 }  // namespace
 
-std::optional<std::string> find_unread(const el::OntologySource& source, const std::vector<bool>& files,
-                                       bool with_damaged) {
-  for (const el::OntologySource::Omission& omission : source.omissions()) {
+std::optional<std::string> find_unread(const owl::Ontology& source, const std::vector<bool>& files, bool with_damaged) {
+  for (const owl::Ontology::Omission& omission : source.omissions()) {
     const auto file = static_cast<std::size_t>(omission.file);
     if (!files.empty() && !files[file]) continue;
     const std::string_view construct = source.name(omission.construct);
-    if (construct.starts_with(import_words) || (!with_damaged && construct == el::damaged_literal)) continue;
+    if (construct.starts_with(import_words) || (!with_damaged && construct == owl::damaged_literal)) continue;
     std::string text = std::string(construct) + " is not understood: " + source.files()[file].path;
     if (omission.line != 0) text += ':' + std::to_string(omission.line);
     return text;
@@ -59,10 +58,10 @@ std::expected<Argument, NoKnowledge> load_argument(const std::string& premise, c
   auto loaded = load({premise, conclusion}, progress);
   if (!loaded) return std::unexpected(std::move(loaded.error()));
   Argument argument{std::move(*loaded), {}, {}, {}, {}, {}};
-  const el::OntologySource& source = argument.loaded.source;
+  const owl::Ontology& source = argument.loaded.source;
   std::vector<bool> in_premise;
   std::vector<bool> in_conclusion;
-  for (const el::LoadedFile& file : source.files()) {
+  for (const owl::LoadedFile& file : source.files()) {
     in_premise.push_back(premise_files->contains(resolved(file.path)));
     in_conclusion.push_back(conclusion_files->contains(resolved(file.path)));
   }

@@ -30,7 +30,7 @@ struct Argument {
 
 /// The first thing that the reader left out of these files, imports apart: those are decided without. `files[f]` says
 /// whether file f is meant; empty: all are. What is left out for a damaged literal counts only where it is asked for.
-[[nodiscard]] std::optional<std::string> find_unread(const el::OntologySource& source, const std::vector<bool>& files,
+[[nodiscard]] std::optional<std::string> find_unread(const owl::Ontology& source, const std::vector<bool>& files,
                                                      bool with_damaged);
 
 /// On standard error, for every import that no given file answers, that it was decided without.

@@ -12,9 +12,9 @@ namespace {
 /// A compiled form is asked whether its sources have changed since.
 void add_sources(const std::string& file, std::vector<std::string>& readable) {
   if (!is_compiled({file})) return;
-  const auto ontology = el::Ontology::map(file);
+  const auto ontology = compiled::Ontology::map(file);
   if (!ontology) return;
-  for (const el::LoadedFile& source : ontology->files()) readable.push_back(source.path);
+  for (const owl::LoadedFile& source : ontology->files()) readable.push_back(source.path);
 }
 
 }  // namespace

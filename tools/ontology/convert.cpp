@@ -22,10 +22,10 @@ struct ConvertRequest {
 
 /// What was read and cannot be written: triples are written as they stand, and what is damaged as it was read.
 void say_lost(const rdf::Loaded& loaded) {
-  for (const el::OntologySource::Omission& lost : loaded.source.omissions()) {
+  for (const owl::Ontology::Omission& lost : loaded.source.omissions()) {
     const auto file = static_cast<std::size_t>(lost.file);
     const std::string_view construct = loaded.source.name(lost.construct);
-    if (rdf::has_triples(loaded.syntaxes[file]) || construct == el::damaged_literal ||
+    if (syntax::has_triples(loaded.syntaxes[file]) || construct == owl::damaged_literal ||
         construct.starts_with("owl:imports "))
       continue;
     say_error(base::printable(loaded.source.files()[file].path, 4096) + ':' + std::to_string(lost.line) + ": " +

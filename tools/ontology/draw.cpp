@@ -73,7 +73,7 @@ Exit draw(const DrawRequest& request, const Graphviz& graphviz) {
   if (!knowledge) return Exit::usage;
   const auto ontology = open_or_say(*knowledge);
   if (!ontology) return Exit::usage;
-  std::optional<el::ClassNumber> root;
+  std::optional<taxonomy::ClassNumber> root;
   if (!request.root.empty()) {
     root = find_or_say(*ontology, request.root);
     if (!root) return Exit::usage;

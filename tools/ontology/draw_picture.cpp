@@ -9,29 +9,29 @@
 namespace geminga::ontology {
 namespace {
 
-using el::ClassNumber;
+using taxonomy::ClassNumber;
 
 std::size_t index(ClassNumber number) { return static_cast<std::size_t>(number); }
 std::string id_of(ClassNumber number) { return "c" + std::to_string(static_cast<std::uint32_t>(number)); }
 
 /// For each class the named classes that axioms put right above it: as they stand there or in a conjunction.
-std::multimap<std::string_view, std::string_view> told_parents(const el::OntologySource& source) {
+std::multimap<std::string_view, std::string_view> told_parents(const owl::Ontology& source) {
   std::multimap<std::string_view, std::string_view> parents;
-  const auto tell = [&](el::TermId sub, el::TermId super) {
-    if (source.kind(sub) != el::TermKind::named_class) return;
-    const el::Term above = source.term(super);
-    if (above.kind == el::TermKind::named_class) parents.emplace(source.name_of(sub), source.name_of(super));
-    if (above.kind != el::TermKind::object_intersection_of) return;
-    for (const el::TermId part : above.arguments) {
-      if (source.kind(part) == el::TermKind::named_class) parents.emplace(source.name_of(sub), source.name_of(part));
+  const auto tell = [&](owl::TermId sub, owl::TermId super) {
+    if (source.kind(sub) != owl::TermKind::named_class) return;
+    const owl::Term above = source.term(super);
+    if (above.kind == owl::TermKind::named_class) parents.emplace(source.name_of(sub), source.name_of(super));
+    if (above.kind != owl::TermKind::object_intersection_of) return;
+    for (const owl::TermId part : above.arguments) {
+      if (source.kind(part) == owl::TermKind::named_class) parents.emplace(source.name_of(sub), source.name_of(part));
     }
   };
   for (std::size_t at = 0; at < source.axiom_count(); ++at) {
-    const el::Axiom axiom = source.axiom(at);
-    if (axiom.kind == el::AxiomKind::sub_class_of) tell(axiom.arguments[0], axiom.arguments[1]);
-    if (axiom.kind != el::AxiomKind::equivalent_classes) continue;
-    for (const el::TermId one : axiom.arguments) {
-      for (const el::TermId other : axiom.arguments) {
+    const owl::Axiom axiom = source.axiom(at);
+    if (axiom.kind == owl::AxiomKind::sub_class_of) tell(axiom.arguments[0], axiom.arguments[1]);
+    if (axiom.kind != owl::AxiomKind::equivalent_classes) continue;
+    for (const owl::TermId one : axiom.arguments) {
+      for (const owl::TermId other : axiom.arguments) {
         if (one != other) tell(one, other);
       }
     }
@@ -41,7 +41,8 @@ std::multimap<std::string_view, std::string_view> told_parents(const el::Ontolog
 
 class Artist {
  public:
-  Artist(const el::OntologySource& source, const el::Classification& classification, const el::Ontology& ontology)
+  Artist(const owl::Ontology& source, const taxonomy::Classification& classification,
+         const compiled::Ontology& ontology)
       : source_(source),
         classification_(classification),
         ontology_(ontology),
@@ -162,9 +163,9 @@ class Artist {
     for (Box& box : picture) std::erase_if(box.parents, [&](const std::string& id) { return !is_shown(id); });
   }
 
-  const el::OntologySource& source_;
-  const el::Classification& classification_;
-  const el::Ontology& ontology_;
+  const owl::Ontology& source_;
+  const taxonomy::Classification& classification_;
+  const compiled::Ontology& ontology_;
   std::vector<std::vector<ClassNumber>> members_;
   std::vector<std::vector<ClassNumber>> children_;
   std::map<ClassNumber, unsigned> level_;
@@ -173,8 +174,9 @@ class Artist {
 
 }  // namespace
 
-Picture make_picture(const el::OntologySource& source, const el::Classification& classification,
-                     const el::Ontology& ontology, std::optional<ClassNumber> root, std::optional<unsigned> depth) {
+Picture make_picture(const owl::Ontology& source, const taxonomy::Classification& classification,
+                     const compiled::Ontology& ontology, std::optional<ClassNumber> root,
+                     std::optional<unsigned> depth) {
   return Artist(source, classification, ontology).draw(root, depth);
 }
 

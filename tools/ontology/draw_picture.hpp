@@ -35,8 +35,8 @@ using Picture = std::vector<Box>;
 /// The classes below `root`, itself included, or all but owl:Thing without it. With a depth no more than as many edges
 /// below the root, or below owl:Thing. Unsatisfiable classes are below everything; they are drawn below the classes
 /// that axioms name right above them.
-[[nodiscard]] Picture make_picture(const el::OntologySource& source, const el::Classification& classification,
-                                   const el::Ontology& ontology, std::optional<el::ClassNumber> root,
+[[nodiscard]] Picture make_picture(const owl::Ontology& source, const taxonomy::Classification& classification,
+                                   const compiled::Ontology& ontology, std::optional<taxonomy::ClassNumber> root,
                                    std::optional<unsigned> depth);
 
 /// The same picture with leaves that have the same parent in one box, where they are at least three. What has several

@@ -42,14 +42,14 @@ Answer join(const std::vector<Finding>& findings, const Argument& argument) {
 }
 
 std::vector<Finding> decide(Argument& argument, base::Budget& budget) {
-  el::OntologySource& source = argument.loaded.source;
+  owl::Ontology& source = argument.loaded.source;
   const auto answers = reasoner::entails_each(source, argument.premise, argument.conclusion, argument.damaged, &budget);
   const auto short_name = short_names(source);
   std::vector<Finding> findings;
   for (std::size_t at = 0; at < answers.size(); ++at) {
-    const el::Axiom axiom = source.axiom(argument.conclusion[at]);
+    const owl::Axiom axiom = source.axiom(argument.conclusion[at]);
     const std::string& file = source.files()[static_cast<std::size_t>(axiom.file)].path;
-    Finding finding{el::print(source, axiom, short_name), file, file, axiom.line, answers[at]};
+    Finding finding{owl::print(source, axiom, short_name), file, file, axiom.line, answers[at]};
     if (axiom.line != 0) finding.place += ':' + std::to_string(axiom.line);
     // What was not understood of the premise might be what is missing.
     if (finding.answer.verdict == Verdict::no && argument.unread_premise)

@@ -30,8 +30,8 @@ Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
   const auto ontology = learn_ontology_or_say(request.files, {.as_json = request.as_json, .budget = &budget});
   if (!ontology) return Exit::usage;
   const bool is_plain = !request.is_about_contradiction;
-  const auto sub = find_or_say(*ontology, is_plain ? request.sub : std::string(el::owl_thing), request.as_json);
-  const auto super = find_or_say(*ontology, is_plain ? request.super : std::string(el::owl_nothing), request.as_json);
+  const auto sub = find_or_say(*ontology, is_plain ? request.sub : std::string(owl::owl_thing), request.as_json);
+  const auto super = find_or_say(*ontology, is_plain ? request.super : std::string(owl::owl_nothing), request.as_json);
   if (!sub || !super) return Exit::usage;
 
   Explained explained;
@@ -39,7 +39,7 @@ Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
   explained.super = *super;
   explained.is_all = request.is_all;
   explained.is_entailed = ontology->is_subsumed(*sub, *super);
-  std::optional<reasoner::Explainer> explainer;
+  std::optional<explanation::Explainer> explainer;
   if (explained.is_entailed) {
     explainer.emplace(*ontology, *sub, *super);
     if (request.is_all) {
@@ -48,12 +48,12 @@ Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
       explained.sets.sets.push_back(std::move(*found));
     }
     if (request.wants_proof) {
-      for (const reasoner::AxiomSet& set : explained.sets.sets) explained.proofs.push_back(prove(*explainer, set));
+      for (const explanation::AxiomSet& set : explained.sets.sets) explained.proofs.push_back(prove(*explainer, set));
     }
   } else if (is_plain) {
-    explained.why_not = reasoner::why_not(*ontology, *sub, *super);
+    explained.why_not = explanation::why_not(*ontology, *sub, *super);
   }
-  const reasoner::Explainer* found_by = explainer ? &*explainer : nullptr;
+  const explanation::Explainer* found_by = explainer ? &*explainer : nullptr;
   std::string text =
       request.as_json ? as_json(*ontology, explained, found_by) : as_text(*ontology, explained, found_by);
   if (!is_plain && !explained.is_entailed && !request.as_json) text = "The ontology does not contradict itself\n";

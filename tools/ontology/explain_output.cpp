@@ -8,7 +8,7 @@
 namespace geminga::ontology {
 namespace {
 
-using reasoner::ExplainedAxiom;
+using explanation::ExplainedAxiom;
 
 std::string as_line(const ExplainedAxiom& axiom) {
   std::string text = axiom.text;
@@ -27,7 +27,7 @@ std::string listed(const std::vector<std::uint32_t>& numbers) {
   return text;
 }
 
-std::string proof_as_text(const reasoner::Proof& proof, const reasoner::Explainer& explainer,
+std::string proof_as_text(const explanation::Proof& proof, const explanation::Explainer& explainer,
                           const std::string& indent) {
   std::string text;
   std::uint32_t number = 0;
@@ -37,15 +37,15 @@ std::string proof_as_text(const reasoner::Proof& proof, const reasoner::Explaine
   };
   for (const std::uint32_t axiom : proof.axioms) text += numbered() + as_line(explainer.module().explained(axiom));
   if (!proof.steps.empty()) text += indent + "so\n";
-  for (const reasoner::ProofStep& step : proof.steps) {
+  for (const explanation::ProofStep& step : proof.steps) {
     text += numbered() + step.text + "   from " + listed(step.from);
-    text += step.rule == reasoner::ProofRule::together ? ": " : " by ";
+    text += step.rule == explanation::ProofRule::together ? ": " : " by ";
     text += std::string(to_string(step.rule)) + '\n';
   }
   return text;
 }
 
-std::string set_as_text(const Explained& explained, std::size_t at, const reasoner::Explainer& explainer,
+std::string set_as_text(const Explained& explained, std::size_t at, const explanation::Explainer& explainer,
                         const std::string& indent) {
   if (at < explained.proofs.size()) return proof_as_text(explained.proofs[at], explainer, indent);
   std::string text;
@@ -53,17 +53,17 @@ std::string set_as_text(const Explained& explained, std::size_t at, const reason
   return text;
 }
 
-std::string why_not_as_text(const el::Ontology& ontology, const Explained& explained) {
+std::string why_not_as_text(const compiled::Ontology& ontology, const Explained& explained) {
   std::string text;
-  for (const std::string& line : reasoner::describe(ontology, explained.sub, explained.super, *explained.why_not))
+  for (const std::string& line : explanation::describe(ontology, explained.sub, explained.super, *explained.why_not))
     text += line + '\n';
   return text;
 }
 
 /// "a:A is subsumed by a:B", or what that means where one of them is nothing or everything.
-std::string statement(const el::Ontology& ontology, const Explained& explained) {
-  const bool is_nothing = ontology.iri(explained.super) == el::owl_nothing;
-  if (is_nothing && ontology.iri(explained.sub) == el::owl_thing) return "The ontology contradicts itself";
+std::string statement(const compiled::Ontology& ontology, const Explained& explained) {
+  const bool is_nothing = ontology.iri(explained.super) == owl::owl_nothing;
+  if (is_nothing && ontology.iri(explained.sub) == owl::owl_thing) return "The ontology contradicts itself";
   if (is_nothing) return ontology.short_name(explained.sub) + " can have no instance";
   return ontology.short_name(explained.sub) + " is subsumed by " + ontology.short_name(explained.super);
 }
@@ -75,7 +75,7 @@ boost::json::array as_array(const std::vector<ExplainedAxiom>& axioms) {
   return list;
 }
 
-boost::json::object as_object(const reasoner::Proof& proof, const reasoner::Explainer& explainer) {
+boost::json::object as_object(const explanation::Proof& proof, const explanation::Explainer& explainer) {
   boost::json::object object;
   boost::json::array& axioms = object["axioms"].emplace_array();
   std::uint32_t number = 0;
@@ -85,7 +85,7 @@ boost::json::object as_object(const reasoner::Proof& proof, const reasoner::Expl
         {"number", ++number}, {"axiom", explained.text}, {"file", explained.file}, {"line", explained.line}});
   }
   boost::json::array& steps = object["steps"].emplace_array();
-  for (const reasoner::ProofStep& step : proof.steps)
+  for (const explanation::ProofStep& step : proof.steps)
     steps.push_back(boost::json::object{{"number", ++number},
                                         {"conclusion", step.text},
                                         {"rule", to_string(step.rule)},
@@ -93,18 +93,18 @@ boost::json::object as_object(const reasoner::Proof& proof, const reasoner::Expl
   return object;
 }
 
-boost::json::object as_object(const el::Ontology& ontology, const reasoner::WhyNot& why_not) {
+boost::json::object as_object(const compiled::Ontology& ontology, const explanation::WhyNot& why_not) {
   boost::json::object object;
   boost::json::array& common = object["common"].emplace_array();
-  for (const el::ClassNumber number : why_not.common) common.emplace_back(ontology.iri(number));
+  for (const taxonomy::ClassNumber number : why_not.common) common.emplace_back(ontology.iri(number));
   boost::json::array& ways = object["ways"].emplace_array();
-  for (const reasoner::Way& way : why_not.ways) {
+  for (const explanation::Way& way : why_not.ways) {
     boost::json::object one{{"axiom", way.axiom.text},
                             {"file", way.axiom.file},
                             {"line", way.axiom.line},
                             {"sufficient", way.is_sufficient}};
     boost::json::array& requirements = one["requirements"].emplace_array();
-    for (const reasoner::Requirement& requirement : way.requirements)
+    for (const explanation::Requirement& requirement : way.requirements)
       requirements.push_back(boost::json::object{
           {"requirement", requirement.text}, {"met", requirement.is_met}, {"remark", requirement.remark}});
     ways.push_back(std::move(one));
@@ -117,7 +117,8 @@ boost::json::object as_object(const el::Ontology& ontology, const reasoner::WhyN
 
 }  // namespace
 
-std::string as_text(const el::Ontology& ontology, const Explained& explained, const reasoner::Explainer* explainer) {
+std::string as_text(const compiled::Ontology& ontology, const Explained& explained,
+                    const explanation::Explainer* explainer) {
   const std::string what = statement(ontology, explained);
   if (!explained.is_entailed) {
     return ontology.short_name(explained.sub) + " is not subsumed by " + ontology.short_name(explained.super) + '\n' +
@@ -137,7 +138,8 @@ std::string as_text(const el::Ontology& ontology, const Explained& explained, co
          (explained.sets.may_have_more ? "There are more, or may be: raise --limit.\n" : "There are no others.\n");
 }
 
-std::string as_json(const el::Ontology& ontology, const Explained& explained, const reasoner::Explainer* explainer) {
+std::string as_json(const compiled::Ontology& ontology, const Explained& explained,
+                    const explanation::Explainer* explainer) {
   boost::json::object document{{"sub", ontology.iri(explained.sub)},
                                {"super", ontology.iri(explained.super)},
                                {"entailed", explained.is_entailed}};
@@ -146,12 +148,12 @@ std::string as_json(const el::Ontology& ontology, const Explained& explained, co
   if (explainer != nullptr && !sets.empty()) first = as_array(explainer->explained(sets.front()));
   if (explainer != nullptr && explained.is_all) {
     boost::json::array& all = document["sets"].emplace_array();
-    for (const reasoner::AxiomSet& set : sets) all.push_back(as_array(explainer->explained(set)));
+    for (const explanation::AxiomSet& set : sets) all.push_back(as_array(explainer->explained(set)));
     document["may_have_more"] = explained.sets.may_have_more;
   }
   if (explainer != nullptr && !explained.proofs.empty()) {
     boost::json::array& proofs = document["proofs"].emplace_array();
-    for (const reasoner::Proof& proof : explained.proofs) proofs.push_back(as_object(proof, *explainer));
+    for (const explanation::Proof& proof : explained.proofs) proofs.push_back(as_object(proof, *explainer));
   }
   if (explained.why_not) document["why_not"] = as_object(ontology, *explained.why_not);
   return boost::json::serialize(document) + '\n';

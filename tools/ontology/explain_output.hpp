@@ -15,21 +15,21 @@ namespace geminga::ontology {
 
 /// A question and its answer.
 struct Explained {
-  el::ClassNumber sub{};
-  el::ClassNumber super{};
+  taxonomy::ClassNumber sub{};
+  taxonomy::ClassNumber super{};
   bool is_entailed = false;
-  bool is_all = false;                      ///< all sets were asked for
-  reasoner::AllSets sets;                   ///< one set where not
-  std::vector<reasoner::Proof> proofs;      ///< of each set, where they were asked for
-  std::optional<reasoner::WhyNot> why_not;  ///< where it is not entailed
+  bool is_all = false;                         ///< all sets were asked for
+  explanation::AllSets sets;                   ///< one set where not
+  std::vector<explanation::Proof> proofs;      ///< of each set, where they were asked for
+  std::optional<explanation::WhyNot> why_not;  ///< where it is not entailed
 };
 
 /// `explainer` is the one that found the sets; null where it is not entailed.
-[[nodiscard]] std::string as_text(const el::Ontology& ontology, const Explained& explained,
-                                  const reasoner::Explainer* explainer);
+[[nodiscard]] std::string as_text(const compiled::Ontology& ontology, const Explained& explained,
+                                  const explanation::Explainer* explainer);
 /// One document on one line.
-[[nodiscard]] std::string as_json(const el::Ontology& ontology, const Explained& explained,
-                                  const reasoner::Explainer* explainer);
+[[nodiscard]] std::string as_json(const compiled::Ontology& ontology, const Explained& explained,
+                                  const explanation::Explainer* explainer);
 
 }  // namespace geminga::ontology
 

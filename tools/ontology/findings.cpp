@@ -27,43 +27,43 @@ void sort_axioms(std::vector<LeftOutGroup>& groups) {
 }
 
 std::vector<LeftOutGroup> group(const Knowledge& knowledge) {
-  const el::OntologySource& source = knowledge.loaded.source;
+  const owl::Ontology& source = knowledge.loaded.source;
   const auto short_name = short_names(source);
   std::vector<LeftOutGroup> groups;
   std::map<std::string_view, std::size_t> place;
-  for (el::LeftOut& summary : el::left_out(source, knowledge.classification)) {
+  for (owl::LeftOut& summary : taxonomy::left_out(source, knowledge.classification)) {
     groups.push_back({std::move(summary), {}});
   }
   for (std::size_t at = 0; at < groups.size(); ++at) place.emplace(groups[at].summary.construct, at);
-  for (const el::UnusedAxiom& unused : knowledge.classification.unused) {
+  for (const taxonomy::UnusedAxiom& unused : knowledge.classification.unused) {
     const auto found = place.find(unused.construct);
     if (found == place.end()) continue;
-    const el::Axiom axiom = source.axiom(unused.axiom);
+    const owl::Axiom axiom = source.axiom(unused.axiom);
     groups[found->second].axioms.push_back(
-        {el::print(source, axiom, short_name), source.files()[static_cast<std::size_t>(axiom.file)].path, axiom.line});
+        {owl::print(source, axiom, short_name), source.files()[static_cast<std::size_t>(axiom.file)].path, axiom.line});
   }
   sort_axioms(groups);
   return groups;
 }
 
-std::vector<LeftOutGroup> group(const el::Ontology& ontology) {
+std::vector<LeftOutGroup> group(const compiled::Ontology& ontology) {
   std::vector<LeftOutGroup> groups;
-  for (el::LeftOut& summary : ontology.left_out()) groups.push_back({std::move(summary), {}});
-  const el::ClassifiedView& view = ontology.axioms();
-  reasoner::Module module(ontology, {});
+  for (owl::LeftOut& summary : ontology.left_out()) groups.push_back({std::move(summary), {}});
+  const taxonomy::ClassifiedView& view = ontology.axioms();
+  explanation::Module module(ontology, {});
   for (std::size_t at = 0; at < view.unused_axiom.size(); ++at) {
-    reasoner::ExplainedAxiom axiom = module.explained_original(view.unused_axiom[at]);
+    explanation::ExplainedAxiom axiom = module.explained_original(view.unused_axiom[at]);
     groups[view.unused_group[at]].axioms.push_back({std::move(axiom.text), std::move(axiom.file), axiom.line});
   }
   sort_axioms(groups);
   return groups;
 }
 
-Open find_open(const Knowledge& knowledge, const el::Ontology& ontology) {
+Open find_open(const Knowledge& knowledge, const compiled::Ontology& ontology) {
   const reasoner::Undecided& undecided = knowledge.classification.undecided;
   Open open;
   open.consistency = undecided.consistency;
-  for (const el::ClassNumber of : undecided.classes) open.classes.push_back(ontology.short_name(of));
+  for (const taxonomy::ClassNumber of : undecided.classes) open.classes.push_back(ontology.short_name(of));
   if (undecided.held_up_by) open.held_up_by = ontology.short_name(*undecided.held_up_by);
   return open;
 }
@@ -72,14 +72,14 @@ Open find_open(const Knowledge& knowledge, const el::Ontology& ontology) {
 constexpr std::uint64_t steps_per_work = 10;
 
 struct Reason {
-  std::vector<reasoner::ExplainedAxiom> axioms;
+  std::vector<explanation::ExplainedAxiom> axioms;
   bool was_hard = false;  ///< some question on the way was left undecided
 };
 
-Reason reason_of(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super, base::Budget& budget,
-                 reasoner::Patience patience) {
+Reason reason_of(const compiled::Ontology& ontology, taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
+                 base::Budget& budget, explanation::Patience patience) {
   if (!budget.spend(1)) return {};
-  reasoner::Explainer explainer(ontology, sub, super, patience);
+  explanation::Explainer explainer(ontology, sub, super, patience);
   const auto found = explainer.find_one();
   static_cast<void>(budget.spend(steps_per_work * explainer.oracle().work()));
   Reason reason{{}, explainer.oracle().undecided_count() > 0};
@@ -89,16 +89,16 @@ Reason reason_of(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNum
 
 /// Of an ontology that does not contradict itself. There may be many reasons to find, so only easy ones are looked for,
 /// and where one was hard, those of the other classes would be, too; `explain` takes its time.
-std::vector<Unsatisfiable> find_unsatisfiable(const el::Ontology& ontology, base::Budget& budget) {
+std::vector<Unsatisfiable> find_unsatisfiable(const compiled::Ontology& ontology, base::Budget& budget) {
   std::vector<Unsatisfiable> found;
   bool was_hard = false;
-  const auto nothing = ontology.find_iri(el::owl_nothing);
+  const auto nothing = ontology.find_iri(owl::owl_nothing);
   for (std::uint32_t number = 0; number < ontology.class_count() && nothing; ++number) {
-    const el::ClassNumber named{number};
+    const taxonomy::ClassNumber named{number};
     if (named == *nothing || ontology.is_satisfiable(named)) continue;
-    Unsatisfiable& one = found.emplace_back(ontology.short_name(named), std::vector<reasoner::ExplainedAxiom>());
+    Unsatisfiable& one = found.emplace_back(ontology.short_name(named), std::vector<explanation::ExplainedAxiom>());
     if (found.size() > max_explained_classes || was_hard) continue;
-    Reason reason = reason_of(ontology, named, *nothing, budget, reasoner::Patience::of_a_daemon);
+    Reason reason = reason_of(ontology, named, *nothing, budget, explanation::Patience::of_a_daemon);
     one.reason = std::move(reason.axioms);
     was_hard = reason.was_hard;
   }
@@ -106,39 +106,39 @@ std::vector<Unsatisfiable> find_unsatisfiable(const el::Ontology& ontology, base
 }
 
 /// Classes, reasons and collisions: what both kinds of ontologies are asked for.
-void find_problems(const el::Ontology& ontology, Findings& findings, base::Budget& budget) {
+void find_problems(const compiled::Ontology& ontology, Findings& findings, base::Budget& budget) {
   findings.is_consistent = ontology.is_consistent();
   findings.collisions = find_collisions(ontology);
   if (findings.is_consistent) {
     findings.unsatisfiable = find_unsatisfiable(ontology, budget);
     return;
   }
-  const auto thing = ontology.find_iri(el::owl_thing);
-  const auto nothing = ontology.find_iri(el::owl_nothing);
+  const auto thing = ontology.find_iri(owl::owl_thing);
+  const auto nothing = ontology.find_iri(owl::owl_nothing);
   if (thing && nothing)
-    findings.contradiction = reason_of(ontology, *thing, *nothing, budget, reasoner::Patience::of_a_person).axioms;
+    findings.contradiction = reason_of(ontology, *thing, *nothing, budget, explanation::Patience::of_a_person).axioms;
 }
 
 /// What is wrong with classes comes to light in a contradiction only where facts are left aside: an instance of a class
 /// that can have none is the commonest of all.
-void find_unsatisfiable_without_facts(const el::OntologySource& source, Findings& findings, base::Budget& budget) {
+void find_unsatisfiable_without_facts(const owl::Ontology& source, Findings& findings, base::Budget& budget) {
   std::vector<std::uint32_t> terminology;
   for (std::uint32_t number = 0; number < source.axiom_count(); ++number) {
-    if (source.axiom(number).kind < el::AxiomKind::same_individual) terminology.push_back(number);
+    if (source.axiom(number).kind < owl::AxiomKind::same_individual) terminology.push_back(number);
   }
   if (terminology.size() == source.axiom_count()) return;
   reasoner::Excerpt excerpt(source, terminology);
-  for (const el::OntologySource::Prefix& prefix : source.prefixes())
+  for (const owl::Ontology::Prefix& prefix : source.prefixes())
     excerpt.source.add_prefix(source.name(prefix.prefix), source.name(prefix.iri));
   const auto classified = reasoner::classify(excerpt.source, {.budget = &budget});
   if (!classified || !classified->is_consistent) return;
-  const auto ontology = el::Ontology::from_bytes(el::compile(excerpt.source, *classified));
+  const auto ontology = compiled::Ontology::from_bytes(compiled::compile(excerpt.source, *classified));
   if (ontology) findings.unsatisfiable = find_unsatisfiable(*ontology, budget);
 }
 
-boost::json::array axioms_as_json(const std::vector<reasoner::ExplainedAxiom>& axioms) {
+boost::json::array axioms_as_json(const std::vector<explanation::ExplainedAxiom>& axioms) {
   boost::json::array list;
-  for (const reasoner::ExplainedAxiom& axiom : axioms)
+  for (const explanation::ExplainedAxiom& axiom : axioms)
     list.push_back(boost::json::object{{"axiom", axiom.text}, {"file", axiom.file}, {"line", axiom.line}});
   return list;
 }
@@ -181,7 +181,7 @@ void add_names(boost::json::object& document, const NameFindings& names) {
 
 }  // namespace
 
-Findings find(const Knowledge& knowledge, const el::Ontology& ontology, base::Budget& budget) {
+Findings find(const Knowledge& knowledge, const compiled::Ontology& ontology, base::Budget& budget) {
   const rdf::Loaded& loaded = knowledge.loaded;
   Findings findings;
   findings.sources.files.assign(loaded.source.files().begin(), loaded.source.files().end());
@@ -199,7 +199,7 @@ Findings find(const Knowledge& knowledge, const el::Ontology& ontology, base::Bu
   return findings;
 }
 
-Findings find(const el::Ontology& ontology, base::Budget& budget) {
+Findings find(const compiled::Ontology& ontology, base::Budget& budget) {
   Findings findings;
   findings.sources.files = ontology.files();
   findings.sources.classes = std::max(ontology.class_count(), 2U) - 2;  // without owl:Thing and owl:Nothing
@@ -246,7 +246,7 @@ std::string as_json(const Findings& findings) {
   if (sources.triples) document["triples"] = *sources.triples;
   if (sources.outgrown) document["outgrown"] = *sources.outgrown;
   boost::json::array& files = document["files"].emplace_array();
-  for (const el::LoadedFile& file : sources.files)
+  for (const owl::LoadedFile& file : sources.files)
     files.push_back(boost::json::object{{"path", file.path}, {"ontology", file.ontology_iri}});
   document["left_out"] = left_out_as_json(findings);
   document["gaps"] = boost::json::value_from(findings.gaps);

@@ -24,13 +24,13 @@ struct LeftOutAxiom {
 
 /// Everything that was left out because of one construct, by the reader or by the reasoner.
 struct LeftOutGroup {
-  el::LeftOut summary;
+  owl::LeftOut summary;
   std::vector<LeftOutAxiom> axioms;  ///< by file and line; none of what the reader could not even make an axiom of
 };
 
 struct Unsatisfiable {
   std::string name;
-  std::vector<reasoner::ExplainedAxiom> reason;  ///< a minimal set; empty: nobody looked for it, or none was found
+  std::vector<explanation::ExplainedAxiom> reason;  ///< a minimal set; empty: nobody looked for it, or none was found
 };
 
 /// Reasons are looked for of so many classes; whoever wants others asks `explain`.
@@ -45,7 +45,7 @@ struct Open {
 
 /// What was looked at.
 struct Sources {
-  std::vector<el::LoadedFile> files;
+  std::vector<owl::LoadedFile> files;
   std::optional<std::size_t> triples;  ///< nothing: a compiled ontology does not keep how many there were
   std::size_t classes = 0;
   std::size_t axioms = 0;
@@ -61,7 +61,8 @@ struct Findings {
   std::vector<std::string> gaps;       ///< why something may be missing although every axiom was used
   Open open;                           ///< of sources; a compiled ontology has it among its gaps
   bool is_consistent = true;
-  std::vector<reasoner::ExplainedAxiom> contradiction;  ///< a minimal set that contradicts itself, where there is one
+  std::vector<explanation::ExplainedAxiom>
+      contradiction;  ///< a minimal set that contradicts itself, where there is one
   /// Where there is a contradiction, those that can have no instance even if all facts are left aside.
   std::vector<Unsatisfiable> unsatisfiable;
   Collisions collisions;
@@ -75,9 +76,9 @@ struct Findings {
 };
 
 /// Where the budget is spent, no more reasons are looked for.
-[[nodiscard]] Findings find(const Knowledge& knowledge, const el::Ontology& ontology, base::Budget& budget);
+[[nodiscard]] Findings find(const Knowledge& knowledge, const compiled::Ontology& ontology, base::Budget& budget);
 /// The same of a compiled ontology, whose axioms have been verified.
-[[nodiscard]] Findings find(const el::Ontology& ontology, base::Budget& budget);
+[[nodiscard]] Findings find(const compiled::Ontology& ontology, base::Budget& budget);
 
 /// One line: whether every answer is there, and why not.
 [[nodiscard]] std::string verdict(const Findings& findings);

@@ -55,7 +55,7 @@ class Resolver {
   }
 
   const IdRequest& request_;
-  std::optional<el::Ontology> ontology_;
+  std::optional<compiled::Ontology> ontology_;
 };
 
 Exit print_id(const IdRequest& request) {

@@ -15,15 +15,15 @@ using graph::iri;
 using graph::Node;
 
 /// Every named individual of the axioms.
-std::vector<el::TermId> individuals_of(const el::OntologySource& source) {
+std::vector<owl::TermId> individuals_of(const owl::Ontology& source) {
   std::vector<bool> is_found(source.term_count(), false);
-  std::vector<el::TermId> roots;
+  std::vector<owl::TermId> roots;
   for (std::size_t number = 0; number < source.axiom_count(); ++number) {
-    for (const el::TermId id : source.axiom(number).arguments) roots.push_back(id);
+    for (const owl::TermId id : source.axiom(number).arguments) roots.push_back(id);
   }
-  std::vector<el::TermId> found;
-  for (const el::TermId id : el::terms_in(source, roots)) {
-    if (source.kind(id) != el::TermKind::individual || is_found[static_cast<std::size_t>(id)]) continue;
+  std::vector<owl::TermId> found;
+  for (const owl::TermId id : owl::terms_in(source, roots)) {
+    if (source.kind(id) != owl::TermKind::individual || is_found[static_cast<std::size_t>(id)]) continue;
     is_found[static_cast<std::size_t>(id)] = true;
     found.push_back(id);
   }
@@ -103,7 +103,7 @@ class Writer {
     write_equal(classes, words.equal);
     write_equal(individuals, std::string(graph::owl_namespace) + "sameAs");
     const auto type_all = [&](std::string_view type) {
-      if (type == el::owl_thing) return;
+      if (type == owl::owl_thing) return;
       for (const std::string_view individual : individuals) link(individual, graph::rdf_type, type);
     };
     for (const std::string_view type : classes) type_all(type);
@@ -136,25 +136,25 @@ class Writer {
 }  // namespace
 
 std::expected<Knowledge, NoKnowledge> learn_types(rdf::Loaded loaded, Progress& progress, const Learning& how) {
-  el::OntologySource& source = loaded.source;
-  for (const el::TermId individual : individuals_of(source)) {
-    const el::TermId itself =
+  owl::Ontology& source = loaded.source;
+  for (const owl::TermId individual : individuals_of(source)) {
+    const owl::TermId itself =
         source.named_class(std::string(only_individual) + std::string(source.name_of(individual)));
-    const el::TermId one = source.term(el::TermKind::object_one_of, {individual});
-    source.add(el::AxiomKind::equivalent_classes, {itself, one}, el::FileId{0}, 0);
+    const owl::TermId one = source.term(owl::TermKind::object_one_of, {individual});
+    source.add(owl::AxiomKind::equivalent_classes, {itself, one}, owl::FileId{0}, 0);
   }
   if (const auto& problem = source.problem()) return std::unexpected(NoKnowledge{*problem, false});
   return learn(std::move(loaded), 0, progress, how);
 }
 
 void add_inferred(const Knowledge& knowledge, bool as_closure, graph::Graph& graph) {
-  const el::OntologySource& source = knowledge.loaded.source;
-  const el::Classification& classification = knowledge.classification;
+  const owl::Ontology& source = knowledge.loaded.source;
+  const taxonomy::Classification& classification = knowledge.classification;
   const std::string owl(graph::owl_namespace);
   Writer writer(as_closure, graph);
   writer.write(class_hierarchy(source, classification),
                {std::string(graph::rdfs_sub_class_of), owl + "equivalentClass"});
-  const auto properties = [&](const el::PropertyTaxonomy& taxonomy) {
+  const auto properties = [&](const taxonomy::PropertyTaxonomy& taxonomy) {
     writer.write(property_hierarchy(source, taxonomy, classification.is_consistent),
                  {std::string(graph::rdfs_sub_property_of), owl + "equivalentProperty"});
   };
@@ -163,19 +163,19 @@ void add_inferred(const Knowledge& knowledge, bool as_closure, graph::Graph& gra
 }
 
 void add_declarations(const Knowledge& knowledge, graph::Graph& graph) {
-  const el::OntologySource& source = knowledge.loaded.source;
+  const owl::Ontology& source = knowledge.loaded.source;
   std::set<std::string, std::less<>> of_data;
-  for (const el::NameId name : knowledge.classification.data_properties.properties) of_data.emplace(source.name(name));
-  std::set<std::pair<std::string, el::TermKind>> declared;
+  for (const owl::NameId name : knowledge.classification.data_properties.properties) of_data.emplace(source.name(name));
+  std::set<std::pair<std::string, owl::TermKind>> declared;
   const std::string same = std::string(graph::owl_namespace) + "sameAs";
   const std::string equal_property = std::string(graph::owl_namespace) + "equivalentProperty";
   graph.for_each([&](const Node& subject, const Node& predicate, const Node& object) {
     const bool is_fact = predicate.text == graph::rdf_type;
     for (const Node* node : {&subject, &object}) {
-      el::TermKind kind = el::TermKind::named_class;
-      if (predicate.text == same || (is_fact && node == &subject)) kind = el::TermKind::individual;
+      owl::TermKind kind = owl::TermKind::named_class;
+      if (predicate.text == same || (is_fact && node == &subject)) kind = owl::TermKind::individual;
       if (predicate.text == graph::rdfs_sub_property_of || predicate.text == equal_property)
-        kind = of_data.contains(node->text) ? el::TermKind::data_property : el::TermKind::object_property;
+        kind = of_data.contains(node->text) ? owl::TermKind::data_property : owl::TermKind::object_property;
       if (!node->text.starts_with(graph::owl_namespace)) declared.emplace(node->text, kind);
     }
   });
@@ -184,7 +184,7 @@ void add_declarations(const Knowledge& knowledge, graph::Graph& graph) {
 
 std::optional<std::string> why_incomplete(const Knowledge& knowledge) {
   const auto& classification = knowledge.classification;
-  const auto left_out = el::left_out(knowledge.loaded.source, classification);
+  const auto left_out = taxonomy::left_out(knowledge.loaded.source, classification);
   if (!left_out.empty()) return left_out.front().construct + " was not used, first at " + left_out.front().first;
   if (!classification.gaps.empty()) return classification.gaps.front();
   return std::nullopt;

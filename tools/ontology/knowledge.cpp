@@ -35,7 +35,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 /// Of the files, and of those in the folders.
 std::uintmax_t size_of(const std::vector<std::string>& files) {
   std::uintmax_t octets = 0;
-  const auto listing = rdf::list_files(files, {});
+  const auto listing = syntax::list_files(files, {});
   if (!listing) return octets;  // whoever reads them says why
   for (const std::string& file : listing->files) {
     std::error_code error;
@@ -49,8 +49,8 @@ std::uintmax_t size_of(const std::vector<std::string>& files) {
 /// What was found where folders were walked, in one line: whoever named a folder does not know what is in it.
 std::string words_of(const rdf::Loaded& loaded) {
   std::map<std::string_view, std::size_t> by_syntax;
-  for (const rdf::Syntax syntax : loaded.syntaxes) ++by_syntax[rdf::to_string(syntax)];
-  const rdf::Listing& listing = loaded.listing;
+  for (const syntax::Syntax syntax : loaded.syntaxes) ++by_syntax[syntax::to_string(syntax)];
+  const syntax::Listing& listing = loaded.listing;
   std::string text = "read " + counted(listing.files.size(), "file", "files") + " in " +
                      counted(listing.folders.size(), "folder", "folders") + ':';
   std::string_view separator = " ";
@@ -76,7 +76,7 @@ std::expected<rdf::Loaded, NoKnowledge> load(const std::vector<std::string>& fil
     progress.show("reading " + std::to_string(octets >> 20U) + " MiB", 0, true);
   Readers readers(how.keeps_annotations);
   auto loaded = rdf::load(files, {}, &readers, how.threads);
-  if (!loaded) return std::unexpected(NoKnowledge{rdf::to_string(loaded.error()), loaded.error().is_unreadable});
+  if (!loaded) return std::unexpected(NoKnowledge{syntax::to_string(loaded.error()), loaded.error().is_unreadable});
   if (how.says_files && !loaded->listing.folders.empty()) {
     progress.clear();
     say_error(words_of(*loaded));
@@ -115,15 +115,15 @@ std::optional<std::string> describe_undecided(const Knowledge& knowledge) {
   const std::size_t count = undecided.classes.size();
   if (count == 0 && !undecided.consistency) return std::nullopt;
   const auto short_name = short_names(knowledge.loaded.source);
-  const auto iri = [&](el::ClassNumber of) {
+  const auto iri = [&](taxonomy::ClassNumber of) {
     return knowledge.loaded.source.name(knowledge.classification.classes[static_cast<std::size_t>(of)]);
   };
-  const auto is_individual = [&](el::ClassNumber of) { return iri(of).starts_with(only_individual); };
-  const auto name = [&](el::ClassNumber of) {
+  const auto is_individual = [&](taxonomy::ClassNumber of) { return iri(of).starts_with(only_individual); };
+  const auto name = [&](taxonomy::ClassNumber of) {
     return short_name(is_individual(of) ? iri(of).substr(only_individual.size()) : iri(of));
   };
   const auto individuals = static_cast<std::size_t>(std::ranges::count_if(undecided.classes, is_individual));
-  std::string line(el::undecided_words);
+  std::string line(compiled::undecided_words);
   if (count > individuals) line += counted(count - individuals, "class", "classes");
   if (individuals > 0) line += (count > individuals ? " and " : "") + counted(individuals, "individual", "individuals");
   if (count > 0) line += " (" + name(undecided.classes.front()) + (count == 1 ? ")" : ", ...)");
@@ -147,10 +147,10 @@ Exit exit_of(const Knowledge& knowledge, Exit exit) {
                    Exit::timed_out);
 }
 
-std::optional<el::Ontology> open_or_say(const Knowledge& knowledge) {
+std::optional<compiled::Ontology> open_or_say(const Knowledge& knowledge) {
   const std::vector<std::string> gaps = gaps_of(knowledge);
-  auto ontology = el::Ontology::from_bytes(
-      el::compile(knowledge.loaded.source, knowledge.classification, {.gaps = gaps, .folder = {}}));
+  auto ontology = compiled::Ontology::from_bytes(
+      compiled::compile(knowledge.loaded.source, knowledge.classification, {.gaps = gaps, .folder = {}}));
   if (ontology) return std::move(*ontology);
   say_error(ontology.error().text);
   return std::nullopt;
@@ -159,21 +159,21 @@ std::optional<el::Ontology> open_or_say(const Knowledge& knowledge) {
 bool is_compiled(const std::vector<std::string>& files) {
   std::error_code error;
   if (files.size() != 1 || !std::filesystem::is_regular_file(files.front(), error)) return false;
-  std::array<char, el::compiled_magic.size()> begin{};
+  std::array<char, compiled::compiled_magic.size()> begin{};
   std::ifstream(files.front(), std::ios::binary).read(begin.data(), begin.size());
-  return begin == el::compiled_magic;
+  return begin == compiled::compiled_magic;
 }
 
-std::expected<el::Ontology, el::CompiledError> open_compiled(const std::string& file) {
-  auto ontology = el::Ontology::map(file);
+std::expected<compiled::Ontology, compiled::CompiledError> open_compiled(const std::string& file) {
+  auto ontology = compiled::Ontology::map(file);
   if (!ontology) return std::unexpected(std::move(ontology.error()));
   if (const auto whole = ontology->check_whole(); !whole) {
-    return std::unexpected(el::CompiledError{file + ": " + whole.error().text});
+    return std::unexpected(compiled::CompiledError{file + ": " + whole.error().text});
   }
   return ontology;
 }
 
-std::optional<el::Ontology> learn_ontology_or_say(const std::vector<std::string>& files, const Learning& how) {
+std::optional<compiled::Ontology> learn_ontology_or_say(const std::vector<std::string>& files, const Learning& how) {
   if (!is_compiled(files)) {
     const auto knowledge = learn_or_say(files, how);
     return knowledge ? open_or_say(*knowledge) : std::nullopt;
@@ -185,51 +185,55 @@ std::optional<el::Ontology> learn_ontology_or_say(const std::vector<std::string>
   return std::nullopt;
 }
 
-std::string describe(const el::Ontology& ontology, const std::string& name, const el::NameError& error) {
-  if (error.kind != el::NameError::Kind::unknown) return error.text;
-  return error.text + el::did_you_mean(el::find_similar(ontology, name));
+std::string describe(const compiled::Ontology& ontology, const std::string& name, const compiled::NameError& error) {
+  if (error.kind != compiled::NameError::Kind::unknown) return error.text;
+  return error.text + compiled::did_you_mean(compiled::find_similar(ontology, name));
 }
 
-std::expected<el::ClassNumber, std::string> find_class(const el::Ontology& ontology, const std::string& name) {
+std::expected<taxonomy::ClassNumber, std::string> find_class(const compiled::Ontology& ontology,
+                                                             const std::string& name) {
   const auto number = ontology.find(name);
   if (number) return *number;
-  if (number.error().kind != el::NameError::Kind::unknown) return std::unexpected(number.error().text);
-  std::vector<el::ClassNumber> found;
+  if (number.error().kind != compiled::NameError::Kind::unknown) return std::unexpected(number.error().text);
+  std::vector<taxonomy::ClassNumber> found;
   for (std::uint32_t at = 0; at < ontology.class_count(); ++at) {
-    if (el::end_of_iri(ontology.iri(el::ClassNumber{at})) == name) found.push_back(el::ClassNumber{at});
+    if (compiled::end_of_iri(ontology.iri(taxonomy::ClassNumber{at})) == name)
+      found.push_back(taxonomy::ClassNumber{at});
   }
   if (found.size() == 1) return found.front();
   if (found.empty()) return std::unexpected(describe(ontology, name, number.error()));
   std::vector<std::string> candidates;
-  for (const el::ClassNumber candidate : found) candidates.push_back(ontology.short_name(candidate));
-  return std::unexpected('\'' + base::printable(name) + "' may be " + el::alternatives(candidates) + ": say which");
+  for (const taxonomy::ClassNumber candidate : found) candidates.push_back(ontology.short_name(candidate));
+  return std::unexpected('\'' + base::printable(name) + "' may be " + compiled::alternatives(candidates) +
+                         ": say which");
 }
 
-std::optional<el::ClassNumber> find_or_say(const el::Ontology& ontology, const std::string& name, bool as_json) {
+std::optional<taxonomy::ClassNumber> find_or_say(const compiled::Ontology& ontology, const std::string& name,
+                                                 bool as_json) {
   const auto number = find_class(ontology, name);
   if (number) return *number;
   say_failure(number.error(), as_json);
   return std::nullopt;
 }
 
-std::function<std::string(std::string_view)> short_names(const el::OntologySource& source) {
+std::function<std::string(std::string_view)> short_names(const owl::Ontology& source) {
   std::vector<std::pair<std::string_view, std::string_view>> prefixes;
-  for (const el::OntologySource::Prefix& prefix : source.prefixes())
+  for (const owl::Ontology::Prefix& prefix : source.prefixes())
     prefixes.emplace_back(source.name(prefix.prefix), source.name(prefix.iri));
   std::ranges::sort(prefixes);
-  return [prefixes = std::move(prefixes)](std::string_view iri) { return el::shorten(iri, prefixes); };
+  return [prefixes = std::move(prefixes)](std::string_view iri) { return owl::shorten(iri, prefixes); };
 }
 
 std::size_t class_count(const Knowledge& knowledge) { return knowledge.classification.class_count() - 2; }
 
-bool is_unsatisfiable(const el::Classification& classification, el::ClassNumber number) {
-  const auto representative = [&](el::ClassNumber c) {
+bool is_unsatisfiable(const taxonomy::Classification& classification, taxonomy::ClassNumber number) {
+  const auto representative = [&](taxonomy::ClassNumber c) {
     return classification.representative[static_cast<std::size_t>(c)];
   };
   return !classification.is_consistent || representative(number) == representative(classification.nothing);
 }
 
-bool is_undecided(const reasoner::Classified& classification, el::ClassNumber number) {
+bool is_undecided(const reasoner::Classified& classification, taxonomy::ClassNumber number) {
   const reasoner::Undecided& undecided = classification.undecided;
   return undecided.consistency || std::ranges::binary_search(undecided.classes, number);
 }

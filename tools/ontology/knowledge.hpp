@@ -33,7 +33,7 @@ struct Knowledge {
 inline constexpr std::string_view only_individual = "urn:geminga:only:";
 
 /// Whether something may be missing above this class.
-[[nodiscard]] bool is_undecided(const reasoner::Classified& classification, el::ClassNumber number);
+[[nodiscard]] bool is_undecided(const reasoner::Classified& classification, taxonomy::ClassNumber number);
 
 /// Why there is none, as the words of an error, and whether the files could be read at all.
 struct NoKnowledge {
@@ -71,34 +71,35 @@ struct Learning {
 /// The gaps as the compiled form keeps them: with what they leave undecided.
 [[nodiscard]] std::vector<std::string> gaps_of(const Knowledge& knowledge);
 /// The compiled form and an ontology over it, for names and explanations; nothing after saying what is wrong.
-[[nodiscard]] std::optional<el::Ontology> open_or_say(const Knowledge& knowledge);
+[[nodiscard]] std::optional<compiled::Ontology> open_or_say(const Knowledge& knowledge);
 
 /// Whether these files are one that `compile` wrote.
 [[nodiscard]] bool is_compiled(const std::vector<std::string>& files);
 /// That file, verified as a whole.
-[[nodiscard]] std::expected<el::Ontology, el::CompiledError> open_compiled(const std::string& file);
+[[nodiscard]] std::expected<compiled::Ontology, compiled::CompiledError> open_compiled(const std::string& file);
 /// The ontology of these files, or of the one compiled file that they are, unless its sources have changed since;
 /// nothing after saying what is wrong.
-[[nodiscard]] std::optional<el::Ontology> learn_ontology_or_say(const std::vector<std::string>& files,
-                                                                const Learning& how = {});
+[[nodiscard]] std::optional<compiled::Ontology> learn_ontology_or_say(const std::vector<std::string>& files,
+                                                                      const Learning& how = {});
 
 /// The class of a name, which may be all that follows the last `#` or `/` of its IRI where no other class ends so; or
 /// what is wrong, with the candidates, or the names that are like it.
-[[nodiscard]] std::expected<el::ClassNumber, std::string> find_class(const el::Ontology& ontology,
-                                                                     const std::string& name);
+[[nodiscard]] std::expected<taxonomy::ClassNumber, std::string> find_class(const compiled::Ontology& ontology,
+                                                                           const std::string& name);
 /// The same; nothing after saying what is wrong.
-[[nodiscard]] std::optional<el::ClassNumber> find_or_say(const el::Ontology& ontology, const std::string& name,
-                                                         bool as_json = false);
+[[nodiscard]] std::optional<taxonomy::ClassNumber> find_or_say(const compiled::Ontology& ontology,
+                                                               const std::string& name, bool as_json = false);
 /// What is wrong with a name, and which names are like it.
-[[nodiscard]] std::string describe(const el::Ontology& ontology, const std::string& name, const el::NameError& error);
+[[nodiscard]] std::string describe(const compiled::Ontology& ontology, const std::string& name,
+                                   const compiled::NameError& error);
 
 /// How IRIs are written by the prefixes of the files, for those who need no taxonomy.
-[[nodiscard]] std::function<std::string(std::string_view)> short_names(const el::OntologySource& source);
+[[nodiscard]] std::function<std::string(std::string_view)> short_names(const owl::Ontology& source);
 
 /// Named classes without owl:Thing and owl:Nothing.
 [[nodiscard]] std::size_t class_count(const Knowledge& knowledge);
 /// Whether a class can have no instance; each is where the ontology is inconsistent.
-[[nodiscard]] bool is_unsatisfiable(const el::Classification& classification, el::ClassNumber number);
+[[nodiscard]] bool is_unsatisfiable(const taxonomy::Classification& classification, taxonomy::ClassNumber number);
 
 /// The folder of the ontologies that ship with this program.
 [[nodiscard]] std::filesystem::path shipped_ontologies();

@@ -18,7 +18,7 @@
 namespace geminga::ontology {
 namespace {
 
-using el::TermKind;
+using owl::TermKind;
 
 constexpr std::size_t max_similar = 3;
 /// Two namespaces are the same but for a slip of the pen: http for https, a slash for a number sign.
@@ -78,7 +78,7 @@ class Search {
     gather();
     for (const rdf::UsedName& word : loaded_.unknown_words) {
       // A later OWL may have it, and what is said with it is left out by its name.
-      if (word.iri.starts_with(rdf::owl_namespace) && rdf::similar_words(word.iri).empty()) continue;
+      if (word.iri.starts_with(syntax::owl_namespace) && rdf::similar_words(word.iri).empty()) continue;
       add_unknown_word(word.iri, path_of(word.file), word.line);
     }
     std::map<std::string_view, OtherNamespace> others;
@@ -96,11 +96,11 @@ class Search {
   /// What is declared, and where each other name of an axiom stands first.
   void gather() {
     std::vector<bool> is_seen(source_.term_count(), false);
-    std::vector<std::pair<el::TermId, std::uint32_t>> first_axiom;
-    std::vector<el::TermId> stack;
+    std::vector<std::pair<owl::TermId, std::uint32_t>> first_axiom;
+    std::vector<owl::TermId> stack;
     for (std::uint32_t number = 0; number < source_.axiom_count(); ++number) {
-      const el::Axiom axiom = source_.axiom(number);
-      if (axiom.kind == el::AxiomKind::declaration) {
+      const owl::Axiom axiom = source_.axiom(number);
+      if (axiom.kind == owl::AxiomKind::declaration) {
         declare(axiom.arguments.front());
         continue;
       }
@@ -108,7 +108,7 @@ class Search {
         described_.insert(namespace_of(source_.name_of(axiom.arguments.front())));
       stack.assign(axiom.arguments.begin(), axiom.arguments.end());
       while (!stack.empty()) {
-        const el::TermId term = stack.back();
+        const owl::TermId term = stack.back();
         stack.pop_back();
         if (is_seen[static_cast<std::size_t>(term)]) continue;
         is_seen[static_cast<std::size_t>(term)] = true;
@@ -118,7 +118,7 @@ class Search {
       }
     }
     for (const auto& [term, number] : first_axiom) {
-      const el::Axiom axiom = source_.axiom(number);
+      const owl::Axiom axiom = source_.axiom(number);
       add_use({*sort_of(source_.kind(term)), true, source_.name_of(term),
                path_of(static_cast<std::uint32_t>(axiom.file)), axiom.line});
     }
@@ -126,7 +126,7 @@ class Search {
       add_use({Sort::of_property, false, name.iri, path_of(name.file), name.line});
   }
 
-  void declare(el::TermId term) {
+  void declare(owl::TermId term) {
     const std::string_view iri = source_.name_of(term);
     declared_.insert(iri);
     const auto sort = sort_of(source_.kind(term));
@@ -209,7 +209,7 @@ class Search {
   void find_clashes() {
     std::map<std::string_view, std::set<std::string_view>> classes_of;
     const auto is_class = class_names();
-    for (const el::OntologySource::Label& label : source_.labels()) {
+    for (const owl::Ontology::Label& label : source_.labels()) {
       const std::string_view entity = source_.name(label.entity);
       if (is_class.contains(entity)) classes_of[source_.name(label.text)].insert(entity);
     }
@@ -224,13 +224,13 @@ class Search {
   [[nodiscard]] std::set<std::string_view> class_names() const {
     std::set<std::string_view> names;
     for (std::uint32_t id = 0; id < source_.term_count(); ++id) {
-      if (source_.kind(el::TermId{id}) == TermKind::named_class) names.insert(source_.name_of(el::TermId{id}));
+      if (source_.kind(owl::TermId{id}) == TermKind::named_class) names.insert(source_.name_of(owl::TermId{id}));
     }
     return names;
   }
 
   const rdf::Loaded& loaded_;
-  const el::OntologySource& source_;
+  const owl::Ontology& source_;
   std::function<std::string(std::string_view)> short_name_;
   std::set<std::string_view> declared_;
   std::set<std::string_view> described_;                   ///< namespaces of names of which axioms speak first

@@ -86,12 +86,12 @@ Exit put(const std::string& out, std::span<const std::byte> bytes) {
   return write_all(STDOUT_FILENO, bytes) ? Exit::yes : say_error("standard output cannot be written");
 }
 
-bool is_source(const std::string& target, const std::vector<std::string>& files, const el::OntologySource& source) {
+bool is_source(const std::string& target, const std::vector<std::string>& files, const owl::Ontology& source) {
   const auto is_same = [&](const std::string& path) {
     std::error_code missing;
     return std::filesystem::equivalent(target, path, missing);
   };
-  return std::ranges::any_of(files, is_same) || std::ranges::any_of(source.files(), is_same, &el::LoadedFile::path);
+  return std::ranges::any_of(files, is_same) || std::ranges::any_of(source.files(), is_same, &owl::LoadedFile::path);
 }
 
 }  // namespace geminga::ontology

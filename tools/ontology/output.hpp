@@ -28,7 +28,7 @@ void add_run_limits(CLI::App& command, Choice& choice);
 
 /// Whether writing would destroy what was read, under whatever name.
 [[nodiscard]] bool is_source(const std::string& target, const std::vector<std::string>& files,
-                             const el::OntologySource& source);
+                             const owl::Ontology& source);
 
 }  // namespace geminga::ontology
 

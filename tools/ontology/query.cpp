@@ -28,10 +28,10 @@ struct QueryRequest {
 /// The text itself, or that of the file that it names.
 std::expected<std::string, std::string> query_of(const std::string& word) {
   if (!word.ends_with(".rq") && !word.ends_with(".sparql")) return word;
-  rdf::Limits limits;
+  syntax::Limits limits;
   limits.file_bytes = graph::Limits{}.query_bytes;
-  const auto bytes = rdf::FileBytes::read(word, limits);
-  if (!bytes) return std::unexpected(rdf::to_string(bytes.error()));
+  const auto bytes = syntax::FileBytes::read(word, limits);
+  if (!bytes) return std::unexpected(syntax::to_string(bytes.error()));
   return std::string(bytes->view());
 }
 

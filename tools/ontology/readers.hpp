@@ -19,15 +19,15 @@ class Readers final : public rdf::OtherReader {
  public:
   explicit Readers(bool keeps_annotations = false) : keeps_annotations_(keeps_annotations) {}
 
-  void look_ahead(rdf::Syntax syntax, std::string_view bytes) override;
-  std::expected<el::Document, el::ReadError> read(rdf::Syntax syntax, std::string_view bytes, el::FileId file,
-                                                  el::OntologySource& source,
-                                                  std::vector<el::Annotation>& annotations) override;
+  void look_ahead(syntax::Syntax syntax, std::string_view bytes) override;
+  std::expected<owl::Document, owl::ReadError> read(syntax::Syntax syntax, std::string_view bytes, owl::FileId file,
+                                                    owl::Ontology& source,
+                                                    std::vector<owl::Annotation>& annotations) override;
 
  private:
-  std::expected<el::Document, el::ReadError> read_axioms(rdf::Syntax syntax, std::string_view bytes, el::FileId file,
-                                                         el::OntologySource& source,
-                                                         std::vector<el::Annotation>* wanted);
+  std::expected<owl::Document, owl::ReadError> read_axioms(syntax::Syntax syntax, std::string_view bytes,
+                                                           owl::FileId file, owl::Ontology& source,
+                                                           std::vector<owl::Annotation>* wanted);
 
   bool keeps_annotations_;
   frames::Declared declared_;

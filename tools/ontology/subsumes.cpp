@@ -23,7 +23,7 @@ struct SubsumesRequest {
 };
 
 /// The class expression that a text is, one name being the simplest; nothing after saying what is wrong.
-std::optional<manchester::Expression> read_or_say(const el::Ontology& ontology, const el::Names& names,
+std::optional<manchester::Expression> read_or_say(const compiled::Ontology& ontology, const owl::Names& names,
                                                   const std::string& text, bool as_json) {
   // A label may hold words that are those of an expression.
   if (find_class(ontology, text) || !manchester::is_compound(text)) {
@@ -39,15 +39,15 @@ std::optional<manchester::Expression> read_or_say(const el::Ontology& ontology, 
   return std::nullopt;
 }
 
-std::string words(const el::Ontology& ontology, const manchester::Expression& expression) {
-  return el::print(expression.source, expression.term, [&](std::string_view iri) { return ontology.short_name(iri); });
+std::string words(const compiled::Ontology& ontology, const manchester::Expression& expression) {
+  return owl::print(expression.source, expression.term, [&](std::string_view iri) { return ontology.short_name(iri); });
 }
 
 /// The taxonomy answers for two classes. Of expressions it is derived by the engines together.
-reasoner::Answer decide(Knowledge& knowledge, const el::Ontology& ontology, const manchester::Expression& sub,
+reasoner::Answer decide(Knowledge& knowledge, const compiled::Ontology& ontology, const manchester::Expression& sub,
                         const manchester::Expression& super, base::Budget& budget) {
   const auto class_of = [&](const manchester::Expression& expression) {
-    const bool is_class = expression.source.kind(expression.term) == el::TermKind::named_class;
+    const bool is_class = expression.source.kind(expression.term) == owl::TermKind::named_class;
     return is_class ? ontology.find_iri(expression.source.name_of(expression.term)) : std::nullopt;
   };
   const auto sub_class = class_of(sub);
@@ -59,9 +59,9 @@ reasoner::Answer decide(Knowledge& knowledge, const el::Ontology& ontology, cons
     if (!is_undecided(knowledge.classification, *sub_class)) return {.verdict = reasoner::Verdict::no, .reason = {}};
     return {.verdict = reasoner::Verdict::unknown, .reason = describe_undecided(knowledge).value_or("")};
   }
-  el::OntologySource& source = knowledge.loaded.source;
-  const el::TermId below = source.copy(sub.source, sub.term);
-  const el::TermId above = source.copy(super.source, super.term);
+  owl::Ontology& source = knowledge.loaded.source;
+  const owl::TermId below = source.copy(sub.source, sub.term);
+  const owl::TermId above = source.copy(super.source, super.term);
   return reasoner::entails(source, std::nullopt, below, above, &budget);
 }
 
@@ -84,7 +84,7 @@ Exit subsumes(const SubsumesRequest& request, const WorkLimits& limits) {
   if (!knowledge) return Exit::usage;
   const auto ontology = open_or_say(*knowledge);
   if (!ontology) return Exit::usage;
-  const el::EntityNames names(*ontology);
+  const compiled::EntityNames names(*ontology);
   const auto sub = read_or_say(*ontology, names, request.sub, request.as_json);
   const auto super = sub ? read_or_say(*ontology, names, request.super, request.as_json) : std::nullopt;
   if (!sub || !super) return Exit::usage;

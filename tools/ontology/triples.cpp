@@ -16,7 +16,7 @@ using graph::Node;
 class Header {
  public:
   explicit Header(const rdf::Loaded& loaded) : first_(ontology_name(loaded)) {
-    for (const el::LoadedFile& file : loaded.source.files()) {
+    for (const owl::LoadedFile& file : loaded.source.files()) {
       if (!file.ontology_iri.empty() && file.ontology_iri != first_) others_.insert(file.ontology_iri);
     }
     for (const rdf::UnresolvedImport& import : loaded.unresolved) missing_.insert(import.iri);
@@ -43,14 +43,14 @@ class OtherFiles {
         graph_(graph),
         triples_(loaded.source, [this](const Node& s, const Node& p, const Node& o) { graph_.add(s, p, o); }),
         annotations_(loaded.annotations) {
-    for (const el::LoadedFile& file : loaded.source.files()) {
+    for (const owl::LoadedFile& file : loaded.source.files()) {
       if (file.ontology_iri != name_) others_.insert(file.ontology_iri);
     }
   }
 
   void add() {
-    const el::OntologySource& source = loaded_.source;
-    using Of = el::Annotation::Of;
+    const owl::Ontology& source = loaded_.source;
+    using Of = owl::Annotation::Of;
     for (std::uint32_t number = 0; number < source.axiom_count() && !graph_.problem(); ++number)
       add(source.axiom(number), Of::axiom, number);
     // What is damaged is written as it was read.
@@ -58,7 +58,7 @@ class OtherFiles {
       add(source.damaged(number), Of::damaged, number);
     add_headers();
     for (std::uint32_t number = 0; number < annotations_.size() && !graph_.problem(); ++number) {
-      const el::Annotation& annotation = annotations_.at(number);
+      const owl::Annotation& annotation = annotations_.at(number);
       const bool is_of_name = annotation.of == Of::name && !is_other(annotation.subject);
       const bool is_of_ontology = annotation.of == Of::ontology && !is_other(iri_of(annotation.number));
       if (is_of_name || is_of_ontology) triples_.add(annotations_, number);
@@ -66,7 +66,7 @@ class OtherFiles {
   }
 
  private:
-  void add(const el::Axiom& axiom, el::Annotation::Of of, std::uint32_t number) {
+  void add(const owl::Axiom& axiom, owl::Annotation::Of of, std::uint32_t number) {
     if (has_triples_[static_cast<std::size_t>(axiom.file)]) return;
     triples_.add(axiom);
     triples_.annotate(annotations_, annotations_.about(of, number));
@@ -80,9 +80,9 @@ class OtherFiles {
     for (std::size_t number = 0; number < has_triples_.size(); ++number) {
       const bool is_said =
           !iri_of(number).empty() ||
-          !annotations_.about(el::Annotation::Of::ontology, static_cast<std::uint32_t>(number)).empty();
+          !annotations_.about(owl::Annotation::Of::ontology, static_cast<std::uint32_t>(number)).empty();
       if (!has_triples_[number] && is_said && !is_other(iri_of(number)))
-        graph_.add(triples_.ontology(static_cast<el::FileId>(number)), graph::iri(graph::rdf_type),
+        graph_.add(triples_.ontology(static_cast<owl::FileId>(number)), graph::iri(graph::rdf_type),
                    graph::owl_word("Ontology"));
     }
     for (const rdf::UnresolvedImport& import : loaded_.unresolved) {
@@ -102,7 +102,7 @@ class OtherFiles {
 }  // namespace
 
 std::string ontology_name(const rdf::Loaded& loaded) {
-  for (const el::LoadedFile& file : loaded.source.files()) {
+  for (const owl::LoadedFile& file : loaded.source.files()) {
     if (!file.ontology_iri.empty()) return file.ontology_iri;
   }
   return {};
@@ -114,19 +114,19 @@ std::optional<std::string> add_asserted(const rdf::Loaded& loaded, graph::Graph&
   std::vector<bool> has_triples;
   bool have_all = true;
   for (std::size_t number = 0; number < loaded.syntaxes.size(); ++number) {
-    has_triples.push_back(rdf::has_triples(loaded.syntaxes[number]));
+    has_triples.push_back(syntax::has_triples(loaded.syntaxes[number]));
     have_all = have_all && has_triples.back();
     if (!has_triples.back()) continue;
-    if (const auto error = graph.add_file(loaded.source.files()[number].path, number)) return rdf::to_string(*error);
+    if (const auto error = graph.add_file(loaded.source.files()[number].path, number)) return syntax::to_string(*error);
   }
   if (!have_all) OtherFiles(loaded, has_triples, graph).add();
   graph.set_filter({});
   return graph.problem();
 }
 
-graph::Prefixes prefixes_of(const el::OntologySource& source) {
+graph::Prefixes prefixes_of(const owl::Ontology& source) {
   graph::Prefixes prefixes;
-  for (const el::OntologySource::Prefix& prefix : source.prefixes())
+  for (const owl::Ontology::Prefix& prefix : source.prefixes())
     prefixes.emplace_back(source.name(prefix.prefix), source.name(prefix.iri));
   return prefixes;
 }

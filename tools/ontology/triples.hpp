@@ -16,7 +16,7 @@ namespace geminga::ontology {
 [[nodiscard]] std::optional<std::string> add_asserted(const rdf::Loaded& loaded, graph::Graph& graph);
 
 /// The prefixes of the files.
-[[nodiscard]] graph::Prefixes prefixes_of(const el::OntologySource& source);
+[[nodiscard]] graph::Prefixes prefixes_of(const owl::Ontology& source);
 
 /// The name of the ontology that the files are together; empty: none has one.
 [[nodiscard]] std::string ontology_name(const rdf::Loaded& loaded);

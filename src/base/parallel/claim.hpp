@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cstdint>
 
-namespace geminga::el {
+namespace geminga::parallel {
 
 /// Gives the entry back where it was not made: nobody is to wait for a thread whose memory ran out.
 class Claim {
@@ -23,6 +23,6 @@ class Claim {
   std::uint32_t value_;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::parallel
 
 #endif

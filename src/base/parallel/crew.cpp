@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-namespace geminga::el {
+namespace geminga::parallel {
 
 Crew::Crew(unsigned wanted) {
   try {
@@ -62,4 +62,4 @@ void Crew::join() {
   }
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::parallel

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace geminga::el {
+namespace geminga::parallel {
 
 /// The caller and threads that wait until there is something to do. Not thread-safe.
 class Crew {
@@ -43,6 +43,6 @@ class Crew {
   std::vector<std::thread> threads_;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::parallel
 
 #endif

@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-namespace geminga::el {
+namespace geminga::parallel {
 
 /// A stack without a lock. It is empty while its thing is at rest; while a thread has the thing in hand, works on it or
 /// has it on a queue, letters lie on a mark that says so. Letter has a pointer `next`; whoever reads letters owns them.
@@ -51,6 +51,6 @@ class Inbox {
   std::atomic<Letter*> newest_ = nullptr;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::parallel
 
 #endif

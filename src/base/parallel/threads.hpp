@@ -14,7 +14,7 @@
 
 #include "base/parallel/crew.hpp"
 
-namespace geminga::el {
+namespace geminga::parallel {
 
 /// More are not started: each keeps memory of its own.
 inline constexpr unsigned max_threads = 64;
@@ -173,6 +173,6 @@ void run_together(Shared& shared, std::vector<std::unique_ptr<Worker>>& workers,
   for (const auto& worker : working) worker->set_parallel(false);
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::parallel
 
 #endif

@@ -10,7 +10,7 @@
 
 #include "base/text.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 namespace {
 
 /// The longest name of an interface, and so of a zone (IFNAMSIZ without its NUL).
@@ -90,4 +90,4 @@ int address_rank(const Address& address) {
   return 2 * family + (scope == AddressScope::link_local ? 1 : 0);
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 
 /// Where an address means the same host. Addresses are compared by scope equivalence (paper section 3.6).
 enum class AddressScope : std::uint8_t {
@@ -43,6 +43,6 @@ struct Address {
 /// each, private and global ones before link-local ones; loopback after all of them.
 [[nodiscard]] int address_rank(const Address& address);
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement
 
 #endif

@@ -8,7 +8,7 @@
 #include "discovery/announcement/limits.hpp"
 #include "discovery/announcement/wire_entry.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 namespace {
 
 /// Numbers of up to two terms and their namespaces may take one octet more in a full datagram than alone.
@@ -37,4 +37,4 @@ std::optional<Error> check(const Subscription& subscription) {
   return check_size(NumberedSubscription{std::numeric_limits<std::uint32_t>::max(), subscription});
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement

@@ -8,7 +8,7 @@
 #include "geminga/error.hpp"
 #include "geminga/service.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 
 /// Why this publication cannot be announced, or nothing. 413: a named size limit (limits.hpp), or all together over
 /// max_entry_bytes; 400: a control character, bad UTF-8, port 0, a protocol or key that is no word, an IRI with
@@ -27,6 +27,6 @@ namespace geminga::beacon {
 /// space and any of `<>"{}|\^` and backquote (RFC 3987 section 2.2, as RDF 1.1 Turtle's IRIREF).
 [[nodiscard]] bool is_valid_iri(std::string_view iri);
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement
 
 #endif

@@ -9,7 +9,7 @@
 #include "base/time.hpp"
 #include "geminga/service.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 
 /// 64 random bits that a process draws once. Tells its datagrams from those of another participant with the same
 /// identifier (a clash) and from those of its own earlier life (a restart).
@@ -69,6 +69,6 @@ struct Announcement {
   friend bool operator==(const Announcement&, const Announcement&) = default;
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement
 
 #endif

@@ -13,7 +13,7 @@
 
 #include "discovery/announcement/announcement.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 
 /// Why a datagram was refused. Words are only ever appended; to_string() gives the word for counters and the log.
 enum class DecodeError : std::uint8_t {
@@ -56,6 +56,6 @@ using Datagram = std::vector<std::byte>;
 /// other than 0 and an interval within its limits.
 [[nodiscard]] std::vector<Datagram> encode(const Announcement& announcement);
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement
 
 #endif

@@ -14,7 +14,7 @@
 #include "discovery/announcement/limits.hpp"
 #include "discovery/announcement/wire_entry.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 namespace {
 
 using Failure = std::unexpected<DecodeError>;
@@ -272,4 +272,4 @@ std::expected<Announcement, DecodeError> decode(std::span<const std::byte> datag
   return announcement;
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement

@@ -8,7 +8,7 @@
 #include "discovery/announcement/limits.hpp"
 #include "discovery/announcement/wire_entry.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 namespace {
 
 /// Octets that `part` and `part_count` take at most: a tag and a number below 2^14 each.
@@ -196,4 +196,4 @@ std::vector<Datagram> encode(const Announcement& announcement) {
   return datagrams;
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement

@@ -10,7 +10,7 @@
 #include "discovery/announcement/announceable.hpp"
 #include "discovery/announcement/limits.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 namespace {
 
 using Found = std::optional<Fault>;
@@ -187,4 +187,4 @@ std::optional<Fault> find_fault(const Subscription& subscription) {
   return filters_fault(subscription);
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement

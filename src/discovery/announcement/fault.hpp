@@ -9,7 +9,7 @@
 #include "geminga/error.hpp"
 #include "geminga/service.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 
 /// One violated rule: the word for a counter, and the GCNP error for a peer that stated it.
 struct Fault {
@@ -21,6 +21,6 @@ struct Fault {
 [[nodiscard]] std::optional<Fault> find_fault(const Publication& publication);
 [[nodiscard]] std::optional<Fault> find_fault(const Subscription& subscription);
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement
 
 #endif

@@ -8,7 +8,7 @@
 
 #include "base/time.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 
 /// The largest datagram. Fits into one frame of every link that IPv6 runs on (RFC 8200 section 5: 1280 octets), with
 /// its headers and 32 octets left for an envelope.
@@ -79,6 +79,6 @@ inline constexpr base::Duration overtaken_time = std::chrono::milliseconds(200);
 /// How far a revision may be from the one before it at its first word: a change each 10 us for all of ten seconds.
 inline constexpr std::uint64_t max_revision_step = std::uint64_t{1} << 20;
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement
 
 #endif

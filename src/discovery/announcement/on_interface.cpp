@@ -6,7 +6,7 @@
 #include "discovery/announcement/address.hpp"
 #include "discovery/announcement/limits.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 namespace {
 
 /// The canonical text without its zone; what is no address stays as it is.
@@ -60,4 +60,4 @@ Announcement on_interface(Announcement state, const env::Interface& interface, s
   return state;
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement

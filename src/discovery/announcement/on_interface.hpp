@@ -8,7 +8,7 @@
 #include "discovery/announcement/announcement.hpp"
 #include "env/env.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 
 /// Whether a service with this explicit address is announced on `interface`, which is one of `ours`. An empty address
 /// is (the interface's own is meant). A loopback address only on a loopback interface; an address of one of our
@@ -21,6 +21,6 @@ namespace geminga::beacon {
 [[nodiscard]] Announcement on_interface(Announcement state, const env::Interface& interface,
                                         std::span<const env::Interface> ours);
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 namespace {
 
 std::size_t varint_bytes(std::size_t value) {
@@ -60,4 +60,4 @@ void TermTable::go_back(const Mark& mark) {
   bytes_ = mark.bytes;
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement

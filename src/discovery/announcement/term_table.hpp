@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 
 /// Splits an IRI behind its last `#` or `/`; without either the namespace is empty.
 struct SplitIri {
@@ -53,6 +53,6 @@ class TermTable {
   std::size_t bytes_ = 0;
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement
 
 #endif

@@ -3,7 +3,7 @@
 
 #include "discovery/announcement/address.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 namespace {
 
 wire::Mode to_wire(ChannelMode mode) {
@@ -92,4 +92,4 @@ wire::Subscription to_wire(const NumberedSubscription& numbered, TermTable& term
   return message;
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement

@@ -8,7 +8,7 @@
 #include "discovery/announcement/announcement.pb.h"
 #include "discovery/announcement/term_table.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 
 /// 'G', 'M', 'N' and the major version, as a little-endian fixed32.
 inline constexpr std::uint32_t format_magic = 0x4E4D47;
@@ -22,6 +22,6 @@ inline constexpr std::uint32_t format_minor = 0;
 [[nodiscard]] wire::Publication to_wire(const NumberedPublication& numbered, TermTable& terms);
 [[nodiscard]] wire::Subscription to_wire(const NumberedSubscription& numbered, TermTable& terms);
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement
 
 #endif

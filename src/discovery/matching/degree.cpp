@@ -8,7 +8,7 @@
 namespace geminga::matching {
 namespace {
 
-std::optional<el::ClassNumber> class_of(const std::string& iri, const el::Ontology& ontology) {
+std::optional<taxonomy::ClassNumber> class_of(const std::string& iri, const compiled::Ontology& ontology) {
   const auto number = ontology.find_iri(iri);
   if (!number || !ontology.is_satisfiable(*number)) return std::nullopt;
   return number;
@@ -16,7 +16,7 @@ std::optional<el::ClassNumber> class_of(const std::string& iri, const el::Ontolo
 
 }  // namespace
 
-Classes classes_of(const Identity& identity, const el::Ontology* ontology) {
+Classes classes_of(const Identity& identity, const compiled::Ontology* ontology) {
   const auto* semantic = std::get_if<SemanticIdentity>(&identity);
   if (semantic == nullptr || ontology == nullptr) return {};
   Classes classes;
@@ -27,9 +27,9 @@ Classes classes_of(const Identity& identity, const el::Ontology* ontology) {
   return classes;
 }
 
-std::optional<Match> degree_of_name(const std::string& offered_iri, std::optional<el::ClassNumber> offered,
-                                    const std::string& requested_iri, std::optional<el::ClassNumber> requested,
-                                    const el::Ontology* ontology) {
+std::optional<Match> degree_of_name(const std::string& offered_iri, std::optional<taxonomy::ClassNumber> offered,
+                                    const std::string& requested_iri, std::optional<taxonomy::ClassNumber> requested,
+                                    const compiled::Ontology* ontology) {
   if (offered_iri == requested_iri) return Match{Degree::exact, 0};
   if (!offered || !requested || ontology == nullptr) return std::nullopt;
   if (const auto up = ontology->distance(*offered, *requested)) {
@@ -40,12 +40,13 @@ std::optional<Match> degree_of_name(const std::string& offered_iri, std::optiona
   return std::nullopt;
 }
 
-std::optional<Match> degree_of_expression(std::optional<el::ClassNumber> offered, const el::ExpressionPlace* requested,
-                                          const el::Ontology* ontology) {
+std::optional<Match> degree_of_expression(std::optional<taxonomy::ClassNumber> offered,
+                                          const placement::ExpressionPlace* requested,
+                                          const compiled::Ontology* ontology) {
   if (!offered || requested == nullptr || !requested->is_satisfiable || ontology == nullptr) return std::nullopt;
-  const auto up = el::distance_down(*requested, *offered, *ontology);
+  const auto up = placement::distance_down(*requested, *offered, *ontology);
   if (up) return *up == 0 ? Match{Degree::equivalent, 0} : Match{Degree::narrower, *up};
-  if (const auto down = el::distance_up(*requested, *offered, *ontology)) return Match{Degree::broader, *down};
+  if (const auto down = placement::distance_up(*requested, *offered, *ontology)) return Match{Degree::broader, *down};
   return std::nullopt;
 }
 
@@ -57,7 +58,7 @@ bool is_number_of(const Identity& number, const Identity& named) {
 
 std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
                                         const Identity& requested, const Classes& requested_classes,
-                                        const el::Ontology* ontology) {
+                                        const compiled::Ontology* ontology) {
   const auto* offer = std::get_if<SemanticIdentity>(&offered);
   const auto* request = std::get_if<SemanticIdentity>(&requested);
   if (offer == nullptr || request == nullptr) {

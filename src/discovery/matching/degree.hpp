@@ -28,33 +28,33 @@ struct Match {
 /// neither has an unsatisfiable one: it is below everything only because nothing can be an instance of it, so a service
 /// that offers it has no instance to give and one that asks for it none to take. Both match exactly or not at all.
 struct Classes {
-  std::optional<el::ClassNumber> concept_class;
-  std::optional<el::ClassNumber> representation_class;
+  std::optional<taxonomy::ClassNumber> concept_class;
+  std::optional<taxonomy::ClassNumber> representation_class;
   /// Where the expression stands that is asked for instead of a concept; null where there is none or it is not known.
-  std::shared_ptr<const el::ExpressionPlace> place{};
+  std::shared_ptr<const placement::ExpressionPlace> place{};
 };
 
 /// Gives the place of a canonical expression in the ontology that the matcher works with, or null where it is not known
 /// (yet), or nothing can be an instance of it. `from` says who asks: its own participant, or one on the air.
 using Placing =
-    std::function<std::shared_ptr<const el::ExpressionPlace>(const std::string& expression, ParticipantId from)>;
+    std::function<std::shared_ptr<const placement::ExpressionPlace>(const std::string& expression, ParticipantId from)>;
 
 /// Looks up both names. `ontology` may be null: then there are no classes.
-[[nodiscard]] Classes classes_of(const Identity& identity, const el::Ontology* ontology);
+[[nodiscard]] Classes classes_of(const Identity& identity, const compiled::Ontology* ontology);
 
 /// The degree of one name, a concept or a representation: exact for equal identifiers, otherwise by subsumption between
 /// the classes, which needs both. Nothing where neither subsumes the other.
 [[nodiscard]] std::optional<Match> degree_of_name(const std::string& offered_iri,
-                                                  std::optional<el::ClassNumber> offered,
+                                                  std::optional<taxonomy::ClassNumber> offered,
                                                   const std::string& requested_iri,
-                                                  std::optional<el::ClassNumber> requested,
-                                                  const el::Ontology* ontology);
+                                                  std::optional<taxonomy::ClassNumber> requested,
+                                                  const compiled::Ontology* ontology);
 
 /// The degree of a concept against an expression: that which it would have against a class in this place, and the
 /// distance that it would have (el/expression.hpp).
-[[nodiscard]] std::optional<Match> degree_of_expression(std::optional<el::ClassNumber> offered,
-                                                        const el::ExpressionPlace* requested,
-                                                        const el::Ontology* ontology);
+[[nodiscard]] std::optional<Match> degree_of_expression(std::optional<taxonomy::ClassNumber> offered,
+                                                        const placement::ExpressionPlace* requested,
+                                                        const compiled::Ontology* ontology);
 
 /// Whether the first is a number and the second a concept with that 32-bit identity.
 [[nodiscard]] bool is_number_of(const Identity& number, const Identity& named);
@@ -64,7 +64,7 @@ using Placing =
 /// texts match only when they are equal.
 [[nodiscard]] std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
                                                       const Identity& requested, const Classes& requested_classes,
-                                                      const el::Ontology* ontology);
+                                                      const compiled::Ontology* ontology);
 
 }  // namespace geminga::matching
 

@@ -11,7 +11,7 @@ namespace geminga::matching {
 using registry::StoredPublication;
 using registry::StoredSubscription;
 
-Matcher::Matcher(const el::Ontology* ontology, Placing placing)
+Matcher::Matcher(const compiled::Ontology* ontology, Placing placing)
     : state_(std::make_unique<State>(ontology, std::move(placing))) {}
 
 Matcher::~Matcher() = default;
@@ -50,7 +50,7 @@ bool Matcher::depart_next() { return state_->depart_next(); }
 
 bool Matcher::is_departing() const { return !state_->departures_.empty(); }
 
-void Matcher::begin_ontology(const el::Ontology* next) { state_->begin_ontology(next); }
+void Matcher::begin_ontology(const compiled::Ontology* next) { state_->begin_ontology(next); }
 
 bool Matcher::file_next() { return state_->file_next(); }
 
@@ -94,7 +94,7 @@ std::optional<std::vector<ServiceKey>> Matcher::candidates(const Subscription& a
 
 std::expected<Match, std::string> Matcher::why(const registry::SubscriptionEntry& request,
                                                const registry::PublicationEntry& offer) const {
-  const el::Ontology* ontology = state_->in_force_.ontology;
+  const compiled::Ontology* ontology = state_->in_force_.ontology;
   ++state_->judged_;
   return explained(request.subscription, state_->prepare(request), offer,
                    classes_of(offer.publication.identity, ontology), ontology);

@@ -56,7 +56,7 @@ class Matcher {
   /// `ontology` may be null: then semantic identities match exactly or not at all. Borrowed until another one has taken
   /// its place.
   /// `placing` gives the places of expressions that are asked for; without it they meet nothing.
-  explicit Matcher(const el::Ontology* ontology, Placing placing = {});
+  explicit Matcher(const compiled::Ontology* ontology, Placing placing = {});
   ~Matcher();
 
   /// Adds or changes an entry. Its identity is resolved by the caller (IRIs). An entry of another participant whose
@@ -87,7 +87,7 @@ class Matcher {
   /// then, and the former one not any more. A subscription is judged by one ontology at any time, by the former until
   /// its step, and its events are those of that step: what stays matched gets none. What is asked of the matcher is
   /// answered by the ontology in force. A step costs what putting one publication or subscription does.
-  void begin_ontology(const el::Ontology* next);
+  void begin_ontology(const compiled::Ontology* next);
   /// False: everything is filed, and put_in_force() is due.
   [[nodiscard]] bool file_next();
   void put_in_force();

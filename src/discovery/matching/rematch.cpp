@@ -32,13 +32,13 @@ std::size_t class_count(const Edition& edition) {
 
 }  // namespace
 
-Matcher::State::State(const el::Ontology* ontology, Placing placing)
+Matcher::State::State(const compiled::Ontology* ontology, Placing placing)
     : in_force_{ontology}, placing_(std::move(placing)) {
   publications_.set_class_count(class_count(in_force_));
   subscriptions_.set_class_count(class_count(in_force_));
 }
 
-void Matcher::State::begin_ontology(const el::Ontology* next) {
+void Matcher::State::begin_ontology(const compiled::Ontology* next) {
   GEMINGA_ASSERT(stage_ == Stage::none);
   other_ = {next, registry::other(in_force_.generation)};
   publications_.set_class_count(class_count(other_), other_.generation);

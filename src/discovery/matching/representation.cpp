@@ -6,9 +6,11 @@
 
 namespace geminga::matching {
 
-std::optional<Match> degree_of_representation(const std::string& offered_iri, std::optional<el::ClassNumber> offered,
+std::optional<Match> degree_of_representation(const std::string& offered_iri,
+                                              std::optional<taxonomy::ClassNumber> offered,
                                               const std::string& requested_iri,
-                                              std::optional<el::ClassNumber> requested, const el::Ontology* ontology) {
+                                              std::optional<taxonomy::ClassNumber> requested,
+                                              const compiled::Ontology* ontology) {
   if (requested_iri.empty()) return Match{Degree::exact, 0};
   if (offered_iri.empty()) return std::nullopt;
   return degree_of_name(offered_iri, offered, requested_iri, requested, ontology);

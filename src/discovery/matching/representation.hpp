@@ -14,10 +14,10 @@ namespace geminga::matching {
 /// that is not met. A request with one is never met by an offer that states none, because the consumer could not read
 /// it. Between two stated ones the ontology decides as it does between concepts.
 [[nodiscard]] std::optional<Match> degree_of_representation(const std::string& offered_iri,
-                                                            std::optional<el::ClassNumber> offered,
+                                                            std::optional<taxonomy::ClassNumber> offered,
                                                             const std::string& requested_iri,
-                                                            std::optional<el::ClassNumber> requested,
-                                                            const el::Ontology* ontology);
+                                                            std::optional<taxonomy::ClassNumber> requested,
+                                                            const compiled::Ontology* ontology);
 
 /// The weaker of the two degrees, and the distances added.
 [[nodiscard]] Match combined(const Match& by_concept, const Match& by_representation);

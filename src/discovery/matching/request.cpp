@@ -41,20 +41,20 @@ std::string kind_of(const Identity& identity) {
   return std::holds_alternative<TextIdentity>(identity) ? "a text" : "a concept";
 }
 
-std::string named(const el::Ontology* ontology, const std::string& iri) {
+std::string named(const compiled::Ontology* ontology, const std::string& iri) {
   if (iri.find('<') != std::string::npos) return base::printable(iri, max_shown_expression);
   return ontology == nullptr ? '<' + iri + '>' : ontology->short_name(std::string_view(iri));
 }
 
 /// Why a name of the ontology has no part in subsumption; empty where it has.
-std::string without_class(const el::Ontology* ontology, const std::string& iri) {
+std::string without_class(const compiled::Ontology* ontology, const std::string& iri) {
   if (ontology == nullptr) return "no ontology is loaded";
   const auto number = ontology->find_iri(iri);
   if (!number) return named(ontology, iri) + " is unknown to the ontology";
   return ontology->is_satisfiable(*number) ? "" : named(ontology, iri) + " is unsatisfiable";
 }
 
-std::string unrelated(const el::Ontology* ontology, const std::string& offered, const std::string& requested) {
+std::string unrelated(const compiled::Ontology* ontology, const std::string& offered, const std::string& requested) {
   std::string why = named(ontology, offered) + " is offered, " + named(ontology, requested) + " is asked for";
   for (const auto* iri : {&offered, &requested}) {
     const std::string reason = without_class(ontology, *iri);
@@ -64,7 +64,7 @@ std::string unrelated(const el::Ontology* ontology, const std::string& offered, 
 }
 
 std::string identity_misfit(const Identity& offered, const Classes& offered_classes, const Identity& requested,
-                            const Classes& requested_classes, const el::Ontology* ontology) {
+                            const Classes& requested_classes, const compiled::Ontology* ontology) {
   if (offered.index() != requested.index()) {
     return "identity: " + kind_of(offered) + " is offered, " + kind_of(requested) + " is asked for";
   }
@@ -104,7 +104,7 @@ std::string identity_misfit(const Identity& offered, const Classes& offered_clas
 
 }  // namespace
 
-Request prepared(const Subscription& subscription, const el::Ontology* ontology, const Placing& placing,
+Request prepared(const Subscription& subscription, const compiled::Ontology* ontology, const Placing& placing,
                  ParticipantId from) {
   Request request{classes_of(subscription.identity, ontology), std::nullopt};
   if (placing && ontology != nullptr && has_expression(subscription.identity)) {
@@ -116,7 +116,8 @@ Request prepared(const Subscription& subscription, const el::Ontology* ontology,
 }
 
 std::optional<Match> meets(const Subscription& subscription, const Request& request,
-                           const PublicationEntry& publication, const Classes& offered, const el::Ontology* ontology) {
+                           const PublicationEntry& publication, const Classes& offered,
+                           const compiled::Ontology* ontology) {
   if (subscription.mode != publication.publication.mode || !request.where) return std::nullopt;
   if (!is_accepted_provider(subscription, publication)) return std::nullopt;
   if (!is_accepted_protocol(subscription, publication)) return std::nullopt;
@@ -128,7 +129,7 @@ std::optional<Match> meets(const Subscription& subscription, const Request& requ
 
 std::expected<Match, std::string> explained(const Subscription& subscription, const Request& request,
                                             const PublicationEntry& publication, const Classes& offered,
-                                            const el::Ontology* ontology) {
+                                            const compiled::Ontology* ontology) {
   if (const auto match = meets(subscription, request, publication, offered, ontology)) return *match;
   std::string why;
   const auto say = [&why](const std::string& misfit) { why += (why.empty() ? "" : "; ") + misfit; };

@@ -46,7 +46,7 @@ struct Ranked {
 /// subscription whose candidates changed is settled once, which gives the events.
 class Matcher::State {
  public:
-  State(const el::Ontology* ontology, Placing placing);
+  State(const compiled::Ontology* ontology, Placing placing);
 
   void put(registry::PublicationEntry entry);
   void put(registry::SubscriptionEntry entry, Telling telling);
@@ -55,7 +55,7 @@ class Matcher::State {
               const std::vector<const registry::StoredSubscription*>& subscriptions, Reason reason);
   void begin_departure(ParticipantId participant, Reason reason);
   [[nodiscard]] bool depart_next();
-  void begin_ontology(const el::Ontology* next);
+  void begin_ontology(const compiled::Ontology* next);
   [[nodiscard]] bool file_next();
   void put_in_force();
   [[nodiscard]] bool rematch_next();

@@ -6,17 +6,17 @@
 
 #include "discovery/announcement/limits.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 namespace {
 
 using base::Instant;
 
 constexpr std::size_t bucket_size = 4;
 /// A stranger that was silent for so long begins anew; and a place whose owner was is nobody's when all are wanted.
-constexpr base::Duration longest_silence = deadline_intervals * stranger_interval;
+constexpr base::Duration longest_silence = deadline_intervals * announcement::stranger_interval;
 
 /// Who is silent for longer than this does not announce itself each interval, or a datagram was lost.
-constexpr base::Duration longest_pause = stranger_interval + stranger_interval / 4;
+constexpr base::Duration longest_pause = announcement::stranger_interval + announcement::stranger_interval / 4;
 
 /// The finalizer of splitmix64: every bit of the result depends on every bit of `bits`.
 std::uint64_t mixed(std::uint64_t bits) {
@@ -27,19 +27,20 @@ std::uint64_t mixed(std::uint64_t bits) {
 
 }  // namespace
 
-std::uint64_t WaitingList::key_of(ParticipantId id, BootNonce boot) const {
+std::uint64_t WaitingList::key_of(ParticipantId id, announcement::BootNonce boot) const {
   return mixed(mixed(secret_ ^ std::to_underlying(id)) ^ std::to_underlying(boot));
 }
 
 WaitingList::Stranger& WaitingList::place_of(std::uint64_t key) {
-  if (strangers_.empty()) strangers_.resize(max_waiting);
-  const auto bucket = std::span(strangers_).subspan(key % (max_waiting / bucket_size) * bucket_size, bucket_size);
+  if (strangers_.empty()) strangers_.resize(announcement::max_waiting);
+  const auto bucket =
+      std::span(strangers_).subspan(key % (announcement::max_waiting / bucket_size) * bucket_size, bucket_size);
   const auto same = std::ranges::find(bucket, key, &Stranger::key);
   if (same != bucket.end()) return *same;
   return *std::ranges::min_element(bucket, {}, [](const Stranger& each) { return each.standing.rank(); });
 }
 
-std::optional<Standing> WaitingList::hear(const Announcement& announcement, Instant now) {
+std::optional<Standing> WaitingList::hear(const announcement::Announcement& announcement, Instant now) {
   const auto key = key_of(announcement.participant, announcement.boot);
   auto& stranger = place_of(key);
   if (stranger.key != key || now - stranger.standing.last >= longest_silence) {
@@ -52,7 +53,8 @@ std::optional<Standing> WaitingList::hear(const Announcement& announcement, Inst
   return stranger.standing;
 }
 
-void WaitingList::put(ParticipantId id, BootNonce boot, std::uint64_t sequence, const Standing& standing) {
+void WaitingList::put(ParticipantId id, announcement::BootNonce boot, std::uint64_t sequence,
+                      const Standing& standing) {
   if (!standing.is_confirmed) return;
   const auto key = key_of(id, boot);
   place_of(key) = {key, sequence, standing};
@@ -101,7 +103,8 @@ void Admission::update(ParticipantId id, const Standing& standing) {
   place.standing = standing;
   const auto share = shares_.find(place.source);
   const auto others = share == shares_.end() ? 0 : share->second.seasoned;
-  place.is_seasoned |= standing.last - standing.first >= seasoned_after && others < max_seasoned_per_source;
+  place.is_seasoned |=
+      standing.last - standing.first >= announcement::seasoned_after && others < announcement::max_seasoned_per_source;
   insert(id, place);
 }
 
@@ -129,7 +132,7 @@ std::optional<ParticipantId> Admission::from_greedier(std::string_view source) c
   return most->unseasoned.begin()->second;
 }
 
-Admission::Decision Admission::decide(const Announcement& newcomer, const Arrival& arrival) {
+Admission::Decision Admission::decide(const announcement::Announcement& newcomer, const Arrival& arrival) {
   if (const auto gives_way = from_greedier(arrival.source)) return {gives_way, std::nullopt};
   const auto standing = waiting_.hear(newcomer, arrival.now);
   if (!standing) return {};
@@ -163,4 +166,4 @@ std::optional<ParticipantId> Admission::decide_return(std::string_view source, S
   return is_greedier && !last->second.is_seasoned ? std::optional(last->first) : std::nullopt;
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

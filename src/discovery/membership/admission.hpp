@@ -16,7 +16,7 @@
 #include "discovery/membership/neighbour_table.hpp"
 #include "discovery/membership/standing.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 /// Strangers that were heard while all places were taken. At most max_waiting, and in a bucket of four the one of the
 /// lowest rank gives way. Uses no memory before the first.
@@ -25,9 +25,9 @@ class WaitingList {
   /// Random bits, so that nobody can aim at the place of another.
   void set_secret(std::uint64_t secret) { secret_ = secret; }
   /// Hears a stranger; its standing from the second time on.
-  [[nodiscard]] std::optional<Standing> hear(const Announcement& announcement, base::Instant now);
+  [[nodiscard]] std::optional<Standing> hear(const announcement::Announcement& announcement, base::Instant now);
   /// Somebody who has had to give its place away, and need not begin anew.
-  void put(ParticipantId id, BootNonce boot, std::uint64_t sequence, const Standing& standing);
+  void put(ParticipantId id, announcement::BootNonce boot, std::uint64_t sequence, const Standing& standing);
 
  private:
   struct Stranger {
@@ -35,7 +35,7 @@ class WaitingList {
     std::uint64_t sequence = 0;
     Standing standing;
   };
-  [[nodiscard]] std::uint64_t key_of(ParticipantId id, BootNonce boot) const;
+  [[nodiscard]] std::uint64_t key_of(ParticipantId id, announcement::BootNonce boot) const;
   /// The stranger with this key, or the place that it gets.
   [[nodiscard]] Stranger& place_of(std::uint64_t key);
   std::uint64_t secret_ = 0;
@@ -52,7 +52,7 @@ class Admission {
   void update(ParticipantId id, const Standing& standing);
   void remove(ParticipantId id);
   /// It was removed for a newcomer, and may come back.
-  void remember(ParticipantId id, BootNonce boot, std::uint64_t sequence, const Standing& standing) {
+  void remember(ParticipantId id, announcement::BootNonce boot, std::uint64_t sequence, const Standing& standing) {
     waiting_.put(id, boot, sequence, standing);
   }
   /// Whether it was heard for seasoned_after and has one of its source's max_seasoned_per_source.
@@ -63,7 +63,7 @@ class Admission {
     std::optional<ParticipantId> gives_way;
     std::optional<Standing> standing;
   };
-  [[nodiscard]] Decision decide(const Announcement& newcomer, const Arrival& arrival);
+  [[nodiscard]] Decision decide(const announcement::Announcement& newcomer, const Arrival& arrival);
   /// The same for somebody of whom this standing is known.
   [[nodiscard]] std::optional<ParticipantId> decide(std::string_view source, const Standing& standing,
                                                     base::Instant now) const;
@@ -99,6 +99,6 @@ class Admission {
   WaitingList waiting_;
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

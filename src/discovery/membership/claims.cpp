@@ -1,9 +1,9 @@
 // First claims, in the order in which they are forgotten.
 #include "discovery/membership/claims.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
-void Claims::hear(const Announcement& claim, const Arrival& arrival, Turn turn) {
+void Claims::hear(const announcement::Announcement& claim, const Arrival& arrival, Turn turn) {
   while (!order_.empty() && order_.front().first + claim_memory <= arrival.now) {
     claims_.erase(order_.front().second);
     order_.pop_front();
@@ -17,11 +17,11 @@ void Claims::hear(const Announcement& claim, const Arrival& arrival, Turn turn) 
   order_.emplace_back(arrival.now, claim.participant);
 }
 
-std::optional<Turn> Claims::find(const Announcement& state, const Arrival& arrival) const {
+std::optional<Turn> Claims::find(const announcement::Announcement& state, const Arrival& arrival) const {
   const auto claim = claims_.find(state.participant);
   if (claim == claims_.end() || claim->second.at + claim_memory <= arrival.now) return std::nullopt;
   if (claim->second.boot != state.boot || claim->second.source != arrival.source) return std::nullopt;
   return claim->second.turn;
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

@@ -13,7 +13,7 @@
 #include "discovery/membership/neighbour_table.hpp"
 #include "discovery/membership/standing.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 /// A claim is remembered for so long: its identifier is held 90 ms after it, and announced five times within the next
 /// 300 ms and then each interval.
@@ -25,13 +25,13 @@ inline constexpr std::size_t max_claims = 8192;
 class Claims {
  public:
   /// Hears a claim of an identifier that nobody has, with this turn.
-  void hear(const Announcement& claim, const Arrival& arrival, Turn turn);
+  void hear(const announcement::Announcement& claim, const Arrival& arrival, Turn turn);
   /// With which turn the sender of this state has claimed its identifier, if it was the first to do so.
-  [[nodiscard]] std::optional<Turn> find(const Announcement& state, const Arrival& arrival) const;
+  [[nodiscard]] std::optional<Turn> find(const announcement::Announcement& state, const Arrival& arrival) const;
 
  private:
   struct Claim {
-    BootNonce boot{};
+    announcement::BootNonce boot{};
     std::string source;
     base::Instant at;
     Turn turn = 0;
@@ -40,6 +40,6 @@ class Claims {
   std::deque<std::pair<base::Instant, ParticipantId>> order_;
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

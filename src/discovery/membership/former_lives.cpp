@@ -5,7 +5,7 @@
 
 #include "discovery/announcement/limits.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 using base::Instant;
 
@@ -19,22 +19,22 @@ void FormerLives::remember(std::unique_ptr<NeighbourRecord> record, Instant now)
   const auto until = now + record->memory(now);
   order_.emplace(until, key);
   lives_.emplace(key, Life{std::move(record), now, until, {}});
-  if (lives_.size() <= max_participants) return;
+  if (lives_.size() <= announcement::max_participants) return;
   forget(std::ranges::max_element(lives_, {}, [](const auto& life) { return life.second.record->since(); }));
 }
 
-const NeighbourRecord* FormerLives::find(const Announcement& announcement, Instant now) {
+const NeighbourRecord* FormerLives::find(const announcement::Announcement& announcement, Instant now) {
   while (!order_.empty() && order_.begin()->first <= now) forget(lives_.find(order_.begin()->second));
   const auto life = lives_.find(key_of(announcement));
   return life == lives_.end() ? nullptr : life->second.record.get();
 }
 
-void FormerLives::hear_goodbye(const Announcement& announcement, const Arrival& arrival) {
+void FormerLives::hear_goodbye(const announcement::Announcement& announcement, const Arrival& arrival) {
   const auto life = lives_.find(key_of(announcement));
   if (life != lives_.end()) life->second.record->note_goodbye(announcement, arrival);
 }
 
-const NeighbourRecord* FormerLives::find_alive(const Announcement& announcement, const Arrival& arrival) {
+const NeighbourRecord* FormerLives::find_alive(const announcement::Announcement& announcement, const Arrival& arrival) {
   const auto found = lives_.find(key_of(announcement));
   if (found == lives_.end()) return nullptr;
   auto& life = found->second;
@@ -52,7 +52,7 @@ const NeighbourRecord* FormerLives::find_alive(const Announcement& announcement,
   return nullptr;
 }
 
-std::unique_ptr<NeighbourRecord> FormerLives::take(const Announcement& announcement) {
+std::unique_ptr<NeighbourRecord> FormerLives::take(const announcement::Announcement& announcement) {
   const auto life = lives_.find(key_of(announcement));
   auto record = std::move(life->second.record);
   forget(life);
@@ -62,11 +62,11 @@ std::unique_ptr<NeighbourRecord> FormerLives::take(const Announcement& announcem
 bool FormerLives::give_way() {
   NeighbourRecord* youngest = nullptr;
   for (const auto& [key, life] : lives_) {
-    if (life.record->services().size() <= reserved_services) continue;
+    if (life.record->services().size() <= announcement::reserved_services) continue;
     if (youngest == nullptr || life.record->since() > youngest->since()) youngest = life.record.get();
   }
   if (youngest != nullptr) youngest->services().clear();
   return youngest != nullptr;
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

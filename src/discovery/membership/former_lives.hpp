@@ -13,7 +13,7 @@
 #include "discovery/membership/neighbour_record.hpp"
 #include "discovery/membership/neighbour_table.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 /// At most max_participants lives (an identifier with a boot nonce) in whose name a goodbye was said or that lost their
 /// identifier to another one, each for goodbye_memory or two of its intervals. The youngest gives way: so many that are
@@ -23,18 +23,19 @@ class FormerLives {
  public:
   void remember(std::unique_ptr<NeighbourRecord> record, base::Instant now);
   /// The remembered life that this is said in the name of; or null.
-  [[nodiscard]] const NeighbourRecord* find(const Announcement& announcement, base::Instant now);
+  [[nodiscard]] const NeighbourRecord* find(const announcement::Announcement& announcement, base::Instant now);
   /// A goodbye of a remembered life was heard again.
-  void hear_goodbye(const Announcement& announcement, const Arrival& arrival);
+  void hear_goodbye(const announcement::Announcement& announcement, const Arrival& arrival);
   /// The life that this state proves to be alive; null if it may have been sent before the life left, or not by it.
-  [[nodiscard]] const NeighbourRecord* find_alive(const Announcement& announcement, const Arrival& arrival);
+  [[nodiscard]] const NeighbourRecord* find_alive(const announcement::Announcement& announcement,
+                                                  const Arrival& arrival);
   /// Gives back what is known of a remembered life.
-  [[nodiscard]] std::unique_ptr<NeighbourRecord> take(const Announcement& announcement);
+  [[nodiscard]] std::unique_ptr<NeighbourRecord> take(const announcement::Announcement& announcement);
   /// Forgets the services of the youngest that has more than its reserve, to make room; false: none has.
   bool give_way();
 
  private:
-  using Key = std::pair<ParticipantId, BootNonce>;
+  using Key = std::pair<ParticipantId, announcement::BootNonce>;
   struct Life {
     std::unique_ptr<NeighbourRecord> record;
     base::Instant left;
@@ -42,13 +43,15 @@ class FormerLives {
     std::optional<std::uint64_t> echo;  ///< the number of a datagram since then that was heard before
   };
   using Lives = std::map<Key, Life>;
-  static Key key_of(const Announcement& announcement) { return {announcement.participant, announcement.boot}; }
+  static Key key_of(const announcement::Announcement& announcement) {
+    return {announcement.participant, announcement.boot};
+  }
   void forget(Lives::iterator life);
 
   Lives lives_;
   std::set<std::pair<base::Instant, Key>> order_;  ///< by the time of being forgotten
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 using base::Instant;
 using base::never;
@@ -61,15 +61,15 @@ IdentifierClaim::Step IdentifierClaim::step(Instant now) {
 
 Instant IdentifierClaim::due() const { return due_; }
 
-IdentifierClaim::Verdict IdentifierClaim::conflict(Kind kind, Instant now) {
-  if (kind == Kind::goodbye || phase_ == Phase::idle || phase_ == Phase::failed) return Verdict::ignore;
+IdentifierClaim::Verdict IdentifierClaim::conflict(announcement::Kind kind, Instant now) {
+  if (kind == announcement::Kind::goodbye || phase_ == Phase::idle || phase_ == Phase::failed) return Verdict::ignore;
   if (!has_held_) return draw_first(now);
   const bool is_owner = phase_ == Phase::held;
-  if (is_owner && kind == Kind::claim) return Verdict::answer;
+  if (is_owner && kind == announcement::Kind::claim) return Verdict::answer;
   if (!redraws_.has(now)) return Verdict::kept;
   redraws_.take(now);
   draw(now);
   return is_owner ? Verdict::dropped : Verdict::redrawn;
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

@@ -12,7 +12,7 @@
 #include "discovery/membership/token_bucket.hpp"
 #include "geminga/service.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 /// Claims of one candidate, and the time between them; the identifier is held as long after the last one. 90 ms in all:
 /// at 30 % loss an owner misses all three with a probability of 2.7 %, and then the clash is found at run time.
@@ -56,7 +56,7 @@ class IdentifierClaim {
     failed,   ///< no first identifier was held after max_claim_attempts candidates
   };
   /// Our identifier (id()) was heard from another boot nonce in an announcement of this kind. Feed every one of them.
-  [[nodiscard]] Verdict conflict(Kind kind, base::Instant now);
+  [[nodiscard]] Verdict conflict(announcement::Kind kind, base::Instant now);
 
   /// The candidate or the held identifier; ParticipantId{0} before start() and after failure.
   [[nodiscard]] ParticipantId id() const { return id_; }
@@ -78,6 +78,6 @@ class IdentifierClaim {
   base::Instant due_ = base::never;
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

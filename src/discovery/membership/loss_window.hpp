@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 /// A window over the last 64 sequence numbers. Copies and reordering do not count as loss.
 class LossWindow {
@@ -56,6 +56,6 @@ class LossWindow {
   int span_ = 0;             ///< numbers in the window since the first one heard
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

@@ -8,7 +8,7 @@
 #include "discovery/announcement/address.hpp"
 #include "discovery/announcement/limits.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 namespace {
 
 using base::Duration;
@@ -22,12 +22,13 @@ constexpr Duration min_refresh_time = std::chrono::milliseconds(20);
 
 }  // namespace
 
-NeighbourRecord::Header NeighbourRecord::header_of(const Announcement& announcement) {
+NeighbourRecord::Header NeighbourRecord::header_of(const announcement::Announcement& announcement) {
   return {announcement.name.empty() ? to_string(announcement.participant) : announcement.name,
           announcement.ontology_digest, announcement.interval};
 }
 
-NeighbourRecord::NeighbourRecord(const Announcement& first, const Arrival& arrival, Turn since, ServiceRoom& room)
+NeighbourRecord::NeighbourRecord(const announcement::Announcement& first, const Arrival& arrival, Turn since,
+                                 ServiceRoom& room)
     : id_(first.participant),
       boot_(first.boot),
       source_(arrival.source),
@@ -35,15 +36,16 @@ NeighbourRecord::NeighbourRecord(const Announcement& first, const Arrival& arriv
       standing_{arrival.now, arrival.now},
       header_(header_of(first), arrival.now),
       heard_(arrival.now),
-      deadline_(deadline_of(arrival.now, std::min(first.interval, stranger_interval), 0)),
+      deadline_(deadline_of(arrival.now, std::min(first.interval, announcement::stranger_interval), 0)),
       revision_(first.revision),
       raised_(first.revision, arrival.now),
       services_(Owner{first.participant, header_.value().name, {}, {}}, room) {}
 
 Duration NeighbourRecord::settled_interval(Instant now) const {
   // Of a former interval, how long it counts is reckoned in itself: a forged one cannot outlast or outrun it.
-  const auto* former = header_.former(now, hold_intervals * max_interval);
-  if (former != nullptr && header_.former(now, hold_intervals * former->interval) != nullptr) return former->interval;
+  const auto* former = header_.former(now, announcement::hold_intervals * announcement::max_interval);
+  if (former != nullptr && header_.former(now, announcement::hold_intervals * former->interval) != nullptr)
+    return former->interval;
   return header_.value().interval;
 }
 
@@ -51,12 +53,12 @@ Duration NeighbourRecord::lasting_interval(Instant now) const {
   const auto settled = settled_interval(now);
   auto interval = header_.value().interval;
   if (interval < settled || (interval > settled && !header_.is_repeated())) interval = settled;
-  return standing_.is_confirmed ? interval : std::min(interval, stranger_interval);
+  return standing_.is_confirmed ? interval : std::min(interval, announcement::stranger_interval);
 }
 
 Duration NeighbourRecord::hold(Instant now) const {
-  const auto known_for = std::max<Duration>(stranger_interval, now - standing_.first);
-  return hold_intervals * std::min(settled_interval(now), known_for);
+  const auto known_for = std::max<Duration>(announcement::stranger_interval, now - standing_.first);
+  return announcement::hold_intervals * std::min(settled_interval(now), known_for);
 }
 
 double NeighbourRecord::loss() const {
@@ -75,21 +77,22 @@ Moment NeighbourRecord::moment(Instant now, bool is_heard) const {
           .is_heard = is_heard};
 }
 
-NeighbourWay* NeighbourRecord::find_way(const Announcement& announcement, const Arrival& arrival) {
+NeighbourWay* NeighbourRecord::find_way(const announcement::Announcement& announcement, const Arrival& arrival) {
   const auto way = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
     return each.interface() == arrival.interface && each.link() == announcement.link;
   });
   return way == ways_.end() ? nullptr : &*way;
 }
 
-const NeighbourWay* NeighbourRecord::find_bound(const Announcement& announcement, const Arrival& arrival) const {
+const NeighbourWay* NeighbourRecord::find_bound(const announcement::Announcement& announcement,
+                                                const Arrival& arrival) const {
   const auto way = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
     return each.interface() == arrival.interface && each.link() == announcement.link && each.source() == arrival.source;
   });
   return way == ways_.end() ? nullptr : &*way;
 }
 
-bool NeighbourRecord::may_open(const Announcement& announcement, const Arrival& arrival) {
+bool NeighbourRecord::may_open(const announcement::Announcement& announcement, const Arrival& arrival) {
   if (ways_.empty()) return true;
   const auto is_alive = [&](const NeighbourWay& way) { return arrival.now - way.heard() < hold(arrival.now); };
   const auto is_of_source = [&](const NeighbourWay& way) { return way.source() == arrival.source; };
@@ -107,8 +110,8 @@ bool NeighbourRecord::may_open(const Announcement& announcement, const Arrival& 
   return is_repeated;
 }
 
-NeighbourWay* NeighbourRecord::open_way(const Announcement& announcement, const Arrival& arrival) {
-  if (ways_.size() == max_paths || !may_open(announcement, arrival)) return nullptr;
+NeighbourWay* NeighbourRecord::open_way(const announcement::Announcement& announcement, const Arrival& arrival) {
+  if (ways_.size() == announcement::max_paths || !may_open(announcement, arrival)) return nullptr;
   opening_.reset();
   const auto place = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
     return std::tuple(each.interface(), each.link()) > std::tuple(arrival.interface, announcement.link);
@@ -126,7 +129,8 @@ bool NeighbourRecord::close_later_ways(const NeighbourWay& way, const Arrival& a
          }) > 0;
 }
 
-Order NeighbourRecord::order(const NeighbourWay& way, const Announcement& announcement, const Arrival& arrival) const {
+Order NeighbourRecord::order(const NeighbourWay& way, const announcement::Announcement& announcement,
+                             const Arrival& arrival) const {
   const auto order = way.order(announcement, arrival.now);
   if (order != Order::next) return order;
   if (announcement.revision < revision_) {
@@ -139,7 +143,8 @@ Order NeighbourRecord::order(const NeighbourWay& way, const Announcement& announ
   return is_denied ? Order::contradiction : order;
 }
 
-Hearing NeighbourRecord::hear(const Announcement& announcement, const Arrival& arrival, std::vector<Change>& changes) {
+Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, const Arrival& arrival,
+                              std::vector<Change>& changes) {
   const auto now = arrival.now;
   end_contest(now);
   bool is_forged = false;  // something that was believed until now
@@ -167,7 +172,7 @@ Hearing NeighbourRecord::hear(const Announcement& announcement, const Arrival& a
   return order == Order::contradiction ? Hearing::contradiction : Hearing::known;
 }
 
-void NeighbourRecord::take_in(NeighbourWay& way, const Announcement& announcement, const Arrival& arrival,
+void NeighbourRecord::take_in(NeighbourWay& way, const announcement::Announcement& announcement, const Arrival& arrival,
                               std::vector<Change>& changes) {
   const auto now = arrival.now;
   const auto held = hold(now);
@@ -185,7 +190,7 @@ void NeighbourRecord::take_in(NeighbourWay& way, const Announcement& announcemen
   services_.tell(moment(now, true), changes);
 }
 
-void NeighbourRecord::take_revision(NeighbourWay& way, const Announcement& announcement, Instant now,
+void NeighbourRecord::take_revision(NeighbourWay& way, const announcement::Announcement& announcement, Instant now,
                                     std::vector<Change>& changes) {
   if (announcement.revision != revision_) {
     if (announcement.revision < revision_) raised_.restart(announcement.revision, now);
@@ -215,7 +220,7 @@ void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
   const bool is_first = !is_contested_;
   const auto at = moment(now, false);
   is_contested_ = true;
-  contested_until_ = now + std::max(contest_intervals * settled_interval(now), at.hold);
+  contested_until_ = now + std::max(announcement::contest_intervals * settled_interval(now), at.hold);
   if (!is_first) return;
   services_.roll_back(is_complete_ ? affirmed_ : Instant::min(), at, changes);
   for (auto& way : ways_) {
@@ -243,7 +248,7 @@ void NeighbourRecord::end_contest(Instant now) {
   next_service_deadline_ = services_.earliest_deadline();
 }
 
-Hearing NeighbourRecord::hear_goodbye(const Announcement& announcement, const Arrival& arrival) {
+Hearing NeighbourRecord::hear_goodbye(const announcement::Announcement& announcement, const Arrival& arrival) {
   end_contest(arrival.now);
   if (find_bound(announcement, arrival) == nullptr) return Hearing::elsewhere;
   if (!is_contested_) return Hearing::goodbye;
@@ -252,13 +257,14 @@ Hearing NeighbourRecord::hear_goodbye(const Announcement& announcement, const Ar
   return Hearing::contradiction;
 }
 
-void NeighbourRecord::note_goodbye(const Announcement& announcement, const Arrival& arrival) {
+void NeighbourRecord::note_goodbye(const announcement::Announcement& announcement, const Arrival& arrival) {
   if (find_bound(announcement, arrival) == nullptr) return;
   auto& goodbye = find_way(announcement, arrival)->goodbye;
   if (!goodbye) goodbye = announcement.sequence;
 }
 
-NeighbourRecord::Proof NeighbourRecord::proof(const Announcement& announcement, const Arrival& arrival, Instant left) {
+NeighbourRecord::Proof NeighbourRecord::proof(const announcement::Announcement& announcement, const Arrival& arrival,
+                                              Instant left) {
   const auto* way = find_bound(announcement, arrival);
   if (way == nullptr) {
     // Who said the goodbye may have moved the way before.
@@ -269,7 +275,7 @@ NeighbourRecord::Proof NeighbourRecord::proof(const Announcement& announcement, 
   // Nothing comes after a true goodbye. What has a lower number than the goodbye may have been overtaken by it, but not
   // for long.
   const bool is_after = way->goodbye && announcement.sequence >= *way->goodbye && !is_heard;
-  if (!is_after && arrival.now - left < overtaken_time) return Proof::none;
+  if (!is_after && arrival.now - left < announcement::overtaken_time) return Proof::none;
   return is_heard ? Proof::echo : Proof::alive;
 }
 
@@ -281,7 +287,7 @@ void NeighbourRecord::come_back(Instant now, std::vector<Change>& changes) {
   contest(now, changes);
 }
 
-bool NeighbourRecord::yields_to(const Announcement& rival, const Arrival& arrival) {
+bool NeighbourRecord::yields_to(const announcement::Announcement& rival, const Arrival& arrival) {
   const bool is_repeated =
       rival_ && rival_->boot == rival.boot && rival_->source == arrival.source && rival.sequence != rival_->sequence;
   const bool is_silent = arrival.now - heard_ >= hold(arrival.now);
@@ -300,10 +306,10 @@ void NeighbourRecord::choose_address() {
   for (std::size_t w = 0; w < ways_.size(); ++w) {
     const auto& addresses = ways_[w].addresses();
     for (std::size_t i = 0; i < addresses.size(); ++i) {
-      const auto address = parse_address(addresses[i]);
+      const auto address = announcement::parse_address(addresses[i]);
       if (!address) continue;
       const bool is_other = addresses[i] != owner.address || ways_[w].interface_name() != owner.zone;
-      const Preference preference{address_rank(*address), is_other, w, i};
+      const Preference preference{announcement::address_rank(*address), is_other, w, i};
       if (chosen != nullptr && best < preference) continue;
       best = preference;
       chosen = &addresses[i];
@@ -358,4 +364,4 @@ Neighbour NeighbourRecord::snapshot() const {
   return neighbour;
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

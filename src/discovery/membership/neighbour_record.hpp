@@ -16,7 +16,7 @@
 #include "discovery/membership/settled.hpp"
 #include "discovery/membership/standing.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 /// One known participant: one life of it, that is one boot nonce. Appends what changes to the list it is given.
 ///
@@ -28,11 +28,11 @@ namespace geminga::beacon {
 class NeighbourRecord {
  public:
   /// `since`: when its identifier became its own.
-  NeighbourRecord(const Announcement& first, const Arrival& arrival, Turn since, ServiceRoom& room);
+  NeighbourRecord(const announcement::Announcement& first, const Arrival& arrival, Turn since, ServiceRoom& room);
   NeighbourRecord(const NeighbourRecord&) = delete;
   NeighbourRecord& operator=(const NeighbourRecord&) = delete;
 
-  [[nodiscard]] BootNonce boot() const { return boot_; }
+  [[nodiscard]] announcement::BootNonce boot() const { return boot_; }
   /// The source address that it was first heard from: whose share its place is of.
   [[nodiscard]] const std::string& source() const { return source_; }
   /// When it was first heard under its identifier, be it with a claim: of several lives under one identifier the one
@@ -43,25 +43,25 @@ class NeighbourRecord {
 
   /// Takes in a state of this life. Says `known`, or why it was ignored (copied, elsewhere, leap) or doubted
   /// (contradiction).
-  Hearing hear(const Announcement& announcement, const Arrival& arrival, std::vector<Change>& changes);
+  Hearing hear(const announcement::Announcement& announcement, const Arrival& arrival, std::vector<Change>& changes);
   /// Whether a goodbye of this life ends it at once. One of a contested participant only shortens its deadline, so that
   /// it stays if it goes on speaking.
-  [[nodiscard]] Hearing hear_goodbye(const Announcement& announcement, const Arrival& arrival);
+  [[nodiscard]] Hearing hear_goodbye(const announcement::Announcement& announcement, const Arrival& arrival);
   /// A goodbye was heard on this way: what has a higher number is not from before it.
-  void note_goodbye(const Announcement& announcement, const Arrival& arrival);
+  void note_goodbye(const announcement::Announcement& announcement, const Arrival& arrival);
   /// What a state proves of somebody who seemed to leave at `left`.
   enum class Proof : std::uint8_t {
     none,   ///< it is from elsewhere, or may be from before that
     echo,   ///< its number was heard before: it may be a copy
     alive,  ///< it was sent after that
   };
-  [[nodiscard]] Proof proof(const Announcement& announcement, const Arrival& arrival, base::Instant left);
+  [[nodiscard]] Proof proof(const announcement::Announcement& announcement, const Arrival& arrival, base::Instant left);
   /// For how long it is remembered when it seems to leave: until it has spoken again, if it was only made to seem so.
   [[nodiscard]] base::Duration memory(base::Instant now) const;
   /// It is back: all that is known of it is to be told again, and somebody has lied in its name.
   void come_back(base::Instant now, std::vector<Change>& changes);
   /// Another life speaks under this identifier: whether this one has been silent for so long meanwhile that it is over.
-  [[nodiscard]] bool yields_to(const Announcement& rival, const Arrival& arrival);
+  [[nodiscard]] bool yields_to(const announcement::Announcement& rival, const Arrival& arrival);
 
   /// Drops ways and services that have their deadline at or before `now`; the participant itself is the table's.
   void expire(base::Instant now, std::vector<Change>& changes);
@@ -86,7 +86,7 @@ class NeighbourRecord {
   };
   /// Who wants this identifier in another life.
   struct Rival {
-    BootNonce boot{};
+    announcement::BootNonce boot{};
     std::string source;
     std::uint64_t sequence = 0;
   };
@@ -98,19 +98,20 @@ class NeighbourRecord {
     std::uint64_t sequence = 0;
   };
 
-  static Header header_of(const Announcement& announcement);
-  [[nodiscard]] NeighbourWay* find_way(const Announcement& announcement, const Arrival& arrival);
+  static Header header_of(const announcement::Announcement& announcement);
+  [[nodiscard]] NeighbourWay* find_way(const announcement::Announcement& announcement, const Arrival& arrival);
   /// The same if the datagram is from the address that the way belongs to.
-  [[nodiscard]] const NeighbourWay* find_bound(const Announcement& announcement, const Arrival& arrival) const;
-  [[nodiscard]] NeighbourWay* open_way(const Announcement& announcement, const Arrival& arrival);
-  [[nodiscard]] bool may_open(const Announcement& announcement, const Arrival& arrival);
+  [[nodiscard]] const NeighbourWay* find_bound(const announcement::Announcement& announcement,
+                                               const Arrival& arrival) const;
+  [[nodiscard]] NeighbourWay* open_way(const announcement::Announcement& announcement, const Arrival& arrival);
+  [[nodiscard]] bool may_open(const announcement::Announcement& announcement, const Arrival& arrival);
   /// Whether ways were closed that somebody has opened in the name of this one.
   bool close_later_ways(const NeighbourWay& way, const Arrival& arrival);
-  [[nodiscard]] NeighbourWay::Order order(const NeighbourWay& way, const Announcement& announcement,
+  [[nodiscard]] NeighbourWay::Order order(const NeighbourWay& way, const announcement::Announcement& announcement,
                                           const Arrival& arrival) const;
-  void take_in(NeighbourWay& way, const Announcement& announcement, const Arrival& arrival,
+  void take_in(NeighbourWay& way, const announcement::Announcement& announcement, const Arrival& arrival,
                std::vector<Change>& changes);
-  void take_revision(NeighbourWay& way, const Announcement& announcement, base::Instant now,
+  void take_revision(NeighbourWay& way, const announcement::Announcement& announcement, base::Instant now,
                      std::vector<Change>& changes);
   /// Somebody has lied in its name.
   void contest(base::Instant now, std::vector<Change>& changes);
@@ -129,7 +130,7 @@ class NeighbourRecord {
   [[nodiscard]] double loss() const;
 
   ParticipantId id_;
-  BootNonce boot_;
+  announcement::BootNonce boot_;
   std::string source_;
   Turn since_;
   bool has_spoken_ = false;
@@ -153,6 +154,6 @@ class NeighbourRecord {
   NeighbourServices services_;
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

@@ -7,7 +7,7 @@
 #include "discovery/announcement/address.hpp"
 #include "discovery/announcement/limits.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 using base::Instant;
 
@@ -28,7 +28,7 @@ void NeighbourServices::forget_told() {
 }
 
 template <typename Visit>
-void NeighbourServices::for_each_service(const Announcement& announcement, Visit visit) {
+void NeighbourServices::for_each_service(const announcement::Announcement& announcement, Visit visit) {
   for (const auto& peer : announcement.peers) {
     const auto name = peer.name.empty() ? std::to_string(std::to_underlying(peer.id)) : peer.name;
     for (const auto& entry : peer.publications) visit(ServiceNumber{peer.id, entry.number}, entry.publication, name);
@@ -36,7 +36,8 @@ void NeighbourServices::for_each_service(const Announcement& announcement, Visit
   }
 }
 
-bool NeighbourServices::denies(const Announcement& announcement, const std::vector<ServiceNumber>* complete) const {
+bool NeighbourServices::denies(const announcement::Announcement& announcement,
+                               const std::vector<ServiceNumber>* complete) const {
   bool is_denied = false;
   for_each_service(announcement, [&](ServiceNumber number, const auto& service, const std::string& peer_name) {
     if (is_denied) return;
@@ -53,7 +54,8 @@ bool NeighbourServices::denies(const Announcement& announcement, const std::vect
   return is_denied;
 }
 
-void NeighbourServices::apply(const Announcement& announcement, const Moment& moment, std::vector<Change>& changes) {
+void NeighbourServices::apply(const announcement::Announcement& announcement, const Moment& moment,
+                              std::vector<Change>& changes) {
   for_each_service(announcement, [&](ServiceNumber number, const auto& service, const std::string& peer_name) {
     apply_one(number, service, peer_name, announcement.revision, moment, changes);
   });
@@ -103,11 +105,11 @@ void NeighbourServices::add(ServiceNumber number, Offer offer, std::uint64_t rev
 }
 
 bool NeighbourServices::take_room() {
-  if (present_ == max_services_per_participant) {
+  if (present_ == announcement::max_services_per_participant) {
     room_.refuse();
     return false;
   }
-  if (entries_.size() >= max_services_per_participant) forget_withdrawn();
+  if (entries_.size() >= announcement::max_services_per_participant) forget_withdrawn();
   return room_.take(*this, present_);
 }
 
@@ -137,7 +139,7 @@ NeighbourServices::Entries::iterator NeighbourServices::withdraw(Entries::iterat
                                                                  Departure reason, std::vector<Change>& changes) {
   auto& [number, entry] = *position;
   untell(number, entry, reason, changes);
-  if (room_.withdrawn == max_withdrawn_services) return drop(position);
+  if (room_.withdrawn == announcement::max_withdrawn_services) return drop(position);
   entry.offer.replace(std::nullopt, moment.now, moment.hold);
   room_.give(present_--);
   ++room_.withdrawn;
@@ -216,7 +218,7 @@ void NeighbourServices::roll_back(Instant affirmed, const Moment& moment, std::v
 }
 
 bool NeighbourServices::give_way(std::vector<Change>& changes) {
-  if (present_ <= reserved_services) return false;
+  if (present_ <= announcement::reserved_services) return false;
   forget_withdrawn();
   const auto last = std::prev(entries_.end());
   untell(last->first, last->second, Departure::expired, changes);
@@ -281,8 +283,8 @@ void NeighbourServices::set_address(const std::string& address, const std::strin
 
 std::string NeighbourServices::effective_address(const std::string& announced) const {
   if (announced.empty()) return owner_.address;
-  auto address = parse_address(announced);
-  if (!address || !address->is_ipv6() || address->scope() != AddressScope::link_local) return announced;
+  auto address = announcement::parse_address(announced);
+  if (!address || !address->is_ipv6() || address->scope() != announcement::AddressScope::link_local) return announced;
   address->zone = owner_.zone;
   return address->text();
 }
@@ -291,8 +293,8 @@ bool NeighbourServices::depends_on_way(const Offer& offer) {
   const auto& announced =
       std::visit([](const auto& service) -> const std::string& { return service.address; }, offer.service);
   if (announced.empty()) return true;
-  const auto address = parse_address(announced);
-  return address && address->is_ipv6() && address->scope() == AddressScope::link_local;
+  const auto address = announcement::parse_address(announced);
+  return address && address->is_ipv6() && address->scope() == announcement::AddressScope::link_local;
 }
 
 std::size_t NeighbourServices::publications() const {
@@ -310,4 +312,4 @@ Instant NeighbourServices::earliest_deadline() const {
   return next;
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

@@ -16,7 +16,7 @@
 #include "discovery/membership/settled.hpp"
 #include "discovery/membership/state_assembly.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 /// Whose services they are: what every change says of the participant.
 struct Owner {
@@ -47,10 +47,11 @@ class NeighbourServices {
 
   /// Whether a datagram says something else of a service than another one of the same revision did. `complete`: the
   /// services of that revision, if all its parts have been heard.
-  [[nodiscard]] bool denies(const Announcement& announcement, const std::vector<ServiceNumber>* complete) const;
+  [[nodiscard]] bool denies(const announcement::Announcement& announcement,
+                            const std::vector<ServiceNumber>* complete) const;
   /// Takes in the services of one datagram. While the participant is contested, a service that is there stays as it is
   /// for as long as it is held.
-  void apply(const Announcement& announcement, const Moment& moment, std::vector<Change>& changes);
+  void apply(const announcement::Announcement& announcement, const Moment& moment, std::vector<Change>& changes);
   /// Withdraws what is not in the list, which is in ascending order.
   void withdraw_absent(const std::vector<ServiceNumber>& present, const Moment& moment, std::vector<Change>& changes);
   /// Withdraws what is not held any more; when the next one will not be, or later.
@@ -97,7 +98,7 @@ class NeighbourServices {
   using Entries = std::map<ServiceNumber, Entry>;
 
   template <typename Visit>
-  static void for_each_service(const Announcement& announcement, Visit visit);
+  static void for_each_service(const announcement::Announcement& announcement, Visit visit);
   template <typename Service>
   void apply_one(ServiceNumber number, const Service& service, const std::string& peer_name, std::uint64_t revision,
                  const Moment& moment, std::vector<Change>& changes);
@@ -121,6 +122,6 @@ class NeighbourServices {
   base::Instant refreshed_;  ///< when tell() last looked at all
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

@@ -14,7 +14,7 @@
 #include "discovery/membership/former_lives.hpp"
 #include "discovery/membership/neighbour_record.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 namespace {
 
 using base::Instant;
@@ -36,18 +36,18 @@ class NeighbourTable::State final : private ServiceRoom {
  public:
   explicit State(std::string group) : group_(std::move(group)) {}
 
-  Hearing hear(const Announcement& announcement, const Arrival& arrival) {
+  Hearing hear(const announcement::Announcement& announcement, const Arrival& arrival) {
     if (announcement.group != group_) return Hearing::other_group;
     if (announcement.boot == self_boot_) return Hearing::own;
     if (announcement.participant == self_) return Hearing::clash;
     is_room_sought_ = false;
     turn_ += 2;  // the odd ones are for what was overtaken
     switch (announcement.kind) {
-      case Kind::claim:
+      case announcement::Kind::claim:
         return hear_claim(announcement, arrival);
-      case Kind::goodbye:
+      case announcement::Kind::goodbye:
         return hear_goodbye(announcement, arrival);
-      case Kind::state:
+      case announcement::Kind::state:
         break;
     }
     return hear_state(announcement, arrival);
@@ -77,7 +77,7 @@ class NeighbourTable::State final : private ServiceRoom {
     }
   }
 
-  void set_self(ParticipantId id, BootNonce boot) {
+  void set_self(ParticipantId id, announcement::BootNonce boot) {
     self_ = id;
     self_boot_ = boot;
   }
@@ -104,7 +104,7 @@ class NeighbourTable::State final : private ServiceRoom {
   };
   using Records = std::map<ParticipantId, Known>;
 
-  Hearing hear_claim(const Announcement& announcement, const Arrival& arrival) {
+  Hearing hear_claim(const announcement::Announcement& announcement, const Arrival& arrival) {
     if (former_.find(announcement, arrival.now) != nullptr) return Hearing::stale;
     const auto holder = records_.find(announcement.participant);
     if (holder == records_.end()) {
@@ -114,13 +114,13 @@ class NeighbourTable::State final : private ServiceRoom {
     // One of an identifier that somebody has is no reason to give it to the claimant, unless it was overtaken by an
     // answer to itself: who has not claimed an identifier cannot have had it before.
     const auto& record = *holder->second.record;
-    const bool is_recent = arrival.now - record.standing().first < overtaken_time;
+    const bool is_recent = arrival.now - record.standing().first < announcement::overtaken_time;
     const bool is_own = record.boot() == announcement.boot && record.source() == arrival.source;
     if (is_recent && !is_own) claims_.hear(announcement, arrival, record.since() - 1);
     return Hearing::claim;
   }
 
-  Hearing hear_goodbye(const Announcement& announcement, const Arrival& arrival) {
+  Hearing hear_goodbye(const announcement::Announcement& announcement, const Arrival& arrival) {
     if (former_.find(announcement, arrival.now) != nullptr) former_.hear_goodbye(announcement, arrival);
     const auto known = records_.find(announcement.participant);
     if (known == records_.end() || known->second.record->boot() != announcement.boot) return Hearing::stale;
@@ -135,7 +135,7 @@ class NeighbourTable::State final : private ServiceRoom {
   }
 
   /// Whose an identifier is: ANNOUNCEMENT.md, "Whose an identifier is".
-  Hearing hear_state(const Announcement& announcement, const Arrival& arrival) {
+  Hearing hear_state(const announcement::Announcement& announcement, const Arrival& arrival) {
     const auto holder = records_.find(announcement.participant);
     if (holder != records_.end() && holder->second.record->boot() == announcement.boot) {
       return hear_holder(holder, announcement, arrival);
@@ -154,7 +154,7 @@ class NeighbourTable::State final : private ServiceRoom {
     if (holder != records_.end()) {
       const bool is_first = since && *since < holder->second.record->since();
       if (!is_first && !holder->second.record->yields_to(announcement, arrival)) return Hearing::rival;
-    } else if (former != nullptr && records_.size() == max_participants) {
+    } else if (former != nullptr && records_.size() == announcement::max_participants) {
       const auto gives_way = admission_.decide_return(former->source(), former->standing(), arrival.now);
       if (!gives_way) return Hearing::full;
       displace(*gives_way);
@@ -167,7 +167,8 @@ class NeighbourTable::State final : private ServiceRoom {
     return Hearing::returned;
   }
 
-  Hearing hear_holder(Records::iterator holder, const Announcement& announcement, const Arrival& arrival) {
+  Hearing hear_holder(Records::iterator holder, const announcement::Announcement& announcement,
+                      const Arrival& arrival) {
     auto& record = *holder->second.record;
     const auto hearing = record.hear(announcement, arrival, changes);
     const auto since = claims_.find(announcement, arrival);
@@ -181,9 +182,9 @@ class NeighbourTable::State final : private ServiceRoom {
     return hearing;
   }
 
-  Hearing hear_newcomer(const Announcement& announcement, const Arrival& arrival, Turn since) {
+  Hearing hear_newcomer(const announcement::Announcement& announcement, const Arrival& arrival, Turn since) {
     std::optional<Standing> standing;
-    if (records_.size() == max_participants) {
+    if (records_.size() == announcement::max_participants) {
       const auto decision = admission_.decide(announcement, arrival);
       if (!decision.gives_way) return Hearing::full;
       standing = decision.standing;
@@ -195,7 +196,8 @@ class NeighbourTable::State final : private ServiceRoom {
     return Hearing::newcomer;
   }
 
-  void add(std::unique_ptr<NeighbourRecord> one, const Announcement& announcement, const Arrival& arrival) {
+  void add(std::unique_ptr<NeighbourRecord> one, const announcement::Announcement& announcement,
+           const Arrival& arrival) {
     auto known = records_.try_emplace(announcement.participant, Known{std::move(one), base::never}).first;
     auto& record = *known->second.record;
     admission_.add(known->first, record.source(), record.standing());
@@ -237,7 +239,7 @@ class NeighbourTable::State final : private ServiceRoom {
     const auto asks = records_.find(who.owner().id);
     if (asks == records_.end() || !asks->second.record->standing().is_confirmed) return false;
     const auto beyond_reserve = [](const NeighbourRecord& record) {
-      return record.services().size() - std::min(record.services().size(), reserved_services);
+      return record.services().size() - std::min(record.services().size(), announcement::reserved_services);
     };
     std::map<std::string_view, std::size_t> shares;
     for (const auto& [id, known] : records_) shares[known.record->source()] += beyond_reserve(*known.record);
@@ -263,7 +265,7 @@ class NeighbourTable::State final : private ServiceRoom {
 
   std::string group_;
   ParticipantId self_{};
-  BootNonce self_boot_{};
+  announcement::BootNonce self_boot_{};
   Admission admission_;
   FormerLives former_;
   Claims claims_;
@@ -277,11 +279,11 @@ class NeighbourTable::State final : private ServiceRoom {
 NeighbourTable::NeighbourTable(std::string group) : state_(std::make_unique<State>(std::move(group))) {}
 NeighbourTable::~NeighbourTable() = default;
 
-void NeighbourTable::set_self(ParticipantId id, BootNonce boot) { state_->set_self(id, boot); }
+void NeighbourTable::set_self(ParticipantId id, announcement::BootNonce boot) { state_->set_self(id, boot); }
 
 void NeighbourTable::set_secret(std::uint64_t secret) { state_->set_secret(secret); }
 
-Hearing NeighbourTable::hear(const Announcement& announcement, const Arrival& arrival) {
+Hearing NeighbourTable::hear(const announcement::Announcement& announcement, const Arrival& arrival) {
   return state_->hear(announcement, arrival);
 }
 
@@ -307,4 +309,4 @@ std::size_t NeighbourTable::size() const { return state_->size(); }
 
 std::uint64_t NeighbourTable::refused_services() const { return state_->refused(); }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

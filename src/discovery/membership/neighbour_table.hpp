@@ -16,7 +16,7 @@
 #include "env/env.hpp"
 #include "geminga/service.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 /// Why something remote is gone. The words of matching::Reason.
 enum class Departure : std::uint8_t {
@@ -106,7 +106,7 @@ struct Path {
 /// What is known of one participant.
 struct Neighbour {
   ParticipantId id{};
-  BootNonce boot{};
+  announcement::BootNonce boot{};
   std::string name;
   std::uint64_t ontology_digest = 0;
   base::Duration interval{};
@@ -140,7 +140,7 @@ class NeighbourTable {
   NeighbourTable& operator=(const NeighbourTable&) = delete;
 
   /// Who we are, to be told from others; again after each draw of IdentifierClaim.
-  void set_self(ParticipantId id, BootNonce boot);
+  void set_self(ParticipantId id, announcement::BootNonce boot);
 
   /// Random bits that nobody else knows, so that nobody can aim a flood at the places of others. Before anything is
   /// heard.
@@ -149,7 +149,7 @@ class NeighbourTable {
   /// Takes in one decoded announcement. Cost: its entries times the logarithm of the sender's, and when something has
   /// changed (or a sixteenth of an interval has gone by) all entries of its sender; while all room for services is
   /// taken also a look at every participant for each service that others make room for.
-  [[nodiscard]] Hearing hear(const Announcement& announcement, const Arrival& arrival);
+  [[nodiscard]] Hearing hear(const announcement::Announcement& announcement, const Arrival& arrival);
   /// Removes what has its deadline at or before `now`.
   void expire(base::Instant now);
   /// When expire() has something to do, or a little before; base::never: nothing. Its cost is constant.
@@ -174,6 +174,6 @@ class NeighbourTable {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

@@ -6,19 +6,19 @@
 #include "discovery/announcement/address.hpp"
 #include "discovery/announcement/limits.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 namespace {
 
 using base::Duration;
 using base::Instant;
 
 /// The addresses of a sender as they are used here: link-local ones of IPv6 need our interface.
-std::vector<std::string> usable(const Announcement& announcement, const Arrival& arrival) {
+std::vector<std::string> usable(const announcement::Announcement& announcement, const Arrival& arrival) {
   std::vector<std::string> addresses;
   const auto add = [&](std::string_view text) {
-    auto address = parse_address(text);
+    auto address = announcement::parse_address(text);
     if (!address) return;
-    const bool needs_zone = address->is_ipv6() && address->scope() == AddressScope::link_local;
+    const bool needs_zone = address->is_ipv6() && address->scope() == announcement::AddressScope::link_local;
     address->zone = needs_zone ? std::string(arrival.interface_name) : std::string();
     addresses.push_back(address->text());
   };
@@ -29,7 +29,7 @@ std::vector<std::string> usable(const Announcement& announcement, const Arrival&
 
 }  // namespace
 
-NeighbourWay::NeighbourWay(const Announcement& first, const Arrival& arrival)
+NeighbourWay::NeighbourWay(const announcement::Announcement& first, const Arrival& arrival)
     : opened_(arrival.now),
       source_(arrival.source),
       addresses_(usable(first, arrival), arrival.now),
@@ -42,14 +42,14 @@ NeighbourWay::NeighbourWay(const Announcement& first, const Arrival& arrival)
   path_.heard = arrival.now;
 }
 
-NeighbourWay::Origin NeighbourWay::origin(const Announcement& announcement, const Arrival& arrival, bool needs_silence,
-                                          Duration hold) {
+NeighbourWay::Origin NeighbourWay::origin(const announcement::Announcement& announcement, const Arrival& arrival,
+                                          bool needs_silence, Duration hold) {
   if (arrival.source == source_) {
     mover_.reset();
     return Origin::bound;
   }
   if (home_ && arrival.source == home_->source) {
-    const bool may_be_overtaken = arrival.now - home_->left < overtaken_time;
+    const bool may_be_overtaken = arrival.now - home_->left < announcement::overtaken_time;
     if (announcement.sequence <= home_->sequence && may_be_overtaken) return Origin::copied;
     // What it says now counts no more than what it said then: the source address may be forged, too.
     source_ = std::move(home_->source);
@@ -83,7 +83,7 @@ void NeighbourWay::move(const Arrival& arrival, Duration hold) {
   has_moved_ = true;
 }
 
-NeighbourWay::Order NeighbourWay::order(const Announcement& announcement, Instant now) const {
+NeighbourWay::Order NeighbourWay::order(const announcement::Announcement& announcement, Instant now) const {
   if (losses_.is_empty()) return Order::next;
   const auto newest = losses_.newest();
   if (announcement.sequence >= newest) {
@@ -97,8 +97,8 @@ NeighbourWay::Order NeighbourWay::order(const Announcement& announcement, Instan
   return is_late ? Order::contradiction : Order::overtaken;
 }
 
-bool NeighbourWay::leaps(const Announcement& announcement, std::uint64_t believed) {
-  if (announcement.revision <= believed || announcement.revision - believed <= max_revision_step) {
+bool NeighbourWay::leaps(const announcement::Announcement& announcement, std::uint64_t believed) {
+  if (announcement.revision <= believed || announcement.revision - believed <= announcement::max_revision_step) {
     leap_.reset();
     return false;
   }
@@ -107,12 +107,13 @@ bool NeighbourWay::leaps(const Announcement& announcement, std::uint64_t believe
   return true;
 }
 
-bool NeighbourWay::denies(const Announcement& announcement, const Arrival& arrival) const {
+bool NeighbourWay::denies(const announcement::Announcement& announcement, const Arrival& arrival) const {
   if (losses_.is_empty() || has_moved_ || announcement.revision != revision_) return false;
   return announcement.part_count != part_count_ || usable(announcement, arrival) != addresses_.value();
 }
 
-void NeighbourWay::count(const Announcement& announcement, const Arrival& arrival, bool is_contradiction) {
+void NeighbourWay::count(const announcement::Announcement& announcement, const Arrival& arrival,
+                         bool is_contradiction) {
   const auto sequence = announcement.sequence;
   const bool is_lower = !is_next(sequence) && sequence != losses_.newest();
   // What comes so late was not overtaken: its sender is where it says.
@@ -128,7 +129,8 @@ void NeighbourWay::count(const Announcement& announcement, const Arrival& arriva
   path_.loss = losses_.loss();
 }
 
-bool NeighbourWay::say(const Announcement& announcement, const Arrival& arrival, bool is_contested, Duration hold) {
+bool NeighbourWay::say(const announcement::Announcement& announcement, const Arrival& arrival, bool is_contested,
+                       Duration hold) {
   revision_ = announcement.revision;
   part_count_ = announcement.part_count;
   const bool is_free = std::exchange(has_moved_, false) || !is_contested || !addresses_.is_held(arrival.now, hold);
@@ -153,4 +155,4 @@ void NeighbourWay::roll_back(Instant now, Duration hold) {
   if (home_) home_->addresses.roll_back(now, hold);
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

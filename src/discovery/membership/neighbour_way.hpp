@@ -14,12 +14,12 @@
 #include "discovery/membership/settled.hpp"
 #include "discovery/membership/state_assembly.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 /// A way belongs to the source address that it was first heard from (ANNOUNCEMENT.md, "Who is believed").
 class NeighbourWay {
  public:
-  NeighbourWay(const Announcement& first, const Arrival& arrival);
+  NeighbourWay(const announcement::Announcement& first, const Arrival& arrival);
 
   /// From whom a datagram on this way is.
   enum class Origin : std::uint8_t {
@@ -29,8 +29,8 @@ class NeighbourWay {
     elsewhere,  ///< from another address, which has not proved itself yet
   };
   /// `needs_silence`: the way is given to another address only after the present one was silent for `hold`.
-  [[nodiscard]] Origin origin(const Announcement& announcement, const Arrival& arrival, bool needs_silence,
-                              base::Duration hold);
+  [[nodiscard]] Origin origin(const announcement::Announcement& announcement, const Arrival& arrival,
+                              bool needs_silence, base::Duration hold);
 
   /// What the numbers of a datagram say about it.
   enum class Order : std::uint8_t {
@@ -38,16 +38,17 @@ class NeighbourWay {
     overtaken,      ///< sent before what was heard last: a sign of life and nothing else
     contradiction,  ///< no sender numbers its datagrams like this: this one or one before it is forged
   };
-  [[nodiscard]] Order order(const Announcement& announcement, base::Instant now) const;
+  [[nodiscard]] Order order(const announcement::Announcement& announcement, base::Instant now) const;
   /// Whether the revision is too far from `believed` to be taken at its first word.
-  [[nodiscard]] bool leaps(const Announcement& announcement, std::uint64_t believed);
+  [[nodiscard]] bool leaps(const announcement::Announcement& announcement, std::uint64_t believed);
   /// Whether it says something else of this way than another datagram of the same revision did.
-  [[nodiscard]] bool denies(const Announcement& announcement, const Arrival& arrival) const;
+  [[nodiscard]] bool denies(const announcement::Announcement& announcement, const Arrival& arrival) const;
 
   /// Counts it in. `is_contradiction`: its number is where the sender is, whatever was heard before.
-  void count(const Announcement& announcement, const Arrival& arrival, bool is_contradiction);
+  void count(const announcement::Announcement& announcement, const Arrival& arrival, bool is_contradiction);
   /// Takes over what it says of the way, unless another word is held; whether addresses have changed.
-  bool say(const Announcement& announcement, const Arrival& arrival, bool is_contested, base::Duration hold);
+  bool say(const announcement::Announcement& announcement, const Arrival& arrival, bool is_contested,
+           base::Duration hold);
   /// Undoes what was said less than `hold` ago.
   void roll_back(base::Instant now, base::Duration hold);
 
@@ -103,6 +104,6 @@ class NeighbourWay {
   StateAssembly assembly_;
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

@@ -7,7 +7,7 @@
 #include "base/time.hpp"
 #include "discovery/announcement/limits.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 /// Remembers the count as it was at two instants of the past. A datagram with a number below one that was passed at
 /// least overtaken_time ago (and at most twice that) is late: nothing on a link is overtaken for so long. It is not
@@ -23,7 +23,7 @@ class Passed {
   }
   void rise(std::uint64_t number, base::Instant now) {
     if (number <= newest_) return;
-    if (now - mark_.at >= overtaken_time) {
+    if (now - mark_.at >= announcement::overtaken_time) {
       older_ = mark_;
       mark_ = {newest_, now};
     }
@@ -32,8 +32,8 @@ class Passed {
   }
   /// Whether a number lower than the newest one comes too late to have been overtaken.
   [[nodiscard]] bool is_late(std::uint64_t number, base::Instant now) const {
-    if (now - rose_ >= overtaken_time) return number < newest_;
-    return number <= (now - mark_.at >= overtaken_time ? mark_ : older_).number;
+    if (now - rose_ >= announcement::overtaken_time) return number < newest_;
+    return number <= (now - mark_.at >= announcement::overtaken_time ? mark_ : older_).number;
   }
 
  private:
@@ -48,6 +48,6 @@ class Passed {
   Mark older_;
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "base/assert.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 using base::Duration;
 using base::Instant;
@@ -137,4 +137,4 @@ Schedule::Say Schedule::take(Instant now) {
 
 bool Schedule::is_finished() const { return is_stopping_ && goodbyes_left_ == 0; }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

@@ -10,7 +10,7 @@
 #include "base/time.hpp"
 #include "discovery/membership/token_bucket.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 /// What the schedule keeps to. Each time is argued in ANNOUNCEMENT.md, "When it is sent".
 struct ScheduleOptions {
@@ -137,6 +137,6 @@ class Schedule {
   bool is_stopping_ = false;
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

@@ -3,11 +3,11 @@
 
 #include "discovery/announcement/limits.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 bool ServiceRoom::take(const NeighbourServices& who, std::size_t count) {
-  if (count < reserved_services) return true;
-  if (pool_ >= max_remote_services && !make_room(who)) {
+  if (count < announcement::reserved_services) return true;
+  if (pool_ >= announcement::max_remote_services && !make_room(who)) {
     ++refused_;
     return false;
   }
@@ -16,7 +16,7 @@ bool ServiceRoom::take(const NeighbourServices& who, std::size_t count) {
 }
 
 void ServiceRoom::give(std::size_t count) {
-  if (count > reserved_services) --pool_;
+  if (count > announcement::reserved_services) --pool_;
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 class NeighbourServices;
 
@@ -33,6 +33,6 @@ class ServiceRoom {
   std::uint64_t refused_ = 0;
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

@@ -7,7 +7,7 @@
 
 #include "base/time.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 /// What is believed of one thing. Which value is taken is the caller's to decide; this only remembers. The former value
 /// is the one from before the first change within `hold`, so a lie that is told in several steps is undone as a whole.
@@ -69,6 +69,6 @@ class Settled {
   base::Instant replaced_;
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

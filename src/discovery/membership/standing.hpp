@@ -8,7 +8,7 @@
 #include "base/time.hpp"
 #include "discovery/announcement/limits.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 /// The number of a datagram in the order of arrival: tells which of two was heard first, also within one instant.
 using Turn = std::uint64_t;
@@ -26,13 +26,13 @@ struct Standing {
   }
   [[nodiscard]] base::Duration span() const { return last - first; }
   /// Whether it was heard for a whole interval: all that can be asked of a newcomer within two.
-  [[nodiscard]] bool is_proved() const { return span() >= stranger_interval; }
+  [[nodiscard]] bool is_proved() const { return span() >= announcement::stranger_interval; }
   /// The greater one keeps its place. Each moment for which it was heard is worth eight of silence, so the copies of a
   /// newcomer (0.3 s) keep its place until its next announcement (2 s); a whole interval is the most that counts, so
   /// that who was heard for long and is silent gives way to a newcomer of one interval.
-  [[nodiscard]] base::Instant rank() const { return last + 8 * std::min(span(), stranger_interval); }
+  [[nodiscard]] base::Instant rank() const { return last + 8 * std::min(span(), announcement::stranger_interval); }
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 void StateAssembly::clear() { *this = StateAssembly(); }
 
-bool StateAssembly::add(const Announcement& part) {
+bool StateAssembly::add(const announcement::Announcement& part) {
   if (!has_begun_ || part.revision != revision_ || part.part_count != part_count_) {
     clear();
     has_begun_ = true;
@@ -21,7 +21,7 @@ bool StateAssembly::add(const Announcement& part) {
     for (const auto& entry : peer.subscriptions) services_.push_back({peer.id, entry.number});
     for (const auto number : peer.withheld) services_.push_back({peer.id, number});
   }
-  if (services_.size() > max_services_per_participant) {
+  if (services_.size() > announcement::max_services_per_participant) {
     // More than a participant may have: what is missing cannot be told, so nothing is withdrawn by this revision.
     is_overfull_ = true;
     services_.clear();
@@ -32,4 +32,4 @@ bool StateAssembly::add(const Announcement& part) {
   return true;
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

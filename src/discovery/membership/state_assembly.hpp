@@ -11,7 +11,7 @@
 #include "discovery/announcement/announcement.hpp"
 #include "discovery/announcement/limits.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 /// A service within its participant.
 struct ServiceNumber {
@@ -25,7 +25,7 @@ struct ServiceNumber {
 class StateAssembly {
  public:
   /// Takes in a part; whether the revision is complete with it. Says so once for each revision.
-  bool add(const Announcement& part);
+  bool add(const announcement::Announcement& part);
   /// The services of the complete revision, withheld ones included, in ascending order.
   [[nodiscard]] const std::vector<ServiceNumber>& services() const { return services_; }
   /// Forgets what was collected.
@@ -36,10 +36,10 @@ class StateAssembly {
   bool is_overfull_ = false;
   std::uint64_t revision_ = 0;
   std::uint32_t part_count_ = 0;
-  std::bitset<max_parts> parts_;
+  std::bitset<announcement::max_parts> parts_;
   std::vector<ServiceNumber> services_;
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

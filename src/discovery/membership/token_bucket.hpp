@@ -7,7 +7,7 @@
 
 #include "base/time.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 /// Holds at most `capacity` tokens, all of them at first, and gets one back each `refill_time`. What costs more than is
 /// left is given on credit, so that a thing too large for the bucket can be had once in a while; the debt is at most
@@ -44,6 +44,6 @@ class TokenBucket {
   base::Instant filled_{};  ///< when the last token came back
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

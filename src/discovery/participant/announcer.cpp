@@ -12,8 +12,8 @@
 namespace geminga::participant {
 namespace {
 
-beacon::ScheduleOptions schedule_options(const Settings& settings) {
-  return {.interval = std::clamp(settings.interval, beacon::min_interval, beacon::max_interval)};
+membership::ScheduleOptions schedule_options(const Settings& settings) {
+  return {.interval = std::clamp(settings.interval, announcement::min_interval, announcement::max_interval)};
 }
 
 /// "10.0.0.66 on wlan0"
@@ -22,8 +22,8 @@ std::string origin(const Heard& heard) { return std::string(heard.source) + " on
 /// Whether a datagram from this address can be our own. An interface does not show its IPv6 link-local address where it
 /// has another one, so none of those can be ruled out.
 bool may_be_ours(const env::Env& env, std::string_view source) {
-  const auto address = beacon::parse_address(source);
-  if (!address || (address->is_ipv6() && address->scope() == beacon::AddressScope::link_local)) return true;
+  const auto address = announcement::parse_address(source);
+  if (!address || (address->is_ipv6() && address->scope() == announcement::AddressScope::link_local)) return true;
   return std::ranges::any_of(env.interfaces(), [&](const env::Interface& interface) {
     return std::ranges::find(interface.addresses, source) != interface.addresses.end();
   });
@@ -33,7 +33,7 @@ bool may_be_ours(const env::Env& env, std::string_view source) {
 
 Announcer::Announcer(Core& core)
     : core_(core),
-      boot_(beacon::BootNonce(core.env.random_bits())),
+      boot_(announcement::BootNonce(core.env.random_bits())),
       claim_(core.env.random_bits(), [&core](ParticipantId id) { return core.neighbours.is_known(id); }),
       schedule_(schedule_options(core.settings), core.env.random_bits()),
       sent_(core.env.random_bits()) {}
@@ -58,14 +58,14 @@ Announcer::Step Announcer::step_claim() {
   for (;;) {
     if (is_stopping_) return Step::nothing;
     switch (claim_.step(core_.env.now())) {
-      case beacon::IdentifierClaim::Step::wait:
+      case membership::IdentifierClaim::Step::wait:
         return Step::nothing;
-      case beacon::IdentifierClaim::Step::send_claim:
-        send(header(beacon::Kind::claim, claim_.id()));
+      case membership::IdentifierClaim::Step::send_claim:
+        send(header(announcement::Kind::claim, claim_.id()));
         break;
-      case beacon::IdentifierClaim::Step::claimed:
+      case membership::IdentifierClaim::Step::claimed:
         return Step::claimed;
-      case beacon::IdentifierClaim::Step::failed:
+      case membership::IdentifierClaim::Step::failed:
         return Step::failed;
     }
   }
@@ -75,7 +75,8 @@ void Announcer::announce() {
   const base::Instant now = core_.env.now();
   if (is_stopping_) {
     if (farewell_ == ParticipantId{}) return;
-    while (schedule_.take(now) != beacon::Schedule::Say::nothing) send(header(beacon::Kind::goodbye, farewell_));
+    while (schedule_.take(now) != membership::Schedule::Say::nothing)
+      send(header(announcement::Kind::goodbye, farewell_));
     return;
   }
   if (!claim_.is_held()) return;
@@ -85,20 +86,20 @@ void Announcer::announce() {
   }
   for (;;) {
     switch (schedule_.take(now)) {
-      case beacon::Schedule::Say::nothing:
-      case beacon::Schedule::Say::goodbye:
+      case membership::Schedule::Say::nothing:
+      case membership::Schedule::Say::goodbye:
         return;
-      case beacon::Schedule::Say::state:
+      case membership::Schedule::Say::state:
         schedule_.set_size(send(current_state()));
         break;
-      case beacon::Schedule::Say::presence:
+      case membership::Schedule::Say::presence:
         send(current_state(), Extent::first_part);
         break;
     }
   }
 }
 
-const beacon::Announcement& Announcer::current_state() {
+const announcement::Announcement& Announcer::current_state() {
   if (state_.revision != revision_ || state_.participant != claim_.id()) state_ = state();
   return state_;
 }
@@ -110,14 +111,14 @@ base::Instant Announcer::due() const {
 Announcer::Consequence Announcer::heard(const Heard& heard) {
   if (is_stopping_) return Consequence::nothing;
   switch (heard.hearing) {
-    case beacon::Hearing::newcomer:
-    case beacon::Hearing::claim:
+    case membership::Hearing::newcomer:
+    case membership::Hearing::claim:
       schedule_.newcomer(core_.env.now());
       return Consequence::nothing;
-    case beacon::Hearing::own:
+    case membership::Hearing::own:
       heard_own(heard);
       return Consequence::nothing;
-    case beacon::Hearing::clash:
+    case membership::Hearing::clash:
       return heard_clash(heard);
     default:
       return Consequence::nothing;
@@ -129,32 +130,32 @@ Announcer::Consequence Announcer::heard_clash(const Heard& heard) {
   const ParticipantId lost = claim_.id();
   clash_from_ = origin(heard);
   switch (claim_.conflict(heard.announcement.kind, now)) {
-    case beacon::IdentifierClaim::Verdict::ignore:
+    case membership::IdentifierClaim::Verdict::ignore:
       return Consequence::nothing;
-    case beacon::IdentifierClaim::Verdict::answer:
+    case membership::IdentifierClaim::Verdict::answer:
       ++core_.counters.contested;
       schedule_.contested(now);
       report(heard);
       return Consequence::nothing;
-    case beacon::IdentifierClaim::Verdict::kept:
+    case membership::IdentifierClaim::Verdict::kept:
       ++core_.counters.contested;
       schedule_.contradict(now);
       report(heard);
       return Consequence::nothing;
-    case beacon::IdentifierClaim::Verdict::redrawn:
+    case membership::IdentifierClaim::Verdict::redrawn:
       ++core_.counters.redraws;
       core_.neighbours.set_self(claim_.id(), boot_);
       return Consequence::nothing;
-    case beacon::IdentifierClaim::Verdict::dropped:
+    case membership::IdentifierClaim::Verdict::dropped:
       ++core_.counters.redraws;
       ++core_.counters.clashes;
       core_.log(base::LogLevel::warning, "another participant (" + clash_from_ + ") has our identifier " +
                                              to_string(lost) + ", too: taking a new one");
-      send(header(beacon::Kind::goodbye, lost));
+      send(header(announcement::Kind::goodbye, lost));
       schedule_.pause();
       core_.neighbours.set_self(claim_.id(), boot_);
       return Consequence::nothing;
-    case beacon::IdentifierClaim::Verdict::failed:
+    case membership::IdentifierClaim::Verdict::failed:
       return Consequence::failed;
   }
   return Consequence::nothing;
@@ -184,13 +185,13 @@ void Announcer::end_contest() {
 }
 
 std::string Announcer::failure() const {
-  return "no participant identifier could be claimed: each of " + std::to_string(beacon::max_claim_attempts) +
+  return "no participant identifier could be claimed: each of " + std::to_string(membership::max_claim_attempts) +
          " was announced by somebody else at once, the last by " + clash_from_ +
          ": a program there forges announcements: find that host, or keep it off this network";
 }
 
-beacon::Announcement Announcer::header(beacon::Kind kind, ParticipantId id) const {
-  beacon::Announcement header;
+announcement::Announcement Announcer::header(announcement::Kind kind, ParticipantId id) const {
+  announcement::Announcement header;
   header.kind = kind;
   header.group = core_.settings.group;
   header.participant = id;
@@ -201,11 +202,11 @@ beacon::Announcement Announcer::header(beacon::Kind kind, ParticipantId id) cons
   return header;
 }
 
-beacon::Announcement Announcer::state() const {
-  beacon::Announcement state = header(beacon::Kind::state, claim_.id());
+announcement::Announcement Announcer::state() const {
+  announcement::Announcement state = header(announcement::Kind::state, claim_.id());
   state.revision = revision_;
   for (const Session* session : core_.peers()) {
-    beacon::PeerState peer;
+    announcement::PeerState peer;
     peer.id = session->peer();
     peer.name = session->name;
     for (const auto& [number, stated] : session->publications) {
@@ -219,16 +220,16 @@ beacon::Announcement Announcer::state() const {
   return state;
 }
 
-std::size_t Announcer::send(const beacon::Announcement& announcement, Extent extent) {
+std::size_t Announcer::send(const announcement::Announcement& announcement, Extent extent) {
   std::size_t most = 0;
   const auto& interfaces = core_.env.interfaces();
   for (const env::Interface& interface : interfaces) {
-    beacon::Announcement here = beacon::on_interface(announcement, interface, interfaces);
+    announcement::Announcement here = announcement::on_interface(announcement, interface, interfaces);
     std::uint64_t& sequence = sequences_[interface.index];
     here.sequence = sequence;
-    auto datagrams = beacon::encode(here);
+    auto datagrams = announcement::encode(here);
     if (extent == Extent::first_part) datagrams.resize(1);
-    for (const beacon::Datagram& datagram : datagrams) {
+    for (const announcement::Datagram& datagram : datagrams) {
       sent_.add(datagram);
       core_.env.send(interface.index, datagram);
       ++sequence;

@@ -18,8 +18,8 @@ namespace geminga::participant {
 
 /// One announcement that came in. Everything is borrowed for the call.
 struct Heard {
-  const beacon::Announcement& announcement;
-  beacon::Hearing hearing;
+  const announcement::Announcement& announcement;
+  membership::Hearing hearing;
   std::span<const std::byte> datagram;
   std::string_view source;
   const env::Interface& on;
@@ -56,27 +56,27 @@ class Announcer {
   [[nodiscard]] std::string failure() const;
 
   [[nodiscard]] ParticipantId id() const { return claim_.id(); }
-  [[nodiscard]] beacon::BootNonce boot() const { return boot_; }
+  [[nodiscard]] announcement::BootNonce boot() const { return boot_; }
 
  private:
   enum class Extent : std::uint8_t { whole, first_part };
   /// Sends on all interfaces; returns the most datagrams that one of them took.
-  std::size_t send(const beacon::Announcement& announcement, Extent extent = Extent::whole);
+  std::size_t send(const announcement::Announcement& announcement, Extent extent = Extent::whole);
   /// What is announced at present. Made when it is sent and not with every change: of a hundred changes between two
   /// datagrams only the last counts.
-  [[nodiscard]] const beacon::Announcement& current_state();
+  [[nodiscard]] const announcement::Announcement& current_state();
   Consequence heard_clash(const Heard& heard);
   void heard_own(const Heard& heard);
   void report(const Heard& heard);
-  [[nodiscard]] beacon::Announcement header(beacon::Kind kind, ParticipantId id) const;
-  [[nodiscard]] beacon::Announcement state() const;
+  [[nodiscard]] announcement::Announcement header(announcement::Kind kind, ParticipantId id) const;
+  [[nodiscard]] announcement::Announcement state() const;
 
   Core& core_;
-  beacon::BootNonce boot_;
-  beacon::IdentifierClaim claim_;
-  beacon::Schedule schedule_;
+  announcement::BootNonce boot_;
+  membership::IdentifierClaim claim_;
+  membership::Schedule schedule_;
   std::uint64_t revision_ = 0;
-  beacon::Announcement state_;  ///< as it was sent last, without anything of an interface
+  announcement::Announcement state_;  ///< as it was sent last, without anything of an interface
   std::map<env::InterfaceIndex, std::uint64_t> sequences_;
   SentDatagrams sent_;
   std::string clash_from_;  ///< where the last clash was heard

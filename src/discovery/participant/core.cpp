@@ -33,7 +33,7 @@ std::string_view to_string(Phase phase) {
   return "failed";
 }
 
-Core::Core(env::Env& the_env, Settings the_settings, std::shared_ptr<const el::Ontology> the_ontology)
+Core::Core(env::Env& the_env, Settings the_settings, std::shared_ptr<const compiled::Ontology> the_ontology)
     : env(the_env),
       settings(std::move(the_settings)),
       ontology(the_ontology.get()),

@@ -38,19 +38,19 @@ enum class Phase : std::uint8_t {
 [[nodiscard]] std::string_view to_string(Phase phase);
 
 struct Core {
-  Core(env::Env& the_env, Settings the_settings, std::shared_ptr<const el::Ontology> the_ontology);
+  Core(env::Env& the_env, Settings the_settings, std::shared_ptr<const compiled::Ontology> the_ontology);
   Core(const Core&) = delete;
   Core& operator=(const Core&) = delete;
 
   env::Env& env;
   const Settings settings;
-  const el::Ontology* ontology;  ///< in force; null: none
+  const compiled::Ontology* ontology;  ///< in force; null: none
   OntologyChange ontology_change;
   OntologyState ontology_state;
   OntologyWatch ontology_watch;
   Expressions expressions;
   matching::Matcher matcher;
-  beacon::NeighbourTable neighbours;
+  membership::NeighbourTable neighbours;
   NeighbourQueue neighbour_queue;
   Counters counters;
   Contest contest;

@@ -23,7 +23,7 @@ bool count(Window& window, std::size_t limit, base::Instant now) {
 
 }  // namespace
 
-void Expressions::set_ontology(const el::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared) {
+void Expressions::set_ontology(const compiled::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared) {
   ontology_ = ontology;
   is_wanted_ = false;
   prepared_.reset();
@@ -75,7 +75,7 @@ std::expected<std::string, Error> Expressions::resolve(std::string_view text) {
   } else {
     ++counts_.classified;
     auto found = classifier.classify(expression->source, expression->term);
-    place = remember(canonical, std::make_shared<const el::ExpressionPlace>(std::move(found)));
+    place = remember(canonical, std::make_shared<const placement::ExpressionPlace>(std::move(found)));
   }
   if (!place->is_satisfiable) {
     return std::unexpected(Error{ErrorCode::impossible, "the expression is unsatisfiable, nothing can be one"});
@@ -91,7 +91,7 @@ bool Expressions::take_waiting(base::Instant now) {
 }
 
 bool Expressions::take_turn(ParticipantId from, base::Instant now) {
-  if (windows_.size() > beacon::max_participants) {
+  if (windows_.size() > announcement::max_participants) {
     std::erase_if(windows_, [&](const auto& entry) { return now - entry.second.begin >= second; });
   }
   if (count(windows_[from], max_expressions_of_participant, now) && count(air_, max_expressions_from_air, now)) {
@@ -125,7 +125,7 @@ Expressions::Place Expressions::place(const std::string& canonical, std::optiona
     if (from) ++counts_.unknown;
     return remember(canonical, nullptr);
   }
-  return remember(canonical, std::make_shared<const el::ExpressionPlace>(std::move(found)));
+  return remember(canonical, std::make_shared<const placement::ExpressionPlace>(std::move(found)));
 }
 
 }  // namespace geminga::participant

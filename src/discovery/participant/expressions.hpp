@@ -31,14 +31,14 @@ inline constexpr std::size_t statements_per_expression = 100;
 /// elsewhere, and asked for when the first expression comes. Not thread-safe.
 class Expressions {
  public:
-  using Place = std::shared_ptr<const el::ExpressionPlace>;
+  using Place = std::shared_ptr<const placement::ExpressionPlace>;
 
-  explicit Expressions(const el::Ontology* ontology) : ontology_(ontology) {}
+  explicit Expressions(const compiled::Ontology* ontology) : ontology_(ontology) {}
   /// Forgets everything. The ontology must outlive this, or be replaced before it goes. `prepared` may be null; of
   /// another ontology it is dropped.
-  void set_ontology(const el::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared);
+  void set_ontology(const compiled::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared);
   /// The ontology that is to be prepared, because an expression has come: null where none is, or it was given.
-  [[nodiscard]] const el::Ontology* wanted() const { return is_wanted_ && !prepared_ ? ontology_ : nullptr; }
+  [[nodiscard]] const compiled::Ontology* wanted() const { return is_wanted_ && !prepared_ ? ontology_ : nullptr; }
   /// Whether an expression has come since the ontology is in force.
   [[nodiscard]] bool is_used() const { return is_wanted_; }
   /// Takes what was wanted. False where it is of another ontology, or there already; then it is dropped.
@@ -77,7 +77,7 @@ class Expressions {
   [[nodiscard]] bool take_turn(ParticipantId from, base::Instant now);
   Place remember(const std::string& canonical, Place place);
 
-  const el::Ontology* ontology_;
+  const compiled::Ontology* ontology_;
   std::unique_ptr<const PreparedOntology> prepared_;
   bool is_wanted_ = false;
   std::map<std::string, Remembered, std::less<>> remembered_;

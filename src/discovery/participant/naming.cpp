@@ -9,7 +9,7 @@
 namespace geminga::participant {
 namespace {
 
-std::expected<std::string, Error> resolve_class(const el::Ontology* ontology, std::string_view key,
+std::expected<std::string, Error> resolve_class(const compiled::Ontology* ontology, std::string_view key,
                                                 const std::string& name) {
   const auto impossible = [&](const std::string& why) {
     return std::unexpected(Error{ErrorCode::impossible, std::string(key) + "=" + base::printable(name) + ": " + why});
@@ -28,12 +28,13 @@ std::expected<std::string, Error> resolve_class(const el::Ontology* ontology, st
 
 }  // namespace
 
-std::string describe(const el::Ontology& ontology, std::string_view name, const el::NameError& error) {
-  if (error.kind != el::NameError::Kind::unknown) return error.text;
-  return error.text + el::did_you_mean(el::find_similar(ontology, name, {.classes = el::max_compared_classes}));
+std::string describe(const compiled::Ontology& ontology, std::string_view name, const compiled::NameError& error) {
+  if (error.kind != compiled::NameError::Kind::unknown) return error.text;
+  return error.text +
+         compiled::did_you_mean(compiled::find_similar(ontology, name, {.classes = compiled::max_compared_classes}));
 }
 
-std::expected<Identity, Error> resolve(const el::Ontology* ontology, const NamedIdentity& named) {
+std::expected<Identity, Error> resolve(const compiled::Ontology* ontology, const NamedIdentity& named) {
   if (const auto* number = std::get_if<NumericIdentity>(&named)) return *number;
   if (const auto* text = std::get_if<TextIdentity>(&named)) return *text;
   const auto& names = std::get<ConceptNames>(named);
@@ -49,7 +50,7 @@ std::expected<Identity, Error> resolve(const el::Ontology* ontology, const Named
   return identity;
 }
 
-std::expected<Identity, Error> resolve(Expressions& expressions, const el::Ontology* ontology,
+std::expected<Identity, Error> resolve(Expressions& expressions, const compiled::Ontology* ontology,
                                        const NamedIdentity& named) {
   const auto* names = std::get_if<ConceptNames>(&named);
   const bool is_expression = names != nullptr && ontology != nullptr && !ontology->find(names->concept_name) &&
@@ -71,7 +72,7 @@ std::expected<Identity, Error> resolve(Expressions& expressions, const el::Ontol
 
 // The canonical text has angle brackets around IRIs, in comparisons behind a blank, and within quotes, of which a
 // backslash takes away the meaning.
-std::string short_expression(const el::Ontology* ontology, std::string_view canonical) {
+std::string short_expression(const compiled::Ontology* ontology, std::string_view canonical) {
   std::string text;
   bool is_quoted = false;
   for (std::size_t at = 0; at < canonical.size(); ++at) {
@@ -90,11 +91,11 @@ std::string short_expression(const el::Ontology* ontology, std::string_view cano
   return text;
 }
 
-std::string short_name(const el::Ontology* ontology, std::string_view iri) {
+std::string short_name(const compiled::Ontology* ontology, std::string_view iri) {
   return ontology == nullptr ? "<" + std::string(iri) + ">" : ontology->short_name(iri);
 }
 
-NamedIdentity named(const el::Ontology* ontology, const Identity& identity) {
+NamedIdentity named(const compiled::Ontology* ontology, const Identity& identity) {
   if (const auto* number = std::get_if<NumericIdentity>(&identity)) return *number;
   if (const auto* text = std::get_if<TextIdentity>(&identity)) return *text;
   const auto& iris = std::get<SemanticIdentity>(identity);
@@ -104,7 +105,7 @@ NamedIdentity named(const el::Ontology* ontology, const Identity& identity) {
       .representation_name = iris.representation_iri.empty() ? "" : short_name(ontology, iris.representation_iri)};
 }
 
-NamedPublication named(const el::Ontology* ontology, const Publication& publication) {
+NamedPublication named(const compiled::Ontology* ontology, const Publication& publication) {
   return NamedPublication{.identity = named(ontology, publication.identity),
                           .mode = publication.mode,
                           .address = publication.address,
@@ -114,7 +115,7 @@ NamedPublication named(const el::Ontology* ontology, const Publication& publicat
                           .attributes = publication.attributes};
 }
 
-NamedSubscription named(const el::Ontology* ontology, const Subscription& subscription) {
+NamedSubscription named(const compiled::Ontology* ontology, const Subscription& subscription) {
   return NamedSubscription{.identity = named(ontology, subscription.identity),
                            .mode = subscription.mode,
                            .weakest = subscription.weakest,

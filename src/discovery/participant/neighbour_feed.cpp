@@ -9,13 +9,13 @@
 namespace geminga::participant {
 namespace {
 
-matching::Reason reason_of(beacon::Departure departure) {
+matching::Reason reason_of(membership::Departure departure) {
   switch (departure) {
-    case beacon::Departure::withdrawn:
+    case membership::Departure::withdrawn:
       return matching::Reason::withdrawn;
-    case beacon::Departure::expired:
+    case membership::Departure::expired:
       return matching::Reason::expired;
-    case beacon::Departure::left:
+    case membership::Departure::left:
       return matching::Reason::left;
   }
   return matching::Reason::withdrawn;
@@ -26,27 +26,27 @@ matching::Reason reason_of(beacon::Departure departure) {
 struct Feed {
   matching::Matcher& matcher;
 
-  void operator()(beacon::PutPublication& put) const {
+  void operator()(membership::PutPublication& put) const {
     matcher.put(registry::PublicationEntry{.key = put.key,
                                            .publication = std::move(put.publication),
                                            .peer_name = std::move(put.peer_name),
                                            .participant_name = std::move(put.participant_name),
                                            .updated = put.heard});
   }
-  void operator()(beacon::PutSubscription& put) const {
+  void operator()(membership::PutSubscription& put) const {
     matcher.put(registry::SubscriptionEntry{.key = put.key,
                                             .subscription = std::move(put.subscription),
                                             .peer_name = std::move(put.peer_name),
                                             .participant_name = std::move(put.participant_name),
                                             .updated = put.heard});
   }
-  void operator()(const beacon::RemovePublication& gone) const {
+  void operator()(const membership::RemovePublication& gone) const {
     matcher.remove_publication(gone.key, reason_of(gone.reason));
   }
-  void operator()(const beacon::RemoveSubscription& gone) const {
+  void operator()(const membership::RemoveSubscription& gone) const {
     matcher.remove_subscription(gone.key, reason_of(gone.reason));
   }
-  void operator()(const beacon::RemoveParticipant& gone) const {
+  void operator()(const membership::RemoveParticipant& gone) const {
     matcher.begin_departure(gone.participant, reason_of(gone.reason));
   }
 };
@@ -64,7 +64,7 @@ void return_next(Core& core) {
 void feed_next(Core& core) {
   if (core.matcher.depart_next()) return;
   if (!core.returning.empty()) return return_next(core);
-  beacon::Change change = core.neighbour_queue.pop();
+  membership::Change change = core.neighbour_queue.pop();
   std::visit(Feed{core.matcher}, change);
 }
 
@@ -85,7 +85,7 @@ void proceed_feed(Core& core, Work most) {
 
 void feed(Core& core) {
   const bool is_behind = is_feed_due(core);
-  for (beacon::Change& change : core.neighbours.take_changes()) core.neighbour_queue.push(std::move(change));
+  for (membership::Change& change : core.neighbours.take_changes()) core.neighbour_queue.push(std::move(change));
   // Who is behind already goes on in his turns, or a flood of datagrams would leave no time for them.
   if (!is_behind) proceed_feed(core, work_in_turn);
 }
@@ -97,17 +97,17 @@ Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceInde
   const env::Interface* on = core.find(interface);
   if (on == nullptr) return Announcer::Consequence::nothing;  // It came in just before the interface went away.
   ++core.counters.interfaces[interface].received;
-  const auto announcement = beacon::decode(datagram);
+  const auto announcement = announcement::decode(datagram);
   if (!announcement) {
     ++core.counters.undecodable.at(static_cast<std::size_t>(announcement.error()));
     return Announcer::Consequence::nothing;
   }
   if (core.id != announcer.id() && announcement->participant == core.id) {
     // Whoever else has the identifier that we are giving up is heard once our own services have another one.
-    ++core.counters.hearings[beacon::Hearing::clash];
+    ++core.counters.hearings[membership::Hearing::clash];
     return Announcer::Consequence::nothing;
   }
-  const beacon::Hearing hearing = core.neighbours.hear(
+  const membership::Hearing hearing = core.neighbours.hear(
       *announcement, {.interface = interface, .interface_name = on->name, .source = source, .now = core.env.now()});
   ++core.counters.hearings[hearing];
   feed(core);

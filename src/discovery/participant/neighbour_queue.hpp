@@ -16,10 +16,10 @@ namespace geminga::participant {
 /// change for each service that the table or the matcher knows.
 class NeighbourQueue {
  public:
-  void push(beacon::Change change);
+  void push(membership::Change change);
   [[nodiscard]] bool is_empty() const { return changes_.empty(); }
   /// The eldest; there must be one.
-  [[nodiscard]] beacon::Change pop();
+  [[nodiscard]] membership::Change pop();
 
  private:
   /// A number may be that of a publication that goes and of a subscription that comes.
@@ -27,11 +27,11 @@ class NeighbourQueue {
   using Service = std::pair<ServiceKey, Kind>;
 
   /// Nothing for what is about a whole participant.
-  [[nodiscard]] static std::optional<Service> service_of(const beacon::Change& change);
+  [[nodiscard]] static std::optional<Service> service_of(const membership::Change& change);
   void drop_all_of(ParticipantId participant);
 
-  std::map<std::uint64_t, beacon::Change> changes_;  ///< by the order of their coming
-  std::map<Service, std::uint64_t> of_service_;      ///< which of them is its
+  std::map<std::uint64_t, membership::Change> changes_;  ///< by the order of their coming
+  std::map<Service, std::uint64_t> of_service_;          ///< which of them is its
   std::uint64_t next_ = 0;
 };
 

@@ -18,7 +18,7 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubCreate
                            .is_in_force = !must_wait,
                            .is_awaited = must_wait};
   if (identity) stated.publication.identity = std::move(*identity);
-  if (auto refusal = beacon::check(stated.publication)) return refusal;
+  if (auto refusal = announcement::check(stated.publication)) return refusal;
   if (auto refusal = make_room(core, session)) return refusal;
   enter(core, session, id, session.publications.emplace(id, std::move(stated)).first->second);
   return std::nullopt;
@@ -41,7 +41,7 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubModify
   if (identity) stated.publication.identity = std::move(*identity);
   stated.is_in_force = !must_wait;
   stated.is_awaited = must_wait;
-  if (auto refusal = beacon::check(stated.publication)) return refusal;
+  if (auto refusal = announcement::check(stated.publication)) return refusal;
   if (must_wait) suspend(core, session, id, found->second);
   found->second = std::move(stated);
   enter(core, session, id, found->second);

@@ -11,7 +11,7 @@ namespace {
 
 /// What must hold of a subscription beside what its statement says by itself.
 Refusal check(const Subscription& subscription) {
-  if (auto refusal = beacon::check(subscription)) return refusal;
+  if (auto refusal = announcement::check(subscription)) return refusal;
   return subscription.where.empty() ? std::nullopt : matching::check_where(subscription.where);
 }
 

@@ -10,11 +10,11 @@ namespace geminga::participant {
 namespace {
 
 Refusal check_name(const std::string& name) {
-  if (name.size() > beacon::max_name_bytes) {
+  if (name.size() > announcement::max_name_bytes) {
     return Error{ErrorCode::too_large, "name: " + std::to_string(name.size()) + " octets, the limit is " +
-                                           std::to_string(beacon::max_name_bytes)};
+                                           std::to_string(announcement::max_name_bytes)};
   }
-  if (!beacon::is_valid_name(name)) {
+  if (!announcement::is_valid_name(name)) {
     return Error{ErrorCode::malformed,
                  "name=" + base::printable(name) + ": a name is not empty and has no control character, '/' or ','"};
   }

@@ -23,7 +23,7 @@ struct Core;
 /// holds meanwhile).
 class OntologyChange {
  public:
-  using Pointer = std::shared_ptr<const el::Ontology>;
+  using Pointer = std::shared_ptr<const compiled::Ontology>;
 
   /// `first` is in force from the start; null: none.
   explicit OntologyChange(Pointer first) : in_force_(std::move(first)) {}

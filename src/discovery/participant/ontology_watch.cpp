@@ -24,7 +24,7 @@ void OntologyWatch::look(Core& core) {
   if (now < next_look_ || is_waiting_for_ours) return;
   next_look_ = now + ontology_look_interval;
   Others others;
-  core.neighbours.for_each([&](const beacon::Neighbour& one) {
+  core.neighbours.for_each([&](const membership::Neighbour& one) {
     if (one.ontology_digest != core.digest()) others.emplace(one.id, one.ontology_digest);
   });
   const bool is_same = others == others_ && (others.empty() || own_ == core.digest());

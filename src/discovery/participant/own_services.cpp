@@ -25,7 +25,7 @@ bool resolve_again(Core& core, Session& session, std::uint32_t number, Stated& s
   std::optional<Error> refusal;
   if (identity) {
     service.identity = std::move(*identity);
-    refusal = beacon::check(service);  // full IRIs may be longer than what can be announced
+    refusal = announcement::check(service);  // full IRIs may be longer than what can be announced
   } else {
     refusal = identity.error();
   }

@@ -199,7 +199,7 @@ void Participant::on_stream_closed(env::StreamId stream) { state_->closed(stream
 void Participant::set_ontology(Ontology ontology, std::unique_ptr<const PreparedOntology> prepared) {
   state_->set_ontology(std::move(ontology), std::move(prepared));
 }
-const el::Ontology* Participant::wants_prepared() const { return state_->core.expressions.wanted(); }
+const compiled::Ontology* Participant::wants_prepared() const { return state_->core.expressions.wanted(); }
 bool Participant::uses_expressions() const { return state_->core.expressions.is_used(); }
 void Participant::on_prepared(std::unique_ptr<const PreparedOntology> prepared) {
   state_->prepared(std::move(prepared));

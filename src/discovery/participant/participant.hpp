@@ -24,7 +24,7 @@ namespace geminga::participant {
 class Participant {
  public:
   /// What the names of services mean; null: none is loaded.
-  using Ontology = std::shared_ptr<const el::Ontology>;
+  using Ontology = std::shared_ptr<const compiled::Ontology>;
 
   /// Borrows `env` for its life.
   Participant(env::Env& env, Settings settings, Ontology ontology = nullptr);
@@ -72,7 +72,7 @@ class Participant {
   /// The ontology that is to be prepared for class expressions, because one has come; null: none. To be looked at after
   /// each event: who owns the participant prepares it elsewhere, since that is long work, and brings it by
   /// on_prepared(). Statements that need it wait meanwhile, and with them what their clients say behind them.
-  [[nodiscard]] const el::Ontology* wants_prepared() const;
+  [[nodiscard]] const compiled::Ontology* wants_prepared() const;
   /// Whether class expressions are in use with the ontology in force: then the next one had better come prepared.
   [[nodiscard]] bool uses_expressions() const;
   /// The ontology is prepared. Of one that is not in force any more it is dropped.

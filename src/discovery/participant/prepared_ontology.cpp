@@ -7,11 +7,11 @@
 namespace geminga::participant {
 namespace {
 
-std::expected<PreparedOntology::Parts, Error> parts_of(const el::Ontology& ontology) {
+std::expected<PreparedOntology::Parts, Error> parts_of(const compiled::Ontology& ontology) {
   try {
-    auto classifier = el::ExpressionClassifier::build(ontology);
+    auto classifier = placement::ExpressionClassifier::build(ontology);
     if (!classifier) return std::unexpected(Error{ErrorCode::impossible, classifier.error().text});
-    return PreparedOntology::Parts{std::move(*classifier), el::EntityNames(ontology)};
+    return PreparedOntology::Parts{std::move(*classifier), compiled::EntityNames(ontology)};
   } catch (const std::bad_alloc&) {
     return std::unexpected(
         Error{ErrorCode::impossible, "not enough memory for class expressions: name a class instead"});
@@ -20,7 +20,7 @@ std::expected<PreparedOntology::Parts, Error> parts_of(const el::Ontology& ontol
 
 }  // namespace
 
-std::unique_ptr<const PreparedOntology> PreparedOntology::make(const el::Ontology& ontology) {
+std::unique_ptr<const PreparedOntology> PreparedOntology::make(const compiled::Ontology& ontology) {
   return std::unique_ptr<const PreparedOntology>(new PreparedOntology(ontology, parts_of(ontology)));
 }
 

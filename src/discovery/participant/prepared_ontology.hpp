@@ -17,23 +17,23 @@ class PreparedOntology {
  public:
   /// What expressions are read and placed with.
   struct Parts {
-    el::ExpressionClassifier classifier;
-    el::EntityNames names;
+    placement::ExpressionClassifier classifier;
+    compiled::EntityNames names;
   };
 
   /// Borrows `ontology`, which must outlive it. May run on any thread, beside others that read the ontology. Where
   /// memory runs out there is an error in place of the parts, as for an ontology that is over a limit.
-  [[nodiscard]] static std::unique_ptr<const PreparedOntology> make(const el::Ontology& ontology);
+  [[nodiscard]] static std::unique_ptr<const PreparedOntology> make(const compiled::Ontology& ontology);
 
-  [[nodiscard]] const el::Ontology& ontology() const { return ontology_; }
+  [[nodiscard]] const compiled::Ontology& ontology() const { return ontology_; }
   /// 422 where expressions are impossible in this ontology.
   [[nodiscard]] const std::expected<Parts, Error>& parts() const { return parts_; }
 
  private:
-  PreparedOntology(const el::Ontology& ontology, std::expected<Parts, Error> parts)
+  PreparedOntology(const compiled::Ontology& ontology, std::expected<Parts, Error> parts)
       : ontology_(ontology), parts_(std::move(parts)) {}
 
-  const el::Ontology& ontology_;
+  const compiled::Ontology& ontology_;
   std::expected<Parts, Error> parts_;
 };
 

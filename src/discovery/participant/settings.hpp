@@ -12,7 +12,7 @@
 namespace geminga::participant {
 
 /// Named limits on what comes from local clients. What is over one is answered by 413, 429 or 503 and changes nothing.
-/// The sizes of names, identities and services are those of an announcement (beacon/limits.hpp).
+/// The sizes of names, identities and services are those of an announcement (discovery/announcement/limits.hpp).
 struct Limits {
   /// Connected clients. For one more a silent one gives way, else one of the user that runs the most, if that is not
   /// the new one's; where there is none, the new one is told 429 and closed.
@@ -21,7 +21,7 @@ struct Limits {
   std::size_t services_per_peer = 256;
   /// Publications and subscriptions of all peers together. For one more the peer that has the most loses its last one,
   /// if it has at least two more than the one that asks; else the answer is 429. Never more than can be announced.
-  std::size_t services = beacon::max_services_per_participant;
+  std::size_t services = announcement::max_services_per_participant;
   /// Lines of one peer in one second; a line over it is answered by 429 and not handled.
   std::size_t statements_per_second = 20'000;
   /// Lines over the limit above in one second, after which the connection is closed: the client floods.
@@ -44,13 +44,13 @@ struct Limits {
 inline constexpr std::size_t work_per_statement = 4;
 
 struct Settings {
-  /// What the team calls this participant, e.g. the host's name: beacon::is_valid_name(). Empty: its identifier is its
-  /// name.
+  /// What the team calls this participant, e.g. the host's name: announcement::is_valid_name(). Empty: its identifier
+  /// is its name.
   std::string name;
   /// Only participants of the same group see each other.
   std::string group = "default";
   /// Time between two announcements of an unchanged state. Shorter: a lost participant is noticed sooner. Longer: fewer
-  /// octets on the air. Within [beacon::min_interval, beacon::max_interval].
+  /// octets on the air. Within [announcement::min_interval, announcement::max_interval].
   base::Duration interval = std::chrono::seconds(2);
   /// Names the program in `query status`, e.g. "0.1.0".
   std::string version = "0";

@@ -6,7 +6,7 @@
 #include "reasoning/compiled/compile_sections.hpp"
 #include "reasoning/compiled/container.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 namespace {
 
 /// What the parts of a section take beside their arrays is far below it.
@@ -16,13 +16,13 @@ constexpr std::size_t spare_bytes = std::size_t{1} << 20;
 bool fits(const CompilerInput& input, const CompileOptions& options) {
   const auto& [source, classification, hashes, order] = input;
   std::size_t bytes = classification.class_count() * 80 + classification.parents.size() * 8;
-  for (const NameId id : classification.classes) bytes += source.name(id).size();
-  for (const OntologySource::Label& label : source.labels()) bytes += source.name(label.text).size() + 8;
-  for (const TermId term : order.terms) {
+  for (const owl::NameId id : classification.classes) bytes += source.name(id).size();
+  for (const owl::Ontology::Label& label : source.labels()) bytes += source.name(label.text).size() + 8;
+  for (const owl::TermId term : order.terms) {
     bytes += source.name_of(term).size() + 21 + source.term(term).arguments.size() * 4;
   }
   for (const auto& axiom : order.axioms) bytes += 15 + axiom.arguments.size() * 8;
-  for (const LoadedFile& file : source.files()) {
+  for (const owl::LoadedFile& file : source.files()) {
     bytes += options.folder.size() + file.path.size() + file.ontology_iri.size() + 64;
   }
   bytes += classification.unused.size() * 8;
@@ -37,15 +37,15 @@ std::span<const std::uint8_t> pack(flatbuffers::FlatBufferBuilder& builder, cons
 
 }  // namespace
 
-std::vector<std::byte> compile(const OntologySource& source, const Classification& classification,
+std::vector<std::byte> compile(const owl::Ontology& source, const taxonomy::Classification& classification,
                                const CompileOptions& options) {
-  const ContentHashes hashes(source);
-  const CanonicalOrder order = canonical_order(source, hashes);
+  const owl::ContentHashes hashes(source);
+  const owl::CanonicalOrder order = canonical_order(source, hashes);
   const CompilerInput input{source, classification, hashes, order};
   if (!fits(input, options)) return {};
-  compiled::TaxonomyT taxonomy;
-  compiled::LabelsT labels;
-  compiled::AxiomsT axioms;
+  form::TaxonomyT taxonomy;
+  form::LabelsT labels;
+  form::AxiomsT axioms;
   taxonomy.digest = digest(source);
   write_sources(input, options, taxonomy);
   write_classes(input, taxonomy);
@@ -55,11 +55,11 @@ std::vector<std::byte> compile(const OntologySource& source, const Classificatio
   if (!write_axioms(input, taxonomy, axioms)) return {};
   std::array<flatbuffers::FlatBufferBuilder, section_count> builders;
   const std::array<std::span<const std::uint8_t>, section_count> sections = {
-      pack<compiled::Taxonomy>(builders[0], taxonomy), pack<compiled::Labels>(builders[1], labels),
-      pack<compiled::Axioms>(builders[2], axioms)};
+      pack<form::Taxonomy>(builders[0], taxonomy), pack<form::Labels>(builders[1], labels),
+      pack<form::Axioms>(builders[2], axioms)};
   std::size_t bytes = container_header_bytes;
   for (const auto& section : sections) bytes += section.size() + section_alignment;
   return bytes <= max_compiled_bytes ? wrap(sections) : std::vector<std::byte>();
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled

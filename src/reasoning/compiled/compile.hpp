@@ -1,4 +1,4 @@
-// Writes the compiled form of a classified ontology (format: COMPILED.md), which el::Ontology reads.
+// Writes the compiled form of a classified ontology (format: COMPILED.md), which Ontology reads.
 #ifndef GEMINGA_REASONING_COMPILED_COMPILE_HPP
 #define GEMINGA_REASONING_COMPILED_COMPILE_HPP
 
@@ -11,7 +11,7 @@
 #include "reasoning/owl/source.hpp"
 #include "reasoning/taxonomy/classification.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 
 /// How the line of the gaps begins that says what they leave open.
 inline constexpr std::string_view undecided_words = "undecided: ";
@@ -26,10 +26,11 @@ struct CompileOptions {
 };
 
 /// The bytes of the compiled form. Equal for the same axioms, labels, prefixes, files and options, whatever their
-/// order. Empty where they would be more than max_compiled_bytes; el::Ontology refuses that.
-[[nodiscard]] std::vector<std::byte> compile(const OntologySource& source, const Classification& classification,
+/// order. Empty where they would be more than max_compiled_bytes; Ontology refuses that.
+[[nodiscard]] std::vector<std::byte> compile(const owl::Ontology& source,
+                                             const taxonomy::Classification& classification,
                                              const CompileOptions& options = {});
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled
 
 #endif

@@ -10,10 +10,10 @@
 #include "reasoning/owl/source_paths.hpp"
 #include "reasoning/taxonomy/interval_index.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 namespace {
 
-constexpr std::uint32_t none = NumberTable::none;
+constexpr std::uint32_t none = base::NumberTable::none;
 
 /// Prefixes that explanations use, where the files do not give these words another meaning.
 constexpr std::pair<std::string_view, std::string_view> usual_prefixes[] = {
@@ -28,9 +28,9 @@ void append(std::vector<std::uint8_t>& text, std::vector<std::uint32_t>& ends, s
   ends.push_back(static_cast<std::uint32_t>(text.size()));
 }
 
-void write_prefixes(const OntologySource& source, compiled::TaxonomyT& out) {
+void write_prefixes(const owl::Ontology& source, form::TaxonomyT& out) {
   std::vector<std::pair<std::string_view, std::string_view>> prefixes;
-  for (const OntologySource::Prefix& prefix : source.prefixes()) {
+  for (const owl::Ontology::Prefix& prefix : source.prefixes()) {
     prefixes.emplace_back(source.name(prefix.prefix), source.name(prefix.iri));
   }
   for (const auto& usual : usual_prefixes) {
@@ -40,7 +40,7 @@ void write_prefixes(const OntologySource& source, compiled::TaxonomyT& out) {
   }
   std::ranges::sort(prefixes);
   for (const auto& [word, iri] : prefixes) {
-    auto entry = std::make_unique<compiled::PrefixT>();
+    auto entry = std::make_unique<form::PrefixT>();
     entry->prefix = word;
     entry->iri = iri;
     out.prefixes.push_back(std::move(entry));
@@ -56,13 +56,13 @@ struct Label {
 
 /// Those of classes, by text, then class, then language; each once.
 std::vector<Label> labels_of_classes(const CompilerInput& input) {
-  const OntologySource& source = input.source;
+  const owl::Ontology& source = input.source;
   std::vector<std::uint32_t> class_of_name(source.name_count(), none);
   for (std::uint32_t number = 0; number < input.classification.class_count(); ++number) {
     class_of_name[static_cast<std::size_t>(input.classification.classes[number])] = number;
   }
   std::vector<Label> labels;
-  for (const OntologySource::Label& label : source.labels()) {
+  for (const owl::Ontology::Label& label : source.labels()) {
     const std::uint32_t number = class_of_name[static_cast<std::size_t>(label.entity)];
     if (number != none) labels.push_back({source.name(label.text), number, source.name(label.language)});
   }
@@ -81,21 +81,21 @@ auto preference(const Label& label) {
 
 }  // namespace
 
-void write_sources(const CompilerInput& input, const CompileOptions& options, compiled::TaxonomyT& out) {
-  const OntologySource& source = input.source;
+void write_sources(const CompilerInput& input, const CompileOptions& options, form::TaxonomyT& out) {
+  const owl::Ontology& source = input.source;
   std::vector<std::uint32_t> number_of_file(source.files().size(), none);
-  for (const FileId id : input.order.files) {
+  for (const owl::FileId id : input.order.files) {
     number_of_file[static_cast<std::size_t>(id)] = static_cast<std::uint32_t>(out.files.size());
-    const LoadedFile& loaded = source.files()[static_cast<std::size_t>(id)];
-    auto file = std::make_unique<compiled::FileT>();
-    file->path = options.folder.empty() ? loaded.path : seen_from_folder(options.folder, loaded.path);
+    const owl::LoadedFile& loaded = source.files()[static_cast<std::size_t>(id)];
+    auto file = std::make_unique<form::FileT>();
+    file->path = options.folder.empty() ? loaded.path : owl::seen_from_folder(options.folder, loaded.path);
     file->ontology_iri = loaded.ontology_iri;
     file->size = loaded.content.size;
     file->hash = loaded.content.hash;
     out.files.push_back(std::move(file));
   }
-  for (const LeftOut& left : left_out(source, input.classification)) {
-    auto entry = std::make_unique<compiled::LeftOutT>();
+  for (const owl::LeftOut& left : left_out(source, input.classification)) {
+    auto entry = std::make_unique<form::LeftOutT>();
     entry->construct = left.construct;
     entry->count = left.count;
     entry->file = left.file < number_of_file.size() ? number_of_file[left.file] : none;
@@ -105,12 +105,12 @@ void write_sources(const CompilerInput& input, const CompileOptions& options, co
   out.gaps.assign(options.gaps.begin(), options.gaps.end());
   write_prefixes(source, out);
   for (const auto& axiom : input.order.axioms) {
-    out.axioms += source.axiom(axiom.axiom).kind == AxiomKind::declaration ? 0U : 1U;
+    out.axioms += source.axiom(axiom.axiom).kind == owl::AxiomKind::declaration ? 0U : 1U;
   }
 }
 
-void write_classes(const CompilerInput& input, compiled::TaxonomyT& out) {
-  const Classification& classification = input.classification;
+void write_classes(const CompilerInput& input, form::TaxonomyT& out) {
+  const taxonomy::Classification& classification = input.classification;
   const auto count = static_cast<std::uint32_t>(classification.class_count());
   out.is_consistent = classification.is_consistent;
   out.thing = static_cast<std::uint32_t>(classification.thing);
@@ -122,15 +122,15 @@ void write_classes(const CompilerInput& input, compiled::TaxonomyT& out) {
     const auto node = static_cast<std::uint32_t>(classification.representative[number]);
     out.representative.push_back(node);
     if (node != number) out.members.emplace_back(node, number);
-    for (const ClassNumber parent : classification.parents_of(ClassNumber{number})) {
+    for (const taxonomy::ClassNumber parent : classification.parents_of(taxonomy::ClassNumber{number})) {
       up.emplace_back(number, static_cast<std::uint32_t>(parent));
       down.emplace_back(static_cast<std::uint32_t>(parent), number);
     }
   }
-  std::ranges::sort(out.members, {}, [](const compiled::Member& one) { return std::pair(one.node(), one.other()); });
-  const Rows<std::uint32_t> parents(count, up);
-  const Rows<std::uint32_t> children(count, down);
-  const IntervalIndex index(parents);
+  std::ranges::sort(out.members, {}, [](const form::Member& one) { return std::pair(one.node(), one.other()); });
+  const base::Rows<std::uint32_t> parents(count, up);
+  const base::Rows<std::uint32_t> children(count, down);
+  const taxonomy::IntervalIndex index(parents);
   out.parent_begin.push_back(0);
   out.child_begin.push_back(0);
   for (std::uint32_t number = 0; number < count; ++number) {
@@ -139,25 +139,26 @@ void write_classes(const CompilerInput& input, compiled::TaxonomyT& out) {
     out.children.insert(out.children.end(), children[number].begin(), children[number].end());
     out.child_begin.push_back(static_cast<std::uint32_t>(out.children.size()));
     const std::uint32_t node = out.representative[number];
-    const Interval own = index.own(node);
+    const taxonomy::Interval own = index.own(node);
     // Equivalents have the intervals of their representative, which is the smallest of them.
     if (node != number) {
       out.reach.push_back(out.reach[node]);
       continue;
     }
     const auto further_begin = static_cast<std::uint32_t>(out.further.size());
-    for (const Interval interval : index.further(node)) out.further.emplace_back(interval.first, interval.last);
+    for (const taxonomy::Interval interval : index.further(node))
+      out.further.emplace_back(interval.first, interval.last);
     const auto further_end = static_cast<std::uint32_t>(out.further.size());
-    const std::uint32_t flag = further_begin == further_end ? 0 : Reach::flag;
+    const std::uint32_t flag = further_begin == further_end ? 0 : taxonomy::Reach::flag;
     if (node == out.representative[out.nothing]) {
-      out.reach.emplace_back(Reach::flag, 0, 0, 0);
+      out.reach.emplace_back(taxonomy::Reach::flag, 0, 0, 0);
     } else {
       out.reach.emplace_back(own.first, (own.last - own.first) | flag, further_begin, further_end);
     }
   }
 }
 
-void write_signatures(const compiled::LabelsT& labels, compiled::TaxonomyT& out) {
+void write_signatures(const form::LabelsT& labels, form::TaxonomyT& out) {
   const std::string_view iris(reinterpret_cast<const char*>(out.class_text.data()), out.class_text.size());
   const std::string_view texts(reinterpret_cast<const char*>(labels.text.data()), labels.text.size());
   const auto row = [](std::string_view text, const std::vector<std::uint32_t>& ends, std::size_t at) {
@@ -172,7 +173,7 @@ void write_signatures(const compiled::LabelsT& labels, compiled::TaxonomyT& out)
   }
 }
 
-void write_labels(const CompilerInput& input, compiled::LabelsT& out) {
+void write_labels(const CompilerInput& input, form::LabelsT& out) {
   const std::vector<Label> labels = labels_of_classes(input);
   std::vector<const Label*> best(input.classification.class_count(), nullptr);
   out.label_of_class.assign(best.size(), none);
@@ -194,4 +195,4 @@ void write_labels(const CompilerInput& input, compiled::LabelsT& out) {
   if (!out.end.empty()) out.class_begin.push_back(static_cast<std::uint32_t>(out.classes.size()));
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled

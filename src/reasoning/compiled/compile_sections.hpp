@@ -13,7 +13,7 @@
 #include "reasoning/owl/source.hpp"
 #include "reasoning/taxonomy/classification.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 
 /// Most items of the lists whose length is not known before: intervals, and axioms that wait for names. Both are few
 /// except where hardly anything is a tree.
@@ -21,24 +21,23 @@ inline constexpr std::size_t max_list_items = std::size_t{1} << 26;
 
 /// What all sections are written from.
 struct CompilerInput {
-  const OntologySource& source;
-  const Classification& classification;
-  const ContentHashes& hashes;
-  const CanonicalOrder& order;
+  const owl::Ontology& source;
+  const taxonomy::Classification& classification;
+  const owl::ContentHashes& hashes;
+  const owl::CanonicalOrder& order;
 };
 
 /// Files, left-outs, gaps and prefixes.
-void write_sources(const CompilerInput& input, const CompileOptions& options, compiled::TaxonomyT& out);
+void write_sources(const CompilerInput& input, const CompileOptions& options, form::TaxonomyT& out);
 /// Classes, taxonomy and index of intervals.
-void write_classes(const CompilerInput& input, compiled::TaxonomyT& out);
-void write_labels(const CompilerInput& input, compiled::LabelsT& out);
+void write_classes(const CompilerInput& input, form::TaxonomyT& out);
+void write_labels(const CompilerInput& input, form::LabelsT& out);
 /// By which names that are like another are found. Classes and labels have been written.
-void write_signatures(const compiled::LabelsT& labels, compiled::TaxonomyT& out);
+void write_signatures(const form::LabelsT& labels, form::TaxonomyT& out);
 /// Names, terms, axioms and what modules are found by. The taxonomy has been written. False where there would be more
 /// than max_list_items, or more files than sixteen bits can count.
-[[nodiscard]] bool write_axioms(const CompilerInput& input, const compiled::TaxonomyT& taxonomy,
-                                compiled::AxiomsT& out);
+[[nodiscard]] bool write_axioms(const CompilerInput& input, const form::TaxonomyT& taxonomy, form::AxiomsT& out);
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled
 
 #endif

@@ -6,7 +6,7 @@
 #include "reasoning/modules/module_locality.hpp"
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 namespace {
 
 /// A set of kinds of terms.
@@ -14,9 +14,9 @@ class Kinds {
  public:
   template <typename Test>
   explicit Kinds(const Test& test) {
-    static_assert(term_kind_count <= 64);
-    for (std::uint8_t kind = 0; kind < term_kind_count; ++kind) {
-      if (test(static_cast<TermKind>(kind))) bits_ |= std::uint64_t{1} << kind;
+    static_assert(owl::term_kind_count <= 64);
+    for (std::uint8_t kind = 0; kind < owl::term_kind_count; ++kind) {
+      if (test(static_cast<owl::TermKind>(kind))) bits_ |= std::uint64_t{1} << kind;
     }
   }
   [[nodiscard]] bool has(std::uint32_t kind) const { return (bits_ >> kind & 1) != 0; }
@@ -30,46 +30,46 @@ class Grammar {
  public:
   /// `kind_of` gives the kind of an argument as a number.
   template <typename KindOf>
-  [[nodiscard]] bool fits(TermKind kind, ClassifiedView::Numbers arguments, KindOf&& kind_of) {
+  [[nodiscard]] bool fits(owl::TermKind kind, taxonomy::ClassifiedView::Numbers arguments, KindOf&& kind_of) {
     if (arguments.empty()) return may_be_bare_.has(static_cast<std::uint32_t>(kind));
-    if (kind == TermKind::object_some_values_from) {
+    if (kind == owl::TermKind::object_some_values_from) {
       return arguments.size() == 2 && is_role_.has(kind_of(arguments[0])) && is_class_.has(kind_of(arguments[1]));
     }
-    if (kind == TermKind::object_intersection_of) return are_classes(arguments, kind_of);
+    if (kind == owl::TermKind::object_intersection_of) return are_classes(arguments, kind_of);
     return is_well_formed(kind, kinds_of(arguments, kind_of));
   }
   template <typename KindOf>
-  [[nodiscard]] bool fits(AxiomKind kind, ClassifiedView::Numbers arguments, KindOf&& kind_of) {
-    if (kind == AxiomKind::sub_class_of) return arguments.size() == 2 && are_classes(arguments, kind_of);
-    if (kind == AxiomKind::equivalent_classes) return arguments.size() >= 2 && are_classes(arguments, kind_of);
+  [[nodiscard]] bool fits(owl::AxiomKind kind, taxonomy::ClassifiedView::Numbers arguments, KindOf&& kind_of) {
+    if (kind == owl::AxiomKind::sub_class_of) return arguments.size() == 2 && are_classes(arguments, kind_of);
+    if (kind == owl::AxiomKind::equivalent_classes) return arguments.size() >= 2 && are_classes(arguments, kind_of);
     return is_well_formed(kind, kinds_of(arguments, kind_of));
   }
 
  private:
   template <typename KindOf>
-  [[nodiscard]] bool are_classes(ClassifiedView::Numbers arguments, KindOf&& kind_of) const {
+  [[nodiscard]] bool are_classes(taxonomy::ClassifiedView::Numbers arguments, KindOf&& kind_of) const {
     bool is_right = true;
     for (const std::uint32_t term : arguments) is_right &= is_class_.has(kind_of(term));
     return is_right;
   }
   template <typename KindOf>
-  [[nodiscard]] std::span<const TermKind> kinds_of(ClassifiedView::Numbers arguments, KindOf&& kind_of) {
+  [[nodiscard]] std::span<const owl::TermKind> kinds_of(taxonomy::ClassifiedView::Numbers arguments, KindOf&& kind_of) {
     kinds_.clear();
-    for (const std::uint32_t argument : arguments) kinds_.push_back(static_cast<TermKind>(kind_of(argument)));
+    for (const std::uint32_t argument : arguments) kinds_.push_back(static_cast<owl::TermKind>(kind_of(argument)));
     return kinds_;
   }
 
-  Kinds is_class_{is_class_expression};
-  Kinds is_role_{is_object_property_expression};
-  Kinds may_be_bare_{[](TermKind kind) { return is_well_formed(kind, {}); }};
-  std::vector<TermKind> kinds_;
+  Kinds is_class_{owl::is_class_expression};
+  Kinds is_role_{owl::is_object_property_expression};
+  Kinds may_be_bare_{[](owl::TermKind kind) { return is_well_formed(kind, {}); }};
+  std::vector<owl::TermKind> kinds_;
 };
 
-void check_words(const ClassifiedView& view, Checker& check) {
+void check_words(const taxonomy::ClassifiedView& view, Checker& check) {
   const auto names = static_cast<std::uint32_t>(view.class_count() + view.name_end.size());
   const auto is_wrong = [&](std::size_t term) {
     return view.term_word[term] >= names &&
-           !ClassifiedView::is_cardinality(view.kind_of_term(static_cast<std::uint32_t>(term)));
+           !taxonomy::ClassifiedView::is_cardinality(view.kind_of_term(static_cast<std::uint32_t>(term)));
   };
   std::uint32_t is_large = 0;
   for (const std::uint32_t word : view.term_word) is_large |= static_cast<std::uint32_t>(word >= names);
@@ -79,10 +79,10 @@ void check_words(const ClassifiedView& view, Checker& check) {
 }
 
 /// An argument comes before what it is in, so nothing is part of itself; and no deeper than readers allow.
-void check_forms(const ClassifiedView& view, Checker& check) {
+void check_forms(const taxonomy::ClassifiedView& view, Checker& check) {
   constexpr std::uint32_t kind_bits = 6;
   constexpr std::uint32_t kind_mask = (1U << kind_bits) - 1;
-  static_assert(term_kind_count <= kind_mask && SourceLimits{}.nesting < (1U << (16 - kind_bits)));
+  static_assert(owl::term_kind_count <= kind_mask && owl::SourceLimits{}.nesting < (1U << (16 - kind_bits)));
   // Kind and depth side by side: an argument is one miss of the cache, not two.
   std::vector<std::uint16_t> shapes(view.term_kind.size());
   const auto kind_of = [&](std::uint32_t term) { return shapes[term] & kind_mask; };
@@ -94,7 +94,7 @@ void check_forms(const ClassifiedView& view, Checker& check) {
       if (argument >= term) return check.expect(false, "an argument of a term", view.term_begin, term);
       depth = std::max<std::uint32_t>(depth, (shapes[argument] >> kind_bits) + 1U);
     }
-    if (depth > SourceLimits{}.nesting) {
+    if (depth > owl::SourceLimits{}.nesting) {
       return check.expect(false, "the nesting of a term", view.term_begin, term);
     }
     if (!grammar.fits(view.kind_of_term(term), arguments, kind_of)) {
@@ -104,21 +104,21 @@ void check_forms(const ClassifiedView& view, Checker& check) {
   }
 }
 
-void check_terms(const ClassifiedView& view, Checker& check) {
+void check_terms(const taxonomy::ClassifiedView& view, Checker& check) {
   const std::size_t count = view.term_kind.size();
   check.expect(view.term_word.size() == count, "the number of terms", view.term_word);
   check.ends(view.name_end, view.term_text.size(), "the end of a name");
-  check.in_range(view.term_kind, term_kind_count, "the kind of a term");
+  check.in_range(view.term_kind, owl::term_kind_count, "the kind of a term");
   check.borders(view.term_begin, count, view.term_arguments.size(), "the border of arguments of a term");
   if (!check.failed()) check_words(view, check);
   if (!check.failed()) check_forms(view, check);
 }
 
-void check_statements(const ClassifiedView& view, std::size_t files, std::size_t groups, Checker& check) {
+void check_statements(const taxonomy::ClassifiedView& view, std::size_t files, std::size_t groups, Checker& check) {
   const std::size_t count = view.axiom_kind.size();
   check.expect(view.axiom_file.size() == count && view.axiom_line.size() == count, "the number of axioms",
                view.axiom_kind);
-  check.in_range(view.axiom_kind, axiom_kind_count, "the kind of an axiom");
+  check.in_range(view.axiom_kind, owl::axiom_kind_count, "the kind of an axiom");
   check.in_range(view.axiom_file, files, "the file of an axiom");
   check.borders(view.axiom_begin, count, view.axiom_arguments.size(), "the border of arguments of an axiom");
   check.in_range(view.axiom_arguments, view.term_kind.size(), "an argument of an axiom");
@@ -134,10 +134,10 @@ void check_statements(const ClassifiedView& view, std::size_t files, std::size_t
   }
 }
 
-void check_module_tables(const ClassifiedView& view, Checker& check) {
+void check_module_tables(const taxonomy::ClassifiedView& view, Checker& check) {
   const std::size_t terms = view.term_kind.size();
   const std::size_t axioms = view.axiom_kind.size();
-  check.expect(view.built_in.size() == built_in_count, "the number of built-in entities", view.built_in);
+  check.expect(view.built_in.size() == modules::built_in_count, "the number of built-in entities", view.built_in);
   check.in_range_or_none(view.built_in, terms, "a built-in entity");
   check.expect(view.uses.size() == terms, "the number of uses", view.uses);
   check.expect(view.term_of_class.size() == view.class_count(), "the number of terms of classes", view.term_of_class);
@@ -149,7 +149,7 @@ void check_module_tables(const ClassifiedView& view, Checker& check) {
 
 }  // namespace
 
-void check_taxonomy(const ClassifiedView& view, Checker& check) {
+void check_taxonomy(const taxonomy::ClassifiedView& view, Checker& check) {
   const std::size_t count = view.class_end.size();
   check.ends(view.class_end, view.class_text.size(), "the end of the IRI of a class");
   check.expect(view.representative.size() == count && view.reach.size() == count, "the number of classes",
@@ -162,22 +162,22 @@ void check_taxonomy(const ClassifiedView& view, Checker& check) {
     if (node == number || view.representative[node] == node) continue;
     return check.expect(false, "the representative of a class", view.representative, number);
   }
-  const auto members =
-      ClassifiedView::Numbers(reinterpret_cast<const std::uint32_t*>(view.members.data()), view.members.size() * 2);
+  const auto members = taxonomy::ClassifiedView::Numbers(reinterpret_cast<const std::uint32_t*>(view.members.data()),
+                                                         view.members.size() * 2);
   check.in_range(members, count, "a class that is equivalent to another");
   check.borders(view.parent_begin, count, view.parents.size(), "the border of parents");
   check.in_range(view.parents, count, "a parent");
   check.borders(view.child_begin, count, view.children.size(), "the border of children");
   check.in_range(view.children, count, "a child");
   std::uint32_t wrong = 0;
-  for (const Reach& reach : view.reach) {
+  for (const taxonomy::Reach& reach : view.reach) {
     wrong |= static_cast<std::uint32_t>(reach.further_begin > reach.further_end);
     wrong |= static_cast<std::uint32_t>(reach.further_end > view.further.size());
   }
   check.expect(wrong == 0, "the intervals of a class", view.reach);
 }
 
-void check_labels(const LabelsView& labels, const ClassifiedView& taxonomy, Checker& check) {
+void check_labels(const LabelsView& labels, const taxonomy::ClassifiedView& taxonomy, Checker& check) {
   check.ends(labels.end, labels.text.size(), "the end of a label");
   check.borders(labels.class_begin, labels.end.size(), labels.classes.size(), "the border of classes of a label");
   check.in_range(labels.classes, taxonomy.class_count(), "the class of a label");
@@ -186,10 +186,10 @@ void check_labels(const LabelsView& labels, const ClassifiedView& taxonomy, Chec
   check.in_range_or_none(labels.label_of_class, labels.end.size(), "the label of a class");
 }
 
-void check_axioms(const ClassifiedView& view, std::size_t files, std::size_t groups, Checker& check) {
+void check_axioms(const taxonomy::ClassifiedView& view, std::size_t files, std::size_t groups, Checker& check) {
   check_terms(view, check);
   if (!check.failed()) check_statements(view, files, groups, check);
   if (!check.failed()) check_module_tables(view, check);
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled

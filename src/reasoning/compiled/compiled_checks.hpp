@@ -13,7 +13,7 @@
 
 #include "reasoning/compiled/compiled_view.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 
 /// Notes the first thing that is wrong, and where in the file it stands. Passes over arrays have no branches, so that
 /// compilers use vectors; only what has failed is looked at again, for the offset.
@@ -43,21 +43,23 @@ class Checker {
     if (wrong != 0) locate(numbers, is_wrong, what);
   }
   /// The same where a number may be none.
-  void in_range_or_none(ClassifiedView::Numbers numbers, std::size_t end, std::string_view what) {
-    const auto is_wrong = [&](std::uint32_t number) { return number >= end && number != ClassifiedView::none; };
+  void in_range_or_none(taxonomy::ClassifiedView::Numbers numbers, std::size_t end, std::string_view what) {
+    const auto is_wrong = [&](std::uint32_t number) {
+      return number >= end && number != taxonomy::ClassifiedView::none;
+    };
     std::uint32_t wrong = 0;
     for (const std::uint32_t number : numbers) wrong |= static_cast<std::uint32_t>(is_wrong(number));
     if (wrong != 0) locate(numbers, is_wrong, what);
   }
   /// Row borders: one more than rows, from 0 to the number of items, never down.
-  void borders(ClassifiedView::Numbers begin, std::size_t rows, std::size_t items, std::string_view what) {
+  void borders(taxonomy::ClassifiedView::Numbers begin, std::size_t rows, std::size_t items, std::string_view what) {
     expect(begin.size() == rows + 1, what, begin);
     if (failed()) return;
     expect(begin.front() == 0, what, begin);
     ends(begin.subspan(1), items, what);
   }
   /// Ends of pieces: never down, the last at the number of items.
-  void ends(ClassifiedView::Numbers ends, std::size_t items, std::string_view what) {
+  void ends(taxonomy::ClassifiedView::Numbers ends, std::size_t items, std::string_view what) {
     expect((ends.empty() ? 0 : ends.back()) == items, what, ends);
     std::uint32_t wrong = 0;
     for (std::size_t at = 1; at < ends.size(); ++at) wrong |= static_cast<std::uint32_t>(ends[at] < ends[at - 1]);
@@ -86,12 +88,12 @@ class Checker {
   std::optional<std::size_t> offset_;
 };
 
-void check_taxonomy(const ClassifiedView& view, Checker& check);
-void check_labels(const LabelsView& labels, const ClassifiedView& taxonomy, Checker& check);
+void check_taxonomy(const taxonomy::ClassifiedView& view, Checker& check);
+void check_labels(const LabelsView& labels, const taxonomy::ClassifiedView& taxonomy, Checker& check);
 /// Of a view with taxonomy and axioms, the first of which was checked. `files` and `groups` are how many there are of
 /// files and left-outs.
-void check_axioms(const ClassifiedView& view, std::size_t files, std::size_t groups, Checker& check);
+void check_axioms(const taxonomy::ClassifiedView& view, std::size_t files, std::size_t groups, Checker& check);
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled
 
 #endif

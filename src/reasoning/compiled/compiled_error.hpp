@@ -4,13 +4,13 @@
 
 #include <string>
 
-namespace geminga::el {
+namespace geminga::compiled {
 
 /// A compiled ontology that was refused. `text` says what is wrong and at which offset where there is one.
 struct CompiledError {
   std::string text;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled
 
 #endif

@@ -6,13 +6,13 @@
 #include "compiled_generated.h"
 #include "reasoning/compiled/compiled_checks.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the compiled form is read in place");
-static_assert(sizeof(Interval) == sizeof(compiled::Interval));
-static_assert(sizeof(Reach) == sizeof(compiled::Reach));
-static_assert(sizeof(EquivalentMember) == sizeof(compiled::Member));
+static_assert(sizeof(taxonomy::Interval) == sizeof(form::Interval));
+static_assert(sizeof(taxonomy::Reach) == sizeof(form::Reach));
+static_assert(sizeof(taxonomy::EquivalentMember) == sizeof(form::Member));
 
 template <typename Element>
 std::span<const std::uint32_t> numbers(const flatbuffers::Vector<Element>* vector) {
@@ -48,11 +48,11 @@ std::expected<const Root*, CompiledError> root_of(const Container& file, Section
 
 }  // namespace
 
-std::expected<ClassifiedView, CompiledError> view_taxonomy(const Container& file) {
-  const auto found = root_of<compiled::Taxonomy>(file, Section::taxonomy);
+std::expected<taxonomy::ClassifiedView, CompiledError> view_taxonomy(const Container& file) {
+  const auto found = root_of<form::Taxonomy>(file, Section::taxonomy);
   if (!found) return std::unexpected(found.error());
-  const compiled::Taxonomy& root = **found;
-  ClassifiedView view;
+  const form::Taxonomy& root = **found;
+  taxonomy::ClassifiedView view;
   view.root = &root;
   view.digest = root.digest();
   view.is_consistent = root.is_consistent();
@@ -61,24 +61,24 @@ std::expected<ClassifiedView, CompiledError> view_taxonomy(const Container& file
   view.representative = numbers(root.representative());
   view.thing = root.thing();
   view.nothing = root.nothing();
-  view.members = structs<EquivalentMember>(root.members());
+  view.members = structs<taxonomy::EquivalentMember>(root.members());
   view.parent_begin = numbers(root.parent_begin());
   view.parents = numbers(root.parents());
   view.child_begin = numbers(root.child_begin());
   view.children = numbers(root.children());
-  view.reach = structs<Reach>(root.reach());
-  view.further = structs<Interval>(root.further());
+  view.reach = structs<taxonomy::Reach>(root.reach());
+  view.further = structs<taxonomy::Interval>(root.further());
   Checker check(file.file());
   check_taxonomy(view, check);
   if (check.failed()) return std::unexpected(check.error());
   return view;
 }
 
-std::expected<LabelsView, CompiledError> view_labels(const Container& file, const ClassifiedView& taxonomy) {
+std::expected<LabelsView, CompiledError> view_labels(const Container& file, const taxonomy::ClassifiedView& taxonomy) {
   if (auto whole = file.verify(Section::labels); !whole) return std::unexpected(whole.error());
-  const auto found = root_of<compiled::Labels>(file, Section::labels);
+  const auto found = root_of<form::Labels>(file, Section::labels);
   if (!found) return std::unexpected(found.error());
-  const compiled::Labels& root = **found;
+  const form::Labels& root = **found;
   const LabelsView labels{text(root.text()), numbers(root.end()), numbers(root.class_begin()), numbers(root.classes()),
                           numbers(root.label_of_class())};
   Checker check(file.file());
@@ -87,12 +87,13 @@ std::expected<LabelsView, CompiledError> view_labels(const Container& file, cons
   return labels;
 }
 
-std::expected<ClassifiedView, CompiledError> view_axioms(const Container& file, const ClassifiedView& taxonomy) {
+std::expected<taxonomy::ClassifiedView, CompiledError> view_axioms(const Container& file,
+                                                                   const taxonomy::ClassifiedView& taxonomy) {
   if (auto whole = file.verify(Section::axioms); !whole) return std::unexpected(whole.error());
-  const auto found = root_of<compiled::Axioms>(file, Section::axioms);
+  const auto found = root_of<form::Axioms>(file, Section::axioms);
   if (!found) return std::unexpected(found.error());
-  const compiled::Axioms& root = **found;
-  ClassifiedView view = taxonomy;
+  const form::Axioms& root = **found;
+  taxonomy::ClassifiedView view = taxonomy;
   view.term_text = text(root.text());
   view.name_end = numbers(root.name_end());
   view.term_kind = octets(root.term_kind());
@@ -118,35 +119,35 @@ std::expected<ClassifiedView, CompiledError> view_axioms(const Container& file, 
   return view;
 }
 
-std::vector<LoadedFile> files_of(const ClassifiedView& view) {
-  std::vector<LoadedFile> files;
-  for (const compiled::File* file : *view.root->files())
+std::vector<owl::LoadedFile> files_of(const taxonomy::ClassifiedView& view) {
+  std::vector<owl::LoadedFile> files;
+  for (const form::File* file : *view.root->files())
     files.push_back({file->path()->str(), file->ontology_iri()->str(), {file->size(), file->hash()}});
   return files;
 }
 
-std::vector<LeftOut> left_out_of(const ClassifiedView& view) {
-  std::vector<LeftOut> left_out;
-  for (const compiled::LeftOut* left : *view.root->left_out()) {
+std::vector<owl::LeftOut> left_out_of(const taxonomy::ClassifiedView& view) {
+  std::vector<owl::LeftOut> left_out;
+  for (const form::LeftOut* left : *view.root->left_out()) {
     left_out.push_back({left->construct()->str(), left->count(), {}, left->file(), left->line()});
   }
   return left_out;
 }
 
-std::vector<std::string> gaps_of(const ClassifiedView& view) {
+std::vector<std::string> gaps_of(const taxonomy::ClassifiedView& view) {
   std::vector<std::string> gaps;
   for (const flatbuffers::String* gap : *view.root->gaps()) gaps.push_back(gap->str());
   return gaps;
 }
 
-std::vector<std::pair<std::string_view, std::string_view>> prefixes_of(const ClassifiedView& view) {
+std::vector<std::pair<std::string_view, std::string_view>> prefixes_of(const taxonomy::ClassifiedView& view) {
   std::vector<std::pair<std::string_view, std::string_view>> prefixes;
-  for (const compiled::Prefix* prefix : *view.root->prefixes())
+  for (const form::Prefix* prefix : *view.root->prefixes())
     prefixes.emplace_back(prefix->prefix()->string_view(), prefix->iri()->string_view());
   std::ranges::sort(prefixes);
   return prefixes;
 }
 
-std::uint32_t counted_axioms(const ClassifiedView& view) { return view.root->axioms(); }
+std::uint32_t counted_axioms(const taxonomy::ClassifiedView& view) { return view.root->axioms(); }
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled

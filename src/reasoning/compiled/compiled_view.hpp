@@ -17,37 +17,40 @@
 #include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/taxonomy/classified_view.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 
 /// What people call classes. Labels ascend; of each the classes that have it, and of each class the label to show.
 struct LabelsView {
   std::string_view text;
-  ClassifiedView::Numbers end;
-  ClassifiedView::Numbers class_begin;
-  ClassifiedView::Numbers classes;
-  ClassifiedView::Numbers label_of_class;
+  taxonomy::ClassifiedView::Numbers end;
+  taxonomy::ClassifiedView::Numbers class_begin;
+  taxonomy::ClassifiedView::Numbers classes;
+  taxonomy::ClassifiedView::Numbers label_of_class;
 
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(end.size()); }
-  [[nodiscard]] std::string_view label(std::uint32_t at) const { return ClassifiedView::piece(text, end, at); }
+  [[nodiscard]] std::string_view label(std::uint32_t at) const {
+    return taxonomy::ClassifiedView::piece(text, end, at);
+  }
 };
 
 /// The taxonomy of a file whose first section is whole: FlatBuffer, and every number in it. Linear in that section.
-[[nodiscard]] std::expected<ClassifiedView, CompiledError> view_taxonomy(const Container& file);
+[[nodiscard]] std::expected<taxonomy::ClassifiedView, CompiledError> view_taxonomy(const Container& file);
 /// The labels; their section is verified first. Linear in it.
 [[nodiscard]] std::expected<LabelsView, CompiledError> view_labels(const Container& file,
-                                                                   const ClassifiedView& taxonomy);
+                                                                   const taxonomy::ClassifiedView& taxonomy);
 /// The taxonomy with terms and axioms; their section is verified first. Linear in it.
-[[nodiscard]] std::expected<ClassifiedView, CompiledError> view_axioms(const Container& file,
-                                                                       const ClassifiedView& taxonomy);
+[[nodiscard]] std::expected<taxonomy::ClassifiedView, CompiledError> view_axioms(
+    const Container& file, const taxonomy::ClassifiedView& taxonomy);
 
-[[nodiscard]] std::vector<LoadedFile> files_of(const ClassifiedView& view);
-[[nodiscard]] std::vector<LeftOut> left_out_of(const ClassifiedView& view);
-[[nodiscard]] std::vector<std::string> gaps_of(const ClassifiedView& view);
+[[nodiscard]] std::vector<owl::LoadedFile> files_of(const taxonomy::ClassifiedView& view);
+[[nodiscard]] std::vector<owl::LeftOut> left_out_of(const taxonomy::ClassifiedView& view);
+[[nodiscard]] std::vector<std::string> gaps_of(const taxonomy::ClassifiedView& view);
 /// Pairs of a word without its colon and an IRI, ascending.
-[[nodiscard]] std::vector<std::pair<std::string_view, std::string_view>> prefixes_of(const ClassifiedView& view);
+[[nodiscard]] std::vector<std::pair<std::string_view, std::string_view>> prefixes_of(
+    const taxonomy::ClassifiedView& view);
 /// Axioms, each once, without declarations.
-[[nodiscard]] std::uint32_t counted_axioms(const ClassifiedView& view);
+[[nodiscard]] std::uint32_t counted_axioms(const taxonomy::ClassifiedView& view);
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled
 
 #endif

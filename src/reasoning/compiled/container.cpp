@@ -14,7 +14,7 @@
 
 #include "reasoning/compiled/container_header.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 namespace {
 
 constexpr std::size_t version_at = 8;
@@ -158,4 +158,4 @@ std::expected<void, CompiledError> Container::verify(Section which) const {
                  ": compile it again");
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled

@@ -12,7 +12,7 @@
 
 #include "reasoning/compiled/compiled_error.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 
 inline constexpr std::array<char, 8> compiled_magic = {'G', 'E', 'M', 'I', 'N', 'G', 'A', 'O'};
 inline constexpr std::uint32_t compiled_version = 2;
@@ -55,6 +55,6 @@ class Container {
   std::array<std::span<const std::byte>, section_count> sections_;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled
 
 #endif

@@ -9,12 +9,12 @@
 
 #include "reasoning/compiled/compiled_error.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 
 /// Whether a file of `size` octets that begins so can be one. `beginning` is the whole header, or all of a shorter
 /// file. Refuses what has another magic, version or size.
 [[nodiscard]] std::expected<void, CompiledError> check_header(std::span<const std::byte> beginning, std::uint64_t size);
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled
 
 #endif

@@ -10,7 +10,7 @@
 #include "reasoning/compiled/similar.hpp"
 #include "reasoning/owl/datatypes.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 namespace {
 
 constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
@@ -24,30 +24,30 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> usual_pre
     {"xsd", xsd},
 }};
 
-bool is_of_owl(TermKind kind, std::string_view iri) {
+bool is_of_owl(owl::TermKind kind, std::string_view iri) {
   switch (kind) {
-    case TermKind::object_property:
+    case owl::TermKind::object_property:
       return iri == "http://www.w3.org/2002/07/owl#topObjectProperty" ||
              iri == "http://www.w3.org/2002/07/owl#bottomObjectProperty";
-    case TermKind::data_property:
+    case owl::TermKind::data_property:
       return iri == "http://www.w3.org/2002/07/owl#topDataProperty" ||
              iri == "http://www.w3.org/2002/07/owl#bottomDataProperty";
-    case TermKind::datatype:
-      return iri == rdfs_literal || Datatype::find(iri).has_value();
+    case owl::TermKind::datatype:
+      return iri == rdfs_literal || owl::Datatype::find(iri).has_value();
     default:
       return false;
   }
 }
 
-std::string_view word_of(TermKind kind) {
+std::string_view word_of(owl::TermKind kind) {
   switch (kind) {
-    case TermKind::named_class:
+    case owl::TermKind::named_class:
       return "class";
-    case TermKind::object_property:
+    case owl::TermKind::object_property:
       return "object property";
-    case TermKind::data_property:
+    case owl::TermKind::data_property:
       return "data property";
-    case TermKind::individual:
+    case owl::TermKind::individual:
       return "individual";
     default:
       return "datatype";
@@ -62,15 +62,15 @@ std::string_view end_of_iri(std::string_view iri) {
 }
 
 EntityNames::EntityNames(const Ontology& ontology) : ontology_(ontology) {
-  const ClassifiedView& view = ontology.axioms();
+  const taxonomy::ClassifiedView& view = ontology.axioms();
   for (std::uint32_t term = 0; term < view.term_count(); ++term) {
-    const TermKind kind = view.kind_of_term(term);
-    const bool is_named = kind == TermKind::object_property || kind == TermKind::data_property ||
-                          kind == TermKind::individual || kind == TermKind::datatype;
+    const owl::TermKind kind = view.kind_of_term(term);
+    const bool is_named = kind == owl::TermKind::object_property || kind == owl::TermKind::data_property ||
+                          kind == owl::TermKind::individual || kind == owl::TermKind::datatype;
     if (is_named) entities_.emplace_back(kind, view.name_of_term(term));
   }
   for (std::uint32_t number = 0; number < view.class_count(); ++number) {
-    entities_.emplace_back(TermKind::named_class, view.class_iri(number));
+    entities_.emplace_back(owl::TermKind::named_class, view.class_iri(number));
   }
   std::ranges::sort(entities_);
   entities_.erase(std::unique(entities_.begin(), entities_.end()), entities_.end());
@@ -84,11 +84,11 @@ EntityNames::EntityNames(const Ontology& ontology) : ontology_(ontology) {
   std::ranges::sort(prefixes_);
 }
 
-bool EntityNames::has(TermKind kind, std::string_view iri) const {
+bool EntityNames::has(owl::TermKind kind, std::string_view iri) const {
   return std::ranges::binary_search(entities_, Entity(kind, iri)) || is_of_owl(kind, iri);
 }
 
-std::vector<std::string> EntityNames::candidates(TermKind kind, std::string_view name) const {
+std::vector<std::string> EntityNames::candidates(owl::TermKind kind, std::string_view name) const {
   std::vector<std::string> found;
   const auto add = [&](std::string iri) {
     if (has(kind, iri)) found.push_back(std::move(iri));
@@ -101,11 +101,12 @@ std::vector<std::string> EntityNames::candidates(TermKind kind, std::string_view
     add(std::string(prefix->second) + std::string(local));
   }
   if (found.empty() && colon != std::string_view::npos) add(std::string(name));
-  if (found.empty() && kind == TermKind::datatype && colon == std::string_view::npos) add(std::string(xsd) += name);
+  if (found.empty() && kind == owl::TermKind::datatype && colon == std::string_view::npos)
+    add(std::string(xsd) += name);
   return found;
 }
 
-std::vector<std::string> EntityNames::with_local_name(TermKind kind, std::string_view name) const {
+std::vector<std::string> EntityNames::with_local_name(owl::TermKind kind, std::string_view name) const {
   std::vector<std::string> found;
   const auto key = [](const auto& entry) { return std::pair(std::get<0>(entry), std::get<1>(entry)); };
   const auto range = std::ranges::equal_range(local_names_, std::pair(kind, name), {}, key);
@@ -113,8 +114,8 @@ std::vector<std::string> EntityNames::with_local_name(TermKind kind, std::string
   return found;
 }
 
-std::vector<std::string> EntityNames::similar_to(TermKind kind, std::string_view name) const {
-  if (kind == TermKind::named_class) return find_similar(ontology_, name, {.classes = max_compared_classes});
+std::vector<std::string> EntityNames::similar_to(owl::TermKind kind, std::string_view name) const {
+  if (kind == owl::TermKind::named_class) return find_similar(ontology_, name, {.classes = max_compared_classes});
   const std::string_view local = local_name(name);
   const std::size_t slips = base::tolerated_slips(local);
   // Where there are too many, those that stand nearest by the alphabet.
@@ -137,7 +138,7 @@ std::vector<std::string> EntityNames::similar_to(TermKind kind, std::string_view
   return names;
 }
 
-std::expected<std::string, std::string> EntityNames::find(TermKind kind, std::string_view name) const {
+std::expected<std::string, std::string> EntityNames::find(owl::TermKind kind, std::string_view name) const {
   const std::string shown = base::printable(name);
   if (name.size() > 2 && name.front() == '<' && name.back() == '>') {
     std::string iri(name.substr(1, name.size() - 2));
@@ -146,7 +147,7 @@ std::expected<std::string, std::string> EntityNames::find(TermKind kind, std::st
                            did_you_mean(similar_to(kind, iri)));
   }
   std::vector<std::string> found;
-  if (kind == TermKind::named_class) {
+  if (kind == owl::TermKind::named_class) {
     // Labels, too, and the words of its errors are those of names that stand alone.
     const auto number = ontology_.find(name);
     if (number) return std::string(ontology_.iri(*number));
@@ -168,4 +169,4 @@ std::expected<std::string, std::string> EntityNames::find(TermKind kind, std::st
   return std::unexpected("'" + shown + "' may be " + alternatives(found) + ": say which");
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled

@@ -14,35 +14,35 @@
 #include "reasoning/compiled/ontology.hpp"
 #include "reasoning/owl/names.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 
 /// Resolves the names of one ontology, which must outlive it. Built once an ontology; linear in its names.
-class EntityNames final : public Names {
+class EntityNames final : public owl::Names {
  public:
   explicit EntityNames(const Ontology& ontology);
 
   /// Beside what Names promises: of classes a label, or, where nothing else fits, a local name, which is what follows
   /// the last `#` or `/` of an IRI. Each must be unambiguous.
-  [[nodiscard]] std::expected<std::string, std::string> find(TermKind kind, std::string_view name) const override;
+  [[nodiscard]] std::expected<std::string, std::string> find(owl::TermKind kind, std::string_view name) const override;
   /// Whether the ontology has an entity of this kind and full IRI, or OWL itself has.
-  [[nodiscard]] bool has(TermKind kind, std::string_view iri) const;
+  [[nodiscard]] bool has(owl::TermKind kind, std::string_view iri) const;
 
  private:
-  using Entity = std::pair<TermKind, std::string_view>;
-  [[nodiscard]] std::vector<std::string> candidates(TermKind kind, std::string_view name) const;
-  [[nodiscard]] std::vector<std::string> with_local_name(TermKind kind, std::string_view name) const;
+  using Entity = std::pair<owl::TermKind, std::string_view>;
+  [[nodiscard]] std::vector<std::string> candidates(owl::TermKind kind, std::string_view name) const;
+  [[nodiscard]] std::vector<std::string> with_local_name(owl::TermKind kind, std::string_view name) const;
   /// Short names of entities of this kind whose local name is a few letters away, nearest first.
-  [[nodiscard]] std::vector<std::string> similar_to(TermKind kind, std::string_view name) const;
+  [[nodiscard]] std::vector<std::string> similar_to(owl::TermKind kind, std::string_view name) const;
 
   const Ontology& ontology_;
-  std::vector<Entity> entities_;                                                       ///< kind, IRI; sorted
-  std::vector<std::tuple<TermKind, std::string_view, std::string_view>> local_names_;  ///< kind, local name, IRI
-  std::vector<std::pair<std::string_view, std::string_view>> prefixes_;                ///< sorted
+  std::vector<Entity> entities_;                                                            ///< kind, IRI; sorted
+  std::vector<std::tuple<owl::TermKind, std::string_view, std::string_view>> local_names_;  ///< kind, local name, IRI
+  std::vector<std::pair<std::string_view, std::string_view>> prefixes_;                     ///< sorted
 };
 
 /// What follows the last `#` or `/` of an IRI.
 [[nodiscard]] std::string_view end_of_iri(std::string_view iri);
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled
 
 #endif

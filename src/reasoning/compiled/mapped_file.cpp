@@ -16,7 +16,7 @@
 
 #include "base/private_file.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 namespace {
 
 /// Where a copy may lie on a disk: first where the original is, because there it may share its blocks.
@@ -94,4 +94,4 @@ MappedFile::~MappedFile() {
   if (!bytes_.empty()) ::munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled

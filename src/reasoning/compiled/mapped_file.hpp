@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-namespace geminga::el {
+namespace geminga::compiled {
 
 /// Maps a private copy of a regular file. A mapping of the file itself would change under its reader, and end the
 /// process, whenever somebody writes into the file or cuts it short (`cp new.geminga in-use.geminga` does both). What
@@ -41,6 +41,6 @@ class MappedFile {
   std::span<const std::byte> bytes_;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled
 
 #endif

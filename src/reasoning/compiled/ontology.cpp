@@ -15,14 +15,14 @@
 #include "reasoning/owl/print.hpp"
 #include "reasoning/owl/source_paths.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 
 struct Ontology::Mapped {
   MappedFile mapping;  ///< one of these two owns the bytes
   std::vector<std::byte> bytes;
   std::string folder;  ///< what paths of files are relative to
   Container file;
-  ClassifiedView taxonomy;
+  taxonomy::ClassifiedView taxonomy;
   std::vector<std::pair<std::string_view, std::string_view>> prefixes;  ///< sorted
 
   // What is verified when it is asked for first.
@@ -30,31 +30,31 @@ struct Ontology::Mapped {
   mutable LabelsView labels;
   mutable std::optional<CompiledError> labels_error;
   mutable std::once_flag axioms_once;
-  mutable ClassifiedView whole;
+  mutable taxonomy::ClassifiedView whole;
   mutable std::optional<CompiledError> axioms_error;
 
   [[nodiscard]] std::expected<std::unique_ptr<const Mapped>, CompiledError> static finish(
       std::unique_ptr<Mapped> mapped, std::span<const std::byte> all);
-  [[nodiscard]] std::uint32_t node(ClassNumber number) const {
+  [[nodiscard]] std::uint32_t node(taxonomy::ClassNumber number) const {
     return taxonomy.representative[static_cast<std::size_t>(number)];
   }
   [[nodiscard]] bool is_unsatisfiable(std::uint32_t node) const {
     return node == taxonomy.representative[taxonomy.nothing];
   }
   [[nodiscard]] const LabelsView& need_labels() const;
-  [[nodiscard]] const ClassifiedView& need_axioms() const;
+  [[nodiscard]] const taxonomy::ClassifiedView& need_axioms() const;
   [[nodiscard]] std::optional<std::uint32_t> find_class(std::string_view iri) const;
   [[nodiscard]] std::vector<std::uint32_t> find_label(std::string_view label) const;
   [[nodiscard]] std::vector<std::uint32_t> walk_up(std::uint32_t node) const;
-  void add_members(std::uint32_t node, std::vector<ClassNumber>& classes) const;
+  void add_members(std::uint32_t node, std::vector<taxonomy::ClassNumber>& classes) const;
 };
 
 namespace {
 
-std::vector<ClassNumber> to_classes(std::span<const std::uint32_t> numbers) {
-  std::vector<ClassNumber> classes;
+std::vector<taxonomy::ClassNumber> to_classes(std::span<const std::uint32_t> numbers) {
+  std::vector<taxonomy::ClassNumber> classes;
   classes.reserve(numbers.size());
-  for (const std::uint32_t number : numbers) classes.push_back(ClassNumber{number});
+  for (const std::uint32_t number : numbers) classes.push_back(taxonomy::ClassNumber{number});
   return classes;
 }
 
@@ -109,7 +109,7 @@ const LabelsView& Ontology::Mapped::need_labels() const {
   return labels;
 }
 
-const ClassifiedView& Ontology::Mapped::need_axioms() const {
+const taxonomy::ClassifiedView& Ontology::Mapped::need_axioms() const {
   std::call_once(axioms_once, [this] {
     if (auto found = view_axioms(file, taxonomy)) {
       whole = *found;
@@ -132,7 +132,7 @@ std::vector<std::uint32_t> Ontology::Mapped::find_label(std::string_view label) 
   const LabelsView& all = need_labels();
   const std::uint32_t at = lower_bound(all.count(), label, [&](std::uint32_t number) { return all.label(number); });
   if (at == all.count() || all.label(at) != label) return {};
-  const auto found = ClassifiedView::row(all.class_begin, all.classes, at);
+  const auto found = taxonomy::ClassifiedView::row(all.class_begin, all.classes, at);
   std::vector<std::uint32_t> classes(found.begin(), found.end());
   std::ranges::sort(classes);
   classes.erase(std::unique(classes.begin(), classes.end()), classes.end());
@@ -160,11 +160,11 @@ std::vector<std::uint32_t> Ontology::Mapped::walk_up(std::uint32_t node) const {
   return above;
 }
 
-void Ontology::Mapped::add_members(std::uint32_t node, std::vector<ClassNumber>& classes) const {
-  classes.push_back(ClassNumber{node});
-  for (auto member = std::ranges::lower_bound(taxonomy.members, EquivalentMember{node, 0});
+void Ontology::Mapped::add_members(std::uint32_t node, std::vector<taxonomy::ClassNumber>& classes) const {
+  classes.push_back(taxonomy::ClassNumber{node});
+  for (auto member = std::ranges::lower_bound(taxonomy.members, taxonomy::EquivalentMember{node, 0});
        member != taxonomy.members.end() && member->node == node; ++member) {
-    classes.push_back(ClassNumber{member->other});
+    classes.push_back(taxonomy::ClassNumber{member->other});
   }
 }
 
@@ -173,7 +173,7 @@ std::expected<Ontology, CompiledError> Ontology::map(const std::string& path) {
   if (!file) return std::unexpected(CompiledError{file.error()});
   auto mapped = std::make_unique<Mapped>();
   mapped->mapping = std::move(*file);
-  mapped->folder = folder_of(path);
+  mapped->folder = owl::folder_of(path);
   const std::span<const std::byte> all = mapped->mapping.bytes();
   auto finished = Mapped::finish(std::move(mapped), all);
   if (!finished) return std::unexpected(CompiledError{path + ": " + finished.error().text});
@@ -218,35 +218,35 @@ std::vector<std::string> Ontology::gaps() const { return gaps_of(mapped_->taxono
 std::size_t Ontology::axiom_count() const { return counted_axioms(mapped_->taxonomy); }
 bool Ontology::is_consistent() const { return mapped_->taxonomy.is_consistent; }
 
-std::vector<LoadedFile> Ontology::files() const {
-  std::vector<LoadedFile> files = files_of(mapped_->taxonomy);
-  for (LoadedFile& file : files) file.path = seen_from_here(mapped_->folder, file.path);
+std::vector<owl::LoadedFile> Ontology::files() const {
+  std::vector<owl::LoadedFile> files = files_of(mapped_->taxonomy);
+  for (owl::LoadedFile& file : files) file.path = owl::seen_from_here(mapped_->folder, file.path);
   return files;
 }
 
-std::vector<LeftOut> Ontology::left_out() const {
-  std::vector<LeftOut> left_out = left_out_of(mapped_->taxonomy);
-  const std::vector<LoadedFile> known = files();
-  for (LeftOut& one : left_out) {
+std::vector<owl::LeftOut> Ontology::left_out() const {
+  std::vector<owl::LeftOut> left_out = left_out_of(mapped_->taxonomy);
+  const std::vector<owl::LoadedFile> known = files();
+  for (owl::LeftOut& one : left_out) {
     if (one.file < known.size()) one.first = known[one.file].path + ':' + std::to_string(one.line);
   }
   return left_out;
 }
 
 std::optional<std::string> Ontology::stale_source() const {
-  for (const LoadedFile& file : files()) {
+  for (const owl::LoadedFile& file : files()) {
     if (!has_changed(file.path, file.content)) continue;
     return base::printable(file.path, 4096) + " has changed since this was compiled: compile it again";
   }
   return std::nullopt;
 }
 
-std::optional<ClassNumber> Ontology::find_iri(std::string_view iri) const {
-  if (const auto found = mapped_->find_class(iri)) return ClassNumber{*found};
+std::optional<taxonomy::ClassNumber> Ontology::find_iri(std::string_view iri) const {
+  if (const auto found = mapped_->find_class(iri)) return taxonomy::ClassNumber{*found};
   return std::nullopt;
 }
 
-std::expected<ClassNumber, NameError> Ontology::find(std::string_view name) const {
+std::expected<taxonomy::ClassNumber, NameError> Ontology::find(std::string_view name) const {
   using Kind = NameError::Kind;
   const std::string shown = base::printable(name);
   if (name.empty()) return name_error(Kind::malformed, "the name is empty: give prefix:Name, <IRI> or a label");
@@ -274,10 +274,10 @@ std::expected<ClassNumber, NameError> Ontology::find(std::string_view name) cons
   if (found.empty()) found = mapped_->find_label(name);
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  if (found.size() == 1) return ClassNumber{found.front()};
+  if (found.size() == 1) return taxonomy::ClassNumber{found.front()};
   if (found.size() > 1) {
     std::vector<std::string> names;
-    for (const std::uint32_t number : found) names.push_back(short_name(ClassNumber{number}));
+    for (const std::uint32_t number : found) names.push_back(short_name(taxonomy::ClassNumber{number}));
     return name_error(Kind::ambiguous, "'" + shown + "' may be " + alternatives(names) + ": say which");
   }
   if (colon != std::string_view::npos && !has_known_prefix && name.find("//") == std::string_view::npos) {
@@ -295,23 +295,25 @@ std::expected<ClassNumber, NameError> Ontology::find(std::string_view name) cons
   return name_error(Kind::unknown, "no class and no label is '" + shown + "'");
 }
 
-std::string_view Ontology::iri(ClassNumber number) const {
+std::string_view Ontology::iri(taxonomy::ClassNumber number) const {
   return mapped_->taxonomy.class_iri(static_cast<std::uint32_t>(number));
 }
 
-std::string_view Ontology::label(ClassNumber number) const {
+std::string_view Ontology::label(taxonomy::ClassNumber number) const {
   const LabelsView& labels = mapped_->need_labels();
   const auto at = static_cast<std::size_t>(number);
-  if (at >= labels.label_of_class.size() || labels.label_of_class[at] == ClassifiedView::none) return {};
+  if (at >= labels.label_of_class.size() || labels.label_of_class[at] == taxonomy::ClassifiedView::none) return {};
   return labels.label(labels.label_of_class[at]);
 }
 
-std::string Ontology::short_name(ClassNumber number) const { return short_name(iri(number)); }
-std::string Ontology::short_name(std::string_view iri) const { return shorten(iri, mapped_->prefixes); }
+std::string Ontology::short_name(taxonomy::ClassNumber number) const { return short_name(iri(number)); }
+std::string Ontology::short_name(std::string_view iri) const { return owl::shorten(iri, mapped_->prefixes); }
 
-bool Ontology::is_satisfiable(ClassNumber number) const { return !mapped_->is_unsatisfiable(mapped_->node(number)); }
+bool Ontology::is_satisfiable(taxonomy::ClassNumber number) const {
+  return !mapped_->is_unsatisfiable(mapped_->node(number));
+}
 
-std::optional<std::uint32_t> Ontology::distance(ClassNumber sub, ClassNumber super) const {
+std::optional<std::uint32_t> Ontology::distance(taxonomy::ClassNumber sub, taxonomy::ClassNumber super) const {
   if (!is_subsumed(sub, super)) return std::nullopt;
   const std::uint32_t from = mapped_->node(sub);
   const std::uint32_t to = mapped_->node(super);
@@ -327,7 +329,7 @@ std::optional<std::uint32_t> Ontology::distance(ClassNumber sub, ClassNumber sup
       for (const std::uint32_t neighbour : neighbours) {
         if (neighbour == to) return distance;
         // Only what is still below the goal can lead to it.
-        if (is_down || is_subsumed(ClassNumber{neighbour}, super)) next.push_back(neighbour);
+        if (is_down || is_subsumed(taxonomy::ClassNumber{neighbour}, super)) next.push_back(neighbour);
       }
     }
     std::ranges::sort(next);
@@ -337,10 +339,10 @@ std::optional<std::uint32_t> Ontology::distance(ClassNumber sub, ClassNumber sup
   }
 }
 
-std::vector<ClassNumber> Ontology::subsumers(ClassNumber number) const {
-  std::vector<ClassNumber> classes;
+std::vector<taxonomy::ClassNumber> Ontology::subsumers(taxonomy::ClassNumber number) const {
+  std::vector<taxonomy::ClassNumber> classes;
   if (!is_satisfiable(number)) {
-    for (std::uint32_t other = 0; other < class_count(); ++other) classes.push_back(ClassNumber{other});
+    for (std::uint32_t other = 0; other < class_count(); ++other) classes.push_back(taxonomy::ClassNumber{other});
     return classes;
   }
   for (const std::uint32_t node : mapped_->walk_up(mapped_->node(number))) mapped_->add_members(node, classes);
@@ -348,16 +350,16 @@ std::vector<ClassNumber> Ontology::subsumers(ClassNumber number) const {
   return classes;
 }
 
-std::vector<ClassNumber> Ontology::parents(ClassNumber number) const {
+std::vector<taxonomy::ClassNumber> Ontology::parents(taxonomy::ClassNumber number) const {
   return to_classes(mapped_->taxonomy.parents_of(mapped_->node(number)));
 }
 
-std::vector<ClassNumber> Ontology::children(ClassNumber number) const {
+std::vector<taxonomy::ClassNumber> Ontology::children(taxonomy::ClassNumber number) const {
   return to_classes(mapped_->taxonomy.children_of(mapped_->node(number)));
 }
 
-const ClassifiedView& Ontology::view() const { return mapped_->taxonomy; }
-const ClassifiedView& Ontology::axioms() const { return mapped_->need_axioms(); }
-ModuleIndex Ontology::module_index() const { return ModuleIndex(axioms()); }
+const taxonomy::ClassifiedView& Ontology::view() const { return mapped_->taxonomy; }
+const taxonomy::ClassifiedView& Ontology::axioms() const { return mapped_->need_axioms(); }
+modules::ModuleIndex Ontology::module_index() const { return modules::ModuleIndex(axioms()); }
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled

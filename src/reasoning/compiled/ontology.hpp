@@ -19,16 +19,20 @@
 #include "reasoning/taxonomy/interval.hpp"
 #include "reasoning/taxonomy/reach.hpp"
 
-namespace geminga::el {
+namespace geminga::taxonomy {
+struct ClassifiedView;
+}
+namespace geminga::modules {
+class ModuleIndex;
+}
+
+namespace geminga::compiled {
 
 /// Why a name could not be resolved. `text` is one line that says what to do, for a user.
 struct NameError {
   enum class Kind { malformed, unknown, ambiguous } kind = Kind::unknown;
   std::string text;
 };
-
-struct ClassifiedView;
-class ModuleIndex;
 
 /// An immutable classified ontology over a compiled form. Movable, not copyable; safe to read from many threads.
 /// Every string_view and span points into the compiled form and lives as long as the ontology.
@@ -58,12 +62,12 @@ class Ontology {
   /// format.
   [[nodiscard]] std::uint64_t digest() const;
   [[nodiscard]] std::uint32_t class_count() const;
-  [[nodiscard]] std::vector<LoadedFile> files() const;
+  [[nodiscard]] std::vector<owl::LoadedFile> files() const;
   /// One line for a user where a file that this was compiled from has changed since: "soma.owl has changed since this
   /// was compiled: compile it again". Files that are gone are not asked for. Reads the files, so that a copy or a
   /// checkout of the same content is no change.
   [[nodiscard]] std::optional<std::string> stale_source() const;
-  [[nodiscard]] std::vector<LeftOut> left_out() const;
+  [[nodiscard]] std::vector<owl::LeftOut> left_out() const;
   /// Why something may be missing although its axioms were used, one line each. Where this and left_out() are empty,
   /// the taxonomy is complete.
   [[nodiscard]] std::vector<std::string> gaps() const;
@@ -74,61 +78,61 @@ class Ontology {
 
   /// Resolves `prefix:Name`, `<IRI>`, a bare IRI, or a label where it is unambiguous. Labels are asked for where the
   /// name is nothing else.
-  [[nodiscard]] std::expected<ClassNumber, NameError> find(std::string_view name) const;
-  [[nodiscard]] std::optional<ClassNumber> find_iri(std::string_view iri) const;
+  [[nodiscard]] std::expected<taxonomy::ClassNumber, NameError> find(std::string_view name) const;
+  [[nodiscard]] std::optional<taxonomy::ClassNumber> find_iri(std::string_view iri) const;
 
-  [[nodiscard]] std::string_view iri(ClassNumber number) const;
+  [[nodiscard]] std::string_view iri(taxonomy::ClassNumber number) const;
   /// The label, or an empty view. Asks for the labels.
-  [[nodiscard]] std::string_view label(ClassNumber number) const;
+  [[nodiscard]] std::string_view label(taxonomy::ClassNumber number) const;
   /// `prefix:Name` where a prefix of the ontology fits, else `<IRI>`.
-  [[nodiscard]] std::string short_name(ClassNumber number) const;
+  [[nodiscard]] std::string short_name(taxonomy::ClassNumber number) const;
   /// The same for any IRI, known as a class or not.
   [[nodiscard]] std::string short_name(std::string_view iri) const;
 
   /// False where the class is subsumed by owl:Nothing.
-  [[nodiscard]] bool is_satisfiable(ClassNumber number) const;
+  [[nodiscard]] bool is_satisfiable(taxonomy::ClassNumber number) const;
   /// Whether every instance of `sub` is one of `super`. Reflexive. O(1) to O(log n).
-  [[nodiscard]] bool is_subsumed(ClassNumber sub, ClassNumber super) const {
+  [[nodiscard]] bool is_subsumed(taxonomy::ClassNumber sub, taxonomy::ClassNumber super) const {
     const std::uint32_t rank = reach_[static_cast<std::size_t>(sub)].first;
-    const Reach& above = reach_[static_cast<std::size_t>(super)];
+    const taxonomy::Reach& above = reach_[static_cast<std::size_t>(super)];
     // One comparison, since numbers below the first wrap around to large ones.
-    const bool is_in_own = rank - above.first <= (above.extent & ~Reach::flag);
-    const bool is_settled = is_in_own || ((rank | above.extent) & Reach::flag) == 0;
+    const bool is_in_own = rank - above.first <= (above.extent & ~taxonomy::Reach::flag);
+    const bool is_settled = is_in_own || ((rank | above.extent) & taxonomy::Reach::flag) == 0;
     return is_settled ? is_in_own : is_in_further(rank, above);
   }
-  [[nodiscard]] bool is_equivalent(ClassNumber a, ClassNumber b) const {
+  [[nodiscard]] bool is_equivalent(taxonomy::ClassNumber a, taxonomy::ClassNumber b) const {
     return is_subsumed(a, b) && is_subsumed(b, a);
   }
   /// Edges of the shortest way up the taxonomy from `sub` to `super`: 0 for equivalents; nothing where not subsumed.
-  [[nodiscard]] std::optional<std::uint32_t> distance(ClassNumber sub, ClassNumber super) const;
+  [[nodiscard]] std::optional<std::uint32_t> distance(taxonomy::ClassNumber sub, taxonomy::ClassNumber super) const;
   /// Every named class that subsumes this one, itself, its equivalents and owl:Thing included, ascending by number.
-  [[nodiscard]] std::vector<ClassNumber> subsumers(ClassNumber number) const;
+  [[nodiscard]] std::vector<taxonomy::ClassNumber> subsumers(taxonomy::ClassNumber number) const;
   /// Direct superclasses and subclasses in the reduced taxonomy, one representative a node of equivalents, ascending.
   /// Unsatisfiable classes have neither, and are the children of none.
-  [[nodiscard]] std::vector<ClassNumber> parents(ClassNumber number) const;
-  [[nodiscard]] std::vector<ClassNumber> children(ClassNumber number) const;
+  [[nodiscard]] std::vector<taxonomy::ClassNumber> parents(taxonomy::ClassNumber number) const;
+  [[nodiscard]] std::vector<taxonomy::ClassNumber> children(taxonomy::ClassNumber number) const;
 
   /// The taxonomy as numbers. It has no terms and no axioms.
-  [[nodiscard]] const ClassifiedView& view() const;
+  [[nodiscard]] const taxonomy::ClassifiedView& view() const;
   /// The taxonomy with terms and axioms, for who reasons over them; without them where check_axioms() fails.
-  [[nodiscard]] const ClassifiedView& axioms() const;
+  [[nodiscard]] const taxonomy::ClassifiedView& axioms() const;
   /// From names to axioms(). Cheap: it is part of the compiled form.
-  [[nodiscard]] ModuleIndex module_index() const;
+  [[nodiscard]] modules::ModuleIndex module_index() const;
 
  private:
   struct Mapped;
   explicit Ontology(std::unique_ptr<const Mapped> mapped);
   /// What can have no instance is below everything.
-  [[nodiscard]] bool is_in_further(std::uint32_t rank, const Reach& above) const {
-    return (rank & Reach::flag) != 0 ||
-           contains_rank({further_ + above.further_begin, further_ + above.further_end}, rank);
+  [[nodiscard]] bool is_in_further(std::uint32_t rank, const taxonomy::Reach& above) const {
+    return (rank & taxonomy::Reach::flag) != 0 ||
+           taxonomy::contains_rank({further_ + above.further_begin, further_ + above.further_end}, rank);
   }
 
   std::unique_ptr<const Mapped> mapped_;
-  const Reach* reach_ = nullptr;  ///< of each class, in what mapped_ holds
-  const Interval* further_ = nullptr;
+  const taxonomy::Reach* reach_ = nullptr;  ///< of each class, in what mapped_ holds
+  const taxonomy::Interval* further_ = nullptr;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled
 
 #endif

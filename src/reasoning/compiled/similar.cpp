@@ -12,7 +12,7 @@
 #include "compiled_generated.h"
 #include "reasoning/compiled/compiled_view.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 namespace {
 
 std::string_view without_brackets(std::string_view name) {
@@ -87,7 +87,7 @@ std::vector<std::string> find_similar(const Ontology& ontology, std::string_view
   const std::size_t limit = base::tolerated_slips(local);
   std::vector<std::pair<std::size_t, std::string>> found;
   for (const std::uint32_t number : candidates_of(ontology, name, limit, limits.classes)) {
-    const ClassNumber of{number};
+    const taxonomy::ClassNumber of{number};
     const std::size_t by_name = base::edit_distance(local, local_name(ontology.iri(of)), limit);
     const std::size_t by_label =
         ontology.label(of).empty() ? limit + 1 : base::edit_distance(name, ontology.label(of), limit);
@@ -117,4 +117,4 @@ std::string did_you_mean(const std::vector<std::string>& names) {
   return names.empty() ? std::string() : ": did you mean " + alternatives(names) + '?';
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled

@@ -11,7 +11,7 @@
 
 #include "reasoning/compiled/ontology.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 
 /// How far to look.
 struct SimilarLimits {
@@ -43,6 +43,6 @@ inline constexpr std::size_t max_compared_classes = 4096;
 /// `: did you mean A, B or C?`, or nothing where there are none; behind the text of an error.
 [[nodiscard]] std::string did_you_mean(const std::vector<std::string>& names);
 
-}  // namespace geminga::el
+}  // namespace geminga::compiled
 
 #endif

@@ -34,7 +34,7 @@ class Classifier {
  public:
   /// `told` are inclusions that follow, between expressions of a classifier of the same source.
   using Inclusions = std::vector<std::pair<ExprId, ExprId>>;
-  Classifier(const OntologySource& source, const ClassifyOptions& options, Inclusions told)
+  Classifier(const owl::Ontology& source, const ClassifyOptions& options, Inclusions told)
       : source_(source),
         options_(options),
         limits_{.conclusions =
@@ -47,7 +47,7 @@ class Classifier {
   /// What was found to follow besides, of unions; for another classifier.
   [[nodiscard]] const Inclusions& shared() const { return shared_; }
 
-  std::expected<Classification, ClassifyError> run() {
+  std::expected<taxonomy::Classification, ClassifyError> run() {
     if (source_.problem()) return std::unexpected(ClassifyError{*source_.problem()});
     find_classes();
     add_axioms();
@@ -84,20 +84,20 @@ class Classifier {
   /// Every class in an axiom, ascending by IRI, and T and F.
   void find_classes() {
     std::vector<bool> is_used(source_.term_count(), false);
-    is_used[static_cast<std::size_t>(thing_term)] = true;
-    is_used[static_cast<std::size_t>(nothing_term)] = true;
+    is_used[static_cast<std::size_t>(owl::thing_term)] = true;
+    is_used[static_cast<std::size_t>(owl::nothing_term)] = true;
     for (std::size_t number_of_axiom = 0; number_of_axiom < source_.axiom_count(); ++number_of_axiom) {
-      for (const TermId argument : source_.axiom(number_of_axiom).arguments) {
+      for (const owl::TermId argument : source_.axiom(number_of_axiom).arguments) {
         is_used[static_cast<std::size_t>(argument)] = true;
       }
     }
-    std::vector<std::pair<std::string_view, TermId>> named;
+    std::vector<std::pair<std::string_view, owl::TermId>> named;
     // The arguments of a term have smaller numbers than it, so that one pass downwards finds all that is used.
     for (std::uint32_t id = static_cast<std::uint32_t>(source_.term_count()); id-- > 0;) {
       if (!is_used[id]) continue;
-      const Term term = source_.term(TermId{id});
-      for (const TermId argument : term.arguments) is_used[static_cast<std::size_t>(argument)] = true;
-      if (term.kind == TermKind::named_class) named.emplace_back(source_.name(term.name), TermId{id});
+      const owl::Term term = source_.term(owl::TermId{id});
+      for (const owl::TermId argument : term.arguments) is_used[static_cast<std::size_t>(argument)] = true;
+      if (term.kind == owl::TermKind::named_class) named.emplace_back(source_.name(term.name), owl::TermId{id});
     }
     std::ranges::sort(named);
     for (const auto& [iri, term] : named) classes_.push_back(term);
@@ -105,11 +105,11 @@ class Classifier {
 
   void add_axioms() {
     for (std::uint32_t axiom = 0; axiom < source_.axiom_count(); ++axiom) {
-      const Construct unused = normaliser_.add(axiom);
-      if (unused != Construct::none) result_.unused.push_back({axiom, to_string(unused)});
-      if (source_.axiom(axiom).kind != AxiomKind::declaration) ++result_.counts.axioms;
+      const owl::Construct unused = normaliser_.add(axiom);
+      if (unused != owl::Construct::none) result_.unused.push_back({axiom, to_string(unused)});
+      if (source_.axiom(axiom).kind != owl::AxiomKind::declaration) ++result_.counts.axioms;
     }
-    for (const TermId term : classes_) exprs_.push_back(normaliser_.expression(term));
+    for (const owl::TermId term : classes_) exprs_.push_back(normaliser_.expression(term));
     for (const auto& [sub, super] : told_) index_.add_told(sub, super);
     // Where another engine has to do everything again, universals are left to it.
     const bool is_more = normaliser_.open().is_more;
@@ -170,8 +170,8 @@ class Classifier {
   }
 
   void classify_all_properties() {
-    result_.object_properties = classify_properties(source_, PropertyKind::object, result_.is_consistent);
-    result_.data_properties = classify_properties(source_, PropertyKind::data, result_.is_consistent);
+    result_.object_properties = classify_properties(source_, taxonomy::PropertyKind::object, result_.is_consistent);
+    result_.data_properties = classify_properties(source_, taxonomy::PropertyKind::data, result_.is_consistent);
   }
 
   /// False over the limit of conclusions.
@@ -252,18 +252,18 @@ class Classifier {
 
   /// Names the axioms in which a term of one of these kinds occurs, or that are of these kinds themselves.
   template <typename IsConcerned>
-  void leave_out(Construct construct, std::initializer_list<AxiomKind> axioms, IsConcerned&& is_concerned) {
+  void leave_out(owl::Construct construct, std::initializer_list<owl::AxiomKind> axioms, IsConcerned&& is_concerned) {
     std::vector<bool> has_it(source_.term_count(), false);
     for (std::uint32_t id = 0; id < source_.term_count(); ++id) {
-      const Term term = source_.term(TermId{id});
-      has_it[id] = is_concerned(term.kind) || std::ranges::any_of(term.arguments, [&](TermId argument) {
+      const owl::Term term = source_.term(owl::TermId{id});
+      has_it[id] = is_concerned(term.kind) || std::ranges::any_of(term.arguments, [&](owl::TermId argument) {
                      return has_it[static_cast<std::size_t>(argument)];
                    });
     }
     for (std::uint32_t number = 0; number < source_.axiom_count(); ++number) {
-      const Axiom axiom = source_.axiom(number);
+      const owl::Axiom axiom = source_.axiom(number);
       const bool is_here = std::ranges::find(axioms, axiom.kind) != axioms.end() ||
-                           std::ranges::any_of(axiom.arguments, [&](TermId argument) {
+                           std::ranges::any_of(axiom.arguments, [&](owl::TermId argument) {
                              return has_it[static_cast<std::size_t>(argument)];
                            });
       if (is_here) result_.unused.push_back({number, to_string(construct)});
@@ -284,62 +284,65 @@ class Classifier {
     index_.forget_merging();
     for (const auto& [axiom, construct] : normaliser_.uses_of_universals())
       result_.unused.push_back({axiom, to_string(construct)});
-    leave_out(Construct::too_many_merged,
-              {AxiomKind::functional_object_property, AxiomKind::inverse_functional_object_property,
-               AxiomKind::functional_data_property},
-              [](TermKind kind) {
-                return kind == TermKind::object_max_cardinality || kind == TermKind::object_exact_cardinality ||
-                       kind == TermKind::data_max_cardinality || kind == TermKind::data_exact_cardinality;
+    leave_out(owl::Construct::too_many_merged,
+              {owl::AxiomKind::functional_object_property, owl::AxiomKind::inverse_functional_object_property,
+               owl::AxiomKind::functional_data_property},
+              [](owl::TermKind kind) {
+                return kind == owl::TermKind::object_max_cardinality ||
+                       kind == owl::TermKind::object_exact_cardinality || kind == owl::TermKind::data_max_cardinality ||
+                       kind == owl::TermKind::data_exact_cardinality;
               });
   }
 
   void leave_out_nominals() {
     may_settle_ = false;
-    leave_out(Construct::too_many_nominals, {},
-              [](TermKind kind) { return kind == TermKind::object_has_value || kind == TermKind::object_one_of; });
+    leave_out(owl::Construct::too_many_nominals, {}, [](owl::TermKind kind) {
+      return kind == owl::TermKind::object_has_value || kind == owl::TermKind::object_one_of;
+    });
   }
 
   /// By axiom, the first reason of each.
   void sort_unused() {
     std::map<std::uint32_t, std::string_view> reason_of;
-    for (const UnusedAxiom& unused : result_.unused) reason_of.try_emplace(unused.axiom, unused.construct);
+    for (const taxonomy::UnusedAxiom& unused : result_.unused) reason_of.try_emplace(unused.axiom, unused.construct);
     result_.unused.clear();
     for (const auto& [axiom, construct] : reason_of) result_.unused.push_back({axiom, construct});
     result_.counts.used_axioms = result_.counts.axioms - result_.unused.size();
   }
 
   void name_classes() {
-    for (const TermId term : classes_) result_.classes.push_back(source_.term(term).name);
+    for (const owl::TermId term : classes_) result_.classes.push_back(source_.term(term).name);
     const auto find = [&](std::string_view iri) {
       const auto found =
-          std::ranges::lower_bound(result_.classes, iri, {}, [&](NameId id) { return source_.name(id); });
-      return ClassNumber{static_cast<std::uint32_t>(found - result_.classes.begin())};
+          std::ranges::lower_bound(result_.classes, iri, {}, [&](owl::NameId id) { return source_.name(id); });
+      return taxonomy::ClassNumber{static_cast<std::uint32_t>(found - result_.classes.begin())};
     };
-    result_.thing = find(owl_thing);
-    result_.nothing = find(owl_nothing);
+    result_.thing = find(owl::owl_thing);
+    result_.nothing = find(owl::owl_nothing);
   }
 
-  const OntologySource& source_;
+  const owl::Ontology& source_;
   const ClassifyOptions& options_;
   SaturationLimits limits_;
   Inclusions told_;
   Inclusions shared_;
   Index index_;
   Normaliser normaliser_;
-  std::vector<TermId> classes_;
+  std::vector<owl::TermId> classes_;
   std::vector<ExprId> exprs_;
   std::vector<ExprId> asked_;
   std::optional<Settlement> settlement_;
   bool may_settle_ = false;  ///< all that the rules do not use can be tested
-  Classification result_;
+  taxonomy::Classification result_;
 };
 
 }  // namespace
 
-std::expected<Classification, ClassifyError> classify(const OntologySource& source, const ClassifyOptions& options) {
+std::expected<taxonomy::Classification, ClassifyError> classify(const owl::Ontology& source,
+                                                                const ClassifyOptions& options) {
   // What a union is found to be in may show more of what other unions are in. Few rounds find more than one does.
   std::vector<std::pair<ExprId, ExprId>> told;
-  std::optional<Classification> before;
+  std::optional<taxonomy::Classification> before;
   for (unsigned round = 0;; ++round) {
     Classifier classifier(source, options, told);
     auto found = classifier.run();

@@ -1,4 +1,4 @@
-// Classification: from the axioms of an OntologySource to the taxonomy of its named classes.
+// Classification: from the axioms of an Ontology to the taxonomy of its named classes.
 #ifndef GEMINGA_REASONING_EL_CLASSIFY_HPP
 #define GEMINGA_REASONING_EL_CLASSIFY_HPP
 
@@ -32,8 +32,8 @@ struct ClassifyError {
 };
 
 /// Classifies. The result depends only on the set of axioms, not on their order or on threads, unless it is cut off.
-[[nodiscard]] std::expected<Classification, ClassifyError> classify(const OntologySource& source,
-                                                                    const ClassifyOptions& options = {});
+[[nodiscard]] std::expected<taxonomy::Classification, ClassifyError> classify(const owl::Ontology& source,
+                                                                              const ClassifyOptions& options = {});
 
 }  // namespace geminga::el
 

@@ -82,7 +82,7 @@ struct Letter {
 /// What is known of one atom, or of some together. The tails of its lists behind the cursors are its to-do queue: a
 /// conclusion is tested for being new before it is queued, and every pair of premises meets once.
 struct alignas(64) Context {
-  ArenaSet<std::uint32_t> subsumers;  ///< active expressions, and marks of disjointness axioms behind them
+  base::ArenaSet<std::uint32_t> subsumers;  ///< active expressions, and marks of disjointness axioms behind them
   std::uint32_t subsumers_done = 0;
   ExprId root{};  ///< F where it is of some atoms together
   bool is_unsatisfiable = false;
@@ -92,17 +92,17 @@ struct alignas(64) Context {
   /// it, for whom it cannot change.
   std::atomic<std::uint8_t> owner = 0;
   /// Letters from other threads, the last first; null where nobody has it in hand.
-  Inbox<Letter> inbox;
-  ArenaSet<Link> backward;  ///< links that end here
+  parallel::Inbox<Letter> inbox;
+  base::ArenaSet<Link> backward;  ///< links that end here
   std::uint32_t backward_done = 0;
-  ArenaSet<Link> firsts;  ///< of them those that chains may go on from
+  base::ArenaSet<Link> firsts;  ///< of them those that chains may go on from
   std::uint32_t firsts_done = 0;
   std::uint32_t forward_done = 0;
   std::uint32_t selfs_done = 0;
-  ArenaList<Link> forward;        ///< links that begin here, where something wants to know them
-  ArenaList<ExprId> propagating;  ///< subsumers with existential rules
-  ArenaList<ExprId> derived;      ///< atoms above that no told axiom puts there
-  RareList<ExprId> together;      ///< the atoms that it is of, ascending, where they are several
+  base::ArenaList<Link> forward;        ///< links that begin here, where something wants to know them
+  base::ArenaList<ExprId> propagating;  ///< subsumers with existential rules
+  base::ArenaList<ExprId> derived;      ///< atoms above that no told axiom puts there
+  RareList<ExprId> together;            ///< the atoms that it is of, ascending, where they are several
   RareList<RoleId> selfs;
   RareList<FunctionalGroup> groups;
   RareList<ExprId> restricting;      ///< subsumers with universal rules
@@ -110,7 +110,7 @@ struct alignas(64) Context {
   RareList<std::uint32_t> members;   ///< of a nominal's context: the contexts below it
 };
 
-using ContextStore = StableStore<Context>;
+using ContextStore = base::StableStore<Context>;
 
 }  // namespace geminga::el
 

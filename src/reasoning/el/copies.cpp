@@ -47,7 +47,7 @@ void Copies::index_links() {
         links.emplace_back(link.context, Link{link.role, to});
     }
   }
-  forward_ = Rows<Link>(contexts.size(), links);
+  forward_ = base::Rows<Link>(contexts.size(), links);
 }
 
 void Copies::learn_of_contexts() {
@@ -64,7 +64,7 @@ void Copies::learn_of_contexts() {
 }
 
 std::uint32_t Copies::find(std::uint32_t context, ExprId learned) const {
-  return table_.find(mixed(mixed(0, context), number(learned)), [&](std::uint32_t at) {
+  return table_.find(base::mixed(base::mixed(0, context), number(learned)), [&](std::uint32_t at) {
     return copies_[at].context == context && copies_[at].learned == learned;
   });
 }
@@ -79,7 +79,7 @@ std::uint32_t Copies::learn(std::uint32_t context, ExprId learned) {
     return none;
   }
   const auto created = static_cast<std::uint32_t>(copies_.size());
-  table_.insert(mixed(mixed(0, context), number(learned)), created);
+  table_.insert(base::mixed(base::mixed(0, context), number(learned)), created);
   const Growth growth = growing_.growth(context, learned);
   copies_.push_back({context, learned, static_cast<std::uint32_t>(grown_.size()),
                      static_cast<std::uint32_t>(grown_.size()), growth == Growth::forbidden});
@@ -239,7 +239,7 @@ void Copies::teach_new_successors() {
 void Copies::meet() {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::uint32_t at = 0; at < copies_.size(); ++at) pairs.emplace_back(copies_[at].context, at);
-  const Rows<std::uint32_t> copies_of(saturation_.contexts().size(), pairs);
+  const base::Rows<std::uint32_t> copies_of(saturation_.contexts().size(), pairs);
   for (std::size_t context = 0; context < copies_of.row_count() && !is_over_limit_; ++context) {
     if (copies_of[context].size() > 1) meet_at(copies_of[context]);
   }

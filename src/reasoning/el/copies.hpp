@@ -66,7 +66,7 @@ class Copies {
     std::uint32_t copy = 0;
     Link link;
   };
-  static constexpr std::uint32_t none = NumberTable::none;
+  static constexpr std::uint32_t none = base::NumberTable::none;
 
   /// Counts work, and whether it may go on.
   void spend(std::size_t steps);
@@ -102,9 +102,9 @@ class Copies {
   Growing growing_;
   CopyLimits limits_;
   base::BudgetUse use_;
-  Rows<Link> forward_;  ///< by context: links whose end learns something
+  base::Rows<Link> forward_;  ///< by context: links whose end learns something
   std::vector<Copy> copies_;
-  NumberTable table_;
+  base::NumberTable table_;
   std::vector<ExprId> grown_;
   struct Lesson {
     std::uint32_t source = 0;  ///< a copy

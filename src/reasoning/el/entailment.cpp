@@ -10,12 +10,13 @@
 
 namespace geminga::el {
 
-Entailed find_entailed(const OntologySource& source, std::span<const std::uint32_t> axioms, TermId sub, TermId super) {
+Entailed find_entailed(const owl::Ontology& source, std::span<const std::uint32_t> axioms, owl::TermId sub,
+                       owl::TermId super) {
   constexpr std::size_t max_pairs = std::size_t{1} << 26;
   Index index;
   Normaliser normaliser(source, index);
   bool is_complete = true;
-  for (const std::uint32_t axiom : axioms) is_complete &= normaliser.add(axiom) == Construct::none;
+  for (const std::uint32_t axiom : axioms) is_complete &= normaliser.add(axiom) == owl::Construct::none;
   const ExprId from = normaliser.expression(sub);
   const ExprId to = normaliser.expression(super);
   is_complete &= normaliser.finish().empty();

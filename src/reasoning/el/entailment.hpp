@@ -17,12 +17,12 @@ enum class Entailed : std::uint8_t {
 
 /// Whether these axioms of the source entail `sub` SubClassOf `super`, two named classes. Cost: that of the axioms
 /// given and of what the sub class leads to; other classes are not looked at.
-[[nodiscard]] Entailed find_entailed(const OntologySource& source, std::span<const std::uint32_t> axioms, TermId sub,
-                                     TermId super);
+[[nodiscard]] Entailed find_entailed(const owl::Ontology& source, std::span<const std::uint32_t> axioms,
+                                     owl::TermId sub, owl::TermId super);
 
 /// Whether it is found to be entailed.
-[[nodiscard]] inline bool entails(const OntologySource& source, std::span<const std::uint32_t> axioms, TermId sub,
-                                  TermId super) {
+[[nodiscard]] inline bool entails(const owl::Ontology& source, std::span<const std::uint32_t> axioms, owl::TermId sub,
+                                  owl::TermId super) {
   return find_entailed(source, axioms, sub, super) == Entailed::yes;
 }
 

@@ -63,7 +63,7 @@ class Finished {
   }
 
   void spread() {
-    const Rows<std::uint32_t> below(is_open_.size(), below_);
+    const base::Rows<std::uint32_t> below(is_open_.size(), below_);
     while (!newly_open_.empty()) {
       const std::uint32_t node = newly_open_.back();
       newly_open_.pop_back();

@@ -106,7 +106,7 @@ class HeirWorker {
   std::vector<std::uint32_t> all_items_;
   std::vector<std::uint32_t> new_items_;
   std::vector<std::uint32_t> found_;
-  Arena arena_;
+  base::Arena arena_;
 };
 
 }  // namespace geminga::el

@@ -10,7 +10,7 @@ namespace geminga::el {
 namespace {
 
 std::uint64_t hash_of(const Expr& expr) {
-  return mixed(mixed(static_cast<std::uint64_t>(expr.kind), expr.first), expr.second);
+  return base::mixed(base::mixed(static_cast<std::uint64_t>(expr.kind), expr.first), expr.second);
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ ExprId Index::intern(const Expr& expr) {
   const std::uint32_t found = table_.find(hash, [&](std::uint32_t filed) {
     return exprs_[filed].kind == expr.kind && exprs_[filed].first == expr.first && exprs_[filed].second == expr.second;
   });
-  if (found != NumberTable::none) return ExprId{found};
+  if (found != base::NumberTable::none) return ExprId{found};
   const ExprId id = add(expr);
   table_.insert(hash, number(id));
   return id;
@@ -221,13 +221,13 @@ void Index::find_representatives() {
   for (const auto& pair : atom_pairs_) {
     if (exprs_[pair.first].kind <= ExprKind::nominal) edges.push_back(pair);
   }
-  const Rows<ExprId> up(count, edges);
-  const Components components = find_components(count, [&](std::uint32_t node) { return up[node]; });
+  const base::Rows<ExprId> up(count, edges);
+  const base::Components components = base::find_components(count, [&](std::uint32_t node) { return up[node]; });
   representative_.assign(count, top_expr);
-  std::vector<std::uint32_t> first_of(components.count, NumberTable::none);
+  std::vector<std::uint32_t> first_of(components.count, base::NumberTable::none);
   for (std::uint32_t id = 0; id < count; ++id) {
     std::uint32_t& first = first_of[components.component[id]];
-    if (first == NumberTable::none) first = id;
+    if (first == base::NumberTable::none) first = id;
     representative_[id] = ExprId{first};
   }
   supers_first_ = std::move(first_of);
@@ -241,15 +241,15 @@ void Index::find_representatives() {
 }
 
 template <typename Item>
-Rows<Item> Index::rows_of(std::vector<std::pair<std::uint32_t, Item>>& pairs) const {
+base::Rows<Item> Index::rows_of(std::vector<std::pair<std::uint32_t, Item>>& pairs) const {
   for (auto& [row, item] : pairs) row = number(representative_[row]);
-  Rows<Item> rows(exprs_.size(), pairs);
+  base::Rows<Item> rows(exprs_.size(), pairs);
   pairs.clear();
   pairs.shrink_to_fit();
   return rows;
 }
 // For index_merging.cpp.
-template Rows<RoleId> Index::rows_of(std::vector<std::pair<std::uint32_t, RoleId>>& pairs) const;
+template base::Rows<RoleId> Index::rows_of(std::vector<std::pair<std::uint32_t, RoleId>>& pairs) const;
 
 void Index::sort_rules() {
   for (auto& [row, item] : atom_pairs_) item = representative_[number(item)];
@@ -319,7 +319,7 @@ bool Index::is_told_below(ExprId sub, ExprId super) const {
 bool Index::find_frontiers(std::size_t max_items) {
   frontier_begin_.assign(exprs_.size(), 0);
   frontier_count_.assign(exprs_.size(), 0);
-  std::vector<std::uint32_t> seen_from(exprs_.size(), NumberTable::none);
+  std::vector<std::uint32_t> seen_from(exprs_.size(), base::NumberTable::none);
   for (const std::uint32_t id : supers_first_) {
     if (exprs_[id].kind > ExprKind::nominal) continue;
     frontier_begin_[id] = static_cast<std::uint32_t>(frontier_items_.size());

@@ -200,11 +200,11 @@ class Index {
   void find_link_roots();
   [[nodiscard]] bool find_frontiers(std::size_t max_items);
   template <typename Item>
-  Rows<Item> rows_of(std::vector<std::pair<std::uint32_t, Item>>& pairs) const;
+  base::Rows<Item> rows_of(std::vector<std::pair<std::uint32_t, Item>>& pairs) const;
 
   Roles roles_;
   std::vector<Expr> exprs_;
-  NumberTable table_;
+  base::NumberTable table_;
   std::vector<bool> is_negative_;
   std::vector<std::pair<ExprId, ExprId>> told_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> disjoint_pairs_;  ///< expression, number of the axiom
@@ -228,19 +228,19 @@ class Index {
   std::vector<ExprId> values_;      ///< atoms at the end of links of data roles
   std::vector<bool> is_value_rep_;
   std::vector<bool> is_active_;
-  Rows<ExprId> told_atoms_;
-  Rows<LinkRule> links_;
-  Rows<RoleId> selfs_;
-  Rows<ConjunctionRule> conjunctions_;
-  Rows<ExistentialRule> existentials_;
-  Rows<std::uint32_t> disjointness_;
-  Rows<UniversalRule> universals_;
+  base::Rows<ExprId> told_atoms_;
+  base::Rows<LinkRule> links_;
+  base::Rows<RoleId> selfs_;
+  base::Rows<ConjunctionRule> conjunctions_;
+  base::Rows<ExistentialRule> existentials_;
+  base::Rows<std::uint32_t> disjointness_;
+  base::Rows<UniversalRule> universals_;
   std::vector<ExprId> negative_selfs_;  ///< by role
   std::vector<std::pair<std::uint32_t, RoleId>> functional_pairs_;
   std::vector<bool> may_be_functional_;  ///< by role; empty: none is
   std::vector<bool> is_functional_;
-  Rows<ExprId> functional_in_;
-  Rows<RoleId> functional_roles_;
+  base::Rows<ExprId> functional_in_;
+  base::Rows<RoleId> functional_roles_;
   std::vector<ExprId> frontier_items_;
   std::vector<std::uint32_t> frontier_begin_;
   std::vector<std::uint32_t> frontier_count_;

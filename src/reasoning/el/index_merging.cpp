@@ -19,7 +19,7 @@ void Index::find_functional() {
     }
   }
   std::erase_if(functional_pairs_, [](const auto& pair) { return ExprId{pair.first} == top_expr; });
-  functional_in_ = Rows<ExprId>(roles_.count(), by_role);
+  functional_in_ = base::Rows<ExprId>(roles_.count(), by_role);
   functional_roles_ = rows_of(functional_pairs_);
   may_be_functional_.assign(roles_.count(), false);
   for (std::uint32_t role = 0; role < roles_.count(); ++role) {

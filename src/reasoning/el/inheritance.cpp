@@ -55,7 +55,7 @@ bool Inheritance::run(unsigned threads) {
   if (threads <= 1) {
     workers_.front()->run_alone();
   } else {
-    run_together(shared_, workers_, std::min(threads, max_threads));
+    parallel::run_together(shared_, workers_, std::min(threads, parallel::max_threads));
   }
   return !shared_.is_over_limit;
 }
@@ -80,7 +80,7 @@ std::uint32_t HeirWorker::require(ExprId atom) {
       std::this_thread::yield();  // another thread is making it
       known = entry.load(std::memory_order_acquire);
     } else if (entry.compare_exchange_weak(known, Inheriting::claimed_node, std::memory_order_acq_rel)) {
-      Claim claim(entry, Inheriting::no_node_yet);
+      parallel::Claim claim(entry, Inheriting::no_node_yet);
       const std::uint32_t created = nodes_.add();
       Node& node = nodes_[created];
       node.root = number(atom);
@@ -95,7 +95,7 @@ std::uint32_t HeirWorker::require(ExprId atom) {
 }
 
 std::uint32_t HeirWorker::require_existential(RoleId role, std::uint32_t filler) {
-  const std::uint64_t hash = mixed(mixed(0, static_cast<std::uint32_t>(role)), filler);
+  const std::uint64_t hash = base::mixed(base::mixed(0, static_cast<std::uint32_t>(role)), filler);
   Inheriting::Part& part = shared_.existentials[hash % Inheriting::part_count];
   std::uint32_t created = no_node;
   {
@@ -103,7 +103,7 @@ std::uint32_t HeirWorker::require_existential(RoleId role, std::uint32_t filler)
     const std::uint32_t known = part.table.find(hash, [&](std::uint32_t candidate) {
       return nodes_[candidate].root == static_cast<std::uint32_t>(role) && nodes_[candidate].filler == filler;
     });
-    if (known != NumberTable::none) return known;
+    if (known != base::NumberTable::none) return known;
     created = nodes_.add();
     Node& node = nodes_[created];
     node.root = static_cast<std::uint32_t>(role);

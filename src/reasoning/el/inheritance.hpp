@@ -42,7 +42,7 @@ struct Inheriting {
   /// The nodes of existentials by role and filler, in parts with a lock each.
   struct Part {
     std::mutex mutex;
-    NumberTable table;
+    base::NumberTable table;
   };
   static constexpr std::size_t part_count = 64;
   std::array<Part, part_count> existentials;

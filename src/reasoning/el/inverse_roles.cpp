@@ -9,19 +9,22 @@ namespace {
 constexpr std::size_t max_states = 200;                  // of an automaton
 constexpr std::size_t max_pairs = std::size_t{1} << 22;  // of roles that are asked for and roles of links
 
-Role role_of(RoleId role, bool is_inverse) { return {PropertyId{static_cast<std::uint32_t>(role)}, is_inverse}; }
+owl::Role role_of(RoleId role, bool is_inverse) {
+  return {owl::PropertyId{static_cast<std::uint32_t>(role)}, is_inverse};
+}
 
-void sort_unique(std::vector<Role>& roles) {
+void sort_unique(std::vector<owl::Role>& roles) {
   std::ranges::sort(roles);
   roles.erase(std::ranges::unique(roles).begin(), roles.end());
 }
 
 /// The states of which every move is one of the beginning, too: what they end is a word of its own, or nothing is left.
-std::vector<bool> find_beginnings(const Automaton& automaton) {
+std::vector<bool> find_beginnings(const owl::Automaton& automaton) {
   std::vector<bool> found(automaton.state_count(), true);
-  for (const Automaton::Move& move : automaton.moves()) {
-    if (move.from == Automaton::begin) continue;
-    if (!std::ranges::binary_search(automaton.moves(), Automaton::Move{Automaton::begin, move.label, move.to}))
+  for (const owl::Automaton::Move& move : automaton.moves()) {
+    if (move.from == owl::Automaton::begin) continue;
+    if (!std::ranges::binary_search(automaton.moves(),
+                                    owl::Automaton::Move{owl::Automaton::begin, move.label, move.to}))
       found[move.from] = false;
   }
   return found;
@@ -66,18 +69,18 @@ InverseRoles::InverseRoles(const Index& index, std::span<const InverseInclusion>
       ranges_(index.roles().count()) {
   if (inverses.empty()) return;
   const Roles& roles = index.roles();
-  std::vector<RoleInclusion> inclusions;
+  std::vector<owl::RoleInclusion> inclusions;
   for (const auto& [sub, super] : roles.told_supers())
     inclusions.push_back({role_of(RoleId{sub}, false), role_of(super, false)});
   for (const InverseInclusion& told : inverses)
     inclusions.push_back({role_of(told.sub, false), role_of(told.super, true)});
-  std::vector<RoleChain> chains;
+  std::vector<owl::RoleChain> chains;
   for (const Roles::Chain& chain : roles.chains()) {
     chains.push_back({{role_of(chain.first, false), role_of(chain.second, false)},
                       role_of(chain.result, false),
                       static_cast<std::uint32_t>(chains.size())});
   }
-  const RoleBox box(roles.count(), inclusions, chains, max_states);
+  const owl::RoleBox box(roles.count(), inclusions, chains, max_states);
   if (!box.left_out().empty()) {
     is_known_.assign(roles.count(), false);
     return;
@@ -102,9 +105,9 @@ InverseRoles::InverseRoles(const Index& index, std::span<const InverseInclusion>
   std::size_t pairs = 0;
   for (std::uint32_t heard = 0; heard < roles.count(); ++heard) {
     if (!is_recognised[heard] && index.range_of(RoleId{heard}) == top_expr) continue;
-    const Role role = box.canonical(role_of(RoleId{heard}, false));
-    Automaton one_link;
-    one_link.add_move(Automaton::begin, role, Automaton::end);
+    const owl::Role role = box.canonical(role_of(RoleId{heard}, false));
+    owl::Automaton one_link;
+    one_link.add_move(owl::Automaton::begin, role, owl::Automaton::end);
     pairs += roles.count();
     if (pairs > max_pairs) {
       is_known_.assign(roles.count(), false);
@@ -114,17 +117,17 @@ InverseRoles::InverseRoles(const Index& index, std::span<const InverseInclusion>
   }
 }
 
-void InverseRoles::learn(RoleId heard, const Automaton& automaton, bool is_existential, const RoleBox& box) {
+void InverseRoles::learn(RoleId heard, const owl::Automaton& automaton, bool is_existential, const owl::RoleBox& box) {
   for (std::uint32_t link = 0; link < learning_.size(); ++link) learn(RoleId{link}, heard, automaton, is_existential);
   const std::vector<bool> begins = find_beginnings(automaton);
-  const auto goes_back = [&](const Automaton::Move& move) {
-    return begins[move.from] && std::ranges::any_of(backward_, [&](const std::vector<Role>& letters) {
+  const auto goes_back = [&](const owl::Automaton::Move& move) {
+    return begins[move.from] && std::ranges::any_of(backward_, [&](const std::vector<owl::Role>& letters) {
              return std::ranges::binary_search(letters, move.label);
            });
   };
   if (index_.range_of(heard) == top_expr || std::ranges::none_of(automaton.moves(), goes_back)) return;
   // A word that goes back first may end with any of its last letters, which must bring the range with them.
-  for (const Automaton::Move& move : automaton.moves()) {
+  for (const owl::Automaton::Move& move : automaton.moves()) {
     if (!automaton.is_final(move.to)) continue;
     for (std::uint32_t link = 0; link < learning_.size(); ++link) {
       const bool is_last = std::ranges::binary_search(forward_[link], move.label);
@@ -136,21 +139,21 @@ void InverseRoles::learn(RoleId heard, const Automaton& automaton, bool is_exist
 }
 
 //  A walk along a word of S comes from y to x by the inverse of the link, and from x to y by the link.
-void InverseRoles::learn(RoleId link, RoleId heard, const Automaton& automaton, bool is_existential) {
+void InverseRoles::learn(RoleId link, RoleId heard, const owl::Automaton& automaton, bool is_existential) {
   const auto at = static_cast<std::size_t>(link);
   const auto& moves = automaton.moves();
   const std::vector<bool> begins = find_beginnings(automaton);
-  const auto is_letter = [](const std::vector<Role>& letters, Role label) {
+  const auto is_letter = [](const std::vector<owl::Role>& letters, owl::Role label) {
     return std::ranges::binary_search(letters, label);
   };
-  const auto has_moves = [&](Automaton::State state) {
-    return std::ranges::any_of(moves, [&](const Automaton::Move& move) { return move.from == state; });
+  const auto has_moves = [&](owl::Automaton::State state) {
+    return std::ranges::any_of(moves, [&](const owl::Automaton::Move& move) { return move.from == state; });
   };
   Learning found{.role = heard};
-  for (const Automaton::Move& move : moves) {
+  for (const owl::Automaton::Move& move : moves) {
     if (is_letter(backward_[at], move.label)) {
       // What y learns must not come back to x by the same link.
-      const bool comes_back = std::ranges::any_of(moves, [&](const Automaton::Move& before) {
+      const bool comes_back = std::ranges::any_of(moves, [&](const owl::Automaton::Move& before) {
         return before.to == move.from && is_letter(forward_[at], before.label);
       });
       // What is left of a word after it has gone back must be a word again, which an expression stands for. Where it
@@ -160,8 +163,8 @@ void InverseRoles::learn(RoleId link, RoleId heard, const Automaton& automaton, 
       if (begins[move.from]) {
         found.filler = found.filler || automaton.is_final(move.to);
         // What is left of a word must be any word, not some of them.
-        if (move.to != Automaton::begin && has_moves(move.to)) is_known_[at] = false;
-        found.further = found.further || move.to == Automaton::begin;
+        if (move.to != owl::Automaton::begin && has_moves(move.to)) is_known_[at] = false;
+        found.further = found.further || move.to == owl::Automaton::begin;
         if (automaton.is_final(move.to)) ranges_[at].push_back(heard);
       }
     }
@@ -171,8 +174,9 @@ void InverseRoles::learn(RoleId link, RoleId heard, const Automaton& automaton, 
         found.is_partial = true;
       } else {
         found.recognises = found.recognises || automaton.is_final(move.to);
-        found.carries = found.carries || move.to == Automaton::begin;
-        found.is_partial = found.is_partial || (move.to != Automaton::begin && begins[move.to] && has_moves(move.to));
+        found.carries = found.carries || move.to == owl::Automaton::begin;
+        found.is_partial =
+            found.is_partial || (move.to != owl::Automaton::begin && begins[move.to] && has_moves(move.to));
       }
     }
   }

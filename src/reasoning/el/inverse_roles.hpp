@@ -85,8 +85,8 @@ class InverseRoles {
   }
 
  private:
-  void learn(RoleId heard, const Automaton& automaton, bool is_existential, const RoleBox& box);
-  void learn(RoleId link, RoleId heard, const Automaton& automaton, bool is_existential);
+  void learn(RoleId heard, const owl::Automaton& automaton, bool is_existential, const owl::RoleBox& box);
+  void learn(RoleId link, RoleId heard, const owl::Automaton& automaton, bool is_existential);
 
   const Index& index_;
   std::vector<std::vector<ImpliedRole>> implied_;
@@ -94,8 +94,9 @@ class InverseRoles {
   std::vector<bool> tells_end_;
   std::vector<bool> is_known_;
   std::vector<std::vector<RoleId>> ranges_;
-  std::vector<std::vector<Role>> forward_;   ///< by role: canonical roles from a link's beginning to its end, ascending
-  std::vector<std::vector<Role>> backward_;  ///< and from its end to its beginning
+  std::vector<std::vector<owl::Role>>
+      forward_;  ///< by role: canonical roles from a link's beginning to its end, ascending
+  std::vector<std::vector<owl::Role>> backward_;  ///< and from its end to its beginning
 };
 
 }  // namespace geminga::el

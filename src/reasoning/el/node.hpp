@@ -53,12 +53,12 @@ struct NodeLetter {
 /// It is final when all that is above it is: then nothing can come any more, and what nobody is expected to ask for is
 /// let go. Who asks for it all the same lets it begin anew, once.
 struct alignas(32) Node {
-  ArenaSet<std::uint32_t> items;
+  base::ArenaSet<std::uint32_t> items;
   std::uint32_t root = 0;          ///< the atom; of an existential, its role
   std::uint32_t filler = no_node;  ///< of an existential: the node that it leads to
   std::uint32_t pending = 0;       ///< how many nodes that it asked have not told it anything yet
   std::uint32_t expected = 0;      ///< how many will ask, by what is told
-  Inbox<NodeLetter> inbox;
+  parallel::Inbox<NodeLetter> inbox;
   /// Nobody else may touch the node but the worker of this rank, for whom it cannot change; 0: it is at rest.
   std::atomic<std::uint8_t> owner = 0;
   bool is_unsatisfiable : 1 = false;
@@ -75,16 +75,16 @@ struct alignas(32) Node {
   std::uint32_t heirs_served = 0;
   std::uint32_t sources_told = 0;
   std::uint32_t selfs_told = 0;
-  ArenaList<std::uint32_t> todo;     ///< items that were concluded here, whose rules are still to be applied
-  ArenaList<std::uint32_t> heirs;    ///< nodes right below
-  ArenaList<std::uint32_t> sources;  ///< nodes of existentials whose filler this is
-  ArenaList<std::uint32_t> above;    ///< right above, where no told axiom puts it: atoms, and nodes behind them
-  ArenaList<RoleId> selfs;
+  base::ArenaList<std::uint32_t> todo;     ///< items that were concluded here, whose rules are still to be applied
+  base::ArenaList<std::uint32_t> heirs;    ///< nodes right below
+  base::ArenaList<std::uint32_t> sources;  ///< nodes of existentials whose filler this is
+  base::ArenaList<std::uint32_t> above;    ///< right above, where no told axiom puts it: atoms, and nodes behind them
+  base::ArenaList<RoleId> selfs;
 
   [[nodiscard]] bool is_existential() const { return filler != no_node; }
 };
 
-using NodeStore = StableStore<Node>;
+using NodeStore = base::StableStore<Node>;
 
 }  // namespace geminga::el
 

@@ -12,16 +12,16 @@ constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#
 
 }  // namespace
 
-ExprId Normaliser::make_datatype(const Term& term) {
+ExprId Normaliser::make_datatype(const owl::Term& term) {
   const std::string_view iri = source_.name(term.name);
   if (iri == rdfs_literal) return top_expr;
   const ExprId expr = index_.add_atom();
-  if (const auto type = Datatype::find(iri)) datatypes_.emplace_back(*type, expr);
+  if (const auto type = owl::Datatype::find(iri)) datatypes_.emplace_back(*type, expr);
   return expr;
 }
 
 // Literals with the same value are one atom. Of a literal whose datatype nobody knows it is known that it is itself.
-ExprId Normaliser::make_literal(TermId id, const Term& term) {
+ExprId Normaliser::make_literal(owl::TermId id, const owl::Term& term) {
   auto value = value_of(source_, term);
   if (!value) return index_.add_atom();
   family_of_literal_.emplace(id, value->family);
@@ -34,20 +34,20 @@ ExprId Normaliser::make_literal(TermId id, const Term& term) {
   return known->second;
 }
 
-void Normaliser::use_negative_literal(TermId id) {
+void Normaliser::use_negative_literal(owl::TermId id) {
   note_literal(id);
   const auto family = family_of_literal_.find(id);
   if (family != family_of_literal_.end()) has_negative_literal_[static_cast<std::size_t>(family->second)] = true;
 }
 
-void Normaliser::note_literal(TermId id) {
+void Normaliser::note_literal(owl::TermId id) {
   const auto exact = is_exact_literal_.find(id);
   if (exact != is_exact_literal_.end() && !exact->second) note_use(family_of_literal_.at(id));
 }
 
-Construct Normaliser::use_positive_datatype(const Term& term) {
-  if (const auto type = Datatype::find(source_.name(term.name))) note_use(*type);
-  return Construct::none;
+owl::Construct Normaliser::use_positive_datatype(const owl::Term& term) {
+  if (const auto type = owl::Datatype::find(source_.name(term.name))) note_use(*type);
+  return owl::Construct::none;
 }
 
 void Normaliser::relate_data() {
@@ -56,8 +56,8 @@ void Normaliser::relate_data() {
     index_.mark_negative(both_of_them);
     index_.add_told(both_of_them, bottom_expr);
   };
-  std::array<ExprId, data_family_count> families{};
-  const auto put_under_family = [&](ExprId expr, DataFamily family) {
+  std::array<ExprId, owl::data_family_count> families{};
+  const auto put_under_family = [&](ExprId expr, owl::DataFamily family) {
     ExprId& atom = families[static_cast<std::size_t>(family)];
     if (atom == top_expr) atom = index_.add_atom();
     index_.add_told(expr, atom);

@@ -38,11 +38,11 @@ void Normaliser::mirror_roles() {
       });
     });
   }
-  std::set<std::pair<std::vector<Role>, Role>> known;
-  for (const RoleChain& chain : chains_) known.emplace(chain.word, chain.super);
+  std::set<std::pair<std::vector<owl::Role>, owl::Role>> known;
+  for (const owl::RoleChain& chain : chains_) known.emplace(chain.word, chain.super);
   const std::size_t told = chains_.size();
   for (std::size_t at = 0; at < told; ++at) {
-    const RoleChain chain = chains_[at];
+    const owl::RoleChain chain = chains_[at];
     std::vector<std::vector<RoleId>> words = {{}};
     for (std::size_t letter = chain.word.size(); letter-- > 0;) {
       std::vector<std::vector<RoleId>> longer;
@@ -60,7 +60,7 @@ void Normaliser::mirror_roles() {
     for (const ImpliedRole& super : implied[static_cast<std::size_t>(chain.super.property)]) {
       if (!super.is_backward) continue;
       for (const std::vector<RoleId>& word : words) {
-        std::vector<Role> roles;
+        std::vector<owl::Role> roles;
         for (const RoleId role : word) roles.push_back(role_of(role));
         if (known.emplace(std::move(roles), role_of(super.role)).second) add_chain(word, super.role);
       }

@@ -5,17 +5,17 @@
 
 namespace geminga::el {
 
-Construct Normaliser::add_key(const Axiom& axiom) {
-  const TermId of = axiom.arguments[0];
-  Construct unused = use_negative(of);
+owl::Construct Normaliser::add_key(const owl::Axiom& axiom) {
+  const owl::TermId of = axiom.arguments[0];
+  owl::Construct unused = use_negative(of);
   Key key{current_axiom_, expression(of), {}};
-  for (const TermId argument : axiom.arguments.subspan(1)) {
+  for (const owl::TermId argument : axiom.arguments.subspan(1)) {
     const Property one = property(argument);
-    if (one.is_top) return Construct::top_property;
-    if (one.is_inverse) return Construct::inverse_of;
+    if (one.is_top) return owl::Construct::top_property;
+    if (one.is_inverse) return owl::Construct::inverse_of;
     key.properties.push_back(one);
   }
-  if (key.properties.empty()) return Construct::has_key;
+  if (key.properties.empty()) return owl::Construct::has_key;
   keys_.push_back(std::move(key));
   return unused;
 }
@@ -27,12 +27,12 @@ Construct Normaliser::add_key(const Axiom& axiom) {
 void Normaliser::use_keys(Unused& unused) {
   if (keys_.empty()) return;
   std::vector<ExprId> named;
-  std::vector<TermId> literals;
+  std::vector<owl::TermId> literals;
   for (std::uint32_t id = 0; id < source_.term_count(); ++id) {
-    if (exprs_[id] == NumberTable::none) continue;
-    const TermKind kind = source_.kind(TermId{id});
-    if (kind == TermKind::individual) named.push_back(ExprId{exprs_[id]});
-    if (kind == TermKind::literal) literals.push_back(TermId{id});
+    if (exprs_[id] == base::NumberTable::none) continue;
+    const owl::TermKind kind = source_.kind(owl::TermId{id});
+    if (kind == owl::TermKind::individual) named.push_back(ExprId{exprs_[id]});
+    if (kind == owl::TermKind::literal) literals.push_back(owl::TermId{id});
   }
   if (named.size() < 2) return;  // then no two can be found to be one
   const ExprId is_named = index_.add_atom();
@@ -44,12 +44,12 @@ void Normaliser::use_keys(Unused& unused) {
       if (tuples > max_key_tuples) break;
     }
     if (tuples > max_key_tuples) {
-      unused.emplace_back(key.axiom, Construct::has_key);
+      unused.emplace_back(key.axiom, owl::Construct::has_key);
       continue;
     }
     current_axiom_ = key.axiom;
     std::vector<ExprId> values;
-    for (const TermId literal : literals) {
+    for (const owl::TermId literal : literals) {
       const bool is_wanted = std::ranges::any_of(key.properties, &Property::is_data);
       if (is_wanted) use_negative(literal);
       values.push_back(expression(literal));

@@ -19,7 +19,7 @@ Normaliser::Unused Normaliser::finish(Universals universals) {
 
 // A term adds its rules once, but each axiom that holds it stands for itself. Of what one axiom holds more than once,
 // once is enough.
-void Normaliser::repeat_uses(TermId term, bool is_positive) {
+void Normaliser::repeat_uses(owl::TermId term, bool is_positive) {
   const auto found = uses_of_term_.find({term, is_positive});
   if (found == uses_of_term_.end() || found->second.axiom == current_axiom_) return;
   found->second.axiom = current_axiom_;
@@ -30,30 +30,30 @@ void Normaliser::repeat_uses(TermId term, bool is_positive) {
 // is in two datatypes that overlap is in their intersection, which may be finite or a part of a third: the datatypes of
 // OWL 2 EL are chosen so that this never happens. Of inexact literals nobody knows whether others have their value.
 void Normaliser::find_unused_data(Unused& unused) const {
-  const auto overlap = [](Datatype one, Datatype other) {
+  const auto overlap = [](owl::Datatype one, owl::Datatype other) {
     return one.family() == other.family() && !one.is_within(other) && !other.is_within(one) && !one.is_disjoint(other);
   };
   // Few datatypes are used by many axioms.
-  std::vector<Datatype> used;
+  std::vector<owl::Datatype> used;
   for (const LaterUse& later : later_) {
-    const auto* type = std::get_if<Datatype>(&later.use);
+    const auto* type = std::get_if<owl::Datatype>(&later.use);
     if (type == nullptr) continue;
-    const auto is_same = [&](Datatype other) {
+    const auto is_same = [&](owl::Datatype other) {
       return type->family() == other.family() && type->is_within(other) && other.is_within(*type);
     };
     if (std::ranges::none_of(used, is_same)) used.push_back(*type);
   }
-  std::array<std::size_t, data_family_count> value_counts{};
+  std::array<std::size_t, owl::data_family_count> value_counts{};
   for (const auto& [value, expr] : values_) ++value_counts[static_cast<std::size_t>(value.family)];
   for (const LaterUse& later : later_) {
-    if (const auto* family = std::get_if<DataFamily>(&later.use)) {
+    if (const auto* family = std::get_if<owl::DataFamily>(&later.use)) {
       if (value_counts[static_cast<std::size_t>(*family)] > 1)
-        unused.emplace_back(later.axiom, Construct::inexact_literal);
-    } else if (const auto* type = std::get_if<Datatype>(&later.use)) {
+        unused.emplace_back(later.axiom, owl::Construct::inexact_literal);
+    } else if (const auto* type = std::get_if<owl::Datatype>(&later.use)) {
       if (type->is_finite() && has_negative_literal_[static_cast<std::size_t>(type->family())]) {
-        unused.emplace_back(later.axiom, Construct::finite_datatype);
-      } else if (std::ranges::any_of(used, [&](Datatype other) { return overlap(*type, other); })) {
-        unused.emplace_back(later.axiom, Construct::overlapping_datatypes);
+        unused.emplace_back(later.axiom, owl::Construct::finite_datatype);
+      } else if (std::ranges::any_of(used, [&](owl::Datatype other) { return overlap(*type, other); })) {
+        unused.emplace_back(later.axiom, owl::Construct::overlapping_datatypes);
       }
     }
   }

@@ -3,8 +3,8 @@
 
 namespace geminga::el {
 
-Construct Normaliser::beyond(Construct construct) {
-  open_.is_more = open_.is_more || construct != Construct::none;
+owl::Construct Normaliser::beyond(owl::Construct construct) {
+  open_.is_more = open_.is_more || construct != owl::Construct::none;
   return construct;
 }
 
@@ -29,7 +29,7 @@ void Normaliser::open_count(std::vector<OpenCount>& counts, const OpenCount& cou
 }
 
 //  sub R, super inverse S:  R(x,y) says S(y,x)
-Construct Normaliser::open_inverse(const Property& sub, const Property& super, Construct construct) {
+owl::Construct Normaliser::open_inverse(const Property& sub, const Property& super, owl::Construct construct) {
   if (sub.is_top || super.is_top) return beyond(construct);
   open_.inverses.push_back({sub.role, super.role});
   return construct;

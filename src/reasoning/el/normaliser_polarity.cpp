@@ -5,10 +5,12 @@
 namespace geminga::el {
 namespace {
 
-Construct both(Construct first, Construct second) { return first != Construct::none ? first : second; }
+owl::Construct both(owl::Construct first, owl::Construct second) {
+  return first != owl::Construct::none ? first : second;
+}
 
 /// min R C is given as min R T where it is not qualified.
-bool is_qualified(const Term& term) { return term.arguments.size() == 2; }
+bool is_qualified(const owl::Term& term) { return term.arguments.size() == 2; }
 
 }  // namespace
 
@@ -18,139 +20,139 @@ ExprId Normaliser::negative_some(const Property& property, ExprId filler) {
   return some;
 }
 
-Construct Normaliser::use_negative(TermId id) { return use_once(id, false); }
+owl::Construct Normaliser::use_negative(owl::TermId id) { return use_once(id, false); }
 
-Construct Normaliser::use_positive(TermId id) { return use_once(id, true); }
+owl::Construct Normaliser::use_positive(owl::TermId id) { return use_once(id, true); }
 
-Construct Normaliser::use_once(TermId id, bool is_positive) {
+owl::Construct Normaliser::use_once(owl::TermId id, bool is_positive) {
   std::uint8_t& known = (is_positive ? positive_ : negative_)[static_cast<std::size_t>(id)];
   if (known == 0) {
     const std::size_t begin = later_.size();
-    const Construct unused = is_positive ? make_positive(id) : make_negative(id);
+    const owl::Construct unused = is_positive ? make_positive(id) : make_negative(id);
     known = static_cast<std::uint8_t>(1 + static_cast<int>(unused));
     if (later_.size() != begin) uses_of_term_[{id, is_positive}] = {begin, later_.size(), current_axiom_};
   } else if (!uses_of_term_.empty()) {
     repeat_uses(id, is_positive);
   }
-  return static_cast<Construct>(known - 1);
+  return static_cast<owl::Construct>(known - 1);
 }
 
-Construct Normaliser::use_negative_filler(const Term& term) {
-  return is_qualified(term) ? use_negative(term.arguments[1]) : Construct::none;
+owl::Construct Normaliser::use_negative_filler(const owl::Term& term) {
+  return is_qualified(term) ? use_negative(term.arguments[1]) : owl::Construct::none;
 }
 
-Construct Normaliser::use_positive_filler(const Term& term) {
-  return is_qualified(term) ? use_positive(term.arguments[1]) : Construct::none;
+owl::Construct Normaliser::use_positive_filler(const owl::Term& term) {
+  return is_qualified(term) ? use_positive(term.arguments[1]) : owl::Construct::none;
 }
 
-Construct Normaliser::make_negative(TermId id) {
-  const Term term = source_.term(id);
+owl::Construct Normaliser::make_negative(owl::TermId id) {
+  const owl::Term term = source_.term(id);
   const ExprId expr = expression(id);
   // What is T or F is exact as it is, whatever it was written with.
-  if (expr == top_expr || expr == bottom_expr) return Construct::none;
-  Construct unused = Construct::none;
+  if (expr == top_expr || expr == bottom_expr) return owl::Construct::none;
+  owl::Construct unused = owl::Construct::none;
   switch (term.kind) {
-    case TermKind::named_class:
-    case TermKind::datatype:
-    case TermKind::individual:
-    case TermKind::anonymous_individual:
-      return Construct::none;
-    case TermKind::literal:
+    case owl::TermKind::named_class:
+    case owl::TermKind::datatype:
+    case owl::TermKind::individual:
+    case owl::TermKind::anonymous_individual:
+      return owl::Construct::none;
+    case owl::TermKind::literal:
       use_negative_literal(id);
-      return Construct::none;
-    case TermKind::object_intersection_of:
-    case TermKind::data_intersection_of:
-      for (const TermId part : term.arguments) unused = both(unused, use_negative(part));
+      return owl::Construct::none;
+    case owl::TermKind::object_intersection_of:
+    case owl::TermKind::data_intersection_of:
+      for (const owl::TermId part : term.arguments) unused = both(unused, use_negative(part));
       index_.mark_negative(expr);
       return unused;
-    case TermKind::object_union_of:
-    case TermKind::data_union_of:
-    case TermKind::object_one_of:
-    case TermKind::data_one_of:
+    case owl::TermKind::object_union_of:
+    case owl::TermKind::data_union_of:
+    case owl::TermKind::object_one_of:
+    case owl::TermKind::data_one_of:
       //  C or D < E  is  C < X, D < X, X < E
-      for (const TermId part : term.arguments) {
+      for (const owl::TermId part : term.arguments) {
         unused = both(unused, use_negative(part));
         index_.add_told(expression(part), expr);
       }
       return unused;
-    case TermKind::object_complement_of:
+    case owl::TermKind::object_complement_of:
       return source_.kind(term.arguments[0]) == term.kind ? use_negative(source_.term(term.arguments[0]).arguments[0])
-                                                          : beyond(Construct::complement_of);
-    case TermKind::data_complement_of:
-      return beyond(Construct::datatype_complement);
-    case TermKind::datatype_restriction:
-      return beyond(Construct::datatype_restriction);
+                                                          : beyond(owl::Construct::complement_of);
+    case owl::TermKind::data_complement_of:
+      return beyond(owl::Construct::datatype_complement);
+    case owl::TermKind::datatype_restriction:
+      return beyond(owl::Construct::datatype_restriction);
     default:
       return make_negative_restriction(term, expr);
   }
 }
 
-Construct Normaliser::make_negative_restriction(const Term& term, ExprId expr) {
+owl::Construct Normaliser::make_negative_restriction(const owl::Term& term, ExprId expr) {
   const Property role = property(term.arguments[0]);
-  if (role.is_top) return beyond(Construct::top_property);
+  if (role.is_top) return beyond(owl::Construct::top_property);
   switch (term.kind) {
-    case TermKind::object_has_self:
-      note_use(SimpleUse{role.role, Construct::self_not_simple});
+    case owl::TermKind::object_has_self:
+      note_use(SimpleUse{role.role, owl::Construct::self_not_simple});
       index_.mark_negative(expr);
-      return Construct::none;
-    case TermKind::object_all_values_from:
-    case TermKind::data_all_values_from:
-      return beyond(Construct::all_values_from);
-    case TermKind::object_max_cardinality:
-    case TermKind::data_max_cardinality:
-    case TermKind::object_exact_cardinality:
-    case TermKind::data_exact_cardinality:
-      return beyond(Construct::max_cardinality);
-    case TermKind::object_min_cardinality:
-    case TermKind::data_min_cardinality:
-      if (term.number > 1) return beyond(Construct::min_cardinality);
+      return owl::Construct::none;
+    case owl::TermKind::object_all_values_from:
+    case owl::TermKind::data_all_values_from:
+      return beyond(owl::Construct::all_values_from);
+    case owl::TermKind::object_max_cardinality:
+    case owl::TermKind::data_max_cardinality:
+    case owl::TermKind::object_exact_cardinality:
+    case owl::TermKind::data_exact_cardinality:
+      return beyond(owl::Construct::max_cardinality);
+    case owl::TermKind::object_min_cardinality:
+    case owl::TermKind::data_min_cardinality:
+      if (term.number > 1) return beyond(owl::Construct::min_cardinality);
       break;
     default:
       break;
   }
-  if (role.is_inverse) return beyond(Construct::inverse_of);
+  if (role.is_inverse) return beyond(owl::Construct::inverse_of);
   index_.mark_negative(expr);
   return use_negative_filler(term);
 }
 
-Construct Normaliser::make_positive(TermId id) {
-  const Term term = source_.term(id);
+owl::Construct Normaliser::make_positive(owl::TermId id) {
+  const owl::Term term = source_.term(id);
   const ExprId expr = expression(id);
-  if (expr == top_expr || expr == bottom_expr) return Construct::none;
-  Construct unused = Construct::none;
+  if (expr == top_expr || expr == bottom_expr) return owl::Construct::none;
+  owl::Construct unused = owl::Construct::none;
   switch (term.kind) {
-    case TermKind::named_class:
-    case TermKind::individual:
-    case TermKind::anonymous_individual:
-      return Construct::none;
-    case TermKind::datatype:
+    case owl::TermKind::named_class:
+    case owl::TermKind::individual:
+    case owl::TermKind::anonymous_individual:
+      return owl::Construct::none;
+    case owl::TermKind::datatype:
       return use_positive_datatype(term);
-    case TermKind::literal:
+    case owl::TermKind::literal:
       note_literal(id);
-      return Construct::none;
-    case TermKind::object_intersection_of:
-    case TermKind::data_intersection_of:
-      for (const TermId part : term.arguments) unused = both(unused, use_positive(part));
+      return owl::Construct::none;
+    case owl::TermKind::object_intersection_of:
+    case owl::TermKind::data_intersection_of:
+      for (const owl::TermId part : term.arguments) unused = both(unused, use_positive(part));
       return unused;
-    case TermKind::object_union_of:
-    case TermKind::data_union_of:
-    case TermKind::object_one_of:
-    case TermKind::data_one_of: {
+    case owl::TermKind::object_union_of:
+    case owl::TermKind::data_union_of:
+    case owl::TermKind::object_one_of:
+    case owl::TermKind::data_one_of: {
       std::size_t possible = 0;
-      for (const TermId part : term.arguments) {
+      for (const owl::TermId part : term.arguments) {
         unused = both(unused, use_positive(part));
         if (expression(part) != bottom_expr && expression(part) == expr) ++possible;
       }
       if (possible > 0) return unused;  // it is one of its parts, the others being empty or equal
-      if (term.kind == TermKind::data_union_of) return beyond(Construct::datatype_union);
-      if (term.kind == TermKind::data_one_of) return beyond(Construct::one_of);
+      if (term.kind == owl::TermKind::data_union_of) return beyond(owl::Construct::datatype_union);
+      if (term.kind == owl::TermKind::data_one_of) return beyond(owl::Construct::one_of);
       std::vector<ExprId> parts;
-      for (const TermId part : term.arguments) parts.push_back(expression(part));
+      for (const owl::TermId part : term.arguments) parts.push_back(expression(part));
       open_union(expr, parts);
-      return term.kind == TermKind::object_union_of ? Construct::union_of : Construct::one_of;
+      return term.kind == owl::TermKind::object_union_of ? owl::Construct::union_of : owl::Construct::one_of;
     }
-    case TermKind::object_complement_of:
-    case TermKind::data_complement_of: {
+    case owl::TermKind::object_complement_of:
+    case owl::TermKind::data_complement_of: {
       if (source_.kind(term.arguments[0]) == term.kind)
         return use_positive(source_.term(term.arguments[0]).arguments[0]);
       //  C < not D  is  C < X, X and D < F
@@ -159,58 +161,58 @@ Construct Normaliser::make_positive(TermId id) {
       index_.add_told(clash, bottom_expr);
       return use_negative(term.arguments[0]);
     }
-    case TermKind::datatype_restriction:
-      return beyond(Construct::datatype_restriction);
+    case owl::TermKind::datatype_restriction:
+      return beyond(owl::Construct::datatype_restriction);
     default:
       return make_positive_restriction(term, expr);
   }
 }
 
-Construct Normaliser::make_positive_restriction(const Term& term, ExprId expr) {
+owl::Construct Normaliser::make_positive_restriction(const owl::Term& term, ExprId expr) {
   const Property role = property(term.arguments[0]);
-  if (role.is_top) return beyond(Construct::top_property);
-  Construct unused = Construct::none;
+  if (role.is_top) return beyond(owl::Construct::top_property);
+  owl::Construct unused = owl::Construct::none;
   switch (term.kind) {
-    case TermKind::object_has_self:
-      return Construct::none;
-    case TermKind::object_all_values_from:
-    case TermKind::data_all_values_from:
+    case owl::TermKind::object_has_self:
+      return owl::Construct::none;
+    case owl::TermKind::object_all_values_from:
+    case owl::TermKind::data_all_values_from:
       return use_all_values(role, term.arguments[1], expr);
-    case TermKind::object_max_cardinality:
-    case TermKind::data_max_cardinality:
+    case owl::TermKind::object_max_cardinality:
+    case owl::TermKind::data_max_cardinality:
       return use_at_most(term.number, role, term, expr);
-    case TermKind::object_exact_cardinality:
-    case TermKind::data_exact_cardinality: {
-      const ExprId most = opaque_restriction(TermKind::object_max_cardinality, term.number, role, filler_of(term));
+    case owl::TermKind::object_exact_cardinality:
+    case owl::TermKind::data_exact_cardinality: {
+      const ExprId most = opaque_restriction(owl::TermKind::object_max_cardinality, term.number, role, filler_of(term));
       unused = use_at_most(term.number, role, term, most);
       if (term.number == 0) return unused;
       [[fallthrough]];
     }
-    case TermKind::object_min_cardinality:
-    case TermKind::data_min_cardinality:
+    case owl::TermKind::object_min_cardinality:
+    case owl::TermKind::data_min_cardinality:
       unused = both(unused, use_positive_filler(term));
-      if (role.is_inverse) return both(unused, beyond(Construct::inverse_of));
+      if (role.is_inverse) return both(unused, beyond(owl::Construct::inverse_of));
       if (term.number == 1) return unused;
       return both(unused, use_at_least(term.number, role, term));
     default:
       unused = use_positive_filler(term);
-      return both(unused, role.is_inverse ? beyond(Construct::inverse_of) : Construct::none);
+      return both(unused, role.is_inverse ? beyond(owl::Construct::inverse_of) : owl::Construct::none);
   }
 }
 
-Construct Normaliser::use_all_values(const Property& role, TermId filler, ExprId expr) {
-  const TermKind kind = source_.kind(filler);
+owl::Construct Normaliser::use_all_values(const Property& role, owl::TermId filler, ExprId expr) {
+  const owl::TermKind kind = source_.kind(filler);
   if (role.is_inverse) {
     //  C < inverse R only D  is  C < X, R some X < D
     index_.add_told(negative_some(role, expr), expression(filler));
     return use_positive(filler);
   }
   ExprId excluded = bottom_expr;
-  Construct unused = Construct::none;
+  owl::Construct unused = owl::Construct::none;
   if (expression(filler) == bottom_expr) {
     excluded = top_expr;
-  } else if (kind == TermKind::object_complement_of || kind == TermKind::data_complement_of) {
-    const TermId negated = source_.term(filler).arguments[0];
+  } else if (kind == owl::TermKind::object_complement_of || kind == owl::TermKind::data_complement_of) {
+    const owl::TermId negated = source_.term(filler).arguments[0];
     excluded = expression(negated);
     unused = use_negative(negated);
   } else {
@@ -226,24 +228,24 @@ Construct Normaliser::use_all_values(const Property& role, TermId filler, ExprId
 }
 
 //  at least n R C < R some C
-Construct Normaliser::use_at_least(std::uint32_t count, const Property& role, const Term& term) {
-  const ExprId expr = opaque_restriction(TermKind::object_min_cardinality, count, role, filler_of(term));
+owl::Construct Normaliser::use_at_least(std::uint32_t count, const Property& role, const owl::Term& term) {
+  const ExprId expr = opaque_restriction(owl::TermKind::object_min_cardinality, count, role, filler_of(term));
   index_.add_told(expr, index_.existential(role.role, filler_of(term)));
-  if (role.is_data) return beyond(Construct::min_cardinality);
+  if (role.is_data) return beyond(owl::Construct::min_cardinality);
   open_count(open_.at_least, {expr, role.role, count});
-  return Construct::min_cardinality;
+  return owl::Construct::min_cardinality;
 }
 
-Construct Normaliser::use_at_most(std::uint32_t limit, const Property& role, const Term& term, ExprId expr) {
+owl::Construct Normaliser::use_at_most(std::uint32_t limit, const Property& role, const owl::Term& term, ExprId expr) {
   if (limit == 1 && !role.is_inverse && filler_of(term) == top_expr) {
-    if (!role.is_data) note_use(SimpleUse{role.role, Construct::max_cardinality_not_simple});
+    if (!role.is_data) note_use(SimpleUse{role.role, owl::Construct::max_cardinality_not_simple});
     index_.add_functional(expr, role.role);
-    return Construct::none;
+    return owl::Construct::none;
   }
   if (limit > 0) {
-    if (role.is_inverse || role.is_data) return beyond(Construct::max_cardinality);
+    if (role.is_inverse || role.is_data) return beyond(owl::Construct::max_cardinality);
     open_count(open_.at_most, {expr, role.role, limit});
-    return Construct::max_cardinality;
+    return owl::Construct::max_cardinality;
   }
   //  C < at most 0 R D          is  C < X, X and R some D < F
   //  C < at most 0 inverse R D  is  C < X, R some X and D < F

@@ -9,7 +9,7 @@
 namespace geminga::el {
 namespace {
 
-constexpr std::uint32_t none = NumberTable::none;
+constexpr std::uint32_t none = base::NumberTable::none;
 constexpr std::string_view owl = "http://www.w3.org/2002/07/owl#";
 
 bool is_in_owl(std::string_view iri, std::string_view local) {
@@ -17,11 +17,11 @@ bool is_in_owl(std::string_view iri, std::string_view local) {
 }
 
 /// min R C is given as min R T where it is not qualified.
-bool is_qualified(const Term& term) { return term.arguments.size() == 2; }
+bool is_qualified(const owl::Term& term) { return term.arguments.size() == 2; }
 
 }  // namespace
 
-Normaliser::Normaliser(const OntologySource& source, Index& index)
+Normaliser::Normaliser(const owl::Ontology& source, Index& index)
     : source_(source),
       index_(index),
       exprs_(source.term_count(), none),
@@ -29,15 +29,15 @@ Normaliser::Normaliser(const OntologySource& source, Index& index)
       positive_(source.term_count(), 0),
       roles_(source.term_count(), none) {}
 
-Normaliser::Property Normaliser::property(TermId id) {
-  const Term term = source_.term(id);
-  if (term.kind == TermKind::object_inverse_of) {
+Normaliser::Property Normaliser::property(owl::TermId id) {
+  const owl::Term term = source_.term(id);
+  if (term.kind == owl::TermKind::object_inverse_of) {
     Property inverse = property(term.arguments[0]);
     inverse.is_inverse = !inverse.is_top;  // the inverse of the top property is itself
     return inverse;
   }
   Property result;
-  result.is_data = term.kind == TermKind::data_property;
+  result.is_data = term.kind == owl::TermKind::data_property;
   const std::string_view iri = source_.name(term.name);
   result.is_top = is_in_owl(iri, result.is_data ? "topDataProperty" : "topObjectProperty");
   std::uint32_t& role = roles_[static_cast<std::size_t>(id)];
@@ -54,52 +54,52 @@ Normaliser::Property Normaliser::property(TermId id) {
   return result;
 }
 
-ExprId Normaliser::expression(TermId id) {
+ExprId Normaliser::expression(owl::TermId id) {
   const auto index = static_cast<std::size_t>(id);
   if (exprs_[index] == none) exprs_[index] = number(make_expression(id));
   return ExprId{exprs_[index]};
 }
 
-ExprId Normaliser::make_expression(TermId id) {
-  const Term term = source_.term(id);
+ExprId Normaliser::make_expression(owl::TermId id) {
+  const owl::Term term = source_.term(id);
   switch (term.kind) {
-    case TermKind::named_class: {
+    case owl::TermKind::named_class: {
       const std::string_view iri = source_.name(term.name);
-      if (iri == owl_thing) return top_expr;
-      if (iri == owl_nothing) return bottom_expr;
+      if (iri == owl::owl_thing) return top_expr;
+      if (iri == owl::owl_nothing) return bottom_expr;
       return index_.add_atom();
     }
-    case TermKind::datatype:
+    case owl::TermKind::datatype:
       return make_datatype(term);
-    case TermKind::literal:
+    case owl::TermKind::literal:
       return make_literal(id, term);
-    case TermKind::individual:
-    case TermKind::anonymous_individual:
+    case owl::TermKind::individual:
+    case owl::TermKind::anonymous_individual:
       individuals_.push_back(index_.add_nominal());
       return individuals_.back();
-    case TermKind::object_intersection_of:
-    case TermKind::data_intersection_of: {
+    case owl::TermKind::object_intersection_of:
+    case owl::TermKind::data_intersection_of: {
       std::vector<ExprId> parts;
-      for (const TermId part : term.arguments) parts.push_back(expression(part));
+      for (const owl::TermId part : term.arguments) parts.push_back(expression(part));
       return index_.conjunction(std::move(parts));
     }
-    case TermKind::object_union_of:
-    case TermKind::data_union_of:
-    case TermKind::object_one_of:
-    case TermKind::data_one_of: {
+    case owl::TermKind::object_union_of:
+    case owl::TermKind::data_union_of:
+    case owl::TermKind::object_one_of:
+    case owl::TermKind::data_one_of: {
       std::vector<ExprId> parts;
-      for (const TermId part : term.arguments) parts.push_back(expression(part));
+      for (const owl::TermId part : term.arguments) parts.push_back(expression(part));
       return make_union(parts);
     }
-    case TermKind::object_complement_of:
-    case TermKind::data_complement_of: {
+    case owl::TermKind::object_complement_of:
+    case owl::TermKind::data_complement_of: {
       const ExprId part = expression(term.arguments[0]);
       if (part == top_expr) return bottom_expr;
       if (part == bottom_expr) return top_expr;
       if (source_.kind(term.arguments[0]) == term.kind) return expression(source_.term(term.arguments[0]).arguments[0]);
-      return opaque(TermKind::object_complement_of, 0, {number(part)});
+      return opaque(owl::TermKind::object_complement_of, 0, {number(part)});
     }
-    case TermKind::datatype_restriction:
+    case owl::TermKind::datatype_restriction:
       return index_.add_atom();
     default:
       return make_restriction(id, term);
@@ -116,50 +116,52 @@ ExprId Normaliser::make_union(const std::vector<ExprId>& parts) {
   key.erase(std::unique(key.begin(), key.end()), key.end());
   if (key.empty()) return bottom_expr;
   if (key.size() == 1) return ExprId{key.front()};
-  return opaque(TermKind::object_union_of, 0, std::move(key));
+  return opaque(owl::TermKind::object_union_of, 0, std::move(key));
 }
 
-ExprId Normaliser::filler_of(const Term& term) { return is_qualified(term) ? expression(term.arguments[1]) : top_expr; }
+ExprId Normaliser::filler_of(const owl::Term& term) {
+  return is_qualified(term) ? expression(term.arguments[1]) : top_expr;
+}
 
-ExprId Normaliser::make_some(const Property& property, ExprId filler, TermId) {
+ExprId Normaliser::make_some(const Property& property, ExprId filler, owl::TermId) {
   if (filler == bottom_expr) return bottom_expr;
-  if (property.is_inverse) return opaque_restriction(TermKind::object_some_values_from, 0, property, filler);
+  if (property.is_inverse) return opaque_restriction(owl::TermKind::object_some_values_from, 0, property, filler);
   return index_.existential(property.role, filler);
 }
 
-ExprId Normaliser::make_restriction(TermId id, const Term& term) {
+ExprId Normaliser::make_restriction(owl::TermId id, const owl::Term& term) {
   const Property role = property(term.arguments[0]);
   switch (term.kind) {
-    case TermKind::object_some_values_from:
-    case TermKind::data_some_values_from:
-    case TermKind::object_has_value:
-    case TermKind::data_has_value:
+    case owl::TermKind::object_some_values_from:
+    case owl::TermKind::data_some_values_from:
+    case owl::TermKind::object_has_value:
+    case owl::TermKind::data_has_value:
       return make_some(role, expression(term.arguments[1]), id);
-    case TermKind::object_has_self:
+    case owl::TermKind::object_has_self:
       return index_.self(role.role);
-    case TermKind::object_all_values_from:
-    case TermKind::data_all_values_from: {
+    case owl::TermKind::object_all_values_from:
+    case owl::TermKind::data_all_values_from: {
       const ExprId filler = expression(term.arguments[1]);
-      return filler == top_expr ? top_expr : opaque_restriction(TermKind::object_all_values_from, 0, role, filler);
+      return filler == top_expr ? top_expr : opaque_restriction(owl::TermKind::object_all_values_from, 0, role, filler);
     }
-    case TermKind::object_min_cardinality:
-    case TermKind::data_min_cardinality:
+    case owl::TermKind::object_min_cardinality:
+    case owl::TermKind::data_min_cardinality:
       if (term.number == 0) return top_expr;
       if (term.number == 1 || filler_of(term) == bottom_expr) return make_some(role, filler_of(term), id);
-      return opaque_restriction(TermKind::object_min_cardinality, term.number, role, filler_of(term));
-    case TermKind::object_max_cardinality:
-    case TermKind::data_max_cardinality:
+      return opaque_restriction(owl::TermKind::object_min_cardinality, term.number, role, filler_of(term));
+    case owl::TermKind::object_max_cardinality:
+    case owl::TermKind::data_max_cardinality:
       if (filler_of(term) == bottom_expr) return top_expr;
-      return opaque_restriction(TermKind::object_max_cardinality, term.number, role, filler_of(term));
-    case TermKind::object_exact_cardinality:
-    case TermKind::data_exact_cardinality: {
+      return opaque_restriction(owl::TermKind::object_max_cardinality, term.number, role, filler_of(term));
+    case owl::TermKind::object_exact_cardinality:
+    case owl::TermKind::data_exact_cardinality: {
       const ExprId filler = filler_of(term);
       if (filler == bottom_expr) return term.number == 0 ? top_expr : bottom_expr;
-      const ExprId most = opaque_restriction(TermKind::object_max_cardinality, term.number, role, filler);
+      const ExprId most = opaque_restriction(owl::TermKind::object_max_cardinality, term.number, role, filler);
       if (term.number == 0) return most;
       const ExprId least = term.number == 1
                                ? make_some(role, filler, id)
-                               : opaque_restriction(TermKind::object_min_cardinality, term.number, role, filler);
+                               : opaque_restriction(owl::TermKind::object_min_cardinality, term.number, role, filler);
       return index_.conjunction({least, most});
     }
     default:
@@ -168,12 +170,13 @@ ExprId Normaliser::make_restriction(TermId id, const Term& term) {
   }
 }
 
-ExprId Normaliser::opaque_restriction(TermKind kind, std::uint32_t limit, const Property& property, ExprId filler) {
+ExprId Normaliser::opaque_restriction(owl::TermKind kind, std::uint32_t limit, const Property& property,
+                                      ExprId filler) {
   return opaque(kind, limit,
                 {static_cast<std::uint32_t>(property.role), property.is_inverse ? 1U : 0U, number(filler)});
 }
 
-ExprId Normaliser::opaque(TermKind kind, std::uint32_t limit, std::vector<std::uint32_t> key) {
+ExprId Normaliser::opaque(owl::TermKind kind, std::uint32_t limit, std::vector<std::uint32_t> key) {
   key.push_back(limit);
   key.push_back(static_cast<std::uint32_t>(kind));
   const auto filed = [&](std::uint32_t entry) {

@@ -18,9 +18,9 @@ namespace {
 constexpr std::size_t max_automaton_states = 1000;  // of one property
 
 /// The roles whose automata lack something: a chain that is not regular, or one of too many, is somewhere below them.
-std::vector<bool> find_partial(const Roles& closed, const RoleBox& box, std::span<const RoleChain> chains) {
+std::vector<bool> find_partial(const Roles& closed, const owl::RoleBox& box, std::span<const owl::RoleChain> chains) {
   std::vector<bool> is_partial(closed.count(), false);
-  const auto touch = [&](Role role) {
+  const auto touch = [&](owl::Role role) {
     bool is_new = false;
     for (const RoleId super : closed.supers(RoleId{static_cast<std::uint32_t>(role.property)})) {
       is_new = is_new || !is_partial[static_cast<std::size_t>(super)];
@@ -29,18 +29,18 @@ std::vector<bool> find_partial(const Roles& closed, const RoleBox& box, std::spa
     return is_new;
   };
   for (const std::uint32_t chain : box.left_out()) touch(chains[chain].super);
-  const auto has_partial = [&](const RoleChain& chain) {
+  const auto has_partial = [&](const owl::RoleChain& chain) {
     return std::ranges::any_of(chain.word,
-                               [&](Role part) { return is_partial[static_cast<std::size_t>(part.property)]; });
+                               [&](owl::Role part) { return is_partial[static_cast<std::size_t>(part.property)]; });
   };
   for (bool changed = true; changed;) {
     changed = false;
-    for (const RoleChain& chain : chains) changed = (has_partial(chain) && touch(chain.super)) || changed;
+    for (const owl::RoleChain& chain : chains) changed = (has_partial(chain) && touch(chain.super)) || changed;
   }
   return is_partial;
 }
 
-RoleId label_of(const Automaton::Move& move) { return RoleId{static_cast<std::uint32_t>(move.label.property)}; }
+RoleId label_of(const owl::Automaton::Move& move) { return RoleId{static_cast<std::uint32_t>(move.label.property)}; }
 
 }  // namespace
 
@@ -67,9 +67,9 @@ void Normaliser::add_universals(Universals universals, Unused& unused) {
   find_not_simple(closed, unused);
   const std::vector<std::size_t> over_chains = find_ranges_over_chains(closed);
   if (over_chains.empty() && universals_.empty()) return;
-  std::vector<RoleInclusion> inclusions;
+  std::vector<owl::RoleInclusion> inclusions;
   for (const auto& [sub, super] : closed.told_supers()) inclusions.push_back({role_of(RoleId{sub}), role_of(super)});
-  const RoleBox box(closed.count(), inclusions, chains_, max_automaton_states);
+  const owl::RoleBox box(closed.count(), inclusions, chains_, max_automaton_states);
   const std::vector<bool> is_partial = find_partial(closed, box, chains_);
   const auto can_use = [&](RoleId role) {
     return universals == Universals::used && !is_partial[static_cast<std::size_t>(role)];
@@ -80,7 +80,7 @@ void Normaliser::add_universals(Universals universals, Unused& unused) {
     const Range& range = ranges_[at];
     const bool is_used = can_use(range.role);
     if (is_used) ranges_of[range.role].push_back(range.range);
-    (is_used ? uses_of_universals_ : unused).emplace_back(range.axiom, Construct::range_over_chain);
+    (is_used ? uses_of_universals_ : unused).emplace_back(range.axiom, owl::Construct::range_over_chain);
   }
   for (const auto& [role, ranges] : ranges_of) add_range_over_chains(role, ranges, box);
   for (const Universal& universal : universals_) {
@@ -91,15 +91,15 @@ void Normaliser::add_universals(Universals universals, Unused& unused) {
     const auto* use = std::get_if<UniversalUse>(&later.use);
     if (use == nullptr) continue;
     const bool is_used = can_use(universals_[use->universal].property.role);
-    (is_used ? uses_of_universals_ : unused).emplace_back(later.axiom, Construct::all_values_from);
+    (is_used ? uses_of_universals_ : unused).emplace_back(later.axiom, owl::Construct::all_values_from);
   }
   std::ranges::sort(uses_of_universals_);
 }
 
 //  Q < R only C  is  Q < S only Q'  for each move S of the automaton of R from its first state to Q', the same for its
 //  other states, and Q'' < C for the final ones
-void Normaliser::add_universal(ExprId restricting, const Property& property, ExprId filler, const RoleBox& box) {
-  const Role role = role_of(property.role);
+void Normaliser::add_universal(ExprId restricting, const Property& property, ExprId filler, const owl::RoleBox& box) {
+  const owl::Role role = role_of(property.role);
   if (property.is_data || box.is_simple(role)) {
     // What is said of values must not be said of what else is in a class of the same atom.
     const ExprId target = property.is_data ? index_.add_atom() : filler;
@@ -107,30 +107,30 @@ void Normaliser::add_universal(ExprId restricting, const Property& property, Exp
     index_.add_universal(restricting, property.role, target);
     return;
   }
-  const Automaton& automaton = box.automaton(box.canonical(role));
+  const owl::Automaton& automaton = box.automaton(box.canonical(role));
   std::vector<ExprId> states(automaton.state_count(), restricting);
-  for (Automaton::State state = 0; state < automaton.state_count(); ++state) {
-    if (state != Automaton::begin) states[state] = index_.add_atom();
+  for (owl::Automaton::State state = 0; state < automaton.state_count(); ++state) {
+    if (state != owl::Automaton::begin) states[state] = index_.add_atom();
     if (automaton.is_final(state)) index_.add_told(states[state], filler);
   }
-  for (const Automaton::Move& move : automaton.moves()) {
+  for (const owl::Automaton::Move& move : automaton.moves()) {
     index_.add_universal(states[move.from], label_of(move), states[move.to]);
   }
 }
 
 //  T < R only C  is the same with T as the first state, of which Q < S only Q' is the range Q' of S
-void Normaliser::add_range_over_chains(RoleId role, std::span<const ExprId> ranges, const RoleBox& box) {
-  const Automaton& automaton = box.automaton(box.canonical(role_of(role)));
+void Normaliser::add_range_over_chains(RoleId role, std::span<const ExprId> ranges, const owl::RoleBox& box) {
+  const owl::Automaton& automaton = box.automaton(box.canonical(role_of(role)));
   std::vector<ExprId> states(automaton.state_count(), top_expr);
-  for (Automaton::State state = 0; state < automaton.state_count(); ++state) {
-    if (state == Automaton::begin) continue;
+  for (owl::Automaton::State state = 0; state < automaton.state_count(); ++state) {
+    if (state == owl::Automaton::begin) continue;
     states[state] = index_.add_atom();
     if (!automaton.is_final(state)) continue;
     for (const ExprId range : ranges) index_.add_told(states[state], range);
   }
-  for (const Automaton::Move& move : automaton.moves()) {
-    if (move.to == Automaton::begin) continue;
-    if (move.from == Automaton::begin) {
+  for (const owl::Automaton::Move& move : automaton.moves()) {
+    if (move.to == owl::Automaton::begin) continue;
+    if (move.from == owl::Automaton::begin) {
       index_.add_told(index_.range_atom(label_of(move)), states[move.to]);
     } else {
       index_.add_universal(states[move.from], label_of(move), states[move.to]);

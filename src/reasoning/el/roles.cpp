@@ -31,7 +31,7 @@ void Roles::add_chain(std::span<const RoleId> chain, RoleId super) {
 bool Roles::close(std::size_t max_pairs) { return close_hierarchy(max_pairs) && close_chains(max_pairs); }
 
 bool Roles::close_hierarchy(std::size_t max_pairs) {
-  Rows<RoleId> told(count_, told_supers_);
+  base::Rows<RoleId> told(count_, told_supers_);
   told.sort_unique();
   std::vector<std::pair<std::uint32_t, RoleId>> up;
   std::vector<std::pair<std::uint32_t, RoleId>> down;
@@ -53,9 +53,9 @@ bool Roles::close_hierarchy(std::size_t max_pairs) {
       }
     }
   }
-  supers_ = Rows<RoleId>(count_, up);
+  supers_ = base::Rows<RoleId>(count_, up);
   supers_.sort_unique();
-  subs_ = Rows<RoleId>(count_, down);
+  subs_ = base::Rows<RoleId>(count_, down);
   if (count_ <= max_matrix_roles) {
     const std::size_t words = (count_ + 63) / 64;
     matrix_.assign(count_ * words, 0);
@@ -87,7 +87,7 @@ bool Roles::close_chains(std::size_t max_pairs) {
       beginnings.emplace_back(number(first), chain);
     }
   }
-  const Rows<std::uint32_t> chains_of(count_, beginnings);
+  const base::Rows<std::uint32_t> chains_of(count_, beginnings);
   std::vector<std::pair<std::uint32_t, Composition>> pairs;
   std::size_t pair_count = 0;
   std::vector<std::uint64_t> row;  // (second, result) as one word: most of the time goes into sorting these
@@ -107,7 +107,7 @@ bool Roles::close_chains(std::size_t max_pairs) {
           {first, {RoleId{static_cast<std::uint32_t>(entry >> 32)}, RoleId{static_cast<std::uint32_t>(entry)}}});
     }
   }
-  compositions_ = Rows<Composition>(count_, pairs);
+  compositions_ = base::Rows<Composition>(count_, pairs);
   composes_itself_.resize(count_);
   for (std::uint32_t role = 0; role < count_; ++role) {
     const auto has = [&](RoleId second, RoleId result) {

@@ -79,10 +79,10 @@ class Roles {
   std::size_t count_ = 0;
   std::vector<std::pair<std::uint32_t, RoleId>> told_supers_;
   std::vector<Chain> chains_;
-  Rows<RoleId> supers_;
-  Rows<RoleId> subs_;
+  base::Rows<RoleId> supers_;
+  base::Rows<RoleId> subs_;
   std::vector<std::uint64_t> matrix_;  ///< row-wise bits of is_sub_role, where there are few roles
-  Rows<Composition> compositions_;
+  base::Rows<Composition> compositions_;
   std::vector<bool> is_second_;
   std::vector<bool> composes_itself_;  ///< R o S < T says R o T < T for each S and T, and R o R < R
 };

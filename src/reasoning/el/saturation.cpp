@@ -37,7 +37,7 @@ bool Saturation::run(unsigned threads) {
   if (threads <= 1 || shared_.index.has_nominals()) {
     workers_.front()->run_alone();
   } else {
-    run_together(shared_, workers_, std::min(threads, max_threads));
+    parallel::run_together(shared_, workers_, std::min(threads, parallel::max_threads));
   }
   return !shared_.is_over_limit;
 }
@@ -64,7 +64,7 @@ std::uint32_t Worker::require(ExprId root) {
       std::this_thread::yield();  // another thread is making it
       known = entry.load(std::memory_order_acquire);
     } else if (entry.compare_exchange_weak(known, Saturating::claimed_context, std::memory_order_acq_rel)) {
-      Claim claim(entry, Saturating::no_context);
+      parallel::Claim claim(entry, Saturating::no_context);
       const std::uint32_t created = contexts_.add();
       contexts_[created].root = root;
       start(created, {{root, top_expr}});
@@ -139,7 +139,7 @@ void Worker::post(std::uint32_t context, const Message& message) {
   // does not write once more.
   if (posted_.empty()) posted_.resize(posted_count);
   const std::uint64_t kind_and_context = static_cast<std::uint64_t>(message.kind) << 32 | context;
-  Posted& slot = posted_[mixed(mixed(kind_and_context, message.first), message.second) % posted_count];
+  Posted& slot = posted_[base::mixed(base::mixed(kind_and_context, message.first), message.second) % posted_count];
   if (slot.context == context && slot.message == message) return;
   slot = {context, message};
   auto* letter = ::new (arena_.allocate(sizeof(Letter))) Letter{nullptr, message};

@@ -38,7 +38,7 @@ void Worker::process_nominal(std::uint32_t context, ExprId subsumer) {
   if (nominal == context) return;
   self.nominals.own().push_back(nominal);
   contexts_[nominal].members.own().push_back(context);
-  const ArenaSet<std::uint32_t>& known = contexts_[nominal].subsumers;
+  const base::ArenaSet<std::uint32_t>& known = contexts_[nominal].subsumers;
   work_.add(known.size());
   for (std::size_t at = 0; at < known.size(); ++at) {
     if (known[at] < index_.size()) add_subsumer(context, ExprId{known[at]});
@@ -55,7 +55,7 @@ bool Worker::is_of_values(std::uint32_t context) const {
 
 void Worker::merge_into_nominal(std::uint32_t context, std::uint32_t nominal) {
   for (const ExprId atom : atoms_of(context)) add_derived_atom(nominal, atom);
-  const ArenaSet<std::uint32_t>& known = contexts_[context].subsumers;
+  const base::ArenaSet<std::uint32_t>& known = contexts_[context].subsumers;
   work_.add(known.size());
   for (std::size_t at = 0; at < known.size(); ++at) {
     if (known[at] < index_.size()) add_subsumer(nominal, ExprId{known[at]});

@@ -87,8 +87,8 @@ class Settlement {
   std::vector<std::uint32_t> failing_;
   bool is_world_settled_ = true;
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  Rows<std::uint32_t> unions_of_;  ///< by atom: unions of which it is the whole
-  std::vector<bool> is_plain_;     ///< by atom: nothing follows from it but what is told to be above it
+  base::Rows<std::uint32_t> unions_of_;  ///< by atom: unions of which it is the whole
+  std::vector<bool> is_plain_;           ///< by atom: nothing follows from it but what is told to be above it
   std::vector<std::vector<std::uint32_t>> parts_of_;  ///< by union: the representatives of its parts, ascending
   std::vector<std::uint32_t> union_of_;               ///< by context: the first open union of which it is in no part
   enum class Root : std::uint8_t { unknown, busy, open, settled };

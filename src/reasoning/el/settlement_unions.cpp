@@ -43,7 +43,7 @@ void Settlement::index_unions() {
     std::ranges::sort(parts);
     parts_of_.push_back(std::move(parts));
   }
-  unions_of_ = Rows<std::uint32_t>(index_.size(), wholes);
+  unions_of_ = base::Rows<std::uint32_t>(index_.size(), wholes);
   is_plain_.resize(index_.size());
   for (std::uint32_t id = 0; id < index_.size(); ++id) {
     const std::uint8_t others = index_.rule_bits(ExprId{id}) & ~static_cast<std::uint8_t>(RuleBits::above);

@@ -13,7 +13,7 @@ void SubsumptionGraph::add_told_edges() {
   }
 }
 
-void SubsumptionGraph::reduce(std::span<const ExprId> exprs, Classification& classification) && {
+void SubsumptionGraph::reduce(std::span<const ExprId> exprs, taxonomy::Classification& classification) && {
   add_told_edges();
   graph_.node_count = static_cast<std::uint32_t>(graph_.is_empty.size());
   graph_.top = number(index_.representative(top_expr));
@@ -22,13 +22,14 @@ void SubsumptionGraph::reduce(std::span<const ExprId> exprs, Classification& cla
   graph_.top_entity = static_cast<std::uint32_t>(classification.thing);
   graph_.bottom_entity = static_cast<std::uint32_t>(classification.nothing);
   graph_.is_consistent = classification.is_consistent;
-  Reduced reduced = el::reduce(std::move(graph_));
+  taxonomy::Reduced reduced = taxonomy::reduce(std::move(graph_));
   classification.is_consistent = reduced.is_consistent;
   classification.parent_begin = std::move(reduced.parent_begin);
   classification.representative.reserve(reduced.representative.size());
-  for (const std::uint32_t node : reduced.representative) classification.representative.push_back(ClassNumber{node});
+  for (const std::uint32_t node : reduced.representative)
+    classification.representative.push_back(taxonomy::ClassNumber{node});
   classification.parents.reserve(reduced.parents.size());
-  for (const std::uint32_t parent : reduced.parents) classification.parents.push_back(ClassNumber{parent});
+  for (const std::uint32_t parent : reduced.parents) classification.parents.push_back(taxonomy::ClassNumber{parent});
 }
 
 }  // namespace geminga::el

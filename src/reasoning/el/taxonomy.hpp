@@ -22,13 +22,13 @@ class SubsumptionGraph {
 
   /// Fills representative, parents and is_consistent of a classification whose classes are set. `exprs[c]` is the
   /// representative of class c.
-  void reduce(std::span<const ExprId> exprs, Classification& classification) &&;
+  void reduce(std::span<const ExprId> exprs, taxonomy::Classification& classification) &&;
 
  private:
   void add_told_edges();
 
   const Index& index_;
-  Inclusions graph_;
+  taxonomy::Inclusions graph_;
 };
 
 }  // namespace geminga::el

@@ -113,7 +113,7 @@ class Worker {
   };
   static constexpr std::size_t posted_count = std::size_t{1} << 15;
   std::vector<Posted> posted_;
-  Arena arena_;
+  base::Arena arena_;
 };
 
 }  // namespace geminga::el

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 namespace {
 
 /// An engine that gives up on a small set where it answered for a larger one is not monotone; then the larger one is
@@ -15,7 +15,8 @@ AxiomSet minimal_of(const AxiomSet& enough, const Holds& holds) {
 
 }  // namespace
 
-Explainer::Explainer(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super, Patience patience)
+Explainer::Explainer(const compiled::Ontology& ontology, taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
+                     Patience patience)
     : module_(ontology, std::array{sub, super}),
       oracle_(module_.source(), patience),
       sub_(module_.term(sub)),
@@ -67,8 +68,8 @@ std::vector<ExplainedAxiom> Explainer::explained(const AxiomSet& axioms) const {
   return list;
 }
 
-std::optional<std::vector<ExplainedAxiom>> explain(const el::Ontology& ontology, el::ClassNumber sub,
-                                                   el::ClassNumber super, Patience patience) {
+std::optional<std::vector<ExplainedAxiom>> explain(const compiled::Ontology& ontology, taxonomy::ClassNumber sub,
+                                                   taxonomy::ClassNumber super, Patience patience) {
   if (!ontology.is_subsumed(sub, super)) return std::nullopt;
   Explainer explainer(ontology, sub, super, patience);
   const auto found = explainer.find_one();
@@ -76,11 +77,11 @@ std::optional<std::vector<ExplainedAxiom>> explain(const el::Ontology& ontology,
   return explainer.explained(*found);
 }
 
-std::optional<std::vector<ExplainedAxiom>> explain_inconsistency(const el::Ontology& ontology) {
-  const auto thing = ontology.find_iri(el::owl_thing);
-  const auto nothing = ontology.find_iri(el::owl_nothing);
+std::optional<std::vector<ExplainedAxiom>> explain_inconsistency(const compiled::Ontology& ontology) {
+  const auto thing = ontology.find_iri(owl::owl_thing);
+  const auto nothing = ontology.find_iri(owl::owl_nothing);
   if (ontology.is_consistent() || !thing || !nothing) return std::nullopt;
   return explain(ontology, *thing, *nothing);
 }
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

@@ -15,12 +15,12 @@
 #include "reasoning/explanation/explain_oracle.hpp"
 #include "reasoning/explanation/explanations.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 
 /// One question to one ontology, which it borrows. Not thread-safe; several may ask one ontology at once.
 class Explainer {
  public:
-  Explainer(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super,
+  Explainer(const compiled::Ontology& ontology, taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
             Patience patience = Patience::of_a_person);
 
   /// One minimal set, as numbers of the module, ascending. Nothing where no engine finds that it is entailed.
@@ -34,28 +34,28 @@ class Explainer {
   [[nodiscard]] Module& module() { return module_; }
   [[nodiscard]] const Module& module() const { return module_; }
   [[nodiscard]] Oracle& oracle() { return oracle_; }
-  [[nodiscard]] el::TermId sub() const { return sub_; }
-  [[nodiscard]] el::TermId super() const { return super_; }
+  [[nodiscard]] owl::TermId sub() const { return sub_; }
+  [[nodiscard]] owl::TermId super() const { return super_; }
   /// In readable syntax, in the order of the argument.
   [[nodiscard]] std::vector<ExplainedAxiom> explained(const AxiomSet& axioms) const;
 
  private:
   Module module_;
   Oracle oracle_;
-  el::TermId sub_;
-  el::TermId super_;
+  owl::TermId sub_;
+  owl::TermId super_;
 };
 
 /// A minimal set of axioms that entails `sub` SubClassOf `super`, in the order of the argument. Empty: it is so in
 /// every ontology. Nothing: it is not entailed, or (rarely) no engine finds it again within its limits; is_subsumed()
 /// of the ontology tells which.
-[[nodiscard]] std::optional<std::vector<ExplainedAxiom>> explain(const el::Ontology& ontology, el::ClassNumber sub,
-                                                                 el::ClassNumber super,
+[[nodiscard]] std::optional<std::vector<ExplainedAxiom>> explain(const compiled::Ontology& ontology,
+                                                                 taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
                                                                  Patience patience = Patience::of_a_person);
 
 /// Why the ontology contradicts itself; nothing where it does not.
-[[nodiscard]] std::optional<std::vector<ExplainedAxiom>> explain_inconsistency(const el::Ontology& ontology);
+[[nodiscard]] std::optional<std::vector<ExplainedAxiom>> explain_inconsistency(const compiled::Ontology& ontology);
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 namespace {
 
 /// What of `candidates` is needed beside `given`. `has_grown`: given changed since holds(given) was last found false.
@@ -41,4 +41,4 @@ std::optional<AxiomSet> find_sufficient_prefix(const AxiomSet& candidates, const
   }
 }
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

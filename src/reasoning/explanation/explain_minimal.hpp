@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 
 /// Numbers of axioms of one source.
 using AxiomSet = std::vector<std::uint32_t>;
@@ -23,6 +23,6 @@ using Holds = std::function<bool(std::span<const std::uint32_t>)>;
 /// Where what is near stands first, this leaves little to look through, and no question is larger than it must be.
 [[nodiscard]] std::optional<AxiomSet> find_sufficient_prefix(const AxiomSet& candidates, const Holds& holds);
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation
 
 #endif

@@ -8,18 +8,18 @@
 #include "reasoning/modules/module.hpp"
 #include "reasoning/owl/print.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 namespace {
 
-using el::Axiom;
-using el::AxiomKind;
-using el::OntologySource;
-using el::Term;
-using el::TermId;
-using el::TermKind;
+using owl::Axiom;
+using owl::AxiomKind;
+using owl::Ontology;
+using owl::Term;
+using owl::TermId;
+using owl::TermKind;
 
-std::vector<TermId> entities_in(const OntologySource& source, std::span<const TermId> terms) {
-  std::vector<TermId> entities = el::terms_in(source, terms);
+std::vector<TermId> entities_in(const Ontology& source, std::span<const TermId> terms) {
+  std::vector<TermId> entities = owl::terms_in(source, terms);
   std::erase_if(entities, [&](TermId id) {
     const Term term = source.term(id);
     return !term.arguments.empty() || term.kind == TermKind::datatype;
@@ -35,15 +35,15 @@ TermId subject_of(const Axiom& axiom) {
 
 }  // namespace
 
-Module::Module(const el::Ontology& ontology, std::span<const el::ClassNumber> classes,
+Module::Module(const compiled::Ontology& ontology, std::span<const taxonomy::ClassNumber> classes,
                std::span<const std::uint32_t> more_terms)
     : ontology_(ontology) {
-  for (const el::LoadedFile& file : ontology.files()) source_.add_file(file.path, file.ontology_iri);
-  for (const std::uint32_t axiom : el::extract_module(ontology.module_index(), classes, more_terms)) copy(axiom);
+  for (const owl::LoadedFile& file : ontology.files()) source_.add_file(file.path, file.ontology_iri);
+  for (const std::uint32_t axiom : modules::extract_module(ontology.module_index(), classes, more_terms)) copy(axiom);
 }
 
 void Module::add_rest() {
-  const el::ClassifiedView& view = ontology_.axioms();
+  const taxonomy::ClassifiedView& view = ontology_.axioms();
   std::vector<bool> is_copied(view.axiom_count(), false);
   for (const std::uint32_t axiom : originals_) is_copied[axiom] = true;
   for (std::uint32_t axiom = 0; axiom < view.axiom_count(); ++axiom) {
@@ -52,17 +52,17 @@ void Module::add_rest() {
 }
 
 void Module::copy(std::uint32_t axiom) {
-  const el::ClassifiedView& view = ontology_.axioms();
+  const taxonomy::ClassifiedView& view = ontology_.axioms();
   std::vector<TermId> arguments;
   for (const std::uint32_t argument : view.arguments_of_axiom(axiom)) arguments.push_back(copy_term(argument));
-  source_.add(view.kind_of_axiom(axiom), arguments, el::FileId{view.axiom_file[axiom]}, view.axiom_line[axiom]);
+  source_.add(view.kind_of_axiom(axiom), arguments, owl::FileId{view.axiom_file[axiom]}, view.axiom_line[axiom]);
   originals_.push_back(axiom);
   axiom_count_ = static_cast<std::uint32_t>(originals_.size());
 }
 
 TermId Module::copy_term(std::uint32_t term) {
   if (const auto known = terms_.find(term); known != terms_.end()) return known->second;
-  const el::ClassifiedView& view = ontology_.axioms();
+  const taxonomy::ClassifiedView& view = ontology_.axioms();
   std::vector<TermId> arguments;
   for (const std::uint32_t argument : view.arguments_of_term(term)) arguments.push_back(copy_term(argument));
   const TermId copied =
@@ -77,26 +77,26 @@ AxiomSet Module::all() const {
   return numbers;
 }
 
-TermId Module::term(el::ClassNumber number) { return source_.named_class(ontology_.iri(number)); }
+TermId Module::term(taxonomy::ClassNumber number) { return source_.named_class(ontology_.iri(number)); }
 
 ExplainedAxiom Module::explained(std::uint32_t number) const {
   const Axiom axiom = source_.axiom(number);
   const auto shorten = [&](std::string_view iri) { return ontology_.short_name(iri); };
-  return {el::print(source_, axiom, shorten), source_.files()[static_cast<std::size_t>(axiom.file)].path, axiom.line};
+  return {owl::print(source_, axiom, shorten), source_.files()[static_cast<std::size_t>(axiom.file)].path, axiom.line};
 }
 
 ExplainedAxiom Module::explained_original(std::uint32_t axiom) {
-  const el::ClassifiedView& view = ontology_.axioms();
+  const taxonomy::ClassifiedView& view = ontology_.axioms();
   std::vector<TermId> arguments;
   for (const std::uint32_t argument : view.arguments_of_axiom(axiom)) arguments.push_back(copy_term(argument));
   const auto shorten = [&](std::string_view iri) { return ontology_.short_name(iri); };
-  const Axiom copied{view.kind_of_axiom(axiom), el::FileId{view.axiom_file[axiom]}, view.axiom_line[axiom], arguments};
-  return {el::print(source_, copied, shorten), source_.files()[static_cast<std::size_t>(copied.file)].path,
+  const Axiom copied{view.kind_of_axiom(axiom), owl::FileId{view.axiom_file[axiom]}, view.axiom_line[axiom], arguments};
+  return {owl::print(source_, copied, shorten), source_.files()[static_cast<std::size_t>(copied.file)].path,
           copied.line};
 }
 
 std::string Module::print(TermId term) const {
-  return el::print(source_, term, [&](std::string_view iri) { return ontology_.short_name(iri); });
+  return owl::print(source_, term, [&](std::string_view iri) { return ontology_.short_name(iri); });
 }
 
 AxiomSet Module::in_order_of_argument(AxiomSet axioms, TermId first) const {
@@ -126,4 +126,4 @@ AxiomSet Module::in_order_of_argument(AxiomSet axioms, TermId first) const {
   return ordered;
 }
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

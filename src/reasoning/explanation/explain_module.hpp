@@ -11,7 +11,7 @@
 #include "reasoning/explanation/explain_minimal.hpp"
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 
 /// One axiom in readable syntax and where it stands, e.g. "soccer:SharedBallInfo SubClassOf soccer:BallInfo".
 struct ExplainedAxiom {
@@ -24,13 +24,13 @@ struct ExplainedAxiom {
 class Module {
  public:
   /// What can matter for subsumptions of these classes, and for what else these terms of the compiled form say.
-  Module(const el::Ontology& ontology, std::span<const el::ClassNumber> classes,
+  Module(const compiled::Ontology& ontology, std::span<const taxonomy::ClassNumber> classes,
          std::span<const std::uint32_t> more_terms = {});
 
   /// The axioms are those of the module and nothing else, in the order in which the walk from the classes reached them.
-  [[nodiscard]] const el::OntologySource& source() const { return source_; }
+  [[nodiscard]] const owl::Ontology& source() const { return source_; }
   /// May be added to: questions, names for expressions. What is added has numbers from axiom_count() on.
-  [[nodiscard]] el::OntologySource& source() { return source_; }
+  [[nodiscard]] owl::Ontology& source() { return source_; }
   [[nodiscard]] std::uint32_t axiom_count() const { return axiom_count_; }
   /// All of them.
   [[nodiscard]] AxiomSet all() const;
@@ -39,27 +39,27 @@ class Module {
   /// with enough.
   void add_rest();
 
-  [[nodiscard]] const el::Ontology& ontology() const { return ontology_; }
-  [[nodiscard]] el::TermId term(el::ClassNumber number);
+  [[nodiscard]] const compiled::Ontology& ontology() const { return ontology_; }
+  [[nodiscard]] owl::TermId term(taxonomy::ClassNumber number);
   /// The same term as the compiled form has it, in the module's source. Recursion is bounded by the nesting of terms.
-  el::TermId copy_term(std::uint32_t term);
+  owl::TermId copy_term(std::uint32_t term);
   [[nodiscard]] ExplainedAxiom explained(std::uint32_t axiom) const;
   /// An axiom by its number in the compiled form, of the module or not.
   [[nodiscard]] ExplainedAxiom explained_original(std::uint32_t axiom);
-  [[nodiscard]] std::string print(el::TermId term) const;
+  [[nodiscard]] std::string print(owl::TermId term) const;
   /// Axioms in an order in which each speaks, where possible, of what was spoken of before, beginning with `first`.
-  [[nodiscard]] AxiomSet in_order_of_argument(AxiomSet axioms, el::TermId first) const;
+  [[nodiscard]] AxiomSet in_order_of_argument(AxiomSet axioms, owl::TermId first) const;
 
  private:
   void copy(std::uint32_t axiom);
 
-  const el::Ontology& ontology_;
-  el::OntologySource source_;
+  const compiled::Ontology& ontology_;
+  owl::Ontology source_;
   std::uint32_t axiom_count_ = 0;
   std::vector<std::uint32_t> originals_;  ///< of each axiom: its number in the ontology
-  std::unordered_map<std::uint32_t, el::TermId> terms_;
+  std::unordered_map<std::uint32_t, owl::TermId> terms_;
 };
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation
 
 #endif

@@ -7,12 +7,12 @@
 #include "reasoning/dl/consequence/closure.hpp"
 #include "reasoning/dl/hypertableau/tableau.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 namespace {
 
 /// Of one question. An explanation asks tens of them, most about a handful of axioms.
 struct Bounds {
-  tableau::Limits model;
+  hypertableau::Limits model;
   std::size_t derived_clauses = 0;
   std::size_t undecided = 0;  ///< so many of these questions may be too hard
 };
@@ -23,7 +23,7 @@ Bounds bounds(Patience patience) {
 }
 
 /// Whether the consequences of the one query hold `super`, or the query can have no instance.
-bool is_derived(const el::OntologySource& source, const clauses::ClauseSet& clauses, el::TermId super,
+bool is_derived(const owl::Ontology& source, const clauses::ClauseSet& clauses, owl::TermId super,
                 std::size_t max_clauses) {
   const consequence::Closure closure =
       consequence::saturate(source, clauses, clauses.queries, {.threads = 1, .clauses = max_clauses});
@@ -36,12 +36,12 @@ bool is_derived(const el::OntologySource& source, const clauses::ClauseSet& clau
 
 }  // namespace
 
-el::Entailed Oracle::find_by_rules(std::span<const std::uint32_t> axioms, el::TermId sub, el::TermId super) {
+el::Entailed Oracle::find_by_rules(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super) {
   work_ += 1 + axioms.size();
   return el::find_entailed(source_, axioms, sub, super);
 }
 
-bool Oracle::holds(std::span<const std::uint32_t> axioms, el::TermId sub, el::TermId super) {
+bool Oracle::holds(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super) {
   const el::Entailed by_rules = find_by_rules(axioms, sub, super);
   if (by_rules != el::Entailed::not_found) return by_rules == el::Entailed::yes;
   const Bounds limits = bounds(patience_);
@@ -52,14 +52,15 @@ bool Oracle::holds(std::span<const std::uint32_t> axioms, el::TermId sub, el::Te
     ++undecided_;
     return false;
   }
-  tableau::Tableau tableau(source_, *clauses, limits.model);
-  const tableau::Answer exception = tableau.is_satisfiable({clauses->queries.front(), clauses->complements.front()});
-  if (exception.verdict == tableau::Verdict::no) return true;
-  if (exception.verdict == tableau::Verdict::unknown) {
+  hypertableau::Tableau tableau(source_, *clauses, limits.model);
+  const hypertableau::Answer exception =
+      tableau.is_satisfiable({clauses->queries.front(), clauses->complements.front()});
+  if (exception.verdict == hypertableau::Verdict::no) return true;
+  if (exception.verdict == hypertableau::Verdict::unknown) {
     if (is_derived(source_, *clauses, super, limits.derived_clauses)) return true;
     ++undecided_;
   }
   return false;
 }
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

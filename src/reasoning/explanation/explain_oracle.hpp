@@ -9,7 +9,7 @@
 #include "reasoning/el/entailment.hpp"
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 
 /// How much may be asked of the engines beyond the rules of EL. The bounds count work, so that the answer is the same
 /// everywhere.
@@ -22,13 +22,13 @@ enum class Patience : std::uint8_t {
 /// hard, only the rules are asked.
 class Oracle {
  public:
-  explicit Oracle(const el::OntologySource& source, Patience patience = Patience::of_a_person)
+  explicit Oracle(const owl::Ontology& source, Patience patience = Patience::of_a_person)
       : source_(source), patience_(patience) {}
 
   /// As far as the rules of EL carry; they are so much cheaper than the rest that they are always asked first.
-  [[nodiscard]] el::Entailed find_by_rules(std::span<const std::uint32_t> axioms, el::TermId sub, el::TermId super);
+  [[nodiscard]] el::Entailed find_by_rules(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super);
   /// With every engine. What cannot be decided within an engine's limits counts as not entailed.
-  [[nodiscard]] bool holds(std::span<const std::uint32_t> axioms, el::TermId sub, el::TermId super);
+  [[nodiscard]] bool holds(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super);
 
   /// Axioms that were asked about, over all questions: the same everywhere for the same questions.
   [[nodiscard]] std::size_t work() const { return work_; }
@@ -36,12 +36,12 @@ class Oracle {
   [[nodiscard]] std::size_t undecided_count() const { return undecided_; }
 
  private:
-  const el::OntologySource& source_;
+  const owl::Ontology& source_;
   Patience patience_;
   std::size_t work_ = 0;
   std::size_t undecided_ = 0;
 };
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation
 
 #endif

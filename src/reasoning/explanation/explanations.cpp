@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 namespace {
 
 /// Whether all of an ascending list is in another.
@@ -89,4 +89,4 @@ AllSets find_all_minimal(const AxiomSet& candidates, const FindOne& find_one, co
   return Tree(candidates, find_one, is_spent, limits).run();
 }
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

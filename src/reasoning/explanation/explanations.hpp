@@ -14,7 +14,7 @@
 
 #include "reasoning/explanation/explain_minimal.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 
 /// How far to search. There may be exponentially many minimal sets.
 struct ExplanationLimits {
@@ -39,6 +39,6 @@ using IsSpent = std::function<bool()>;
 [[nodiscard]] AllSets find_all_minimal(const AxiomSet& candidates, const FindOne& find_one, const IsSpent& is_spent,
                                        const ExplanationLimits& limits);
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation
 
 #endif

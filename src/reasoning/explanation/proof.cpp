@@ -6,11 +6,11 @@
 
 #include "reasoning/explanation/proof_lemmas.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 namespace {
 
-using el::AxiomKind;
-using el::TermId;
+using owl::AxiomKind;
+using owl::TermId;
 
 /// Numbers the conclusions that the goal needs, and leaves out what says nothing new.
 class Writer {
@@ -55,7 +55,7 @@ class Writer {
   [[nodiscard]] bool is_axiom(const Conclusion& one) {
     if (one.rule != ProofRule::subclass || one.axioms.size() != 1 || one.steps.size() > 1) return false;
     if (!one.steps.empty() && conclusion(one.steps[0]).rule != ProofRule::trivial) return false;
-    const el::Axiom axiom = explainer_.module().source().axiom(one.axioms[0]);
+    const owl::Axiom axiom = explainer_.module().source().axiom(one.axioms[0]);
     switch (axiom.kind) {
       case AxiomKind::sub_class_of:
         return true;
@@ -140,4 +140,4 @@ Proof prove(Explainer& explainer, const AxiomSet& set) {
   return Writer(explainer, search, axioms).run(*goal);
 }
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

@@ -13,15 +13,15 @@
 #include "reasoning/explanation/explain.hpp"
 #include "reasoning/explanation/proof_search.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 
 /// One step. Its number is that of the axioms before it, the steps before it, and 1.
 struct ProofStep {
   std::string text;  ///< the conclusion in readable syntax
   ProofRule rule = ProofRule::subclass;
   std::vector<std::uint32_t> from;  ///< numbers of axioms and earlier steps, ascending
-  el::TermId sub{};                 ///< the conclusion as terms of the module: sub SubClassOf super
-  el::TermId super{};
+  owl::TermId sub{};                ///< the conclusion as terms of the module: sub SubClassOf super
+  owl::TermId super{};
 };
 
 struct Proof {
@@ -32,6 +32,6 @@ struct Proof {
 /// The argument for a set that Explainer found. Adds terms and questions to the explainer's module.
 [[nodiscard]] Proof prove(Explainer& explainer, const AxiomSet& axioms);
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation
 
 #endif

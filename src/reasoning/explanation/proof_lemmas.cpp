@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <string>
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 namespace {
 
-using el::AxiomKind;
-using el::TermId;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
 
 // Questions to engines for one proof; each is about a few axioms.
 constexpr std::size_t max_questions = 400;
@@ -30,7 +30,7 @@ ProofLemmas::Named ProofLemmas::name_below(TermId expression) {
   Named& named = below_[expression];
   if (!named.axiom) {
     named = {fresh(), static_cast<std::uint32_t>(module_.source().axiom_count())};
-    module_.source().add(AxiomKind::sub_class_of, {named.name, expression}, el::FileId{0}, 0);
+    module_.source().add(AxiomKind::sub_class_of, {named.name, expression}, owl::FileId{0}, 0);
   }
   return named;
 }
@@ -41,7 +41,7 @@ ProofLemmas::Named ProofLemmas::name_above(TermId expression) {
   Named& named = above_[expression];
   if (!named.axiom) {
     named = {fresh(), static_cast<std::uint32_t>(module_.source().axiom_count())};
-    module_.source().add(AxiomKind::sub_class_of, {expression, named.name}, el::FileId{0}, 0);
+    module_.source().add(AxiomKind::sub_class_of, {expression, named.name}, owl::FileId{0}, 0);
   }
   return named;
 }
@@ -84,4 +84,4 @@ std::uint32_t ProofLemmas::bridge(ProofSearch& search, const AxiomSet& axioms, T
   return *search.run();
 }
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

@@ -11,7 +11,7 @@
 #include "reasoning/explanation/explain_oracle.hpp"
 #include "reasoning/explanation/proof_search.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 
 /// Asks about class expressions, for which it names new classes in the module's source.
 class ProofLemmas {
@@ -19,29 +19,29 @@ class ProofLemmas {
   ProofLemmas(Module& module, Oracle& oracle) : module_(module), oracle_(oracle) {}
 
   /// Whether these axioms entail sub SubClassOf super, two class expressions.
-  [[nodiscard]] bool holds(const AxiomSet& axioms, el::TermId sub, el::TermId super);
+  [[nodiscard]] bool holds(const AxiomSet& axioms, owl::TermId sub, owl::TermId super);
   /// The fewest of these axioms that entail it, or nothing where all of them do not.
-  [[nodiscard]] std::optional<AxiomSet> find(const AxiomSet& axioms, el::TermId sub, el::TermId super);
+  [[nodiscard]] std::optional<AxiomSet> find(const AxiomSet& axioms, owl::TermId sub, owl::TermId super);
 
   /// Gives the search one lemma after the other, until it reaches its goal; the goal itself at last.
-  std::uint32_t bridge(ProofSearch& search, const AxiomSet& axioms, el::TermId sub, el::TermId super);
+  std::uint32_t bridge(ProofSearch& search, const AxiomSet& axioms, owl::TermId sub, owl::TermId super);
 
  private:
   struct Named {
-    el::TermId name{};
+    owl::TermId name{};
     std::optional<std::uint32_t> axiom;  ///< that says what the name is for, where it is a new one
   };
-  Named name_below(el::TermId expression);
-  Named name_above(el::TermId expression);
-  [[nodiscard]] el::TermId fresh();
+  Named name_below(owl::TermId expression);
+  Named name_above(owl::TermId expression);
+  [[nodiscard]] owl::TermId fresh();
 
   Module& module_;
   Oracle& oracle_;
-  std::map<el::TermId, Named> below_;
-  std::map<el::TermId, Named> above_;
+  std::map<owl::TermId, Named> below_;
+  std::map<owl::TermId, Named> above_;
   std::uint32_t fresh_count_ = 0;
 };
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation
 
 #endif

@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 
-using el::Axiom;
-using el::AxiomKind;
-using el::TermId;
-using el::TermKind;
+using owl::Axiom;
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
 
-ProofRoles::ProofRoles(el::OntologySource& source, ProofTerms& terms, std::span<const std::uint32_t> axioms)
+ProofRoles::ProofRoles(owl::Ontology& source, ProofTerms& terms, std::span<const std::uint32_t> axioms)
     : source_(source), terms_(terms) {
   for (const std::uint32_t axiom : axioms) add(axiom);
 }
@@ -69,13 +69,13 @@ void ProofRoles::add(std::uint32_t number) {
       ranges_.push_back({inverse(role(arguments[0])), terms_.normal(arguments[1]), number});
       return;
     case AxiomKind::functional_object_property:
-      functional_.push_back({role(arguments[0]), el::thing_term, number});
+      functional_.push_back({role(arguments[0]), owl::thing_term, number});
       return;
     case AxiomKind::functional_data_property:
-      functional_.push_back({arguments[0], el::thing_term, number});
+      functional_.push_back({arguments[0], owl::thing_term, number});
       return;
     case AxiomKind::inverse_functional_object_property:
-      functional_.push_back({inverse(role(arguments[0])), el::thing_term, number});
+      functional_.push_back({inverse(role(arguments[0])), owl::thing_term, number});
       return;
     default:
       return;
@@ -105,4 +105,4 @@ const AxiomSet* ProofRoles::find(TermId sub, TermId super) {
   return found == all.end() ? nullptr : &found->axioms;
 }
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

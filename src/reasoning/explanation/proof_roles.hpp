@@ -12,60 +12,60 @@
 #include "reasoning/explanation/proof_terms.hpp"
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 
 /// A property expression, and the axioms by which another is below it; none where it is that other itself.
 struct RoleAbove {
-  el::TermId role{};
+  owl::TermId role{};
   AxiomSet axioms;
 };
 /// A chain of properties that is below a property.
 struct RoleChain {
-  std::vector<el::TermId> links;
-  el::TermId super{};
+  std::vector<owl::TermId> links;
+  owl::TermId super{};
   std::uint32_t axiom = 0;
 };
 /// What holds of a property: its range, that it is functional. A domain is the range of the inverse.
 struct RoleFeature {
-  el::TermId role{};
-  el::TermId range{};  ///< owl:Thing where it is not about a range
+  owl::TermId role{};
+  owl::TermId range{};  ///< owl:Thing where it is not about a range
   std::uint32_t axiom = 0;
 };
 
 /// Object properties and their inverses, and data properties. For few axioms: everything is a list.
 class ProofRoles {
  public:
-  ProofRoles(el::OntologySource& source, ProofTerms& terms, std::span<const std::uint32_t> axioms);
+  ProofRoles(owl::Ontology& source, ProofTerms& terms, std::span<const std::uint32_t> axioms);
 
   /// Everything above a property expression, itself first, each by the fewest axioms.
-  [[nodiscard]] const std::vector<RoleAbove>& above(el::TermId role);
+  [[nodiscard]] const std::vector<RoleAbove>& above(owl::TermId role);
   /// The axioms by which `sub` is below `super`; nothing where it is not.
-  [[nodiscard]] const AxiomSet* find(el::TermId sub, el::TermId super);
+  [[nodiscard]] const AxiomSet* find(owl::TermId sub, owl::TermId super);
   [[nodiscard]] const std::vector<RoleChain>& chains() const { return chains_; }
   [[nodiscard]] const std::vector<RoleFeature>& ranges() const { return ranges_; }
   [[nodiscard]] const std::vector<RoleFeature>& functional() const { return functional_; }
 
  private:
   struct Inclusion {
-    el::TermId sub{};
-    el::TermId super{};
+    owl::TermId sub{};
+    owl::TermId super{};
     std::uint32_t axiom = 0;
   };
   void add(std::uint32_t axiom);
-  void include(el::TermId sub, el::TermId super, std::uint32_t axiom);
-  void add_chain(std::vector<el::TermId> links, el::TermId super, std::uint32_t axiom);
-  [[nodiscard]] el::TermId role(el::TermId term);
-  [[nodiscard]] el::TermId inverse(el::TermId role) { return terms_.inverse(role); }
+  void include(owl::TermId sub, owl::TermId super, std::uint32_t axiom);
+  void add_chain(std::vector<owl::TermId> links, owl::TermId super, std::uint32_t axiom);
+  [[nodiscard]] owl::TermId role(owl::TermId term);
+  [[nodiscard]] owl::TermId inverse(owl::TermId role) { return terms_.inverse(role); }
 
-  el::OntologySource& source_;
+  owl::Ontology& source_;
   ProofTerms& terms_;
   std::vector<Inclusion> inclusions_;
   std::vector<RoleChain> chains_;
   std::vector<RoleFeature> ranges_;
   std::vector<RoleFeature> functional_;
-  std::map<el::TermId, std::vector<RoleAbove>> above_;
+  std::map<owl::TermId, std::vector<RoleAbove>> above_;
 };
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation
 
 #endif

@@ -3,10 +3,10 @@
 
 #include "reasoning/explanation/proof_search.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 
-using el::TermId;
-using el::TermKind;
+using owl::TermId;
+using owl::TermKind;
 
 void ProofSearch::apply(TermId context) {
   apply_told(context);
@@ -27,7 +27,7 @@ void ProofSearch::apply_told(TermId context) {
     for (const Told& told : told_) {
       if (told.sub == middle) add(context, told.super, ProofRule::subclass, {step}, {told.axiom});
     }
-    if (middle == context || (kind(middle) != TermKind::object_one_of && middle != el::thing_term)) continue;
+    if (middle == context || (kind(middle) != TermKind::object_one_of && middle != owl::thing_term)) continue;
     for (const std::uint32_t next : about(middle)) {
       if (conclusions_[next].rule == ProofRule::trivial) continue;
       add(context, conclusions_[next].super, ProofRule::subclass, {step, next});
@@ -73,14 +73,14 @@ void ProofSearch::apply_clashes(TermId context) {
     const std::uint32_t* first = find(context, pair.sub);
     const std::uint32_t* second = find(context, pair.super);
     if (first != nullptr && second != nullptr) {
-      add(context, el::nothing_term, ProofRule::disjointness, {*first, *second}, {pair.axiom});
+      add(context, owl::nothing_term, ProofRule::disjointness, {*first, *second}, {pair.axiom});
     }
   }
   for (const std::uint32_t step : about(context)) {
     const TermId negated = conclusions_[step].super;
     if (kind(negated) != TermKind::object_complement_of) continue;
     const std::uint32_t* positive = find(context, arguments(negated)[0]);
-    if (positive != nullptr) add(context, el::nothing_term, ProofRule::negation, {*positive, step});
+    if (positive != nullptr) add(context, owl::nothing_term, ProofRule::negation, {*positive, step});
   }
   for (std::size_t at = 0; at < expressions_.size(); ++at) {
     const TermId negated = expressions_[at];
@@ -88,7 +88,7 @@ void ProofSearch::apply_clashes(TermId context) {
     const TermId both = terms_.conjunction({context, arguments(negated)[0]});
     if (both == context) continue;
     open(both);
-    const std::uint32_t* empty = find(both, el::nothing_term);
+    const std::uint32_t* empty = find(both, owl::nothing_term);
     if (empty != nullptr) add(context, negated, ProofRule::negation, {*empty});
   }
 }
@@ -112,7 +112,7 @@ void ProofSearch::apply_cases(TermId context) {
     if (std::ranges::any_of(parts, [&](TermId part) { return find(context, part) != nullptr; })) continue;
     for (const TermId one : cases) open(one);
     // What holds in the first case that is possible must hold in the others.
-    const auto possible = std::ranges::find_if(cases, [&](TermId one) { return !find(one, el::nothing_term); });
+    const auto possible = std::ranges::find_if(cases, [&](TermId one) { return !find(one, owl::nothing_term); });
     const TermId first = possible == cases.end() ? cases.front() : *possible;
     for (const std::uint32_t of_first : about(first)) {
       const TermId wanted = conclusions_[of_first].super;
@@ -120,7 +120,7 @@ void ProofSearch::apply_cases(TermId context) {
       std::vector<std::uint32_t> steps = {step};
       for (const TermId one : cases) {
         const std::uint32_t* holds = find(one, wanted);
-        if (holds == nullptr) holds = find(one, el::nothing_term);
+        if (holds == nullptr) holds = find(one, owl::nothing_term);
         if (holds != nullptr) steps.push_back(*holds);
       }
       if (steps.size() == cases.size() + 1) add(context, wanted, ProofRule::cases, steps);
@@ -153,4 +153,4 @@ void ProofSearch::apply_selfs(TermId context) {
   }
 }
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

@@ -3,11 +3,11 @@
 
 #include "reasoning/explanation/proof_search.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 namespace {
 
-using el::TermId;
-using el::TermKind;
+using owl::TermId;
+using owl::TermKind;
 
 bool is_some(TermKind kind) {
   return kind == TermKind::object_some_values_from || kind == TermKind::data_some_values_from;
@@ -21,7 +21,7 @@ bool is_at_least(TermKind kind) {
 bool is_at_most(TermKind kind) {
   return kind == TermKind::object_max_cardinality || kind == TermKind::data_max_cardinality;
 }
-bool is_of_objects(TermKind kind) { return el::is_class_expression(kind); }
+bool is_of_objects(TermKind kind) { return owl::is_class_expression(kind); }
 
 AxiomSet joined(AxiomSet one, const AxiomSet& other) {
   one.insert(one.end(), other.begin(), other.end());
@@ -61,9 +61,9 @@ void ProofSearch::apply_links(TermId context) {
 //  ------------------------------------------------     --------------------
 //  C < S some E                                         C < F
 void ProofSearch::apply_existentials(TermId context, const Link& link) {
-  if (const std::uint32_t* empty = find(link.filler, el::nothing_term)) {
-    add(context, el::nothing_term, ProofRule::empty,
-        link.filler == el::nothing_term ? std::vector{link.step} : std::vector{link.step, *empty});
+  if (const std::uint32_t* empty = find(link.filler, owl::nothing_term)) {
+    add(context, owl::nothing_term, ProofRule::empty,
+        link.filler == owl::nothing_term ? std::vector{link.step} : std::vector{link.step, *empty});
   }
   for (std::size_t at = 0; at < expressions_.size(); ++at) {
     const TermId wanted = expressions_[at];
@@ -207,7 +207,7 @@ void ProofSearch::apply_numbers(TermId context, const std::vector<Link>& all) {
       if (count <= limit) continue;
       std::vector<std::uint32_t> steps = counted.back().steps;
       steps.insert(steps.begin(), {link.step, step});
-      add(context, el::nothing_term, ProofRule::cardinality, steps, *by_roles);
+      add(context, owl::nothing_term, ProofRule::cardinality, steps, *by_roles);
     }
     for (const Counted& first : counted) {
       for (const Counted& second : counted) {
@@ -252,4 +252,4 @@ void ProofSearch::follow_chain(const RoleChain& chain, std::size_t at, TermId fr
   }
 }
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 
-using el::Axiom;
-using el::AxiomKind;
-using el::TermId;
-using el::TermKind;
+using owl::Axiom;
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
 
 namespace {
 
@@ -65,7 +65,7 @@ std::string_view to_string(ProofRule rule) {
   return {};
 }
 
-ProofSearch::ProofSearch(el::OntologySource& source, const AxiomSet& axioms, TermId sub, TermId super)
+ProofSearch::ProofSearch(owl::Ontology& source, const AxiomSet& axioms, TermId sub, TermId super)
     : source_(source),
       terms_(source),
       roles_(source, terms_, axioms),
@@ -75,7 +75,7 @@ ProofSearch::ProofSearch(el::OntologySource& source, const AxiomSet& axioms, Ter
   look_into(super_);
   for (const std::uint32_t axiom : axioms) use(axiom);
   open(sub_);
-  open(el::thing_term);
+  open(owl::thing_term);
 }
 
 void ProofSearch::tell(TermId sub, TermId super, std::uint32_t axiom) {
@@ -88,7 +88,7 @@ void ProofSearch::tell(TermId sub, TermId super, std::uint32_t axiom) {
 /// Takes note of an expression and its parts. Recursion is bounded by the nesting of terms.
 void ProofSearch::look_into(TermId expression) {
   if (std::ranges::find(expressions_, expression) != expressions_.end()) return;
-  if (!el::is_class_expression(kind(expression))) return;
+  if (!owl::is_class_expression(kind(expression))) return;
   expressions_.push_back(expression);
   for (const TermId argument : arguments(expression)) look_into(argument);
 }
@@ -134,9 +134,9 @@ void ProofSearch::use(std::uint32_t number) {
       data_domain_axioms_.push_back(number);
       return;
     case AxiomKind::reflexive_object_property:
-      return tell(el::thing_term, source_.term(TermKind::object_has_self, {given[0]}), number);
+      return tell(owl::thing_term, source_.term(TermKind::object_has_self, {given[0]}), number);
     case AxiomKind::irreflexive_object_property:
-      return tell(source_.term(TermKind::object_has_self, {given[0]}), el::nothing_term, number);
+      return tell(source_.term(TermKind::object_has_self, {given[0]}), owl::nothing_term, number);
     case AxiomKind::class_assertion:
       return tell(one(given[1]), given[0], number);
     case AxiomKind::object_property_assertion:
@@ -173,7 +173,7 @@ void ProofSearch::open(TermId context) {
   contexts_.push_back(context);
   about_.try_emplace(context);
   add(context, context, ProofRule::trivial, {});
-  add(context, el::thing_term, ProofRule::trivial, {});
+  add(context, owl::thing_term, ProofRule::trivial, {});
 }
 
 void ProofSearch::add(TermId sub, TermId super, ProofRule rule, std::vector<std::uint32_t> steps, AxiomSet axioms) {
@@ -216,8 +216,8 @@ void ProofSearch::conclude_goal() {
     return;
   }
   for (const TermId context : contexts_) {
-    const bool must_exist = context == el::thing_term || kind(context) == TermKind::object_one_of;
-    const std::uint32_t* empty = find(context, el::nothing_term);
+    const bool must_exist = context == owl::thing_term || kind(context) == TermKind::object_one_of;
+    const std::uint32_t* empty = find(context, owl::nothing_term);
     if (empty == nullptr || (context != sub_ && !must_exist)) continue;
     add(sub_, super_, ProofRule::contradiction, {*empty});
     if (const std::uint32_t* reached = find(sub_, super_)) goal_ = *reached;
@@ -237,4 +237,4 @@ std::optional<std::uint32_t> ProofSearch::run() {
   return goal_;
 }
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

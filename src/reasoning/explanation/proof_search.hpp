@@ -22,7 +22,7 @@
 #include "reasoning/explanation/proof_terms.hpp"
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 
 /// By which rule a step follows from its premises.
 enum class ProofRule : std::uint8_t {
@@ -52,8 +52,8 @@ enum class ProofRule : std::uint8_t {
 
 /// A conclusion and its premises: earlier conclusions by number, and axioms.
 struct Conclusion {
-  el::TermId sub{};
-  el::TermId super{};
+  owl::TermId sub{};
+  owl::TermId super{};
   ProofRule rule = ProofRule::trivial;
   std::vector<std::uint32_t> steps;
   AxiomSet axioms;
@@ -64,87 +64,87 @@ struct Conclusion {
 class ProofSearch {
  public:
   /// Adds terms to the source. Only the given axioms are used.
-  ProofSearch(el::OntologySource& source, const AxiomSet& axioms, el::TermId sub, el::TermId super);
+  ProofSearch(owl::Ontology& source, const AxiomSet& axioms, owl::TermId sub, owl::TermId super);
 
   /// The number of the goal's conclusion, where it was reached. May be called again after assume().
   [[nodiscard]] std::optional<std::uint32_t> run();
   /// Takes as given what these axioms entail together.
-  void assume(el::TermId sub, el::TermId super, AxiomSet axioms);
+  void assume(owl::TermId sub, owl::TermId super, AxiomSet axioms);
 
   [[nodiscard]] const std::vector<Conclusion>& conclusions() const { return conclusions_; }
   /// What the search looks at: the goal's sub class, fillers, individuals, cases; and all class expressions of axioms.
-  [[nodiscard]] const std::vector<el::TermId>& contexts() const { return contexts_; }
-  [[nodiscard]] const std::vector<el::TermId>& expressions() const { return expressions_; }
-  [[nodiscard]] bool is_known(el::TermId sub, el::TermId super) const { return find(sub, super) != nullptr; }
+  [[nodiscard]] const std::vector<owl::TermId>& contexts() const { return contexts_; }
+  [[nodiscard]] const std::vector<owl::TermId>& expressions() const { return expressions_; }
+  [[nodiscard]] bool is_known(owl::TermId sub, owl::TermId super) const { return find(sub, super) != nullptr; }
   [[nodiscard]] ProofTerms& terms() { return terms_; }
 
  private:
   struct Told {
-    el::TermId sub{};
-    el::TermId super{};
+    owl::TermId sub{};
+    owl::TermId super{};
     std::uint32_t axiom = 0;
   };
   /// C < R some D, as a conclusion.
   struct Link {
     std::uint32_t step = 0;
-    el::TermId role{};
-    el::TermId filler{};
+    owl::TermId role{};
+    owl::TermId filler{};
   };
 
   // proof_search.cpp: what is given, and what is known.
   void use(std::uint32_t axiom);
-  void tell(el::TermId sub, el::TermId super, std::uint32_t axiom);
-  void look_into(el::TermId expression);
-  void open(el::TermId context);
-  void add(el::TermId sub, el::TermId super, ProofRule rule, std::vector<std::uint32_t> steps, AxiomSet axioms = {});
-  [[nodiscard]] const std::uint32_t* find(el::TermId sub, el::TermId super) const;
+  void tell(owl::TermId sub, owl::TermId super, std::uint32_t axiom);
+  void look_into(owl::TermId expression);
+  void open(owl::TermId context);
+  void add(owl::TermId sub, owl::TermId super, ProofRule rule, std::vector<std::uint32_t> steps, AxiomSet axioms = {});
+  [[nodiscard]] const std::uint32_t* find(owl::TermId sub, owl::TermId super) const;
   /// The conclusions about a context, by number; a copy, for it grows.
-  [[nodiscard]] std::vector<std::uint32_t> about(el::TermId context) const;
-  [[nodiscard]] std::vector<el::TermId> arguments(el::TermId term) const;
-  [[nodiscard]] el::TermKind kind(el::TermId term) const { return source_.kind(term); }
-  [[nodiscard]] bool is_open(el::TermId context) const { return about_.contains(context); }
-  [[nodiscard]] std::vector<Link> links(el::TermId context);
+  [[nodiscard]] std::vector<std::uint32_t> about(owl::TermId context) const;
+  [[nodiscard]] std::vector<owl::TermId> arguments(owl::TermId term) const;
+  [[nodiscard]] owl::TermKind kind(owl::TermId term) const { return source_.kind(term); }
+  [[nodiscard]] bool is_open(owl::TermId context) const { return about_.contains(context); }
+  [[nodiscard]] std::vector<Link> links(owl::TermId context);
   void conclude_goal();
 
   // proof_rules.cpp: what needs no successor.
-  void apply(el::TermId context);
-  void apply_told(el::TermId context);
-  void apply_parts(el::TermId context);
-  void apply_clashes(el::TermId context);
-  void apply_cases(el::TermId context);
-  void apply_selfs(el::TermId context);
+  void apply(owl::TermId context);
+  void apply_told(owl::TermId context);
+  void apply_parts(owl::TermId context);
+  void apply_clashes(owl::TermId context);
+  void apply_cases(owl::TermId context);
+  void apply_selfs(owl::TermId context);
 
   // proof_rules_links.cpp: what follows along links.
-  void apply_links(el::TermId context);
-  void apply_existentials(el::TermId context, const Link& link);
-  void apply_ranges(el::TermId context, const Link& link);
-  void apply_universals(el::TermId context, const Link& link);
-  void apply_inverses(el::TermId context, const Link& link);
-  void apply_functional(el::TermId context, const std::vector<Link>& links);
-  void apply_numbers(el::TermId context, const std::vector<Link>& links);
-  void apply_chains(el::TermId context);
-  void follow_chain(const RoleChain& chain, std::size_t at, el::TermId from, el::TermId to,
+  void apply_links(owl::TermId context);
+  void apply_existentials(owl::TermId context, const Link& link);
+  void apply_ranges(owl::TermId context, const Link& link);
+  void apply_universals(owl::TermId context, const Link& link);
+  void apply_inverses(owl::TermId context, const Link& link);
+  void apply_functional(owl::TermId context, const std::vector<Link>& links);
+  void apply_numbers(owl::TermId context, const std::vector<Link>& links);
+  void apply_chains(owl::TermId context);
+  void follow_chain(const RoleChain& chain, std::size_t at, owl::TermId from, owl::TermId to,
                     std::vector<std::uint32_t>& steps, AxiomSet& axioms);
-  void refine(el::TermId context, const Link& link, el::TermId more, ProofRule rule, std::vector<std::uint32_t> steps,
+  void refine(owl::TermId context, const Link& link, owl::TermId more, ProofRule rule, std::vector<std::uint32_t> steps,
               AxiomSet axioms);
 
-  el::OntologySource& source_;
+  owl::Ontology& source_;
   ProofTerms terms_;
   ProofRoles roles_;
-  el::TermId sub_;
-  el::TermId super_;
+  owl::TermId sub_;
+  owl::TermId super_;
   std::vector<Told> told_;
   std::vector<Told> disjoint_;
-  std::vector<el::TermId> data_domains_;  ///< property, class, ... of data properties, in pairs
+  std::vector<owl::TermId> data_domains_;  ///< property, class, ... of data properties, in pairs
   std::vector<std::uint32_t> data_domain_axioms_;
-  std::vector<el::TermId> expressions_;
-  std::vector<el::TermId> contexts_;
-  std::map<el::TermId, std::vector<std::uint32_t>> about_;
-  std::map<std::pair<el::TermId, el::TermId>, std::uint32_t> known_;
+  std::vector<owl::TermId> expressions_;
+  std::vector<owl::TermId> contexts_;
+  std::map<owl::TermId, std::vector<std::uint32_t>> about_;
+  std::map<std::pair<owl::TermId, owl::TermId>, std::uint32_t> known_;
   std::vector<Conclusion> conclusions_;
   std::optional<std::uint32_t> goal_;
 };
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation
 
 #endif

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 namespace {
 
-using el::Term;
-using el::TermId;
-using el::TermKind;
+using owl::Term;
+using owl::TermId;
+using owl::TermKind;
 
 constexpr std::string_view literal_datatype = "http://www.w3.org/2000/01/rdf-schema#Literal";
 
@@ -27,7 +27,7 @@ TermId ProofTerms::some(TermId role, TermId filler) {
 }
 
 TermId ProofTerms::at_least(std::uint32_t count, TermId role, TermId filler) {
-  if (count == 0) return el::thing_term;
+  if (count == 0) return owl::thing_term;
   if (count == 1) return some(role, filler);
   return source_.term(is_data(role) ? TermKind::data_min_cardinality : TermKind::object_min_cardinality, {role, filler},
                       count);
@@ -47,17 +47,17 @@ TermId ProofTerms::inverse(TermId role) {
 TermId ProofTerms::conjunction(const std::vector<TermId>& parts) {
   std::vector<TermId> flat;
   for (const TermId part : parts) {
-    if (part == el::nothing_term) return part;
+    if (part == owl::nothing_term) return part;
     const Term term = source_.term(part);
     if (term.kind == TermKind::object_intersection_of) {
       flat.insert(flat.end(), term.arguments.begin(), term.arguments.end());
-    } else if (part != el::thing_term) {
+    } else if (part != owl::thing_term) {
       flat.push_back(part);
     }
   }
   std::ranges::sort(flat);
   flat.erase(std::unique(flat.begin(), flat.end()), flat.end());
-  if (flat.empty()) return el::thing_term;
+  if (flat.empty()) return owl::thing_term;
   return flat.size() == 1 ? flat.front() : source_.term(TermKind::object_intersection_of, flat);
 }
 
@@ -65,7 +65,7 @@ TermId ProofTerms::restriction(const Term& term) {
   const TermId role = term.arguments[0];
   const std::uint32_t count = term.number;
   const bool is_of_data = is_data(role);
-  TermId filler = is_of_data ? source_.datatype(literal_datatype) : el::thing_term;
+  TermId filler = is_of_data ? source_.datatype(literal_datatype) : owl::thing_term;
   if (term.arguments.size() == 2) filler = normal(term.arguments[1]);
   switch (term.kind) {
     case TermKind::object_min_cardinality:
@@ -109,8 +109,8 @@ TermId ProofTerms::normalise(TermId id) {
       return restriction(term);
     case TermKind::object_complement_of: {
       const TermId part = normal(arguments[0]);
-      if (part == el::thing_term) return el::nothing_term;
-      if (part == el::nothing_term) return el::thing_term;
+      if (part == owl::thing_term) return owl::nothing_term;
+      if (part == owl::nothing_term) return owl::thing_term;
       const Term inner = source_.term(part);
       return inner.kind == term.kind ? inner.arguments[0] : source_.term(term.kind, {part});
     }
@@ -121,7 +121,7 @@ TermId ProofTerms::normalise(TermId id) {
       if (term.kind == TermKind::object_intersection_of) return conjunction(parts);
       std::ranges::sort(parts);
       parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
-      if (parts.empty()) return el::nothing_term;
+      if (parts.empty()) return owl::nothing_term;
       return parts.size() == 1 ? parts.front() : source_.term(term.kind, parts);
     }
     default:
@@ -153,20 +153,21 @@ TermId ProofTerms::write(TermId id) {
                           {arguments[0], value});
     }
   }
-  if (is_restriction && number > 0 && arguments[1] == el::thing_term) return source_.term(kind, {arguments[0]}, number);
+  if (is_restriction && number > 0 && arguments[1] == owl::thing_term)
+    return source_.term(kind, {arguments[0]}, number);
   if (!is_restriction && kind != TermKind::object_intersection_of && kind != TermKind::object_union_of &&
       kind != TermKind::object_complement_of) {
     return id;
   }
   for (TermId& argument : arguments) {
     const TermKind of = source_.kind(argument);
-    if (el::is_class_expression(of)) argument = as_written(argument);
+    if (owl::is_class_expression(of)) argument = as_written(argument);
   }
   return source_.term(kind, arguments, number);
 }
 
-std::string ProofTerms::readable(TermId sub, TermId super, const el::ShortName& short_name) {
-  using el::AxiomKind;
+std::string ProofTerms::readable(TermId sub, TermId super, const owl::ShortName& short_name) {
+  using owl::AxiomKind;
   const Term left = source_.term(sub);
   std::vector<TermId> arguments;
   AxiomKind kind = AxiomKind::sub_class_of;
@@ -188,7 +189,7 @@ std::string ProofTerms::readable(TermId sub, TermId super, const el::ShortName& 
   } else {
     arguments = {as_written(sub), as_written(super)};
   }
-  return el::print(source_, {kind, {}, 0, arguments}, short_name);
+  return owl::print(source_, {kind, {}, 0, arguments}, short_name);
 }
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

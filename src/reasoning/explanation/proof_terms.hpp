@@ -9,42 +9,42 @@
 #include "reasoning/owl/print.hpp"
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 
 /// Makes terms in a source, in a form in which equal meanings are more often equal terms: an individual is the class of
 /// itself alone, `value` and `min 1` are `some`, `exactly` is `min and max`, every restriction has a filler,
 /// conjunctions are flat and sorted. Recursion is bounded by the nesting of terms.
 class ProofTerms {
  public:
-  explicit ProofTerms(el::OntologySource& source) : source_(source) {}
+  explicit ProofTerms(owl::Ontology& source) : source_(source) {}
 
   /// The same class expression or data range in that form.
-  [[nodiscard]] el::TermId normal(el::TermId term);
+  [[nodiscard]] owl::TermId normal(owl::TermId term);
   /// The class of one individual; of a literal: the data range.
-  [[nodiscard]] el::TermId singleton(el::TermId individual);
-  [[nodiscard]] el::TermId some(el::TermId role, el::TermId filler);
-  [[nodiscard]] el::TermId conjunction(const std::vector<el::TermId>& parts);
+  [[nodiscard]] owl::TermId singleton(owl::TermId individual);
+  [[nodiscard]] owl::TermId some(owl::TermId role, owl::TermId filler);
+  [[nodiscard]] owl::TermId conjunction(const std::vector<owl::TermId>& parts);
   /// Of a property expression; the inverse of an inverse is the property.
-  [[nodiscard]] el::TermId inverse(el::TermId role);
+  [[nodiscard]] owl::TermId inverse(owl::TermId role);
 
   /// "A SubClassOf B", "a Type B", "a r b": as one would write it as an axiom. The terms are in normal form.
-  [[nodiscard]] std::string readable(el::TermId sub, el::TermId super, const el::ShortName& short_name);
+  [[nodiscard]] std::string readable(owl::TermId sub, owl::TermId super, const owl::ShortName& short_name);
 
  private:
-  [[nodiscard]] el::TermId restriction(const el::Term& term);
-  [[nodiscard]] el::TermId at_least(std::uint32_t count, el::TermId role, el::TermId filler);
-  [[nodiscard]] el::TermId at_most(std::uint32_t count, el::TermId role, el::TermId filler);
-  [[nodiscard]] bool is_data(el::TermId role) const { return source_.kind(role) == el::TermKind::data_property; }
-  [[nodiscard]] el::TermId as_written(el::TermId term);
-  [[nodiscard]] el::TermId write(el::TermId term);
-  [[nodiscard]] el::TermId normalise(el::TermId term);
+  [[nodiscard]] owl::TermId restriction(const owl::Term& term);
+  [[nodiscard]] owl::TermId at_least(std::uint32_t count, owl::TermId role, owl::TermId filler);
+  [[nodiscard]] owl::TermId at_most(std::uint32_t count, owl::TermId role, owl::TermId filler);
+  [[nodiscard]] bool is_data(owl::TermId role) const { return source_.kind(role) == owl::TermKind::data_property; }
+  [[nodiscard]] owl::TermId as_written(owl::TermId term);
+  [[nodiscard]] owl::TermId write(owl::TermId term);
+  [[nodiscard]] owl::TermId normalise(owl::TermId term);
 
-  el::OntologySource& source_;
+  owl::Ontology& source_;
   // Terms share their parts: each is turned once.
-  std::map<el::TermId, el::TermId> normal_;
-  std::map<el::TermId, el::TermId> written_;
+  std::map<owl::TermId, owl::TermId> normal_;
+  std::map<owl::TermId, owl::TermId> written_;
 };
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation
 
 #endif

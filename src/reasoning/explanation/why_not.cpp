@@ -7,18 +7,18 @@
 #include "reasoning/explanation/proof_lemmas.hpp"
 #include "reasoning/modules/module.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 namespace {
 
-using el::AxiomKind;
-using el::ClassNumber;
-using el::TermId;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
+using taxonomy::ClassNumber;
 
 constexpr std::size_t max_ways = 8;
 constexpr std::size_t max_requirements = 24;  ///< of one axiom; each is a question to the engines
 
-std::vector<ClassNumber> most_specific_common(const el::Ontology& ontology, ClassNumber sub, ClassNumber super) {
+std::vector<ClassNumber> most_specific_common(const compiled::Ontology& ontology, ClassNumber sub, ClassNumber super) {
   const std::vector<ClassNumber> one = ontology.subsumers(sub);
   const std::vector<ClassNumber> other = ontology.subsumers(super);
   std::vector<ClassNumber> common;
@@ -47,7 +47,7 @@ struct Found {
 };
 
 /// Definitions first, then inclusions of expressions in the class, then what the class is told to be below.
-std::vector<Found> find_axioms(const el::ClassifiedView& view, std::uint32_t term) {
+std::vector<Found> find_axioms(const taxonomy::ClassifiedView& view, std::uint32_t term) {
   std::vector<Found> definitions;
   std::vector<Found> inclusions;
   std::vector<Found> necessary;
@@ -79,11 +79,11 @@ class Judge {
   Requirement judge(TermId required) {
     Requirement requirement{module_.print(required), follows(required), {}};
     if (requirement.is_met) return requirement;
-    const el::Term term = module_.source().term(required);
-    if (term.kind == TermKind::object_some_values_from && term.arguments[1] != el::thing_term) {
+    const owl::Term term = module_.source().term(required);
+    if (term.kind == TermKind::object_some_values_from && term.arguments[1] != owl::thing_term) {
       const TermId role = term.arguments[0];
       const TermId filler = term.arguments[1];
-      const TermId any = module_.source().term(TermKind::object_some_values_from, {role, el::thing_term});
+      const TermId any = module_.source().term(TermKind::object_some_values_from, {role, owl::thing_term});
       if (follows(any)) {
         requirement.remark = "it has " + module_.print(role) + ", but to nothing that is known to be " + nested(filler);
       }
@@ -93,7 +93,7 @@ class Judge {
 
   /// The conjuncts, or the class itself.
   std::vector<TermId> conjuncts(TermId side) {
-    const el::Term term = module_.source().term(side);
+    const owl::Term term = module_.source().term(side);
     if (term.kind != TermKind::object_intersection_of) return {side};
     return {term.arguments.begin(), term.arguments.end()};
   }
@@ -101,7 +101,7 @@ class Judge {
   /// A set of axioms by which nothing can be in both.
   std::optional<AxiomSet> find_exclusion(TermId super) {
     const TermId both = module_.source().term(TermKind::object_intersection_of, {sub_, super});
-    return engines_.find(module_.all(), both, el::nothing_term);
+    return engines_.find(module_.all(), both, owl::nothing_term);
   }
 
  private:
@@ -123,7 +123,7 @@ std::size_t Way::missing_count() const {
   return static_cast<std::size_t>(std::ranges::count(requirements, false, &Requirement::is_met));
 }
 
-WhyNot why_not(const el::Ontology& ontology, ClassNumber sub, ClassNumber super, Patience patience) {
+WhyNot why_not(const compiled::Ontology& ontology, ClassNumber sub, ClassNumber super, Patience patience) {
   WhyNot result;
   result.common = most_specific_common(ontology, sub, super);
   result.may_be_incomplete = !ontology.left_out().empty() || !ontology.gaps().empty();
@@ -158,4 +158,4 @@ WhyNot why_not(const el::Ontology& ontology, ClassNumber sub, ClassNumber super,
   return result;
 }
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

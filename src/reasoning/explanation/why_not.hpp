@@ -11,7 +11,7 @@
 #include "reasoning/explanation/explain_module.hpp"
 #include "reasoning/explanation/explain_oracle.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 
 /// Something that every instance of the broader class has to be.
 struct Requirement {
@@ -31,7 +31,7 @@ struct Way {
 
 struct WhyNot {
   /// The most specific classes that are above both, one of each node of equivalents; owl:Thing where there is no other.
-  std::vector<el::ClassNumber> common;
+  std::vector<taxonomy::ClassNumber> common;
   /// Sufficient ones first, of these the nearest first: the one of which least is missing.
   std::vector<Way> ways;
   bool has_more_ways = false;  ///< than are listed
@@ -44,17 +44,17 @@ struct WhyNot {
 
 /// Requires that `sub` is not below `super`. Cost: a pass over the kinds of all axioms, and a question to the engines
 /// for each requirement.
-[[nodiscard]] WhyNot why_not(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super,
+[[nodiscard]] WhyNot why_not(const compiled::Ontology& ontology, taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
                              Patience patience = Patience::of_a_person);
 
 /// The same in lines for a person, without the first one ("A is not subsumed by B").
-[[nodiscard]] std::vector<std::string> describe(const el::Ontology& ontology, el::ClassNumber sub,
-                                                el::ClassNumber super, const WhyNot& why_not);
+[[nodiscard]] std::vector<std::string> describe(const compiled::Ontology& ontology, taxonomy::ClassNumber sub,
+                                                taxonomy::ClassNumber super, const WhyNot& why_not);
 
 /// The same in one line of few words: what is nearest, and what the nearest sufficient axiom asks for beyond that.
-[[nodiscard]] std::string describe_briefly(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super,
-                                           const WhyNot& why_not);
+[[nodiscard]] std::string describe_briefly(const compiled::Ontology& ontology, taxonomy::ClassNumber sub,
+                                           taxonomy::ClassNumber super, const WhyNot& why_not);
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation
 
 #endif

@@ -4,7 +4,7 @@
 #include "reasoning/explanation/why_not.hpp"
 #include "reasoning/owl/axiom.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 namespace {
 
 std::string place(const ExplainedAxiom& axiom) {
@@ -12,20 +12,20 @@ std::string place(const ExplainedAxiom& axiom) {
   return "   [" + axiom.file + (axiom.line == 0 ? "" : ':' + std::to_string(axiom.line)) + ']';
 }
 
-std::string names_of(const el::Ontology& ontology, const std::vector<el::ClassNumber>& classes) {
+std::string names_of(const compiled::Ontology& ontology, const std::vector<taxonomy::ClassNumber>& classes) {
   std::string names;
-  for (const el::ClassNumber number : classes) names += (names.empty() ? "" : ", ") + ontology.short_name(number);
+  for (const taxonomy::ClassNumber number : classes) names += (names.empty() ? "" : ", ") + ontology.short_name(number);
   return names;
 }
 
-std::string common_words(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super,
+std::string common_words(const compiled::Ontology& ontology, taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
                          const WhyNot& why_not) {
   const std::string names = names_of(ontology, why_not.common);
   if (ontology.is_subsumed(super, sub)) {
     return "Nearest: " + ontology.short_name(super) + " is subsumed by " + ontology.short_name(sub) +
            ", but not the other way round";
   }
-  if (names == ontology.short_name(el::owl_thing)) return "Nearest: they have nothing in common but " + names;
+  if (names == ontology.short_name(owl::owl_thing)) return "Nearest: they have nothing in common but " + names;
   return "Nearest: both are " + names;
 }
 
@@ -37,8 +37,8 @@ std::string words_of(const Requirement& requirement) {
 
 }  // namespace
 
-std::vector<std::string> describe(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super,
-                                  const WhyNot& why_not) {
+std::vector<std::string> describe(const compiled::Ontology& ontology, taxonomy::ClassNumber sub,
+                                  taxonomy::ClassNumber super, const WhyNot& why_not) {
   const std::string narrow = ontology.short_name(sub);
   const std::string broad = ontology.short_name(super);
   std::vector<std::string> lines = {common_words(ontology, sub, super, why_not)};
@@ -68,7 +68,7 @@ std::vector<std::string> describe(const el::Ontology& ontology, el::ClassNumber 
   return lines;
 }
 
-std::string describe_briefly(const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super,
+std::string describe_briefly(const compiled::Ontology& ontology, taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
                              const WhyNot& why_not) {
   std::string text = common_words(ontology, sub, super, why_not);
   text.front() = 'n';
@@ -82,4 +82,4 @@ std::string describe_briefly(const el::Ontology& ontology, el::ClassNumber sub, 
   return text + "; to be " + ontology.short_name(super) + " it lacks " + missing;
 }
 
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

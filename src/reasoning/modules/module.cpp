@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-namespace geminga::el {
+namespace geminga::modules {
 namespace {
 
 /// Walks from names to axioms and from axioms to names.
@@ -63,7 +63,7 @@ class Walk {
   }
 
   const ModuleIndex& index_;
-  const ClassifiedView& view_;
+  const taxonomy::ClassifiedView& view_;
   std::vector<bool> is_in_signature_;
   std::vector<bool> is_taken_;
   LocalityTest test_;
@@ -75,26 +75,27 @@ class Walk {
 
 }  // namespace
 
-ModuleIndex::ModuleIndex(const ClassifiedView& view) : view_(&view) {
+ModuleIndex::ModuleIndex(const taxonomy::ClassifiedView& view) : view_(&view) {
   if (view.built_in.size() != built_in_count) return;  // a view without axioms
   const auto& terms = view.built_in;
   built_in_ = {terms[0], terms[1], terms[2], terms[3], terms[4], terms[5]};
 }
 
-std::optional<std::uint32_t> ModuleIndex::term_of(ClassNumber number) const {
+std::optional<std::uint32_t> ModuleIndex::term_of(taxonomy::ClassNumber number) const {
   const auto at = static_cast<std::size_t>(number);
-  if (at >= view_->term_of_class.size() || view_->term_of_class[at] == ClassifiedView::none) return std::nullopt;
+  if (at >= view_->term_of_class.size() || view_->term_of_class[at] == taxonomy::ClassifiedView::none)
+    return std::nullopt;
   return view_->term_of_class[at];
 }
 
-std::vector<std::uint32_t> extract_module(const ModuleIndex& index, std::span<const ClassNumber> classes,
+std::vector<std::uint32_t> extract_module(const ModuleIndex& index, std::span<const taxonomy::ClassNumber> classes,
                                           std::span<const std::uint32_t> more_terms) {
   std::vector<std::uint32_t> terms;
-  for (const ClassNumber number : classes) {
+  for (const taxonomy::ClassNumber number : classes) {
     if (const auto term = index.term_of(number)) terms.push_back(*term);
   }
   terms.insert(terms.end(), more_terms.begin(), more_terms.end());
   return Walk(index).run(terms);
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::modules

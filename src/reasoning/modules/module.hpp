@@ -11,15 +11,15 @@
 #include "reasoning/taxonomy/class_number.hpp"
 #include "reasoning/taxonomy/classified_view.hpp"
 
-namespace geminga::el {
+namespace geminga::modules {
 
 /// From each name to the axioms that wait for it; see module_locality.hpp. It is part of the compiled form, so that
 /// making one costs nothing. The view, which must have axioms to be of use, must outlive it.
 class ModuleIndex {
  public:
-  explicit ModuleIndex(const ClassifiedView& view);
+  explicit ModuleIndex(const taxonomy::ClassifiedView& view);
 
-  [[nodiscard]] const ClassifiedView& view() const { return *view_; }
+  [[nodiscard]] const taxonomy::ClassifiedView& view() const { return *view_; }
   [[nodiscard]] const BuiltIn& built_in() const { return built_in_; }
   /// How often a term is an argument.
   [[nodiscard]] std::span<const std::uint32_t> uses() const { return view_->uses; }
@@ -30,10 +30,10 @@ class ModuleIndex {
   /// Axioms that say something whatever the signature is: facts, and what is said of everything.
   [[nodiscard]] std::span<const std::uint32_t> unconditional() const { return view_->unconditional; }
   /// The term of a class; nothing where no axiom uses it.
-  [[nodiscard]] std::optional<std::uint32_t> term_of(ClassNumber number) const;
+  [[nodiscard]] std::optional<std::uint32_t> term_of(taxonomy::ClassNumber number) const;
 
  private:
-  const ClassifiedView* view_;
+  const taxonomy::ClassifiedView* view_;
   BuiltIn built_in_;
 };
 
@@ -48,15 +48,16 @@ struct ModuleTables {
 };
 
 /// Makes the tables of a view that has everything but them. A pass over its axioms.
-[[nodiscard]] ModuleTables make_module_tables(const ClassifiedView& view);
+[[nodiscard]] ModuleTables make_module_tables(const taxonomy::ClassifiedView& view);
 
 /// Numbers of axioms that hold every minimal set that entails anything about these classes and terms; that one of the
 /// classes is below any named class, too. They come in the order in which the walk reaches them, so that what is near
 /// stands first. Declarations are never among them. Cost: that of what is reached, beside one bit for each term and
 /// axiom of the ontology.
-[[nodiscard]] std::vector<std::uint32_t> extract_module(const ModuleIndex& index, std::span<const ClassNumber> classes,
+[[nodiscard]] std::vector<std::uint32_t> extract_module(const ModuleIndex& index,
+                                                        std::span<const taxonomy::ClassNumber> classes,
                                                         std::span<const std::uint32_t> more_terms = {});
 
-}  // namespace geminga::el
+}  // namespace geminga::modules
 
 #endif

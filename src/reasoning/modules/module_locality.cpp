@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace geminga::el {
+namespace geminga::modules {
 
 std::uint64_t LocalityTest::cost(std::size_t first, std::size_t last) const {
   std::uint64_t sum = 0;
@@ -107,8 +107,8 @@ Locality LocalityTest::wait_for(std::uint32_t entity) {
 
 Locality LocalityTest::not_empty_role(std::uint32_t term) {
   const Numbers arguments = view_.arguments_of_term(term);
-  if (view_.kind_of_term(term) == TermKind::object_inverse_of) return not_empty_role(arguments[0]);
-  if (view_.kind_of_term(term) == TermKind::object_property_chain) {
+  if (view_.kind_of_term(term) == owl::TermKind::object_inverse_of) return not_empty_role(arguments[0]);
+  if (view_.kind_of_term(term) == owl::TermKind::object_property_chain) {
     return all(arguments, [&](std::uint32_t role) { return not_empty_role(role); });
   }
   if (term == built_in_.top_object_property || term == built_in_.top_data_property) return Locality::not_local;
@@ -126,30 +126,30 @@ Locality LocalityTest::not_empty(std::uint32_t term) {
   const Numbers arguments = view_.arguments_of_term(term);
   const auto is_not_empty = [&](std::uint32_t part) { return not_empty(part); };
   switch (view_.kind_of_term(term)) {
-    case TermKind::named_class:
+    case owl::TermKind::named_class:
       if (term == built_in_.thing) return Locality::not_local;
       return term == built_in_.nothing ? Locality::always : wait_for(term);
-    case TermKind::object_intersection_of:
-    case TermKind::data_intersection_of:
+    case owl::TermKind::object_intersection_of:
+    case owl::TermKind::data_intersection_of:
       return all(arguments, is_not_empty);
-    case TermKind::object_union_of:
-    case TermKind::data_union_of:
-    case TermKind::object_one_of:
-    case TermKind::data_one_of:
+    case owl::TermKind::object_union_of:
+    case owl::TermKind::data_union_of:
+    case owl::TermKind::object_one_of:
+    case owl::TermKind::data_one_of:
       return any(arguments, is_not_empty);
-    case TermKind::object_complement_of:
+    case owl::TermKind::object_complement_of:
       return not_everything(arguments[0]);
-    case TermKind::object_some_values_from:
-    case TermKind::data_some_values_from:
+    case owl::TermKind::object_some_values_from:
+    case owl::TermKind::data_some_values_from:
       return not_empty_successor(arguments);
-    case TermKind::object_has_value:
-    case TermKind::data_has_value:
-    case TermKind::object_has_self:
+    case owl::TermKind::object_has_value:
+    case owl::TermKind::data_has_value:
+    case owl::TermKind::object_has_self:
       return not_empty_role(arguments[0]);
-    case TermKind::object_min_cardinality:
-    case TermKind::data_min_cardinality:
-    case TermKind::object_exact_cardinality:
-    case TermKind::data_exact_cardinality:
+    case owl::TermKind::object_min_cardinality:
+    case owl::TermKind::data_min_cardinality:
+    case owl::TermKind::object_exact_cardinality:
+    case owl::TermKind::data_exact_cardinality:
       return view_.number_of_term(term) > 0 ? not_empty_successor(arguments) : Locality::not_local;
     default:
       return Locality::not_local;
@@ -161,45 +161,45 @@ Locality LocalityTest::not_everything(std::uint32_t term) {
   const Numbers arguments = view_.arguments_of_term(term);
   const auto is_not_everything = [&](std::uint32_t part) { return not_everything(part); };
   switch (view_.kind_of_term(term)) {
-    case TermKind::named_class:
+    case owl::TermKind::named_class:
       return term == built_in_.thing ? Locality::always : Locality::not_local;
-    case TermKind::object_intersection_of:
+    case owl::TermKind::object_intersection_of:
       return any(arguments, is_not_everything);
-    case TermKind::object_union_of:
+    case owl::TermKind::object_union_of:
       return all(arguments, is_not_everything);
-    case TermKind::object_complement_of:
+    case owl::TermKind::object_complement_of:
       return not_empty(arguments[0]);
-    case TermKind::object_all_values_from:
+    case owl::TermKind::object_all_values_from:
       return both([&] { return not_empty_role(arguments[0]); }, [&] { return not_everything(arguments[1]); });
-    case TermKind::data_all_values_from:
+    case owl::TermKind::data_all_values_from:
       return not_empty_role(arguments[0]);
-    case TermKind::object_min_cardinality:
-    case TermKind::data_min_cardinality:
+    case owl::TermKind::object_min_cardinality:
+    case owl::TermKind::data_min_cardinality:
       return view_.number_of_term(term) == 0 ? Locality::always : Locality::not_local;
-    case TermKind::object_max_cardinality:
-    case TermKind::data_max_cardinality:
+    case owl::TermKind::object_max_cardinality:
+    case owl::TermKind::data_max_cardinality:
       return not_empty_successor(arguments);
-    case TermKind::object_exact_cardinality:
-    case TermKind::data_exact_cardinality:
+    case owl::TermKind::object_exact_cardinality:
+    case owl::TermKind::data_exact_cardinality:
       return view_.number_of_term(term) == 0 ? not_empty_successor(arguments) : Locality::not_local;
     default:
       return Locality::not_local;
   }
 }
 
-Locality LocalityTest::of_class_axiom(AxiomKind kind, Numbers arguments) {
+Locality LocalityTest::of_class_axiom(owl::AxiomKind kind, Numbers arguments) {
   const auto is_not_empty = [&](std::uint32_t part) { return not_empty(part); };
   switch (kind) {
-    case AxiomKind::sub_class_of:
+    case owl::AxiomKind::sub_class_of:
       return both([&] { return not_empty(arguments[0]); }, [&] { return not_everything(arguments[1]); });
-    case AxiomKind::equivalent_classes:
+    case owl::AxiomKind::equivalent_classes:
       return both([&] { return any(arguments, is_not_empty); },
                   [&] { return any(arguments, [&](std::uint32_t part) { return not_everything(part); }); });
-    case AxiomKind::disjoint_union:
+    case owl::AxiomKind::disjoint_union:
       return any(arguments, is_not_empty);
-    case AxiomKind::disjoint_classes:
+    case owl::AxiomKind::disjoint_classes:
       return two(arguments, is_not_empty);
-    case AxiomKind::has_key:
+    case owl::AxiomKind::has_key:
       return not_empty(arguments[0]);
     default:  // a class assertion
       return not_everything(arguments[0]);
@@ -210,45 +210,45 @@ Locality LocalityTest::of(std::uint32_t axiom) {
   names_.clear();
   looked_at_ = 0;
   const Numbers arguments = view_.arguments_of_axiom(axiom);
-  const AxiomKind kind = view_.kind_of_axiom(axiom);
+  const owl::AxiomKind kind = view_.kind_of_axiom(axiom);
   const auto is_not_empty_role = [&](std::uint32_t role) { return not_empty_role(role); };
   switch (kind) {
-    case AxiomKind::declaration:
+    case owl::AxiomKind::declaration:
       return Locality::always;
-    case AxiomKind::sub_class_of:
-    case AxiomKind::equivalent_classes:
-    case AxiomKind::disjoint_union:
-    case AxiomKind::disjoint_classes:
-    case AxiomKind::has_key:
-    case AxiomKind::class_assertion:
+    case owl::AxiomKind::sub_class_of:
+    case owl::AxiomKind::equivalent_classes:
+    case owl::AxiomKind::disjoint_union:
+    case owl::AxiomKind::disjoint_classes:
+    case owl::AxiomKind::has_key:
+    case owl::AxiomKind::class_assertion:
       return of_class_axiom(kind, arguments);
-    case AxiomKind::sub_object_property_of:
-    case AxiomKind::sub_data_property_of:
-    case AxiomKind::functional_object_property:
-    case AxiomKind::inverse_functional_object_property:
-    case AxiomKind::irreflexive_object_property:
-    case AxiomKind::symmetric_object_property:
-    case AxiomKind::asymmetric_object_property:
-    case AxiomKind::transitive_object_property:
-    case AxiomKind::functional_data_property:
-    case AxiomKind::negative_object_property_assertion:
-    case AxiomKind::negative_data_property_assertion:
-    case AxiomKind::data_property_range:
+    case owl::AxiomKind::sub_object_property_of:
+    case owl::AxiomKind::sub_data_property_of:
+    case owl::AxiomKind::functional_object_property:
+    case owl::AxiomKind::inverse_functional_object_property:
+    case owl::AxiomKind::irreflexive_object_property:
+    case owl::AxiomKind::symmetric_object_property:
+    case owl::AxiomKind::asymmetric_object_property:
+    case owl::AxiomKind::transitive_object_property:
+    case owl::AxiomKind::functional_data_property:
+    case owl::AxiomKind::negative_object_property_assertion:
+    case owl::AxiomKind::negative_data_property_assertion:
+    case owl::AxiomKind::data_property_range:
       return not_empty_role(arguments[0]);
-    case AxiomKind::equivalent_object_properties:
-    case AxiomKind::equivalent_data_properties:
-    case AxiomKind::inverse_object_properties:
+    case owl::AxiomKind::equivalent_object_properties:
+    case owl::AxiomKind::equivalent_data_properties:
+    case owl::AxiomKind::inverse_object_properties:
       return any(arguments, is_not_empty_role);
-    case AxiomKind::disjoint_object_properties:
-    case AxiomKind::disjoint_data_properties:
+    case owl::AxiomKind::disjoint_object_properties:
+    case owl::AxiomKind::disjoint_data_properties:
       return two(arguments, is_not_empty_role);
-    case AxiomKind::object_property_domain:
-    case AxiomKind::object_property_range:
-    case AxiomKind::data_property_domain:
+    case owl::AxiomKind::object_property_domain:
+    case owl::AxiomKind::object_property_range:
+    case owl::AxiomKind::data_property_domain:
       return both([&] { return not_empty_role(arguments[0]); }, [&] { return not_everything(arguments[1]); });
     default:
       return Locality::not_local;  // reflexivity, facts, equality: they always say something
   }
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::modules

@@ -13,22 +13,22 @@
 
 #include "reasoning/taxonomy/classified_view.hpp"
 
-namespace geminga::el {
+namespace geminga::modules {
 
 /// Terms with a meaning of their own, or ClassifiedView::none where no axiom uses them.
 struct BuiltIn {
-  std::uint32_t thing = ClassifiedView::none;
-  std::uint32_t nothing = ClassifiedView::none;
-  std::uint32_t top_object_property = ClassifiedView::none;
-  std::uint32_t top_data_property = ClassifiedView::none;
-  std::uint32_t bottom_object_property = ClassifiedView::none;
-  std::uint32_t bottom_data_property = ClassifiedView::none;
+  std::uint32_t thing = taxonomy::ClassifiedView::none;
+  std::uint32_t nothing = taxonomy::ClassifiedView::none;
+  std::uint32_t top_object_property = taxonomy::ClassifiedView::none;
+  std::uint32_t top_data_property = taxonomy::ClassifiedView::none;
+  std::uint32_t bottom_object_property = taxonomy::ClassifiedView::none;
+  std::uint32_t bottom_data_property = taxonomy::ClassifiedView::none;
 };
 inline constexpr std::size_t built_in_count = 6;
 
 /// Whether a module's signature is made of such terms.
-[[nodiscard]] constexpr bool is_entity(TermKind kind) {
-  return kind <= TermKind::anonymous_individual && kind != TermKind::datatype;
+[[nodiscard]] constexpr bool is_entity(owl::TermKind kind) {
+  return kind <= owl::TermKind::anonymous_individual && kind != owl::TermKind::datatype;
 }
 
 /// Whether an axiom is local, and what it waits for.
@@ -47,7 +47,7 @@ class LocalityTest {
  public:
   /// `is_in_signature` and `uses` have an entry for each term; of several names to wait for those with few uses are
   /// taken. All must outlive the test.
-  LocalityTest(const ClassifiedView& view, const BuiltIn& built_in, const std::vector<bool>& is_in_signature,
+  LocalityTest(const taxonomy::ClassifiedView& view, const BuiltIn& built_in, const std::vector<bool>& is_in_signature,
                std::span<const std::uint32_t> uses)
       : view_(view), built_in_(built_in), is_in_signature_(is_in_signature), uses_(uses) {}
 
@@ -56,7 +56,7 @@ class LocalityTest {
   [[nodiscard]] std::span<const std::uint32_t> names() const { return names_; }
 
  private:
-  using Numbers = ClassifiedView::Numbers;
+  using Numbers = taxonomy::ClassifiedView::Numbers;
 
   template <typename Test>
   Locality any(Numbers terms, Test&& test);
@@ -75,9 +75,9 @@ class LocalityTest {
   Locality not_empty(std::uint32_t term);
   Locality not_everything(std::uint32_t term);
   Locality not_empty_successor(Numbers arguments);
-  Locality of_class_axiom(AxiomKind kind, Numbers arguments);
+  Locality of_class_axiom(owl::AxiomKind kind, Numbers arguments);
 
-  const ClassifiedView& view_;
+  const taxonomy::ClassifiedView& view_;
   const BuiltIn& built_in_;
   const std::vector<bool>& is_in_signature_;
   std::span<const std::uint32_t> uses_;
@@ -85,6 +85,6 @@ class LocalityTest {
   std::vector<std::uint32_t> names_;  ///< a stack: each test leaves its names on top
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::modules
 
 #endif

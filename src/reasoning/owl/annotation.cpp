@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace geminga::el {
+namespace geminga::owl {
 
 std::string property_of_annotation_axiom(std::string_view word) {
   const std::string rdfs = "http://www.w3.org/2000/01/rdf-schema#";
@@ -30,7 +30,7 @@ void AnnotationStack::add(Annotation annotation, std::size_t level) {
   kept_->push_back(std::move(annotation));
 }
 
-void AnnotationStack::settle(const OntologySource& source, std::size_t axioms_before, std::size_t damaged_before) {
+void AnnotationStack::settle(const Ontology& source, std::size_t axioms_before, std::size_t damaged_before) {
   if (kept_ == nullptr || kept_->size() == begin_) return;
   const bool is_axiom = source.axiom_count() > axioms_before;
   if (!is_axiom && source.damaged_count() == damaged_before) return drop();
@@ -49,4 +49,4 @@ void AnnotationStack::drop() {
   waiting_.clear();
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl

@@ -12,7 +12,7 @@
 
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// An annotation by an IRI, a literal or an anonymous individual.
 struct Annotation {
@@ -26,7 +26,7 @@ struct Annotation {
   };
   Of of = Of::name;
   std::uint32_t number = 0;
-  std::string subject;   ///< of a name: an IRI, or `_:` and a label as OntologySource::anonymous_individual() has it
+  std::string subject;   ///< of a name: an IRI, or `_:` and a label as Ontology::anonymous_individual() has it
   std::string property;  ///< an IRI
   bool is_literal = false;
   std::string value;     ///< an IRI, `_:` and a label, or a lexical form
@@ -60,7 +60,7 @@ class AnnotationStack {
   /// it are its own. With level 0 those of level 1 are, as of an axiom that is an annotation.
   void add(Annotation annotation, std::size_t level);
   /// Those of level 1 are about an axiom, which has been added to the source unless that has as many axioms as before.
-  void settle(const OntologySource& source, std::size_t axioms_before, std::size_t damaged_before);
+  void settle(const Ontology& source, std::size_t axioms_before, std::size_t damaged_before);
   /// They are about nothing that is kept.
   void drop();
 
@@ -70,6 +70,6 @@ class AnnotationStack {
   std::vector<std::vector<std::uint32_t>> waiting_;  ///< by level
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace geminga::el {
+namespace geminga::owl {
 namespace {
 
 /// Larger automata are not looked through for superfluous moves: the search grows with the cube of the states.
@@ -199,4 +199,4 @@ void Automaton::trim() {
   states_ = next;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl

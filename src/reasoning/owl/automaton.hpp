@@ -10,7 +10,7 @@
 
 #include "reasoning/owl/role.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// State 0 is where words begin and, until without_empty_moves(), state 1 is where they end.
 class Automaton {
@@ -56,6 +56,6 @@ class Automaton {
   std::vector<bool> final_;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace geminga::el {
+namespace geminga::owl {
 namespace {
 
 constexpr std::array<std::string_view, term_kind_count> term_words = {
@@ -84,4 +84,4 @@ constexpr std::array<std::string_view, axiom_kind_count> axiom_words = {
 std::string_view to_string(TermKind kind) { return term_words[static_cast<std::size_t>(kind)]; }
 std::string_view to_string(AxiomKind kind) { return axiom_words[static_cast<std::size_t>(kind)]; }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl

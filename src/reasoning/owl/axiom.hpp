@@ -1,21 +1,21 @@
 // The vocabulary of axioms: the terms and axioms of the OWL 2 structural specification as numbers and small kinds.
 //
-// How a reader uses it (the builder is OntologySource in el/source.hpp):
+// How a reader uses it (the builder is Ontology in el/source.hpp):
 //
-//   el::OntologySource source;
-//   const el::FileId file = source.add_file("soccer.ttl", "https://geminga.example/soccer");
-//   const el::TermId ball = source.named_class("https://geminga.example/soccer#BallInfo");
-//   const el::TermId seen_by = source.object_property("https://geminga.example/soccer#seenBy");
-//   const el::TermId robot = source.named_class("https://geminga.example/core#Robot");
-//   const el::TermId seen = source.term(el::TermKind::object_some_values_from, {seen_by, robot});
-//   source.add(el::AxiomKind::sub_class_of, {ball, seen}, file, 17);
+//   Ontology source;
+//   const FileId file = source.add_file("soccer.ttl", "https://geminga.example/soccer");
+//   const TermId ball = source.named_class("https://geminga.example/soccer#BallInfo");
+//   const TermId seen_by = source.object_property("https://geminga.example/soccer#seenBy");
+//   const TermId robot = source.named_class("https://geminga.example/core#Robot");
+//   const TermId seen = source.term(TermKind::object_some_values_from, {seen_by, robot});
+//   source.add(AxiomKind::sub_class_of, {ball, seen}, file, 17);
 //   source.add_label("https://geminga.example/soccer#BallInfo", "ball", "en");
 //   source.add_prefix("soccer", "https://geminga.example/soccer#");
 //   source.leave_out("swrl:Imp", file, 30);                       // what no axiom kind can express
 //   if (auto problem = source.problem()) ...                      // a limit was exceeded: refuse the ontology
-//   auto classification = el::classify(source, {});               // el/classify.hpp
-//   std::vector<std::byte> bytes = el::compile(source, *classification);   // el/compile.hpp
-//   auto ontology = el::Ontology::from_bytes(std::move(bytes));            // el/ontology.hpp
+//   auto classification = classify(source, {});               // el/classify.hpp
+//   std::vector<std::byte> bytes = compile(source, *classification);   // el/compile.hpp
+//   auto ontology = Ontology::from_bytes(std::move(bytes));            // el/ontology.hpp
 //
 // The arguments of every term and axiom stand in the order of the OWL 2 functional-style syntax. A reader hands over
 // everything that has a kind here, whether the reasoner can use it or not: what is used is the reasoner's business,
@@ -27,13 +27,13 @@
 #include <span>
 #include <string_view>
 
-namespace geminga::el {
+namespace geminga::owl {
 
-/// An interned string (an IRI, a blank node, a lexical form, a language tag) of one OntologySource.
+/// An interned string (an IRI, a blank node, a lexical form, a language tag) of one Ontology.
 enum class NameId : std::uint32_t {};
-/// An interned term of one OntologySource: equal terms have equal ids.
+/// An interned term of one Ontology: equal terms have equal ids.
 enum class TermId : std::uint32_t {};
-/// A loaded file of one OntologySource.
+/// A loaded file of one Ontology.
 enum class FileId : std::uint32_t {};
 
 /// What a term is. Comments give the arguments. The numbers are part of the compiled form: only ever appended.
@@ -145,6 +145,6 @@ inline constexpr std::string_view owl_bottom_object_property = "http://www.w3.or
 inline constexpr std::string_view owl_top_data_property = "http://www.w3.org/2002/07/owl#topDataProperty";
 inline constexpr std::string_view owl_bottom_data_property = "http://www.w3.org/2002/07/owl#bottomDataProperty";
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace geminga::el {
+namespace geminga::owl {
 namespace {
 
 using Hash = ContentHashes::Hash;
@@ -54,7 +54,7 @@ std::size_t set_begin(AxiomKind kind, std::size_t count) {
   }
 }
 
-ContentHashes::ContentHashes(const OntologySource& source, BlankNodes blank_nodes) : source_(source) {
+ContentHashes::ContentHashes(const Ontology& source, BlankNodes blank_nodes) : source_(source) {
   terms_.reserve(source.term_count());
   std::vector<std::uint64_t> words;
   for (std::uint32_t id = 0; id < source.term_count(); ++id) {
@@ -95,7 +95,7 @@ ContentHashes::Hash ContentHashes::of(const Axiom& axiom) const {
 
 namespace {
 
-void order_files(const OntologySource& source, CanonicalOrder& order, std::vector<std::uint32_t>& number_of_file) {
+void order_files(const Ontology& source, CanonicalOrder& order, std::vector<std::uint32_t>& number_of_file) {
   for (std::uint32_t file = 0; file < source.files().size(); ++file) order.files.push_back(FileId{file});
   std::ranges::sort(order.files, {}, [&](FileId id) {
     const LoadedFile& file = source.files()[static_cast<std::size_t>(id)];
@@ -107,8 +107,8 @@ void order_files(const OntologySource& source, CanonicalOrder& order, std::vecto
   }
 }
 
-void order_axioms(const OntologySource& source, const ContentHashes& hashes,
-                  const std::vector<std::uint32_t>& number_of_file, CanonicalOrder& order) {
+void order_axioms(const Ontology& source, const ContentHashes& hashes, const std::vector<std::uint32_t>& number_of_file,
+                  CanonicalOrder& order) {
   struct Entry {
     AxiomKind kind;
     Hash hash;
@@ -135,7 +135,7 @@ void order_axioms(const OntologySource& source, const ContentHashes& hashes,
 
 }  // namespace
 
-CanonicalOrder canonical_order(const OntologySource& source, const ContentHashes& hashes) {
+CanonicalOrder canonical_order(const Ontology& source, const ContentHashes& hashes) {
   CanonicalOrder order;
   std::vector<std::uint32_t> number_of_file;
   order_files(source, order, number_of_file);
@@ -154,7 +154,7 @@ CanonicalOrder canonical_order(const OntologySource& source, const ContentHashes
     return std::pair(source.depth(a), hashes.of(a)) < std::pair(source.depth(b), hashes.of(b));
   });
   // Terms that differ only in the order of a set are one.
-  order.number_of_term.assign(source.term_count(), NumberTable::none);
+  order.number_of_term.assign(source.term_count(), base::NumberTable::none);
   std::vector<TermId> distinct;
   for (const TermId term : order.terms) {
     if (distinct.empty() || hashes.of(distinct.back()) != hashes.of(term)) distinct.push_back(term);
@@ -164,7 +164,7 @@ CanonicalOrder canonical_order(const OntologySource& source, const ContentHashes
   return order;
 }
 
-std::uint64_t digest(const OntologySource& source) {
+std::uint64_t digest(const Ontology& source) {
   const ContentHashes hashes(source, BlankNodes::all_alike);
   std::vector<Hash> contents;
   std::vector<bool> is_used(source.term_count(), false);
@@ -191,4 +191,4 @@ std::uint64_t digest(const OntologySource& source) {
   return XXH3_64bits(words.data(), words.size() * sizeof(std::uint64_t));
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl

@@ -9,7 +9,7 @@
 
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// Labels of blank nodes differ between files and readers: a digest must not see them, an order must.
 enum class BlankNodes { by_label, all_alike };
@@ -18,7 +18,7 @@ enum class BlankNodes { by_label, all_alike };
 /// intersection, count in any order.
 class ContentHashes {
  public:
-  explicit ContentHashes(const OntologySource& source, BlankNodes blank_nodes = BlankNodes::by_label);
+  explicit ContentHashes(const Ontology& source, BlankNodes blank_nodes = BlankNodes::by_label);
 
   using Hash = std::pair<std::uint64_t, std::uint64_t>;
   [[nodiscard]] Hash of(TermId term) const { return terms_[static_cast<std::size_t>(term)]; }
@@ -27,7 +27,7 @@ class ContentHashes {
   [[nodiscard]] std::vector<TermId> sorted(std::span<const TermId> arguments, std::size_t set_from) const;
 
  private:
-  const OntologySource& source_;
+  const Ontology& source_;
   std::vector<Hash> terms_;
 };
 
@@ -50,12 +50,12 @@ struct CanonicalOrder {
   std::vector<CanonicalAxiom> axioms;
 };
 
-[[nodiscard]] CanonicalOrder canonical_order(const OntologySource& source, const ContentHashes& hashes);
+[[nodiscard]] CanonicalOrder canonical_order(const Ontology& source, const ContentHashes& hashes);
 
 /// What identifies an ontology between hosts: equal for the same axioms and classes, whatever their order, files or
 /// syntax.
-[[nodiscard]] std::uint64_t digest(const OntologySource& source);
+[[nodiscard]] std::uint64_t digest(const Ontology& source);
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

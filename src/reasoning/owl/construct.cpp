@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace geminga::el {
+namespace geminga::owl {
 
 std::string_view to_string(Construct construct) {
   static constexpr std::array<std::string_view, 30> words = {
@@ -41,4 +41,4 @@ std::string_view to_string(Construct construct) {
   return words[static_cast<std::size_t>(construct)];
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl

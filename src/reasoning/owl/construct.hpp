@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// Why an axiom, or a part of it, is not used. `none`: all of it is.
 enum class Construct : std::uint8_t {
@@ -43,6 +43,6 @@ enum class Construct : std::uint8_t {
 
 [[nodiscard]] std::string_view to_string(Construct construct);
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

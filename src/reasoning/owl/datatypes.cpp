@@ -12,7 +12,7 @@
 #include "base/text.hpp"
 #include "reasoning/owl/time_form.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 namespace {
 
 constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
@@ -280,11 +280,11 @@ std::optional<std::string> canonical_form(const Row& row, std::string_view lexic
 
 }  // namespace
 
-std::optional<Datatype> Datatype::find(std::string_view iri) {
+std::optional<owl::Datatype> Datatype::find(std::string_view iri) {
   for (std::size_t row = 0; row < rows.size(); ++row) {
     if (iri.size() == rows[row].prefix.size() + rows[row].name.size() && iri.starts_with(rows[row].prefix) &&
         iri.ends_with(rows[row].name)) {
-      return Datatype(static_cast<std::uint8_t>(row));
+      return owl::Datatype(static_cast<std::uint8_t>(row));
     }
   }
   return std::nullopt;
@@ -292,7 +292,7 @@ std::optional<Datatype> Datatype::find(std::string_view iri) {
 
 DataFamily Datatype::family() const { return rows[row_].family; }
 
-bool Datatype::is_within(Datatype other) const {
+bool Datatype::is_within(owl::Datatype other) const {
   const Row& a = rows[row_];
   const Row& b = rows[other.row_];
   if (a.family != b.family) return false;
@@ -308,7 +308,7 @@ bool Datatype::is_within(Datatype other) const {
          (b.high.empty() || (!a.high.empty() && is_at_most(a.high, b.high)));
 }
 
-bool Datatype::is_disjoint(Datatype other) const {
+bool Datatype::is_disjoint(owl::Datatype other) const {
   const Row& a = rows[row_];
   const Row& b = rows[other.row_];
   if (a.family != b.family) return true;
@@ -329,14 +329,14 @@ bool Datatype::is_finite() const {
          (row.shape == Shape::integer && !row.low.empty() && !row.high.empty());
 }
 
-std::optional<DataValue> DataValue::read(std::string_view lexical, std::string_view datatype_iri,
-                                         std::string_view language, bool& is_ill_formed) {
+std::optional<owl::DataValue> DataValue::read(std::string_view lexical, std::string_view datatype_iri,
+                                              std::string_view language, bool& is_ill_formed) {
   is_ill_formed = false;
   const auto type = Datatype::find(datatype_iri);
   if (!type) return std::nullopt;
-  DataValue value;
+  owl::DataValue value;
   value.family = type->family();
-  auto canonical = canonical_form(rows[type->row_], lexical, language, value.is_exact);
+  auto canonical = owl::canonical_form(rows[type->row_], lexical, language, value.is_exact);
   if (!canonical) {
     is_ill_formed = true;
     return std::nullopt;
@@ -345,7 +345,7 @@ std::optional<DataValue> DataValue::read(std::string_view lexical, std::string_v
   return value;
 }
 
-bool DataValue::is_in(Datatype type) const {
+bool DataValue::is_in(owl::Datatype type) const {
   const Row& row = rows[type.row_];
   if (row.family != family) return false;
   if (row.shape == Shape::whole_family) return true;
@@ -364,4 +364,4 @@ bool DataValue::is_in(Datatype type) const {
   return canonical.ends_with('Z') || canonical.rfind(':') > canonical.find('T') + 6;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl

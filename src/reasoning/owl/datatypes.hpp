@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// Value spaces that have nothing in common (OWL 2 structural specification, section 4).
 enum class DataFamily : std::uint8_t { number, text, double_, float_, boolean, hex, base64, uri, time, xml };
@@ -50,6 +50,6 @@ struct DataValue {
   [[nodiscard]] bool is_in(Datatype type) const;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// An ontology that the file imports. It is recorded and never fetched.
 struct Import {
@@ -46,6 +46,6 @@ struct ReadError {
   return text + error.text;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace geminga::el {
+namespace geminga::owl {
 namespace {
 
 constexpr std::size_t piece_bytes = std::size_t{1} << 18;
@@ -84,4 +84,4 @@ bool has_changed(const std::string& path, const Fingerprint& known) {
   return now && *now != known;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// Size and XXH3-64 of a file's octets; not its time, which a copy or a checkout changes, and which would make the
 /// compiled forms of equal files differ. Both 0: not known.
@@ -27,6 +27,6 @@ struct Fingerprint {
 /// to have changed. Reads the file only where its size is the same.
 [[nodiscard]] bool has_changed(const std::string& path, const Fingerprint& known);
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

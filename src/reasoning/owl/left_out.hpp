@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// Axioms of one kind that the reasoner did not use, e.g. {"owl:inverseOf", 12, "soma.owl:17"}.
 struct LeftOut {
@@ -17,6 +17,6 @@ struct LeftOut {
   std::uint32_t line = 0;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

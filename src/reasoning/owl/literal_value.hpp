@@ -7,11 +7,11 @@
 #include "reasoning/owl/datatypes.hpp"
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 
-/// Nothing where the datatype is not known. Literals of axioms are of their datatypes (OntologySource::literal()).
-[[nodiscard]] std::optional<DataValue> value_of(const OntologySource& source, const Term& literal);
+/// Nothing where the datatype is not known. Literals of axioms are of their datatypes (Ontology::literal()).
+[[nodiscard]] std::optional<DataValue> value_of(const Ontology& source, const Term& literal);
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

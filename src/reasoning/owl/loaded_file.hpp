@@ -6,7 +6,7 @@
 
 #include "reasoning/owl/fingerprint.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// One file that was loaded.
 struct LoadedFile {
@@ -15,6 +15,6 @@ struct LoadedFile {
   Fingerprint content{};     ///< of what was read; not known where the reader did not say
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

@@ -8,7 +8,7 @@
 
 #include "reasoning/owl/axiom.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// Resolves names as people write them.
 class Names {
@@ -19,6 +19,6 @@ class Names {
   [[nodiscard]] virtual std::expected<std::string, std::string> find(TermKind kind, std::string_view name) const = 0;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

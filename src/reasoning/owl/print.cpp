@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace geminga::el {
+namespace geminga::owl {
 namespace {
 
 /// Facets have words of their own in the Manchester syntax.
@@ -23,7 +23,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 9> facets{{
 /// Prints terms of one source. Depth is bounded by SourceLimits::nesting.
 class Printer {
  public:
-  Printer(const OntologySource& source, const ShortName& short_name, PrintStyle style)
+  Printer(const Ontology& source, const ShortName& short_name, PrintStyle style)
       : source_(source), short_name_(short_name), style_(style) {}
 
   std::string term(TermId id);
@@ -39,7 +39,7 @@ class Printer {
   std::string facet(const Term& term);
   std::string listed(const Axiom& axiom, std::string_view pair_word);
 
-  const OntologySource& source_;
+  const Ontology& source_;
   const ShortName& short_name_;
   PrintStyle style_;
   std::size_t printed_ = 0;  ///< terms
@@ -235,11 +235,11 @@ bool is_plain_local_name(std::string_view name) {
 
 }  // namespace
 
-std::string print(const OntologySource& source, TermId term, const ShortName& short_name, PrintStyle style) {
+std::string print(const Ontology& source, TermId term, const ShortName& short_name, PrintStyle style) {
   return Printer(source, short_name, style).term(term);
 }
 
-std::string print(const OntologySource& source, const Axiom& axiom, const ShortName& short_name) {
+std::string print(const Ontology& source, const Axiom& axiom, const ShortName& short_name) {
   return Printer(source, short_name, PrintStyle::reading).axiom(axiom);
 }
 
@@ -260,4 +260,4 @@ std::string shorten(std::string_view iri, std::span<const std::pair<std::string_
   return std::string(best->first) + ":" + std::string(iri.substr(best->second.size()));
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl

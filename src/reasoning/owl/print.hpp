@@ -12,7 +12,7 @@
 
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// How an IRI is written: `soccer:BallInfo` or `<https://...>`.
 using ShortName = std::function<std::string(std::string_view iri)>;
@@ -26,16 +26,16 @@ enum class PrintStyle : std::uint8_t {
 };
 
 /// "soccer:Camera and (core:observes some soccer:Ball)".
-[[nodiscard]] std::string print(const OntologySource& source, TermId term, const ShortName& short_name,
+[[nodiscard]] std::string print(const Ontology& source, TermId term, const ShortName& short_name,
                                 PrintStyle style = PrintStyle::reading);
 /// "soccer:SharedBallInfo SubClassOf soccer:BallInfo".
-[[nodiscard]] std::string print(const OntologySource& source, const Axiom& axiom, const ShortName& short_name);
+[[nodiscard]] std::string print(const Ontology& source, const Axiom& axiom, const ShortName& short_name);
 
 /// `prefix:local` by the longest of the given prefix IRIs after which a plain local name is left, else `<iri>`. A
 /// prefix that is given for two IRIs is not used. `prefixes` are (word, IRI), sorted.
 [[nodiscard]] std::string shorten(std::string_view iri,
                                   std::span<const std::pair<std::string_view, std::string_view>> prefixes);
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

@@ -5,7 +5,7 @@
 #include <compare>
 #include <cstdint>
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// An object property. Dense.
 enum class PropertyId : std::uint32_t {};
@@ -19,6 +19,6 @@ struct Role {
 
 [[nodiscard]] constexpr Role inverse(Role role) { return {role.property, !role.is_inverse}; }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

@@ -4,7 +4,7 @@
 #include <optional>
 #include <tuple>
 
-namespace geminga::el {
+namespace geminga::owl {
 
 RoleBox::RoleBox(std::size_t property_count, std::span<const RoleInclusion> inclusions,
                  std::span<const RoleChain> chains, std::size_t max_states) {
@@ -24,8 +24,8 @@ void RoleBox::find_equivalents(std::span<const RoleInclusion> inclusions) {
     edges[index(sub)].push_back(static_cast<std::uint32_t>(index(super)));
     edges[index(inverse(sub))].push_back(static_cast<std::uint32_t>(index(inverse(super))));
   }
-  const auto components = find_components(static_cast<std::uint32_t>(canonical_.size()),
-                                          [&](std::uint32_t node) { return std::span(edges[node]); });
+  const auto components = base::find_components(static_cast<std::uint32_t>(canonical_.size()),
+                                                [&](std::uint32_t node) { return std::span(edges[node]); });
   std::vector<std::optional<Role>> first(components.count);
   for (std::size_t at = 0; at < canonical_.size(); ++at) {
     auto& chosen = first[components.component[at]];
@@ -52,7 +52,7 @@ void RoleBox::find_equivalents(std::span<const RoleInclusion> inclusions) {
   }
 }
 
-Components RoleBox::components_of_families(std::span<const RoleChain> chains) const {
+base::Components RoleBox::components_of_families(std::span<const RoleChain> chains) const {
   std::vector<std::vector<std::uint32_t>> below(canonical_.size());
   for (std::size_t super = 0; super < canonical_.size(); ++super) {
     for (const std::uint32_t sub : subs_[super]) {
@@ -64,13 +64,13 @@ Components RoleBox::components_of_families(std::span<const RoleChain> chains) co
       below[family(chain.super)].push_back(static_cast<std::uint32_t>(family(part)));
     }
   }
-  return find_components(static_cast<std::uint32_t>(canonical_.size()),
-                         [&](std::uint32_t node) { return std::span(below[node]); });
+  return base::find_components(static_cast<std::uint32_t>(canonical_.size()),
+                               [&](std::uint32_t node) { return std::span(below[node]); });
 }
 
 void RoleBox::keep_regular_chains(std::span<const RoleChain> chains) {
   // A family must be above every other family in the chains that imply it: that relation has no cycle.
-  const Components all = components_of_families(chains);
+  const base::Components all = components_of_families(chains);
   for (const RoleChain& chain : chains) {
     RoleChain kept = chain;
     kept.super = canonical(chain.super);
@@ -96,7 +96,7 @@ void RoleBox::keep_regular_chains(std::span<const RoleChain> chains) {
     chains_.push_back(std::move(mirrored));
   }
   std::ranges::sort(chains_, {}, [](const RoleChain& chain) { return std::tie(chain.super, chain.word, chain.axiom); });
-  const Components regular = components_of_families(chains_);
+  const base::Components regular = components_of_families(chains_);
   for (std::size_t at = 0; at < canonical_.size(); ++at) {
     if (canonical_[at] == role_at(at) && family(role_at(at)) == at) family_order_.push_back(at);
   }
@@ -198,4 +198,4 @@ void RoleBox::add_chain(Automaton& automaton, Role role, std::span<const Role> w
   }
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl

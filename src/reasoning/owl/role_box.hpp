@@ -18,7 +18,7 @@
 #include "reasoning/owl/automaton.hpp"
 #include "reasoning/owl/role.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// sub SubPropertyOf super
 struct RoleInclusion {
@@ -59,7 +59,7 @@ class RoleBox {
     return std::min(index(canonical(role)), index(canonical(inverse(role))));
   }
   void find_equivalents(std::span<const RoleInclusion> inclusions);
-  [[nodiscard]] Components components_of_families(std::span<const RoleChain> chains) const;
+  [[nodiscard]] base::Components components_of_families(std::span<const RoleChain> chains) const;
   void keep_regular_chains(std::span<const RoleChain> chains);
   void find_composites();
   void build_automata(std::size_t max_states);
@@ -77,6 +77,6 @@ class RoleBox {
   std::vector<std::uint32_t> left_out_;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

@@ -11,7 +11,7 @@
 #include "base/assert.hpp"
 #include "reasoning/owl/datatypes.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 namespace {
 
 constexpr std::string_view xsd_string = "http://www.w3.org/2001/XMLSchema#string";
@@ -26,14 +26,14 @@ constexpr std::size_t named_per_literal = 4096;
 std::uint64_t hash_of_name(std::string_view name) { return XXH3_64bits(name.data(), name.size()); }
 
 std::uint64_t hash_of_term(TermKind kind, NameId name, std::uint32_t number, std::span<const TermId> arguments) {
-  std::uint64_t hash = mixed(static_cast<std::uint64_t>(kind) << 32 | number, static_cast<std::uint32_t>(name));
-  for (const TermId argument : arguments) hash = mixed(hash, static_cast<std::uint32_t>(argument));
-  return mixed(hash, arguments.size());
+  std::uint64_t hash = base::mixed(static_cast<std::uint64_t>(kind) << 32 | number, static_cast<std::uint32_t>(name));
+  for (const TermId argument : arguments) hash = base::mixed(hash, static_cast<std::uint32_t>(argument));
+  return base::mixed(hash, arguments.size());
 }
 
 }  // namespace
 
-OntologySource::OntologySource(const SourceLimits& limits) : limits_(limits) {
+Ontology::Ontology(const SourceLimits& limits) : limits_(limits) {
   // These are always there, whatever the limits: the empty name, and the first two terms.
   intern("", 0);
   intern_term(TermKind::named_class, intern(owl_thing, owl_thing.size()), 0, {});
@@ -46,17 +46,17 @@ OntologySource::OntologySource(const SourceLimits& limits) : limits_(limits) {
   problem_.reset();
 }
 
-void OntologySource::fail(std::string text) {
+void Ontology::fail(std::string text) {
   if (!problem_) problem_ = std::move(text);
 }
 
-std::span<const TermKind> OntologySource::kinds_of(std::span<const TermId> arguments) {
+std::span<const TermKind> Ontology::kinds_of(std::span<const TermId> arguments) {
   kinds_.clear();
   for (const TermId argument : arguments) kinds_.push_back(kind(argument));
   return kinds_;
 }
 
-NameId OntologySource::intern(std::string_view name, std::size_t max_bytes) {
+NameId Ontology::intern(std::string_view name, std::size_t max_bytes) {
   if (name.size() > max_bytes) {
     fail("a name or literal of " + std::to_string(name.size()) + " bytes is over the limit of " +
          std::to_string(max_bytes));
@@ -65,7 +65,7 @@ NameId OntologySource::intern(std::string_view name, std::size_t max_bytes) {
   const std::uint64_t hash = hash_of_name(name);
   const std::uint32_t found =
       name_table_.find(hash, [&](std::uint32_t number) { return this->name(NameId{number}) == name; });
-  if (found != NumberTable::none) return NameId{found};
+  if (found != base::NumberTable::none) return NameId{found};
   const std::size_t each = max_bytes == limits_.literal_bytes ? named_per_literal : named_per_name;
   const std::size_t most = std::min(limits_.all_name_bytes, always_named + each * name_ends_.size());
   if (name_bytes_.size() + name.size() > most) {
@@ -76,37 +76,36 @@ NameId OntologySource::intern(std::string_view name, std::size_t max_bytes) {
   name_bytes_.insert(name_bytes_.end(), name.begin(), name.end());
   name_ends_.push_back(static_cast<std::uint32_t>(name_bytes_.size()));
   name_table_.insert(hash, number);
-  entity_of_name_.push_back(NumberTable::none);
+  entity_of_name_.push_back(base::NumberTable::none);
   return NameId{number};
 }
 
-std::string_view OntologySource::name(NameId id) const {
+std::string_view Ontology::name(NameId id) const {
   const auto index = static_cast<std::size_t>(id);
   const std::size_t begin = index == 0 ? 0 : name_ends_[index - 1];
   return {name_bytes_.data() + begin, name_ends_[index] - begin};
 }
 
-std::optional<NameId> OntologySource::find_name(std::string_view name) const {
+std::optional<NameId> Ontology::find_name(std::string_view name) const {
   const std::uint32_t found =
       name_table_.find(hash_of_name(name), [&](std::uint32_t number) { return this->name(NameId{number}) == name; });
-  if (found == NumberTable::none) return std::nullopt;
+  if (found == base::NumberTable::none) return std::nullopt;
   return NameId{found};
 }
 
-Term OntologySource::term(TermId id) const {
+Term Ontology::term(TermId id) const {
   const TermRecord& record = terms_[static_cast<std::size_t>(id)];
   return {record.kind, record.name, record.number, std::span(term_arguments_).subspan(record.begin, record.count)};
 }
 
-TermId OntologySource::intern_term(TermKind kind, NameId name, std::uint32_t number,
-                                   std::span<const TermId> arguments) {
+TermId Ontology::intern_term(TermKind kind, NameId name, std::uint32_t number, std::span<const TermId> arguments) {
   const std::uint64_t hash = hash_of_term(kind, name, number, arguments);
   const std::uint32_t found = term_table_.find(hash, [&](std::uint32_t candidate) {
     const Term filed = term(TermId{candidate});
     return filed.kind == kind && filed.name == name && filed.number == number &&
            std::ranges::equal(filed.arguments, arguments);
   });
-  if (found != NumberTable::none) return TermId{found};
+  if (found != base::NumberTable::none) return TermId{found};
   if (terms_.size() >= limits_.terms || term_arguments_.size() + arguments.size() > limits_.arguments) {
     fail("the ontology has more than " + std::to_string(limits_.terms) + " different terms or " +
          std::to_string(limits_.arguments) + " arguments");
@@ -130,24 +129,24 @@ TermId OntologySource::intern_term(TermKind kind, NameId name, std::uint32_t num
   return TermId{id};
 }
 
-bool OntologySource::is_of_its_datatype(std::string_view lexical, std::span<const TermId> arguments) const {
+bool Ontology::is_of_its_datatype(std::string_view lexical, std::span<const TermId> arguments) const {
   const std::string_view language = arguments.size() > 1 ? name_of(arguments[1]) : std::string_view();
   bool is_ill_formed = false;
   static_cast<void>(DataValue::read(lexical, name_of(arguments[0]), language, is_ill_formed));
   return !is_ill_formed;
 }
 
-TermId OntologySource::entity(TermKind kind, std::string_view name) {
+TermId Ontology::entity(TermKind kind, std::string_view name) {
   const NameId id = intern(name, limits_.name_bytes);
   // Most names are of one entity, which is found without a second search.
   std::uint32_t& known = entity_of_name_[static_cast<std::size_t>(id)];
-  if (known != NumberTable::none && terms_[known].kind == kind) return TermId{known};
+  if (known != base::NumberTable::none && terms_[known].kind == kind) return TermId{known};
   const TermId found = intern_term(kind, id, 0, {});
   known = static_cast<std::uint32_t>(found);
   return found;
 }
 
-TermId OntologySource::literal(std::string_view lexical, std::string_view datatype_iri, std::string_view language) {
+TermId Ontology::literal(std::string_view lexical, std::string_view datatype_iri, std::string_view language) {
   if (datatype_iri.empty()) datatype_iri = language.empty() ? xsd_string : rdf_lang_string;
   std::array<TermId, 2> arguments = {datatype(datatype_iri), TermId{}};
   std::size_t count = 1;
@@ -155,29 +154,28 @@ TermId OntologySource::literal(std::string_view lexical, std::string_view dataty
   return intern_term(TermKind::literal, intern(lexical, limits_.literal_bytes), 0, std::span(arguments).first(count));
 }
 
-TermId OntologySource::facet(std::string_view facet_iri, TermId value) {
+TermId Ontology::facet(std::string_view facet_iri, TermId value) {
   return intern_term(TermKind::facet, intern(facet_iri, limits_.name_bytes), 0, std::span(&value, 1));
 }
 
-TermId OntologySource::copy(TermKind kind, std::string_view name, std::uint32_t number,
-                            std::span<const TermId> arguments) {
+TermId Ontology::copy(TermKind kind, std::string_view name, std::uint32_t number, std::span<const TermId> arguments) {
   return intern_term(kind, intern(name, limits_.literal_bytes), number, arguments);
 }
 
-TermId OntologySource::copy(const OntologySource& from, TermId id) {
+TermId Ontology::copy(const Ontology& from, TermId id) {
   const Term term = from.term(id);
   std::vector<TermId> arguments;
   for (const TermId argument : term.arguments) arguments.push_back(copy(from, argument));
   return copy(term.kind, from.name(term.name), term.number, arguments);
 }
 
-TermId OntologySource::term(TermKind kind, std::span<const TermId> arguments, std::uint32_t number) {
+TermId Ontology::term(TermKind kind, std::span<const TermId> arguments, std::uint32_t number) {
   GEMINGA_ASSERT(std::ranges::all_of(
       arguments, [&](TermId argument) { return static_cast<std::size_t>(argument) < terms_.size(); }));
   return intern_term(kind, NameId{0}, number, arguments);
 }
 
-void OntologySource::add(AxiomKind kind, std::span<const TermId> arguments, FileId file, std::uint32_t line) {
+void Ontology::add(AxiomKind kind, std::span<const TermId> arguments, FileId file, std::uint32_t line) {
   GEMINGA_ASSERT(static_cast<std::size_t>(file) < files_.size());
   if (problem_) return;
   Form form = is_well_formed(kind, kinds_of(arguments)) ? Form::good : Form::malformed;
@@ -209,7 +207,7 @@ void OntologySource::add(AxiomKind kind, std::span<const TermId> arguments, File
   axiom_arguments_.insert(axiom_arguments_.end(), arguments.begin(), arguments.end());
 }
 
-FileId OntologySource::add_file(std::string_view path, std::string_view ontology_iri) {
+FileId Ontology::add_file(std::string_view path, std::string_view ontology_iri) {
   if (files_.size() >= limits_.files) {
     fail("more than " + std::to_string(limits_.files) + " files");
     if (!files_.empty()) return FileId{0};
@@ -218,29 +216,29 @@ FileId OntologySource::add_file(std::string_view path, std::string_view ontology
   return FileId{static_cast<std::uint32_t>(files_.size() - 1)};
 }
 
-void OntologySource::set_ontology_iri(FileId file, std::string_view ontology_iri) {
+void Ontology::set_ontology_iri(FileId file, std::string_view ontology_iri) {
   files_[static_cast<std::size_t>(file)].ontology_iri = ontology_iri;
 }
 
-void OntologySource::set_content(FileId file, const Fingerprint& content) {
+void Ontology::set_content(FileId file, const Fingerprint& content) {
   files_[static_cast<std::size_t>(file)].content = content;
 }
 
-void OntologySource::add_label(std::string_view entity_iri, std::string_view text, std::string_view language) {
+void Ontology::add_label(std::string_view entity_iri, std::string_view text, std::string_view language) {
   // A label too long to be typed as a name is of no use as one.
   if (text.empty() || text.size() > limits_.name_bytes || problem_) return;
   labels_.push_back(
       {intern(entity_iri, limits_.name_bytes), intern(text, limits_.name_bytes), intern(language, limits_.name_bytes)});
 }
 
-void OntologySource::add_prefix(std::string_view prefix, std::string_view iri) {
+void Ontology::add_prefix(std::string_view prefix, std::string_view iri) {
   if (problem_) return;
   const Prefix added{intern(prefix, limits_.name_bytes), intern(iri, limits_.name_bytes)};
   const auto is_same = [&](const Prefix& known) { return known.prefix == added.prefix && known.iri == added.iri; };
   if (std::ranges::none_of(prefixes_, is_same)) prefixes_.push_back(added);
 }
 
-void OntologySource::leave_out(std::string_view construct, FileId file, std::uint32_t line, std::uint32_t count) {
+void Ontology::leave_out(std::string_view construct, FileId file, std::uint32_t line, std::uint32_t count) {
   if (problem_) return;
   const NameId name = intern(construct.substr(0, limits_.name_bytes), limits_.name_bytes);
   // Kept one record a construct and file, so that a hostile file cannot make this list long by repetition.
@@ -254,7 +252,7 @@ void OntologySource::leave_out(std::string_view construct, FileId file, std::uin
   omissions_.push_back({name, file, line, count});
 }
 
-std::vector<TermId> terms_in(const OntologySource& source, std::span<const TermId> roots) {
+std::vector<TermId> terms_in(const Ontology& source, std::span<const TermId> roots) {
   std::vector<TermId> found;
   std::set<TermId> seen;
   const auto add = [&](TermId id) {
@@ -265,4 +263,4 @@ std::vector<TermId> terms_in(const OntologySource& source, std::span<const TermI
   return found;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl

@@ -16,7 +16,7 @@
 #include "reasoning/owl/axiom.hpp"
 #include "reasoning/owl/loaded_file.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// The most that one ontology may hold. Beyond any of them problem() says so, and what is added is ignored.
 struct SourceLimits {
@@ -39,7 +39,7 @@ inline constexpr TermId nothing_term{1};
 inline constexpr std::string_view damaged_literal = "a literal that is not of its datatype";
 
 /// An ontology as it was read, in no particular order. Only appended to; ids stay valid. Not thread-safe.
-class OntologySource {
+class Ontology {
  public:
   struct Label {
     NameId entity{};
@@ -57,7 +57,7 @@ class OntologySource {
     std::uint32_t count = 1;
   };
 
-  explicit OntologySource(const SourceLimits& limits = {});
+  explicit Ontology(const SourceLimits& limits = {});
 
   /// Files are numbered in the order in which they are added. `ontology_iri` may be given later, when it has been read.
   FileId add_file(std::string_view path, std::string_view ontology_iri = {});
@@ -84,7 +84,7 @@ class OntologySource {
   /// Any kind of term as another source or a compiled ontology holds it.
   TermId copy(TermKind kind, std::string_view name, std::uint32_t number, std::span<const TermId> arguments);
   /// A term of another source with all that is in it.
-  TermId copy(const OntologySource& from, TermId id);
+  TermId copy(const Ontology& from, TermId id);
   /// A property, class or data range expression. Its arguments must be terms of this source, and as many and of such
   /// kinds as the kind's comment says; see is_well_formed(). `number` is for cardinalities only.
   TermId term(TermKind kind, std::span<const TermId> arguments, std::uint32_t number = 0);
@@ -162,12 +162,12 @@ class OntologySource {
   std::optional<std::string> problem_;
   std::vector<char> name_bytes_;
   std::vector<std::uint32_t> name_ends_;
-  NumberTable name_table_;
+  base::NumberTable name_table_;
   std::vector<std::uint32_t> entity_of_name_;  ///< the last entity of each name
   std::vector<TermRecord> terms_;
   std::vector<TermId> term_arguments_;
   std::vector<TermKind> kinds_;  ///< room for kinds_of()
-  NumberTable term_table_;
+  base::NumberTable term_table_;
   std::vector<AxiomRecord> axioms_;
   std::vector<AxiomRecord> damaged_;
   std::vector<TermId> axiom_arguments_;
@@ -178,7 +178,7 @@ class OntologySource {
 };
 
 /// These terms and all that are in them, each once: in a tree of them a part can stand 2^60 times.
-[[nodiscard]] std::vector<TermId> terms_in(const OntologySource& source, std::span<const TermId> roots);
+[[nodiscard]] std::vector<TermId> terms_in(const Ontology& source, std::span<const TermId> roots);
 
 /// Whether a kind of term may stand where a class expression, property expression, data range or individual is wanted.
 [[nodiscard]] bool is_class_expression(TermKind kind);
@@ -191,6 +191,6 @@ class OntologySource {
 [[nodiscard]] bool is_well_formed(TermKind kind, std::span<const TermKind> arguments);
 [[nodiscard]] bool is_well_formed(AxiomKind kind, std::span<const TermKind> arguments);
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
-namespace geminga::el {
+namespace geminga::owl {
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,4 +39,4 @@ std::string seen_from_here(const std::string& folder, const std::string& path) {
   return (fs::path(folder) / path).lexically_normal().string();
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl

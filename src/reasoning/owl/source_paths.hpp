@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace geminga::el {
+namespace geminga::owl {
 
 /// The folder of a file: absolute, without `.` and `..`.
 [[nodiscard]] std::string folder_of(const std::string& path);
@@ -16,6 +16,6 @@ namespace geminga::el {
 /// an absolute path, it is the path itself.
 [[nodiscard]] std::string seen_from_here(const std::string& folder, const std::string& path);
 
-}  // namespace geminga::el
+}  // namespace geminga::owl
 
 #endif

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace geminga::el {
+namespace geminga::owl {
 namespace {
 
 bool is_digit(char character) { return character >= '0' && character <= '9'; }
@@ -77,4 +77,4 @@ std::optional<std::string> canonical_time(std::string_view text, bool& is_exact)
   return (std::string(year) += moment).append(fraction).append(zone);
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl

@@ -3,7 +3,7 @@
 
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 namespace {
 
 /// Looks at the kinds of a list of arguments.
@@ -174,4 +174,4 @@ bool is_well_formed(AxiomKind kind, std::span<const TermKind> arguments) {
   return false;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::owl

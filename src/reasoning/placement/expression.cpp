@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace geminga::el {
+namespace geminga::placement {
 namespace {
 
 void keep_smaller(std::optional<std::uint32_t>& best, std::optional<std::uint32_t> other) {
@@ -12,43 +12,48 @@ void keep_smaller(std::optional<std::uint32_t>& best, std::optional<std::uint32_
 
 }  // namespace
 
-bool is_below(const ExpressionPlace& place, ClassNumber super, const Ontology& ontology) {
+bool is_below(const ExpressionPlace& place, taxonomy::ClassNumber super, const compiled::Ontology& ontology) {
   if (!place.is_satisfiable) return true;
   if (place.equivalent) return ontology.is_subsumed(*place.equivalent, super);
-  return std::ranges::any_of(place.parents, [&](ClassNumber parent) { return ontology.is_subsumed(parent, super); });
+  return std::ranges::any_of(place.parents,
+                             [&](taxonomy::ClassNumber parent) { return ontology.is_subsumed(parent, super); });
 }
 
-bool is_above(const ExpressionPlace& place, ClassNumber sub, const Ontology& ontology) {
+bool is_above(const ExpressionPlace& place, taxonomy::ClassNumber sub, const compiled::Ontology& ontology) {
   if (!ontology.is_satisfiable(sub)) return true;
   if (place.equivalent) return ontology.is_subsumed(sub, *place.equivalent);
-  return std::ranges::any_of(place.children, [&](ClassNumber child) { return ontology.is_subsumed(sub, child); });
+  return std::ranges::any_of(place.children,
+                             [&](taxonomy::ClassNumber child) { return ontology.is_subsumed(sub, child); });
 }
 
-std::optional<std::uint32_t> distance_up(const ExpressionPlace& place, ClassNumber super, const Ontology& ontology) {
+std::optional<std::uint32_t> distance_up(const ExpressionPlace& place, taxonomy::ClassNumber super,
+                                         const compiled::Ontology& ontology) {
   if (place.equivalent) return ontology.distance(*place.equivalent, super);
   std::optional<std::uint32_t> best;
-  for (const ClassNumber parent : place.parents) keep_smaller(best, ontology.distance(parent, super));
+  for (const taxonomy::ClassNumber parent : place.parents) keep_smaller(best, ontology.distance(parent, super));
   if (best) ++*best;
   return best;
 }
 
-std::optional<std::uint32_t> distance_down(const ExpressionPlace& place, ClassNumber sub, const Ontology& ontology) {
+std::optional<std::uint32_t> distance_down(const ExpressionPlace& place, taxonomy::ClassNumber sub,
+                                           const compiled::Ontology& ontology) {
   if (place.equivalent) return ontology.distance(sub, *place.equivalent);
   std::optional<std::uint32_t> best;
-  for (const ClassNumber child : place.children) keep_smaller(best, ontology.distance(sub, child));
+  for (const taxonomy::ClassNumber child : place.children) keep_smaller(best, ontology.distance(sub, child));
   if (best) ++*best;
   return best;
 }
 
-std::vector<ClassNumber> subsumers(const ExpressionPlace& place, const Ontology& ontology) {
+std::vector<taxonomy::ClassNumber> subsumers(const ExpressionPlace& place, const compiled::Ontology& ontology) {
   if (place.equivalent) return ontology.subsumers(*place.equivalent);
-  std::vector<ClassNumber> classes;
+  std::vector<taxonomy::ClassNumber> classes;
   if (!place.is_satisfiable) {
-    for (std::uint32_t number = 0; number < ontology.class_count(); ++number) classes.push_back(ClassNumber{number});
+    for (std::uint32_t number = 0; number < ontology.class_count(); ++number)
+      classes.push_back(taxonomy::ClassNumber{number});
     return classes;
   }
-  for (const ClassNumber parent : place.parents) {
-    const std::vector<ClassNumber> above = ontology.subsumers(parent);
+  for (const taxonomy::ClassNumber parent : place.parents) {
+    const std::vector<taxonomy::ClassNumber> above = ontology.subsumers(parent);
     classes.insert(classes.end(), above.begin(), above.end());
   }
   std::ranges::sort(classes);
@@ -56,4 +61,4 @@ std::vector<ClassNumber> subsumers(const ExpressionPlace& place, const Ontology&
   return classes;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::placement

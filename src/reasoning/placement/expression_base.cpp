@@ -8,20 +8,20 @@
 #include "reasoning/owl/construct.hpp"
 #include "reasoning/owl/literal_value.hpp"
 
-namespace geminga::el {
+namespace geminga::placement {
 namespace {
 
 constexpr std::size_t max_pairs = std::size_t{1} << 26;  // of one closure before saturation
 
-bool has_expression(TermKind kind) {
-  return is_class_expression(kind) || is_data_range(kind) || is_individual(kind) || kind == TermKind::literal;
+bool has_expression(owl::TermKind kind) {
+  return is_class_expression(kind) || is_data_range(kind) || is_individual(kind) || kind == owl::TermKind::literal;
 }
 
 }  // namespace
 
 std::expected<std::unique_ptr<const ExpressionBase>, ExpressionError> ExpressionBase::build(
-    const Ontology& ontology, const ExpressionLimits& limits) {
-  const ClassifiedView& view = ontology.axioms();
+    const compiled::Ontology& ontology, const ExpressionLimits& limits) {
+  const taxonomy::ClassifiedView& view = ontology.axioms();
   if (const auto whole = ontology.check_axioms(); !whole) return std::unexpected(ExpressionError{whole.error().text});
   if (!view.is_consistent) {
     return std::unexpected(ExpressionError{"the ontology is inconsistent: every class is below every other"});
@@ -47,10 +47,10 @@ std::expected<std::unique_ptr<const ExpressionBase>, ExpressionError> Expression
 
 // Arguments stand before what they are in, so one pass copies all terms.
 void ExpressionBase::copy_axioms() {
-  const FileId file = source_.add_file("");
-  std::vector<TermId> terms;
-  std::vector<TermId> arguments;
-  const auto take = [&](ClassifiedView::Numbers numbers) {
+  const owl::FileId file = source_.add_file("");
+  std::vector<owl::TermId> terms;
+  std::vector<owl::TermId> arguments;
+  const auto take = [&](taxonomy::ClassifiedView::Numbers numbers) {
     arguments.clear();
     for (const std::uint32_t argument : numbers) arguments.push_back(terms[argument]);
   };
@@ -69,14 +69,16 @@ void ExpressionBase::add_taxonomy() {
   const auto term_of = [&](std::uint32_t number) { return source_.named_class(view_.class_iri(number)); };
   for (std::uint32_t number = 0; number < view_.class_count(); ++number) {
     const std::uint32_t node = view_.representative[number];
-    const TermId term = term_of(number);
+    const owl::TermId term = term_of(number);
     if (node == view_.representative[view_.nothing]) {
-      if (number != view_.nothing) source_.add(AxiomKind::sub_class_of, {term, nothing_term}, FileId{0}, 0);
+      if (number != view_.nothing)
+        source_.add(owl::AxiomKind::sub_class_of, {term, owl::nothing_term}, owl::FileId{0}, 0);
     } else if (node != number) {
-      source_.add(AxiomKind::equivalent_classes, {term, term_of(node)}, FileId{0}, 0);
+      source_.add(owl::AxiomKind::equivalent_classes, {term, term_of(node)}, owl::FileId{0}, 0);
     } else {
       for (const std::uint32_t parent : view_.parents_of(number)) {
-        if (parent != view_.thing) source_.add(AxiomKind::sub_class_of, {term, term_of(parent)}, FileId{0}, 0);
+        if (parent != view_.thing)
+          source_.add(owl::AxiomKind::sub_class_of, {term, term_of(parent)}, owl::FileId{0}, 0);
       }
     }
   }
@@ -84,20 +86,20 @@ void ExpressionBase::add_taxonomy() {
 
 // The role of a property is found in what `property some everything` becomes.
 void ExpressionBase::name_properties() {
-  const TermId literal = source_.datatype("http://www.w3.org/2000/01/rdf-schema#Literal");
+  const owl::TermId literal = source_.datatype("http://www.w3.org/2000/01/rdf-schema#Literal");
   const std::size_t count = source_.term_count();
   for (std::uint32_t id = 0; id < count; ++id) {
-    const TermId term{id};
-    if (source_.kind(term) == TermKind::object_property) {
-      properties_.emplace_back(term, source_.term(TermKind::object_some_values_from, {term, thing_term}));
-    } else if (source_.kind(term) == TermKind::data_property) {
-      properties_.emplace_back(term, source_.term(TermKind::data_some_values_from, {term, literal}));
+    const owl::TermId term{id};
+    if (source_.kind(term) == owl::TermKind::object_property) {
+      properties_.emplace_back(term, source_.term(owl::TermKind::object_some_values_from, {term, owl::thing_term}));
+    } else if (source_.kind(term) == owl::TermKind::data_property) {
+      properties_.emplace_back(term, source_.term(owl::TermKind::data_some_values_from, {term, literal}));
     }
   }
 }
 
-std::uint64_t ExpressionBase::hash_of(TermKind kind, NameId name, std::uint32_t number_of_term,
-                                      std::span<const TermId> arguments) const {
+std::uint64_t ExpressionBase::hash_of(owl::TermKind kind, owl::NameId name, std::uint32_t number_of_term,
+                                      std::span<const owl::TermId> arguments) const {
   std::uint64_t hash = XXH3_64bits_withSeed(arguments.data(), arguments.size_bytes(), static_cast<std::uint64_t>(kind));
   hash = (hash ^ static_cast<std::uint64_t>(name)) * 0x9e3779b97f4a7c15ULL;
   return (hash ^ number_of_term) * 0x9e3779b97f4a7c15ULL >> 7;
@@ -105,36 +107,37 @@ std::uint64_t ExpressionBase::hash_of(TermKind kind, NameId name, std::uint32_t 
 
 void ExpressionBase::index_terms() {
   const auto hash = [&](std::uint32_t id) {
-    const Term term = source_.term(TermId{id});
+    const owl::Term term = source_.term(owl::TermId{id});
     return hash_of(term.kind, term.name, term.number, term.arguments);
   };
   for (std::uint32_t id = 0; id < source_.term_count(); ++id) term_table_.insert(hash(id), id, hash);
 }
 
-std::optional<TermId> ExpressionBase::find_term(TermKind kind, std::string_view name, std::uint32_t number_of_term,
-                                                std::span<const TermId> arguments) const {
-  const std::optional<NameId> name_id = source_.find_name(name);
+std::optional<owl::TermId> ExpressionBase::find_term(owl::TermKind kind, std::string_view name,
+                                                     std::uint32_t number_of_term,
+                                                     std::span<const owl::TermId> arguments) const {
+  const std::optional<owl::NameId> name_id = source_.find_name(name);
   if (!name_id) return std::nullopt;
   const std::uint32_t found =
       term_table_.find(hash_of(kind, *name_id, number_of_term, arguments), [&](std::uint32_t id) {
-        const Term term = source_.term(TermId{id});
+        const owl::Term term = source_.term(owl::TermId{id});
         return term.kind == kind && term.name == *name_id && term.number == number_of_term &&
                std::ranges::equal(term.arguments, arguments);
       });
-  if (found == NumberTable::none) return std::nullopt;
-  return TermId{found};
+  if (found == base::NumberTable::none) return std::nullopt;
+  return owl::TermId{found};
 }
 
 std::optional<ExpressionError> ExpressionBase::saturate() {
-  normaliser_ = std::make_unique<Normaliser>(source_, index_);
+  normaliser_ = std::make_unique<el::Normaliser>(source_, index_);
   std::vector<std::string> unused;
-  const auto note = [&](Construct construct) {
-    if (construct != Construct::none) unused.emplace_back(to_string(construct));
+  const auto note = [&](owl::Construct construct) {
+    if (construct != owl::Construct::none) unused.emplace_back(to_string(construct));
   };
   for (std::uint32_t axiom = 0; axiom < source_.axiom_count(); ++axiom) note(normaliser_->add(axiom));
-  exprs_.assign(source_.term_count(), top_expr);
+  exprs_.assign(source_.term_count(), el::top_expr);
   for (std::uint32_t id = 0; id < source_.term_count(); ++id) {
-    if (has_expression(source_.kind(TermId{id}))) exprs_[id] = normaliser_->expression(TermId{id});
+    if (has_expression(source_.kind(owl::TermId{id}))) exprs_[id] = normaliser_->expression(owl::TermId{id});
   }
   for (const auto& [axiom, construct] : normaliser_->finish()) note(construct);
   std::ranges::sort(unused);
@@ -144,18 +147,18 @@ std::optional<ExpressionError> ExpressionBase::saturate() {
   if (!index_.finish(max_pairs)) return ExpressionError{"the ontology is too large for class expressions"};
   for (const auto& [property, some] : properties_) {
     // `bottom property some everything` is an existential, too, and told to be empty.
-    exprs_[static_cast<std::size_t>(property)] = ExprId{index_.expr(exprs_[static_cast<std::size_t>(some)]).first};
+    exprs_[static_cast<std::size_t>(property)] = el::ExprId{index_.expr(exprs_[static_cast<std::size_t>(some)]).first};
   }
   for (std::uint32_t id = 0; id < exprs_.size(); ++id) {
-    if (has_expression(source_.kind(TermId{id}))) exprs_[id] = index_.representative(exprs_[id]);
+    if (has_expression(source_.kind(owl::TermId{id}))) exprs_[id] = index_.representative(exprs_[id]);
   }
-  saturation_ = std::make_unique<Saturation>(index_, limits_.conclusions);
+  saturation_ = std::make_unique<el::Saturation>(index_, limits_.conclusions);
   for (std::uint32_t id = 0; id < exprs_.size(); ++id) {
-    const TermKind kind = source_.kind(TermId{id});
-    if (kind == TermKind::named_class || is_individual(kind)) saturation_->require(exprs_[id]);
+    const owl::TermKind kind = source_.kind(owl::TermId{id});
+    if (kind == owl::TermKind::named_class || is_individual(kind)) saturation_->require(exprs_[id]);
   }
   for (std::uint32_t role = 0; role < index_.roles().count(); ++role) {
-    saturation_->require(index_.representative(index_.range_of(RoleId{role})));
+    saturation_->require(index_.representative(index_.range_of(el::RoleId{role})));
   }
   if (!saturation_->run()) return ExpressionError{"too much follows from the ontology for class expressions"};
   if (!saturation_->is_consistent()) return ExpressionError{"the ontology is inconsistent"};
@@ -163,35 +166,35 @@ std::optional<ExpressionError> ExpressionBase::saturate() {
 }
 
 void ExpressionBase::find_classes() {
-  std::vector<std::pair<std::uint32_t, ClassNumber>> pairs;
+  std::vector<std::pair<std::uint32_t, taxonomy::ClassNumber>> pairs;
   for (std::uint32_t number_of_class = 0; number_of_class < view_.class_count(); ++number_of_class) {
-    const auto term = find_term(TermKind::named_class, view_.class_iri(number_of_class), 0, {});
-    class_exprs_.push_back(term ? expr(*term) : top_expr);  // add_taxonomy() has named each
+    const auto term = find_term(owl::TermKind::named_class, view_.class_iri(number_of_class), 0, {});
+    class_exprs_.push_back(term ? expr(*term) : el::top_expr);  // add_taxonomy() has named each
     if (view_.representative[number_of_class] == number_of_class) {
-      pairs.emplace_back(number(class_exprs_.back()), ClassNumber{number_of_class});
+      pairs.emplace_back(number(class_exprs_.back()), taxonomy::ClassNumber{number_of_class});
     }
   }
-  classes_of_ = Rows<ClassNumber>(index_.size(), pairs);
+  classes_of_ = base::Rows<taxonomy::ClassNumber>(index_.size(), pairs);
 }
 
 void ExpressionBase::find_edges_down() {
   const auto size = static_cast<std::uint32_t>(index_.size());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (std::uint32_t id = 0; id < size; ++id) {
-    if (!index_.is_atom(ExprId{id}) || index_.representative(ExprId{id}) != ExprId{id}) continue;
-    for (const ExprId above : index_.told_atoms(ExprId{id})) edges.emplace_back(number(above), id);
+    if (!index_.is_atom(el::ExprId{id}) || index_.representative(el::ExprId{id}) != el::ExprId{id}) continue;
+    for (const el::ExprId above : index_.told_atoms(el::ExprId{id})) edges.emplace_back(number(above), id);
   }
   for (std::uint32_t at = 0; at < context_count(); ++at) {
-    const Context& here = context(at);
+    const el::Context& here = context(at);
     if (here.is_unsatisfiable) unsatisfiable_.push_back(at);
     // What is derived for an atom's context holds for the atom, and with it for all atoms below.
     const bool is_of_one = together_of(at).empty();
     const std::uint32_t sub = is_of_one ? number(here.root) : size + at;
-    for (const ExprId above : derived_of(at)) edges.emplace_back(number(above), sub);
+    for (const el::ExprId above : derived_of(at)) edges.emplace_back(number(above), sub);
     if (is_of_one) edges.emplace_back(sub, size + at);
-    for (const ExprId atom : together_of(at)) edges.emplace_back(number(atom), size + at);
+    for (const el::ExprId atom : together_of(at)) edges.emplace_back(number(atom), size + at);
   }
-  down_ = Rows<std::uint32_t>(size, edges);
+  down_ = base::Rows<std::uint32_t>(size, edges);
   down_.sort_unique();
 }
 
@@ -201,7 +204,7 @@ void ExpressionBase::find_conditional() {
   if (!index_.has_nominals()) return;
   std::vector<std::uint32_t> stack;
   for (std::uint32_t at = 0; at < context_count(); ++at) {
-    const Context& here = context(at);
+    const el::Context& here = context(at);
     if (!here.is_nonempty && !here.is_unsatisfiable && !here.nominals.empty()) stack.push_back(at);
   }
   while (!stack.empty()) {
@@ -210,16 +213,16 @@ void ExpressionBase::find_conditional() {
     if (is_conditional_[at] || context(at).is_nonempty) continue;
     is_conditional_[at] = true;
     has_conditional_ = true;
-    for (const Link link : backward_of(at)) stack.push_back(link.context);
+    for (const el::Link link : backward_of(at)) stack.push_back(link.context);
   }
 }
 
 void ExpressionBase::find_data() {
   for (std::uint32_t id = 0; id < source_.term_count(); ++id) {
-    const Term term = source_.term(TermId{id});
-    if (term.kind == TermKind::datatype) {
-      if (const auto type = Datatype::find(source_.name(term.name))) datatypes_.emplace_back(*type, exprs_[id]);
-    } else if (term.kind == TermKind::literal) {
+    const owl::Term term = source_.term(owl::TermId{id});
+    if (term.kind == owl::TermKind::datatype) {
+      if (const auto type = owl::Datatype::find(source_.name(term.name))) datatypes_.emplace_back(*type, exprs_[id]);
+    } else if (term.kind == owl::TermKind::literal) {
       auto value = value_of(source_, term);
       if (!value) continue;
       expr_of_value_.emplace(std::pair(value->family, value->canonical), exprs_[id]);
@@ -228,13 +231,13 @@ void ExpressionBase::find_data() {
   }
 }
 
-std::optional<ExprId> ExpressionBase::find_value(const DataValue& value) const {
+std::optional<el::ExprId> ExpressionBase::find_value(const owl::DataValue& value) const {
   const auto found = expr_of_value_.find({value.family, value.canonical});
   if (found == expr_of_value_.end()) return std::nullopt;
   return found->second;
 }
 
-std::vector<std::uint32_t> ExpressionBase::contexts_below(ExprId atom) const {
+std::vector<std::uint32_t> ExpressionBase::contexts_below(el::ExprId atom) const {
   const auto size = static_cast<std::uint32_t>(index_.size());
   std::vector<std::uint32_t> found;
   std::vector<bool> seen(size, false);
@@ -253,7 +256,7 @@ std::vector<std::uint32_t> ExpressionBase::contexts_below(ExprId atom) const {
     }
   }
   // What owl:Thing is below is above everything, of which no edge tells.
-  if (seen[number(index_.representative(top_expr))]) {
+  if (seen[number(index_.representative(el::top_expr))]) {
     found.resize(context_count());
     for (std::uint32_t at = 0; at < found.size(); ++at) found[at] = at;
     return found;
@@ -264,4 +267,4 @@ std::vector<std::uint32_t> ExpressionBase::contexts_below(ExprId atom) const {
   return found;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::placement

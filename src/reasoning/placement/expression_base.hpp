@@ -25,7 +25,7 @@
 #include "reasoning/owl/datatypes.hpp"
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::el {
+namespace geminga::placement {
 
 /// How large an ontology may be for expressions to be classified in it. Beyond these there is an error instead of a
 /// base, since the base is built while others wait.
@@ -59,17 +59,17 @@ class ExpressionBase {
 
  public:
   [[nodiscard]] static std::expected<std::unique_ptr<const ExpressionBase>, ExpressionError> build(
-      const Ontology& ontology, const ExpressionLimits& limits);
+      const compiled::Ontology& ontology, const ExpressionLimits& limits);
   ExpressionBase(const ExpressionBase&) = delete;
   ExpressionBase& operator=(const ExpressionBase&) = delete;
 
   [[nodiscard]] const ExpressionLimits& limits() const { return limits_; }
-  [[nodiscard]] const ClassifiedView& view() const { return view_; }
-  [[nodiscard]] const Index& index() const { return index_; }
+  [[nodiscard]] const taxonomy::ClassifiedView& view() const { return view_; }
+  [[nodiscard]] const el::Index& index() const { return index_; }
   /// The axioms with the taxonomy, each edge an axiom.
-  [[nodiscard]] const OntologySource& source() const { return source_; }
+  [[nodiscard]] const owl::Ontology& source() const { return source_; }
   [[nodiscard]] std::size_t context_count() const { return saturation_->contexts().size(); }
-  [[nodiscard]] const Context& context(std::uint32_t number) const { return saturation_->contexts()[number]; }
+  [[nodiscard]] const el::Context& context(std::uint32_t number) const { return saturation_->contexts()[number]; }
   /// What a context holds; spans live as long as the base.
   [[nodiscard]] auto subsumers_of(std::uint32_t number) const { return as_span(context(number).subsumers); }
   [[nodiscard]] auto backward_of(std::uint32_t number) const { return as_span(context(number).backward); }
@@ -80,30 +80,34 @@ class ExpressionBase {
   [[nodiscard]] auto selfs_of(std::uint32_t number) const { return as_span(context(number).selfs); }
   /// The atoms that it is of together; none where it is of its root alone.
   [[nodiscard]] auto together_of(std::uint32_t number) const { return as_span(context(number).together); }
-  [[nodiscard]] const Context* find(ExprId root) const { return saturation_->find(root); }
-  [[nodiscard]] std::uint32_t number_of(ExprId root) const { return saturation_->number_of(root); }
+  [[nodiscard]] const el::Context* find(el::ExprId root) const { return saturation_->find(root); }
+  [[nodiscard]] std::uint32_t number_of(el::ExprId root) const { return saturation_->number_of(root); }
   /// The constructs of axioms that the rules do not use in full.
   [[nodiscard]] const std::vector<std::string>& gaps() const { return gaps_; }
 
   /// What a term of the query is here; nothing for what the ontology does not say anything about.
-  [[nodiscard]] std::optional<TermId> find_term(TermKind kind, std::string_view name, std::uint32_t number,
-                                                std::span<const TermId> arguments) const;
+  [[nodiscard]] std::optional<owl::TermId> find_term(owl::TermKind kind, std::string_view name, std::uint32_t number,
+                                                     std::span<const owl::TermId> arguments) const;
   /// The representative of a term of source(): a class expression, individual, literal or data range.
-  [[nodiscard]] ExprId expr(TermId term) const { return exprs_[static_cast<std::size_t>(term)]; }
+  [[nodiscard]] el::ExprId expr(owl::TermId term) const { return exprs_[static_cast<std::size_t>(term)]; }
   /// The role of a property of source().
-  [[nodiscard]] RoleId role(TermId property) const { return RoleId{number(expr(property))}; }
+  [[nodiscard]] el::RoleId role(owl::TermId property) const { return el::RoleId{number(expr(property))}; }
   /// The atom of a value, whatever literal it was written as.
-  [[nodiscard]] std::optional<ExprId> find_value(const DataValue& value) const;
+  [[nodiscard]] std::optional<el::ExprId> find_value(const owl::DataValue& value) const;
   /// The datatypes of OWL 2's map that the ontology names, and its literals.
-  [[nodiscard]] std::span<const std::pair<Datatype, ExprId>> datatypes() const { return datatypes_; }
-  [[nodiscard]] std::span<const std::pair<DataValue, ExprId>> values() const { return values_; }
+  [[nodiscard]] std::span<const std::pair<owl::Datatype, el::ExprId>> datatypes() const { return datatypes_; }
+  [[nodiscard]] std::span<const std::pair<owl::DataValue, el::ExprId>> values() const { return values_; }
 
   /// The classes of an atom, representatives of nodes, ascending.
-  [[nodiscard]] std::span<const ClassNumber> classes_of(ExprId atom) const { return classes_of_[number(atom)]; }
+  [[nodiscard]] std::span<const taxonomy::ClassNumber> classes_of(el::ExprId atom) const {
+    return classes_of_[number(atom)];
+  }
   /// The expression of a class's node.
-  [[nodiscard]] ExprId expr_of(ClassNumber node) const { return class_exprs_[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] el::ExprId expr_of(taxonomy::ClassNumber node) const {
+    return class_exprs_[static_cast<std::size_t>(node)];
+  }
   /// The contexts below an atom, ascending, those without instances included.
-  [[nodiscard]] std::vector<std::uint32_t> contexts_below(ExprId atom) const;
+  [[nodiscard]] std::vector<std::uint32_t> contexts_below(el::ExprId atom) const;
   /// Contexts without instances, ascending.
   [[nodiscard]] const std::vector<std::uint32_t>& unsatisfiable() const { return unsatisfiable_; }
   /// Whether more may follow for a context, where it has an instance, than it says: it leads to an individual.
@@ -111,7 +115,7 @@ class ExpressionBase {
   [[nodiscard]] bool has_conditional() const { return has_conditional_; }
 
  private:
-  ExpressionBase(const ClassifiedView& view, const ExpressionLimits& limits) : view_(view), limits_(limits) {}
+  ExpressionBase(const taxonomy::ClassifiedView& view, const ExpressionLimits& limits) : view_(view), limits_(limits) {}
   void copy_axioms();
   void add_taxonomy();
   void name_properties();
@@ -121,30 +125,30 @@ class ExpressionBase {
   void find_edges_down();
   void find_conditional();
   void find_data();
-  [[nodiscard]] std::uint64_t hash_of(TermKind kind, NameId name, std::uint32_t number_of_term,
-                                      std::span<const TermId> arguments) const;
+  [[nodiscard]] std::uint64_t hash_of(owl::TermKind kind, owl::NameId name, std::uint32_t number_of_term,
+                                      std::span<const owl::TermId> arguments) const;
 
-  ClassifiedView view_;
+  taxonomy::ClassifiedView view_;
   ExpressionLimits limits_;
-  OntologySource source_;
-  Index index_;
-  std::unique_ptr<Normaliser> normaliser_;
-  std::unique_ptr<Saturation> saturation_;
+  owl::Ontology source_;
+  el::Index index_;
+  std::unique_ptr<el::Normaliser> normaliser_;
+  std::unique_ptr<el::Saturation> saturation_;
   std::vector<std::string> gaps_;
-  NumberTable term_table_;
-  std::vector<std::pair<TermId, TermId>> properties_;  ///< a property, and `property some everything`
-  std::vector<ExprId> exprs_;                          ///< by term; of a property its role
-  std::vector<ExprId> class_exprs_;                    ///< by class
-  Rows<ClassNumber> classes_of_;                       ///< by atom
-  Rows<std::uint32_t> down_;  ///< by atom: atoms right below, and contexts behind the number of expressions
+  base::NumberTable term_table_;
+  std::vector<std::pair<owl::TermId, owl::TermId>> properties_;  ///< a property, and `property some everything`
+  std::vector<el::ExprId> exprs_;                                ///< by term; of a property its role
+  std::vector<el::ExprId> class_exprs_;                          ///< by class
+  base::Rows<taxonomy::ClassNumber> classes_of_;                 ///< by atom
+  base::Rows<std::uint32_t> down_;  ///< by atom: atoms right below, and contexts behind the number of expressions
   std::vector<std::uint32_t> unsatisfiable_;
   std::vector<bool> is_conditional_;
   bool has_conditional_ = false;
-  std::vector<std::pair<Datatype, ExprId>> datatypes_;
-  std::vector<std::pair<DataValue, ExprId>> values_;
-  std::map<std::pair<DataFamily, std::string>, ExprId> expr_of_value_;
+  std::vector<std::pair<owl::Datatype, el::ExprId>> datatypes_;
+  std::vector<std::pair<owl::DataValue, el::ExprId>> values_;
+  std::map<std::pair<owl::DataFamily, std::string>, el::ExprId> expr_of_value_;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::placement
 
 #endif

@@ -9,7 +9,7 @@
 #include "reasoning/placement/expression_overlay.hpp"
 #include "reasoning/placement/expression_scratch.hpp"
 
-namespace geminga::el {
+namespace geminga::placement {
 namespace {
 
 /// Classes by number, for marking.
@@ -18,10 +18,10 @@ using Marks = std::vector<bool>;
 /// One expression over a base.
 class Question {
  public:
-  Question(const ExpressionBase& base, const OntologySource& query)
+  Question(const ExpressionBase& base, const owl::Ontology& query)
       : base_(base), query_(query), shapes_(base, query), overlay_(base, shapes_) {}
 
-  ExpressionPlace place(TermId expression) {
+  ExpressionPlace place(owl::TermId expression) {
     const ShapeId shape = shapes_.read(expression);
     const std::vector<std::uint32_t> alternatives = saturate(shape);
     // Where individuals decide, a world is needed in which the expression has an instance.
@@ -49,7 +49,7 @@ class Question {
     return place;
   }
 
-  bool is_subsumed(TermId sub, TermId super) {
+  bool is_subsumed(owl::TermId sub, owl::TermId super) {
     const ShapeId below = shapes_.read(sub);
     const ShapeId above = shapes_.read(super);
     const std::vector<std::uint32_t> alternatives = saturate(below);
@@ -99,8 +99,8 @@ class Question {
 
   Marks classes_above(std::uint32_t context) const {
     Marks marks(base_.view().class_count(), false);
-    for (const ExprId atom : overlay_.atoms_above(context)) {
-      for (const ClassNumber number : base_.classes_of(atom)) marks[static_cast<std::size_t>(number)] = true;
+    for (const el::ExprId atom : overlay_.atoms_above(context)) {
+      for (const taxonomy::ClassNumber number : base_.classes_of(atom)) marks[static_cast<std::size_t>(number)] = true;
     }
     return marks;
   }
@@ -111,7 +111,7 @@ class Question {
     for (const std::uint32_t context : members.of(shape)) {
       if (context >= base_.context_count()) break;
       if (overlay_.is_unsatisfiable(context) || !base_.together_of(context).empty()) continue;
-      for (const ClassNumber number : base_.classes_of(base_.context(context).root)) {
+      for (const taxonomy::ClassNumber number : base_.classes_of(base_.context(context).root)) {
         marks[static_cast<std::size_t>(number)] = true;
       }
     }
@@ -120,10 +120,10 @@ class Question {
 
   /// The lowest of those above, which reach up to owl:Thing, and the highest of those below.
   void fill(ExpressionPlace& place, const Marks& above, const Marks& below) const {
-    const ClassifiedView& view = base_.view();
+    const taxonomy::ClassifiedView& view = base_.view();
     for (std::uint32_t number = 0; number < view.class_count() && !place.equivalent; ++number) {
       if (view.representative[number] == number && above[number] && below[number]) {
-        place.equivalent = ClassNumber{number};
+        place.equivalent = taxonomy::ClassNumber{number};
       }
     }
     Marks has_lower(view.class_count(), false);
@@ -136,13 +136,15 @@ class Question {
     };
     for (std::uint32_t number = 0; number < view.class_count(); ++number) {
       if (view.representative[number] != number) continue;
-      if (above[number] && !has_lower[number] && !place.equivalent) place.parents.push_back(ClassNumber{number});
-      if (below[number] && !is_under_one(number) && !place.equivalent) place.children.push_back(ClassNumber{number});
+      if (above[number] && !has_lower[number] && !place.equivalent)
+        place.parents.push_back(taxonomy::ClassNumber{number});
+      if (below[number] && !is_under_one(number) && !place.equivalent)
+        place.children.push_back(taxonomy::ClassNumber{number});
     }
     if (!place.equivalent) return;
     const auto node = static_cast<std::uint32_t>(*place.equivalent);
-    for (const std::uint32_t parent : view.parents_of(node)) place.parents.push_back(ClassNumber{parent});
-    for (const std::uint32_t child : view.children_of(node)) place.children.push_back(ClassNumber{child});
+    for (const std::uint32_t parent : view.parents_of(node)) place.parents.push_back(taxonomy::ClassNumber{parent});
+    for (const std::uint32_t child : view.children_of(node)) place.children.push_back(taxonomy::ClassNumber{child});
   }
 
   /// What shapes assert without its being used in full.
@@ -171,29 +173,29 @@ class Question {
   }
 
   const ExpressionBase& base_;
-  const OntologySource& query_;
+  const owl::Ontology& query_;
   ShapeReader shapes_;
   ExpressionOverlay overlay_;
 };
 
 }  // namespace
 
-std::expected<ExpressionClassifier, ExpressionError> ExpressionClassifier::build(const Ontology& ontology,
+std::expected<ExpressionClassifier, ExpressionError> ExpressionClassifier::build(const compiled::Ontology& ontology,
                                                                                  const ExpressionLimits& limits) {
   auto base = ExpressionBase::build(ontology, limits);
   if (!base) return std::unexpected(base.error());
   return ExpressionClassifier(std::move(*base));
 }
 
-ExpressionPlace ExpressionClassifier::classify(const OntologySource& query, TermId expression) const {
+ExpressionPlace ExpressionClassifier::classify(const owl::Ontology& query, owl::TermId expression) const {
   return Question(*base_, query).place(expression);
 }
 
-ExpressionClassifier::Subsumption ExpressionClassifier::is_subsumed(const OntologySource& query, TermId sub,
-                                                                    TermId super) const {
+ExpressionClassifier::Subsumption ExpressionClassifier::is_subsumed(const owl::Ontology& query, owl::TermId sub,
+                                                                    owl::TermId super) const {
   Question question(*base_, query);
   const bool holds = question.is_subsumed(sub, super);
   return {.holds = holds, .gaps = holds ? std::vector<std::string>() : question.gaps()};
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::placement

@@ -13,26 +13,26 @@
 #include "reasoning/placement/expression.hpp"
 #include "reasoning/placement/expression_base.hpp"
 
-namespace geminga::el {
+namespace geminga::placement {
 
 /// Answers questions about expressions over one ontology, which must outlive it. Movable; may be shared by threads.
 class ExpressionClassifier {
  public:
   /// Saturates the ontology: what its classification costs, and the memory of that. An error where it is over a limit
   /// or inconsistent.
-  [[nodiscard]] static std::expected<ExpressionClassifier, ExpressionError> build(const Ontology& ontology,
+  [[nodiscard]] static std::expected<ExpressionClassifier, ExpressionError> build(const compiled::Ontology& ontology,
                                                                                   const ExpressionLimits& limits = {});
 
   /// The place of a class expression of `query`, whose names are those of the ontology. Sound always. Complete, which
   /// is where the place has no gaps, for ontologies in OWL 2 EL with functional properties, and expressions of these
   /// with unions, and complements outside of restrictions and unions.
-  [[nodiscard]] ExpressionPlace classify(const OntologySource& query, TermId expression) const;
+  [[nodiscard]] ExpressionPlace classify(const owl::Ontology& query, owl::TermId expression) const;
   /// Whether every instance of one expression is an instance of the other. `gaps` says why a no may be wrong.
   struct Subsumption {
     bool holds = false;
     std::vector<std::string> gaps;
   };
-  [[nodiscard]] Subsumption is_subsumed(const OntologySource& query, TermId sub, TermId super) const;
+  [[nodiscard]] Subsumption is_subsumed(const owl::Ontology& query, owl::TermId sub, owl::TermId super) const;
 
   /// Contexts of the base. The same after any number of questions.
   [[nodiscard]] std::size_t context_count() const { return base_->context_count(); }
@@ -42,6 +42,6 @@ class ExpressionClassifier {
   std::unique_ptr<const ExpressionBase> base_;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::placement
 
 #endif

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace geminga::el {
+namespace geminga::placement {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -21,7 +21,7 @@ MeetingPoint::MeetingPoint(const ExpressionOverlay& overlay, std::uint32_t conte
   for (const std::uint32_t subsumer : own_.subsumers) {
     if (subsumer >= index_.size()) continue;
     holds_[subsumer] = true;
-    for (const std::uint32_t axiom : index_.disjointness(ExprId{subsumer})) member_of_[axiom] = subsumer;
+    for (const std::uint32_t axiom : index_.disjointness(el::ExprId{subsumer})) member_of_[axiom] = subsumer;
   }
 }
 
@@ -41,15 +41,15 @@ MeetingPoint::Side MeetingPoint::side_of(std::uint32_t context) const {
   return looked_through(side, self.forward.items());
 }
 
-MeetingPoint::Side MeetingPoint::looked_through(Side side, std::span<const Link> forward) const {
+MeetingPoint::Side MeetingPoint::looked_through(Side side, std::span<const el::Link> forward) const {
   for (const std::uint32_t subsumer : side.subsumers) {
     if (subsumer >= index_.size()) continue;
-    if (index_.is_nominal(ExprId{subsumer})) side.is_plain = false;
-    if (index_.has_rules(ExprId{subsumer}, RuleBits::functional)) side.has_functional_rules = true;
+    if (index_.is_nominal(el::ExprId{subsumer})) side.is_plain = false;
+    if (index_.has_rules(el::ExprId{subsumer}, el::RuleBits::functional)) side.has_functional_rules = true;
   }
-  const auto may_be_functional = [this](RoleId role) { return index_.may_be_functional(role); };
+  const auto may_be_functional = [this](el::RoleId role) { return index_.may_be_functional(role); };
   side.has_functional_links = std::ranges::any_of(side.selfs, may_be_functional);
-  for (const Link& link : forward) {
+  for (const el::Link& link : forward) {
     if (may_be_functional(link.role)) side.has_functional_links = true;
     if (link.context < overlay_.base_count() && base_.is_conditional(link.context)) side.is_plain = false;
   }
@@ -57,27 +57,27 @@ MeetingPoint::Side MeetingPoint::looked_through(Side side, std::span<const Link>
 }
 
 bool MeetingPoint::are_selfs_same(const Side& one, const Side& other) const {
-  const auto is_in = [](std::span<const RoleId> selfs) {
-    return [selfs](RoleId role) { return std::ranges::find(selfs, role) != selfs.end(); };
+  const auto is_in = [](std::span<const el::RoleId> selfs) {
+    return [selfs](el::RoleId role) { return std::ranges::find(selfs, role) != selfs.end(); };
   };
   return one.selfs.size() == other.selfs.size() && std::ranges::all_of(one.selfs, is_in(other.selfs));
 }
 
 /// Whether the other context, whose subsumers are marked, has with it what neither has alone.
 bool MeetingPoint::has_new_conjunction(std::uint32_t subsumer, std::uint32_t other) const {
-  const auto is_new = [&](const ConjunctionRule& rule) {
+  const auto is_new = [&](const el::ConjunctionRule& rule) {
     const std::uint32_t partner = number(rule.partner);
     const std::uint32_t both = number(rule.conjunction);
     return holds_[partner] && seen_in_[partner] != other && !holds_[both] && seen_in_[both] != other;
   };
-  return std::ranges::any_of(index_.conjunctions(ExprId{subsumer}), is_new);
+  return std::ranges::any_of(index_.conjunctions(el::ExprId{subsumer}), is_new);
 }
 
 //  X < D   X < E
 //  ------------- [D and E are different members of one disjointness axiom]
 //  X < F
 bool MeetingPoint::is_excluded(std::uint32_t subsumer) const {
-  return std::ranges::any_of(index_.disjointness(ExprId{subsumer}), [&](std::uint32_t axiom) {
+  return std::ranges::any_of(index_.disjointness(el::ExprId{subsumer}), [&](std::uint32_t axiom) {
     return member_of_[axiom] != none && member_of_[axiom] != subsumer;
   });
 }
@@ -99,4 +99,4 @@ Meeting MeetingPoint::with(std::uint32_t other) {
   return std::ranges::any_of(side.subsumers, is_new) ? Meeting::unknown : Meeting::possible;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::placement

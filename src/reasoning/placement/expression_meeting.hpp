@@ -15,7 +15,7 @@
 
 #include "reasoning/placement/expression_overlay.hpp"
 
-namespace geminga::el {
+namespace geminga::placement {
 
 enum class Meeting : std::uint8_t {
   possible,    ///< something can be in both
@@ -35,26 +35,26 @@ class MeetingPoint {
  private:
   struct Side {
     std::span<const std::uint32_t> subsumers;
-    std::span<const RoleId> selfs;
+    std::span<const el::RoleId> selfs;
     bool is_plain = true;  ///< nothing of it is beyond what is looked at here
     bool has_functional_rules = false;
     bool has_functional_links = false;  ///< of a role of which somewhere something has at most one
   };
   [[nodiscard]] Side side_of(std::uint32_t context) const;
-  [[nodiscard]] Side looked_through(Side side, std::span<const Link> forward) const;
+  [[nodiscard]] Side looked_through(Side side, std::span<const el::Link> forward) const;
   [[nodiscard]] bool are_selfs_same(const Side& one, const Side& other) const;
   [[nodiscard]] bool has_new_conjunction(std::uint32_t subsumer, std::uint32_t other) const;
   [[nodiscard]] bool is_excluded(std::uint32_t subsumer) const;
 
   const ExpressionOverlay& overlay_;
   const ExpressionBase& base_;
-  const Index& index_;
+  const el::Index& index_;
   Side own_;
   std::vector<bool> holds_;               ///< by expression: this point has it
   std::vector<std::uint32_t> member_of_;  ///< by axiom of disjointness: the member that this point has
   std::vector<std::uint32_t> seen_in_;    ///< by expression: the last other context that has it
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::placement
 
 #endif

@@ -7,7 +7,7 @@
 
 #include "reasoning/placement/expression_meeting.hpp"
 
-namespace geminga::el {
+namespace geminga::placement {
 namespace {
 
 void sort_unique(Contexts& contexts) {
@@ -60,8 +60,8 @@ void ExpressionMembers::add_unsatisfiable(Contexts& contexts) const {
   }
 }
 
-Contexts ExpressionMembers::below_atom(ExprId atom) {
-  if (atom == base_.index().representative(top_expr)) return all();
+Contexts ExpressionMembers::below_atom(el::ExprId atom) {
+  if (atom == base_.index().representative(el::top_expr)) return all();
   Contexts found = base_.contexts_below(atom);
   for (std::uint32_t at = overlay_.base_count(); at < overlay_.context_count(); ++at) {
     const std::size_t own = at - overlay_.base_count();
@@ -102,7 +102,7 @@ Contexts ExpressionMembers::find(ShapeId id) {
       found = disjoint_from(shape.parts[0], all());
       break;
     case ShapeKind::value:
-      for (const ExprId below : shape.below) {
+      for (const el::ExprId below : shape.below) {
         const Contexts part = below_atom(below);
         found.insert(found.end(), part.begin(), part.end());
       }
@@ -110,7 +110,7 @@ Contexts ExpressionMembers::find(ShapeId id) {
     case ShapeKind::opaque:
       break;  // its gap was noted when it was read
   }
-  if (shape.atom != top_expr) {
+  if (shape.atom != el::top_expr) {
     const Contexts known = below_atom(shape.atom);
     found.insert(found.end(), known.begin(), known.end());
   }
@@ -139,17 +139,17 @@ Contexts ExpressionMembers::in_some(const Shape& shape) {
   is_inside_some_ = true;
   const Contexts& filler = of(shape.parts[0]);
   is_inside_some_ = was_inside;
-  const Roles& roles = base_.index().roles();
+  const el::Roles& roles = base_.index().roles();
   Contexts found;
   for (const std::uint32_t target : filler) {
     if (target >= overlay_.base_count()) break;
-    for (const Link link : base_.backward_of(target)) {
+    for (const el::Link link : base_.backward_of(target)) {
       if (roles.is_sub_role(link.role, shape.role)) found.push_back(link.context);
     }
   }
   for (std::uint32_t at = overlay_.base_count(); at < overlay_.context_count(); ++at) {
     const auto& links = overlay_.own()[at - overlay_.base_count()].forward.items();
-    const bool is_in = std::ranges::any_of(links, [&](const Link& link) {
+    const bool is_in = std::ranges::any_of(links, [&](const el::Link& link) {
       return roles.is_sub_role(link.role, shape.role) && std::ranges::binary_search(filler, link.context);
     });
     if (is_in) found.push_back(at);
@@ -159,21 +159,22 @@ Contexts ExpressionMembers::in_some(const Shape& shape) {
 
 //  all are in R only C where C is above the range of R; what else is in it the rules cannot tell
 Contexts ExpressionMembers::in_only(const Shape& shape) {
-  const ExprId range = base_.index().representative(base_.index().range_of(shape.role));
-  const Context* context = base_.find(range);
+  const el::ExprId range = base_.index().representative(base_.index().range_of(shape.role));
+  const el::Context* context = base_.find(range);
   if (context != nullptr && std::ranges::binary_search(of(shape.parts[0]), base_.number_of(range))) return all();
   shapes_.add_gap("owl:allValuesFrom in the expression");
   return {};
 }
 
 Contexts ExpressionMembers::with_self(const Shape& shape) {
-  const auto has_self = [&](std::span<const RoleId> selfs) {
-    return std::ranges::any_of(selfs, [&](RoleId role) { return base_.index().roles().is_sub_role(role, shape.role); });
+  const auto has_self = [&](std::span<const el::RoleId> selfs) {
+    return std::ranges::any_of(selfs,
+                               [&](el::RoleId role) { return base_.index().roles().is_sub_role(role, shape.role); });
   };
   Contexts found;
   for (std::uint32_t at = 0; at < overlay_.context_count(); ++at) {
     const bool is_own = at >= overlay_.base_count();
-    if (has_self(is_own ? std::span<const RoleId>(overlay_.own()[at - overlay_.base_count()].selfs)
+    if (has_self(is_own ? std::span<const el::RoleId>(overlay_.own()[at - overlay_.base_count()].selfs)
                         : base_.selfs_of(at))) {
       found.push_back(at);
     }
@@ -239,4 +240,4 @@ Contexts ExpressionMembers::disjoint_from(ShapeId shape, const Contexts& candida
   return found;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::placement

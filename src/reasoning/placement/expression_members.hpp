@@ -12,7 +12,7 @@
 #include "reasoning/placement/expression_overlay.hpp"
 #include "reasoning/placement/expression_shape.hpp"
 
-namespace geminga::el {
+namespace geminga::placement {
 
 /// Contexts of a base and of an overlay whose rules have all fired, ascending.
 using Contexts = std::vector<std::uint32_t>;
@@ -32,7 +32,7 @@ class ExpressionMembers {
  private:
   [[nodiscard]] Contexts find(ShapeId shape);
   [[nodiscard]] Contexts all() const;
-  [[nodiscard]] Contexts below_atom(ExprId atom);
+  [[nodiscard]] Contexts below_atom(el::ExprId atom);
   [[nodiscard]] Contexts in_all(const Shape& shape);
   [[nodiscard]] Contexts in_some(const Shape& shape);
   [[nodiscard]] Contexts in_only(const Shape& shape);
@@ -46,11 +46,11 @@ class ExpressionMembers {
   const ExpressionBase& base_;
   ShapeReader& shapes_;
   std::map<ShapeId, Contexts> known_;
-  std::vector<std::vector<ExprId>> atoms_above_;  ///< by context of the overlay
+  std::vector<std::vector<el::ExprId>> atoms_above_;  ///< by context of the overlay
   Wanted wanted_;
   bool is_inside_some_ = false;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::placement
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace geminga::el {
+namespace geminga::placement {
 
 ExpressionOverlay::ExpressionOverlay(const ExpressionBase& base, const ShapeReader& shapes)
     : base_(base),
@@ -19,20 +19,20 @@ bool ExpressionOverlay::is_unsatisfiable(std::uint32_t context) const {
 Seeds ExpressionOverlay::seeds_of(std::uint32_t context) const {
   if (is_own(context)) return own_[context - base_count_].seeds;
   Seeds seeds;
-  for (const ExprId atom : base_.together_of(context)) seeds.push_back(number(atom));
+  for (const el::ExprId atom : base_.together_of(context)) seeds.push_back(number(atom));
   if (seeds.empty()) seeds.push_back(number(base_.context(context).root));
   return seeds;
 }
 
-std::span<const Link> ExpressionOverlay::forward_of(std::uint32_t context) const {
+std::span<const el::Link> ExpressionOverlay::forward_of(std::uint32_t context) const {
   if (is_own(context)) return own_[context - base_count_].forward.items();
   return base_.forward_of(context);
 }
 
-std::vector<ExistentialRule> ExpressionOverlay::propagations_of(std::uint32_t context) const {
+std::vector<el::ExistentialRule> ExpressionOverlay::propagations_of(std::uint32_t context) const {
   if (is_own(context)) return own_[context - base_count_].propagations;
-  std::vector<ExistentialRule> rules;
-  for (const ExprId filler : base_.propagating_of(context)) {
+  std::vector<el::ExistentialRule> rules;
+  for (const el::ExprId filler : base_.propagating_of(context)) {
     const auto of_filler = index_.existentials(filler);
     rules.insert(rules.end(), of_filler.begin(), of_filler.end());
   }
@@ -61,18 +61,18 @@ std::uint32_t ExpressionOverlay::require_with(Seeds seeds, ShapeId shape) {
   return context_of(std::move(seeds));
 }
 
-std::uint32_t ExpressionOverlay::context_of_atom(ExprId atom) {
+std::uint32_t ExpressionOverlay::context_of_atom(el::ExprId atom) {
   return base_.find(atom) != nullptr ? base_.number_of(atom) : context_of({number(atom)});
 }
 
 std::uint32_t ExpressionOverlay::context_of(Seeds seeds) {
   std::ranges::sort(seeds);
   seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
-  const std::uint32_t top = number(index_.representative(top_expr));
+  const std::uint32_t top = number(index_.representative(el::top_expr));
   if (seeds.size() > 1) std::erase(seeds, top);
   if (seeds.empty()) seeds.push_back(top);
-  if (seeds.size() == 1 && seeds.front() < size_ && base_.find(ExprId{seeds.front()}) != nullptr) {
-    return base_.number_of(ExprId{seeds.front()});
+  if (seeds.size() == 1 && seeds.front() < size_ && base_.find(el::ExprId{seeds.front()}) != nullptr) {
+    return base_.number_of(el::ExprId{seeds.front()});
   }
   const auto [known, is_new] = context_of_seeds_.try_emplace(seeds, context_count());
   if (!is_new) return known->second;
@@ -83,10 +83,10 @@ std::uint32_t ExpressionOverlay::context_of(Seeds seeds) {
 
   //  ----- (init)   -----
   //  X < C          X < T
-  add_atom(created, ExprId{top});
+  add_atom(created, el::ExprId{top});
   for (const std::uint32_t seed : seeds) {
     if (seed < size_) {
-      add_atom(created, ExprId{seed});
+      add_atom(created, el::ExprId{seed});
     } else {
       assert_shape(created, seed - size_);
     }
@@ -117,7 +117,7 @@ void ExpressionOverlay::process(std::uint32_t context) {
     OverlayContext& self = own(context);
     if (self.subsumers_done < self.subsumers.size()) {
       const std::uint32_t subsumer = self.subsumers[self.subsumers_done++];
-      if (subsumer < size_) process_subsumer(context, ExprId{subsumer});
+      if (subsumer < size_) process_subsumer(context, el::ExprId{subsumer});
     } else if (self.forward_done < self.forward.size()) {
       process_link(context, self.forward[self.forward_done++]);
     } else if (self.selfs_done < self.selfs.size()) {
@@ -139,55 +139,55 @@ void ExpressionOverlay::add_bottom(std::uint32_t context) {
     if (self.is_unsatisfiable) continue;
     self.is_unsatisfiable = true;
     ++work_;
-    for (const Link link : self.backward) stack.push_back(link.context);
+    for (const el::Link link : self.backward) stack.push_back(link.context);
   }
 }
 
-void ExpressionOverlay::add_subsumer(std::uint32_t context, ExprId subsumer) {
+void ExpressionOverlay::add_subsumer(std::uint32_t context, el::ExprId subsumer) {
   OverlayContext& self = own(context);
   if (self.is_unsatisfiable || !self.subsumers.insert(number(subsumer))) return;
   ++work_;
   enqueue(context);
 }
 
-void ExpressionOverlay::add_atom(std::uint32_t context, ExprId atom) {
-  if (atom == index_.representative(bottom_expr)) return add_bottom(context);
+void ExpressionOverlay::add_atom(std::uint32_t context, el::ExprId atom) {
+  if (atom == index_.representative(el::bottom_expr)) return add_bottom(context);
   if (own(context).is_unsatisfiable || !own(context).derived.insert(number(atom))) return;
   if (index_.is_active(atom)) return add_subsumer(context, atom);
-  for (const ExprId above : index_.frontier(atom)) add_subsumer(context, above);
+  for (const el::ExprId above : index_.frontier(atom)) add_subsumer(context, above);
 }
 
-void ExpressionOverlay::process_subsumer(std::uint32_t context, ExprId subsumer) {
+void ExpressionOverlay::process_subsumer(std::uint32_t context, el::ExprId subsumer) {
   //  X < D                X < D
   //  ----- [D < F told]   ----- [D < E told]
   //  X < F                X < E
   if (index_.is_told_bottom(subsumer)) return add_bottom(context);
   if (index_.is_atom(subsumer)) {
-    for (const ExprId above : index_.frontier(subsumer)) add_subsumer(context, above);
+    for (const el::ExprId above : index_.frontier(subsumer)) add_subsumer(context, above);
   } else {
-    for (const ExprId above : index_.told_atoms(subsumer)) add_atom(context, above);
+    for (const el::ExprId above : index_.told_atoms(subsumer)) add_atom(context, above);
   }
 
   //  X < D
   //  -------- [D < R some E is told]
   //  X -R-> E
-  for (const LinkRule& link : index_.links(subsumer)) add_link(context, link.role, context_of_atom(link.target));
-  for (const RoleId role : index_.selfs(subsumer)) add_self(context, role);
+  for (const el::LinkRule& link : index_.links(subsumer)) add_link(context, link.role, context_of_atom(link.target));
+  for (const el::RoleId role : index_.selfs(subsumer)) add_self(context, role);
 
   //  X < D   X < E
   //  ------------- [D and E occurs negatively]
   //  X < D and E
-  for (const ConjunctionRule& rule : index_.conjunctions(subsumer)) {
+  for (const el::ConjunctionRule& rule : index_.conjunctions(subsumer)) {
     if (own(context).subsumers.contains(number(rule.partner))) add_subsumer(context, rule.conjunction);
   }
 
   //  X -R-> D   D < E
   //  ---------------- [S some E occurs negatively, R <* S]; here the second premise is new
   //  X < S some E
-  for (const ExistentialRule& rule : index_.existentials(subsumer)) {
+  for (const el::ExistentialRule& rule : index_.existentials(subsumer)) {
     own(context).propagations.push_back(rule);
-    const std::vector<Link> before = own(context).backward;
-    for (const Link link : before) {
+    const std::vector<el::Link> before = own(context).backward;
+    for (const el::Link link : before) {
       if (index_.roles().is_sub_role(link.role, rule.role)) add_subsumer(link.context, rule.existential);
     }
   }
@@ -199,9 +199,9 @@ void ExpressionOverlay::process_subsumer(std::uint32_t context, ExprId subsumer)
     if (!own(context).subsumers.insert(size_ + axiom)) return add_bottom(context);
   }
 
-  for (const RoleId functional : index_.functional_roles(subsumer)) {
-    const std::vector<Link> links = own(context).forward.items();
-    for (const Link link : links) group_successor(context, functional, link);
+  for (const el::RoleId functional : index_.functional_roles(subsumer)) {
+    const std::vector<el::Link> links = own(context).forward.items();
+    for (const el::Link link : links) group_successor(context, functional, link);
     process_functional_self(context, functional);
   }
   if (index_.is_nominal(subsumer)) process_nominal(context, subsumer);
@@ -210,32 +210,32 @@ void ExpressionOverlay::process_subsumer(std::uint32_t context, ExprId subsumer)
 //  X < {a}   {a} < D
 //  ----------------- ; that {a} < X where X is not empty needs a world of its own
 //  X < D
-void ExpressionOverlay::process_nominal(std::uint32_t context, ExprId nominal) {
+void ExpressionOverlay::process_nominal(std::uint32_t context, el::ExprId nominal) {
   is_conditional_ = true;
   if (base_.find(nominal) == nullptr) return;
   const std::uint32_t individual = base_.number_of(nominal);
   if (is_unsatisfiable(individual)) return add_bottom(context);
   for (const std::uint32_t subsumer : base_.subsumers_of(individual)) {
-    if (subsumer < size_) add_subsumer(context, ExprId{subsumer});
+    if (subsumer < size_) add_subsumer(context, el::ExprId{subsumer});
   }
-  for (const ExprId atom : base_.derived_of(individual)) add_atom(context, atom);
+  for (const el::ExprId atom : base_.derived_of(individual)) add_atom(context, atom);
 }
 
-void ExpressionOverlay::add_link(std::uint32_t from, RoleId role, std::uint32_t to) {
+void ExpressionOverlay::add_link(std::uint32_t from, el::RoleId role, std::uint32_t to) {
   if (own(from).is_unsatisfiable || !own(from).forward.insert({role, to})) return;
   ++work_;
   enqueue(from);
   if (is_own(to)) own(to).backward.push_back({role, from});
 }
 
-void ExpressionOverlay::process_link(std::uint32_t context, Link link) {
+void ExpressionOverlay::process_link(std::uint32_t context, el::Link link) {
   if (is_unsatisfiable(link.context)) return add_bottom(context);
   if (!is_own(link.context) && base_.is_conditional(link.context)) is_conditional_ = true;
 
   //  X -R-> D   D < E
   //  ---------------- [S some E occurs negatively, R <* S]; here the first premise is new
   //  X < S some E
-  for (const ExistentialRule& rule : propagations_of(link.context)) {
+  for (const el::ExistentialRule& rule : propagations_of(link.context)) {
     if (index_.roles().is_sub_role(link.role, rule.role)) add_subsumer(context, rule.existential);
   }
 
@@ -243,21 +243,21 @@ void ExpressionOverlay::process_link(std::uint32_t context, Link link) {
   //  ------------------- and    ------------------- [R o S SubPropertyOf R']
   //  C -R'-> E                  X -R'-> E
   if (!index_.roles().compositions(link.role).empty()) {
-    const std::vector<Link> next(forward_of(link.context).begin(), forward_of(link.context).end());
-    for (const Link& further : next) compose(context, link.role, further.role, further.context);
+    const std::vector<el::Link> next(forward_of(link.context).begin(), forward_of(link.context).end());
+    for (const el::Link& further : next) compose(context, link.role, further.role, further.context);
   }
   if (index_.roles().is_second(link.role)) {
-    const std::vector<Link> before = own(context).backward;
-    for (const Link& earlier : before) compose(earlier.context, earlier.role, link.role, link.context);
+    const std::vector<el::Link> before = own(context).backward;
+    for (const el::Link& earlier : before) compose(earlier.context, earlier.role, link.role, link.context);
   }
   const std::vector<ShapeId> universals = own(context).universals;
   for (const ShapeId universal : universals) apply_universal(context, universal, link);
   process_functional(context, link);
 }
 
-void ExpressionOverlay::compose(std::uint32_t from, RoleId first, RoleId second, std::uint32_t to) {
+void ExpressionOverlay::compose(std::uint32_t from, el::RoleId first, el::RoleId second, std::uint32_t to) {
   const auto rules = index_.roles().compositions(first);
-  for (auto rule = std::ranges::lower_bound(rules, second, {}, &Composition::second);
+  for (auto rule = std::ranges::lower_bound(rules, second, {}, &el::Composition::second);
        rule != rules.end() && rule->second == second; ++rule) {
     add_link(from, rule->result, to);
   }
@@ -266,47 +266,47 @@ void ExpressionOverlay::compose(std::uint32_t from, RoleId first, RoleId second,
 //  X < R only C   X -S-> D
 //  ----------------------- [S <* R]
 //  X -S-> C and D
-void ExpressionOverlay::apply_universal(std::uint32_t context, ShapeId universal, Link link) {
+void ExpressionOverlay::apply_universal(std::uint32_t context, ShapeId universal, el::Link link) {
   const Shape& shape = shapes_.shape(universal);
   if (!index_.roles().is_sub_role(link.role, shape.role)) return;
   const std::uint32_t narrower = require_with(seeds_of(link.context), shape.parts[0]);
   if (narrower != link.context) add_link(context, link.role, narrower);
 }
 
-std::vector<ExprId> ExpressionOverlay::atoms_above(std::uint32_t context) const {
-  std::vector<ExprId> found;
+std::vector<el::ExprId> ExpressionOverlay::atoms_above(std::uint32_t context) const {
+  std::vector<el::ExprId> found;
   std::vector<bool> seen(size_, false);
-  const auto reach = [&](ExprId atom) {
+  const auto reach = [&](el::ExprId atom) {
     if (seen[number(atom)]) return;
     seen[number(atom)] = true;
     found.push_back(atom);
   };
   for (const std::uint32_t seed : seeds_of(context)) {
-    if (seed < size_) reach(ExprId{seed});
+    if (seed < size_) reach(el::ExprId{seed});
   }
-  reach(index_.representative(top_expr));
+  reach(index_.representative(el::top_expr));
   std::span<const std::uint32_t> subsumers;
   if (is_own(context)) {
     const OverlayContext& self = own_[context - base_count_];
-    for (const std::uint32_t atom : self.derived.items()) reach(ExprId{atom});
+    for (const std::uint32_t atom : self.derived.items()) reach(el::ExprId{atom});
     subsumers = self.subsumers.items();
   } else {
-    for (const ExprId atom : base_.derived_of(context)) reach(atom);
+    for (const el::ExprId atom : base_.derived_of(context)) reach(atom);
     subsumers = base_.subsumers_of(context);
   }
   for (const std::uint32_t subsumer : subsumers) {
-    if (subsumer < size_ && index_.is_atom(ExprId{subsumer})) reach(ExprId{subsumer});
+    if (subsumer < size_ && index_.is_atom(el::ExprId{subsumer})) reach(el::ExprId{subsumer});
   }
   for (std::size_t at = 0; at < found.size(); ++at) {
-    const ExprId atom = found[at];
-    for (const ExprId above : index_.told_atoms(atom)) reach(above);
+    const el::ExprId atom = found[at];
+    for (const el::ExprId above : index_.told_atoms(atom)) reach(above);
     // What an atom without rules derives stands in its own context where it has one.
     if (base_.find(atom) != nullptr) {
-      for (const ExprId above : base_.derived_of(base_.number_of(atom))) reach(above);
+      for (const el::ExprId above : base_.derived_of(base_.number_of(atom))) reach(above);
     }
   }
   std::ranges::sort(found);
   return found;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::placement

@@ -15,7 +15,7 @@
 #include "reasoning/placement/expression_base.hpp"
 #include "reasoning/placement/expression_shape.hpp"
 
-namespace geminga::el {
+namespace geminga::placement {
 
 /// What a context of the overlay is of: atoms of the base, and shapes behind the number of its expressions. Ascending.
 using Seeds = std::vector<std::uint32_t>;
@@ -23,19 +23,19 @@ using Seeds = std::vector<std::uint32_t>;
 struct OverlayContext {
   Seeds seeds;
   bool is_unsatisfiable = false;
-  GrowingSet<std::uint32_t> subsumers;
+  base::GrowingSet<std::uint32_t> subsumers;
   std::uint32_t subsumers_done = 0;
-  GrowingSet<Link> forward;
+  base::GrowingSet<el::Link> forward;
   std::uint32_t forward_done = 0;
-  std::vector<Link> backward;  ///< from contexts of the overlay
-  std::vector<ExistentialRule> propagations;
-  std::vector<RoleId> selfs;
+  std::vector<el::Link> backward;  ///< from contexts of the overlay
+  std::vector<el::ExistentialRule> propagations;
+  std::vector<el::RoleId> selfs;
   std::uint32_t selfs_done = 0;
-  std::vector<FunctionalGroup> groups;
-  std::vector<RoleId> functional;     ///< at most one successor, by a shape
-  GrowingSet<std::uint32_t> derived;  ///< atoms that were asserted or derived
-  std::vector<ShapeId> universals;    ///< `R only C`
-  std::vector<ShapeId> negations;     ///< what must not hold
+  std::vector<el::FunctionalGroup> groups;
+  std::vector<el::RoleId> functional;       ///< at most one successor, by a shape
+  base::GrowingSet<std::uint32_t> derived;  ///< atoms that were asserted or derived
+  std::vector<ShapeId> universals;          ///< `R only C`
+  std::vector<ShapeId> negations;           ///< what must not hold
 };
 
 class ExpressionOverlay {
@@ -62,36 +62,36 @@ class ExpressionOverlay {
   [[nodiscard]] bool is_conditional() const { return is_conditional_; }
   [[nodiscard]] std::size_t work() const { return work_; }
   /// Everything that is an atom and above a context: representatives, ascending.
-  [[nodiscard]] std::vector<ExprId> atoms_above(std::uint32_t context) const;
+  [[nodiscard]] std::vector<el::ExprId> atoms_above(std::uint32_t context) const;
 
  private:
   [[nodiscard]] OverlayContext& own(std::uint32_t context) { return own_[context - base_count_]; }
   [[nodiscard]] bool is_own(std::uint32_t context) const { return context >= base_count_; }
-  [[nodiscard]] std::span<const Link> forward_of(std::uint32_t context) const;
-  [[nodiscard]] std::vector<ExistentialRule> propagations_of(std::uint32_t context) const;
+  [[nodiscard]] std::span<const el::Link> forward_of(std::uint32_t context) const;
+  [[nodiscard]] std::vector<el::ExistentialRule> propagations_of(std::uint32_t context) const;
   void add_seed(Seeds& seeds, ShapeId shape) const;
   std::uint32_t context_of(Seeds seeds);
-  std::uint32_t context_of_atom(ExprId atom);
+  std::uint32_t context_of_atom(el::ExprId atom);
   void enqueue(std::uint32_t context);
   void process(std::uint32_t context);
   void assert_shape(std::uint32_t context, ShapeId shape);
-  void add_successor(std::uint32_t context, RoleId role, ShapeId filler);
-  void add_subsumer(std::uint32_t context, ExprId subsumer);
-  void add_atom(std::uint32_t context, ExprId atom);
-  void process_subsumer(std::uint32_t context, ExprId subsumer);
-  void process_nominal(std::uint32_t context, ExprId nominal);
-  void add_link(std::uint32_t from, RoleId role, std::uint32_t to);
-  void process_link(std::uint32_t context, Link link);
-  void compose(std::uint32_t from, RoleId first, RoleId second, std::uint32_t to);
-  void apply_universal(std::uint32_t context, ShapeId universal, Link link);
-  void add_self(std::uint32_t context, RoleId role);
-  void process_self(std::uint32_t context, RoleId role);
-  void process_functional(std::uint32_t context, Link link);
-  void group_successor(std::uint32_t context, RoleId functional, Link link);
-  void process_functional_self(std::uint32_t context, RoleId functional);
+  void add_successor(std::uint32_t context, el::RoleId role, ShapeId filler);
+  void add_subsumer(std::uint32_t context, el::ExprId subsumer);
+  void add_atom(std::uint32_t context, el::ExprId atom);
+  void process_subsumer(std::uint32_t context, el::ExprId subsumer);
+  void process_nominal(std::uint32_t context, el::ExprId nominal);
+  void add_link(std::uint32_t from, el::RoleId role, std::uint32_t to);
+  void process_link(std::uint32_t context, el::Link link);
+  void compose(std::uint32_t from, el::RoleId first, el::RoleId second, std::uint32_t to);
+  void apply_universal(std::uint32_t context, ShapeId universal, el::Link link);
+  void add_self(std::uint32_t context, el::RoleId role);
+  void process_self(std::uint32_t context, el::RoleId role);
+  void process_functional(std::uint32_t context, el::Link link);
+  void group_successor(std::uint32_t context, el::RoleId functional, el::Link link);
+  void process_functional_self(std::uint32_t context, el::RoleId functional);
 
   const ExpressionBase& base_;
-  const Index& index_;
+  const el::Index& index_;
   const ShapeReader& shapes_;
   std::uint32_t base_count_;
   std::uint32_t size_;  ///< of the index: seeds from here on are shapes
@@ -102,6 +102,6 @@ class ExpressionOverlay {
   bool is_conditional_ = false;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::placement
 
 #endif

@@ -11,13 +11,13 @@
 #include "reasoning/placement/expression.hpp"
 #include "reasoning/placement/expression_base.hpp"
 
-namespace geminga::el {
+namespace geminga::placement {
 
 /// Classifies the axioms of the base with a class that is equivalent to the expression. Nothing where they are more
 /// than ExpressionLimits::scratch_axioms.
-[[nodiscard]] std::optional<ExpressionPlace> place_by_scratch(const ExpressionBase& base, const OntologySource& query,
-                                                              TermId expression);
+[[nodiscard]] std::optional<ExpressionPlace> place_by_scratch(const ExpressionBase& base, const owl::Ontology& query,
+                                                              owl::TermId expression);
 
-}  // namespace geminga::el
+}  // namespace geminga::placement
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "reasoning/owl/literal_value.hpp"
 
-namespace geminga::el {
+namespace geminga::placement {
 namespace {
 
 constexpr std::string_view owl = "http://www.w3.org/2002/07/owl#";
@@ -23,21 +23,21 @@ ShapeId ShapeReader::add(Shape shape) {
   return static_cast<ShapeId>(shapes_.size() - 1);
 }
 
-ShapeId ShapeReader::atom(ExprId expr) { return add({.kind = ShapeKind::atom, .atom = expr}); }
+ShapeId ShapeReader::atom(el::ExprId expr) { return add({.kind = ShapeKind::atom, .atom = expr}); }
 
-bool ShapeReader::is(ShapeId id, ExprId expr) const {
+bool ShapeReader::is(ShapeId id, el::ExprId expr) const {
   return shapes_[id].kind == ShapeKind::atom && shapes_[id].atom == base_.index().representative(expr);
 }
 
-ExprId ShapeReader::known_atom(TermId id) const {
+el::ExprId ShapeReader::known_atom(owl::TermId id) const {
   const auto known = in_base(id);
-  return known && base_.index().is_atom(base_.expr(*known)) ? base_.expr(*known) : top_expr;
+  return known && base_.index().is_atom(base_.expr(*known)) ? base_.expr(*known) : el::top_expr;
 }
 
-std::optional<TermId> ShapeReader::in_base(TermId id) const {
-  const Term term = query_.term(id);
-  std::vector<TermId> arguments;
-  for (const TermId argument : term.arguments) {
+std::optional<owl::TermId> ShapeReader::in_base(owl::TermId id) const {
+  const owl::Term term = query_.term(id);
+  std::vector<owl::TermId> arguments;
+  for (const owl::TermId argument : term.arguments) {
     const auto found = in_base(argument);
     if (!found) return std::nullopt;
     arguments.push_back(*found);
@@ -45,14 +45,14 @@ std::optional<TermId> ShapeReader::in_base(TermId id) const {
   return base_.find_term(term.kind, query_.name(term.name), term.number, arguments);
 }
 
-ShapeId ShapeReader::unknown(TermId id, std::string_view words) {
+ShapeId ShapeReader::unknown(owl::TermId id, std::string_view words) {
   add_gap(words);
   return add({.kind = ShapeKind::opaque, .atom = known_atom(id)});
 }
 
-std::optional<RoleId> ShapeReader::role_of(TermId property) {
-  const Term term = query_.term(property);
-  if (term.kind == TermKind::object_inverse_of || is_top_property(query_.name(term.name))) return std::nullopt;
+std::optional<el::RoleId> ShapeReader::role_of(owl::TermId property) {
+  const owl::Term term = query_.term(property);
+  if (term.kind == owl::TermKind::object_inverse_of || is_top_property(query_.name(term.name))) return std::nullopt;
   const auto known = in_base(property);
   if (!known) return std::nullopt;
   return base_.role(*known);
@@ -82,8 +82,8 @@ ShapeId ShapeReader::negated(ShapeId id) {
     case ShapeKind::at_least:
       return add({.kind = ShapeKind::at_most, .role = shape.role, .count = shape.count - 1, .parts = shape.parts});
     default:
-      if (is(id, top_expr)) return atom(base_.index().representative(bottom_expr));
-      if (is(id, bottom_expr)) return atom(base_.index().representative(top_expr));
+      if (is(id, el::top_expr)) return atom(base_.index().representative(el::bottom_expr));
+      if (is(id, el::bottom_expr)) return atom(base_.index().representative(el::top_expr));
       return add({.kind = ShapeKind::negation, .parts = {id}});
   }
 }
@@ -91,10 +91,10 @@ ShapeId ShapeReader::negated(ShapeId id) {
 ShapeId ShapeReader::all_of(const std::vector<ShapeId>& parts) {
   std::vector<ShapeId> kept;
   for (const ShapeId part : parts) {
-    if (is(part, bottom_expr)) return part;
-    if (!is(part, top_expr)) kept.push_back(part);
+    if (is(part, el::bottom_expr)) return part;
+    if (!is(part, el::top_expr)) kept.push_back(part);
   }
-  if (kept.empty()) return atom(base_.index().representative(top_expr));
+  if (kept.empty()) return atom(base_.index().representative(el::top_expr));
   if (kept.size() == 1) return kept.front();
   return add({.kind = ShapeKind::all_of, .parts = std::move(kept)});
 }
@@ -103,10 +103,10 @@ ShapeId ShapeReader::all_of(const std::vector<ShapeId>& parts) {
 ShapeId ShapeReader::any_of(const std::vector<ShapeId>& parts) {
   std::vector<ShapeId> kept;
   for (const ShapeId part : parts) {
-    if (is(part, top_expr)) return part;
-    if (!is(part, bottom_expr)) kept.push_back(part);
+    if (is(part, el::top_expr)) return part;
+    if (!is(part, el::bottom_expr)) kept.push_back(part);
   }
-  if (kept.empty()) return atom(base_.index().representative(bottom_expr));
+  if (kept.empty()) return atom(base_.index().representative(el::bottom_expr));
   if (kept.size() == 1) return kept.front();
   const auto is_negation = [&](ShapeId part) { return shapes_[part].kind == ShapeKind::negation; };
   if (std::ranges::all_of(kept, is_negation)) {
@@ -117,29 +117,29 @@ ShapeId ShapeReader::any_of(const std::vector<ShapeId>& parts) {
   return add({.kind = ShapeKind::any_of, .parts = std::move(kept)});
 }
 
-ShapeId ShapeReader::restriction(ShapeKind kind, TermId term, ShapeId part, std::uint32_t count) {
-  const TermId property = query_.term(term).arguments[0];
+ShapeId ShapeReader::restriction(ShapeKind kind, owl::TermId term, ShapeId part, std::uint32_t count) {
+  const owl::TermId property = query_.term(term).arguments[0];
   const auto role = role_of(property);
   if (!role) {
-    const bool is_inverse = query_.kind(property) == TermKind::object_inverse_of;
+    const bool is_inverse = query_.kind(property) == owl::TermKind::object_inverse_of;
     return unknown(term, is_inverse ? "owl:inverseOf in the expression" : "a property that the ontology does not use");
   }
   return add({.kind = kind, .atom = known_atom(term), .role = *role, .count = count, .parts = {part}});
 }
 
-ShapeId ShapeReader::at_least(TermId term, std::uint32_t count, ShapeId part) {
-  if (count == 0) return atom(base_.index().representative(top_expr));
-  if (is(part, bottom_expr)) return part;
+ShapeId ShapeReader::at_least(owl::TermId term, std::uint32_t count, ShapeId part) {
+  if (count == 0) return atom(base_.index().representative(el::top_expr));
+  if (is(part, el::bottom_expr)) return part;
   return restriction(count == 1 ? ShapeKind::some : ShapeKind::at_least, term, part, count);
 }
 
-ShapeId ShapeReader::at_most(TermId term, std::uint32_t count, ShapeId part) {
-  const ShapeId all = atom(base_.index().representative(top_expr));
-  if (is(part, bottom_expr)) return all;
+ShapeId ShapeReader::at_most(owl::TermId term, std::uint32_t count, ShapeId part) {
+  const ShapeId all = atom(base_.index().representative(el::top_expr));
+  if (is(part, el::bottom_expr)) return all;
   if (count > 0) {
     //  all are in R max n C where R is functional, n > 0
     const auto role = role_of(query_.term(term).arguments[0]);
-    const auto is_functional = [&](RoleId super) { return base_.index().is_functional(super); };
+    const auto is_functional = [&](el::RoleId super) { return base_.index().is_functional(super); };
     if (role && std::ranges::any_of(base_.index().roles().supers(*role), is_functional)) return all;
     return restriction(ShapeKind::at_most, term, part, count);
   }
@@ -147,31 +147,31 @@ ShapeId ShapeReader::at_most(TermId term, std::uint32_t count, ShapeId part) {
   return shapes_[some].kind == ShapeKind::some ? negated(some) : some;
 }
 
-ShapeId ShapeReader::read_restriction(TermId id, const Term& term) {
+ShapeId ShapeReader::read_restriction(owl::TermId id, const owl::Term& term) {
   const bool is_qualified = term.arguments.size() == 2;
   const auto part = [&] {
-    return is_qualified ? read(term.arguments[1]) : atom(base_.index().representative(top_expr));
+    return is_qualified ? read(term.arguments[1]) : atom(base_.index().representative(el::top_expr));
   };
   switch (term.kind) {
-    case TermKind::object_some_values_from:
-    case TermKind::data_some_values_from:
-    case TermKind::object_has_value:
-    case TermKind::data_has_value:
+    case owl::TermKind::object_some_values_from:
+    case owl::TermKind::data_some_values_from:
+    case owl::TermKind::object_has_value:
+    case owl::TermKind::data_has_value:
       return at_least(id, 1, part());
-    case TermKind::object_has_self: {
+    case owl::TermKind::object_has_self: {
       const auto role = role_of(term.arguments[0]);
       return role ? add({.kind = ShapeKind::self, .role = *role}) : unknown(id, "Self of such a property");
     }
-    case TermKind::object_all_values_from:
-    case TermKind::data_all_values_from: {
+    case owl::TermKind::object_all_values_from:
+    case owl::TermKind::data_all_values_from: {
       const ShapeId filler = part();
-      return is(filler, top_expr) ? filler : restriction(ShapeKind::only, id, filler);
+      return is(filler, el::top_expr) ? filler : restriction(ShapeKind::only, id, filler);
     }
-    case TermKind::object_min_cardinality:
-    case TermKind::data_min_cardinality:
+    case owl::TermKind::object_min_cardinality:
+    case owl::TermKind::data_min_cardinality:
       return at_least(id, term.number, part());
-    case TermKind::object_max_cardinality:
-    case TermKind::data_max_cardinality:
+    case owl::TermKind::object_max_cardinality:
+    case owl::TermKind::data_max_cardinality:
       return at_most(id, term.number, part());
     default: {
       const ShapeId filler = part();
@@ -180,7 +180,7 @@ ShapeId ShapeReader::read_restriction(TermId id, const Term& term) {
   }
 }
 
-ShapeId ShapeReader::read_literal(TermId id, const Term& term) {
+ShapeId ShapeReader::read_literal(owl::TermId id, const owl::Term& term) {
   if (const auto known = in_base(id)) return atom(base_.expr(*known));
   const auto value = value_of(query_, term);
   if (!value) return unknown(id, "a literal of an unknown datatype");
@@ -192,10 +192,10 @@ ShapeId ShapeReader::read_literal(TermId id, const Term& term) {
   return add(std::move(shape));
 }
 
-ShapeId ShapeReader::read_datatype(TermId id, const Term& term) {
-  if (query_.name(term.name) == rdfs_literal) return atom(base_.index().representative(top_expr));
+ShapeId ShapeReader::read_datatype(owl::TermId id, const owl::Term& term) {
+  if (query_.name(term.name) == rdfs_literal) return atom(base_.index().representative(el::top_expr));
   if (const auto known = in_base(id)) return atom(base_.expr(*known));
-  const auto type = Datatype::find(query_.name(term.name));
+  const auto type = owl::Datatype::find(query_.name(term.name));
   if (!type) return unknown(id, "a datatype that the ontology does not use");
   Shape shape{.kind = ShapeKind::value};
   for (const auto& [other, expr] : base_.datatypes()) {
@@ -208,41 +208,41 @@ ShapeId ShapeReader::read_datatype(TermId id, const Term& term) {
   return add(std::move(shape));
 }
 
-ShapeId ShapeReader::read(TermId id) {
-  const Term term = query_.term(id);
+ShapeId ShapeReader::read(owl::TermId id) {
+  const owl::Term term = query_.term(id);
   std::vector<ShapeId> parts;
   const auto read_parts = [&] {
-    for (const TermId part : term.arguments) parts.push_back(read(part));
+    for (const owl::TermId part : term.arguments) parts.push_back(read(part));
   };
   switch (term.kind) {
-    case TermKind::named_class:
-    case TermKind::individual:
-    case TermKind::anonymous_individual: {
+    case owl::TermKind::named_class:
+    case owl::TermKind::individual:
+    case owl::TermKind::anonymous_individual: {
       const auto known = in_base(id);
       return known ? atom(base_.expr(*known)) : unknown(id, "a name that the ontology does not use");
     }
-    case TermKind::literal:
+    case owl::TermKind::literal:
       return read_literal(id, term);
-    case TermKind::datatype:
+    case owl::TermKind::datatype:
       return read_datatype(id, term);
-    case TermKind::object_intersection_of:
-    case TermKind::data_intersection_of:
+    case owl::TermKind::object_intersection_of:
+    case owl::TermKind::data_intersection_of:
       read_parts();
       return all_of(parts);
-    case TermKind::object_union_of:
-    case TermKind::data_union_of:
-    case TermKind::object_one_of:
-    case TermKind::data_one_of:
+    case owl::TermKind::object_union_of:
+    case owl::TermKind::data_union_of:
+    case owl::TermKind::object_one_of:
+    case owl::TermKind::data_one_of:
       read_parts();
       return any_of(parts);
-    case TermKind::object_complement_of: {
+    case owl::TermKind::object_complement_of: {
       const ShapeId complement = negated(read(term.arguments[0]));
       if (shapes_[complement].kind == ShapeKind::negation) shapes_[complement].atom = known_atom(id);
       return complement;
     }
-    case TermKind::data_complement_of:
+    case owl::TermKind::data_complement_of:
       return unknown(id, "owl:datatypeComplementOf in the expression");
-    case TermKind::datatype_restriction:
+    case owl::TermKind::datatype_restriction:
       return unknown(id, "owl:withRestrictions in the expression");
     default:
       return read_restriction(id, term);
@@ -296,4 +296,4 @@ std::vector<ShapeId> ShapeReader::alternatives_of(ShapeId id) {
   return {id};
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::placement

@@ -14,7 +14,7 @@
 
 #include "reasoning/placement/expression_base.hpp"
 
-namespace geminga::el {
+namespace geminga::placement {
 
 enum class ShapeKind : std::uint8_t {
   atom,      ///< a class, individual, literal or data range that the base knows
@@ -36,21 +36,21 @@ using ShapeId = std::uint32_t;
 struct Shape {
   ShapeKind kind = ShapeKind::opaque;
   /// Of an atom: itself. Of others: the name of the very same expression in the ontology, or T where there is none.
-  ExprId atom = top_expr;
-  RoleId role{};
+  el::ExprId atom = el::top_expr;
+  el::RoleId role{};
   std::uint32_t count = 0;
   std::vector<ShapeId> parts{};
-  std::vector<ExprId> above{};  ///< of a value: datatypes of the base that hold it
-  std::vector<ExprId> below{};  ///< of a value: literals and datatypes of the base that are in it
+  std::vector<el::ExprId> above{};  ///< of a value: datatypes of the base that hold it
+  std::vector<el::ExprId> below{};  ///< of a value: literals and datatypes of the base that are in it
 };
 
 /// Reads terms of a query's source. Everything it could not express exactly is named in gaps().
 class ShapeReader {
  public:
-  ShapeReader(const ExpressionBase& base, const OntologySource& query) : base_(base), query_(query) {}
+  ShapeReader(const ExpressionBase& base, const owl::Ontology& query) : base_(base), query_(query) {}
 
   /// The shape of a class expression. Its nesting is bounded by that of terms.
-  [[nodiscard]] ShapeId read(TermId term);
+  [[nodiscard]] ShapeId read(owl::TermId term);
   /// The shapes without unions whose union the expression is. One that would be taken apart into more than the limit
   /// stays as it is, with a gap.
   [[nodiscard]] std::vector<ShapeId> alternatives_of(ShapeId id);
@@ -64,31 +64,31 @@ class ShapeReader {
 
  private:
   struct Property {
-    std::optional<RoleId> role;  ///< nothing: inverse, top, or not of the ontology
+    std::optional<el::RoleId> role;  ///< nothing: inverse, top, or not of the ontology
   };
   ShapeId add(Shape shape);
-  ShapeId atom(ExprId expr);
+  ShapeId atom(el::ExprId expr);
   ShapeId negated(ShapeId id);
   ShapeId all_of(const std::vector<ShapeId>& parts);
   ShapeId any_of(const std::vector<ShapeId>& parts);
-  ShapeId restriction(ShapeKind kind, TermId term, ShapeId part, std::uint32_t count = 0);
-  ShapeId at_least(TermId term, std::uint32_t count, ShapeId part);
-  ShapeId at_most(TermId term, std::uint32_t count, ShapeId part);
-  ShapeId read_restriction(TermId id, const Term& term);
-  ShapeId read_literal(TermId id, const Term& term);
-  ShapeId read_datatype(TermId id, const Term& term);
-  ShapeId unknown(TermId id, std::string_view words);
-  [[nodiscard]] std::optional<RoleId> role_of(TermId property);
-  [[nodiscard]] std::optional<TermId> in_base(TermId term) const;
-  [[nodiscard]] ExprId known_atom(TermId term) const;
-  [[nodiscard]] bool is(ShapeId id, ExprId expr) const;
+  ShapeId restriction(ShapeKind kind, owl::TermId term, ShapeId part, std::uint32_t count = 0);
+  ShapeId at_least(owl::TermId term, std::uint32_t count, ShapeId part);
+  ShapeId at_most(owl::TermId term, std::uint32_t count, ShapeId part);
+  ShapeId read_restriction(owl::TermId id, const owl::Term& term);
+  ShapeId read_literal(owl::TermId id, const owl::Term& term);
+  ShapeId read_datatype(owl::TermId id, const owl::Term& term);
+  ShapeId unknown(owl::TermId id, std::string_view words);
+  [[nodiscard]] std::optional<el::RoleId> role_of(owl::TermId property);
+  [[nodiscard]] std::optional<owl::TermId> in_base(owl::TermId term) const;
+  [[nodiscard]] el::ExprId known_atom(owl::TermId term) const;
+  [[nodiscard]] bool is(ShapeId id, el::ExprId expr) const;
 
   const ExpressionBase& base_;
-  const OntologySource& query_;
+  const owl::Ontology& query_;
   std::vector<Shape> shapes_;
   std::set<std::string, std::less<>> gaps_;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::placement
 
 #endif

@@ -10,21 +10,21 @@
 
 namespace geminga::reasoner {
 
-using el::AxiomKind;
-using el::TermId;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
 
 namespace {
 
 constexpr std::size_t max_levels = 400;  // SourceLimits::nesting has room for these and what they hold
 
-bool is_anonymous(const el::OntologySource& source, TermId term) {
+bool is_anonymous(const owl::Ontology& source, TermId term) {
   return source.kind(term) == TermKind::anonymous_individual;
 }
 
 /// Those that stand anywhere in some terms, each once.
-std::vector<TermId> anonymous_in(const el::OntologySource& source, std::span<const TermId> terms) {
-  std::vector<TermId> found = el::terms_in(source, terms);
+std::vector<TermId> anonymous_in(const owl::Ontology& source, std::span<const TermId> terms) {
+  std::vector<TermId> found = owl::terms_in(source, terms);
   std::erase_if(found, [&](TermId term) { return !is_anonymous(source, term); });
   return found;
 }
@@ -118,7 +118,7 @@ class Group {
       case AxiomKind::different_individuals:
         return take_difference(terms);
       default:
-        return fail(std::string(el::to_string(fact.kind)) + " holds an anonymous individual");
+        return fail(std::string(owl::to_string(fact.kind)) + " holds an anonymous individual");
     }
   }
 
@@ -212,12 +212,12 @@ class Group {
   }
 
   TermId together(const std::vector<TermId>& parts) {
-    if (parts.empty()) return el::thing_term;
+    if (parts.empty()) return owl::thing_term;
     if (parts.size() == 1) return parts.front();
     return source_.term(TermKind::object_intersection_of, parts);
   }
 
-  el::OntologySource& source_;
+  owl::Ontology& source_;
   std::string problem_;
   RolledUp result_;
   std::set<TermId> variables_;
@@ -233,7 +233,7 @@ std::expected<RolledUp, std::string> roll_up(Excerpt& excerpt, std::vector<State
   return Group(excerpt).roll_up(std::move(facts));
 }
 
-std::vector<std::vector<std::uint32_t>> find_groups(const el::OntologySource& source,
+std::vector<std::vector<std::uint32_t>> find_groups(const owl::Ontology& source,
                                                     std::span<const std::uint32_t> axioms) {
   std::vector<std::uint32_t> members;
   std::vector<std::size_t> leader;  // of each member, a member

@@ -15,8 +15,8 @@ namespace geminga::reasoner {
 /// What facts about anonymous individuals say together.
 struct RolledUp {
   /// An individual with a name that is in the expression; nothing: something is.
-  std::optional<el::TermId> individual;
-  el::TermId expression{};
+  std::optional<owl::TermId> individual;
+  owl::TermId expression{};
   /// Facts that speak of named individuals only, once names were put in for blank nodes that are the same.
   std::vector<Statement> plain;
   bool has_expression = false;
@@ -28,7 +28,7 @@ struct RolledUp {
 [[nodiscard]] std::expected<RolledUp, std::string> roll_up(Excerpt& excerpt, std::vector<Statement> facts);
 
 /// The groups of facts that hang together: the numbers of those with anonymous individuals, each group ascending.
-[[nodiscard]] std::vector<std::vector<std::uint32_t>> find_groups(const el::OntologySource& source,
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> find_groups(const owl::Ontology& source,
                                                                   std::span<const std::uint32_t> axioms);
 
 }  // namespace geminga::reasoner

@@ -8,9 +8,9 @@
 
 namespace geminga::reasoner {
 
-using el::AxiomKind;
-using el::TermId;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
 
 namespace {
 
@@ -39,7 +39,7 @@ Refutation Challenger::refute(AxiomKind kind, const Terms& terms) {
 Refutation Challenger::refute_emptiness_everywhere(TermId expression) {
   Refutation result;
   Challenge& none = result.all.emplace_back();
-  none.statements.push_back({AxiomKind::sub_class_of, {expression, el::nothing_term}});
+  none.statements.push_back({AxiomKind::sub_class_of, {expression, owl::nothing_term}});
   none.first_axiom = none.last_axiom = next();
   return result;
 }
@@ -65,7 +65,7 @@ TermId Challenger::inverse(TermId property) {
 }
 
 bool Challenger::is_named(TermId property, std::string_view iri) const {
-  const el::Term term = excerpt_.source.term(property);
+  const owl::Term term = excerpt_.source.term(property);
   return term.kind == TermKind::object_inverse_of ? excerpt_.source.name_of(term.arguments.front()) == iri
                                                   : excerpt_.source.name(term.name) == iri;
 }
@@ -82,7 +82,7 @@ void Challenger::for_pairs(Refutation& into, const Terms& members, const std::fu
 
 /// C or D < E holds if C < E and D < E do, and each of these is easier.
 void Challenger::subsume(Refutation& into, TermId sub, TermId super) {
-  const el::Term term = excerpt_.source.term(sub);
+  const owl::Term term = excerpt_.source.term(sub);
   if (term.kind != TermKind::object_union_of) {
     into.all.push_back(challenge({sub}, {super}));
     return;
@@ -128,7 +128,7 @@ void Challenger::share_pair(Refutation& into, TermId first, TermId second) {
   const TermId shared = excerpt_.fresh(TermKind::object_property);
   excerpt_.add({AxiomKind::sub_object_property_of, {shared, first}});
   excerpt_.add({AxiomKind::sub_object_property_of, {shared, second}});
-  into.all.push_back(challenge({some(shared, el::thing_term)}, {}, begin));
+  into.all.push_back(challenge({some(shared, owl::thing_term)}, {}, begin));
 }
 
 /// Range(r C): nothing is in (r some N), where N and C < F.
@@ -160,7 +160,7 @@ void Challenger::refute_object_property_axiom(Refutation& into, AxiomKind kind, 
   const TermId property = terms[0];
   switch (kind) {
     case AxiomKind::sub_object_property_of: {
-      const el::Term sub = excerpt_.source.term(property);
+      const owl::Term sub = excerpt_.source.term(property);
       const bool is_chain = sub.kind == TermKind::object_property_chain;
       return include(into, is_chain ? Terms(sub.arguments.begin(), sub.arguments.end()) : Terms{property}, terms[1]);
     }
@@ -173,7 +173,7 @@ void Challenger::refute_object_property_axiom(Refutation& into, AxiomKind kind, 
       include(into, {property}, inverse(terms[1]));
       return include(into, {inverse(terms[1])}, property);
     case AxiomKind::object_property_domain:
-      into.all.push_back(challenge({some(property, el::thing_term)}, {terms[1]}));
+      into.all.push_back(challenge({some(property, owl::thing_term)}, {terms[1]}));
       return;
     case AxiomKind::object_property_range:
       return reach_outside(into, property, terms[1]);

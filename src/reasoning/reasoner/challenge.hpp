@@ -21,7 +21,7 @@ namespace geminga::reasoner {
 /// One situation. It is possible if the class can have an instance; or, where there is no class, if the axioms of the
 /// excerpt together with the statements have a model.
 struct Challenge {
-  std::optional<el::TermId> of;
+  std::optional<owl::TermId> of;
   std::vector<Statement> statements;
   /// The axioms of the excerpt that describe the class: [first_axiom, last_axiom).
   std::size_t first_axiom = 0;
@@ -44,46 +44,47 @@ inline constexpr std::size_t max_pairs_of_members = 100'000;
 /// other terms of the excerpt that did not follow before.
 class Challenger {
  public:
-  using Terms = std::vector<el::TermId>;
+  using Terms = std::vector<owl::TermId>;
 
   explicit Challenger(Excerpt& excerpt);
 
   /// The arguments are terms of the excerpt. Anonymous individuals are taken for names: see reasoner/anonymous.hpp for
   /// those that stand for "some".
-  [[nodiscard]] Refutation refute(el::AxiomKind kind, const Terms& terms);
+  [[nodiscard]] Refutation refute(owl::AxiomKind kind, const Terms& terms);
   /// That a class expression can have an instance at all, anywhere.
-  [[nodiscard]] Refutation refute_emptiness_everywhere(el::TermId expression);
+  [[nodiscard]] Refutation refute_emptiness_everywhere(owl::TermId expression);
 
  private:
-  void refute_class_axiom(Refutation& into, el::AxiomKind kind, const Terms& terms);
-  void refute_object_property_axiom(Refutation& into, el::AxiomKind kind, const Terms& terms);
-  void refute_data_property_axiom(Refutation& into, el::AxiomKind kind, const Terms& terms);
-  void refute_fact(Refutation& into, el::AxiomKind kind, const Terms& terms);
+  void refute_class_axiom(Refutation& into, owl::AxiomKind kind, const Terms& terms);
+  void refute_object_property_axiom(Refutation& into, owl::AxiomKind kind, const Terms& terms);
+  void refute_data_property_axiom(Refutation& into, owl::AxiomKind kind, const Terms& terms);
+  void refute_fact(Refutation& into, owl::AxiomKind kind, const Terms& terms);
 
-  void subsume(Refutation& into, el::TermId sub, el::TermId super);
-  void include(Refutation& into, const Terms& chain, el::TermId super);
-  void share_pair(Refutation& into, el::TermId first, el::TermId second);
-  void reach_outside(Refutation& into, el::TermId property, el::TermId range);
-  void reach_two(Refutation& into, el::TermId property);
-  void reach_itself(Refutation& into, el::TermId property);
-  void include_data(Refutation& into, el::TermId sub, el::TermId super);
-  void share_value(Refutation& into, el::TermId first, el::TermId second);
-  void define_datatype(Refutation& into, el::TermId datatype, el::TermId range);
+  void subsume(Refutation& into, owl::TermId sub, owl::TermId super);
+  void include(Refutation& into, const Terms& chain, owl::TermId super);
+  void share_pair(Refutation& into, owl::TermId first, owl::TermId second);
+  void reach_outside(Refutation& into, owl::TermId property, owl::TermId range);
+  void reach_two(Refutation& into, owl::TermId property);
+  void reach_itself(Refutation& into, owl::TermId property);
+  void include_data(Refutation& into, owl::TermId sub, owl::TermId super);
+  void share_value(Refutation& into, owl::TermId first, owl::TermId second);
+  void define_datatype(Refutation& into, owl::TermId datatype, owl::TermId range);
   void identify_by_key(Refutation& into, const Terms& terms);
   /// Calls `use` with every two members.
-  static void for_pairs(Refutation& into, const Terms& members, const std::function<void(el::TermId, el::TermId)>& use);
+  static void for_pairs(Refutation& into, const Terms& members,
+                        const std::function<void(owl::TermId, owl::TermId)>& use);
 
   /// That something is in all of `in` and in none of `not_in`. `first` is the first axiom that describes it.
   [[nodiscard]] Challenge challenge(const Terms& in, const Terms& not_in, std::size_t first);
   [[nodiscard]] Challenge challenge(const Terms& in, const Terms& not_in = {}) { return challenge(in, not_in, next()); }
   [[nodiscard]] std::size_t next() const { return excerpt_.source.axiom_count(); }
-  [[nodiscard]] el::TermId some(el::TermId property, el::TermId filler);
-  [[nodiscard]] el::TermId one_of(el::TermId individual);
-  [[nodiscard]] el::TermId inverse(el::TermId property);
-  [[nodiscard]] bool is_named(el::TermId property, std::string_view iri) const;
+  [[nodiscard]] owl::TermId some(owl::TermId property, owl::TermId filler);
+  [[nodiscard]] owl::TermId one_of(owl::TermId individual);
+  [[nodiscard]] owl::TermId inverse(owl::TermId property);
+  [[nodiscard]] bool is_named(owl::TermId property, std::string_view iri) const;
 
   Excerpt& excerpt_;
-  el::TermId any_value_{};
+  owl::TermId any_value_{};
 };
 
 }  // namespace geminga::reasoner

@@ -10,12 +10,12 @@
 
 namespace geminga::reasoner {
 
-using el::AxiomKind;
-using el::TermId;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
 
 void Challenger::refute_data_property_axiom(Refutation& into, AxiomKind kind, const Terms& terms) {
-  el::OntologySource& source = excerpt_.source;
+  owl::Ontology& source = excerpt_.source;
   switch (kind) {
     case AxiomKind::sub_data_property_of:
       include_data(into, terms[0], terms[1]);
@@ -70,7 +70,7 @@ void Challenger::share_value(Refutation& into, TermId first, TermId second) {
 
 /// D = E: nothing is in (U some (D and not E)) or in (U some (E and not D)), for a new U.
 void Challenger::define_datatype(Refutation& into, TermId datatype, TermId range) {
-  el::OntologySource& source = excerpt_.source;
+  owl::Ontology& source = excerpt_.source;
   const TermId property = excerpt_.fresh(TermKind::data_property);
   const auto differ = [&](TermId in, TermId not_in) {
     const TermId outside = source.term(TermKind::data_complement_of, {not_in});
@@ -84,7 +84,7 @@ void Challenger::define_datatype(Refutation& into, TermId datatype, TermId range
 /// Two named individuals that agree and differ. Which values they agree on no axiom can leave open, so that data
 /// properties are only tried out.
 void Challenger::identify_by_key(Refutation& into, const Terms& terms) {
-  el::OntologySource& source = excerpt_.source;
+  owl::Ontology& source = excerpt_.source;
   const TermId one = excerpt_.fresh(TermKind::individual);
   const TermId other = excerpt_.fresh(TermKind::individual);
   Challenge pair;
@@ -124,7 +124,7 @@ TermId Challenger::one_of(TermId individual) { return excerpt_.source.term(TermK
 /// C(a): nothing is in {a} and not in C. r(a b): nothing is in {a} and not in (r value b). a = b: nothing is in {a} and
 /// not in {b}. What is denied is turned round.
 void Challenger::refute_fact(Refutation& into, AxiomKind kind, const Terms& terms) {
-  el::OntologySource& source = excerpt_.source;
+  owl::Ontology& source = excerpt_.source;
   const auto value = [&] {
     const bool is_data = source.kind(terms[0]) == TermKind::data_property;
     return source.term(is_data ? TermKind::data_has_value : TermKind::object_has_value, {terms[0], terms[2]});

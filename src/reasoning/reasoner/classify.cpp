@@ -28,7 +28,8 @@ void leave_all_undecided(Classified& result) {
   const auto empty = result.representative[static_cast<std::size_t>(result.nothing)];
   for (std::uint32_t of = 0; of < result.class_count(); ++of) {
     const bool is_settled = of < result.is_settled.size() && result.is_settled[of];
-    if (result.representative[of] != empty && !is_settled) result.undecided.classes.push_back(el::ClassNumber{of});
+    if (result.representative[of] != empty && !is_settled)
+      result.undecided.classes.push_back(taxonomy::ClassNumber{of});
   }
 }
 
@@ -40,7 +41,7 @@ constexpr std::uint64_t most_alternatives = 1'000'000;
 /// Adds what the clauses have as consequences.
 class Deepening {
  public:
-  Deepening(const el::OntologySource& source, const Options& options, Classified& result)
+  Deepening(const owl::Ontology& source, const Options& options, Classified& result)
       : source_(source), options_(options), result_(result) {}
 
   void run() {
@@ -135,17 +136,17 @@ class Deepening {
     std::vector<bool> is_open(result_.class_count(), false);
     for (const std::uint32_t of : completion.open) is_open[of] = true;
     result_.undecided = {.classes = {}, .consistency = completion.is_consistency_open, .held_up_by = std::nullopt};
-    if (completion.held_up_by) result_.undecided.held_up_by = el::ClassNumber{*completion.held_up_by};
+    if (completion.held_up_by) result_.undecided.held_up_by = taxonomy::ClassNumber{*completion.held_up_by};
     for (std::uint32_t of = 0; of < result_.class_count(); ++of) {
       if (is_open[static_cast<std::size_t>(result_.representative[of])])
-        result_.undecided.classes.push_back(el::ClassNumber{of});
+        result_.undecided.classes.push_back(taxonomy::ClassNumber{of});
     }
   }
 
   /// What models have settled need not be derived again.
-  void settle_all_but(const std::vector<el::ClassNumber>& open) {
+  void settle_all_but(const std::vector<taxonomy::ClassNumber>& open) {
     is_settled_.assign(result_.class_count(), true);
-    for (const el::ClassNumber of : open) is_settled_[static_cast<std::size_t>(of)] = false;
+    for (const taxonomy::ClassNumber of : open) is_settled_[static_cast<std::size_t>(of)] = false;
   }
 
   /// Where the clauses were exhausted only what is not in them can be missing. Otherwise everything that the fast
@@ -158,19 +159,19 @@ class Deepening {
     } else {
       if (result_.gaps.empty()) result_.unused.clear();
       for (const clauses::Unused& entry : unused) result_.unused.push_back({entry.axiom, entry.construct});
-      std::ranges::stable_sort(result_.unused, {}, &el::UnusedAxiom::axiom);
-      result_.unused.erase(std::ranges::unique(result_.unused, {}, &el::UnusedAxiom::axiom).begin(),
+      std::ranges::stable_sort(result_.unused, {}, &taxonomy::UnusedAxiom::axiom);
+      result_.unused.erase(std::ranges::unique(result_.unused, {}, &taxonomy::UnusedAxiom::axiom).begin(),
                            result_.unused.end());
     }
-    const auto is_declared = [&](const el::UnusedAxiom& entry) {
-      return source_.axiom(entry.axiom).kind == el::AxiomKind::declaration;
+    const auto is_declared = [&](const taxonomy::UnusedAxiom& entry) {
+      return source_.axiom(entry.axiom).kind == owl::AxiomKind::declaration;
     };
     result_.counts.used_axioms =
         result_.counts.axioms -
         (result_.unused.size() - static_cast<std::size_t>(std::ranges::count_if(result_.unused, is_declared)));
   }
 
-  const el::OntologySource& source_;
+  const owl::Ontology& source_;
   const Options& options_;
   Classified& result_;
   std::vector<bool> is_settled_;  ///< by class: that no gap matters to it
@@ -179,7 +180,7 @@ class Deepening {
 
 }  // namespace
 
-std::expected<Classified, el::ClassifyError> classify(const el::OntologySource& source, const Options& options) {
+std::expected<Classified, el::ClassifyError> classify(const owl::Ontology& source, const Options& options) {
   if (options.progress) options.progress("classifying", 0);
   auto found = el::classify(source, {.threads = options.threads, .budget = options.budget});
   if (!found) return std::unexpected(std::move(found.error()));

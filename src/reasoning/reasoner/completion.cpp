@@ -29,7 +29,7 @@ constexpr std::size_t steps_an_inequality = 4;
 
 class Completing {
  public:
-  Completing(const el::OntologySource& source, const Incomplete& given, const Options& options,
+  Completing(const owl::Ontology& source, const Incomplete& given, const Options& options,
              const CompletionLimits& limits)
       : source_(source),
         given_(given),
@@ -75,7 +75,7 @@ class Completing {
   [[nodiscard]] bool is_asked(std::uint32_t of) const {
     return representative(of) == of && of != top_ && of != bottom_;
   }
-  [[nodiscard]] el::TermId term_of(std::uint32_t of) const { return terms_[of]; }
+  [[nodiscard]] owl::TermId term_of(std::uint32_t of) const { return terms_[of]; }
 
   Completion finish() {
     result_.gaps.assign(gaps_.begin(), gaps_.end());
@@ -114,7 +114,7 @@ class Completing {
   }
 
   /// Every instance in a model bounds what is above the classes that it is in.
-  void learn(const tableau::Model& model, const NamedConcepts& concepts) {
+  void learn(const hypertableau::Model& model, const NamedConcepts& concepts) {
     std::vector<Numbers> labels;
     for (const auto& label : model.labels) labels.push_back(classes_of(label, concepts));
     std::ranges::sort(labels);
@@ -194,7 +194,7 @@ class Completing {
   void find_models(const clauses::ClauseSet& clauses) {
     const NamedConcepts concepts(source_, classification_, clauses);
     terms_ = concepts.terms();
-    tableau::Tableau tableau(source_, clauses, question_);
+    hypertableau::Tableau tableau(source_, clauses, question_);
     const Verdict world = note(tableau.is_consistent(), std::nullopt);
     result_.is_consistency_open = world == Verdict::unknown;
     if (world == Verdict::no) result_.is_consistent = false;
@@ -223,7 +223,7 @@ class Completing {
   }
 
   /// Asks for a model with an instance of the class where other models have not said all. False: no more may be asked.
-  bool find_model(std::uint32_t of, tableau::Tableau& tableau, const NamedConcepts& concepts, double done) {
+  bool find_model(std::uint32_t of, hypertableau::Tableau& tableau, const NamedConcepts& concepts, double done) {
     if (!is_asked(of) || is_closed(of) || has_model_[of]) return true;
     if (std::ranges::any_of(known_[of], [&](std::uint32_t above) { return is_empty_[above]; })) {
       set_empty(of);
@@ -269,7 +269,7 @@ class Completing {
     }
     if (supers.empty()) return;
     const Numbers asked(supers.begin(), supers.end());
-    std::vector<el::TermId> complements;
+    std::vector<owl::TermId> complements;
     for (const std::uint32_t above : asked) complements.push_back(term_of(above));
     const auto clauses = clauses::clausify(source_, std::nullopt, {}, complements);
     if (!clauses) {
@@ -277,7 +277,7 @@ class Completing {
       return;
     }
     const NamedConcepts concepts(source_, classification_, *clauses);
-    tableau::Tableau tableau(source_, *clauses, question_);
+    hypertableau::Tableau tableau(source_, *clauses, question_);
     for (std::size_t at = 0; at < order.size(); ++at) {
       const std::uint32_t of = order[at];
       const auto sub = concepts.concept_of(of);
@@ -294,19 +294,19 @@ class Completing {
     }
   }
 
-  const el::OntologySource& source_;
+  const owl::Ontology& source_;
   const Incomplete& given_;
-  const el::Classification& classification_;
+  const taxonomy::Classification& classification_;
   const Options& options_;
   const CompletionLimits& limits_;
-  tableau::Limits question_;
+  hypertableau::Limits question_;
   std::uint32_t top_;
   std::uint32_t bottom_;
   Completion result_;
   std::set<std::string> gaps_;
   std::size_t questions_ = 0;
   std::size_t unanswered_ = 0;
-  std::vector<el::TermId> terms_;                 ///< by class
+  std::vector<owl::TermId> terms_;                ///< by class
   std::vector<Numbers> known_;                    ///< by representative: what is strictly above it, ascending
   std::vector<std::optional<Numbers>> possible_;  ///< by representative: what may be above it, itself (but T) included
   std::vector<bool> has_model_;                   ///< by representative: a model of it was looked for
@@ -315,7 +315,7 @@ class Completing {
 
 }  // namespace
 
-Completion complete(const el::OntologySource& source, const Incomplete& known, const Options& options,
+Completion complete(const owl::Ontology& source, const Incomplete& known, const Options& options,
                     const CompletionLimits& limits) {
   return Completing(source, known, options, limits).run();
 }

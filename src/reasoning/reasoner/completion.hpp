@@ -23,7 +23,7 @@ struct CompletionLimits {
   std::size_t classes = 50'000;     ///< of an ontology; beyond it no model is looked for
   std::size_t questions = 100'000;  ///< to the tableau, of all kinds
   std::size_t unanswered = 20;      ///< questions that were too hard
-  tableau::Limits question{.nodes = 20'000, .steps = 500'000};
+  hypertableau::Limits question{.nodes = 20'000, .steps = 500'000};
 };
 
 struct Completion {
@@ -38,7 +38,7 @@ struct Completion {
 
 /// A taxonomy that may lack something.
 struct Incomplete {
-  const el::Classification& classification;
+  const taxonomy::Classification& classification;
   const clauses::ClauseSet& clauses;  ///< of the source
   /// By class: nothing is missing above it, if the source is consistent.
   const std::vector<bool>& is_settled;
@@ -47,7 +47,7 @@ struct Incomplete {
 };
 
 /// Looks for what follows from the source beyond the taxonomy given.
-[[nodiscard]] Completion complete(const el::OntologySource& source, const Incomplete& known, const Options& options,
+[[nodiscard]] Completion complete(const owl::Ontology& source, const Incomplete& known, const Options& options,
                                   const CompletionLimits& limits = {});
 
 }  // namespace geminga::reasoner

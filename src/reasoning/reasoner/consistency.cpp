@@ -14,7 +14,7 @@ constexpr std::size_t max_derived_clauses = 2'000'000;
 
 }  // namespace
 
-Answer is_consistent(const el::OntologySource& source, base::Budget* budget) {
+Answer is_consistent(const owl::Ontology& source, base::Budget* budget) {
   if (source.problem()) return {Verdict::unknown, *source.problem()};
   if (const auto found = el::classify(source, {.budget = budget})) {
     if (!found->is_consistent) return {Verdict::no, {}};
@@ -23,7 +23,7 @@ Answer is_consistent(const el::OntologySource& source, base::Budget* budget) {
   }
   const auto clauses = clauses::clausify(source, std::nullopt, {});
   if (!clauses) return {Verdict::unknown, clauses.error().text};
-  tableau::Tableau tableau(source, *clauses, {.budget = budget});
+  hypertableau::Tableau tableau(source, *clauses, {.budget = budget});
   Answer answer = tableau.is_consistent();
   if (answer.verdict == Verdict::unknown) {
     const consequence::Closure closure =

@@ -10,20 +10,20 @@ namespace geminga::reasoner {
 namespace {
 
 /// What an answer that is left open hangs on.
-Answer open_answer(const el::OntologySource& source, std::size_t damaged, const std::string& why) {
-  const el::Axiom axiom = source.damaged(damaged);
-  std::string text = "it may hang on " + std::string(el::damaged_literal) + ": " +
+Answer open_answer(const owl::Ontology& source, std::size_t damaged, const std::string& why) {
+  const owl::Axiom axiom = source.damaged(damaged);
+  std::string text = "it may hang on " + std::string(owl::damaged_literal) + ": " +
                      base::printable(source.files()[static_cast<std::size_t>(axiom.file)].path, 4096);
   if (axiom.line != 0) text += ':' + std::to_string(axiom.line);
   return {Verdict::unknown, why.empty() ? text : text + " (" + why + ')'};
 }
 
 /// The axioms of a reading as numbers of the source.
-std::vector<std::uint32_t> add(const std::vector<Statement>& reading, el::OntologySource& source,
+std::vector<std::uint32_t> add(const std::vector<Statement>& reading, owl::Ontology& source,
                                std::span<const std::size_t> damaged) {
   std::vector<std::uint32_t> numbers;
   for (std::size_t at = 0; at < reading.size(); ++at) {
-    const el::Axiom original = source.damaged(damaged[at]);
+    const owl::Axiom original = source.damaged(damaged[at]);
     const std::size_t before = source.axiom_count();
     source.add(reading[at].kind, reading[at].arguments, original.file, original.line);
     if (source.axiom_count() > before) numbers.push_back(static_cast<std::uint32_t>(before));
@@ -35,7 +35,7 @@ bool is_no(const Answer& answer) { return answer.verdict == Verdict::no; }
 
 }  // namespace
 
-std::vector<Answer> entails_each(el::OntologySource& source, std::span<const std::uint32_t> premise,
+std::vector<Answer> entails_each(owl::Ontology& source, std::span<const std::uint32_t> premise,
                                  std::span<const std::uint32_t> conclusion, std::span<const std::size_t> damaged,
                                  base::Budget* budget) {
   std::vector<Answer> answers = entails_each(std::as_const(source), premise, conclusion, budget);
@@ -62,7 +62,7 @@ std::vector<Answer> entails_each(el::OntologySource& source, std::span<const std
   return answers;
 }
 
-Answer is_consistent_as_meant(el::OntologySource& source, base::Budget* budget) {
+Answer is_consistent_as_meant(owl::Ontology& source, base::Budget* budget) {
   Answer answer = is_consistent(source, budget);
   if (answer.verdict != Verdict::yes || source.damaged_count() == 0) return answer;
   std::vector<std::size_t> damaged(source.damaged_count());
@@ -76,7 +76,7 @@ Answer is_consistent_as_meant(el::OntologySource& source, base::Budget* budget) 
     const std::vector<std::uint32_t> meant = add(reading, source, damaged);
     read.insert(read.end(), meant.begin(), meant.end());
     if (meant.size() != reading.size()) return open_answer(source, 0, "");
-    const Answer of_reading = entails(source, read, el::thing_term, el::nothing_term, budget);
+    const Answer of_reading = entails(source, read, owl::thing_term, owl::nothing_term, budget);
     if (!is_no(of_reading)) return open_answer(source, 0, of_reading.reason);
   }
   return answer;

@@ -15,10 +15,10 @@
 namespace geminga::reasoner {
 namespace {
 
-using el::DataFamily;
-using el::Datatype;
-using el::DataValue;
-using el::TermId;
+using owl::DataFamily;
+using owl::Datatype;
+using owl::DataValue;
+using owl::TermId;
 
 constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
 const std::string unknown_classes = "it is not known what tells its values apart";
@@ -58,7 +58,7 @@ std::string text_of(Number number) {
 /// The values of one datatype, class by class.
 class Values {
  public:
-  Values(el::OntologySource& source, Datatype type, std::string_view iri, std::size_t alike)
+  Values(owl::Ontology& source, Datatype type, std::string_view iri, std::size_t alike)
       : source_(source), type_(type), iri_(iri), alike_(alike) {}
 
   std::expected<std::vector<TermId>, std::string> run(const Distinctions& distinctions, const std::set<TermId>& taken) {
@@ -91,7 +91,7 @@ class Values {
   bool take_literals(const std::set<TermId>& literals, Literals& into) {
     for (const TermId id : literals) {
       if (!source_.is_well_typed(id)) continue;
-      const auto value = el::value_of(source_, source_.term(id));
+      const auto value = owl::value_of(source_, source_.term(id));
       if (!value || !value->is_exact) return false;
       if (value->family == type_.family() && value->is_in(type_)) into.emplace(value->canonical, id);
     }
@@ -101,13 +101,13 @@ class Values {
   bool take_facets(const Distinctions& distinctions) {
     static constexpr std::array bounding{"minInclusive", "maxInclusive", "minExclusive", "maxExclusive"};
     for (const TermId id : distinctions.facets) {
-      const el::Term facet = source_.term(id);
+      const owl::Term facet = source_.term(id);
       const std::string_view iri = source_.name(facet.name);
       const bool is_bound =
           iri.starts_with(xsd) && std::ranges::find(bounding, iri.substr(xsd.size())) != bounding.end();
       // Any other facet may be one of this family: a length, a pattern.
       if (!is_bound) return false;
-      const auto value = el::value_of(source_, source_.term(facet.arguments[0]));
+      const auto value = owl::value_of(source_, source_.term(facet.arguments[0]));
       if (!value) return false;
       if (value->family != type_.family()) continue;
       const auto number = value->family == DataFamily::number ? number_of(*value) : std::nullopt;
@@ -130,7 +130,7 @@ class Values {
     std::set<Number> taken;
     for (const Literals* literals : {&given_, &taken_}) {
       for (const auto& [canonical, id] : *literals) {
-        const auto number = number_of(*el::value_of(source_, source_.term(id)));
+        const auto number = number_of(*owl::value_of(source_, source_.term(id)));
         if (!number) return std::unexpected(unknown_classes);
         (literals == &given_ ? points : taken).insert(*number);
       }
@@ -145,7 +145,7 @@ class Values {
     std::map<std::vector<int>, Class> classes;
     for (const Number number : candidates(points, taken.size())) {
       const TermId literal = source_.literal(text_of(number), name_of_number(number));
-      const auto value = el::value_of(source_, source_.term(literal));
+      const auto value = owl::value_of(source_, source_.term(literal));
       if (!value || !value->is_in(type_)) continue;
       std::vector<int> key;
       key.reserve(splitting_.size() + told.size());
@@ -213,7 +213,7 @@ class Values {
     std::size_t added = 0;
     for (std::size_t number = 1; added < alike_; ++number) {
       const TermId literal = source_.literal(example(number), iri_);
-      const auto value = el::value_of(source_, source_.term(literal));
+      const auto value = owl::value_of(source_, source_.term(literal));
       if (!source_.is_well_typed(literal) || !value || !value->is_exact) return std::unexpected(unknown_classes);
       if (given_.contains(value->canonical) || taken_.contains(value->canonical)) continue;
       found.push_back(literal);
@@ -242,7 +242,7 @@ class Values {
     }
   }
 
-  el::OntologySource& source_;
+  owl::Ontology& source_;
   const Datatype type_;
   const std::string iri_;
   const std::size_t alike_;
@@ -254,7 +254,7 @@ class Values {
 
 }  // namespace
 
-std::expected<std::vector<TermId>, std::string> values_of(el::OntologySource& source, std::string_view datatype,
+std::expected<std::vector<TermId>, std::string> values_of(owl::Ontology& source, std::string_view datatype,
                                                           const Distinctions& distinctions,
                                                           const std::set<TermId>& taken, std::size_t alike) {
   const auto type = Datatype::find(datatype);

@@ -13,19 +13,19 @@ namespace geminga::reasoner {
 
 /// What values can be told from each other by.
 struct Distinctions {
-  std::set<el::TermId> datatypes;
-  std::set<el::TermId> literals;
-  std::set<el::TermId> facets;
+  std::set<owl::TermId> datatypes;
+  std::set<owl::TermId> literals;
+  std::set<owl::TermId> facets;
 };
 
 /// Literals of the source: of each class of values of the datatype one, or `alike` different ones where it has so many.
 /// Those that are given are told apart from all others. None of the others is one of `taken`. Or why the classes are
 /// not known.
-[[nodiscard]] std::expected<std::vector<el::TermId>, std::string> values_of(el::OntologySource& source,
-                                                                            std::string_view datatype,
-                                                                            const Distinctions& distinctions,
-                                                                            const std::set<el::TermId>& taken,
-                                                                            std::size_t alike);
+[[nodiscard]] std::expected<std::vector<owl::TermId>, std::string> values_of(owl::Ontology& source,
+                                                                             std::string_view datatype,
+                                                                             const Distinctions& distinctions,
+                                                                             const std::set<owl::TermId>& taken,
+                                                                             std::size_t alike);
 
 }  // namespace geminga::reasoner
 

@@ -5,9 +5,9 @@
 namespace geminga::reasoner {
 namespace {
 
-using el::AxiomKind;
-using el::TermId;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
 
 void merge(const DataUse& from, DataUse& into) {
   into.datatypes.insert(from.datatypes.begin(), from.datatypes.end());
@@ -25,9 +25,9 @@ bool is_counting(TermKind kind) {
 
 }  // namespace
 
-std::vector<TermId> DataUses::properties_in(const el::Axiom& axiom) const {
+std::vector<TermId> DataUses::properties_in(const owl::Axiom& axiom) const {
   std::vector<TermId> properties;
-  for (const TermId id : el::terms_in(source_, axiom.arguments)) {
+  for (const TermId id : owl::terms_in(source_, axiom.arguments)) {
     if (source_.kind(id) == TermKind::data_property) properties.push_back(id);
   }
   return properties;
@@ -64,7 +64,7 @@ void DataUses::add_range(TermId range, DataUse& use) {
   }
 }
 
-void DataUses::add(const el::Axiom& axiom, bool is_told) {
+void DataUses::add(const owl::Axiom& axiom, bool is_told) {
   const auto arguments = axiom.arguments;
   switch (axiom.kind) {
     case AxiomKind::sub_data_property_of:
@@ -100,8 +100,8 @@ void DataUses::add(const el::Axiom& axiom, bool is_told) {
     default:
       break;
   }
-  for (const TermId id : el::terms_in(source_, arguments)) {
-    const el::Term term = source_.term(id);
+  for (const TermId id : owl::terms_in(source_, arguments)) {
+    const owl::Term term = source_.term(id);
     if (term.kind < TermKind::data_some_values_from || term.kind > TermKind::data_exact_cardinality) continue;
     DataUse& use = uses_[term.arguments[0]];
     use.is_counted = use.is_counted || is_counting(term.kind);
@@ -109,7 +109,7 @@ void DataUses::add(const el::Axiom& axiom, bool is_told) {
   }
 }
 
-DataUse DataUses::of(const el::Axiom& axiom) const {
+DataUse DataUses::of(const owl::Axiom& axiom) const {
   DataUse use;
   std::vector<TermId> open = properties_in(axiom);
   std::set<TermId> seen(open.begin(), open.end());

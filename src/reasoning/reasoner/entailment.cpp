@@ -13,15 +13,15 @@
 namespace geminga::reasoner {
 namespace {
 
-using el::AxiomKind;
-using el::TermId;
+using owl::AxiomKind;
+using owl::TermId;
 
 using Content = std::pair<AxiomKind, std::vector<TermId>>;
 
 /// An axiom with the members of sets in one order, so that equal ones are equal.
-Content content_of(const el::Axiom& axiom) {
+Content content_of(const owl::Axiom& axiom) {
   std::vector<TermId> arguments(axiom.arguments.begin(), axiom.arguments.end());
-  const auto members = arguments.begin() + static_cast<std::ptrdiff_t>(el::set_begin(axiom.kind, arguments.size()));
+  const auto members = arguments.begin() + static_cast<std::ptrdiff_t>(owl::set_begin(axiom.kind, arguments.size()));
   std::sort(members, arguments.end());
   return {axiom.kind, std::move(arguments)};
 }
@@ -37,7 +37,7 @@ struct Part {
 
 class Entailment {
  public:
-  Entailment(const el::OntologySource& source, std::span<const std::uint32_t> premise,
+  Entailment(const owl::Ontology& source, std::span<const std::uint32_t> premise,
              std::span<const std::uint32_t> conclusion, base::Budget* budget)
       : source_(source),
         premise_(premise),
@@ -84,7 +84,7 @@ class Entailment {
     is_settled_.assign(conclusion_.size(), false);
     std::map<Content, std::vector<std::size_t>> wanted;
     for (std::size_t at = 0; at < conclusion_.size(); ++at) {
-      const el::Axiom axiom = source_.axiom(conclusion_[at]);
+      const owl::Axiom axiom = source_.axiom(conclusion_[at]);
       if (axiom.kind == AxiomKind::declaration) {
         is_settled_[at] = true;
       } else {
@@ -110,7 +110,7 @@ class Entailment {
       Part part;
       std::vector<Statement> facts;
       for (const std::uint32_t number : group) {
-        const el::Axiom axiom = source_.axiom(number);
+        const owl::Axiom axiom = source_.axiom(number);
         Statement& fact = facts.emplace_back(axiom.kind, std::vector<TermId>{});
         for (const TermId argument : axiom.arguments) fact.arguments.push_back(excerpt_.term(argument));
         part.conclusions.push_back(position.at(number));
@@ -137,7 +137,7 @@ class Entailment {
   }
 
   void add_axiom(std::size_t at) {
-    const el::Axiom axiom = source_.axiom(conclusion_[at]);
+    const owl::Axiom axiom = source_.axiom(conclusion_[at]);
     std::vector<TermId> arguments;
     for (const TermId argument : axiom.arguments) arguments.push_back(excerpt_.term(argument));
     Part part;
@@ -168,7 +168,7 @@ class Entailment {
     return {Verdict::yes, {}};
   }
 
-  const el::OntologySource& source_;
+  const owl::Ontology& source_;
   std::span<const std::uint32_t> premise_;
   std::span<const std::uint32_t> conclusion_;
   base::Budget* budget_;
@@ -182,7 +182,7 @@ class Entailment {
 
 }  // namespace
 
-std::vector<Answer> entails_each(const el::OntologySource& source, std::span<const std::uint32_t> premise,
+std::vector<Answer> entails_each(const owl::Ontology& source, std::span<const std::uint32_t> premise,
                                  std::span<const std::uint32_t> conclusion, base::Budget* budget) {
   if (source.problem()) return {conclusion.size(), {Verdict::unknown, *source.problem()}};
   return Entailment(source, premise, conclusion, budget).run();

@@ -16,7 +16,7 @@ namespace geminga::reasoner {
 /// Two tables. Classes are numbers of the classification; some have no concept, as no clause speaks of them.
 class NamedConcepts {
  public:
-  NamedConcepts(const el::OntologySource& source, const el::Classification& classification,
+  NamedConcepts(const owl::Ontology& source, const taxonomy::Classification& classification,
                 const clauses::ClauseSet& clauses);
 
   [[nodiscard]] std::optional<std::uint32_t> class_of(clauses::ConceptId of) const {
@@ -27,7 +27,7 @@ class NamedConcepts {
     return found ? std::optional(clauses::ConceptId{*found}) : std::nullopt;
   }
   /// The term of each class.
-  [[nodiscard]] const std::vector<el::TermId>& terms() const { return terms_; }
+  [[nodiscard]] const std::vector<owl::TermId>& terms() const { return terms_; }
 
  private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -37,7 +37,7 @@ class NamedConcepts {
 
   std::vector<std::uint32_t> classes_;   ///< by concept
   std::vector<std::uint32_t> concepts_;  ///< by class
-  std::vector<el::TermId> terms_;
+  std::vector<owl::TermId> terms_;
 };
 
 }  // namespace geminga::reasoner

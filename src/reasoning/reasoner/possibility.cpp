@@ -68,8 +68,8 @@ class Decision {
     const auto found = el::classify(excerpt_.source, {.budget = budget_});
     if (!found) return;
     if (!found->is_consistent) return settle_all_impossible();
-    const el::ClassNumber empty = found->representative[static_cast<std::size_t>(found->nothing)];
-    const auto name = [&](el::NameId id) { return excerpt_.source.name(id); };
+    const taxonomy::ClassNumber empty = found->representative[static_cast<std::size_t>(found->nothing)];
+    const auto name = [&](owl::NameId id) { return excerpt_.source.name(id); };
     for (std::size_t at = 0; at < challenges_.size(); ++at) {
       if (!is_open(at)) continue;
       const auto place =
@@ -84,7 +84,7 @@ class Decision {
   }
 
   void ask_beyond() {
-    std::vector<el::TermId> classes;
+    std::vector<owl::TermId> classes;
     std::vector<std::size_t> asked;
     for (std::size_t at = 0; at < challenges_.size(); ++at) {
       if (!is_open(at)) continue;
@@ -124,7 +124,7 @@ class Decision {
   }
 
   void ask_tableau(const clauses::ClauseSet& clauses, const std::vector<std::size_t>& asked) {
-    tableau::Tableau tableau(excerpt_.source, clauses, {.budget = budget_});
+    hypertableau::Tableau tableau(excerpt_.source, clauses, {.budget = budget_});
     for (std::size_t query = 0; query < asked.size(); ++query) {
       Answer& answer = answers_[asked[query]];
       if (answer.verdict != Verdict::unknown) continue;

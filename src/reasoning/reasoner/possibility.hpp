@@ -14,8 +14,9 @@ namespace geminga::reasoner {
 /// Of each challenge, whether it is possible: no and yes are certain. All of them are asked about at once, which costs
 /// little more than asking about one; those without a class cost a question to the whole ontology each. Work is
 /// taken from the budget, if there is one.
-[[nodiscard]] std::vector<tableau::Answer> are_possible(const Excerpt& excerpt, std::span<const Challenge> challenges,
-                                                        base::Budget* budget = nullptr);
+[[nodiscard]] std::vector<hypertableau::Answer> are_possible(const Excerpt& excerpt,
+                                                             std::span<const Challenge> challenges,
+                                                             base::Budget* budget = nullptr);
 
 }  // namespace geminga::reasoner
 

@@ -11,9 +11,9 @@
 namespace geminga::reasoner {
 namespace {
 
-using el::AxiomKind;
-using el::TermId;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
 
 /// So many damaged literals whose values may have been equal or not.
 constexpr std::size_t max_alike = 4;
@@ -27,7 +27,7 @@ struct Slot {
 
 class Readings {
  public:
-  Readings(el::OntologySource& source, std::span<const std::size_t> damaged)
+  Readings(owl::Ontology& source, std::span<const std::size_t> damaged)
       : source_(source), damaged_(damaged), uses_(source) {}
 
   std::expected<std::vector<std::vector<Statement>>, std::string> run(std::span<const std::uint32_t> premise,
@@ -63,7 +63,7 @@ class Readings {
  private:
   /// False where a bound is damaged: what is between two bounds depends on more than their order.
   bool find_slots(std::size_t axiom) {
-    const auto terms = el::terms_in(source_, source_.damaged(damaged_[axiom]).arguments);
+    const auto terms = owl::terms_in(source_, source_.damaged(damaged_[axiom]).arguments);
     for (const TermId id : terms) {
       if (source_.is_well_typed(id)) continue;
       if (source_.kind(id) == TermKind::facet) return false;
@@ -92,7 +92,7 @@ class Readings {
 
   /// The facts of one property with literals of one datatype have the same values, and may be many.
   std::expected<std::vector<TermId>, std::string> values_in(const Slot& slot) {
-    const el::Axiom axiom = source_.damaged(damaged_[slot.axiom]);
+    const owl::Axiom axiom = source_.damaged(damaged_[slot.axiom]);
     const TermId datatype = source_.term(slot.literal).arguments[0];
     if (!is_fact(slot.axiom)) return values_in(uses_.of(axiom), datatype);
     const std::pair key{axiom.arguments[0], datatype};
@@ -123,7 +123,7 @@ class Readings {
     }
     std::vector<Statement> statements;
     for (std::size_t axiom = 0; axiom < damaged_.size(); ++axiom) {
-      const el::Axiom damaged = source_.damaged(damaged_[axiom]);
+      const owl::Axiom damaged = source_.damaged(damaged_[axiom]);
       const std::vector<TermId> arguments(damaged.arguments.begin(), damaged.arguments.end());
       Statement& statement = statements.emplace_back(damaged.kind, std::vector<TermId>{});
       for (const TermId id : arguments) statement.arguments.push_back(mended(id, meanings[axiom]));
@@ -136,7 +136,7 @@ class Readings {
   TermId mended(TermId id, std::map<TermId, TermId>& meanings) {
     if (source_.is_well_typed(id)) return id;
     if (const auto known = meanings.find(id); known != meanings.end()) return known->second;
-    const el::Term term = source_.term(id);
+    const owl::Term term = source_.term(id);
     const std::vector<TermId> parts(term.arguments.begin(), term.arguments.end());
     std::vector<TermId> arguments;
     arguments.reserve(parts.size());
@@ -146,7 +146,7 @@ class Readings {
     return made;
   }
 
-  el::OntologySource& source_;
+  owl::Ontology& source_;
   std::span<const std::size_t> damaged_;
   DataUses uses_;
   std::vector<Slot> slots_;
@@ -156,7 +156,7 @@ class Readings {
 
 }  // namespace
 
-std::expected<std::vector<std::vector<Statement>>, std::string> find_readings(el::OntologySource& source,
+std::expected<std::vector<std::vector<Statement>>, std::string> find_readings(owl::Ontology& source,
                                                                               std::span<const std::uint32_t> premise,
                                                                               std::span<const std::uint32_t> conclusion,
                                                                               std::span<const std::size_t> damaged) {

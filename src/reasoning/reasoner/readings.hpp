@@ -24,7 +24,7 @@ inline constexpr std::size_t max_readings = 64;
 /// Axioms in place of the damaged ones, reading by reading; or why not all readings are known. `damaged` has the
 /// numbers of damaged axioms of the source, which gets the literals that they may have meant.
 [[nodiscard]] std::expected<std::vector<std::vector<Statement>>, std::string> find_readings(
-    el::OntologySource& source, std::span<const std::uint32_t> premise, std::span<const std::uint32_t> conclusion,
+    owl::Ontology& source, std::span<const std::uint32_t> premise, std::span<const std::uint32_t> conclusion,
     std::span<const std::size_t> damaged);
 
 }  // namespace geminga::reasoner

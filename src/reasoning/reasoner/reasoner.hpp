@@ -23,8 +23,8 @@
 
 namespace geminga::reasoner {
 
-using tableau::Answer;
-using tableau::Verdict;
+using hypertableau::Answer;
+using hypertableau::Verdict;
 
 struct Options {
   unsigned threads = 1;
@@ -41,14 +41,14 @@ struct Options {
 /// What the searches of a classification leave open. What may be missing because axioms were not used is not in it.
 struct Undecided {
   /// Classes above which something may be missing, their being empty included: ascending.
-  std::vector<el::ClassNumber> classes;
+  std::vector<taxonomy::ClassNumber> classes;
   bool consistency = false;  ///< whether the ontology has a model; where it has none, everything follows
   /// The class that the engines worked on when their limit came, or the first that was too hard for them.
-  std::optional<el::ClassNumber> held_up_by;
+  std::optional<taxonomy::ClassNumber> held_up_by;
 };
 
 /// The taxonomy as the engines together know it. It is cut off where the budget was spent.
-struct Classified : el::Classification {
+struct Classified : taxonomy::Classification {
   /// Why something may be missing although its axioms were used, one line each: sorted, without doubles. Where this and
   /// `unused` are empty, the taxonomy is proven complete.
   std::vector<std::string> gaps;
@@ -57,22 +57,22 @@ struct Classified : el::Classification {
 
 /// Classifies with all engines. `unused` of the result lists what may have more to say than was understood, axiom by
 /// axiom; it is empty where the taxonomy is proven complete. An ontology that is EL costs what el::classify() costs.
-[[nodiscard]] std::expected<Classified, el::ClassifyError> classify(const el::OntologySource& source,
+[[nodiscard]] std::expected<Classified, el::ClassifyError> classify(const owl::Ontology& source,
                                                                     const Options& options = {});
 
 /// Whether the axioms of the source have a model. What the reader left out is not looked at.
 /// Work is taken from the budget, if there is one; where that is spent the answer may be unknown.
-[[nodiscard]] Answer is_consistent(const el::OntologySource& source, base::Budget* budget = nullptr);
+[[nodiscard]] Answer is_consistent(const owl::Ontology& source, base::Budget* budget = nullptr);
 
 /// Whether these axioms (numbers in the source; nothing: all) entail that every instance of class expression `sub` is
 /// one of `super`. Both are terms of the source.
-[[nodiscard]] Answer entails(const el::OntologySource& source, std::optional<std::span<const std::uint32_t>> axioms,
-                             el::TermId sub, el::TermId super, base::Budget* budget = nullptr);
+[[nodiscard]] Answer entails(const owl::Ontology& source, std::optional<std::span<const std::uint32_t>> axioms,
+                             owl::TermId sub, owl::TermId super, base::Budget* budget = nullptr);
 
 /// Of each of the axioms `conclusion`, whether it follows from the axioms `premise`; both are numbers in the source.
 /// Every kind of axiom may stand on either side. Anonymous individuals of the conclusion mean "something"; facts that
 /// share one stand or fall together. Everything follows from a contradiction.
-[[nodiscard]] std::vector<Answer> entails_each(const el::OntologySource& source, std::span<const std::uint32_t> premise,
+[[nodiscard]] std::vector<Answer> entails_each(const owl::Ontology& source, std::span<const std::uint32_t> premise,
                                                std::span<const std::uint32_t> conclusion,
                                                base::Budget* budget = nullptr);
 

@@ -14,9 +14,9 @@ namespace {
 constexpr std::size_t max_derived_clauses = 500'000;
 constexpr std::uint32_t max_levels = 500;  // as SourceLimits::nesting, of expressions that are in no axiom
 
-bool is_subsumed_in_el(const el::OntologySource& source, std::optional<std::span<const std::uint32_t>> axioms,
-                       el::TermId sub, el::TermId super) {
-  if (source.kind(sub) != el::TermKind::named_class || source.kind(super) != el::TermKind::named_class) return false;
+bool is_subsumed_in_el(const owl::Ontology& source, std::optional<std::span<const std::uint32_t>> axioms,
+                       owl::TermId sub, owl::TermId super) {
+  if (source.kind(sub) != owl::TermKind::named_class || source.kind(super) != owl::TermKind::named_class) return false;
   if (axioms) return el::entails(source, *axioms, sub, super);
   std::vector<std::uint32_t> all(source.axiom_count());
   std::iota(all.begin(), all.end(), 0U);
@@ -24,7 +24,7 @@ bool is_subsumed_in_el(const el::OntologySource& source, std::optional<std::span
 }
 
 /// The consequences of one concept. It says yes or nothing: where it has gaps it cannot say no.
-bool is_derived(const el::OntologySource& source, const clauses::ClauseSet& clauses, el::TermId super,
+bool is_derived(const owl::Ontology& source, const clauses::ClauseSet& clauses, owl::TermId super,
                 base::Budget* budget) {
   const consequence::Closure closure = consequence::saturate(
       source, clauses, clauses.queries, {.threads = 1, .clauses = max_derived_clauses, .budget = budget});
@@ -37,15 +37,15 @@ bool is_derived(const el::OntologySource& source, const clauses::ClauseSet& clau
 
 }  // namespace
 
-Answer entails(const el::OntologySource& source, std::optional<std::span<const std::uint32_t>> axioms, el::TermId sub,
-               el::TermId super, base::Budget* budget) {
+Answer entails(const owl::Ontology& source, std::optional<std::span<const std::uint32_t>> axioms, owl::TermId sub,
+               owl::TermId super, base::Budget* budget) {
   if (source.problem()) return {Verdict::unknown, *source.problem()};
   if (source.depth(sub) > max_levels || source.depth(super) > max_levels)
     return {Verdict::unknown, "an expression nests over " + std::to_string(max_levels) + " levels"};
   if (is_subsumed_in_el(source, axioms, sub, super)) return {Verdict::yes, {}};
   const auto clauses = clauses::clausify(source, axioms, std::span(&sub, 1), std::span(&super, 1));
   if (!clauses) return {Verdict::unknown, clauses.error().text};
-  Answer counterexample = tableau::Tableau(source, *clauses, {.budget = budget})
+  Answer counterexample = hypertableau::Tableau(source, *clauses, {.budget = budget})
                               .is_satisfiable({clauses->queries.front(), clauses->complements.front()});
   switch (counterexample.verdict) {
     case Verdict::no:

@@ -10,14 +10,14 @@
 namespace geminga::reasoner {
 namespace {
 
-std::uint32_t number(el::ClassNumber of) { return static_cast<std::uint32_t>(of); }
+std::uint32_t number(taxonomy::ClassNumber of) { return static_cast<std::uint32_t>(of); }
 
-void reduce(el::Classification& classification, el::Inclusions&& graph) {
-  const el::Reduced reduced = el::reduce(std::move(graph));
+void reduce(taxonomy::Classification& classification, taxonomy::Inclusions&& graph) {
+  const taxonomy::Reduced reduced = taxonomy::reduce(std::move(graph));
   const auto named = [](const std::vector<std::uint32_t>& numbers) {
-    std::vector<el::ClassNumber> result;
+    std::vector<taxonomy::ClassNumber> result;
     result.reserve(numbers.size());
-    for (const std::uint32_t of : numbers) result.push_back(el::ClassNumber{of});
+    for (const std::uint32_t of : numbers) result.push_back(taxonomy::ClassNumber{of});
     return result;
   };
   classification.representative = named(reduced.representative);
@@ -27,9 +27,9 @@ void reduce(el::Classification& classification, el::Inclusions&& graph) {
 }
 
 /// The taxonomy as it is: a node a class.
-el::Inclusions graph_of(const el::Classification& classification) {
+taxonomy::Inclusions graph_of(const taxonomy::Classification& classification) {
   const auto count = static_cast<std::uint32_t>(classification.class_count());
-  el::Inclusions graph;
+  taxonomy::Inclusions graph;
   graph.node_count = count;
   graph.is_empty.assign(count, false);
   graph.is_empty[number(classification.nothing)] = true;
@@ -43,7 +43,7 @@ el::Inclusions graph_of(const el::Classification& classification) {
       graph.edges.emplace_back(at, representative);
       graph.edges.emplace_back(representative, at);
     }
-    for (const el::ClassNumber parent : classification.parents_of(el::ClassNumber{at}))
+    for (const taxonomy::ClassNumber parent : classification.parents_of(taxonomy::ClassNumber{at}))
       graph.edges.emplace_back(at, number(parent));
   }
   return graph;
@@ -51,33 +51,33 @@ el::Inclusions graph_of(const el::Classification& classification) {
 
 }  // namespace
 
-void extend(el::Classification& classification, const Subsumptions& more) {
+void extend(taxonomy::Classification& classification, const Subsumptions& more) {
   if (more.empty()) return;
-  el::Inclusions graph = graph_of(classification);
+  taxonomy::Inclusions graph = graph_of(classification);
   graph.edges.insert(graph.edges.end(), more.begin(), more.end());
   reduce(classification, std::move(graph));
 }
 
-void contradict(el::Classification& classification, const el::OntologySource& source) {
-  el::Inclusions graph = graph_of(classification);
+void contradict(taxonomy::Classification& classification, const owl::Ontology& source) {
+  taxonomy::Inclusions graph = graph_of(classification);
   graph.is_consistent = false;
   reduce(classification, std::move(graph));
-  classification.object_properties = el::classify_properties(source, el::PropertyKind::object, false);
-  classification.data_properties = el::classify_properties(source, el::PropertyKind::data, false);
+  classification.object_properties = taxonomy::classify_properties(source, taxonomy::PropertyKind::object, false);
+  classification.data_properties = taxonomy::classify_properties(source, taxonomy::PropertyKind::data, false);
 }
 
-std::vector<std::vector<std::uint32_t>> find_ancestors(const el::Classification& classification) {
+std::vector<std::vector<std::uint32_t>> find_ancestors(const taxonomy::Classification& classification) {
   const auto count = static_cast<std::uint32_t>(classification.class_count());
   const std::uint32_t top = number(classification.representative[number(classification.thing)]);
   // Without cycles each component is one class, and those above come first.
-  const el::Components components =
-      el::find_components(count, [&](std::uint32_t at) { return classification.parents_of(el::ClassNumber{at}); });
+  const base::Components components = base::find_components(
+      count, [&](std::uint32_t at) { return classification.parents_of(taxonomy::ClassNumber{at}); });
   std::vector<std::uint32_t> order(count);
   for (std::uint32_t at = 0; at < count; ++at) order[components.component[at]] = at;
   std::vector<std::vector<std::uint32_t>> ancestors(count);
   for (const std::uint32_t at : order) {
     std::vector<std::uint32_t>& own = ancestors[at];
-    for (const el::ClassNumber parent : classification.parents_of(el::ClassNumber{at})) {
+    for (const taxonomy::ClassNumber parent : classification.parents_of(taxonomy::ClassNumber{at})) {
       if (number(parent) == top) continue;
       own.push_back(number(parent));
       const auto& above = ancestors[number(parent)];

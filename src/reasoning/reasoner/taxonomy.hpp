@@ -17,13 +17,13 @@ using Subsumptions = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 /// Adds what is not in the taxonomy yet and reduces it again. Numbers of classes stay. Linear in classes and
 /// subsumptions but for sorting.
-void extend(el::Classification& classification, const Subsumptions& more);
+void extend(taxonomy::Classification& classification, const Subsumptions& more);
 
 /// Says that nothing can be: one node of all classes, and of all properties.
-void contradict(el::Classification& classification, const el::OntologySource& source);
+void contradict(taxonomy::Classification& classification, const owl::Ontology& source);
 
 /// The strict superclasses of each representative, as representatives without owl:Thing's, ascending.
-[[nodiscard]] std::vector<std::vector<std::uint32_t>> find_ancestors(const el::Classification& classification);
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> find_ancestors(const taxonomy::Classification& classification);
 
 }  // namespace geminga::reasoner
 

@@ -11,8 +11,7 @@
 namespace geminga::reasoner {
 
 /// "an axiom cannot be used because of owl:hasKey: soma.owl:17"
-[[nodiscard]] std::string describe_unused(const el::OntologySource& source, std::uint32_t axiom,
-                                          std::string_view construct);
+[[nodiscard]] std::string describe_unused(const owl::Ontology& source, std::uint32_t axiom, std::string_view construct);
 
 }  // namespace geminga::reasoner
 

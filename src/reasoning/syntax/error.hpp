@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 
 /// One refused file. Its text is one line of UTF-8 that ends in what to do where that is not plain.
 struct LoadError {
@@ -23,6 +23,6 @@ struct LoadError {
   return text + error.text;
 }
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax
 
 #endif

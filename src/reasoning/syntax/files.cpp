@@ -14,7 +14,7 @@
 #include "base/text.hpp"
 #include "reasoning/syntax/long_text_watch.hpp"
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 namespace {
 
 constexpr std::size_t read_at_once = std::size_t{1} << 20;
@@ -128,4 +128,4 @@ void FileBytes::give_back_room() {
   mapped_ = needed;
 }
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax

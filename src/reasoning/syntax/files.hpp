@@ -10,7 +10,7 @@
 #include "reasoning/syntax/error.hpp"
 #include "reasoning/syntax/limits.hpp"
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 
 /// The bytes of one file in memory of their own, given back to the kernel piece by piece as they are used up.
 class FileBytes {
@@ -41,6 +41,6 @@ class FileBytes {
   std::size_t mapped_ = 0;
 };
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax
 
 #endif

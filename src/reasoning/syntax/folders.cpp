@@ -15,7 +15,7 @@
 #include "reasoning/syntax/inflate.hpp"
 #include "reasoning/syntax/syntax.hpp"
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 namespace {
 
 namespace fs = std::filesystem;
@@ -141,4 +141,4 @@ std::expected<Listing, LoadError> list_files(std::span<const std::string> argume
   return listing;
 }
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax

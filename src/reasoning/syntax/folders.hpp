@@ -11,7 +11,7 @@
 #include "reasoning/syntax/error.hpp"
 #include "reasoning/syntax/limits.hpp"
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 
 /// What the arguments mean.
 struct Listing {
@@ -28,6 +28,6 @@ struct Listing {
 [[nodiscard]] std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments,
                                                            const Limits& limits);
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax
 
 #endif

@@ -9,7 +9,7 @@
 #include "base/text.hpp"
 #include "reasoning/syntax/long_text_watch.hpp"
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 namespace {
 
 constexpr std::string_view suffix = ".gz";
@@ -105,4 +105,4 @@ std::expected<FileBytes, LoadError> inflate(const std::string& path, FileBytes& 
   return Inflating(path, packed, limits).run();
 }
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax

@@ -8,7 +8,7 @@
 
 #include "reasoning/syntax/files.hpp"
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 
 /// Whether a file begins as gzip writes it (RFC 1952, section 2.3.1). No syntax of ontologies begins so.
 [[nodiscard]] bool is_gzip(std::string_view content);
@@ -22,6 +22,6 @@ namespace geminga::rdf {
 [[nodiscard]] std::expected<FileBytes, LoadError> inflate(const std::string& path, FileBytes& packed,
                                                           const Limits& limits);
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax
 
 #endif

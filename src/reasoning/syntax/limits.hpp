@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 
 /// What is beyond any of these refuses the file that goes beyond it, by name and line, before or while Redland reads
 /// it.
@@ -50,6 +50,6 @@ struct Limits {
   std::size_t entity_growth = 16;
 };
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax
 
 #endif

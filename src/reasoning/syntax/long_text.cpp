@@ -1,7 +1,7 @@
 // One octet at a time (RDF 1.1 Turtle, section 6.5; OWL 2 functional-style syntax, section 2; XML 1.0, section 2.4).
 #include "reasoning/syntax/long_text.hpp"
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 
 std::optional<std::uint32_t> LongText::look_at(std::string_view stretch) {
   for (const char c : stretch) {
@@ -104,4 +104,4 @@ void LongText::step_xml(char c) {
   }
 }
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax

@@ -10,7 +10,7 @@
 
 #include "reasoning/syntax/syntax.hpp"
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 
 /// What may be too long.
 struct LongTextLimits {
@@ -63,6 +63,6 @@ class LongText {
   std::size_t comment_bytes_ = 0;
 };
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax
 
 #endif

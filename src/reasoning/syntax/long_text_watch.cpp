@@ -5,7 +5,7 @@
 #include "base/text.hpp"
 #include "reasoning/syntax/syntax.hpp"
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 
 std::optional<LoadError> LongTextWatch::look_at(std::string_view stretch) {
   if (!is_needed_) return std::nullopt;
@@ -41,4 +41,4 @@ std::pair<std::string_view, std::size_t> LongTextWatch::beyond() const {
   return {is_xml_ ? "a text" : "a literal", limits_.literal_bytes};
 }
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax

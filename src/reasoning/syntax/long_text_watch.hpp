@@ -12,7 +12,7 @@
 #include "reasoning/syntax/limits.hpp"
 #include "reasoning/syntax/long_text.hpp"
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 
 /// Goes with the reading of one file. Path and limits must outlive it.
 class LongTextWatch {
@@ -35,6 +35,6 @@ class LongTextWatch {
   std::optional<LongText> text_;
 };
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax
 
 #endif

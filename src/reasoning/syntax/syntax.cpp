@@ -7,7 +7,7 @@
 #include "reasoning/syntax/inflate.hpp"
 #include "reasoning/syntax/vocabulary.hpp"
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 namespace {
 
 constexpr const char* is_obo = "is in OBO format, which is not read: convert it to RDF/XML or Turtle";
@@ -181,4 +181,4 @@ std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::str
   return Syntax::turtle;
 }
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 
 enum class Syntax : std::uint8_t {
   rdf_xml,
@@ -38,6 +38,6 @@ enum class Syntax : std::uint8_t {
 /// Whether a file is XML by how it begins and names neither RDF's nor OWL's namespace there: some other program's.
 [[nodiscard]] bool is_foreign_xml(std::string_view begin);
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax
 
 #endif

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 namespace {
 
 #define RDF(name) "http://www.w3.org/1999/02/22-rdf-syntax-ns#" name
@@ -141,4 +141,4 @@ std::string short_word(std::string_view iri) {
   return '<' + std::string(iri) + '>';
 }
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax

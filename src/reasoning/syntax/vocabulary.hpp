@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 
 inline constexpr std::string_view rdf_namespace = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
 inline constexpr std::string_view rdfs_namespace = "http://www.w3.org/2000/01/rdf-schema#";
@@ -127,6 +127,6 @@ enum class Word : std::uint32_t {
 /// `owl:onProperty` for a name of RDF, RDFS, OWL, XSD, SKOS or SWRL; the IRI in angle brackets for any other.
 [[nodiscard]] std::string short_word(std::string_view iri);
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax
 
 #endif

@@ -4,12 +4,12 @@
 
 #include <cstdint>
 
-namespace geminga::el {
+namespace geminga::taxonomy {
 
 /// The dense number of a named class in one ontology, [0, class_count). Numbers of different ontologies have nothing in
 /// common.
 enum class ClassNumber : std::uint32_t {};
 
-}  // namespace geminga::el
+}  // namespace geminga::taxonomy
 
 #endif

@@ -4,16 +4,16 @@
 #include <string>
 #include <utility>
 
-namespace geminga::el {
+namespace geminga::taxonomy {
 
-std::vector<LeftOut> left_out(const OntologySource& source, const Classification& classification) {
+std::vector<owl::LeftOut> left_out(const owl::Ontology& source, const Classification& classification) {
   struct Place {
     std::uint32_t count = 0;
     std::pair<std::string_view, std::uint32_t> first;
-    FileId file{};
+    owl::FileId file{};
   };
   std::map<std::string_view, Place> places;
-  const auto add = [&](std::string_view construct, FileId file, std::uint32_t line, std::uint32_t count) {
+  const auto add = [&](std::string_view construct, owl::FileId file, std::uint32_t line, std::uint32_t count) {
     Place& place = places[construct];
     const std::pair<std::string_view, std::uint32_t> here(source.files()[static_cast<std::size_t>(file)].path, line);
     if (place.count == 0 || here < place.first) {
@@ -22,14 +22,14 @@ std::vector<LeftOut> left_out(const OntologySource& source, const Classification
     }
     place.count += count;
   };
-  for (const OntologySource::Omission& omission : source.omissions()) {
+  for (const owl::Ontology::Omission& omission : source.omissions()) {
     add(source.name(omission.construct), omission.file, omission.line, omission.count);
   }
   for (const UnusedAxiom& unused : classification.unused) {
-    const Axiom axiom = source.axiom(unused.axiom);
+    const owl::Axiom axiom = source.axiom(unused.axiom);
     add(unused.construct, axiom.file, axiom.line, 1);
   }
-  std::vector<LeftOut> result;
+  std::vector<owl::LeftOut> result;
   for (const auto& [construct, place] : places) {
     result.push_back({std::string(construct), place.count,
                       std::string(place.first.first) + ":" + std::to_string(place.first.second),
@@ -38,4 +38,4 @@ std::vector<LeftOut> left_out(const OntologySource& source, const Classification
   return result;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::taxonomy

@@ -13,7 +13,7 @@
 #include "reasoning/taxonomy/class_number.hpp"
 #include "reasoning/taxonomy/property_taxonomy.hpp"
 
-namespace geminga::el {
+namespace geminga::taxonomy {
 
 /// What the reasoner could not use of one axiom.
 struct UnusedAxiom {
@@ -34,7 +34,7 @@ struct ClassifyCounts {
 /// The taxonomy of all named classes of an ontology. Classes are numbered in ascending order of their IRIs (octet by
 /// octet); owl:Thing and owl:Nothing are always among them.
 struct Classification {
-  std::vector<NameId> classes;  ///< the IRI of each class
+  std::vector<owl::NameId> classes;  ///< the IRI of each class
   ClassNumber thing{};
   ClassNumber nothing{};
   /// The smallest class that each class is equivalent to; itself for most. Those of unsatisfiable classes are equal to
@@ -62,8 +62,8 @@ struct Classification {
 };
 
 /// What was left out, by the reader and by the reasoner together: sorted by construct, with counts and the first place.
-[[nodiscard]] std::vector<LeftOut> left_out(const OntologySource& source, const Classification& classification);
+[[nodiscard]] std::vector<owl::LeftOut> left_out(const owl::Ontology& source, const Classification& classification);
 
-}  // namespace geminga::el
+}  // namespace geminga::taxonomy
 
 #endif

@@ -12,11 +12,11 @@
 #include "reasoning/taxonomy/interval.hpp"
 #include "reasoning/taxonomy/reach.hpp"
 
-namespace geminga::el {
-
-namespace compiled {
+namespace geminga::compiled::form {
 struct Taxonomy;
 }
+
+namespace geminga::taxonomy {
 
 /// A class that is equivalent to a smaller one, its representative.
 struct EquivalentMember {
@@ -32,7 +32,7 @@ struct ClassifiedView {
   /// No name, no term.
   static constexpr std::uint32_t none = 0xffffffff;
 
-  const compiled::Taxonomy* root = nullptr;  ///< for the strings of files, left-outs, gaps and prefixes
+  const compiled::form::Taxonomy* root = nullptr;  ///< for the strings of files, left-outs, gaps and prefixes
   std::uint64_t digest = 0;
   bool is_consistent = true;
   std::string_view class_text;
@@ -75,8 +75,12 @@ struct ClassifiedView {
 
   [[nodiscard]] std::uint32_t term_count() const { return static_cast<std::uint32_t>(term_kind.size()); }
   [[nodiscard]] std::uint32_t axiom_count() const { return static_cast<std::uint32_t>(axiom_kind.size()); }
-  [[nodiscard]] TermKind kind_of_term(std::uint32_t term) const { return static_cast<TermKind>(term_kind[term]); }
-  [[nodiscard]] AxiomKind kind_of_axiom(std::uint32_t axiom) const { return static_cast<AxiomKind>(axiom_kind[axiom]); }
+  [[nodiscard]] owl::TermKind kind_of_term(std::uint32_t term) const {
+    return static_cast<owl::TermKind>(term_kind[term]);
+  }
+  [[nodiscard]] owl::AxiomKind kind_of_axiom(std::uint32_t axiom) const {
+    return static_cast<owl::AxiomKind>(axiom_kind[axiom]);
+  }
   /// Of an entity, literal, language tag or facet; empty for others.
   [[nodiscard]] std::string_view name_of_term(std::uint32_t term) const {
     if (is_cardinality(kind_of_term(term))) return {};
@@ -93,9 +97,9 @@ struct ClassifiedView {
   }
   [[nodiscard]] Numbers axioms_waiting_for(std::uint32_t entity) const { return row(waiting_begin, waiting, entity); }
 
-  [[nodiscard]] static bool is_cardinality(TermKind kind) {
-    return (kind >= TermKind::object_min_cardinality && kind <= TermKind::object_exact_cardinality) ||
-           (kind >= TermKind::data_min_cardinality && kind <= TermKind::data_exact_cardinality);
+  [[nodiscard]] static bool is_cardinality(owl::TermKind kind) {
+    return (kind >= owl::TermKind::object_min_cardinality && kind <= owl::TermKind::object_exact_cardinality) ||
+           (kind >= owl::TermKind::data_min_cardinality && kind <= owl::TermKind::data_exact_cardinality);
   }
   [[nodiscard]] static Numbers row(Numbers begin, Numbers items, std::uint32_t at) {
     return items.subspan(begin[at], begin[at + 1] - begin[at]);
@@ -106,6 +110,6 @@ struct ClassifiedView {
   }
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::taxonomy
 
 #endif

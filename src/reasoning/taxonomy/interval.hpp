@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-namespace geminga::el {
+namespace geminga::taxonomy {
 
 /// Ranks first .. last, both inclusive.
 struct Interval {
@@ -29,6 +29,6 @@ struct Interval {
   return rank - found->first <= found->last - found->first;
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::taxonomy
 
 #endif

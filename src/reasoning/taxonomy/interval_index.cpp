@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-namespace geminga::el {
+namespace geminga::taxonomy {
 namespace {
 
-Rows<std::uint32_t> turned_around(const Rows<std::uint32_t>& parents) {
+base::Rows<std::uint32_t> turned_around(const base::Rows<std::uint32_t>& parents) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   pairs.reserve(parents.item_count());
   for (std::uint32_t node = 0; node < parents.row_count(); ++node) {
@@ -17,8 +17,8 @@ Rows<std::uint32_t> turned_around(const Rows<std::uint32_t>& parents) {
 
 }  // namespace
 
-IntervalIndex::IntervalIndex(const Rows<std::uint32_t>& parents) {
-  const Rows<std::uint32_t> children = turned_around(parents);
+IntervalIndex::IntervalIndex(const base::Rows<std::uint32_t>& parents) {
+  const base::Rows<std::uint32_t> children = turned_around(parents);
   find_depths(parents, children);
   number_tree(parents);
   gather(children);
@@ -30,7 +30,7 @@ bool IntervalIndex::is_under(std::uint32_t sub, std::uint32_t super) const {
   return contains_rank(further(super), rank);
 }
 
-void IntervalIndex::find_depths(const Rows<std::uint32_t>& parents, const Rows<std::uint32_t>& children) {
+void IntervalIndex::find_depths(const base::Rows<std::uint32_t>& parents, const base::Rows<std::uint32_t>& children) {
   const auto count = static_cast<std::uint32_t>(parents.row_count());
   depth_.assign(count, 0);
   std::vector<std::uint32_t> waiting(count);
@@ -47,7 +47,7 @@ void IntervalIndex::find_depths(const Rows<std::uint32_t>& parents, const Rows<s
   }
 }
 
-void IntervalIndex::number_tree(const Rows<std::uint32_t>& parents) {
+void IntervalIndex::number_tree(const base::Rows<std::uint32_t>& parents) {
   const auto count = static_cast<std::uint32_t>(parents.row_count());
   // The deepest parent: no other parent lies below it, so that the edge is one of the reduced graph.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> tree;
@@ -64,7 +64,8 @@ void IntervalIndex::number_tree(const Rows<std::uint32_t>& parents) {
     }
     tree.emplace_back(best, node);
   }
-  const Rows<std::uint32_t> tree_children(count, tree);  // descending, so that the smallest leaves the stack first
+  const base::Rows<std::uint32_t> tree_children(count,
+                                                tree);  // descending, so that the smallest leaves the stack first
   own_.assign(count, {});
   std::vector<std::uint32_t> preorder;
   preorder.reserve(count);
@@ -83,7 +84,7 @@ void IntervalIndex::number_tree(const Rows<std::uint32_t>& parents) {
   }
 }
 
-void IntervalIndex::gather(const Rows<std::uint32_t>& children) {
+void IntervalIndex::gather(const base::Rows<std::uint32_t>& children) {
   further_begin_.assign(own_.size(), 0);
   further_count_.assign(own_.size(), 0);
   std::vector<Interval> gathered;
@@ -114,4 +115,4 @@ void IntervalIndex::gather(const Rows<std::uint32_t>& children) {
   }
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::taxonomy

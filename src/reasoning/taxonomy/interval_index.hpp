@@ -12,12 +12,12 @@
 #include "base/rows.hpp"
 #include "reasoning/taxonomy/interval.hpp"
 
-namespace geminga::el {
+namespace geminga::taxonomy {
 
 class IntervalIndex {
  public:
   /// `parents` are the edges up, without cycles; equal graphs give equal numbers. Linear in edges and intervals.
-  explicit IntervalIndex(const Rows<std::uint32_t>& parents);
+  explicit IntervalIndex(const base::Rows<std::uint32_t>& parents);
 
   /// Reflexive. O(1) in the tree, O(log n) in the number of intervals beyond.
   [[nodiscard]] bool is_under(std::uint32_t sub, std::uint32_t super) const;
@@ -30,9 +30,9 @@ class IntervalIndex {
   }
 
  private:
-  void find_depths(const Rows<std::uint32_t>& parents, const Rows<std::uint32_t>& children);
-  void number_tree(const Rows<std::uint32_t>& parents);
-  void gather(const Rows<std::uint32_t>& children);
+  void find_depths(const base::Rows<std::uint32_t>& parents, const base::Rows<std::uint32_t>& children);
+  void number_tree(const base::Rows<std::uint32_t>& parents);
+  void gather(const base::Rows<std::uint32_t>& children);
 
   std::vector<std::uint32_t> supers_first_;
   std::vector<std::uint32_t> depth_;
@@ -42,6 +42,6 @@ class IntervalIndex {
   std::vector<Interval> further_;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::taxonomy
 
 #endif

@@ -9,7 +9,7 @@
 #include "base/rows.hpp"
 #include "reasoning/taxonomy/reduction.hpp"
 
-namespace geminga::el {
+namespace geminga::taxonomy {
 namespace {
 
 /// Steps down from members of disjointness axioms, all together; beyond it no more empty properties are looked for.
@@ -18,7 +18,7 @@ constexpr std::size_t max_disjointness_steps = std::size_t{1} << 26;
 /// One run. A node is a property (2 * number) or its inverse (2 * number + 1); data properties leave the odd ones out.
 class PropertyGraph {
  public:
-  PropertyGraph(const OntologySource& source, PropertyKind kind, bool is_consistent)
+  PropertyGraph(const owl::Ontology& source, PropertyKind kind, bool is_consistent)
       : source_(source), is_object_(kind == PropertyKind::object), number_of_term_(source.term_count(), none) {
     graph_.is_consistent = is_consistent;
   }
@@ -42,7 +42,7 @@ class PropertyGraph {
   }
 
  private:
-  static constexpr std::uint32_t none = NumberTable::none;
+  static constexpr std::uint32_t none = base::NumberTable::none;
   struct Chain {
     std::vector<std::uint32_t> links;
     std::uint32_t result = 0;
@@ -50,8 +50,8 @@ class PropertyGraph {
   };
 
   void find_properties();
-  void read(const Axiom& axiom);
-  void read_inclusion(TermId sub, TermId super);
+  void read(const owl::Axiom& axiom);
+  void read_inclusion(owl::TermId sub, owl::TermId super);
   void include(std::uint32_t sub, std::uint32_t super);
   void set_reflexive(std::uint32_t at);
   void shorten(const Chain& chain);
@@ -60,15 +60,15 @@ class PropertyGraph {
   PropertyTaxonomy finish();
 
   [[nodiscard]] static std::uint32_t node(std::uint32_t property) { return 2 * property; }
-  [[nodiscard]] std::uint32_t node(TermId term) const {
-    if (source_.kind(term) == TermKind::object_inverse_of) return node(source_.term(term).arguments[0]) ^ 1;
+  [[nodiscard]] std::uint32_t node(owl::TermId term) const {
+    if (source_.kind(term) == owl::TermKind::object_inverse_of) return node(source_.term(term).arguments[0]) ^ 1;
     return node(number_of_term_[static_cast<std::size_t>(term)]);
   }
 
-  const OntologySource& source_;
+  const owl::Ontology& source_;
   bool is_object_;
   std::vector<std::uint32_t> number_of_term_;
-  std::vector<NameId> properties_;
+  std::vector<owl::NameId> properties_;
   std::uint32_t top_ = 0;
   std::uint32_t bottom_ = 0;
   Inclusions graph_;
@@ -82,19 +82,20 @@ class PropertyGraph {
 void PropertyGraph::find_properties() {
   std::vector<bool> is_used(source_.term_count(), false);
   for (std::size_t axiom = 0; axiom < source_.axiom_count(); ++axiom) {
-    for (const TermId argument : source_.axiom(axiom).arguments) is_used[static_cast<std::size_t>(argument)] = true;
+    for (const owl::TermId argument : source_.axiom(axiom).arguments)
+      is_used[static_cast<std::size_t>(argument)] = true;
   }
-  const TermKind wanted = is_object_ ? TermKind::object_property : TermKind::data_property;
-  const std::string_view top = is_object_ ? owl_top_object_property : owl_top_data_property;
-  const std::string_view bottom = is_object_ ? owl_bottom_object_property : owl_bottom_data_property;
+  const owl::TermKind wanted = is_object_ ? owl::TermKind::object_property : owl::TermKind::data_property;
+  const std::string_view top = is_object_ ? owl::owl_top_object_property : owl::owl_top_data_property;
+  const std::string_view bottom = is_object_ ? owl::owl_bottom_object_property : owl::owl_bottom_data_property;
   std::vector<std::pair<std::string_view, std::uint32_t>> named;
   bool has_top = false;
   bool has_bottom = false;
   // The arguments of a term have smaller numbers than it, so that one pass downwards finds all that is used.
   for (auto id = static_cast<std::uint32_t>(source_.term_count()); id-- > 0;) {
     if (!is_used[id]) continue;
-    const Term term = source_.term(TermId{id});
-    for (const TermId argument : term.arguments) is_used[static_cast<std::size_t>(argument)] = true;
+    const owl::Term term = source_.term(owl::TermId{id});
+    for (const owl::TermId argument : term.arguments) is_used[static_cast<std::size_t>(argument)] = true;
     if (term.kind != wanted) continue;
     named.emplace_back(source_.name(term.name), id);
     has_top |= named.back().first == top;
@@ -121,62 +122,62 @@ void PropertyGraph::include(std::uint32_t sub, std::uint32_t super) {
   if (is_object_) up_[sub ^ 1].push_back(super ^ 1);
 }
 
-void PropertyGraph::read_inclusion(TermId sub, TermId super) {
-  if (source_.kind(sub) != TermKind::object_property_chain) return include(node(sub), node(super));
+void PropertyGraph::read_inclusion(owl::TermId sub, owl::TermId super) {
+  if (source_.kind(sub) != owl::TermKind::object_property_chain) return include(node(sub), node(super));
   Chain chain;
-  for (const TermId link : source_.term(sub).arguments) chain.links.push_back(node(link));
+  for (const owl::TermId link : source_.term(sub).arguments) chain.links.push_back(node(link));
   chain.result = node(super);
   chain.waiting = chain.links.size();
   if (chain.waiting == 1) return include(chain.links.front(), chain.result);
   chains_.push_back(std::move(chain));
 }
 
-void PropertyGraph::read(const Axiom& axiom) {
+void PropertyGraph::read(const owl::Axiom& axiom) {
   const auto arguments = axiom.arguments;
-  const auto is_nothing = [&](TermId term) {
-    return source_.kind(term) == TermKind::named_class && source_.name_of(term) == owl_nothing;
+  const auto is_nothing = [&](owl::TermId term) {
+    return source_.kind(term) == owl::TermKind::named_class && source_.name_of(term) == owl::owl_nothing;
   };
   switch (axiom.kind) {
-    case AxiomKind::sub_object_property_of:
+    case owl::AxiomKind::sub_object_property_of:
       if (is_object_) read_inclusion(arguments[0], arguments[1]);
       return;
-    case AxiomKind::sub_data_property_of:
+    case owl::AxiomKind::sub_data_property_of:
       if (!is_object_) include(node(arguments[0]), node(arguments[1]));
       return;
-    case AxiomKind::equivalent_object_properties:
-    case AxiomKind::equivalent_data_properties:
-      if (is_object_ != (axiom.kind == AxiomKind::equivalent_object_properties)) return;
-      for (const TermId other : arguments.subspan(1)) {
+    case owl::AxiomKind::equivalent_object_properties:
+    case owl::AxiomKind::equivalent_data_properties:
+      if (is_object_ != (axiom.kind == owl::AxiomKind::equivalent_object_properties)) return;
+      for (const owl::TermId other : arguments.subspan(1)) {
         include(node(arguments[0]), node(other));
         include(node(other), node(arguments[0]));
       }
       return;
-    case AxiomKind::inverse_object_properties:
+    case owl::AxiomKind::inverse_object_properties:
       //  P and Q inverse of each other: P < Q-, Q- < P
       if (!is_object_) return;
       include(node(arguments[0]), node(arguments[1]) ^ 1);
       include(node(arguments[1]) ^ 1, node(arguments[0]));
       return;
-    case AxiomKind::symmetric_object_property:
+    case owl::AxiomKind::symmetric_object_property:
       if (is_object_) include(node(arguments[0]), node(arguments[0]) ^ 1);
       return;
-    case AxiomKind::reflexive_object_property:
+    case owl::AxiomKind::reflexive_object_property:
       if (is_object_) set_reflexive(node(arguments[0]));
       return;
-    case AxiomKind::asymmetric_object_property:
+    case owl::AxiomKind::asymmetric_object_property:
       if (is_object_) disjoint_.push_back({node(arguments[0]), node(arguments[0]) ^ 1});
       return;
-    case AxiomKind::disjoint_object_properties:
-    case AxiomKind::disjoint_data_properties: {
-      if (is_object_ != (axiom.kind == AxiomKind::disjoint_object_properties)) return;
+    case owl::AxiomKind::disjoint_object_properties:
+    case owl::AxiomKind::disjoint_data_properties: {
+      if (is_object_ != (axiom.kind == owl::AxiomKind::disjoint_object_properties)) return;
       std::vector<std::uint32_t>& members = disjoint_.emplace_back();
-      for (const TermId member : arguments) members.push_back(node(member));
+      for (const owl::TermId member : arguments) members.push_back(node(member));
       return;
     }
-    case AxiomKind::object_property_domain:
-    case AxiomKind::object_property_range:
-    case AxiomKind::data_property_domain: {
-      if (is_object_ == (axiom.kind == AxiomKind::data_property_domain) || !is_nothing(arguments[1])) return;
+    case owl::AxiomKind::object_property_domain:
+    case owl::AxiomKind::object_property_range:
+    case owl::AxiomKind::data_property_domain: {
+      if (is_object_ == (axiom.kind == owl::AxiomKind::data_property_domain) || !is_nothing(arguments[1])) return;
       graph_.is_empty[node(arguments[0])] = true;
       graph_.is_empty[node(arguments[0]) ^ 1] = true;
       return;
@@ -216,7 +217,7 @@ void PropertyGraph::spread_reflexivity() {
       uses.emplace_back(link ^ 1, chain);
     }
   }
-  const Rows<std::uint32_t> chains_of(graph_.node_count, uses);
+  const base::Rows<std::uint32_t> chains_of(graph_.node_count, uses);
   while (!newly_reflexive_.empty()) {
     const std::uint32_t at = newly_reflexive_.back();
     newly_reflexive_.pop_back();
@@ -237,7 +238,7 @@ void PropertyGraph::find_disjoint() {
   if (disjoint_.empty()) return;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> turned;
   for (const auto& [sub, super] : graph_.edges) turned.emplace_back(super, sub);
-  const Rows<std::uint32_t> down(graph_.node_count, turned);
+  const base::Rows<std::uint32_t> down(graph_.node_count, turned);
   std::vector<std::uint32_t> axiom_of(graph_.node_count, none);   // the last axiom that reached it
   std::vector<std::uint32_t> member_of(graph_.node_count, none);  // by way of this member
   std::size_t steps = 0;
@@ -280,8 +281,8 @@ PropertyTaxonomy PropertyGraph::finish() {
 
 }  // namespace
 
-PropertyTaxonomy classify_properties(const OntologySource& source, PropertyKind kind, bool is_consistent) {
+PropertyTaxonomy classify_properties(const owl::Ontology& source, PropertyKind kind, bool is_consistent) {
   return PropertyGraph(source, kind, is_consistent).run();
 }
 
-}  // namespace geminga::el
+}  // namespace geminga::taxonomy

@@ -14,7 +14,7 @@
 
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::el {
+namespace geminga::taxonomy {
 
 /// The dense number of a named property in one taxonomy.
 enum class PropertyNumber : std::uint32_t {};
@@ -22,7 +22,7 @@ enum class PropertyNumber : std::uint32_t {};
 /// The named object properties, or the named data properties, that the axioms use. They are numbered in ascending order
 /// of their IRIs (octet by octet); the top and the bottom property are always among them.
 struct PropertyTaxonomy {
-  std::vector<NameId> properties;  ///< the IRI of each
+  std::vector<owl::NameId> properties;  ///< the IRI of each
   PropertyNumber top{};
   PropertyNumber bottom{};
   /// The smallest property that each is equivalent to; itself for most. Those of empty properties are equal to that of
@@ -44,9 +44,9 @@ enum class PropertyKind : std::uint8_t { object, data };
 
 /// Depends only on the set of axioms. An inconsistent ontology has one node; classify() knows of that, this does not
 /// unless the caller says so. Linear in axioms, but for a closure of the chains.
-[[nodiscard]] PropertyTaxonomy classify_properties(const OntologySource& source, PropertyKind kind,
+[[nodiscard]] PropertyTaxonomy classify_properties(const owl::Ontology& source, PropertyKind kind,
                                                    bool is_consistent = true);
 
-}  // namespace geminga::el
+}  // namespace geminga::taxonomy
 
 #endif

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace geminga::el {
+namespace geminga::taxonomy {
 
 /// What "is A under B" needs of a class, in one place: two of these and, for one in seven of the pairs that one asks
 /// about in large ontologies, a list of intervals are a question's misses of the cache.
@@ -16,6 +16,6 @@ struct Reach {
   std::uint32_t further_end = 0;
 };
 
-}  // namespace geminga::el
+}  // namespace geminga::taxonomy
 
 #endif

@@ -9,10 +9,10 @@
 #include "base/rows.hpp"
 #include "reasoning/taxonomy/interval_index.hpp"
 
-namespace geminga::el {
+namespace geminga::taxonomy {
 namespace {
 
-constexpr std::uint32_t none = NumberTable::none;
+constexpr std::uint32_t none = base::NumberTable::none;
 
 /// The steps, and what they hand on.
 class Reduction {
@@ -47,7 +47,7 @@ class Reduction {
 
 void Reduction::close_top() {
   // What the top is below is equivalent to it.
-  const Rows<std::uint32_t> up(graph_.node_count, graph_.edges);
+  const base::Rows<std::uint32_t> up(graph_.node_count, graph_.edges);
   std::vector<bool> seen(graph_.node_count, false);
   std::vector<std::uint32_t> stack = {graph_.top};
   seen[graph_.top] = true;
@@ -64,8 +64,8 @@ void Reduction::close_top() {
 }
 
 void Reduction::find_nodes() {
-  const Rows<std::uint32_t> up(graph_.node_count, graph_.edges);
-  Components found = find_components(graph_.node_count, [&](std::uint32_t id) { return up[id]; });
+  const base::Rows<std::uint32_t> up(graph_.node_count, graph_.edges);
+  base::Components found = base::find_components(graph_.node_count, [&](std::uint32_t id) { return up[id]; });
   component_ = std::move(found.component);
   component_count_ = found.count;
 
@@ -73,7 +73,7 @@ void Reduction::find_nodes() {
   Edges members;
   members.reserve(component_.size());
   for (std::uint32_t id = 0; id < component_.size(); ++id) members.emplace_back(component_[id], id);
-  const Rows<std::uint32_t> members_of(component_count_, members);
+  const base::Rows<std::uint32_t> members_of(component_count_, members);
   std::vector<bool> is_empty(component_count_, false);
   for (std::uint32_t component = 0; component < component_count_; ++component) {
     for (const std::uint32_t id : members_of[component]) {
@@ -105,7 +105,7 @@ void Reduction::find_candidates() {
     sub = component_[sub];
     super = component_[super];
   }
-  Rows<std::uint32_t> up(component_count_, graph_.edges);
+  base::Rows<std::uint32_t> up(component_count_, graph_.edges);
   graph_.edges = {};
   up.sort_unique();
   const std::uint32_t top = result_.representative[graph_.top_entity];
@@ -142,7 +142,7 @@ void Reduction::find_candidates() {
 }
 
 void Reduction::keep_direct() {
-  const Rows<std::uint32_t> candidates(entity_count(), candidates_);
+  const base::Rows<std::uint32_t> candidates(entity_count(), candidates_);
   candidates_ = {};
   const IntervalIndex index(candidates);
   result_.parent_begin.assign(1, 0);
@@ -168,4 +168,4 @@ void Reduction::keep_direct() {
 
 Reduced reduce(Inclusions&& inclusions) { return Reduction(std::move(inclusions)).run(); }
 
-}  // namespace geminga::el
+}  // namespace geminga::taxonomy

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace geminga::el {
+namespace geminga::taxonomy {
 
 /// A graph whose ways up are all inclusions that hold. Some of its nodes are entities (classes, properties), others
 /// stand between them; more entities may share a node.
@@ -34,6 +34,6 @@ struct Reduced {
 /// for the sorting of parents and the size of the interval index that tells direct ones.
 [[nodiscard]] Reduced reduce(Inclusions&& inclusions);
 
-}  // namespace geminga::el
+}  // namespace geminga::taxonomy
 
 #endif

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace geminga::el {
+namespace geminga::parallel {
 namespace {
 
 TEST(Crew, CallsEachNumberOnce) {
@@ -56,4 +56,4 @@ TEST(Crew, ThrowsOneThingWhereAllThrow) {
 }
 
 }  // namespace
-}  // namespace geminga::el
+}  // namespace geminga::parallel

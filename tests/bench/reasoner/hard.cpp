@@ -54,7 +54,7 @@ class Hard {
         goal(konclude.peak_mebibytes, of_konclude_memory));
   }
 
-  void measure(const std::string& name, const el::OntologySource& source) {
+  void measure(const std::string& name, const owl::Ontology& source) {
     const fs::path file = settings_.folder / "shape.ofn";
     std::ofstream(file, std::ios::binary) << compare::functional_syntax(source);
     measure(name, file);

@@ -18,7 +18,7 @@ namespace geminga::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Pair = std::pair<el::ClassNumber, el::ClassNumber>;
+using Pair = std::pair<taxonomy::ClassNumber, taxonomy::ClassNumber>;
 
 constexpr std::size_t small_ontology = 20'000;
 constexpr std::size_t asked_to_explain = 40;
@@ -34,12 +34,14 @@ double quantile(std::vector<double> values, double share) {
 }
 
 /// Half of the pairs are random, half are a class and one above it, so that both answers occur.
-std::vector<Pair> pairs_of(const el::Ontology& ontology, std::size_t count) {
+std::vector<Pair> pairs_of(const compiled::Ontology& ontology, std::size_t count) {
   base::Random random(1);
-  const auto any = [&] { return el::ClassNumber{static_cast<std::uint32_t>(random.below(ontology.class_count()))}; };
+  const auto any = [&] {
+    return taxonomy::ClassNumber{static_cast<std::uint32_t>(random.below(ontology.class_count()))};
+  };
   std::vector<Pair> pairs;
   while (pairs.size() < count) {
-    const el::ClassNumber sub = any();
+    const taxonomy::ClassNumber sub = any();
     const auto above = ontology.subsumers(sub);
     pairs.emplace_back(sub, any());
     pairs.emplace_back(sub, above[random.below(above.size())]);
@@ -47,7 +49,7 @@ std::vector<Pair> pairs_of(const el::Ontology& ontology, std::size_t count) {
   return pairs;
 }
 
-void measure_subsumption(const el::Ontology& ontology, const std::string& name, const std::string& size,
+void measure_subsumption(const compiled::Ontology& ontology, const std::string& name, const std::string& size,
                          std::size_t queries) {
   const std::vector<Pair> pairs = pairs_of(ontology, queries);
   std::vector<double> nanoseconds;
@@ -63,13 +65,13 @@ void measure_subsumption(const el::Ontology& ontology, const std::string& name, 
       quantile(nanoseconds, 0.5), "ns", {.limit = is_small ? 10.0 : 25.0});
 }
 
-void measure_explanations(const el::Ontology& ontology, const std::string& name, const std::string& size) {
+void measure_explanations(const compiled::Ontology& ontology, const std::string& name, const std::string& size) {
   std::vector<double> times;
   for (const auto& [sub, super] : pairs_of(ontology, asked_to_explain * 20)) {
     if (times.size() == asked_to_explain) break;
     if (sub == super || !ontology.is_subsumed(sub, super) || !ontology.is_satisfiable(sub)) continue;
     const auto began = Clock::now();
-    const auto steps = reasoner::explain(ontology, sub, super);
+    const auto steps = explanation::explain(ontology, sub, super);
     if (!steps) return row_without(name + ": an explanation", size, "a subsumption without an explanation");
     if (steps->empty()) continue;
     times.push_back(milliseconds_since(began));
@@ -80,12 +82,12 @@ void measure_explanations(const el::Ontology& ontology, const std::string& name,
 }
 
 /// Asks for so many expressions and shows how long the middle one and the worst take.
-void measure_asking(const el::ExpressionClassifier& classifier, const std::string& what, const std::string& size,
-                    const std::function<el::TermId(el::OntologySource&)>& make) {
+void measure_asking(const placement::ExpressionClassifier& classifier, const std::string& what, const std::string& size,
+                    const std::function<owl::TermId(owl::Ontology&)>& make) {
   std::vector<double> times;
   for (std::size_t asked = 0; asked < asked_expressions; ++asked) {
-    el::OntologySource query;
-    const el::TermId asks = make(query);
+    owl::Ontology query;
+    const owl::TermId asks = make(query);
     const auto start = Clock::now();
     (void)classifier.classify(query, asks);
     times.push_back(milliseconds_since(start));
@@ -95,30 +97,30 @@ void measure_asking(const el::ExpressionClassifier& classifier, const std::strin
 }
 
 /// `A and (p some B)` and `A and not B` over random classes and properties.
-void measure_expressions(const el::Ontology& ontology, const std::string& name, const std::string& size) {
+void measure_expressions(const compiled::Ontology& ontology, const std::string& name, const std::string& size) {
   const auto began = Clock::now();
-  const auto classifier = el::ExpressionClassifier::build(ontology);
+  const auto classifier = placement::ExpressionClassifier::build(ontology);
   if (!classifier) return row_without(name + ": a class expression", size, classifier.error().text);
   row(name + ": ready for class expressions", size, milliseconds_since(began), "ms");
   base::Random random(2);
-  const auto any = [&](el::OntologySource& query) {
+  const auto any = [&](owl::Ontology& query) {
     return query.named_class(
-        ontology.iri(el::ClassNumber{static_cast<std::uint32_t>(random.below(ontology.class_count()))}));
+        ontology.iri(taxonomy::ClassNumber{static_cast<std::uint32_t>(random.below(ontology.class_count()))}));
   };
   std::vector<std::string_view> properties;
-  const el::ClassifiedView& view = ontology.axioms();
+  const taxonomy::ClassifiedView& view = ontology.axioms();
   for (std::uint32_t term = 0; term < view.term_count(); ++term) {
-    if (view.kind_of_term(term) == el::TermKind::object_property) properties.push_back(view.name_of_term(term));
+    if (view.kind_of_term(term) == owl::TermKind::object_property) properties.push_back(view.name_of_term(term));
   }
   if (properties.empty()) return row_without(name + ": a class expression", size, "there are no properties");
-  measure_asking(*classifier, name + ": a class expression", size, [&](el::OntologySource& query) {
-    const el::TermId property = query.object_property(properties[random.below(properties.size())]);
-    const el::TermId filler = query.term(el::TermKind::object_some_values_from, {property, any(query)});
-    return query.term(el::TermKind::object_intersection_of, {any(query), filler});
+  measure_asking(*classifier, name + ": a class expression", size, [&](owl::Ontology& query) {
+    const owl::TermId property = query.object_property(properties[random.below(properties.size())]);
+    const owl::TermId filler = query.term(owl::TermKind::object_some_values_from, {property, any(query)});
+    return query.term(owl::TermKind::object_intersection_of, {any(query), filler});
   });
-  measure_asking(*classifier, name + ": one with a complement", size, [&](el::OntologySource& query) {
-    const el::TermId complement = query.term(el::TermKind::object_complement_of, {any(query)});
-    return query.term(el::TermKind::object_intersection_of, {any(query), complement});
+  measure_asking(*classifier, name + ": one with a complement", size, [&](owl::Ontology& query) {
+    const owl::TermId complement = query.term(owl::TermKind::object_complement_of, {any(query)});
+    return query.term(owl::TermKind::object_intersection_of, {any(query), complement});
   });
 }
 
@@ -129,17 +131,17 @@ void measure_loaded(const std::filesystem::path& compiled, const std::string& na
   std::vector<double> times;
   for (int round = 0; round < 5; ++round) {
     const auto began = Clock::now();
-    const auto ontology = el::Ontology::map(compiled);
+    const auto ontology = compiled::Ontology::map(compiled);
     if (!ontology) return row_without(name + ": mapped until the first answer", size, ontology.error().text);
-    if (!ontology->is_subsumed(el::ClassNumber{0}, *ontology->find_iri(el::owl_thing)))
+    if (!ontology->is_subsumed(taxonomy::ClassNumber{0}, *ontology->find_iri(owl::owl_thing)))
       return row_without(name + ": mapped until the first answer", size, "a wrong answer");
     times.push_back(milliseconds_since(began));
   }
   row(name + ": mapped until the first answer", size, quantile(times, 0.5), "ms", {.limit = 40});
-  const auto ontology = el::Ontology::map(compiled);
+  const auto ontology = compiled::Ontology::map(compiled);
   row(name + ": compiled file, a class", size,
       static_cast<double>(std::filesystem::file_size(compiled)) / ontology->class_count(), "B");
-  const el::ClassifiedView& view = ontology->view();
+  const taxonomy::ClassifiedView& view = ontology->view();
   const std::size_t index_bytes = view.reach.size_bytes() + view.further.size_bytes();
   row(name + ": subsumption index, a class", size, static_cast<double>(index_bytes) / ontology->class_count(), "B",
       {.limit = 32});

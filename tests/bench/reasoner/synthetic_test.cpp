@@ -27,8 +27,8 @@ std::string written(void (*write)(const Synthetic&, std::FILE*), const Synthetic
   return copy;
 }
 
-el::OntologySource read(const std::string& functional) {
-  el::OntologySource source;
+owl::Ontology read(const std::string& functional) {
+  owl::Ontology source;
   const auto document = functional::read(functional, source.add_file("synthetic.ofn"), source);
   EXPECT_TRUE(document) << document.error().text;
   EXPECT_TRUE(source.omissions().empty());
@@ -37,15 +37,15 @@ el::OntologySource read(const std::string& functional) {
 
 TEST(SyntheticOntology, SaysTheSameInBothSyntaxes) {
   const Synthetic made = make_synthetic(400, 7);
-  const el::OntologySource functional = read(written(write_functional, made));
+  const owl::Ontology functional = read(written(write_functional, made));
   const auto path = std::filesystem::temp_directory_path() / ("synthetic-" + std::to_string(::getpid()) + ".rdf");
   std::FILE* file = std::fopen(path.c_str(), "w");
   write_rdf_xml(made, file);
   std::fclose(file);
   const auto rdf = rdf::load(std::vector{path.string()});
   std::filesystem::remove(path);
-  ASSERT_TRUE(rdf) << rdf::to_string(rdf.error());
-  EXPECT_EQ(el::digest(functional), el::digest(rdf->source));
+  ASSERT_TRUE(rdf) << syntax::to_string(rdf.error());
+  EXPECT_EQ(owl::digest(functional), owl::digest(rdf->source));
   const auto classification = el::classify(functional);
   ASSERT_TRUE(classification);
   EXPECT_EQ(classification->class_count(), 402U);  // with owl:Thing and owl:Nothing

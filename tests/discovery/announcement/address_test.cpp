@@ -7,7 +7,7 @@
 #include "discovery/announcement/limits.hpp"
 #include "discovery/announcement/on_interface.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 namespace {
 
 using env::Interface;
@@ -138,4 +138,4 @@ TEST(OnInterface, AnnouncesAtMostTheNamedNumberOfAddresses) {
 }
 
 }  // namespace
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement

@@ -9,7 +9,7 @@
 #include "discovery/announcement/announcements.hpp"
 #include "discovery/announcement/limits.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 namespace {
 
 using Edit = std::function<void(Publication&)>;
@@ -145,4 +145,4 @@ TEST(Announceable, KnowsNames) {
 }
 
 }  // namespace
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement

@@ -7,7 +7,7 @@
 #include "discovery/announcement/announceable.hpp"
 #include "discovery/announcement/limits.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 namespace {
 
 using base::Random;
@@ -220,4 +220,4 @@ Announcement joined(const std::vector<Announcement>& parts) {
   return whole;
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement

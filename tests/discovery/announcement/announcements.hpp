@@ -10,7 +10,7 @@
 #include "discovery/announcement/announcement.hpp"
 #include "discovery/announcement/codec.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 
 /// The worked example of ANNOUNCEMENT.md.
 Announcement worked_example();
@@ -30,6 +30,6 @@ std::vector<std::byte> octets_of(std::string_view hex);
 /// All services of several parts as one announcement, as encode() was given them.
 Announcement joined(const std::vector<Announcement>& parts);
 
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement
 
 #endif

@@ -9,7 +9,7 @@
 #include "discovery/announcement/announcements.hpp"
 #include "discovery/announcement/limits.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 namespace {
 
 std::vector<Announcement> decode_all(const std::vector<Datagram>& datagrams) {
@@ -189,4 +189,4 @@ TEST(Codec, CarriesClaimsAndGoodbyes) {
 }
 
 }  // namespace
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement

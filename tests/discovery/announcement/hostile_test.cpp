@@ -10,7 +10,7 @@
 #include "discovery/announcement/announcements.hpp"
 #include "discovery/announcement/limits.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 namespace {
 
 wire::Announcement valid_message() {
@@ -285,4 +285,4 @@ TEST(Decode, HasADifferentWordForEachReason) {
 }
 
 }  // namespace
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement

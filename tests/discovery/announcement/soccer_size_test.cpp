@@ -7,7 +7,7 @@
 #include "discovery/announcement/announcements.hpp"
 #include "discovery/announcement/limits.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 namespace {
 
 struct Service {
@@ -114,4 +114,4 @@ TEST(SoccerRobot, ClaimsInASmallDatagram) {
 }
 
 }  // namespace
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement

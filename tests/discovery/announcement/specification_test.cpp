@@ -6,7 +6,7 @@
 
 #include "discovery/announcement/announcements.hpp"
 
-namespace geminga::beacon {
+namespace geminga::announcement {
 namespace {
 
 /// The octets in the first column of the table under "## Worked example".
@@ -45,4 +45,4 @@ TEST(AnnouncementSpecification, NamesEveryReasonForRefusal) {
 }
 
 }  // namespace
-}  // namespace geminga::beacon
+}  // namespace geminga::announcement

@@ -14,7 +14,7 @@ namespace {
 
 using enum Degree;
 
-std::optional<Match> degree_of(const Identity& offered, const Identity& requested, const el::Ontology* ontology) {
+std::optional<Match> degree_of(const Identity& offered, const Identity& requested, const compiled::Ontology* ontology) {
   return degree_of_identity(offered, classes_of(offered, ontology), requested, classes_of(requested, ontology),
                             ontology);
 }
@@ -25,7 +25,7 @@ struct Case {
   std::optional<Match> wanted;
 };
 
-void expect_all(const std::vector<Case>& cases, const el::Ontology* ontology) {
+void expect_all(const std::vector<Case>& cases, const compiled::Ontology* ontology) {
   for (const auto& [offered, requested, wanted] : cases) {
     const auto got = degree_of(offered, requested, ontology);
     EXPECT_EQ(got.has_value(), wanted.has_value()) << canonical_form(offered) << " for " << canonical_form(requested);
@@ -139,7 +139,7 @@ TEST(Degree, WhatCannotExistMatchesNothingButItselfExactly) {
 
 TEST(Degree, EverythingThatCanExistIsAThing) {
   const auto ontology = soccer();
-  const Identity thing = SemanticIdentity{std::string(el::owl_thing), ""};
+  const Identity thing = SemanticIdentity{std::string(owl::owl_thing), ""};
   EXPECT_EQ(degree_of(semantic("Ball"), thing, &ontology)->degree, narrower);
   EXPECT_FALSE(degree_of(semantic("Ghost"), thing, &ontology));
   EXPECT_FALSE(degree_of(semantic("New"), thing, &ontology));

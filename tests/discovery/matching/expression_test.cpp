@@ -20,24 +20,25 @@ const std::string tracked_or_so = "<http://example.org/Ball> or <http://example.
 /// A place right below Tracked and right above Ball and Robot.
 class Places {
  public:
-  explicit Places(const el::Ontology& ontology) {
+  explicit Places(const compiled::Ontology& ontology) {
     const auto number = [&](std::string_view name) { return *ontology.find_iri(iri(name)); };
-    el::ExpressionPlace place;
+    placement::ExpressionPlace place;
     place.parents = {number("Tracked")};
     place.children = {number("Ball"), number("Robot")};
-    place_ = std::make_shared<const el::ExpressionPlace>(place);
+    place_ = std::make_shared<const placement::ExpressionPlace>(place);
   }
   Placing placing() {
-    return [this](const std::string& expression, ParticipantId from) -> std::shared_ptr<const el::ExpressionPlace> {
-      asked[expression] = from;
-      return is_known && expression == tracked_or_so ? place_ : nullptr;
-    };
+    return
+        [this](const std::string& expression, ParticipantId from) -> std::shared_ptr<const placement::ExpressionPlace> {
+          asked[expression] = from;
+          return is_known && expression == tracked_or_so ? place_ : nullptr;
+        };
   }
   bool is_known = true;
   std::map<std::string, ParticipantId> asked;
 
  private:
-  std::shared_ptr<const el::ExpressionPlace> place_;
+  std::shared_ptr<const placement::ExpressionPlace> place_;
 };
 
 Identity expression(const std::string& text) { return SemanticIdentity{text, ""}; }

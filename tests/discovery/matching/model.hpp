@@ -30,10 +30,10 @@ class Model {
  public:
   std::map<ServiceKey, registry::PublicationEntry> publications;
   std::map<ServiceKey, registry::SubscriptionEntry> subscriptions;
-  const el::Ontology* ontology = nullptr;
+  const compiled::Ontology* ontology = nullptr;
   /// While an ontology changes: the subscriptions that are still judged by the former one.
   std::set<ServiceKey> former;
-  const el::Ontology* former_ontology = nullptr;
+  const compiled::Ontology* former_ontology = nullptr;
 
   /// Chooses anew for every subscription, with those chosen last time as incumbents.
   void work_out();

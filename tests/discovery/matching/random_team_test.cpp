@@ -18,7 +18,7 @@ using registry::SubscriptionEntry;
 /// One team, held by a matcher and by a model, and what its local peers were told.
 class RandomTeam {
  public:
-  RandomTeam(std::uint64_t seed, std::vector<const el::Ontology*> ontologies)
+  RandomTeam(std::uint64_t seed, std::vector<const compiled::Ontology*> ontologies)
       : random_(seed),
         crowd_(static_cast<Crowd>(seed % 3)),
         ontologies_(std::move(ontologies)),
@@ -302,7 +302,7 @@ class RandomTeam {
 
   base::Random random_;
   Crowd crowd_;
-  std::vector<const el::Ontology*> ontologies_;
+  std::vector<const compiled::Ontology*> ontologies_;
   base::Instant now_;
   Reason reason_ = Reason::withdrawn;
   Model model_;
@@ -310,7 +310,7 @@ class RandomTeam {
   Replay replay_;
   /// The change of the ontology that is under way.
   enum class Stage { none, filing, rematching } stage_ = Stage::none;
-  const el::Ontology* next_ontology_ = nullptr;
+  const compiled::Ontology* next_ontology_ = nullptr;
   std::optional<ServiceKey> at_;
 };
 

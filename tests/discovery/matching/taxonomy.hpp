@@ -26,34 +26,34 @@ class Taxonomy {
   Taxonomy() : file_(source_.add_file("test.ttl", "http://example.org/")) {}
 
   Taxonomy& sub(std::string_view sub, std::string_view super) {
-    source_.add(el::AxiomKind::sub_class_of, {named(sub), named(super)}, file_, ++line_);
+    source_.add(owl::AxiomKind::sub_class_of, {named(sub), named(super)}, file_, ++line_);
     return *this;
   }
   Taxonomy& equivalent(std::string_view a, std::string_view b) {
-    source_.add(el::AxiomKind::equivalent_classes, {named(a), named(b)}, file_, ++line_);
+    source_.add(owl::AxiomKind::equivalent_classes, {named(a), named(b)}, file_, ++line_);
     return *this;
   }
   Taxonomy& unsatisfiable(std::string_view name) {
-    source_.add(el::AxiomKind::sub_class_of, {named(name), source_.named_class(el::owl_nothing)}, file_, ++line_);
+    source_.add(owl::AxiomKind::sub_class_of, {named(name), source_.named_class(owl::owl_nothing)}, file_, ++line_);
     return *this;
   }
 
-  [[nodiscard]] el::Ontology classified() const {
+  [[nodiscard]] compiled::Ontology classified() const {
     auto classification = el::classify(source_);
-    return std::move(el::Ontology::from_bytes(el::compile(source_, classification.value()))).value();
+    return std::move(compiled::Ontology::from_bytes(compiled::compile(source_, classification.value()))).value();
   }
 
  private:
-  el::TermId named(std::string_view name) { return source_.named_class(iri(name)); }
+  owl::TermId named(std::string_view name) { return source_.named_class(iri(name)); }
 
-  el::OntologySource source_;
-  el::FileId file_;
+  owl::Ontology source_;
+  owl::FileId file_;
   std::uint32_t line_ = 0;
 };
 
 /// Tracked things and frames as in robot soccer: an own ball is a ball is a tracked object, a sphere is just another
 /// word for a ball, nothing can be a ghost.
-inline el::Ontology soccer() {
+inline compiled::Ontology soccer() {
   Taxonomy taxonomy;
   taxonomy.sub("Ball", "Tracked").sub("OwnBall", "Ball").sub("Robot", "Tracked").equivalent("Sphere", "Ball");
   taxonomy.sub("FieldFrame", "Frame").sub("PolarFieldFrame", "FieldFrame").equivalent("Pitch", "FieldFrame");

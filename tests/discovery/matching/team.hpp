@@ -81,7 +81,7 @@ inline void remove_participant(Matcher& matcher, ParticipantId participant, Reas
 }
 
 /// All steps of the change to another ontology.
-inline void change_ontology(Matcher& matcher, const el::Ontology* next) {
+inline void change_ontology(Matcher& matcher, const compiled::Ontology* next) {
   matcher.begin_ontology(next);
   while (matcher.file_next()) {
   }

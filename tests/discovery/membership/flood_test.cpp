@@ -9,7 +9,7 @@
 #include "discovery/announcement/limits.hpp"
 #include "discovery/membership/table_rig.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 namespace {
 
 constexpr auto interval = seconds(2);
@@ -26,7 +26,7 @@ struct Flood {
     bool is_of_robots_address = false;
   };
 
-  Hearing hear(Announcement announcement, const std::string& source) {
+  Hearing hear(announcement::Announcement announcement, const std::string& source) {
     rig.source = source;
     const auto hearing = rig.hear(std::move(announcement), now);
     (void)rig.table.take_changes();
@@ -51,7 +51,7 @@ struct Flood {
     const auto identity = static_cast<std::uint32_t>(1000 + round * between + within % between);
     auto state = speaker(identity, 1);
     state.sequence = 1 + within / between;
-    state.interval = max_interval;
+    state.interval = announcement::max_interval;
     const auto which = identity % shape.sources;
     (void)hear(state, shape.is_of_robots_address
                           ? robots_address
@@ -104,7 +104,7 @@ TEST(Flood, OfAHundredThousandIdentitiesKeepsNoTrueRobotOut) {
     const auto what = std::to_string(shape.sources) + " sources, " + std::to_string(shape.copies) + " copies";
     EXPECT_LE(unknown, 2 * interval) << what;
     EXPECT_TRUE(flood.rig.table.is_known(robot)) << what;
-    EXPECT_LE(flood.rig.table.size(), max_participants) << what;
+    EXPECT_LE(flood.rig.table.size(), announcement::max_participants) << what;
   }
 }
 
@@ -117,7 +117,7 @@ TEST(Flood, ThatIsOverKeepsNoTrueRobotOut) {
         flood.forge({.sources = 1, .copies = copies, .is_of_robots_address = is_same}, number);
       }
       flood.pass_to(flood.now + milliseconds(100));
-      EXPECT_EQ(flood.rig.table.size(), max_participants);
+      EXPECT_EQ(flood.rig.table.size(), announcement::max_participants);
       (void)flood.say();
       flood.pass_to(flood.now + milliseconds(20));
       (void)flood.say();
@@ -127,7 +127,8 @@ TEST(Flood, ThatIsOverKeepsNoTrueRobotOut) {
 }
 
 TEST(Flood, PushesNobodyOutWhoIsKnownForLong) {
-  for (const auto known_for : {seasoned_after - milliseconds(1), base::Duration(seasoned_after)}) {
+  for (const auto known_for :
+       {announcement::seasoned_after - milliseconds(1), base::Duration(announcement::seasoned_after)}) {
     Flood flood;
     // Four robots behind one address, which so has the most of all places; the newest would go first.
     const auto say_all = [&] {
@@ -145,7 +146,7 @@ TEST(Flood, PushesNobodyOutWhoIsKnownForLong) {
     }
     std::size_t left = 0;
     for (std::uint32_t id = 1; id <= 4; ++id) left += flood.rig.table.is_known(ParticipantId{id}) ? 1 : 0;
-    if (known_for == seasoned_after) {
+    if (known_for == announcement::seasoned_after) {
       EXPECT_EQ(left, 4U);
     } else {
       EXPECT_EQ(left, 1U) << "a share of one, since there are more addresses than places";
@@ -154,9 +155,10 @@ TEST(Flood, PushesNobodyOutWhoIsKnownForLong) {
 }
 
 TEST(Flood, LetsOneAddressHaveOnlyTheNamedNumberForGood) {
-  for (const auto count : {max_seasoned_per_source - 1, max_seasoned_per_source, max_seasoned_per_source + 1}) {
+  for (const auto count : {announcement::max_seasoned_per_source - 1, announcement::max_seasoned_per_source,
+                           announcement::max_seasoned_per_source + 1}) {
     Flood flood;
-    for (base::Duration time{}; time <= seasoned_after; time += interval) {
+    for (base::Duration time{}; time <= announcement::seasoned_after; time += interval) {
       for (std::uint32_t id = 1; id <= count; ++id) (void)flood.hear(speaker(id, 1), "10.0.0.9");
       flood.pass_to(flood.now + interval);
     }
@@ -166,27 +168,27 @@ TEST(Flood, LetsOneAddressHaveOnlyTheNamedNumberForGood) {
     }
     std::size_t left = 0;
     for (std::uint32_t id = 1; id <= count; ++id) left += flood.rig.table.is_known(ParticipantId{id}) ? 1 : 0;
-    EXPECT_EQ(left, std::min(count, max_seasoned_per_source));
+    EXPECT_EQ(left, std::min(count, announcement::max_seasoned_per_source));
   }
 }
 
 TEST(Flood, TakesPlacesUpToTheNamedNumberAndFromTheGreediestAddressAfterThat) {
   TableRig rig;
   rig.source = "10.0.0.66";
-  for (std::uint32_t id = 1; id <= max_participants; ++id) {
+  for (std::uint32_t id = 1; id <= announcement::max_participants; ++id) {
     EXPECT_EQ(rig.table.size(), id - 1);
     EXPECT_EQ(rig.hear(speaker(id, 1)), Hearing::newcomer) << id;
   }
-  EXPECT_EQ(rig.hear(speaker(max_participants + 1, 1)), Hearing::full);
+  EXPECT_EQ(rig.hear(speaker(announcement::max_participants + 1, 1)), Hearing::full);
   rig.source = "10.0.0.7";
-  EXPECT_EQ(rig.hear(speaker(max_participants + 2, 1)), Hearing::newcomer);
-  EXPECT_EQ(rig.table.size(), max_participants);
-  EXPECT_TRUE(rig.table.is_known(ParticipantId{max_participants + 2}));
+  EXPECT_EQ(rig.hear(speaker(announcement::max_participants + 2, 1)), Hearing::newcomer);
+  EXPECT_EQ(rig.table.size(), announcement::max_participants);
+  EXPECT_TRUE(rig.table.is_known(ParticipantId{announcement::max_participants + 2}));
   rig.source = "10.0.0.66";
-  auto goodbye = speaker(max_participants, 1);
-  goodbye.kind = Kind::goodbye;
+  auto goodbye = speaker(announcement::max_participants, 1);
+  goodbye.kind = announcement::Kind::goodbye;
   EXPECT_EQ(rig.hear(goodbye), Hearing::goodbye);
-  EXPECT_EQ(rig.hear(speaker(max_participants + 1, 1)), Hearing::newcomer);
+  EXPECT_EQ(rig.hear(speaker(announcement::max_participants + 1, 1)), Hearing::newcomer);
 }
 
 std::string address_of(std::uint32_t which) {
@@ -198,16 +200,17 @@ TEST(Flood, FillsNotThePlaceOfASeasonedRobotInWhoseNameItSaysGoodbye) {
     Flood flood;
     // Everybody has one place and an address of its own, and keeps it alive.
     const auto keep = [&] {
-      for (std::uint32_t id = 1; id < max_participants; ++id) (void)flood.hear(speaker(1000 + id, 1), address_of(id));
+      for (std::uint32_t id = 1; id < announcement::max_participants; ++id)
+        (void)flood.hear(speaker(1000 + id, 1), address_of(id));
     };
     const auto pass = [&](base::Duration time) { flood.pass_to(flood.now + time); };
-    for (base::Duration time{}; time <= seasoned_after; time += interval, pass(interval)) {
+    for (base::Duration time{}; time <= announcement::seasoned_after; time += interval, pass(interval)) {
       keep();
       (void)flood.say();
     }
-    ASSERT_EQ(flood.rig.table.size(), max_participants);
+    ASSERT_EQ(flood.rig.table.size(), announcement::max_participants);
     auto goodbye = speaker(std::to_underlying(robot), 0, {});
-    goodbye.kind = Kind::goodbye;
+    goodbye.kind = announcement::Kind::goodbye;
     ASSERT_EQ(flood.hear(goodbye, flood.robots_address), Hearing::goodbye);
     for (int i = 0; i < (is_filler_proved ? 6 : 1); ++i, pass(milliseconds(500))) {
       (void)flood.hear(speaker(5000, 1), "10.9.9.9");
@@ -215,7 +218,7 @@ TEST(Flood, FillsNotThePlaceOfASeasonedRobotInWhoseNameItSaysGoodbye) {
     keep();
     EXPECT_EQ(flood.say(), Hearing::returned) << is_filler_proved;
     EXPECT_TRUE(flood.rig.table.is_known(robot));
-    EXPECT_EQ(flood.rig.table.size(), max_participants);
+    EXPECT_EQ(flood.rig.table.size(), announcement::max_participants);
   }
 }
 
@@ -225,9 +228,9 @@ TEST(Flood, ThatFallsSilentGivesWayThoughOneOfItGoesOn) {
     Flood flood;
     const auto pass = [&](base::Duration time) { flood.pass_to(flood.now + time); };
     for (int i = 0; i < 3; ++i, pass(interval)) {
-      for (std::uint32_t id = 0; id < max_participants; ++id) {
+      for (std::uint32_t id = 0; id < announcement::max_participants; ++id) {
         auto state = speaker(1000 + id, 1);
-        state.interval = max_interval;
+        state.interval = announcement::max_interval;
         (void)flood.hear(state, address_of(id));
       }
     }
@@ -245,13 +248,13 @@ TEST(Flood, ThatFallsSilentGivesWayThoughOneOfItGoesOn) {
 
 TEST(Flood, OfOneDatagramWithTheHighestNumberKeepsNoWaitingStrangerOut) {
   Flood flood;
-  for (std::uint32_t id = 0; id < max_participants; ++id) {
+  for (std::uint32_t id = 0; id < announcement::max_participants; ++id) {
     auto state = speaker(1000 + id, 1);
-    state.interval = max_interval;
+    state.interval = announcement::max_interval;
     for (int i = 0; i < 2; ++i) (void)flood.hear(state, address_of(id));
   }
   flood.pass_to(flood.now + seconds(3));
-  for (std::uint32_t id = 0; id < max_participants; ++id) {
+  for (std::uint32_t id = 0; id < announcement::max_participants; ++id) {
     (void)flood.hear(speaker(1000 + id, 1), flood.robots_address);
   }
   auto forged = speaker(std::to_underlying(robot), 1);
@@ -285,7 +288,8 @@ TEST(Flood, OfServicesLeavesRoomForThoseOfARobot) {
   for (const auto* source : {"10.0.0.66", "10.0.0.7"}) {
     Flood flood;
     offer(flood, std::to_underlying(robot), 10, "10.0.0.7");
-    for (std::uint32_t id = 1001; id <= 1009; ++id) offer(flood, id, max_services_per_participant, source);
+    for (std::uint32_t id = 1001; id <= 1009; ++id)
+      offer(flood, id, announcement::max_services_per_participant, source);
     EXPECT_GT(flood.rig.table.refused_services(), 0U);
     for (const std::uint32_t count : {11U, 16U, 32U, 33U, 200U}) {
       offer(flood, std::to_underlying(robot), count, "10.0.0.7");
@@ -296,9 +300,10 @@ TEST(Flood, OfServicesLeavesRoomForThoseOfARobot) {
 
 TEST(Flood, OfServicesLeavesTheReserveToEveryStranger) {
   Flood flood;
-  for (std::uint32_t id = 1001; id <= 1009; ++id) offer(flood, id, max_services_per_participant, "10.0.0.66");
-  offer(flood, std::to_underlying(robot), reserved_services, "10.0.0.66");
-  EXPECT_EQ(flood.rig.table.find(robot)->publications, reserved_services);
+  for (std::uint32_t id = 1001; id <= 1009; ++id)
+    offer(flood, id, announcement::max_services_per_participant, "10.0.0.66");
+  offer(flood, std::to_underlying(robot), announcement::reserved_services, "10.0.0.66");
+  EXPECT_EQ(flood.rig.table.find(robot)->publications, announcement::reserved_services);
 }
 
 /// The numbers 1 to `count` in as many parts of at most 200 as it takes.
@@ -315,80 +320,82 @@ void hear_many(TableRig& rig, std::uint32_t id, std::uint64_t revision, std::uin
 }
 
 TEST(NeighbourServices, AreTakenUpToTheNamedNumberOfOneParticipant) {
-  for (const auto count :
-       {max_services_per_participant - 1, max_services_per_participant, max_services_per_participant + 1}) {
+  for (const auto count : {announcement::max_services_per_participant - 1, announcement::max_services_per_participant,
+                           announcement::max_services_per_participant + 1}) {
     TableRig rig;
     hear_many(rig, 1, 1, static_cast<std::uint32_t>(count));
-    EXPECT_EQ(rig.table.find(ParticipantId{1})->publications, std::min(count, max_services_per_participant));
-    EXPECT_EQ(rig.table.refused_services(), count > max_services_per_participant ? 1U : 0U);
+    EXPECT_EQ(rig.table.find(ParticipantId{1})->publications,
+              std::min(count, announcement::max_services_per_participant));
+    EXPECT_EQ(rig.table.refused_services(), count > announcement::max_services_per_participant ? 1U : 0U);
     // What was told cannot be trusted to be all, so nothing would be withdrawn by it.
-    EXPECT_EQ(rig.table.find(ParticipantId{1})->is_complete, count <= max_services_per_participant);
+    EXPECT_EQ(rig.table.find(ParticipantId{1})->is_complete, count <= announcement::max_services_per_participant);
   }
 }
 
 TEST(NeighbourServices, AreTakenUpToTheNamedNumberOfAllBeyondTheReserveOfEach) {
   TableRig rig;
-  constexpr auto beyond = max_services_per_participant - reserved_services;
-  const auto full = static_cast<std::uint32_t>(max_remote_services / beyond);
-  for (std::uint32_t id = 1; id <= full; ++id) hear_many(rig, id, 1, max_services_per_participant);
-  const auto left = max_remote_services - full * beyond;
+  constexpr auto beyond = announcement::max_services_per_participant - announcement::reserved_services;
+  const auto full = static_cast<std::uint32_t>(announcement::max_remote_services / beyond);
+  for (std::uint32_t id = 1; id <= full; ++id) hear_many(rig, id, 1, announcement::max_services_per_participant);
+  const auto left = announcement::max_remote_services - full * beyond;
   EXPECT_EQ(rig.table.refused_services(), 0U);
-  hear_many(rig, full + 1, 1, static_cast<std::uint32_t>(reserved_services + left));
+  hear_many(rig, full + 1, 1, static_cast<std::uint32_t>(announcement::reserved_services + left));
   EXPECT_EQ(rig.table.refused_services(), 0U);
-  hear_many(rig, full + 2, 1, reserved_services);
+  hear_many(rig, full + 2, 1, announcement::reserved_services);
   EXPECT_EQ(rig.table.refused_services(), 0U);
-  EXPECT_EQ(rig.table.find(ParticipantId{full + 2})->publications, reserved_services);
+  EXPECT_EQ(rig.table.find(ParticipantId{full + 2})->publications, announcement::reserved_services);
   // The stranger is given nothing beyond its reserve.
   rig.source = "10.0.0.66";
   (void)rig.hear(speaker(full + 3, 1, {1}));
   auto greedy = speaker(full + 3, 2, {});
-  for (std::uint32_t number = 1; number <= reserved_services + 1; ++number) {
-    greedy.peers[0].publications.push_back({number, simple_publication()});
+  for (std::uint32_t number = 1; number <= announcement::reserved_services + 1; ++number) {
+    greedy.peers[0].publications.push_back({number, announcement::simple_publication()});
   }
   greedy.participant = ParticipantId{full + 4};
-  greedy.boot = BootNonce{full + 4};
+  greedy.boot = announcement::BootNonce{full + 4};
   (void)rig.hear(greedy);
   EXPECT_EQ(rig.table.refused_services(), 1U);
-  EXPECT_EQ(rig.table.find(ParticipantId{full + 4})->publications, reserved_services);
+  EXPECT_EQ(rig.table.find(ParticipantId{full + 4})->publications, announcement::reserved_services);
   // Room that is given back is used again.
   rig.source.clear();
   (void)rig.hear(speaker(1, 2, {1}));
   rig.source = "10.0.0.66";
   (void)rig.hear(greedy);
-  EXPECT_EQ(rig.table.find(ParticipantId{full + 4})->publications, reserved_services + 1);
+  EXPECT_EQ(rig.table.find(ParticipantId{full + 4})->publications, announcement::reserved_services + 1);
 }
 
 TEST(NeighbourServices, OfSomebodyWhoLeftGiveOnlyTheRoomThatTheyTook) {
   for (const auto left : {1U, 32U, 33U, 34U}) {
     TableRig rig;
     hear_many(rig, 100, 1, left);
-    for (std::uint32_t id = 1; id <= 9; ++id) hear_many(rig, id, 1, max_services_per_participant);
+    for (std::uint32_t id = 1; id <= 9; ++id) hear_many(rig, id, 1, announcement::max_services_per_participant);
     auto goodbye = speaker(100, 1, {});
-    goodbye.kind = Kind::goodbye;
+    goodbye.kind = announcement::Kind::goodbye;
     ASSERT_EQ(rig.hear(goodbye), Hearing::goodbye);
     const auto beyond_reserve = [&] {
       std::size_t count = 0;
-      rig.table.for_each(
-          [&](const Neighbour& each) { count += each.publications - std::min(each.publications, reserved_services); });
+      rig.table.for_each([&](const Neighbour& each) {
+        count += each.publications - std::min(each.publications, announcement::reserved_services);
+      });
       return count;
     };
     for (std::uint32_t id = 101; id <= 120; ++id) {
       rig.source = "10.0.1." + std::to_string(id);
       for (int copy = 0; copy < 2; ++copy) hear_many(rig, id, 1, 300);
-      EXPECT_LE(beyond_reserve(), max_remote_services) << left;
+      EXPECT_LE(beyond_reserve(), announcement::max_remote_services) << left;
     }
   }
 }
 
 TEST(NeighbourServices, UseAtMostTheNamedNumberOfWays) {
   TableRig rig;
-  for (std::uint32_t link = 1; link <= max_paths + 1; ++link) {
+  for (std::uint32_t link = 1; link <= announcement::max_paths + 1; ++link) {
     auto announcement = speaker(1, 1);
     announcement.link = link;
     (void)rig.hear(announcement, rig_start, env::InterfaceIndex{link});
-    EXPECT_EQ(rig.table.find(ParticipantId{1})->paths.size(), std::min<std::size_t>(link, max_paths));
+    EXPECT_EQ(rig.table.find(ParticipantId{1})->paths.size(), std::min<std::size_t>(link, announcement::max_paths));
   }
 }
 
 }  // namespace
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

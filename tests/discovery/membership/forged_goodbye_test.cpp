@@ -4,14 +4,14 @@
 #include "discovery/announcement/limits.hpp"
 #include "discovery/membership/forged_rig.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 namespace {
 
 using ::testing::IsEmpty;
 
-Announcement goodbye_of(const Air& air) {
+announcement::Announcement goodbye_of(const Air& air) {
   auto goodbye = speaker(1, 0, {});
-  goodbye.kind = Kind::goodbye;
+  goodbye.kind = announcement::Kind::goodbye;
   goodbye.peers.clear();
   goodbye.sequence = air.sequence + 1;
   return goodbye;
@@ -32,7 +32,7 @@ TEST(Forged, GoodbyeIsUndoneByTheFirstDatagramAfterIt) {
     goodbye.sequence = air.sequence + step;
     EXPECT_EQ(air.hear(goodbye, "10.0.0.1"), Hearing::goodbye);
     EXPECT_THAT(air.registry.services, IsEmpty());
-    air.pass(overtaken_time);
+    air.pass(announcement::overtaken_time);
     EXPECT_EQ(air.say(), Hearing::returned) << step;
     EXPECT_TRUE(air.is_right()) << step;
   }
@@ -70,7 +70,7 @@ TEST(Forged, LifeUnderAKnownIdentifierAfterAForgedGoodbyeGivesWayToTheTrueOne) {
   for (int i = 0; i < 5; ++i, air.pass(interval)) (void)air.say();
   (void)air.hear(goodbye_of(air), "10.0.0.1");
   auto usurper = air.truth();
-  usurper.boot = BootNonce{66};
+  usurper.boot = announcement::BootNonce{66};
   EXPECT_EQ(air.hear(usurper, "10.0.0.66"), Hearing::newcomer);
   air.pass(seconds(1));
   EXPECT_EQ(air.say(), Hearing::returned);
@@ -84,4 +84,4 @@ TEST(Forged, LifeUnderAKnownIdentifierAfterAForgedGoodbyeGivesWayToTheTrueOne) {
 }
 
 }  // namespace
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

@@ -9,7 +9,7 @@
 
 #include "discovery/membership/table_rig.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 inline constexpr auto interval = seconds(2);
 inline constexpr ParticipantId victim{1};
@@ -18,18 +18,18 @@ inline constexpr ParticipantId victim{1};
 struct Air {
   Air() { rig.source = "10.0.0.1"; }
 
-  [[nodiscard]] Announcement truth() const {
+  [[nodiscard]] announcement::Announcement truth() const {
     auto state = speaker(1, revision, {5, 6});
     state.peers[0].publications[0].publication.port = port;
-    state.peers[0].subscriptions.push_back({7, simple_subscription()});
+    state.peers[0].subscriptions.push_back({7, announcement::simple_subscription()});
     return state;
   }
-  Hearing say(Announcement state) {
+  Hearing say(announcement::Announcement state) {
     state.sequence = ++sequence;
     return hear(std::move(state), "10.0.0.1");
   }
   Hearing say() { return say(truth()); }
-  Hearing hear(Announcement state, const std::string& source) {
+  Hearing hear(announcement::Announcement state, const std::string& source) {
     rig.source = source;
     const auto hearing = rig.hear(std::move(state), now);
     registry.take(rig.table);
@@ -58,6 +58,6 @@ struct Air {
   std::uint16_t port = 5000;
 };
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

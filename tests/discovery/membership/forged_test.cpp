@@ -8,57 +8,59 @@
 #include "discovery/announcement/limits.hpp"
 #include "discovery/membership/forged_rig.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 namespace {
 
 struct Lie {
   std::string what;
-  std::function<void(Announcement&)> forge;
+  std::function<void(announcement::Announcement&)> forge;
 };
 
 /// Each field of a state changed, alone and together with numbers that make it look newer.
 std::vector<Lie> lies() {
   const std::vector<Lie> fields = {
-      {"no services", [](Announcement& lie) { lie.peers.clear(); }},
-      {"another port", [](Announcement& lie) { lie.peers[0].publications[0].publication.port = 6666; }},
-      {"another address", [](Announcement& lie) { lie.peers[0].publications[0].publication.address = "10.0.0.66"; }},
-      {"another sender's address", [](Announcement& lie) { lie.addresses = {"10.0.0.66"}; }},
-      {"no sender's address", [](Announcement& lie) { lie.addresses.clear(); }},
-      {"another name", [](Announcement& lie) { lie.name = "liar"; }},
-      {"another peer's name", [](Announcement& lie) { lie.peers[0].name = "liar"; }},
-      {"another digest", [](Announcement& lie) { lie.ontology_digest = 66; }},
-      {"the shortest interval", [](Announcement& lie) { lie.interval = min_interval; }},
-      {"the longest interval", [](Announcement& lie) { lie.interval = max_interval; }},
+      {"no services", [](announcement::Announcement& lie) { lie.peers.clear(); }},
+      {"another port", [](announcement::Announcement& lie) { lie.peers[0].publications[0].publication.port = 6666; }},
+      {"another address",
+       [](announcement::Announcement& lie) { lie.peers[0].publications[0].publication.address = "10.0.0.66"; }},
+      {"another sender's address", [](announcement::Announcement& lie) { lie.addresses = {"10.0.0.66"}; }},
+      {"no sender's address", [](announcement::Announcement& lie) { lie.addresses.clear(); }},
+      {"another name", [](announcement::Announcement& lie) { lie.name = "liar"; }},
+      {"another peer's name", [](announcement::Announcement& lie) { lie.peers[0].name = "liar"; }},
+      {"another digest", [](announcement::Announcement& lie) { lie.ontology_digest = 66; }},
+      {"the shortest interval", [](announcement::Announcement& lie) { lie.interval = announcement::min_interval; }},
+      {"the longest interval", [](announcement::Announcement& lie) { lie.interval = announcement::max_interval; }},
       {"a subscription instead",
-       [](Announcement& lie) {
+       [](announcement::Announcement& lie) {
          lie.peers[0].publications.clear();
-         lie.peers[0].subscriptions = {{5, simple_subscription()}};
+         lie.peers[0].subscriptions = {{5, announcement::simple_subscription()}};
        }},
-      {"one of many parts", [](Announcement& lie) { lie.part_count = 7; }},
+      {"one of many parts", [](announcement::Announcement& lie) { lie.part_count = 7; }},
       {"withheld services",
-       [](Announcement& lie) {
+       [](announcement::Announcement& lie) {
          lie.peers[0].publications.clear();
          lie.peers[0].withheld = {5};
        }},
-      {"nothing but its numbers", [](Announcement&) {}},
+      {"nothing but its numbers", [](announcement::Announcement&) {}},
   };
   constexpr auto most = std::numeric_limits<std::uint64_t>::max();
   const std::vector<Lie> numbers = {
-      {"the next", [](Announcement& lie) { ++lie.revision, ++lie.sequence; }},
-      {"the same revision", [](Announcement& lie) { ++lie.sequence; }},
-      {"the same sequence", [](Announcement& lie) { ++lie.revision; }},
-      {"the greatest step", [](Announcement& lie) { lie.revision += max_revision_step, ++lie.sequence; }},
-      {"the highest revision", [](Announcement& lie) { lie.revision = most, ++lie.sequence; }},
-      {"the highest sequence", [](Announcement& lie) { ++lie.revision, lie.sequence = most; }},
-      {"a sequence out of the window", [](Announcement& lie) { ++lie.revision, lie.sequence += 1000; }},
-      {"a lower revision", [](Announcement& lie) { --lie.revision, ++lie.sequence; }},
-      {"all zero", [](Announcement& lie) { lie.revision = lie.sequence = 0; }},
-      {"another link", [](Announcement& lie) { ++lie.revision, ++lie.sequence, lie.link = 9; }},
+      {"the next", [](announcement::Announcement& lie) { ++lie.revision, ++lie.sequence; }},
+      {"the same revision", [](announcement::Announcement& lie) { ++lie.sequence; }},
+      {"the same sequence", [](announcement::Announcement& lie) { ++lie.revision; }},
+      {"the greatest step",
+       [](announcement::Announcement& lie) { lie.revision += announcement::max_revision_step, ++lie.sequence; }},
+      {"the highest revision", [](announcement::Announcement& lie) { lie.revision = most, ++lie.sequence; }},
+      {"the highest sequence", [](announcement::Announcement& lie) { ++lie.revision, lie.sequence = most; }},
+      {"a sequence out of the window", [](announcement::Announcement& lie) { ++lie.revision, lie.sequence += 1000; }},
+      {"a lower revision", [](announcement::Announcement& lie) { --lie.revision, ++lie.sequence; }},
+      {"all zero", [](announcement::Announcement& lie) { lie.revision = lie.sequence = 0; }},
+      {"another link", [](announcement::Announcement& lie) { ++lie.revision, ++lie.sequence, lie.link = 9; }},
   };
   std::vector<Lie> all;
   for (const auto& field : fields) {
     for (const auto& number : numbers) {
-      all.push_back({field.what + ", " + number.what, [=](Announcement& lie) {
+      all.push_back({field.what + ", " + number.what, [=](announcement::Announcement& lie) {
                        field.forge(lie);
                        number.forge(lie);
                      }});
@@ -161,7 +163,7 @@ TEST(Forged, OldWordsThatGoOnDelayAChangeUntilTwoIntervalsAfterThemAndNoNewServi
   ++air.revision;
   for (int i = 0; i < 30; ++i) {
     auto state = air.truth();
-    state.peers[0].publications.push_back({8, simple_publication()});
+    state.peers[0].publications.push_back({8, announcement::simple_publication()});
     (void)air.say(state);
     // It is not to be told from a true sender whose services somebody wants to redirect: what was believed stays.
     EXPECT_EQ(air.registry.services.at({victim, PeerId{1}, 5}), "10.0.0.1:5000 of robot1/vision") << i;
@@ -176,9 +178,9 @@ TEST(Forged, OldWordsThatGoOnDelayAChangeUntilTwoIntervalsAfterThemAndNoNewServi
 }
 
 TEST(Forged, RevisionFarFromTheLastIsBelievedOnlyWhenItIsRepeated) {
-  for (const auto& [step, hearing] : {std::pair{max_revision_step - 1, Hearing::known},
-                                      {max_revision_step, Hearing::known},
-                                      {max_revision_step + 1, Hearing::leap}}) {
+  for (const auto& [step, hearing] : {std::pair{announcement::max_revision_step - 1, Hearing::known},
+                                      {announcement::max_revision_step, Hearing::known},
+                                      {announcement::max_revision_step + 1, Hearing::leap}}) {
     Air air;
     (void)air.say();
     air.revision += step;
@@ -209,7 +211,7 @@ TEST(Forged, StatesFromAnotherAddressAreNotBelieved) {
 
 TEST(Forged, CopiesFromAnotherAddressAreIgnored) {
   Air air;
-  std::vector<Announcement> heard;
+  std::vector<announcement::Announcement> heard;
   for (int i = 0; i < 100; ++i) {
     auto state = air.truth();
     state.addresses.clear();  // the source is all that tells where its services are
@@ -286,7 +288,7 @@ TEST(Forged, AddressesFromBeforeAForgedMoveAreUndoneWithIt) {
   forged.sequence = 100;
   (void)air.hear(forged, "10.0.0.1");
   for (forged.sequence = 101; forged.sequence < 103; ++forged.sequence) (void)air.hear(forged, "10.0.0.66");
-  air.pass(overtaken_time);
+  air.pass(announcement::overtaken_time);
   (void)air.say();
   EXPECT_TRUE(air.is_right()) << testing::PrintToString(air.registry.services);
 }
@@ -309,32 +311,33 @@ TEST(Forged, WaysFromElsewhereAreNotOpenedBesideOneThatLives) {
 }
 
 TEST(Forged, IntervalOfAStrangerCountsOnlyUpToABound) {
-  for (const auto announced : {stranger_interval - milliseconds(1), base::Duration(stranger_interval),
-                               stranger_interval + milliseconds(1), base::Duration(max_interval)}) {
+  for (const auto announced :
+       {announcement::stranger_interval - milliseconds(1), base::Duration(announcement::stranger_interval),
+        announcement::stranger_interval + milliseconds(1), base::Duration(announcement::max_interval)}) {
     Air air;
     auto state = air.truth();
     state.interval = announced;
     (void)air.say(state);
     EXPECT_EQ(air.rig.table.find(victim)->deadline,
-              rig_start + deadline_intervals * std::min<base::Duration>(announced, stranger_interval));
+              rig_start + deadline_intervals * std::min<base::Duration>(announced, announcement::stranger_interval));
     (void)air.say(state);
     EXPECT_EQ(air.rig.table.find(victim)->deadline, rig_start + deadline_intervals * announced);
   }
 }
 
 /// Anything that an attacker may send in the name of the victim: true fields or any others.
-Announcement random_lie(base::Random& random, const Air& air) {
-  auto lie = random.chance(0.5) ? air.truth() : random_announcement(random);
+announcement::Announcement random_lie(base::Random& random, const Air& air) {
+  auto lie = random.chance(0.5) ? air.truth() : announcement::random_announcement(random);
   lie.group = "default";
   lie.participant = victim;
-  lie.boot = random.chance(0.9) ? BootNonce{1} : BootNonce{random.below(5)};
+  lie.boot = random.chance(0.9) ? announcement::BootNonce{1} : announcement::BootNonce{random.below(5)};
   lie.link = random.chance(0.8) ? 0 : static_cast<std::uint32_t>(random.below(3));
   lie.sequence = random.chance(0.7) ? air.sequence + random.below(4) : random.next() >> random.below(64);
   lie.revision = random.chance(0.7) ? air.revision + random.below(3) : random.next() >> random.below(64);
   if (random.chance(0.3)) lie.part_count = static_cast<std::uint32_t>(1 + random.below(4));
   if (random.chance(0.3)) lie.peers.clear();
   if (random.chance(0.3)) lie.interval = milliseconds(50 + random.below(59'950));
-  lie.kind = random.chance(0.9) ? Kind::state : Kind::goodbye;
+  lie.kind = random.chance(0.9) ? announcement::Kind::state : announcement::Kind::goodbye;
   return lie;
 }
 
@@ -375,4 +378,4 @@ TEST(Forged, NothingRandomOutlastsItsSenderByTwoIntervals) {
 }
 
 }  // namespace
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

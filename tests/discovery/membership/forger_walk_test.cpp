@@ -10,7 +10,7 @@
 #include "discovery/announcement/limits.hpp"
 #include "discovery/membership/forged_rig.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 namespace {
 
 constexpr const char* own = "10.0.0.1";
@@ -24,7 +24,7 @@ struct Walk {
   /// The victim is there with all it says and as it says it, whatever else is said in its name.
   [[nodiscard]] bool is_there() const {
     const auto known = air.rig.table.find(victim);
-    if (!known || known->boot != BootNonce{1}) return false;
+    if (!known || known->boot != announcement::BootNonce{1}) return false;
     const std::string publication = "10.0.0.1:5000 of robot1/vision";
     return std::ranges::all_of(std::array{5U, 6U, 7U}, [&](std::uint32_t number) {
       const auto is = air.registry.services.find({victim, PeerId{1}, number});
@@ -36,12 +36,12 @@ struct Walk {
     return random.chance(0.7) ? near + random.below(4) : random.next() >> random.below(64);
   }
   std::string any_address() { return random.chance(0.5) ? own : "10.0.0." + std::to_string(66 + random.below(3)); }
-  Announcement any_word() {
+  announcement::Announcement any_word() {
     // Its victim's words, somebody else's under any identifier, or nonsense.
-    auto word = random.chance(0.6) ? air.truth() : random_announcement(random);
+    auto word = random.chance(0.6) ? air.truth() : announcement::random_announcement(random);
     word.group = "default";
     word.participant = random.chance(0.8) ? victim : ParticipantId(100 + random.below(20));
-    word.boot = random.chance(0.5) ? BootNonce{1} : BootNonce{66 + random.below(4)};
+    word.boot = random.chance(0.5) ? announcement::BootNonce{1} : announcement::BootNonce{66 + random.below(4)};
     word.link = random.chance(0.8) ? 0 : static_cast<std::uint32_t>(random.below(3));
     word.sequence = any_number(air.sequence);
     word.revision = any_number(air.revision);
@@ -50,7 +50,9 @@ struct Walk {
     if (random.chance(0.2)) word.addresses = {"10.0.0.66"};
     if (random.chance(0.1)) word.part_count = static_cast<std::uint32_t>(1 + random.below(4));
     const auto kind = random.unit();
-    word.kind = kind < 0.6 ? Kind::state : kind < 0.85 ? Kind::goodbye : Kind::claim;
+    word.kind = kind < 0.6    ? announcement::Kind::state
+                : kind < 0.85 ? announcement::Kind::goodbye
+                              : announcement::Kind::claim;
     return word;
   }
   /// One word, and often the same again or the same by a slightly different speaker: so whole plots come about.
@@ -60,11 +62,11 @@ struct Walk {
       last_source = any_address();
     } else {
       if (random.chance(0.5)) last.sequence += random.below(3);
-      if (random.chance(0.3)) last.kind = random.chance(0.5) ? Kind::goodbye : Kind::state;
-      if (random.chance(0.2)) last.boot = BootNonce{66 + random.below(4)};
+      if (random.chance(0.3)) last.kind = random.chance(0.5) ? announcement::Kind::goodbye : announcement::Kind::state;
+      if (random.chance(0.2)) last.boot = announcement::BootNonce{66 + random.below(4)};
       if (random.chance(0.2)) last.participant = victim;
     }
-    const bool is_victims = last.participant == victim && last.boot == BootNonce{1} && last_source == own;
+    const bool is_victims = last.participant == victim && last.boot == announcement::BootNonce{1} && last_source == own;
     // Who speaks first in its name and life, from its address, is not to be told from it.
     if (is_victims && !has_spoken) return;
     (void)air.hear(last, last_source);
@@ -94,7 +96,7 @@ struct Walk {
 
   base::Random random;
   Air air;
-  Announcement last;
+  announcement::Announcement last;
   std::string last_source;
   bool has_spoken = false;
   int copies = 4;
@@ -108,7 +110,7 @@ TEST(ForgerWalk, HidesNobodyForLongerThanTwoIntervalsAndLeavesNothingBehind) {
     Walk walk(seed);
     const double rate = 0.5 + 20 * walk.random.unit() * walk.random.unit();
     auto claim = walk.air.truth();
-    claim.kind = Kind::claim;
+    claim.kind = announcement::Kind::claim;
     claim.peers.clear();
     (void)walk.air.say(claim);
     walk.next = walk.air.now + milliseconds(90);
@@ -135,11 +137,11 @@ TEST(ForgerWalk, InATableThatIsFullHidesNobodyWhoIsKnownForLong) {
         (void)walk.air.hear(speaker(id, 1, {}), address);
       }
     };
-    walk.live(seasoned_after + two_intervals, 0, false);
+    walk.live(announcement::seasoned_after + two_intervals, 0, false);
     for (int i = 0; i < 30; ++i) {
       fill();
       walk.live(interval, 10, true);
-      ASSERT_LE(walk.air.rig.table.size(), max_participants) << "seed " << seed;
+      ASSERT_LE(walk.air.rig.table.size(), announcement::max_participants) << "seed " << seed;
     }
     ASSERT_LE(walk.longest, two_intervals) << "seed " << seed;
   }
@@ -153,24 +155,25 @@ TEST(ForgerWalk, WithServicesKeepsEveryLimit) {
     for (int i = 0; i < 150; ++i) {
       const auto id = static_cast<std::uint32_t>(1 + random.below(20));
       rig.source = "10.0.0." + std::to_string(1 + random.below(4));
-      std::vector<std::uint32_t> numbers(random.chance(0.5) ? max_services_per_participant + 1 : random.below(80));
+      std::vector<std::uint32_t> numbers(random.chance(0.5) ? announcement::max_services_per_participant + 1
+                                                            : random.below(80));
       for (std::uint32_t number = 0; number < numbers.size(); ++number) numbers[number] = number + 1;
       auto state = speaker(id, random.below(4), numbers);
-      state.boot = BootNonce{id + 100 * random.below(2)};
-      state.kind = random.chance(0.7) ? Kind::state : Kind::goodbye;
+      state.boot = announcement::BootNonce{id + 100 * random.below(2)};
+      state.kind = random.chance(0.7) ? announcement::Kind::state : announcement::Kind::goodbye;
       (void)rig.hear(state, now);
       now += milliseconds(random.below(300));
       rig.table.expire(now);
       std::size_t beyond_reserve = 0;
       rig.table.for_each([&](const Neighbour& each) {
-        ASSERT_LE(each.publications, max_services_per_participant);
-        beyond_reserve += each.publications - std::min(each.publications, reserved_services);
+        ASSERT_LE(each.publications, announcement::max_services_per_participant);
+        beyond_reserve += each.publications - std::min(each.publications, announcement::reserved_services);
       });
-      ASSERT_LE(beyond_reserve, max_remote_services) << "seed " << seed;
+      ASSERT_LE(beyond_reserve, announcement::max_remote_services) << "seed " << seed;
       (void)rig.table.take_changes();
     }
   }
 }
 
 }  // namespace
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-namespace geminga::beacon {
+namespace geminga::membership {
 namespace {
 
 using base::Duration;
@@ -96,7 +96,7 @@ TEST(IdentifierClaim, DrawsNoneThatIsKnownToBeTaken) {
 }
 
 TEST(IdentifierClaim, DrawsAgainWhenAnOwnerAnswersOrAnotherClaimsTheSame) {
-  for (const auto kind : {Kind::state, Kind::claim}) {
+  for (const auto kind : {announcement::Kind::state, announcement::Kind::claim}) {
     IdentifierClaim claim(2);
     claim.start(start);
     const auto first = claim.id();
@@ -113,7 +113,7 @@ TEST(IdentifierClaim, DrawsAgainWhenAnOwnerAnswersOrAnotherClaimsTheSame) {
 TEST(IdentifierClaim, KeepsAnIdentifierThatItOwnsAgainstAClaimAndAnswers) {
   auto claim = held();
   const auto id = claim.id();
-  EXPECT_EQ(claim.conflict(Kind::claim, start + seconds(1)), Verdict::answer);
+  EXPECT_EQ(claim.conflict(announcement::Kind::claim, start + seconds(1)), Verdict::answer);
   EXPECT_EQ(claim.id(), id);
   EXPECT_TRUE(claim.is_held());
 }
@@ -122,7 +122,7 @@ TEST(IdentifierClaim, DropsAnIdentifierThatTwoOwn) {
   auto claim = held();
   const auto id = claim.id();
   const auto when = start + seconds(1);
-  EXPECT_EQ(claim.conflict(Kind::state, when), Verdict::dropped);
+  EXPECT_EQ(claim.conflict(announcement::Kind::state, when), Verdict::dropped);
   EXPECT_NE(claim.id(), id);
   EXPECT_FALSE(claim.is_held());
   EXPECT_EQ(settle(claim, Step::claimed), when + milliseconds(90));
@@ -130,33 +130,35 @@ TEST(IdentifierClaim, DropsAnIdentifierThatTwoOwn) {
 
 TEST(IdentifierClaim, IgnoresAGoodbyeForItsIdentifier) {
   auto claim = held();
-  EXPECT_EQ(claim.conflict(Kind::goodbye, start + seconds(1)), Verdict::ignore);
+  EXPECT_EQ(claim.conflict(announcement::Kind::goodbye, start + seconds(1)), Verdict::ignore);
   EXPECT_TRUE(claim.is_held());
   IdentifierClaim claiming(3);
-  EXPECT_EQ(claiming.conflict(Kind::state, start), Verdict::ignore);
+  EXPECT_EQ(claiming.conflict(announcement::Kind::state, start), Verdict::ignore);
   claiming.start(start);
   const auto id = claiming.id();
-  EXPECT_EQ(claiming.conflict(Kind::goodbye, start), Verdict::ignore);
+  EXPECT_EQ(claiming.conflict(announcement::Kind::goodbye, start), Verdict::ignore);
   EXPECT_EQ(claiming.id(), id);
 }
 
 TEST(IdentifierClaim, FailsWhenItsAttemptsAreUsedUp) {
   IdentifierClaim claim(4);
   claim.start(start);
-  for (std::size_t i = 1; i < max_claim_attempts; ++i) EXPECT_EQ(claim.conflict(Kind::state, start), Verdict::redrawn);
-  EXPECT_EQ(claim.conflict(Kind::state, start), Verdict::failed);
+  for (std::size_t i = 1; i < max_claim_attempts; ++i)
+    EXPECT_EQ(claim.conflict(announcement::Kind::state, start), Verdict::redrawn);
+  EXPECT_EQ(claim.conflict(announcement::Kind::state, start), Verdict::failed);
   EXPECT_EQ(claim.id(), ParticipantId{});
   EXPECT_EQ(claim.due(), start);
   EXPECT_EQ(claim.step(start), Step::failed);
   EXPECT_EQ(claim.step(start), Step::failed);
   EXPECT_EQ(claim.due(), base::never);
-  EXPECT_EQ(claim.conflict(Kind::state, start), Verdict::ignore);
+  EXPECT_EQ(claim.conflict(announcement::Kind::state, start), Verdict::ignore);
 }
 
 TEST(IdentifierClaim, SucceedsWithItsLastAttempt) {
   IdentifierClaim claim(4);
   claim.start(start);
-  for (std::size_t i = 1; i < max_claim_attempts; ++i) EXPECT_EQ(claim.conflict(Kind::state, start), Verdict::redrawn);
+  for (std::size_t i = 1; i < max_claim_attempts; ++i)
+    EXPECT_EQ(claim.conflict(announcement::Kind::state, start), Verdict::redrawn);
   settle(claim, Step::claimed);
 }
 
@@ -170,7 +172,7 @@ Attacked attack(IdentifierClaim& claim, Instant from, Duration length, Duration 
   Attacked result;
   for (auto now = from; now < from + length; now += spacing) {
     while (claim.due() <= now) (void)claim.step(now);
-    switch (claim.conflict(Kind::state, now)) {
+    switch (claim.conflict(announcement::Kind::state, now)) {
       case Verdict::dropped:
         ++result.dropped;
         break;
@@ -199,24 +201,24 @@ TEST(IdentifierClaim, NeverFailsOnceItHasHeldAnIdentifierAndDrawsABoundedNumberA
 TEST(IdentifierClaim, IsHeldInSpiteOfAForgerNinetyMillisecondsAfterItsLastDraw) {
   auto claim = held();
   auto now = start + seconds(1);
-  ASSERT_EQ(claim.conflict(Kind::state, now), Verdict::dropped);
+  ASSERT_EQ(claim.conflict(announcement::Kind::state, now), Verdict::dropped);
   for (std::int64_t i = 1; i < redraw_capacity; ++i) {
     now += milliseconds(1);
-    ASSERT_EQ(claim.conflict(Kind::claim, now), Verdict::redrawn);
+    ASSERT_EQ(claim.conflict(announcement::Kind::claim, now), Verdict::redrawn);
   }
   const auto id = claim.id();
   const auto until = now + milliseconds(90);
   while (now < until) {
     ASSERT_FALSE(claim.is_held());
     now += milliseconds(1);
-    EXPECT_EQ(claim.conflict(Kind::state, now), Verdict::kept);
+    EXPECT_EQ(claim.conflict(announcement::Kind::state, now), Verdict::kept);
     while (claim.due() <= now) (void)claim.step(now);
   }
   EXPECT_TRUE(claim.is_held());
   EXPECT_EQ(claim.id(), id);
-  EXPECT_EQ(claim.conflict(Kind::state, now), Verdict::kept);
-  EXPECT_EQ(claim.conflict(Kind::claim, now), Verdict::answer);
-  EXPECT_EQ(claim.conflict(Kind::goodbye, now), Verdict::ignore);
+  EXPECT_EQ(claim.conflict(announcement::Kind::state, now), Verdict::kept);
+  EXPECT_EQ(claim.conflict(announcement::Kind::claim, now), Verdict::answer);
+  EXPECT_EQ(claim.conflict(announcement::Kind::goodbye, now), Verdict::ignore);
   EXPECT_TRUE(claim.is_held());
 }
 
@@ -225,10 +227,10 @@ TEST(IdentifierClaim, DrawsAgainForAClashThatComesLaterThanAllItsDrawsAreBack) {
   auto now = start;
   for (int i = 0; i < 20; ++i) {
     now += redraw_refill;
-    ASSERT_EQ(claim.conflict(Kind::state, now), Verdict::dropped);
+    ASSERT_EQ(claim.conflict(announcement::Kind::state, now), Verdict::dropped);
     now = settle(claim, Step::claimed);
   }
 }
 
 }  // namespace
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

@@ -4,27 +4,27 @@
 #include "discovery/announcement/limits.hpp"
 #include "discovery/membership/forged_rig.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 namespace {
 
 constexpr const char* stranger = "10.0.0.66";
 constexpr const char* own = "10.0.0.1";
 
-Announcement life(BootNonce boot, std::uint32_t id = 1) {
+announcement::Announcement life(announcement::BootNonce boot, std::uint32_t id = 1) {
   auto state = speaker(id, 1, {9});
   state.boot = boot;
   state.name = "liar";
   return state;
 }
 
-Announcement as(Kind kind, Announcement announcement) {
+announcement::Announcement as(announcement::Kind kind, announcement::Announcement announcement) {
   announcement.kind = kind;
   announcement.peers.clear();
   return announcement;
 }
 
 /// The victim goes on to speak, and somebody else to say this five times a second.
-void expect_right_while_repeated(Air& air, const Announcement& lie, const std::string& source) {
+void expect_right_while_repeated(Air& air, const announcement::Announcement& lie, const std::string& source) {
   for (int i = 0; i < 100; ++i) {
     (void)air.hear(lie, source);
     if (i % 10 == 0) (void)air.say();
@@ -35,13 +35,13 @@ void expect_right_while_repeated(Air& air, const Announcement& lie, const std::s
 
 TEST(Identifier, IsNotGivenToAStrangerThatWasKnownForLongerThanItsOwnerUnderAnotherOne) {
   Air air;
-  const BootNonce decoy{66};
+  const announcement::BootNonce decoy{66};
   for (int i = 0; i < 2; ++i, air.pass(seconds(1))) (void)air.hear(life(decoy, 77), stranger);
   for (int i = 0; i < 5; ++i, air.pass(interval)) {
     (void)air.hear(life(decoy, 77), stranger);
     (void)air.say();
   }
-  EXPECT_EQ(air.hear(as(Kind::goodbye, life(decoy, 77)), stranger), Hearing::goodbye);
+  EXPECT_EQ(air.hear(as(announcement::Kind::goodbye, life(decoy, 77)), stranger), Hearing::goodbye);
   EXPECT_EQ(air.hear(life(decoy), stranger), Hearing::rival);
   expect_right_while_repeated(air, life(decoy), stranger);
 }
@@ -49,11 +49,11 @@ TEST(Identifier, IsNotGivenToAStrangerThatWasKnownForLongerThanItsOwnerUnderAnot
 TEST(Identifier, IsNotGivenToAUsurperThatSaysGoodbyeAndComesBack) {
   for (const auto* source : {stranger, own}) {
     Air air;
-    const auto usurper = life(BootNonce{66});
+    const auto usurper = life(announcement::BootNonce{66});
     for (int i = 0; i < 5; ++i, air.pass(interval)) (void)air.say();
-    (void)air.hear(as(Kind::goodbye, speaker(1, 0, {})), own);
+    (void)air.hear(as(announcement::Kind::goodbye, speaker(1, 0, {})), own);
     EXPECT_EQ(air.hear(usurper, source), Hearing::newcomer);
-    EXPECT_EQ(air.hear(as(Kind::goodbye, usurper), source), Hearing::goodbye);
+    EXPECT_EQ(air.hear(as(announcement::Kind::goodbye, usurper), source), Hearing::goodbye);
     air.pass(seconds(1));
     EXPECT_EQ(air.say(), Hearing::returned) << source;
     air.pass(seconds(1));
@@ -64,7 +64,7 @@ TEST(Identifier, IsNotGivenToAUsurperThatSaysGoodbyeAndComesBack) {
 
 TEST(Identifier, IsGivenBackToWhoeverWasSilentForTwoIntervals) {
   Air air;
-  const auto usurper = life(BootNonce{66});
+  const auto usurper = life(announcement::BootNonce{66});
   for (int i = 0; i < 5; ++i, air.pass(interval)) (void)air.say();
   air.pass(2 * interval);
   (void)air.hear(usurper, stranger);
@@ -76,15 +76,15 @@ TEST(Identifier, IsGivenBackToWhoeverWasSilentForTwoIntervals) {
 
 TEST(Identifier, IsTheFirstClaimantsAndNotThatOfWhoeverAnticipatesItsFirstState) {
   for (const auto* source : {stranger, own}) {
-    for (const auto boot : {BootNonce{66}, BootNonce{1}}) {
-      if (boot == BootNonce{1} && source == own) continue;  // the same life: each word of it is weighed
+    for (const auto boot : {announcement::BootNonce{66}, announcement::BootNonce{1}}) {
+      if (boot == announcement::BootNonce{1} && source == own) continue;  // the same life: each word of it is weighed
       Air air;
-      (void)air.hear(as(Kind::claim, speaker(1, 0, {})), own);
+      (void)air.hear(as(announcement::Kind::claim, speaker(1, 0, {})), own);
       for (int i = 0; i < 5; ++i, air.pass(milliseconds(20))) (void)air.hear(life(boot), source);
       EXPECT_EQ(air.say(), Hearing::newcomer) << source;
       EXPECT_TRUE(air.is_right()) << source;
       // With its own boot nonce it is a move to another address, which is undone when the first one speaks.
-      for (int i = 0; boot == BootNonce{1} && i < 30; ++i, air.pass(milliseconds(200))) {
+      for (int i = 0; boot == announcement::BootNonce{1} && i < 30; ++i, air.pass(milliseconds(200))) {
         (void)air.hear(life(boot), source);
         if (i % 10 == 0) (void)air.say();
       }
@@ -95,32 +95,33 @@ TEST(Identifier, IsTheFirstClaimantsAndNotThatOfWhoeverAnticipatesItsFirstState)
 
 TEST(Identifier, IsTheFirstClaimantsThoughSomebodySaidHelloAndGoodbyeWithItsBootNonce) {
   Air air;
-  (void)air.hear(as(Kind::claim, speaker(1, 0, {})), own);
-  (void)air.hear(life(BootNonce{1}), stranger);
-  (void)air.hear(as(Kind::goodbye, life(BootNonce{1})), stranger);
+  (void)air.hear(as(announcement::Kind::claim, speaker(1, 0, {})), own);
+  (void)air.hear(life(announcement::BootNonce{1}), stranger);
+  (void)air.hear(as(announcement::Kind::goodbye, life(announcement::BootNonce{1})), stranger);
   EXPECT_EQ(air.say(), Hearing::newcomer);
   EXPECT_TRUE(air.is_right());
 }
 
 TEST(Identifier, IsTheFirstClaimantsThoughItsClaimIsOvertakenByAnAnswerToIt) {
-  for (const auto boot : {BootNonce{66}, BootNonce{1}}) {
-    for (const auto late : {overtaken_time - base::Duration(1), base::Duration(overtaken_time)}) {
+  for (const auto boot : {announcement::BootNonce{66}, announcement::BootNonce{1}}) {
+    for (const auto late :
+         {announcement::overtaken_time - base::Duration(1), base::Duration(announcement::overtaken_time)}) {
       Air air;
       (void)air.hear(life(boot), stranger);
       air.pass(late);
-      (void)air.hear(as(Kind::claim, speaker(1, 0, {})), own);
-      EXPECT_EQ(air.say() == Hearing::newcomer, late < overtaken_time);
-      EXPECT_EQ(air.is_right(), late < overtaken_time);
+      (void)air.hear(as(announcement::Kind::claim, speaker(1, 0, {})), own);
+      EXPECT_EQ(air.say() == Hearing::newcomer, late < announcement::overtaken_time);
+      EXPECT_EQ(air.is_right(), late < announcement::overtaken_time);
     }
   }
 }
 
 TEST(Identifier, IsNotGivenToAClaimThatWasMadeWhileSomebodyHadIt) {
   Air air;
-  const auto usurper = life(BootNonce{66});
+  const auto usurper = life(announcement::BootNonce{66});
   for (int i = 0; i < 5; ++i, air.pass(interval)) {
     (void)air.say();
-    (void)air.hear(as(Kind::claim, usurper), stranger);
+    (void)air.hear(as(announcement::Kind::claim, usurper), stranger);
   }
   expect_right_while_repeated(air, usurper, stranger);
 }
@@ -128,12 +129,12 @@ TEST(Identifier, IsNotGivenToAClaimThatWasMadeWhileSomebodyHadIt) {
 TEST(Identifier, IsGivenBackThoughAHundredsOfOthersHaveLeftMeanwhile) {
   Air air;
   for (int i = 0; i < 5; ++i, air.pass(interval)) (void)air.say();
-  (void)air.hear(as(Kind::goodbye, speaker(1, 0, {})), own);
-  for (std::uint32_t id = 1000; id < 1000 + 2 * max_participants; ++id) {
-    (void)air.hear(life(BootNonce{id}, id), stranger);
-    (void)air.hear(as(Kind::goodbye, life(BootNonce{id}, id)), stranger);
+  (void)air.hear(as(announcement::Kind::goodbye, speaker(1, 0, {})), own);
+  for (std::uint32_t id = 1000; id < 1000 + 2 * announcement::max_participants; ++id) {
+    (void)air.hear(life(announcement::BootNonce{id}, id), stranger);
+    (void)air.hear(as(announcement::Kind::goodbye, life(announcement::BootNonce{id}, id)), stranger);
   }
-  (void)air.hear(life(BootNonce{66}), stranger);
+  (void)air.hear(life(announcement::BootNonce{66}), stranger);
   air.pass(seconds(1));
   EXPECT_EQ(air.say(), Hearing::returned);
   EXPECT_TRUE(air.is_right());
@@ -143,15 +144,15 @@ TEST(Identifier, OfALongIntervalIsGivenBackWithinIt) {
   Air air;
   const auto say = [&] {
     auto state = air.truth();
-    state.interval = max_interval;
+    state.interval = announcement::max_interval;
     return air.say(state);
   };
   (void)say();
-  for (int i = 0; i < 5; ++i, air.pass(max_interval)) (void)say();
-  (void)air.hear(as(Kind::goodbye, speaker(1, 0, {})), own);
-  (void)air.hear(life(BootNonce{66}), stranger);
-  air.pass(max_interval - seconds(4));
-  (void)air.hear(life(BootNonce{66}), stranger);
+  for (int i = 0; i < 5; ++i, air.pass(announcement::max_interval)) (void)say();
+  (void)air.hear(as(announcement::Kind::goodbye, speaker(1, 0, {})), own);
+  (void)air.hear(life(announcement::BootNonce{66}), stranger);
+  air.pass(announcement::max_interval - seconds(4));
+  (void)air.hear(life(announcement::BootNonce{66}), stranger);
   EXPECT_EQ(say(), Hearing::returned);
   EXPECT_TRUE(air.is_right());
 }
@@ -164,7 +165,7 @@ TEST(Identifier, IsGivenBackThoughTheNextNumbersOfItsOwnerWereForgedBeforeTheGoo
     forged.sequence = air.sequence + ahead;
     (void)air.hear(forged, own);
   }
-  auto goodbye = as(Kind::goodbye, speaker(1, 0, {}));
+  auto goodbye = as(announcement::Kind::goodbye, speaker(1, 0, {}));
   goodbye.sequence = air.sequence + 61;
   ASSERT_EQ(air.hear(goodbye, own), Hearing::goodbye);
   air.pass(interval);
@@ -179,10 +180,10 @@ TEST(Identifier, IsGivenBackThoughItsOwnerWasMovedToAnotherAddressBeforeTheGoodb
   for (int i = 0; i < 5; ++i, air.pass(interval)) (void)air.say();
   auto moved = air.truth();
   for (moved.sequence = 100; moved.sequence < 102; ++moved.sequence) (void)air.hear(moved, stranger);
-  auto goodbye = as(Kind::goodbye, speaker(1, 0, {}));
+  auto goodbye = as(announcement::Kind::goodbye, speaker(1, 0, {}));
   goodbye.sequence = 102;
   ASSERT_EQ(air.hear(goodbye, stranger), Hearing::goodbye);
-  (void)air.hear(life(BootNonce{66}), stranger);
+  (void)air.hear(life(announcement::BootNonce{66}), stranger);
   air.pass(seconds(1));
   EXPECT_EQ(air.say(), Hearing::returned);
   EXPECT_TRUE(air.is_right());
@@ -205,25 +206,27 @@ TEST(Identifier, MovesWithItsOwnerToANewAddressThoughSomebodyForgesTheHighestNum
 }
 
 TEST(FormerLives, AreRememberedUpToTheNamedNumberAndTheYoungestGivesWay) {
-  for (const auto count : {max_participants - 1, max_participants, max_participants + 1}) {
+  for (const auto count :
+       {announcement::max_participants - 1, announcement::max_participants, announcement::max_participants + 1}) {
     TableRig rig;
     const auto each = [&](auto visit) {
       for (std::uint32_t id = 1; id <= count; ++id) visit(id);
     };
     std::uint32_t returned = 0;
     each([&](std::uint32_t id) {
-      (void)rig.hear(life(BootNonce{id}, id), rig_start + milliseconds(id));
-      (void)rig.hear(as(Kind::goodbye, life(BootNonce{id}, id)), rig_start + milliseconds(id));
+      (void)rig.hear(life(announcement::BootNonce{id}, id), rig_start + milliseconds(id));
+      (void)rig.hear(as(announcement::Kind::goodbye, life(announcement::BootNonce{id}, id)),
+                     rig_start + milliseconds(id));
     });
     each([&](std::uint32_t id) {
-      const auto hearing = rig.hear(life(BootNonce{id}, id), rig_start + seconds(1));
+      const auto hearing = rig.hear(life(announcement::BootNonce{id}, id), rig_start + seconds(1));
       returned += hearing == Hearing::returned ? 1 : 0;
-      EXPECT_EQ(hearing == Hearing::returned, id <= max_participants) << id;
-      (void)rig.hear(as(Kind::goodbye, life(BootNonce{id}, id)), rig_start + seconds(1));
+      EXPECT_EQ(hearing == Hearing::returned, id <= announcement::max_participants) << id;
+      (void)rig.hear(as(announcement::Kind::goodbye, life(announcement::BootNonce{id}, id)), rig_start + seconds(1));
     });
-    EXPECT_EQ(returned, std::min(count, max_participants));
+    EXPECT_EQ(returned, std::min(count, announcement::max_participants));
   }
 }
 
 }  // namespace
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

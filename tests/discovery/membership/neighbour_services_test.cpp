@@ -8,7 +8,7 @@
 #include "discovery/announcement/on_interface.hpp"
 #include "discovery/membership/table_rig.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 namespace {
 
 using ::testing::ElementsAre;
@@ -48,7 +48,7 @@ TEST(NeighbourServices, AreNotOverwrittenByAnOvertakenDatagram) {
   rig.lines();
   auto older = speaker(1, 2, {5, 6});
   older.sequence = 20;
-  const auto overtaken = rig_start + overtaken_time - base::Duration(1);
+  const auto overtaken = rig_start + announcement::overtaken_time - base::Duration(1);
   EXPECT_EQ(rig.hear(older, overtaken), Hearing::known);
   EXPECT_THAT(rig.lines(), IsEmpty());
   const auto known = rig.table.find(ParticipantId{1});
@@ -62,7 +62,7 @@ TEST(NeighbourServices, MayTurnFromPublicationIntoSubscription) {
   (void)rig.hear(speaker(1, 1));
   rig.lines();
   auto turned = speaker(1, 2, {});
-  turned.peers[0].subscriptions.push_back({5, simple_subscription()});
+  turned.peers[0].subscriptions.push_back({5, announcement::simple_subscription()});
   (void)rig.hear(turned);
   EXPECT_THAT(rig.lines(), ElementsAre("remove pub 00000001/1/5 withdrawn", "put sub 00000001/1/5"));
   (void)rig.hear(speaker(1, 3, {}));
@@ -289,7 +289,7 @@ TEST(NeighbourServices, EndUpRightWhateverIsLostCopiedOrOvertaken) {
     std::map<std::uint32_t, std::uint16_t> truth;
     struct Flying {
       base::Instant arrives;
-      Announcement announcement;
+      announcement::Announcement announcement;
     };
     std::vector<Flying> air;
     auto now = rig_start;
@@ -298,7 +298,7 @@ TEST(NeighbourServices, EndUpRightWhateverIsLostCopiedOrOvertaken) {
       auto state = speaker(1, revision, {});
       // Enough octets in each service that it takes several datagrams.
       for (const auto& [number, port] : truth) {
-        auto publication = simple_publication(port);
+        auto publication = announcement::simple_publication(port);
         publication.attributes["p"] = std::string(200, 'x');
         state.peers[0].publications.push_back({number, publication});
       }
@@ -307,7 +307,7 @@ TEST(NeighbourServices, EndUpRightWhateverIsLostCopiedOrOvertaken) {
         ++sequence;
         for (int copies = random.chance(0.2) ? 2 : 1; copies > 0; --copies) {
           if (random.chance(loss)) continue;
-          auto decoded = decode(datagram);
+          auto decoded = announcement::decode(datagram);
           ASSERT_TRUE(decoded);
           air.push_back({now + random.between(milliseconds(0), milliseconds(150)), std::move(*decoded)});
         }
@@ -345,4 +345,4 @@ TEST(NeighbourServices, EndUpRightWhateverIsLostCopiedOrOvertaken) {
 }
 
 }  // namespace
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

@@ -12,7 +12,7 @@
 #include "discovery/membership/loss_window.hpp"
 #include "discovery/membership/table_rig.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 namespace {
 
 using ::testing::ElementsAre;
@@ -75,9 +75,9 @@ TEST(NeighbourTable, KnowsItsOwnDatagramsUnderWhateverIdentifier) {
 
 TEST(NeighbourTable, TellsThatItsIdentifierIsClaimedOrUsedBySomebodyElse) {
   TableRig rig;
-  for (const auto kind : {Kind::state, Kind::claim, Kind::goodbye}) {
+  for (const auto kind : {announcement::Kind::state, announcement::Kind::claim, announcement::Kind::goodbye}) {
     auto other = speaker(std::to_underlying(self_id), 1);
-    other.boot = BootNonce{99};
+    other.boot = announcement::BootNonce{99};
     other.kind = kind;
     EXPECT_EQ(rig.hear(other), Hearing::clash);
   }
@@ -88,7 +88,7 @@ TEST(NeighbourTable, TellsThatItsIdentifierIsClaimedOrUsedBySomebodyElse) {
 TEST(NeighbourTable, DoesNotTakeAClaimantForAParticipant) {
   TableRig rig;
   auto claim = speaker(1, 0, {});
-  claim.kind = Kind::claim;
+  claim.kind = announcement::Kind::claim;
   EXPECT_EQ(rig.hear(claim), Hearing::claim);
   EXPECT_FALSE(rig.table.is_known(ParticipantId{1}));
 }
@@ -131,14 +131,14 @@ TEST(NeighbourTable, RemovesAParticipantAtItsGoodbyeAndLetsNoLateDatagramBringIt
   (void)rig.hear(speaker(1, 1));
   rig.lines();
   auto goodbye = speaker(1, 2, {});
-  goodbye.kind = Kind::goodbye;
+  goodbye.kind = announcement::Kind::goodbye;
   goodbye.sequence = 10;
   EXPECT_EQ(rig.hear(goodbye), Hearing::goodbye);
   EXPECT_THAT(rig.lines(), ElementsAre("remove 00000001 left"));
   EXPECT_EQ(rig.hear(goodbye), Hearing::stale);
   auto late = speaker(1, 1);
   late.sequence = 9;
-  EXPECT_EQ(rig.hear(late, rig_start + overtaken_time - base::Duration(1)), Hearing::stale);
+  EXPECT_EQ(rig.hear(late, rig_start + announcement::overtaken_time - base::Duration(1)), Hearing::stale);
   late.sequence = 1;
   EXPECT_EQ(rig.hear(late, rig_start + goodbye_memory - base::Duration(1)), Hearing::stale);
   EXPECT_THAT(rig.lines(), IsEmpty());
@@ -149,11 +149,11 @@ TEST(NeighbourTable, TakesTheNextLifeInRightAfterAGoodbye) {
   TableRig rig;
   (void)rig.hear(speaker(1, 1));
   auto goodbye = speaker(1, 2, {});
-  goodbye.kind = Kind::goodbye;
+  goodbye.kind = announcement::Kind::goodbye;
   (void)rig.hear(goodbye);
   rig.lines();
   auto next = speaker(1, 1);
-  next.boot = BootNonce{77};
+  next.boot = announcement::BootNonce{77};
   EXPECT_EQ(rig.hear(next), Hearing::newcomer);
   EXPECT_THAT(rig.lines(), ElementsAre("put pub 00000001/1/5 at 10.0.0.1"));
 }
@@ -162,8 +162,8 @@ TEST(NeighbourTable, IgnoresAGoodbyeOfSomebodyElse) {
   TableRig rig;
   (void)rig.hear(speaker(1, 1));
   auto goodbye = speaker(1, 2, {});
-  goodbye.kind = Kind::goodbye;
-  goodbye.boot = BootNonce{77};
+  goodbye.kind = announcement::Kind::goodbye;
+  goodbye.boot = announcement::BootNonce{77};
   EXPECT_EQ(rig.hear(goodbye), Hearing::stale);
   EXPECT_TRUE(rig.table.is_known(ParticipantId{1}));
 }
@@ -173,7 +173,7 @@ TEST(NeighbourTable, LetsANewLifeReplaceTheOldOneWhenThatIsSilentForTwoIntervals
   (void)rig.hear(speaker(1, 9, {5, 6}));
   rig.lines();
   auto next = speaker(1, 1, {6, 7});
-  next.boot = BootNonce{77};
+  next.boot = announcement::BootNonce{77};
   EXPECT_EQ(rig.hear(next, rig_start + seconds(1)), Hearing::rival);
   EXPECT_EQ(rig.hear(next, rig_start + seconds(4) - base::Duration(1)), Hearing::rival);
   EXPECT_THAT(rig.lines(), IsEmpty());
@@ -184,9 +184,9 @@ TEST(NeighbourTable, LetsANewLifeReplaceTheOldOneWhenThatIsSilentForTwoIntervals
   auto late = speaker(1, 9, {5});
   late.sequence = 1;
   EXPECT_EQ(rig.hear(late, rig_start + seconds(5)), Hearing::stale);
-  EXPECT_EQ(rig.table.find(ParticipantId{1})->boot, BootNonce{77});
+  EXPECT_EQ(rig.table.find(ParticipantId{1})->boot, announcement::BootNonce{77});
   EXPECT_EQ(rig.hear(speaker(1, 9, {5, 6}), rig_start + seconds(5)), Hearing::returned);
-  EXPECT_EQ(rig.table.find(ParticipantId{1})->boot, BootNonce{1});
+  EXPECT_EQ(rig.table.find(ParticipantId{1})->boot, announcement::BootNonce{1});
 }
 
 TEST(NeighbourTable, GivesAnIdentifierToTheLifeThatClaimedItBeforeWhoAnticipatedIt) {
@@ -194,14 +194,14 @@ TEST(NeighbourTable, GivesAnIdentifierToTheLifeThatClaimedItBeforeWhoAnticipated
   auto owner = speaker(1, 9, {5});
   (void)rig.hear(owner);
   auto goodbye = speaker(1, 9, {});
-  goodbye.kind = Kind::goodbye;
+  goodbye.kind = announcement::Kind::goodbye;
   EXPECT_EQ(rig.hear(goodbye, rig_start + seconds(1)), Hearing::goodbye);
   owner.participant = ParticipantId{2};
   auto claim = owner;
-  claim.kind = Kind::claim;
+  claim.kind = announcement::Kind::claim;
   EXPECT_EQ(rig.hear(claim, rig_start + seconds(1)), Hearing::claim);
   auto forged = speaker(2, 1, {6});
-  forged.boot = BootNonce{77};
+  forged.boot = announcement::BootNonce{77};
   EXPECT_EQ(rig.hear(forged, rig_start + seconds(1)), Hearing::newcomer);
   rig.lines();
   EXPECT_EQ(rig.hear(owner, rig_start + seconds(1)), Hearing::newcomer);
@@ -217,14 +217,14 @@ TEST(NeighbourTable, RemembersClaimsUpToTheNamedNumberAndForTheNamedTime) {
                                       {max_claims, seconds(1)}}) {
     TableRig rig;
     auto claim = speaker(1, 1);
-    claim.kind = Kind::claim;
+    claim.kind = announcement::Kind::claim;
     (void)rig.hear(claim);
     for (std::size_t i = 0; i < others; ++i) {
       claim.participant = ParticipantId(1000 + i);
       (void)rig.hear(claim);
     }
     auto forged = speaker(1, 1);
-    forged.boot = BootNonce{77};
+    forged.boot = announcement::BootNonce{77};
     (void)rig.hear(forged, rig_start + after);
     const bool is_remembered = others < max_claims && after < claim_memory;
     EXPECT_EQ(rig.hear(speaker(1, 1), rig_start + after), is_remembered ? Hearing::newcomer : Hearing::rival)
@@ -235,14 +235,14 @@ TEST(NeighbourTable, RemembersClaimsUpToTheNamedNumberAndForTheNamedTime) {
 TEST(NeighbourTable, IgnoresAnotherLifeUnderAnIdentifierWhoseOwnerIsThere) {
   TableRig rig;
   auto other = speaker(1, 1, {});
-  other.boot = BootNonce{77};
+  other.boot = announcement::BootNonce{77};
   for (int i = 0; i < 40; ++i) {
     const auto now = rig_start + i * milliseconds(500);
     if (i % 4 == 0) (void)rig.hear(speaker(1, 1), now);
     EXPECT_EQ(rig.hear(other, now), Hearing::rival);
     rig.table.expire(now);
   }
-  EXPECT_EQ(rig.table.find(ParticipantId{1})->boot, BootNonce{1});
+  EXPECT_EQ(rig.table.find(ParticipantId{1})->boot, announcement::BootNonce{1});
   EXPECT_EQ(rig.table.find(ParticipantId{1})->publications, 1U);
 }
 
@@ -301,4 +301,4 @@ TEST(LossWindow, BeginsAnewWhenTheSenderDoes) {
 }
 
 }  // namespace
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

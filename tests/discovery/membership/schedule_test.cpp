@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace geminga::beacon {
+namespace geminga::membership {
 namespace {
 
 using base::Duration;
@@ -295,4 +295,4 @@ TEST(Schedule, IsNotHarmedByATimerThatComesLate) {
 }
 
 }  // namespace
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

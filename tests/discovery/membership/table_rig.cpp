@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace geminga::beacon {
+namespace geminga::membership {
 namespace {
 
 std::string word(Departure departure) {
@@ -59,21 +59,23 @@ void Registry::take(NeighbourTable& table) {
   }
 }
 
-Announcement speaker(std::uint32_t id, std::uint64_t revision, const std::vector<std::uint32_t>& numbers) {
-  Announcement announcement;
+announcement::Announcement speaker(std::uint32_t id, std::uint64_t revision,
+                                   const std::vector<std::uint32_t>& numbers) {
+  announcement::Announcement announcement;
   announcement.group = "default";
   announcement.participant = ParticipantId{id};
-  announcement.boot = BootNonce{id};
+  announcement.boot = announcement::BootNonce{id};
   announcement.name = "robot" + std::to_string(id);
   announcement.revision = revision;
   announcement.addresses = {"10.0.0." + std::to_string(id)};
   announcement.peers.push_back({PeerId{1}, "vision", {}, {}, {}});
-  for (const auto number : numbers) announcement.peers[0].publications.push_back({number, simple_publication()});
+  for (const auto number : numbers)
+    announcement.peers[0].publications.push_back({number, announcement::simple_publication()});
   return announcement;
 }
 
-Announcement part_of(Announcement announcement, std::uint32_t part, std::uint32_t count,
-                     const std::vector<std::uint32_t>& numbers) {
+announcement::Announcement part_of(announcement::Announcement announcement, std::uint32_t part, std::uint32_t count,
+                                   const std::vector<std::uint32_t>& numbers) {
   announcement.part = part;
   announcement.part_count = count;
   std::erase_if(announcement.peers[0].publications,
@@ -81,4 +83,4 @@ Announcement part_of(Announcement announcement, std::uint32_t part, std::uint32_
   return announcement;
 }
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

@@ -11,14 +11,14 @@
 #include "discovery/announcement/announcements.hpp"
 #include "discovery/membership/neighbour_table.hpp"
 
-namespace geminga::beacon {
+namespace geminga::membership {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 inline constexpr base::Instant rig_start{seconds(1000)};
 inline constexpr ParticipantId self_id{0xaaaaaaaa};
-inline constexpr BootNonce self_boot{0xaaaa};
+inline constexpr announcement::BootNonce self_boot{0xaaaa};
 inline constexpr env::InterfaceIndex eth{2};
 inline constexpr env::InterfaceIndex wlan{3};
 
@@ -37,7 +37,7 @@ struct TableRig {
   TableRig() { table.set_self(self_id, self_boot); }
 
   /// Hears an announcement from `source`. One without a sequence number gets the next of its life and link.
-  Hearing hear(Announcement announcement, base::Instant now = rig_start, env::InterfaceIndex on = eth) {
+  Hearing hear(announcement::Announcement announcement, base::Instant now = rig_start, env::InterfaceIndex on = eth) {
     auto& last = sequences[{announcement.boot, announcement.link}];
     if (announcement.sequence == 0) announcement.sequence = last + 1;
     last = std::max(last, announcement.sequence);
@@ -53,15 +53,16 @@ struct TableRig {
 
   NeighbourTable table{"default"};
   std::string source;
-  std::map<std::pair<BootNonce, std::uint32_t>, std::uint64_t> sequences;  ///< the last ones
+  std::map<std::pair<announcement::BootNonce, std::uint32_t>, std::uint64_t> sequences;  ///< the last ones
 };
 
 /// A participant with one peer, and as many publications as it has numbers.
-Announcement speaker(std::uint32_t id, std::uint64_t revision, const std::vector<std::uint32_t>& numbers = {5});
+announcement::Announcement speaker(std::uint32_t id, std::uint64_t revision,
+                                   const std::vector<std::uint32_t>& numbers = {5});
 /// The same, of which only `numbers` are in part `part` of `count`.
-Announcement part_of(Announcement announcement, std::uint32_t part, std::uint32_t count,
-                     const std::vector<std::uint32_t>& numbers);
+announcement::Announcement part_of(announcement::Announcement announcement, std::uint32_t part, std::uint32_t count,
+                                   const std::vector<std::uint32_t>& numbers);
 
-}  // namespace geminga::beacon
+}  // namespace geminga::membership
 
 #endif

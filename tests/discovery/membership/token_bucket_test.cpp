@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace geminga::beacon {
+namespace geminga::membership {
 namespace {
 
 using base::Instant;
@@ -48,4 +48,4 @@ TEST(TokenBucket, GivesWhatIsTooLargeOnCreditAndForgivesWhatIsOverItsCapacity) {
 }
 
 }  // namespace
-}  // namespace geminga::beacon
+}  // namespace geminga::membership

@@ -19,8 +19,8 @@ ServiceKey key(std::uint32_t participant, std::uint32_t number) {
   return {.participant = ParticipantId{participant}, .peer = PeerId{1}, .number = number};
 }
 
-beacon::PutPublication put(const ServiceKey& one, std::uint16_t port) {
-  beacon::PutPublication change;
+membership::PutPublication put(const ServiceKey& one, std::uint16_t port) {
+  membership::PutPublication change;
   change.key = one;
   change.publication.port = port;
   return change;
@@ -31,17 +31,17 @@ TEST(NeighbourQueue, KeepsTheOrderAndTheLastChangeOfEachService) {
   queue.push(put(key(1, 1), 1));
   queue.push(put(key(1, 2), 2));
   queue.push(put(key(1, 1), 3));
-  EXPECT_EQ(std::get<beacon::PutPublication>(queue.pop()).publication.port, 3);
-  EXPECT_EQ(std::get<beacon::PutPublication>(queue.pop()).publication.port, 2);
+  EXPECT_EQ(std::get<membership::PutPublication>(queue.pop()).publication.port, 3);
+  EXPECT_EQ(std::get<membership::PutPublication>(queue.pop()).publication.port, 2);
   EXPECT_TRUE(queue.is_empty());
 }
 
 TEST(NeighbourQueue, APublicationDoesNotHideThatASubscriptionOfTheSameNumberWent) {
   NeighbourQueue queue;
-  queue.push(beacon::RemoveSubscription{key(1, 1), beacon::Departure::withdrawn});
+  queue.push(membership::RemoveSubscription{key(1, 1), membership::Departure::withdrawn});
   queue.push(put(key(1, 1), 1));
-  EXPECT_TRUE(std::holds_alternative<beacon::RemoveSubscription>(queue.pop()));
-  EXPECT_TRUE(std::holds_alternative<beacon::PutPublication>(queue.pop()));
+  EXPECT_TRUE(std::holds_alternative<membership::RemoveSubscription>(queue.pop()));
+  EXPECT_TRUE(std::holds_alternative<membership::PutPublication>(queue.pop()));
 }
 
 TEST(NeighbourQueue, ADepartureTakesThePlaceOfAllThatWaitsOfTheParticipantAndOfNoOther) {
@@ -49,12 +49,12 @@ TEST(NeighbourQueue, ADepartureTakesThePlaceOfAllThatWaitsOfTheParticipantAndOfN
   queue.push(put(key(1, 1), 1));
   queue.push(put(key(2, 1), 2));
   queue.push(put(key(3, 1), 3));
-  queue.push(beacon::RemoveParticipant{ParticipantId{2}, beacon::Departure::left});
+  queue.push(membership::RemoveParticipant{ParticipantId{2}, membership::Departure::left});
   queue.push(put(key(2, 1), 4));
-  EXPECT_EQ(std::get<beacon::PutPublication>(queue.pop()).publication.port, 1);
-  EXPECT_EQ(std::get<beacon::PutPublication>(queue.pop()).publication.port, 3);
-  EXPECT_TRUE(std::holds_alternative<beacon::RemoveParticipant>(queue.pop()));
-  EXPECT_EQ(std::get<beacon::PutPublication>(queue.pop()).publication.port, 4);
+  EXPECT_EQ(std::get<membership::PutPublication>(queue.pop()).publication.port, 1);
+  EXPECT_EQ(std::get<membership::PutPublication>(queue.pop()).publication.port, 3);
+  EXPECT_TRUE(std::holds_alternative<membership::RemoveParticipant>(queue.pop()));
+  EXPECT_EQ(std::get<membership::PutPublication>(queue.pop()).publication.port, 4);
   EXPECT_TRUE(queue.is_empty());
 }
 

@@ -148,13 +148,13 @@ void Transcript::direct(std::string_view words) {
 }
 
 void Transcript::clash(sim::Host& host, const std::string& id) {
-  beacon::Announcement other;
+  announcement::Announcement other;
   other.group = host.settings.group;
   other.participant = participant_id(id).value_or(ParticipantId{});
-  other.boot = beacon::BootNonce(99);
+  other.boot = announcement::BootNonce(99);
   other.name = "another";
   ASSERT_NE(other.participant, ParticipantId{}) << at_;
-  for (const beacon::Datagram& datagram : beacon::encode(other)) {
+  for (const announcement::Datagram& datagram : announcement::encode(other)) {
     host.receive(host.ports().front().index, "10.0.0.99",
                  std::string_view(reinterpret_cast<const char*>(datagram.data()), datagram.size()));
   }

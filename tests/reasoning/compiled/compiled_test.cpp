@@ -14,18 +14,18 @@
 #include "reasoning/modules/module.hpp"
 #include "support/written.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 namespace {
 
 using testing::HasSubstr;
 
 std::vector<std::byte> small() {
-  OntologySource source = written(
+  owl::Ontology source = owl::written(
       "SubClassOf(A ObjectSomeValuesFrom(r B))\nEquivalentClasses(C ObjectIntersectionOf(A B))\nSubClassOf(D A)\n"
       "SubClassOf(D B)\nDisjointClasses(E C)\nSubClassOf(X C)\nSubClassOf(Y X)\nSubClassOf(Y D)\n"
       "SubClassOf(A ObjectUnionOf(D E))");
   source.add_label("https://t.example/#A", "a");
-  return compile(source, classified(source));
+  return compile(source, owl::classified(source));
 }
 
 /// What is said of a file that is refused, or of a section of it when that is asked for.
@@ -57,7 +57,7 @@ void ask_everything(const Ontology& ontology) {
   for (const char* name : {"t:A", "a", "owl:Thing", "nobody", "<x>"}) (void)ontology.find(name);
   const std::uint32_t count = std::min(ontology.class_count(), 12U);
   for (std::uint32_t one = 0; one < count; ++one) {
-    const ClassNumber first{one};
+    const taxonomy::ClassNumber first{one};
     (void)ontology.iri(first);
     (void)ontology.label(first);
     (void)ontology.short_name(first);
@@ -65,11 +65,11 @@ void ask_everything(const Ontology& ontology) {
     (void)ontology.children(first);
     (void)ontology.subsumers(first);
     for (std::uint32_t other = 0; other < count; ++other) {
-      (void)ontology.is_subsumed(first, ClassNumber{other});
-      (void)ontology.distance(first, ClassNumber{other});
+      (void)ontology.is_subsumed(first, taxonomy::ClassNumber{other});
+      (void)ontology.distance(first, taxonomy::ClassNumber{other});
     }
     for (const std::uint32_t axiom :
-         extract_module(ontology.module_index(), {{first, ClassNumber{(one + 3) % count}}})) {
+         extract_module(ontology.module_index(), {{first, taxonomy::ClassNumber{(one + 3) % count}}})) {
       for (const std::uint32_t term : ontology.axioms().arguments_of_axiom(axiom)) {
         (void)ontology.axioms().name_of_term(term);
         (void)ontology.axioms().number_of_term(term);
@@ -125,8 +125,8 @@ TEST(Compiled, AnswersWithoutItsAxiomsAndLabelsWhereTheseAreDamaged) {
 
 TEST(Compiled, IsRefusedWhereSectionsAreOfDifferentFiles) {
   const std::vector<std::byte> one = small();
-  OntologySource source = written("SubClassOf(A B)");
-  const std::vector<std::byte> other = compile(source, classified(source));
+  owl::Ontology source = owl::written("SubClassOf(A B)");
+  const std::vector<std::byte> other = compile(source, owl::classified(source));
   auto mixed = sections_of(one);
   mixed[2] = sections_of(other)[2];
   EXPECT_THAT(refusal(wrap(mixed)), HasSubstr("cannot be right"));
@@ -176,16 +176,16 @@ TEST(Compiled, SaysWhereANumberIsThatCannotBeRight) {
 
 TEST(Compiled, NestsTermsUpToTheLimitOfReaders) {
   for (const std::uint32_t levels : {499U, 500U, 501U}) {
-    OntologySource source({.nesting = 1000});
-    const FileId file = source.add_file("deep");
-    TermId term = source.named_class("https://t.example/#A");
-    const TermId role = source.object_property("https://t.example/#r");
+    owl::Ontology source({.nesting = 1000});
+    const owl::FileId file = source.add_file("deep");
+    owl::TermId term = source.named_class("https://t.example/#A");
+    const owl::TermId role = source.object_property("https://t.example/#r");
     for (std::uint32_t level = 0; level < levels; ++level) {
-      term = source.term(TermKind::object_some_values_from, {role, term});
+      term = source.term(owl::TermKind::object_some_values_from, {role, term});
     }
-    source.add(AxiomKind::sub_class_of, {source.named_class("https://t.example/#B"), term}, file, 1);
-    const std::string words = refusal(compile(source, classified(source)));
-    if (levels <= SourceLimits{}.nesting) {
+    source.add(owl::AxiomKind::sub_class_of, {source.named_class("https://t.example/#B"), term}, file, 1);
+    const std::string words = refusal(compile(source, owl::classified(source)));
+    if (levels <= owl::SourceLimits{}.nesting) {
       EXPECT_EQ(words, "") << levels;
     } else {
       EXPECT_THAT(words, HasSubstr("the nesting of a term")) << levels;
@@ -241,16 +241,16 @@ TEST(Compiled, SurvivesRandomBytesUnderARightHeader) {
 }
 
 TEST(Compiled, KeepsWhyAnswersMayBeMissing) {
-  OntologySource source = written("SubClassOf(ObjectAllValuesFrom(r B) A)\nSubClassOf(A B)");
-  source.leave_out("swrl:Imp", FileId{0}, 7, 3);
+  owl::Ontology source = owl::written("SubClassOf(ObjectAllValuesFrom(r B) A)\nSubClassOf(A B)");
+  source.leave_out("swrl:Imp", owl::FileId{0}, 7, 3);
   const std::vector<std::string> gaps = {"one reason", "two reasons"};
-  const Classification classification = classified(source);
+  const taxonomy::Classification classification = owl::classified(source);
   const auto ontology = Ontology::from_bytes(compile(source, classification, {.gaps = gaps, .folder = {}}));
   ASSERT_TRUE(ontology);
   EXPECT_EQ(ontology->gaps(), gaps);
   EXPECT_EQ(ontology->axiom_count(), 2U);
-  const std::vector<LeftOut> left_out = ontology->left_out();
-  const std::vector<LeftOut> told = el::left_out(source, classification);
+  const std::vector<owl::LeftOut> left_out = ontology->left_out();
+  const std::vector<owl::LeftOut> told = taxonomy::left_out(source, classification);
   ASSERT_EQ(left_out.size(), told.size());
   ASSERT_EQ(left_out.size(), 2U);
   for (std::size_t at = 0; at < told.size(); ++at) {
@@ -259,7 +259,7 @@ TEST(Compiled, KeepsWhyAnswersMayBeMissing) {
     EXPECT_EQ(left_out[at].first, told[at].first);
   }
   // Which axioms of them there are: the one with the universal, of the construct that is named second or first.
-  const ClassifiedView& view = ontology->axioms();
+  const taxonomy::ClassifiedView& view = ontology->axioms();
   ASSERT_EQ(view.unused_axiom.size(), 1U);
   EXPECT_EQ(view.axiom_line[view.unused_axiom[0]], 1U);
   EXPECT_NE(left_out[view.unused_group[0]].construct, "swrl:Imp");
@@ -288,4 +288,4 @@ TEST(Compiled, IsRefusedEmptyFromAFile) {
 }
 
 }  // namespace
-}  // namespace geminga::el
+}  // namespace geminga::compiled

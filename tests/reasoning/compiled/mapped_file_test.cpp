@@ -12,7 +12,7 @@
 #include "reasoning/compiled/ontology.hpp"
 #include "support/written.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,8 +46,8 @@ std::string text_of(const MappedFile& file) {
 }
 
 std::string compiled(const std::string& name) {
-  OntologySource source = written("SubClassOf(" + name + " Thing_of_the_game)");
-  const std::vector<std::byte> bytes = compile(source, classified(source));
+  owl::Ontology source = owl::written("SubClassOf(" + name + " Thing_of_the_game)");
+  const std::vector<std::byte> bytes = compile(source, owl::classified(source));
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -105,4 +105,4 @@ TEST_F(MappedFileTest, OfAnOntologyInUseOutlivesWhateverIsWrittenIntoTheFile) {
 }
 
 }  // namespace
-}  // namespace geminga::el
+}  // namespace geminga::compiled

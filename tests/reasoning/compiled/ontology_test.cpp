@@ -10,25 +10,25 @@
 #include "reasoning/owl/canonical.hpp"
 #include "support/written.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-std::vector<std::string> short_names(const Ontology& ontology, const std::vector<ClassNumber>& classes) {
+std::vector<std::string> short_names(const Ontology& ontology, const std::vector<taxonomy::ClassNumber>& classes) {
   std::vector<std::string> names;
-  for (const ClassNumber number : classes) names.push_back(ontology.short_name(number));
+  for (const taxonomy::ClassNumber number : classes) names.push_back(ontology.short_name(number));
   return names;
 }
 
 TEST(Ontology, FindsAClassByEveryFormOfItsName) {
-  OntologySource source = written(robots);
+  owl::Ontology source = owl::written(owl::robots);
   source.add_label("https://t.example/#BallInfo", "ball information", "en");
   source.add_label("https://t.example/#BallInfo", "Ballinformation", "de");
-  const Ontology ontology = loaded(source);
-  const ClassNumber ball = *ontology.find_iri("https://t.example/#BallInfo");
+  const Ontology ontology = owl::loaded(source);
+  const taxonomy::ClassNumber ball = *ontology.find_iri("https://t.example/#BallInfo");
   for (const char* name : {"t:BallInfo", "<https://t.example/#BallInfo>", "https://t.example/#BallInfo",
                            "ball information", "Ballinformation"}) {
     const auto found = ontology.find(name);
@@ -36,17 +36,17 @@ TEST(Ontology, FindsAClassByEveryFormOfItsName) {
     EXPECT_EQ(*found, ball) << name;
   }
   EXPECT_EQ(ontology.label(ball), "ball information");
-  EXPECT_EQ(ontology.label(named(ontology, "Info")), "");
+  EXPECT_EQ(ontology.label(owl::named(ontology, "Info")), "");
   EXPECT_EQ(ontology.iri(ball), "https://t.example/#BallInfo");
   EXPECT_EQ(ontology.short_name(ball), "t:BallInfo");
   EXPECT_EQ(ontology.short_name("https://other.example/x"), "<https://other.example/x>");
 }
 
 TEST(Ontology, SaysWhatIsWrongWithAName) {
-  OntologySource source = written(robots);
+  owl::Ontology source = owl::written(owl::robots);
   source.add_label("https://t.example/#BallInfo", "ball");
   source.add_label("https://t.example/#Shared", "ball");
-  const Ontology ontology = loaded(source);
+  const Ontology ontology = owl::loaded(source);
   using Kind = NameError::Kind;
   const struct {
     const char* name;
@@ -73,12 +73,12 @@ TEST(Ontology, SaysWhatIsWrongWithAName) {
 }
 
 TEST(Ontology, SaysThatAPrefixWithTwoMeaningsIsAmbiguousOnlyWhereBothNameAClass) {
-  OntologySource source = written("SubClassOf(A B)");
-  const FileId file = source.add_file("other");
+  owl::Ontology source = owl::written("SubClassOf(A B)");
+  const owl::FileId file = source.add_file("other");
   source.add_prefix("t", "https://u.example/#");
-  source.add(AxiomKind::sub_class_of,
+  source.add(owl::AxiomKind::sub_class_of,
              {source.named_class("https://u.example/#A"), source.named_class("https://u.example/#C")}, file, 1);
-  const Ontology ontology = loaded(source);
+  const Ontology ontology = owl::loaded(source);
   EXPECT_EQ(ontology.find("t:A").error().kind, NameError::Kind::ambiguous);
   EXPECT_EQ(ontology.iri(*ontology.find("t:B")), "https://t.example/#B");
   EXPECT_EQ(ontology.iri(*ontology.find("t:C")), "https://u.example/#C");
@@ -87,13 +87,13 @@ TEST(Ontology, SaysThatAPrefixWithTwoMeaningsIsAmbiguousOnlyWhereBothNameAClass)
 }
 
 TEST(Ontology, HasThingAndNothing) {
-  const Ontology ontology = loaded(robots);
+  const Ontology ontology = owl::loaded(owl::robots);
   const auto thing = ontology.find("owl:Thing");
   const auto nothing = ontology.find("owl:Nothing");
   ASSERT_TRUE(thing && nothing);
   for (std::uint32_t number = 0; number < ontology.class_count(); ++number) {
-    EXPECT_TRUE(ontology.is_subsumed(ClassNumber{number}, *thing));
-    EXPECT_TRUE(ontology.is_subsumed(*nothing, ClassNumber{number}));
+    EXPECT_TRUE(ontology.is_subsumed(taxonomy::ClassNumber{number}, *thing));
+    EXPECT_TRUE(ontology.is_subsumed(*nothing, taxonomy::ClassNumber{number}));
   }
   EXPECT_FALSE(ontology.is_satisfiable(*nothing));
   EXPECT_TRUE(ontology.is_satisfiable(*thing));
@@ -101,49 +101,52 @@ TEST(Ontology, HasThingAndNothing) {
 }
 
 TEST(Ontology, NumbersClassesByIri) {
-  const Ontology ontology = loaded(robots);
+  const Ontology ontology = owl::loaded(owl::robots);
   for (std::uint32_t number = 1; number < ontology.class_count(); ++number) {
-    EXPECT_LT(ontology.iri(ClassNumber{number - 1}), ontology.iri(ClassNumber{number}));
+    EXPECT_LT(ontology.iri(taxonomy::ClassNumber{number - 1}), ontology.iri(taxonomy::ClassNumber{number}));
   }
 }
 
 TEST(Ontology, KnowsTheTaxonomy) {
-  const Ontology ontology = loaded(robots);
-  const auto shared_ball = named(ontology, "SharedBallInfo");
+  const Ontology ontology = owl::loaded(owl::robots);
+  const auto shared_ball = owl::named(ontology, "SharedBallInfo");
   EXPECT_THAT(
       short_names(ontology, ontology.subsumers(shared_ball)),
       ElementsAre("owl:Thing", "t:Ball", "t:BallInfo", "t:Info", "t:Shared", "t:SharedBallInfo", "t:TrackedObject"));
   EXPECT_THAT(short_names(ontology, ontology.parents(shared_ball)), ElementsAre("t:Ball", "t:Shared"));
-  EXPECT_THAT(short_names(ontology, ontology.parents(named(ontology, "BallInfo"))), ElementsAre("t:TrackedObject"));
-  EXPECT_THAT(short_names(ontology, ontology.children(named(ontology, "Info"))),
+  EXPECT_THAT(short_names(ontology, ontology.parents(owl::named(ontology, "BallInfo"))),
+              ElementsAre("t:TrackedObject"));
+  EXPECT_THAT(short_names(ontology, ontology.children(owl::named(ontology, "Info"))),
               ElementsAre("t:Shared", "t:TrackedObject"));
-  EXPECT_THAT(short_names(ontology, ontology.parents(named(ontology, "Info"))), ElementsAre("owl:Thing"));
+  EXPECT_THAT(short_names(ontology, ontology.parents(owl::named(ontology, "Info"))), ElementsAre("owl:Thing"));
   EXPECT_THAT(ontology.parents(*ontology.find("owl:Thing")), IsEmpty());
-  EXPECT_TRUE(ontology.is_equivalent(named(ontology, "Ball"), named(ontology, "BallInfo")));
-  EXPECT_FALSE(ontology.is_satisfiable(named(ontology, "Impossible")));
-  EXPECT_EQ(ontology.subsumers(named(ontology, "Impossible")).size(), ontology.class_count());
-  EXPECT_THAT(ontology.parents(named(ontology, "Impossible")), IsEmpty());
+  EXPECT_TRUE(ontology.is_equivalent(owl::named(ontology, "Ball"), owl::named(ontology, "BallInfo")));
+  EXPECT_FALSE(ontology.is_satisfiable(owl::named(ontology, "Impossible")));
+  EXPECT_EQ(ontology.subsumers(owl::named(ontology, "Impossible")).size(), ontology.class_count());
+  EXPECT_THAT(ontology.parents(owl::named(ontology, "Impossible")), IsEmpty());
 }
 
 TEST(Ontology, MeasuresTheShortestWayUp) {
-  const Ontology ontology = loaded(robots);
+  const Ontology ontology = owl::loaded(owl::robots);
   const auto distance = [&](const char* sub, const char* super) {
-    return ontology.distance(named(ontology, sub), named(ontology, super));
+    return ontology.distance(owl::named(ontology, sub), owl::named(ontology, super));
   };
   EXPECT_EQ(distance("BallInfo", "BallInfo"), 0);
   EXPECT_EQ(distance("BallInfo", "Ball"), 0);
   EXPECT_EQ(distance("SharedBallInfo", "BallInfo"), 1);
   EXPECT_EQ(distance("SharedBallInfo", "Info"), 2);  // by Shared, not by TrackedObject
-  EXPECT_EQ(ontology.distance(named(ontology, "SharedBallInfo"), *ontology.find("owl:Thing")), 3);
+  EXPECT_EQ(ontology.distance(owl::named(ontology, "SharedBallInfo"), *ontology.find("owl:Thing")), 3);
   EXPECT_EQ(distance("Info", "BallInfo"), std::nullopt);
   EXPECT_EQ(distance("Impossible", "SharedBallInfo"), 1);
   EXPECT_EQ(distance("Impossible", "Info"), 3);  // it lies below every leaf, here SharedBallInfo
 }
 
 TEST(Digest, DependsOnAxiomsAndClassesOnly) {
-  const auto of = [](std::string_view text, const std::string& path = "a.ofn") { return digest(written(text, path)); };
+  const auto of = [](std::string_view text, const std::string& path = "a.ofn") {
+    return digest(owl::written(text, path));
+  };
   const std::uint64_t one = of("SubClassOf(A B)\nEquivalentClasses(C D)");
-  EXPECT_EQ(loaded("SubClassOf(A B)\nEquivalentClasses(C D)").digest(), one);
+  EXPECT_EQ(owl::loaded("SubClassOf(A B)\nEquivalentClasses(C D)").digest(), one);
   EXPECT_EQ(of("EquivalentClasses(D C)\n\nSubClassOf(A B)", "b.ofn"), one);
   EXPECT_EQ(of("EquivalentClasses(D C)\nSubClassOf(A B)\nSubClassOf(A B)"), one);
   EXPECT_NE(of("SubClassOf(B A)\nEquivalentClasses(C D)"), one);
@@ -157,25 +160,25 @@ TEST(Digest, DependsOnAxiomsAndClassesOnly) {
 }
 
 TEST(Digest, IsTheSameInAnyOrderOfFiles) {
-  OntologySource first;
-  write_into(first, "SubClassOf(A B)", "a");
-  write_into(first, "SubClassOf(B C)", "b");
-  OntologySource second;
-  write_into(second, "SubClassOf(B C)", "b");
-  write_into(second, "SubClassOf(A B)", "a");
+  owl::Ontology first;
+  owl::write_into(first, "SubClassOf(A B)", "a");
+  owl::write_into(first, "SubClassOf(B C)", "b");
+  owl::Ontology second;
+  owl::write_into(second, "SubClassOf(B C)", "b");
+  owl::write_into(second, "SubClassOf(A B)", "a");
   EXPECT_EQ(digest(first), digest(second));
-  EXPECT_EQ(compile(first, classified(first)), compile(second, classified(second)));
+  EXPECT_EQ(compile(first, owl::classified(first)), compile(second, owl::classified(second)));
 }
 
 TEST(Ontology, MayBeMoved) {
-  Ontology first = loaded(robots);
+  Ontology first = owl::loaded(owl::robots);
   Ontology second = std::move(first);
   EXPECT_TRUE(second.find("t:Ball"));
-  first = loaded("SubClassOf(A B)");
+  first = owl::loaded("SubClassOf(A B)");
   std::swap(first, second);
   EXPECT_TRUE(second.find("t:A"));
   EXPECT_TRUE(first.find("t:Ball"));
 }
 
 }  // namespace
-}  // namespace geminga::el
+}  // namespace geminga::compiled

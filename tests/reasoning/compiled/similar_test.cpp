@@ -11,7 +11,7 @@
 #include "base/random.hpp"
 #include "support/written.hpp"
 
-namespace geminga::el {
+namespace geminga::compiled {
 namespace {
 
 using testing::Contains;
@@ -19,9 +19,10 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 TEST(Similar, GivesTheNearestNamesFirst) {
-  OntologySource source = written("SubClassOf(Camera Sensor)\nSubClassOf(Cameras Sensor)\nSubClassOf(Lidar Sensor)\n");
+  owl::Ontology source =
+      owl::written("SubClassOf(Camera Sensor)\nSubClassOf(Cameras Sensor)\nSubClassOf(Lidar Sensor)\n");
   source.add_label("https://t.example/#Lidar", "laser scanner", "en");
-  const Ontology ontology = loaded(source);
+  const Ontology ontology = owl::loaded(source);
   EXPECT_THAT(find_similar(ontology, "t:Camrea"), ElementsAre("t:Camera", "t:Cameras"));
   EXPECT_THAT(find_similar(ontology, "t:Camrea", {.names = 1}), ElementsAre("t:Camera"));
   EXPECT_THAT(find_similar(ontology, "laser scaner"), ElementsAre("t:Lidar"));
@@ -34,8 +35,8 @@ TEST(Similar, GivesTheNearestNamesFirst) {
 TEST(Similar, FindsASlipAnywhereInANameWhereThereAreTooManyClassesToCompare) {
   std::string text;
   for (int number = 1000; number < 1300; ++number) text += "SubClassOf(Class" + std::to_string(number) + "x A)\n";
-  const OntologySource source = written(text);
-  const Ontology ontology = loaded(source);
+  const owl::Ontology source = owl::written(text);
+  const Ontology ontology = owl::loaded(source);
   EXPECT_THAT(find_similar(ontology, "t:Class1234", {.classes = 16}), Contains("t:Class1234x"));
   EXPECT_THAT(find_similar(ontology, "t:Class1299", {.classes = 16}), Contains("t:Class1299x")) << "at the end";
   EXPECT_THAT(find_similar(ontology, "t:Class1000", {.classes = 16}), Contains("t:Class1000x")) << "at the begin";
@@ -71,4 +72,4 @@ TEST(Similar, ASlipChangesSixBitsOfASignatureAtMost) {
 }
 
 }  // namespace
-}  // namespace geminga::el
+}  // namespace geminga::compiled

@@ -131,9 +131,9 @@ TEST(Keys, MakeNamedIndividualsOne) {
       {"one individual", keys_of_no_use + "\nClassAssertion(A i:a)", {"A < P", "B < P"}},
   };
   for (const KeyCase& one : cases) {
-    const OntologySource source = written(one.axioms);
-    EXPECT_EQ(closure(loaded(source)), one.closure) << one.name;
-    EXPECT_TRUE(classified(source).unused.empty()) << one.name;
+    const owl::Ontology source = owl::written(one.axioms);
+    EXPECT_EQ(owl::closure(owl::loaded(source)), one.closure) << one.name;
+    EXPECT_TRUE(owl::classified(source).unused.empty()) << one.name;
   }
 }
 
@@ -144,8 +144,8 @@ TEST(Keys, OfTooManyCombinationsAreLeftOutAndNamed) {
     return text;
   };
   static_assert(max_key_tuples == 256 * 256);
-  EXPECT_TRUE(classified(written(of(256))).unused.empty());
-  const Classification over = classified(written(of(257)));
+  EXPECT_TRUE(owl::classified(owl::written(of(256))).unused.empty());
+  const taxonomy::Classification over = owl::classified(owl::written(of(257)));
   ASSERT_EQ(over.unused.size(), 1U);
   EXPECT_EQ(over.unused.front().axiom, 0U);
   EXPECT_EQ(over.unused.front().construct, "owl:hasKey");
@@ -153,7 +153,7 @@ TEST(Keys, OfTooManyCombinationsAreLeftOutAndNamed) {
 
 std::vector<std::string> left_out_of(const std::string& text) {
   std::vector<std::string> found;
-  for (const UnusedAxiom& unused : classified(written(text)).unused)
+  for (const taxonomy::UnusedAxiom& unused : owl::classified(owl::written(text)).unused)
     found.push_back(std::to_string(unused.axiom) + " " + std::string(unused.construct));
   return found;
 }

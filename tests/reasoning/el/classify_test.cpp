@@ -278,11 +278,12 @@ INSTANTIATE_TEST_SUITE_P(Bottom, Classify, testing::ValuesIn(bottom), name_of);
 INSTANTIATE_TEST_SUITE_P(Existential, Classify, testing::ValuesIn(existential), name_of);
 
 TEST(LeftOut, IsNamedByConstructWithCountAndFirstPlace) {
-  OntologySource source;
-  write_into(source, "SubClassOf(A B)\nSubClassOf(ObjectAllValuesFrom(r C) B)\nDisjointObjectProperties(r s)", "b.ofn");
-  write_into(source, "SubClassOf(ObjectAllValuesFrom(r C) D)", "a.ofn");
-  source.leave_out("swrl:Imp", FileId{1}, 7, 2);
-  const std::vector<LeftOut> left = loaded(source).left_out();
+  owl::Ontology source;
+  owl::write_into(source, "SubClassOf(A B)\nSubClassOf(ObjectAllValuesFrom(r C) B)\nDisjointObjectProperties(r s)",
+                  "b.ofn");
+  owl::write_into(source, "SubClassOf(ObjectAllValuesFrom(r C) D)", "a.ofn");
+  source.leave_out("swrl:Imp", owl::FileId{1}, 7, 2);
+  const std::vector<owl::LeftOut> left = owl::loaded(source).left_out();
   ASSERT_EQ(left.size(), 3);
   EXPECT_EQ(left[0].construct, "owl:allValuesFrom");
   EXPECT_EQ(left[0].count, 2);
@@ -294,53 +295,54 @@ TEST(LeftOut, IsNamedByConstructWithCountAndFirstPlace) {
 }
 
 TEST(Classify, FollowsAChainOfAHundredThousandClasses) {
-  OntologySource source;
-  const FileId file = source.add_file("chain");
+  owl::Ontology source;
+  const owl::FileId file = source.add_file("chain");
   source.add_prefix("t", "https://t.example/#");
   constexpr int length = 100'000;
-  std::vector<TermId> classes;
+  std::vector<owl::TermId> classes;
   for (int at = 0; at < length; ++at)
     classes.push_back(source.named_class("https://t.example/#C" + std::to_string(at)));
-  for (int at = 0; at + 1 < length; ++at) source.add(AxiomKind::sub_class_of, {classes[at], classes[at + 1]}, file, 1);
-  const Ontology ontology = loaded(source);
-  const ClassNumber first = named(ontology, "C0");
-  const ClassNumber last = named(ontology, "C" + std::to_string(length - 1));
+  for (int at = 0; at + 1 < length; ++at)
+    source.add(owl::AxiomKind::sub_class_of, {classes[at], classes[at + 1]}, file, 1);
+  const compiled::Ontology ontology = owl::loaded(source);
+  const taxonomy::ClassNumber first = owl::named(ontology, "C0");
+  const taxonomy::ClassNumber last = owl::named(ontology, "C" + std::to_string(length - 1));
   EXPECT_TRUE(ontology.is_subsumed(first, last));
   EXPECT_FALSE(ontology.is_subsumed(last, first));
   EXPECT_EQ(ontology.distance(first, last), length - 1);
 }
 
 TEST(Classify, FollowsACycleOfAHundredThousandClasses) {
-  OntologySource source;
-  const FileId file = source.add_file("cycle");
+  owl::Ontology source;
+  const owl::FileId file = source.add_file("cycle");
   source.add_prefix("t", "https://t.example/#");
   constexpr int length = 100'000;
-  std::vector<TermId> classes;
+  std::vector<owl::TermId> classes;
   for (int at = 0; at < length; ++at)
     classes.push_back(source.named_class("https://t.example/#C" + std::to_string(at)));
   for (int at = 0; at < length; ++at) {
-    source.add(AxiomKind::sub_class_of, {classes[at], classes[(at + 1) % length]}, file, 1);
+    source.add(owl::AxiomKind::sub_class_of, {classes[at], classes[(at + 1) % length]}, file, 1);
   }
-  const Ontology ontology = loaded(source);
-  EXPECT_TRUE(ontology.is_equivalent(named(ontology, "C0"), named(ontology, "C77777")));
+  const compiled::Ontology ontology = owl::loaded(source);
+  EXPECT_TRUE(ontology.is_equivalent(owl::named(ontology, "C0"), owl::named(ontology, "C77777")));
 }
 
 TEST(Classify, FollowsAChainOfLinksOfFiftyThousand) {
-  OntologySource source;
-  const FileId file = source.add_file("links");
+  owl::Ontology source;
+  const owl::FileId file = source.add_file("links");
   source.add_prefix("t", "https://t.example/#");
   constexpr int length = 50'000;
-  std::vector<TermId> classes;
-  const TermId role = source.object_property("https://t.example/#r");
+  std::vector<owl::TermId> classes;
+  const owl::TermId role = source.object_property("https://t.example/#r");
   for (int at = 0; at < length; ++at)
     classes.push_back(source.named_class("https://t.example/#C" + std::to_string(at)));
   for (int at = 0; at + 1 < length; ++at) {
-    source.add(AxiomKind::sub_class_of,
-               {classes[at], source.term(TermKind::object_some_values_from, {role, classes[at + 1]})}, file, 1);
+    source.add(owl::AxiomKind::sub_class_of,
+               {classes[at], source.term(owl::TermKind::object_some_values_from, {role, classes[at + 1]})}, file, 1);
   }
-  source.add(AxiomKind::sub_class_of, {classes.back(), nothing_term}, file, 1);
-  const Ontology ontology = loaded(source);
-  EXPECT_FALSE(ontology.is_satisfiable(named(ontology, "C0")));
+  source.add(owl::AxiomKind::sub_class_of, {classes.back(), owl::nothing_term}, file, 1);
+  const compiled::Ontology ontology = owl::loaded(source);
+  EXPECT_FALSE(ontology.is_satisfiable(owl::named(ontology, "C0")));
 }
 
 }  // namespace

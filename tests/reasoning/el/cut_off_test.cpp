@@ -25,13 +25,13 @@ std::string line_of_parts(int length) {
   return text;
 }
 
-std::vector<std::string> closure_of(const OntologySource& source, const Classification& classification) {
-  auto ontology = Ontology::from_bytes(compile(source, classification));
+std::vector<std::string> closure_of(const owl::Ontology& source, const taxonomy::Classification& classification) {
+  auto ontology = compiled::Ontology::from_bytes(compiled::compile(source, classification));
   if (!ontology) ADD_FAILURE() << ontology.error().text;
-  return closure(*ontology);
+  return owl::closure(*ontology);
 }
 
-Classification within(const OntologySource& source, base::Budget& budget, const ClassifyOptions& options) {
+taxonomy::Classification within(const owl::Ontology& source, base::Budget& budget, const ClassifyOptions& options) {
   ClassifyOptions with = options;
   with.budget = &budget;
   auto found = classify(source, with);
@@ -48,13 +48,14 @@ bool follows(const std::string& line, const std::vector<std::string>& all) {
 /// What stands on the left of a closure's line.
 std::string subject(const std::string& line) { return line.substr(0, line.find(' ')); }
 
-std::string short_name(const OntologySource& source, const Classification& found, std::size_t of) {
+std::string short_name(const owl::Ontology& source, const taxonomy::Classification& found, std::size_t of) {
   const std::string_view iri = source.name(found.classes[of]);
   return std::string(iri.substr(iri.find_last_of('#') + 1));
 }
 
 /// What is left of a classification within a budget is part of the whole, and all of it where it says so.
-void expect_part(const OntologySource& source, const Classification& found, const std::vector<std::string>& all) {
+void expect_part(const owl::Ontology& source, const taxonomy::Classification& found,
+                 const std::vector<std::string>& all) {
   const std::vector<std::string> some = closure_of(source, found);
   for (const std::string& line : some) ASSERT_TRUE(follows(line, all)) << line << " does not follow";
   if (!found.is_cut_off) {
@@ -83,18 +84,18 @@ const Way ways[] = {
 };
 
 TEST(ABudgetOfTheClosure, IsSpentByAllWaysToDeriveIt) {
-  const OntologySource source = written(line_of_parts(150));
-  const std::vector<std::string> all = closure_of(source, classified(source));
+  const owl::Ontology source = owl::written(line_of_parts(150));
+  const std::vector<std::string> all = closure_of(source, owl::classified(source));
   for (const Way& way : ways) {
     SCOPED_TRACE(way.name);
     base::Budget enough;
-    const Classification whole = within(source, enough, way.options);
+    const taxonomy::Classification whole = within(source, enough, way.options);
     EXPECT_FALSE(whole.is_cut_off);
     EXPECT_GT(enough.spent(), 10'000U);
     expect_part(source, whole, all);
     for (const std::uint64_t steps : {1U, 2'000U, 5'000U, 10'000U}) {
       base::Budget budget(steps);
-      const Classification found = within(source, budget, way.options);
+      const taxonomy::Classification found = within(source, budget, way.options);
       EXPECT_TRUE(found.is_cut_off) << steps;
       EXPECT_TRUE(found.unused.empty());
       EXPECT_LT(budget.spent(), steps + 10'000) << "nobody works on behind the end";
@@ -104,7 +105,7 @@ TEST(ABudgetOfTheClosure, IsSpentByAllWaysToDeriveIt) {
 }
 
 TEST(ABudgetOfTheClosure, IsEnoughWhereItIsWhatTheWorkCosts) {
-  const OntologySource source = written(line_of_parts(80));
+  const owl::Ontology source = owl::written(line_of_parts(80));
   for (const Way& way : {ways[0], ways[2]}) {
     SCOPED_TRACE(way.name);
     base::Budget enough;
@@ -121,10 +122,10 @@ TEST(ABudgetOfTheClosure, IsEnoughWhereItIsWhatTheWorkCosts) {
 }
 
 TEST(ABudgetOfTheClosure, OfTimeThatIsOverLeavesWhatIsTold) {
-  const OntologySource source = written(line_of_parts(100) + "SubClassOf(B C)\nSubClassOf(C D)\n");
+  const owl::Ontology source = owl::written(line_of_parts(100) + "SubClassOf(B C)\nSubClassOf(C D)\n");
   for (const Way& way : ways) {
     base::Budget budget(base::Budget::unlimited, [] { return true; });
-    const Classification found = within(source, budget, way.options);
+    const taxonomy::Classification found = within(source, budget, way.options);
     EXPECT_TRUE(found.is_cut_off) << way.name;
     const auto some = closure_of(source, found);
     EXPECT_TRUE(std::ranges::binary_search(some, "B < D")) << way.name;
@@ -132,10 +133,10 @@ TEST(ABudgetOfTheClosure, OfTimeThatIsOverLeavesWhatIsTold) {
 }
 
 TEST(ABudgetOfTheClosure, OfAContradictionThatIsFoundLeavesNothingOpen) {
-  const OntologySource source =
-      written("ClassAssertion(A i:x)\nClassAssertion(B i:x)\nDisjointClasses(A B)\n" + line_of_parts(20));
+  const owl::Ontology source =
+      owl::written("ClassAssertion(A i:x)\nClassAssertion(B i:x)\nDisjointClasses(A B)\n" + line_of_parts(20));
   base::Budget budget(1);
-  const Classification found = within(source, budget, {});
+  const taxonomy::Classification found = within(source, budget, {});
   EXPECT_TRUE(found.is_cut_off || !found.is_consistent);
   EXPECT_FALSE(found.is_cut_off && !found.is_consistent);
 }
@@ -145,15 +146,15 @@ TEST(ABudgetOfTheClosure, LeavesAPartOfWhatFollowsFromRandomOntologies) {
   int settled = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     base::Random random(seed);
-    const std::string text = random_ontology(random, 30 + random.below(60)) + line_of_parts(40);
-    const OntologySource source = written(text);
-    const Classification whole = classified(source);
+    const std::string text = owl::random_ontology(random, 30 + random.below(60)) + line_of_parts(40);
+    const owl::Ontology source = owl::written(text);
+    const taxonomy::Classification whole = owl::classified(source);
     const std::vector<std::string> all = closure_of(source, whole);
     if (!whole.is_consistent) continue;
     for (const Way& way : ways) {
       base::Budget budget(1 + random.below(6'000));
       SCOPED_TRACE("seed " + std::to_string(seed) + ", " + way.name);
-      const Classification found = within(source, budget, way.options);
+      const taxonomy::Classification found = within(source, budget, way.options);
       if (found.is_cut_off) ++cut_off;
       if (found.is_cut_off) settled += static_cast<int>(std::ranges::count(found.is_settled, true));
       expect_part(source, found, all);
@@ -177,15 +178,15 @@ std::string hands(int count) {
 }
 
 TEST(ABudgetOfTheClosure, IsAskedByCopiesToo) {
-  const OntologySource source = written(hands(200));
+  const owl::Ontology source = owl::written(hands(200));
   base::Budget enough;
-  const Classification whole = within(source, enough, {});
+  const taxonomy::Classification whole = within(source, enough, {});
   ASSERT_FALSE(whole.is_cut_off);
   ASSERT_TRUE(whole.unused.empty());
   const std::vector<std::string> all = closure_of(source, whole);
   for (std::uint64_t steps = 1; steps < enough.spent(); steps += 1 + enough.spent() / 12) {
     base::Budget budget(steps);
-    const Classification found = within(source, budget, {});
+    const taxonomy::Classification found = within(source, budget, {});
     EXPECT_TRUE(found.is_cut_off) << steps;
     EXPECT_FALSE(found.unused.empty()) << "what inverses say was not looked at to the end";
     expect_part(source, found, all);

@@ -24,9 +24,9 @@ inline std::string name_of(const testing::TestParamInfo<Entailed>& one) { return
 
 /// The closure is exactly that of the case, and is said to be complete where it is.
 inline void expect_exactly(const Entailed& one) {
-  const OntologySource source = written(one.axioms);
-  EXPECT_EQ(closure(loaded(source)), one.closure) << one.axioms;
-  EXPECT_EQ(classified(source).unused.empty(), one.is_complete) << one.axioms;
+  const owl::Ontology source = owl::written(one.axioms);
+  EXPECT_EQ(owl::closure(owl::loaded(source)), one.closure) << one.axioms;
+  EXPECT_EQ(owl::classified(source).unused.empty(), one.is_complete) << one.axioms;
 }
 
 }  // namespace geminga::el

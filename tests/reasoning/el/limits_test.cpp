@@ -29,21 +29,21 @@ void PrintTo(const Limit& one, std::ostream* out) { *out << one.name; }
 
 class ALimit : public testing::TestWithParam<Limit> {
  protected:
-  ALimit() : source_(written(GetParam().axioms)), all_(closure_of(*classify(source_, GetParam().options))) {}
+  ALimit() : source_(owl::written(GetParam().axioms)), all_(closure_of(*classify(source_, GetParam().options))) {}
 
-  [[nodiscard]] std::vector<std::string> closure_of(const Classification& found) const {
-    return closure(*Ontology::from_bytes(compile(source_, found)));
+  [[nodiscard]] std::vector<std::string> closure_of(const taxonomy::Classification& found) const {
+    return owl::closure(*compiled::Ontology::from_bytes(compiled::compile(source_, found)));
   }
-  [[nodiscard]] std::expected<Classification, ClassifyError> within(std::size_t value) const {
+  [[nodiscard]] std::expected<taxonomy::Classification, ClassifyError> within(std::size_t value) const {
     ClassifyOptions options = GetParam().options;
     GetParam().set(options.limits, value);
     return classify(source_, options);
   }
-  [[nodiscard]] bool is_all(const std::expected<Classification, ClassifyError>& found) const {
+  [[nodiscard]] bool is_all(const std::expected<taxonomy::Classification, ClassifyError>& found) const {
     return found && found->unused.empty() && closure_of(*found) == all_;
   }
 
-  const OntologySource source_;
+  const owl::Ontology source_;
   const std::vector<std::string> all_;
 };
 
@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(OfAClassification, ALimit, testing::ValuesIn(limits),
                          [](const testing::TestParamInfo<Limit>& one) { return std::string(one.param.name); });
 
 /// Whether the whole of an ontology was used.
-bool is_used(const std::string& text) { return classified(written(text)).unused.empty(); }
+bool is_used(const std::string& text) { return owl::classified(owl::written(text)).unused.empty(); }
 
 TEST(StatesOfAnAutomaton, AreLimitedForARangeOverAChain) {
   // A chain of n links has an automaton of n + 1 states.
@@ -158,20 +158,20 @@ TEST(MirrorImagesOfAChain, AreLimited) {
   constexpr std::size_t most = 16;
   for (const std::size_t few : {most - 1, most}) {
     EXPECT_TRUE(is_used(images(few))) << few;
-    EXPECT_TRUE(std::ranges::binary_search(closure(images(few)), "A < D")) << few;
+    EXPECT_TRUE(std::ranges::binary_search(owl::closure(images(few)), "A < D")) << few;
   }
   EXPECT_FALSE(is_used(images(most + 1)));
 }
 
 TEST(AutomatonOfARole, OfAStateTooManyIsLeftOutWithItsChainNamed) {
   // a o a o a o a < r: three states between the first and the last.
-  const auto role = [](std::uint32_t number) { return Role{PropertyId{number}, false}; };
-  const std::vector<RoleChain> chains = {{{role(0), role(0), role(0), role(0)}, role(1), 7}};
+  const auto role = [](std::uint32_t number) { return owl::Role{owl::PropertyId{number}, false}; };
+  const std::vector<owl::RoleChain> chains = {{{role(0), role(0), role(0), role(0)}, role(1), 7}};
   constexpr std::size_t states = 5;
-  const RoleBox less(2, {}, chains, states - 1);
+  const owl::RoleBox less(2, {}, chains, states - 1);
   EXPECT_EQ(std::vector(less.left_out().begin(), less.left_out().end()), std::vector<std::uint32_t>{7});
   for (const std::size_t most : {states, states + 1}) {
-    const RoleBox box(2, {}, chains, most);
+    const owl::RoleBox box(2, {}, chains, most);
     EXPECT_TRUE(box.left_out().empty()) << most;
     EXPECT_EQ(box.automaton(role(1)).state_count(), states);
   }

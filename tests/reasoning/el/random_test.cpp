@@ -45,13 +45,13 @@ TEST(RandomOntologies, AreClassifiedAsByTheNaiveReasoner) {
   int complete = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     base::Random random(seed);
-    const std::string text = random_ontology(random, 4 + random.below(16));
+    const std::string text = owl::random_ontology(random, 4 + random.below(16));
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
-    const OntologySource source = written(text);
-    const std::vector<std::string> found = closure(loaded(source));
-    const std::vector<std::string> expected = reference_closure(source);
-    const bool is_complete = classified(source).unused.empty();
-    if (has_range_over_chain(source)) {
+    const owl::Ontology source = owl::written(text);
+    const std::vector<std::string> found = owl::closure(owl::loaded(source));
+    const std::vector<std::string> expected = owl::reference_closure(source);
+    const bool is_complete = owl::classified(source).unused.empty();
+    if (owl::has_range_over_chain(source)) {
       // What else follows from the ranges of chains is for tests/compare.
       ASSERT_TRUE(!is_complete || covers(found, expected));
     } else if (is_complete) {
@@ -67,27 +67,29 @@ TEST(RandomOntologies, AreClassifiedAsByTheNaiveReasoner) {
 TEST(RandomOntologies, GiveTheSameBytesInAnyOrder) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     base::Random random(seed);
-    const std::string text = random_ontology(random, 20);
-    const auto without_lines = [](const OntologySource& read) {
-      OntologySource copy;  // a shuffled file has other line numbers, and they are part of the bytes
-      const FileId file = copy.add_file("f");
-      std::vector<TermId> terms;
+    const std::string text = owl::random_ontology(random, 20);
+    const auto without_lines = [](const owl::Ontology& read) {
+      owl::Ontology copy;  // a shuffled file has other line numbers, and they are part of the bytes
+      const owl::FileId file = copy.add_file("f");
+      std::vector<owl::TermId> terms;
       for (std::uint32_t id = 0; id < read.term_count(); ++id) {
-        const Term term = read.term(TermId{id});
-        std::vector<TermId> arguments;
-        for (const TermId argument : term.arguments) arguments.push_back(terms[static_cast<std::size_t>(argument)]);
+        const owl::Term term = read.term(owl::TermId{id});
+        std::vector<owl::TermId> arguments;
+        for (const owl::TermId argument : term.arguments)
+          arguments.push_back(terms[static_cast<std::size_t>(argument)]);
         terms.push_back(copy.copy(term.kind, read.name(term.name), term.number, arguments));
       }
       for (std::size_t at = 0; at < read.axiom_count(); ++at) {
-        const Axiom axiom = read.axiom(at);
-        std::vector<TermId> arguments;
-        for (const TermId argument : axiom.arguments) arguments.push_back(terms[static_cast<std::size_t>(argument)]);
+        const owl::Axiom axiom = read.axiom(at);
+        std::vector<owl::TermId> arguments;
+        for (const owl::TermId argument : axiom.arguments)
+          arguments.push_back(terms[static_cast<std::size_t>(argument)]);
         copy.add(axiom.kind, arguments, file, 1);
       }
-      return compile(copy, classified(copy));
+      return compiled::compile(copy, owl::classified(copy));
     };
     const std::string other = shuffled(text, random);
-    ASSERT_EQ(without_lines(written(text)), without_lines(written(other))) << "seed " << seed << "\n" << text;
+    ASSERT_EQ(without_lines(owl::written(text)), without_lines(owl::written(other))) << "seed " << seed << "\n" << text;
   }
 }
 

@@ -182,12 +182,13 @@ class Validator {
 
 }  // namespace
 
-Saturated::Saturated(const OntologySource& source, unsigned threads, const SaturationLimits& limits) {
+Saturated::Saturated(const owl::Ontology& source, unsigned threads, const SaturationLimits& limits) {
   Normaliser normaliser(source, index);
   for (std::uint32_t axiom = 0; axiom < source.axiom_count(); ++axiom) (void)normaliser.add(axiom);
   std::vector<ExprId> roots;
   for (std::uint32_t id = 0; id < source.term_count(); ++id) {
-    if (source.kind(TermId{id}) == TermKind::named_class) roots.push_back(normaliser.expression(TermId{id}));
+    if (source.kind(owl::TermId{id}) == owl::TermKind::named_class)
+      roots.push_back(normaliser.expression(owl::TermId{id}));
   }
   (void)normaliser.finish();
   EXPECT_TRUE(index.finish(1 << 20));

@@ -14,7 +14,7 @@ namespace geminga::el {
 
 /// The contexts of all named classes and individuals of a source, saturated by so many threads.
 struct Saturated {
-  Saturated(const OntologySource& source, unsigned threads, const SaturationLimits& limits = {});
+  Saturated(const owl::Ontology& source, unsigned threads, const SaturationLimits& limits = {});
   Index index;
   std::unique_ptr<Saturation> saturation;
 };

@@ -52,11 +52,11 @@ std::string individuals(base::Random& random) {
 TEST(Saturation, LeavesNoRuleToFire) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     base::Random random(seed);
-    std::string text = random_ontology(random, 4 + random.below(24));
+    std::string text = owl::random_ontology(random, 4 + random.below(24));
     if (random.chance(0.4)) text += functional_properties(random);
     if (random.chance(0.4)) text += individuals(random);
     const unsigned threads = 1 + static_cast<unsigned>(seed % 3);
-    const Saturated found(written(text), threads);
+    const Saturated found(owl::written(text), threads);
     // Where the ontology is inconsistent, the run ends early.
     if (!found.saturation->is_consistent()) continue;
     ASSERT_EQ(rule_left_to_fire(found.index, *found.saturation), "")
@@ -66,7 +66,7 @@ TEST(Saturation, LeavesNoRuleToFire) {
 }
 
 TEST(Saturation, IsValidatedByOneThatSeesWhatIsMissing) {
-  const OntologySource source = written(
+  const owl::Ontology source = owl::written(
       "SubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(B C)\n"
       "SubClassOf(ObjectSomeValuesFrom(r C) D)\nSubClassOf(D ObjectSomeValuesFrom(s A))");
   const Saturated whole(source, 1);
@@ -79,13 +79,13 @@ TEST(Saturation, IsValidatedByOneThatSeesWhatIsMissing) {
 TEST(Threads, GiveTheSameBytesInAnyNumberAndOrder) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     base::Random random(seed);
-    std::string text = random_ontology(random, 8 + random.below(30));
+    std::string text = owl::random_ontology(random, 8 + random.below(30));
     if (random.chance(0.3)) text += functional_properties(random);
-    const OntologySource source = written(text);
+    const owl::Ontology source = owl::written(text);
     const auto bytes_of = [&](unsigned threads) {
       ClassifyOptions options;
       options.threads = threads;
-      return compile(source, *classify(source, options));
+      return compiled::compile(source, *classify(source, options));
     };
     const auto one = bytes_of(1);
     for (const unsigned threads : {2U, 5U}) {
@@ -114,25 +114,27 @@ std::string wide_ontology(base::Random& random, std::uint64_t classes) {
 TEST(Threads, AgreeOnWhatIsLargeEnoughToBeShared) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     base::Random random(seed);
-    const OntologySource source = written(wide_ontology(random, 400));
+    const owl::Ontology source = owl::written(wide_ontology(random, 400));
     const Saturated one(source, 1);
     const Saturated many(source, 4);
     ASSERT_EQ(one.saturation->contexts().size(), many.saturation->contexts().size()) << "seed " << seed;
     EXPECT_EQ(one.saturation->conclusion_count(), many.saturation->conclusion_count()) << "seed " << seed;
     EXPECT_EQ(one.saturation->link_count(), many.saturation->link_count()) << "seed " << seed;
     ClassifyOptions options;
-    options.threads = max_threads + 1;
-    EXPECT_EQ(compile(source, classified(source)), compile(source, *classify(source, options))) << "seed " << seed;
+    options.threads = parallel::max_threads + 1;
+    EXPECT_EQ(compiled::compile(source, owl::classified(source)), compiled::compile(source, *classify(source, options)))
+        << "seed " << seed;
   }
 }
 
 /// What the closure of a source begins with.
 struct Indexed {
-  explicit Indexed(const OntologySource& source) {
+  explicit Indexed(const owl::Ontology& source) {
     Normaliser normaliser(source, index);
     for (std::uint32_t axiom = 0; axiom < source.axiom_count(); ++axiom) (void)normaliser.add(axiom);
     for (std::uint32_t id = 0; id < source.term_count(); ++id) {
-      if (source.kind(TermId{id}) == TermKind::named_class) asked.push_back(normaliser.expression(TermId{id}));
+      if (source.kind(owl::TermId{id}) == owl::TermKind::named_class)
+        asked.push_back(normaliser.expression(owl::TermId{id}));
     }
     (void)normaliser.finish();
     EXPECT_TRUE(index.finish(1000000));
@@ -145,17 +147,18 @@ struct Indexed {
 TEST(Inheritance, FindsWhatSaturationFinds) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     base::Random random(seed);
-    std::string text = random_ontology(random, 8 + random.below(40));
+    std::string text = owl::random_ontology(random, 8 + random.below(40));
     if (random.chance(0.3)) text += wide_ontology(random, 60);
     if (random.chance(0.2)) text += "ReflexiveObjectProperty(r0)\nSubClassOf(ObjectHasSelf(r0) C1)\n";
     if (random.chance(0.2)) text += "ClassAssertion(C1 i:a)\nObjectPropertyAssertion(r1 i:b i:c)\n";
-    const OntologySource source = written(text);
+    const owl::Ontology source = owl::written(text);
     const unsigned threads = 1 + static_cast<unsigned>(seed % 3);
     ClassifyOptions by_saturation;
     by_saturation.inherits = false;
     ClassifyOptions by_inheritance;
     by_inheritance.threads = threads;
-    ASSERT_EQ(compile(source, *classify(source, by_saturation)), compile(source, *classify(source, by_inheritance)))
+    ASSERT_EQ(compiled::compile(source, *classify(source, by_saturation)),
+              compiled::compile(source, *classify(source, by_inheritance)))
         << "seed " << seed << ", " << threads << " threads\n"
         << text;
   }
@@ -163,7 +166,7 @@ TEST(Inheritance, FindsWhatSaturationFinds) {
 
 TEST(Inheritance, StopsAtTheLimitOfConclusionsAndNotBefore) {
   base::Random random(1);
-  const OntologySource source = written(wide_ontology(random, 600));
+  const owl::Ontology source = owl::written(wide_ontology(random, 600));
   const Indexed indexed(source);
   ASSERT_TRUE(Inheritance::is_for(indexed.index));
   Inheritance all(indexed.index, {}, indexed.asked);
@@ -184,7 +187,7 @@ TEST(Inheritance, LetsGoOfWhatNobodyWillAskFor) {
     text += "SubClassOf(A B" + number + ")\nSubClassOf(ObjectIntersectionOf(B" + number + " X) Y)\n" + "SubClassOf(C" +
             number + " A)\nSubClassOf(C" + number + " ObjectSomeValuesFrom(r D" + number + "))\n";
   }
-  const OntologySource source = written(text);
+  const owl::Ontology source = owl::written(text);
   const Indexed indexed(source);
   Inheritance inheritance(indexed.index, {}, indexed.asked);
   ASSERT_TRUE(inheritance.run());
@@ -196,7 +199,7 @@ TEST(Inheritance, LetsGoOfWhatNobodyWillAskFor) {
 
 TEST(Threads, StopTogetherAtTheLimitOfConclusions) {
   base::Random random(1);
-  const OntologySource source = written(wide_ontology(random, 600));
+  const owl::Ontology source = owl::written(wide_ontology(random, 600));
   const std::size_t all = Saturated(source, 1).saturation->conclusion_count();
   for (const unsigned threads : {1U, 3U}) {
     EXPECT_FALSE(Saturated(source, threads, {.conclusions = all}).saturation->is_over_limit()) << threads;
@@ -206,8 +209,8 @@ TEST(Threads, StopTogetherAtTheLimitOfConclusions) {
 
 TEST(Threads, StopTogetherWhereTheOntologyIsInconsistent) {
   base::Random random(1);
-  const OntologySource source =
-      written(wide_ontology(random, 500) + "ClassAssertion(C400 i:a)\nDisjointClasses(C44 C14)");
+  const owl::Ontology source =
+      owl::written(wide_ontology(random, 500) + "ClassAssertion(C400 i:a)\nDisjointClasses(C44 C14)");
   for (const unsigned threads : {1U, 4U}) EXPECT_FALSE(Saturated(source, threads).saturation->is_consistent());
 }
 
@@ -229,7 +232,7 @@ std::string counter(int bits) {
 }
 
 TEST(Merging, IsLimitedAndSaidToBe) {
-  const OntologySource source = written(counter(6));
+  const owl::Ontology source = owl::written(counter(6));
   const Saturated all(source, 1);
   ASSERT_TRUE(all.saturation->is_consistent());
   ASSERT_FALSE(all.saturation->is_over_limit());

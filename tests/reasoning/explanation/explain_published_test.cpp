@@ -13,7 +13,7 @@
 #include "reasoning/reasoner/reasoner.hpp"
 #include "reasoning/syntax/rdf/load.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,7 +34,7 @@ std::optional<rdf::Loaded> load_soma() {
   const fs::path file = published("ontologies/soma/all-modules-merged.rdf");
   if (file.empty()) return std::nullopt;
   auto loaded = rdf::load(std::vector{file.string()});
-  EXPECT_TRUE(loaded) << (loaded ? "" : rdf::to_string(loaded.error()));
+  EXPECT_TRUE(loaded) << (loaded ? "" : syntax::to_string(loaded.error()));
   if (!loaded) return std::nullopt;
   return std::move(*loaded);
 }
@@ -44,24 +44,24 @@ TEST(Published, SomaHasEightUnsatisfiableClassesAndEachIsExplainedMinimally) {
   if (!loaded) return;
   const auto classified = reasoner::classify(loaded->source);
   ASSERT_TRUE(classified) << classified.error().text;
-  const auto ontology = el::Ontology::from_bytes(el::compile(loaded->source, *classified));
+  const auto ontology = compiled::Ontology::from_bytes(compiled::compile(loaded->source, *classified));
   ASSERT_TRUE(ontology) << ontology.error().text;
-  const el::ClassNumber nothing = *ontology->find_iri(el::owl_nothing);
+  const taxonomy::ClassNumber nothing = *ontology->find_iri(owl::owl_nothing);
   int explained = 0;
   for (std::uint32_t number = 0; number < ontology->class_count(); ++number) {
-    const el::ClassNumber sub{number};
+    const taxonomy::ClassNumber sub{number};
     if (sub == nothing || ontology->is_satisfiable(sub)) continue;
     SCOPED_TRACE(ontology->iri(sub));
     Explainer explainer(*ontology, sub, nothing);
     const auto found = explainer.find_one();
     ASSERT_TRUE(found);
     // The judge is the whole reasoner, not what the search has asked.
-    const el::OntologySource& source = explainer.module().source();
-    EXPECT_EQ(reasoner::entails(source, *found, explainer.sub(), explainer.super()).verdict, Verdict::yes);
+    const owl::Ontology& source = explainer.module().source();
+    EXPECT_EQ(reasoner::entails(source, *found, explainer.sub(), explainer.super()).verdict, reasoner::Verdict::yes);
     for (const std::uint32_t axiom : *found) {
       AxiomSet fewer = *found;
       std::erase(fewer, axiom);
-      EXPECT_EQ(reasoner::entails(source, fewer, explainer.sub(), explainer.super()).verdict, Verdict::no)
+      EXPECT_EQ(reasoner::entails(source, fewer, explainer.sub(), explainer.super()).verdict, reasoner::Verdict::no)
           << explainer.module().explained(axiom).text;
     }
     const Proof proof = prove(explainer, *found);
@@ -73,4 +73,4 @@ TEST(Published, SomaHasEightUnsatisfiableClassesAndEachIsExplainedMinimally) {
 }
 
 }  // namespace
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

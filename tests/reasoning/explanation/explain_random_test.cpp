@@ -12,7 +12,7 @@
 #include "support/reference.hpp"
 #include "support/written.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 namespace {
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -56,7 +56,7 @@ class Subsets {
       for (std::size_t line = 0; line < lines_.size(); ++line) {
         text += ((mask >> line) & 1) != 0 ? lines_[line] + "\n" : "\n";
       }
-      const auto lines = el::reference_closure(el::written(text));
+      const auto lines = owl::reference_closure(owl::written(text));
       closure.emplace(lines.begin(), lines.end());
     }
     return *closure;
@@ -81,23 +81,23 @@ int for_random_pairs(std::uint64_t seeds, std::size_t axioms, Check&& check) {
   int checked = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     base::Random random(seed);
-    const std::string text = el::random_ontology(random, axioms);
+    const std::string text = owl::random_ontology(random, axioms);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
-    const el::OntologySource source = el::written(text);
+    const owl::Ontology source = owl::written(text);
     // The naive reasoner knows nothing of ranges that chains escape.
-    if (!el::classified(source).unused.empty() || el::has_range_over_chain(source)) continue;
+    if (!owl::classified(source).unused.empty() || owl::has_range_over_chain(source)) continue;
     std::vector<std::string> lines = lines_of(text);
-    const el::Ontology ontology = el::loaded(source);
+    const compiled::Ontology ontology = owl::loaded(source);
     if (ontology.axioms().axiom_count() != lines.size()) continue;  // what stands there twice is one axiom
     Subsets subsets(std::move(lines));
     for (std::uint32_t sub = 0; sub < ontology.class_count(); ++sub) {
       for (std::uint32_t super = 0; super < ontology.class_count(); ++super) {
         const auto local = [&](std::uint32_t number) {
-          const std::string_view iri = ontology.iri(el::ClassNumber{number});
+          const std::string_view iri = ontology.iri(taxonomy::ClassNumber{number});
           return std::string(iri.substr(iri.find('#') + 1));
         };
         if (sub == super || local(sub) == "Nothing" || local(super) == "Thing" || local(sub) == "Thing") continue;
-        Explainer explainer(ontology, el::ClassNumber{sub}, el::ClassNumber{super});
+        Explainer explainer(ontology, taxonomy::ClassNumber{sub}, taxonomy::ClassNumber{super});
         SCOPED_TRACE(local(sub) + " < " + local(super));
         check(explainer, subsets, local(sub), local(super));
         if (testing::Test::HasFatalFailure()) return checked;
@@ -139,4 +139,4 @@ TEST(RandomExplanations, AreAllThatThereAre) {
 }
 
 }  // namespace
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

@@ -6,13 +6,13 @@
 
 #include "support/written.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 namespace {
 
-using el::loaded;
-using el::named;
-using el::Ontology;
-using el::robots;
+using compiled::Ontology;
+using owl::loaded;
+using owl::named;
+using owl::robots;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -25,7 +25,7 @@ std::vector<std::string> texts(const std::optional<std::vector<ExplainedAxiom>>&
 }
 
 TEST(Explain, NamesFileAndLineInTheOrderOfTheArgument) {
-  const Ontology ontology = loaded(robots);
+  const Ontology ontology = loaded(owl::robots);
   const auto steps = explain(ontology, named(ontology, "SharedBallInfo"), named(ontology, "TrackedObject"));
   EXPECT_THAT(texts(steps),
               ElementsAre("t:SharedBallInfo SubClassOf t:BallInfo", "t:BallInfo SubClassOf t:TrackedObject"));
@@ -79,4 +79,4 @@ TEST(Explain, FindsTheContradictionFromWhichEverythingFollows) {
 }
 
 }  // namespace
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

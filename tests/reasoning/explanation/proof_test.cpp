@@ -12,12 +12,12 @@
 #include "support/reference.hpp"
 #include "support/written.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 namespace {
 
-using el::loaded;
-using el::named;
-using el::Ontology;
+using compiled::Ontology;
+using owl::loaded;
+using owl::named;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -39,7 +39,7 @@ void check(Explainer& explainer, const Proof& proof) {
       } else {
         const ProofStep& earlier = proof.steps[number - proof.axioms.size() - 1];
         premises.push_back(static_cast<std::uint32_t>(module.source().axiom_count()));
-        module.source().add(el::AxiomKind::sub_class_of, {earlier.sub, earlier.super}, el::FileId{0}, 0);
+        module.source().add(owl::AxiomKind::sub_class_of, {earlier.sub, earlier.super}, owl::FileId{0}, 0);
       }
     }
     ASSERT_TRUE(engines.holds(premises, step.sub, step.super));
@@ -158,13 +158,13 @@ TEST(RandomProofs, HaveStepsThatFollow) {
   int by_rules = 0;
   for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     base::Random random(seed);
-    const std::string text = el::random_ontology(random, 14);
+    const std::string text = owl::random_ontology(random, 14);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
     const Ontology ontology = loaded(text);
     for (std::uint32_t sub = 0; sub < ontology.class_count(); ++sub) {
       for (std::uint32_t super = 0; super < ontology.class_count(); ++super) {
-        if (!ontology.is_subsumed(el::ClassNumber{sub}, el::ClassNumber{super})) continue;
-        Explainer explainer(ontology, el::ClassNumber{sub}, el::ClassNumber{super});
+        if (!ontology.is_subsumed(taxonomy::ClassNumber{sub}, taxonomy::ClassNumber{super})) continue;
+        Explainer explainer(ontology, taxonomy::ClassNumber{sub}, taxonomy::ClassNumber{super});
         const auto found = explainer.find_one();
         ASSERT_TRUE(found);
         if (found->size() < 3) continue;
@@ -184,4 +184,4 @@ TEST(RandomProofs, HaveStepsThatFollow) {
 }
 
 }  // namespace
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

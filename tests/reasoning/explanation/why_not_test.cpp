@@ -8,12 +8,12 @@
 #include "support/reference.hpp"
 #include "support/written.hpp"
 
-namespace geminga::reasoner {
+namespace geminga::explanation {
 namespace {
 
-using el::loaded;
-using el::named;
-using el::Ontology;
+using compiled::Ontology;
+using owl::loaded;
+using owl::named;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -21,15 +21,15 @@ using testing::IsEmpty;
 
 std::vector<std::string> lines_for(std::string_view axioms, std::string_view sub, std::string_view super) {
   const Ontology ontology = loaded(axioms);
-  const el::ClassNumber one = named(ontology, sub);
-  const el::ClassNumber other = named(ontology, super);
+  const taxonomy::ClassNumber one = named(ontology, sub);
+  const taxonomy::ClassNumber other = named(ontology, super);
   return describe(ontology, one, other, why_not(ontology, one, other));
 }
 
 std::vector<std::string> common(std::string_view axioms, std::string_view sub, std::string_view super) {
   const Ontology ontology = loaded(axioms);
   std::vector<std::string> names;
-  for (const el::ClassNumber number : why_not(ontology, named(ontology, sub), named(ontology, super)).common) {
+  for (const taxonomy::ClassNumber number : why_not(ontology, named(ontology, sub), named(ontology, super)).common) {
     names.push_back(ontology.short_name(number));
   }
   return names;
@@ -83,38 +83,38 @@ TEST(WhyNot, SaysWhenTheTwoExcludeEachOther) {
 }
 
 TEST(WhyNot, SaysWhenSomethingMayHaveBeenMissed) {
-  el::OntologySource source = el::written("SubClassOf(A B)\nSubClassOf(D C)");
-  EXPECT_FALSE(why_not(loaded(source), el::ClassNumber{0}, el::ClassNumber{1}).may_be_incomplete);
-  source.leave_out("swrl:Imp", el::FileId{0}, 7);
-  EXPECT_TRUE(why_not(loaded(source), el::ClassNumber{0}, el::ClassNumber{1}).may_be_incomplete);
+  owl::Ontology source = owl::written("SubClassOf(A B)\nSubClassOf(D C)");
+  EXPECT_FALSE(why_not(loaded(source), taxonomy::ClassNumber{0}, taxonomy::ClassNumber{1}).may_be_incomplete);
+  source.leave_out("swrl:Imp", owl::FileId{0}, 7);
+  EXPECT_TRUE(why_not(loaded(source), taxonomy::ClassNumber{0}, taxonomy::ClassNumber{1}).may_be_incomplete);
 }
 
 TEST(RandomWhyNots, NeverMissEverythingOfAClassThatIsCommon) {
   int checked = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     base::Random random(seed);
-    const std::string text = el::random_ontology(random, 14);
+    const std::string text = owl::random_ontology(random, 14);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
     const Ontology ontology = loaded(text);
     for (std::uint32_t one = 0; one < ontology.class_count(); ++one) {
       for (std::uint32_t other = 0; other < ontology.class_count(); ++other) {
-        const el::ClassNumber sub{one};
-        const el::ClassNumber super{other};
+        const taxonomy::ClassNumber sub{one};
+        const taxonomy::ClassNumber super{other};
         if (ontology.is_subsumed(sub, super)) continue;
         const WhyNot found = why_not(ontology, sub, super);
         ASSERT_FALSE(found.common.empty());
-        for (const el::ClassNumber above : found.common) {
+        for (const taxonomy::ClassNumber above : found.common) {
           ASSERT_TRUE(ontology.is_subsumed(sub, above) && ontology.is_subsumed(super, above));
           // No common class is below another that is listed.
-          for (const el::ClassNumber more : found.common) {
+          for (const taxonomy::ClassNumber more : found.common) {
             ASSERT_TRUE(more == above || !ontology.is_subsumed(more, above));
           }
         }
         for (std::uint32_t number = 0; number < ontology.class_count(); ++number) {
-          const el::ClassNumber any{number};
+          const taxonomy::ClassNumber any{number};
           if (!ontology.is_subsumed(sub, any) || !ontology.is_subsumed(super, any)) continue;
-          ASSERT_TRUE(std::ranges::any_of(found.common,
-                                          [&](el::ClassNumber lowest) { return ontology.is_subsumed(lowest, any); }));
+          ASSERT_TRUE(std::ranges::any_of(
+              found.common, [&](taxonomy::ClassNumber lowest) { return ontology.is_subsumed(lowest, any); }));
         }
         // Whoever met all that is enough would be in it.
         for (const Way& way : found.ways) ASSERT_TRUE(!way.is_sufficient || way.missing_count() > 0);
@@ -126,4 +126,4 @@ TEST(RandomWhyNots, NeverMissEverythingOfAClassThatIsCommon) {
 }
 
 }  // namespace
-}  // namespace geminga::reasoner
+}  // namespace geminga::explanation

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace geminga::el {
+namespace geminga::owl {
 namespace {
 
 std::string iri_of(std::string_view name) {
@@ -189,4 +189,4 @@ TEST(Datatypes, HoldValues) {
 }
 
 }  // namespace
-}  // namespace geminga::el
+}  // namespace geminga::owl

@@ -12,7 +12,7 @@
 #include "reasoning/owl/source_paths.hpp"
 #include "support/written.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,10 +33,10 @@ class Fingerprints : public testing::Test {
     std::ofstream(path(name)) << text;
     return path(name);
   }
-  Ontology compiled_from(const std::string& file, const std::string& text) {
-    OntologySource source = written("SubClassOf(A B)", file);
+  compiled::Ontology compiled_from(const std::string& file, const std::string& text) {
+    Ontology source = written("SubClassOf(A B)", file);
     source.set_content(FileId{0}, fingerprint_of(text));
-    auto ontology = Ontology::from_bytes(compile(source, classified(source)));
+    auto ontology = compiled::Ontology::from_bytes(compiled::compile(source, classified(source)));
     EXPECT_TRUE(ontology);
     return std::move(*ontology);
   }
@@ -62,7 +62,7 @@ TEST_F(Fingerprints, AreNotTakenOfWhatIsNoFile) {
 
 TEST_F(Fingerprints, SayThatASourceHasChanged) {
   const std::string file = write("a.owl", "one two");
-  const Ontology ontology = compiled_from(file, "one two");
+  const compiled::Ontology ontology = compiled_from(file, "one two");
   EXPECT_EQ(ontology.files().front().content, fingerprint_of("one two"));
   EXPECT_EQ(ontology.stale_source(), std::nullopt);
   write("a.owl", "one too");
@@ -74,7 +74,7 @@ TEST_F(Fingerprints, SayThatASourceHasChanged) {
 
 TEST_F(Fingerprints, DoNotMindATouchedOrMissingSource) {
   const std::string file = write("a.owl", "one two");
-  const Ontology ontology = compiled_from(file, "one two");
+  const compiled::Ontology ontology = compiled_from(file, "one two");
   fs::last_write_time(file, fs::last_write_time(file) + std::chrono::hours(1));
   EXPECT_EQ(ontology.stale_source(), std::nullopt);
   fs::remove(file);
@@ -82,7 +82,7 @@ TEST_F(Fingerprints, DoNotMindATouchedOrMissingSource) {
 }
 
 TEST_F(Fingerprints, ThatNobodyTookAreNotHeldAgainstAFile) {
-  const Ontology ontology = loaded(written("SubClassOf(A B)", write("a.owl", "anything")));
+  const compiled::Ontology ontology = loaded(written("SubClassOf(A B)", write("a.owl", "anything")));
   EXPECT_EQ(ontology.stale_source(), std::nullopt);
 }
 
@@ -117,4 +117,4 @@ TEST_F(Fingerprints, OfSourcesBehindALinkAreFound) {
 }
 
 }  // namespace
-}  // namespace geminga::el
+}  // namespace geminga::owl

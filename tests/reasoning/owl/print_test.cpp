@@ -8,13 +8,13 @@
 
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 namespace {
 
 std::string name_of(std::string_view iri) { return std::string(iri); }
 
 TEST(Print, EndsWhereATermSharesItsPartsWithoutEnd) {
-  OntologySource source;
+  Ontology source;
   const TermId shared = source.object_property("r");
   TermId term = source.named_class("A");
   for (int level = 0; level < 200; ++level) {
@@ -27,7 +27,7 @@ TEST(Print, EndsWhereATermSharesItsPartsWithoutEnd) {
 }
 
 TEST(Print, CutsOffTheTermAfterTheLastOne) {
-  OntologySource source;
+  Ontology source;
   std::vector<TermId> members;
   for (std::size_t at = 0; at + 1 < max_printed_terms; ++at)
     members.push_back(source.named_class("A" + std::to_string(at)));
@@ -44,4 +44,4 @@ TEST(Print, CutsOffTheTermAfterTheLastOne) {
 }
 
 }  // namespace
-}  // namespace geminga::el
+}  // namespace geminga::owl

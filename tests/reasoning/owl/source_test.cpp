@@ -6,13 +6,13 @@
 
 #include "reasoning/el/classify.hpp"
 
-namespace geminga::el {
+namespace geminga::owl {
 namespace {
 
 using testing::HasSubstr;
 
-TEST(OntologySource, InternsEqualTerms) {
-  OntologySource source;
+TEST(Ontology, InternsEqualTerms) {
+  Ontology source;
   const TermId a = source.named_class("urn:a");
   const TermId r = source.object_property("urn:r");
   EXPECT_EQ(source.named_class("urn:a"), a);
@@ -28,9 +28,9 @@ TEST(OntologySource, InternsEqualTerms) {
 }
 
 // 16 MiB, and 256 octets for each name.
-TEST(OntologySource, TakesLongNamesButNotOnlyToFillTheMemory) {
+TEST(Ontology, TakesLongNamesButNotOnlyToFillTheMemory) {
   const auto with_names = [](std::size_t count, std::size_t size) {
-    OntologySource source;
+    Ontology source;
     for (std::size_t at = 0; at < count; ++at) {
       std::string name = std::to_string(at);
       name.resize(size, 'n');
@@ -43,8 +43,8 @@ TEST(OntologySource, TakesLongNamesButNotOnlyToFillTheMemory) {
   EXPECT_EQ(with_names(100'000, 250), "") << "as many octets of usual names are no problem";
 }
 
-TEST(OntologySource, LeavesOutWhatIsMalformed) {
-  OntologySource source;
+TEST(Ontology, LeavesOutWhatIsMalformed) {
+  Ontology source;
   const FileId file = source.add_file("f");
   const TermId a = source.named_class("urn:a");
   const TermId r = source.object_property("urn:r");
@@ -60,8 +60,8 @@ TEST(OntologySource, LeavesOutWhatIsMalformed) {
   EXPECT_EQ(source.name(source.omissions()[0].construct), "malformed SubClassOf");
 }
 
-TEST(OntologySource, LeavesOutLiteralsThatAreNotOfTheirDatatypeWhereverTheyAre) {
-  OntologySource source;
+TEST(Ontology, LeavesOutLiteralsThatAreNotOfTheirDatatypeWhereverTheyAre) {
+  Ontology source;
   const FileId file = source.add_file("f");
   const TermId a = source.named_class("urn:a");
   const TermId u = source.data_property("urn:u");
@@ -79,9 +79,9 @@ TEST(OntologySource, LeavesOutLiteralsThatAreNotOfTheirDatatypeWhereverTheyAre) 
   EXPECT_EQ(source.name(source.omissions()[0].construct), "a literal that is not of its datatype");
 }
 
-TEST(OntologySource, LeavesOutWhatIsNestedTooDeeply) {
+TEST(Ontology, LeavesOutWhatIsNestedTooDeeply) {
   const SourceLimits limits{.nesting = 5};
-  OntologySource source(limits);
+  Ontology source(limits);
   const FileId file = source.add_file("f");
   const TermId a = source.named_class("urn:a");
   TermId nested = a;
@@ -95,52 +95,49 @@ TEST(OntologySource, LeavesOutWhatIsNestedTooDeeply) {
   EXPECT_FALSE(source.problem());
 }
 
-TEST(OntologySource, SurvivesNestingWithoutEnd) {
-  OntologySource source;
+TEST(Ontology, SurvivesNestingWithoutEnd) {
+  Ontology source;
   const FileId file = source.add_file("f");
   TermId nested = source.named_class("urn:a");
   for (int depth = 0; depth < 200'000; ++depth) nested = source.term(TermKind::object_complement_of, {nested});
   source.add(AxiomKind::sub_class_of, {nested, nested}, file, 1);
   EXPECT_EQ(source.axiom_count(), 0);
-  EXPECT_TRUE(classify(source));
+  EXPECT_TRUE(el::classify(source));
 }
 
-TEST(OntologySource, TakesAsMuchAsItsLimitsAndSaysWhatIsOver) {
+TEST(Ontology, TakesAsMuchAsItsLimitsAndSaysWhatIsOver) {
   const struct {
     const char* what;
     SourceLimits limits;
     std::size_t fits;
-    void (*add)(OntologySource&, std::size_t);
+    void (*add)(Ontology&, std::size_t);
   } cases[] = {
-      {"bytes", {.name_bytes = 40}, 40, [](OntologySource& s, std::size_t n) { s.named_class(std::string(n, 'x')); }},
-      {"bytes",
-       {.literal_bytes = 50},
-       50,
-       [](OntologySource& s, std::size_t n) { s.literal(std::string(n, 'x'), "urn:d"); }},
+      {"bytes", {.name_bytes = 40}, 40, [](Ontology& s, std::size_t n) { s.named_class(std::string(n, 'x')); }},
+      {"bytes", {.literal_bytes = 50}, 50, [](Ontology& s, std::size_t n) { s.literal(std::string(n, 'x'), "urn:d"); }},
       {"terms",
        {.terms = 12},
        10,
-       [](OntologySource& s, std::size_t n) {
+       [](Ontology& s, std::size_t n) {
          for (std::size_t at = 0; at < n; ++at) s.named_class("urn:" + std::to_string(at));
        }},
       {"axioms",
        {.axioms = 7},
        7,
-       [](OntologySource& s, std::size_t n) {
+       [](Ontology& s, std::size_t n) {
          const FileId file = s.add_file("f");
          for (std::size_t at = 0; at < n; ++at) s.add(AxiomKind::sub_class_of, {thing_term, thing_term}, file, 1);
        }},
       {"arguments",
        {.arguments = 20},
        10,
-       [](OntologySource& s, std::size_t n) {
+       [](Ontology& s, std::size_t n) {
          const FileId file = s.add_file("f");
          for (std::size_t at = 0; at < n; ++at) s.add(AxiomKind::sub_class_of, {thing_term, thing_term}, file, 1);
        }},
       {"files",
        {.files = 3},
        3,
-       [](OntologySource& s, std::size_t n) {
+       [](Ontology& s, std::size_t n) {
          for (std::size_t at = 0; at < n; ++at) s.add_file("f" + std::to_string(at));
        }},
       {"bytes together",
@@ -148,29 +145,29 @@ TEST(OntologySource, TakesAsMuchAsItsLimitsAndSaysWhatIsOver) {
                           owl_bottom_object_property.size() + owl_top_data_property.size() +
                           owl_bottom_data_property.size() + 100},
        100,  // beside the two names of OWL
-       [](OntologySource& s, std::size_t n) { s.named_class(std::string(n, 'x')); }},
+       [](Ontology& s, std::size_t n) { s.named_class(std::string(n, 'x')); }},
   };
   for (const auto& one : cases) {
     for (const std::size_t amount : {one.fits - 1, one.fits}) {
-      OntologySource source(one.limits);
+      Ontology source(one.limits);
       one.add(source, amount);
       EXPECT_FALSE(source.problem()) << one.what << " " << amount << ": " << *source.problem();
     }
-    OntologySource source(one.limits);
+    Ontology source(one.limits);
     one.add(source, one.fits + 1);
     ASSERT_TRUE(source.problem()) << one.what;
     EXPECT_THAT(*source.problem(), HasSubstr(one.what));
-    EXPECT_FALSE(classify(source));
+    EXPECT_FALSE(el::classify(source));
   }
 }
 
-TEST(OntologySource, KeepsNamesThatAreLongerThanALabelMayBeOutOfLabels) {
+TEST(Ontology, KeepsNamesThatAreLongerThanALabelMayBeOutOfLabels) {
   const SourceLimits limits{.name_bytes = 100};
-  OntologySource source(limits);
+  Ontology source(limits);
   source.add_label("urn:a", std::string(101, 'x'));
   EXPECT_FALSE(source.problem());
   EXPECT_TRUE(source.labels().empty());
 }
 
 }  // namespace
-}  // namespace geminga::el
+}  // namespace geminga::owl

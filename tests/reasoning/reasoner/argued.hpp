@@ -16,16 +16,16 @@ namespace geminga::reasoner {
 /// In the syntax of el/written.hpp, in one source; the conclusion is its second file.
 struct Argued {
   Argued(std::string_view premise_text, std::string_view conclusion_text) {
-    el::write_into(source, premise_text, "premise.ofn");
+    owl::write_into(source, premise_text, "premise.ofn");
     const auto middle = static_cast<std::uint32_t>(source.axiom_count());
-    el::write_into(source, conclusion_text, "conclusion.ofn");
+    owl::write_into(source, conclusion_text, "conclusion.ofn");
     for (std::uint32_t axiom = 0; axiom < source.axiom_count(); ++axiom)
       (axiom < middle ? premise : conclusion).push_back(axiom);
   }
 
   [[nodiscard]] std::vector<Answer> answers() const { return entails_each(source, premise, conclusion); }
 
-  el::OntologySource source;
+  owl::Ontology source;
   std::vector<std::uint32_t> premise;
   std::vector<std::uint32_t> conclusion;
 };

@@ -38,28 +38,28 @@ std::string pigeonhole(int holes) {
 constexpr std::string_view easy =
     "SubClassOf(A ObjectUnionOf(B C))\nSubClassOf(B D)\nSubClassOf(C D)\nSubClassOf(D E)\n";
 
-Classified classify_within(const el::OntologySource& source, base::Budget& budget) {
-  auto result = reasoner::classify(source, {.threads = 1, .budget = &budget, .progress = {}});
+Classified classify_within(const owl::Ontology& source, base::Budget& budget) {
+  auto result = classify(source, {.threads = 1, .budget = &budget, .progress = {}});
   if (!result) ADD_FAILURE() << result.error().text;
   return std::move(result).value();
 }
 
-std::vector<std::string> names(const el::OntologySource& source, const Classified& found) {
+std::vector<std::string> names(const owl::Ontology& source, const Classified& found) {
   std::vector<std::string> result;
-  for (const el::ClassNumber of : found.undecided.classes) {
+  for (const taxonomy::ClassNumber of : found.undecided.classes) {
     const std::string_view iri = source.name(found.classes[static_cast<std::size_t>(of)]);
     result.emplace_back(iri.substr(iri.find_last_of("/#:") + 1));
   }
   return result;
 }
 
-std::string name(const el::OntologySource& source, const Classified& found, el::ClassNumber of) {
+std::string name(const owl::Ontology& source, const Classified& found, taxonomy::ClassNumber of) {
   const std::string_view iri = source.name(found.classes[static_cast<std::size_t>(of)]);
   return std::string(iri.substr(iri.find_last_of("/#:") + 1));
 }
 
 TEST(ABudget, ThatIsEnoughLeavesNothingUndecided) {
-  const el::OntologySource source = el::written(easy);
+  const owl::Ontology source = owl::written(easy);
   base::Budget budget(10'000'000);
   const Classified found = classify_within(source, budget);
   EXPECT_FALSE(found.is_cut_off);
@@ -70,29 +70,29 @@ TEST(ABudget, ThatIsEnoughLeavesNothingUndecided) {
 }
 
 TEST(ABudget, OfAHardClassLeavesTheOthersDecided) {
-  const el::OntologySource source = el::written(pigeonhole(9) + std::string(easy));
+  const owl::Ontology source = owl::written(pigeonhole(9) + std::string(easy));
   base::Budget budget(200'000'000);
   const Classified found = classify_within(source, budget);
   EXPECT_THAT(names(source, found), ElementsAre("X"));
   EXPECT_FALSE(found.undecided.consistency);
   ASSERT_TRUE(found.undecided.held_up_by);
   EXPECT_EQ(name(source, found, *found.undecided.held_up_by), "X");
-  const auto ontology = el::Ontology::from_bytes(el::compile(source, found));
+  const auto ontology = compiled::Ontology::from_bytes(compiled::compile(source, found));
   ASSERT_TRUE(ontology);
-  EXPECT_THAT(el::closure(*ontology), ElementsAre("A < D", "A < E", "B < D", "B < E", "C < D", "C < E", "D < E"));
+  EXPECT_THAT(owl::closure(*ontology), ElementsAre("A < D", "A < E", "B < D", "B < E", "C < D", "C < E", "D < E"));
 }
 
 TEST(ABudget, ThatIsSpentSaysSoAndKeepsWhatTheELPartSays) {
-  const el::OntologySource source = el::written(pigeonhole(9) + std::string(easy));
+  const owl::Ontology source = owl::written(pigeonhole(9) + std::string(easy));
   base::Budget budget(1000);
   const Classified found = classify_within(source, budget);
   EXPECT_TRUE(found.is_cut_off);
   EXPECT_THAT(found.gaps, Contains("the limit of 1000 steps was reached"));
   EXPECT_THAT(names(source, found), Contains("X"));
-  const auto ontology = el::Ontology::from_bytes(el::compile(source, found));
+  const auto ontology = compiled::Ontology::from_bytes(compiled::compile(source, found));
   ASSERT_TRUE(ontology);
-  EXPECT_THAT(el::closure(*ontology), Contains("B < E"));
-  EXPECT_THAT(el::closure(*ontology), Not(Contains("X < Nothing")));
+  EXPECT_THAT(owl::closure(*ontology), Contains("B < E"));
+  EXPECT_THAT(owl::closure(*ontology), Not(Contains("X < Nothing")));
 }
 
 /// Each part is within all that follow in the line: what follows grows with its square, and all of it is EL.
@@ -107,7 +107,7 @@ std::string line_of_parts(int length) {
 }
 
 TEST(ABudget, ThatIsSpentInTheELPartLeavesWhatWasDerivedAndIsNeverComplete) {
-  const el::OntologySource source = el::written(line_of_parts(150) + "SubClassOf(B C)\nSubClassOf(C D)\n");
+  const owl::Ontology source = owl::written(line_of_parts(150) + "SubClassOf(B C)\nSubClassOf(C D)\n");
   base::Budget enough(100'000'000);
   EXPECT_FALSE(classify_within(source, enough).is_cut_off);
   for (const std::uint64_t steps : {std::uint64_t{1}, enough.spent() / 2, enough.spent() - 1}) {
@@ -118,33 +118,33 @@ TEST(ABudget, ThatIsSpentInTheELPartLeavesWhatWasDerivedAndIsNeverComplete) {
     EXPECT_THAT(found.gaps, ElementsAre("the limit of " + std::to_string(steps) + " steps was reached"));
     EXPECT_TRUE(found.undecided.consistency);
     EXPECT_THAT(found.undecided.classes, Not(IsEmpty()));
-    const auto ontology = el::Ontology::from_bytes(el::compile(source, found));
+    const auto ontology = compiled::Ontology::from_bytes(compiled::compile(source, found));
     ASSERT_TRUE(ontology);
-    EXPECT_THAT(el::closure(*ontology), Contains("B < D"));
+    EXPECT_THAT(owl::closure(*ontology), Contains("B < D"));
   }
 }
 
 TEST(ABudget, ThatIsSpentInTheELPartLeavesConsistencyUnknown) {
-  const el::OntologySource source = el::written(line_of_parts(150));
-  EXPECT_EQ(reasoner::is_consistent(source).verdict, Verdict::yes);
+  const owl::Ontology source = owl::written(line_of_parts(150));
+  EXPECT_EQ(is_consistent(source).verdict, Verdict::yes);
   base::Budget budget(100);
-  const Answer answer = reasoner::is_consistent(source, &budget);
+  const Answer answer = is_consistent(source, &budget);
   EXPECT_EQ(answer.verdict, Verdict::unknown);
   EXPECT_EQ(answer.reason, "the limit of 100 steps was reached");
 }
 
 TEST(ABudget, ThatIsSpentInTheELPartNeverShowsThatSomethingDoesNotFollow) {
-  el::OntologySource asked = el::written(line_of_parts(150));
-  const el::TermId sub = asked.named_class("https://t.example/#L0");
-  const el::TermId super = asked.named_class("https://t.example/#In149");
+  owl::Ontology asked = owl::written(line_of_parts(150));
+  const owl::TermId sub = asked.named_class("https://t.example/#L0");
+  const owl::TermId super = asked.named_class("https://t.example/#In149");
   for (const std::uint64_t steps : {1U, 1'000U, 2'000U}) {
     base::Budget budget(steps);
-    EXPECT_NE(reasoner::entails(asked, std::nullopt, sub, super, &budget).verdict, Verdict::no) << steps;
+    EXPECT_NE(entails(asked, std::nullopt, sub, super, &budget).verdict, Verdict::no) << steps;
   }
 }
 
 TEST(ABudget, OfTimeThatIsOverEndsEveryEngine) {
-  const el::OntologySource source = el::written(pigeonhole(9));
+  const owl::Ontology source = owl::written(pigeonhole(9));
   base::Budget budget(base::Budget::unlimited, [] { return true; });
   const Classified found = classify_within(source, budget);
   EXPECT_TRUE(found.is_cut_off);
@@ -153,21 +153,21 @@ TEST(ABudget, OfTimeThatIsOverEndsEveryEngine) {
 }
 
 TEST(ABudget, OfThreadsIsOne) {
-  const el::OntologySource source = el::written(pigeonhole(8));
+  const owl::Ontology source = owl::written(pigeonhole(8));
   base::Budget budget(50'000);
-  auto found = reasoner::classify(source, {.threads = 3, .budget = &budget, .progress = {}});
+  auto found = classify(source, {.threads = 3, .budget = &budget, .progress = {}});
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->is_cut_off);
   EXPECT_LT(budget.spent(), 200'000U);
 }
 
 TEST(ABudget, OfAQuestionMakesItUnknownAndNeverWrong) {
-  el::OntologySource asked = el::written(pigeonhole(9));
-  const el::TermId sub = asked.named_class("https://t.example/#X");
+  owl::Ontology asked = owl::written(pigeonhole(9));
+  const owl::TermId sub = asked.named_class("https://t.example/#X");
   int unknown = 0;
   for (const std::uint64_t steps : {5'000U, 50'000U}) {
     base::Budget budget(steps);
-    const Answer answer = reasoner::entails(asked, std::nullopt, sub, el::nothing_term, &budget);
+    const Answer answer = entails(asked, std::nullopt, sub, owl::nothing_term, &budget);
     EXPECT_NE(answer.verdict, Verdict::no);
     if (answer.verdict == Verdict::unknown) {
       ++unknown;

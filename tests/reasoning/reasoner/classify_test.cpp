@@ -22,20 +22,20 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-Classified by_all_engines(const el::OntologySource& source) {
-  auto result = reasoner::classify(source);
+Classified by_all_engines(const owl::Ontology& source) {
+  auto result = classify(source);
   if (!result) ADD_FAILURE() << result.error().text;
   return std::move(result).value();
 }
 
-std::vector<std::string> closure(const el::OntologySource& source, const el::Classification& classification) {
-  auto ontology = el::Ontology::from_bytes(el::compile(source, classification));
+std::vector<std::string> closure(const owl::Ontology& source, const taxonomy::Classification& classification) {
+  auto ontology = compiled::Ontology::from_bytes(compiled::compile(source, classification));
   if (!ontology) ADD_FAILURE() << ontology.error().text;
-  return el::closure(*ontology);
+  return owl::closure(*ontology);
 }
 
 std::vector<std::string> closure(std::string_view text) {
-  const el::OntologySource source = el::written(text);
+  const owl::Ontology source = owl::written(text);
   const Classified found = by_all_engines(source);
   EXPECT_THAT(found.unused, IsEmpty()) << text;
   EXPECT_THAT(found.gaps, IsEmpty()) << text;
@@ -75,21 +75,22 @@ TEST(Classification, FindsContradictionsOfFactsBeyondEl) {
 }
 
 TEST(Classification, KeepsWhatElFoundAndReducesItAgain) {
-  const el::OntologySource source =
-      el::written("SubClassOf(A C)\nSubClassOf(B C)\nSubClassOf(A ObjectUnionOf(B B2))\nSubClassOf(B2 B)");
+  const owl::Ontology source =
+      owl::written("SubClassOf(A C)\nSubClassOf(B C)\nSubClassOf(A ObjectUnionOf(B B2))\nSubClassOf(B2 B)");
   const Classified found = by_all_engines(source);
   EXPECT_THAT(closure(source, found), ElementsAre("A < B", "A < C", "B < C", "B2 < B", "B2 < C"));
   std::size_t parents = 0;
-  for (std::uint32_t of = 0; of < found.class_count(); ++of) parents += found.parents_of(el::ClassNumber{of}).size();
+  for (std::uint32_t of = 0; of < found.class_count(); ++of)
+    parents += found.parents_of(taxonomy::ClassNumber{of}).size();
   EXPECT_EQ(parents, 4U) << "A < B, B2 < B, B < C, C < Thing and no more";
 }
 
 TEST(Classification, OfAnElOntologyIsThatOfElToTheLastNumber) {
-  const el::OntologySource source = el::written(
+  const owl::Ontology source = owl::written(
       "SubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(B C)\n"
       "SubClassOf(ObjectSomeValuesFrom(r C) D)\nEquivalentClasses(C E)");
   const Classified all = by_all_engines(source);
-  const el::Classification el_only = el::classified(source);
+  const taxonomy::Classification el_only = owl::classified(source);
   EXPECT_EQ(all.parents, el_only.parents);
   EXPECT_EQ(all.representative, el_only.representative);
   EXPECT_EQ(all.counts.contexts, el_only.counts.contexts);
@@ -97,11 +98,11 @@ TEST(Classification, OfAnElOntologyIsThatOfElToTheLastNumber) {
 }
 
 TEST(Classification, NamesWhatOwlForbidsAndUsesTheRest) {
-  const el::OntologySource source = el::written(
+  const owl::Ontology source = owl::written(
       "TransitiveObjectProperty(r)\nSubClassOf(A ObjectMaxCardinality(1 r))\nSubClassOf(A ObjectUnionOf(B C))\n"
       "SubClassOf(B C)");
   const Classified found = by_all_engines(source);
-  EXPECT_THAT(found.unused, ElementsAre(testing::Field(&el::UnusedAxiom::axiom, 1U)));
+  EXPECT_THAT(found.unused, ElementsAre(testing::Field(&taxonomy::UnusedAxiom::axiom, 1U)));
   EXPECT_THAT(closure(source, found), ElementsAre("A < C", "B < C"));
   EXPECT_EQ(found.counts.axioms, 4U);
   EXPECT_EQ(found.counts.used_axioms, 3U);
@@ -109,20 +110,20 @@ TEST(Classification, NamesWhatOwlForbidsAndUsesTheRest) {
 
 TEST(Classification, TellsWhatItIsDoing) {
   std::vector<std::string> phases;
-  const el::OntologySource source = el::written("SubClassOf(ObjectAllValuesFrom(r A) B)");
+  const owl::Ontology source = owl::written("SubClassOf(ObjectAllValuesFrom(r A) B)");
   const auto note = [&](std::string_view phase, double done) {
     EXPECT_GE(done, 0);
     EXPECT_LE(done, 1);
     phases.emplace_back(phase);
   };
-  ASSERT_TRUE(reasoner::classify(source, {.progress = note}));
+  ASSERT_TRUE(classify(source, {.progress = note}));
   EXPECT_THAT(phases, Contains("classifying"));
   EXPECT_THAT(phases, Contains("deriving consequences"));
 }
 
 /// What models add to the taxonomy that EL alone has.
-Completion completed(const el::OntologySource& source, const CompletionLimits& limits = {}) {
-  const el::Classification known = el::classified(source);
+Completion completed(const owl::Ontology& source, const CompletionLimits& limits = {}) {
+  const taxonomy::Classification known = owl::classified(source);
   const auto clauses = clauses::clausify(source, std::nullopt, {});
   if (!clauses) ADD_FAILURE() << clauses.error().text;
   const std::vector<bool> none(known.class_count(), false);
@@ -141,8 +142,8 @@ TEST(Completion, FindsWhatIsAboveEverything) {
 }
 
 TEST(Completion, FindsByModelsAloneWhatElLeavesOpen) {
-  const el::OntologySource source = el::written(by_cases);
-  el::Classification found = el::classified(source);
+  const owl::Ontology source = owl::written(by_cases);
+  taxonomy::Classification found = owl::classified(source);
   const Completion completion = completed(source);
   EXPECT_TRUE(completion.is_consistent);
   EXPECT_THAT(completion.gaps, IsEmpty());
@@ -151,15 +152,15 @@ TEST(Completion, FindsByModelsAloneWhatElLeavesOpen) {
 }
 
 TEST(Completion, FindsAContradiction) {
-  const el::OntologySource source = el::written(
+  const owl::Ontology source = owl::written(
       "SubClassOf(Thing ObjectUnionOf(A B))\nSubClassOf(A Nothing)\n"
       "SubClassOf(B ObjectSomeValuesFrom(r A))");
   EXPECT_FALSE(completed(source).is_consistent);
 }
 
 TEST(Completion, SaysWhereItStopped) {
-  const el::OntologySource source = el::written(by_cases);
-  const std::size_t classes = el::classified(source).class_count();
+  const owl::Ontology source = owl::written(by_cases);
+  const std::size_t classes = owl::classified(source).class_count();
   EXPECT_THAT(completed(source, {.classes = classes}).gaps, IsEmpty());
   EXPECT_THAT(completed(source, {.classes = classes - 1}).gaps,
               ElementsAre(HasSubstr("more than " + std::to_string(classes - 1) + " classes")));
@@ -169,9 +170,9 @@ TEST(Completion, SaysWhereItStopped) {
 }
 
 TEST(Completion, FindsNothingThatDoesNotFollowHoweverEarlyItStops) {
-  const el::OntologySource source = el::written(by_cases);
+  const owl::Ontology source = owl::written(by_cases);
   for (std::size_t questions = 0; questions < 12; ++questions) {
-    el::Classification found = el::classified(source);
+    taxonomy::Classification found = owl::classified(source);
     extend(found, completed(source, {.questions = questions}).found);
     const std::vector<std::string> all{"A < D", "B < D", "C < D", "E < Nothing", "F < A", "F < D"};
     for (const std::string& line : closure(source, found)) {
@@ -181,8 +182,8 @@ TEST(Completion, FindsNothingThatDoesNotFollowHoweverEarlyItStops) {
 }
 
 TEST(Taxonomy, LearnsSubsumptionsEquivalencesAndEmptyClasses) {
-  const el::OntologySource source = el::written("SubClassOf(A B)\nSubClassOf(B C)\nSubClassOf(D C)\nSubClassOf(E D)");
-  el::Classification found = el::classified(source);
+  const owl::Ontology source = owl::written("SubClassOf(A B)\nSubClassOf(B C)\nSubClassOf(D C)\nSubClassOf(E D)");
+  taxonomy::Classification found = owl::classified(source);
   const auto number = [&](const std::string& name) {
     for (std::uint32_t of = 0; of < found.class_count(); ++of) {
       if (source.name(found.classes[of]) == "https://t.example/#" + name) return of;
@@ -196,8 +197,8 @@ TEST(Taxonomy, LearnsSubsumptionsEquivalencesAndEmptyClasses) {
 }
 
 TEST(Taxonomy, KnowsTheAncestorsOfEveryNode) {
-  const el::OntologySource source = el::written("SubClassOf(A B)\nSubClassOf(B C)\nSubClassOf(A D)\nSubClassOf(D C)");
-  const el::Classification found = el::classified(source);
+  const owl::Ontology source = owl::written("SubClassOf(A B)\nSubClassOf(B C)\nSubClassOf(A D)\nSubClassOf(D C)");
+  const taxonomy::Classification found = owl::classified(source);
   std::vector<std::size_t> sizes;
   for (const auto& above : find_ancestors(found)) sizes.push_back(above.size());
   std::ranges::sort(sizes);
@@ -205,11 +206,12 @@ TEST(Taxonomy, KnowsTheAncestorsOfEveryNode) {
 }
 
 TEST(Taxonomy, OfAContradictionIsOneNode) {
-  const el::OntologySource source = el::written("SubClassOf(A B)\nSubObjectPropertyOf(r s)");
-  el::Classification found = el::classified(source);
+  const owl::Ontology source = owl::written("SubClassOf(A B)\nSubObjectPropertyOf(r s)");
+  taxonomy::Classification found = owl::classified(source);
   contradict(found, source);
   EXPECT_FALSE(found.is_consistent);
-  for (const el::ClassNumber representative : found.representative) EXPECT_EQ(representative, found.representative[0]);
+  for (const taxonomy::ClassNumber representative : found.representative)
+    EXPECT_EQ(representative, found.representative[0]);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace geminga::reasoner {
 namespace {
 
 std::string consistency_of(std::string_view text) {
-  const Answer answer = is_consistent(el::written(text));
+  const Answer answer = is_consistent(owl::written(text));
   if (answer.verdict == Verdict::unknown) return "unknown: " + answer.reason;
   return answer.verdict == Verdict::yes ? "yes" : "no";
 }
@@ -57,8 +57,8 @@ TEST(Consistency, KnowsValues) {
 }
 
 TEST(Consistency, ASourceOverItsLimitsIsUndecided) {
-  el::OntologySource source({.axioms = 1});
-  el::write_into(source, "SubClassOf(A B)\nSubClassOf(B C)", "a.ofn");
+  owl::Ontology source({.axioms = 1});
+  owl::write_into(source, "SubClassOf(A B)\nSubClassOf(B C)", "a.ofn");
   const Answer answer = is_consistent(source);
   EXPECT_EQ(answer.verdict, Verdict::unknown);
   EXPECT_THAT(answer.reason, testing::HasSubstr("more than 1 axioms"));

@@ -18,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 
 /// The axioms of the premise that are damaged: the conclusion of these tests has none.
-std::vector<std::size_t> damaged_of(const el::OntologySource& source) {
+std::vector<std::size_t> damaged_of(const owl::Ontology& source) {
   std::vector<std::size_t> numbers(source.damaged_count());
   std::iota(numbers.begin(), numbers.end(), 0U);
   return numbers;
@@ -127,8 +127,8 @@ TEST(DamagedLiteral, MayStandInManyFactsWhereNobodyCountsTheirValues) {
 
 TEST(DamagedLiteral, LeavesConsistencyOpenOnlyWhereItMattersToIt) {
   const auto verdict = [](std::string_view text) {
-    el::OntologySource source;
-    el::write_into(source, text, "written.ofn");
+    owl::Ontology source;
+    owl::write_into(source, text, "written.ofn");
     return is_consistent_as_meant(source).verdict;
   };
   EXPECT_EQ(verdict(person), Verdict::yes);

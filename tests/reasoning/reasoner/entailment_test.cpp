@@ -155,12 +155,12 @@ TEST(Entailment, EverythingIsBelowTheTopPropertyAndNothingBelowTheBottomOne) {
 }
 
 TEST(Entailment, DoesNotConfuseTheNamesItMakesUpWithThoseOfTheFiles) {
-  el::OntologySource source;
-  el::write_into(source, "SubClassOf(A B)", "premise.ofn");
-  const el::FileId file = source.add_file("conclusion.ofn");
-  const el::TermId first = source.named_class("urn:geminga:asked:0");
-  const el::TermId second = source.named_class("urn:geminga:asked:1");
-  source.add(el::AxiomKind::sub_class_of, {first, second}, file, 1);
+  owl::Ontology source;
+  owl::write_into(source, "SubClassOf(A B)", "premise.ofn");
+  const owl::FileId file = source.add_file("conclusion.ofn");
+  const owl::TermId first = source.named_class("urn:geminga:asked:0");
+  const owl::TermId second = source.named_class("urn:geminga:asked:1");
+  source.add(owl::AxiomKind::sub_class_of, {first, second}, file, 1);
   const std::vector<std::uint32_t> premise{0};
   const std::vector<std::uint32_t> conclusion{1};
   EXPECT_EQ(entails_each(source, premise, conclusion).front().verdict, Verdict::no);
@@ -175,13 +175,13 @@ TEST(Entailment, AnAxiomOfTooManyPairsIsUndecided) {
   constexpr std::size_t most = 447;  // 447 * 446 / 2 = 99'681, and one more member is over the limit of 100'000
   static_assert(most * (most - 1) / 2 <= max_pairs_of_members && (most + 1) * most / 2 > max_pairs_of_members);
   const auto refute = [](std::size_t count) {
-    el::OntologySource empty;
+    owl::Ontology empty;
     Excerpt excerpt(empty, {});
     Challenger challenger(excerpt);
-    std::vector<el::TermId> members;
+    std::vector<owl::TermId> members;
     for (std::size_t at = 0; at < count; ++at)
       members.push_back(excerpt.source.named_class("urn:" + std::to_string(at)));
-    return challenger.refute(el::AxiomKind::disjoint_classes, members);
+    return challenger.refute(owl::AxiomKind::disjoint_classes, members);
   };
   EXPECT_EQ(refute(most - 1).all.size(), (most - 1) * (most - 2) / 2);
   EXPECT_EQ(refute(most).undecided, "");
@@ -189,10 +189,10 @@ TEST(Entailment, AnAxiomOfTooManyPairsIsUndecided) {
 }
 
 TEST(Subsumption, IsAskedOfExpressionsAndOfSomeAxiomsOnly) {
-  el::OntologySource source = el::written("SubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(B C)");
+  owl::Ontology source = owl::written("SubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(B C)");
   const auto named = [&](const std::string& name) { return source.named_class("https://t.example/#" + name); };
-  const el::TermId r = source.object_property("https://t.example/#r");
-  const el::TermId some = source.term(el::TermKind::object_some_values_from, {r, named("C")});
+  const owl::TermId r = source.object_property("https://t.example/#r");
+  const owl::TermId some = source.term(owl::TermKind::object_some_values_from, {r, named("C")});
   const std::vector<std::uint32_t> first{0};
   EXPECT_EQ(entails(source, std::nullopt, named("A"), some).verdict, Verdict::yes);
   EXPECT_EQ(entails(source, first, named("A"), some).verdict, Verdict::no);
@@ -201,11 +201,11 @@ TEST(Subsumption, IsAskedOfExpressionsAndOfSomeAxiomsOnly) {
 }
 
 TEST(Subsumption, OfExpressionsThatNestTooDeepIsUndecided) {
-  el::OntologySource source = el::written("SubClassOf(A B)");
-  const el::TermId r = source.object_property("https://t.example/#r");
-  const el::TermId a = source.named_class("https://t.example/#A");
-  el::TermId nested = a;
-  for (int level = 0; level < 501; ++level) nested = source.term(el::TermKind::object_some_values_from, {r, nested});
+  owl::Ontology source = owl::written("SubClassOf(A B)");
+  const owl::TermId r = source.object_property("https://t.example/#r");
+  const owl::TermId a = source.named_class("https://t.example/#A");
+  owl::TermId nested = a;
+  for (int level = 0; level < 501; ++level) nested = source.term(owl::TermKind::object_some_values_from, {r, nested});
   EXPECT_THAT(entails(source, std::nullopt, a, nested).reason, HasSubstr("over 500 levels"));
   EXPECT_EQ(entails(source, std::nullopt, a, source.term(nested).arguments[1]).verdict, Verdict::no);
 }

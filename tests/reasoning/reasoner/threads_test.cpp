@@ -40,12 +40,12 @@ int exhaust(Asked&& asked) {
 
 TEST(Threads, AFailedAllocationInTheEngineOfElReachesTheCaller) {
   for (const std::string more : {"", "FunctionalObjectProperty(f)\nSubClassOf(C1 ObjectSomeValuesFrom(f C2))\n"}) {
-    const el::OntologySource source = el::written(many_classes(3000) + more);
+    const owl::Ontology source = owl::written(many_classes(3000) + more);
     int thrown = 0;
     const int failures = exhaust([&](std::uint64_t first) {
       const ScarceMemory scarce(first);
       try {
-        EXPECT_TRUE(reasoner::classify(source, {.threads = 3, .progress = {}})->is_consistent);
+        EXPECT_TRUE(classify(source, {.threads = 3, .progress = {}})->is_consistent);
       } catch (const std::bad_alloc&) {
         ++thrown;
       }
@@ -64,14 +64,14 @@ TEST(Threads, AFailedAllocationInTheClausesLeavesWhatElHasFound) {
     text += "SubClassOf(E" + number + " ObjectSomeValuesFrom(r1 C" + std::to_string(at % 40) + "))\nSubClassOf(C" +
             std::to_string(at % 40) + " ObjectAllValuesFrom(q F" + number + "))\n";
   }
-  const el::OntologySource source = el::written(text);
+  const owl::Ontology source = owl::written(text);
   int fallen_back = 0;
   const int failures = exhaust([&](std::uint64_t first) {
     std::optional<ScarceMemory> scarce;
     const auto begin_with_the_clauses = [&](std::string_view phase, double) {
       if (phase == "deriving consequences") scarce.emplace(first);
     };
-    const auto found = reasoner::classify(source, {.threads = 3, .progress = begin_with_the_clauses});
+    const auto found = classify(source, {.threads = 3, .progress = begin_with_the_clauses});
     for (const std::string& gap : found->gaps) fallen_back += gap.starts_with("there is not enough memory") ? 1 : 0;
     return scarce && scarce->has_failed();
   });

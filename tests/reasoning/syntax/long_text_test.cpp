@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 namespace {
 
 /// The line that is said of a text, read in stretches of this many octets.
@@ -77,4 +77,4 @@ TEST(LongText, FindsAnXmlCommentThatLibxml2WouldKeepAsAWhole) {
 }
 
 }  // namespace
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax

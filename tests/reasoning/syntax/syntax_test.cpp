@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 namespace {
 
 using testing::HasSubstr;
@@ -86,4 +86,4 @@ TEST(Syntax, OfWideCharactersIsRefusedWithOrWithoutTheirMark) {
 }
 
 }  // namespace
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax

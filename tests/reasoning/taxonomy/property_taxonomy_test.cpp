@@ -11,18 +11,18 @@
 #include "reasoning/el/classify.hpp"
 #include "support/written.hpp"
 
-namespace geminga::el {
+namespace geminga::taxonomy {
 namespace {
 
-std::string name_of(const OntologySource& source, NameId id) {
+std::string name_of(const owl::Ontology& source, owl::NameId id) {
   const std::string_view iri = source.name(id);
-  if (iri == owl_top_object_property || iri == owl_top_data_property) return "top";
-  if (iri == owl_bottom_object_property || iri == owl_bottom_data_property) return "bottom";
+  if (iri == owl::owl_top_object_property || iri == owl::owl_top_data_property) return "top";
+  if (iri == owl::owl_bottom_object_property || iri == owl::owl_bottom_data_property) return "bottom";
   return std::string(iri.substr(iri.find('#') + 1));
 }
 
 /// `p < q` for direct super-properties, `p = q` for equivalents; those of the top left out.
-std::vector<std::string> lines_of(const OntologySource& source, const PropertyTaxonomy& taxonomy) {
+std::vector<std::string> lines_of(const owl::Ontology& source, const PropertyTaxonomy& taxonomy) {
   std::vector<std::string> lines;
   const auto name = [&](PropertyNumber number) {
     return name_of(source, taxonomy.properties[static_cast<std::size_t>(number)]);
@@ -51,7 +51,7 @@ void PrintTo(const Hierarchy& one, std::ostream* out) { *out << one.name; }
 class Properties : public testing::TestWithParam<Hierarchy> {};
 
 TEST_P(Properties, AreReducedToWhatFollows) {
-  const OntologySource source = written(GetParam().axioms);
+  const owl::Ontology source = owl::written(GetParam().axioms);
   EXPECT_EQ(lines_of(source, classify_properties(source, GetParam().kind)), GetParam().lines) << GetParam().axioms;
 }
 
@@ -104,15 +104,15 @@ INSTANTIATE_TEST_SUITE_P(Each, Properties, testing::ValuesIn(hierarchies),
                          [](const auto& one) { return std::string(one.param.name); });
 
 TEST(PropertyTaxonomy, HasTopAndBottomWhereNothingIsSaid) {
-  const OntologySource source = written("SubClassOf(A B)");
-  const Classification classification = classified(source);
+  const owl::Ontology source = owl::written("SubClassOf(A B)");
+  const Classification classification = owl::classified(source);
   EXPECT_EQ(classification.object_properties.property_count(), 2U);
   EXPECT_EQ(classification.data_properties.property_count(), 2U);
 }
 
 TEST(PropertyTaxonomy, IsOneNodeWhereTheOntologyIsInconsistent) {
-  const OntologySource source = written("SubClassOf(Thing Nothing)\nSubObjectPropertyOf(p q)");
-  EXPECT_EQ(lines_of(source, classified(source).object_properties),
+  const owl::Ontology source = owl::written("SubClassOf(Thing Nothing)\nSubObjectPropertyOf(p q)");
+  EXPECT_EQ(lines_of(source, owl::classified(source).object_properties),
             (std::vector<std::string>{"bottom = p", "bottom = q", "bottom = top"}));
 }
 
@@ -158,7 +158,7 @@ TEST(PropertyTaxonomy, IsTheNaiveClosureOfRandomAxioms) {
         include(one, one ^ 1);
       }
     }
-    const OntologySource source = written(text);
+    const owl::Ontology source = owl::written(text);
     const PropertyTaxonomy taxonomy = classify_properties(source, PropertyKind::object);
     for (std::uint32_t sub = 0; sub < taxonomy.property_count(); ++sub) {
       std::vector<PropertyNumber> above = {taxonomy.representative[sub]};
@@ -182,4 +182,4 @@ TEST(PropertyTaxonomy, IsTheNaiveClosureOfRandomAxioms) {
 }
 
 }  // namespace
-}  // namespace geminga::el
+}  // namespace geminga::taxonomy

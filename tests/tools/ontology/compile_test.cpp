@@ -30,7 +30,7 @@ TEST(Compile, WritesWhatTheDaemonMaps) {
   EXPECT_THAT(outcome.out, IsEmpty());
   EXPECT_THAT(outcome.err, testing::StartsWith("geminga-ontology: read 3 files in 1 folder: 3 Turtle"));
   EXPECT_THAT(files_in(program), testing::ElementsAre("team.gmo"));
-  const auto ontology = el::Ontology::map((program.folder() / "in" / "team.gmo").string());
+  const auto ontology = compiled::Ontology::map((program.folder() / "in" / "team.gmo").string());
   ASSERT_TRUE(ontology) << ontology.error().text;
   const auto ball = ontology->find("soccer:BallInfo");
   const auto top = ontology->find("geminga:Concept");

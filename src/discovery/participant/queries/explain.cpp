@@ -16,8 +16,8 @@ constexpr std::size_t explanation_work = 2000;
 /// Of `text`; a line of GCNP holds more.
 constexpr std::size_t max_reason_bytes = 16'384;
 
-std::expected<el::ClassNumber, Error> find(const el::Ontology& ontology, std::string_view key,
-                                           const std::string& name) {
+std::expected<taxonomy::ClassNumber, Error> find(const compiled::Ontology& ontology, std::string_view key,
+                                                 const std::string& name) {
   const auto found = ontology.find(name);
   if (found) return *found;
   return std::unexpected(Error{ErrorCode::impossible, std::string(key) + "=" + base::printable(name) + ": " +
@@ -25,13 +25,14 @@ std::expected<el::ClassNumber, Error> find(const el::Ontology& ontology, std::st
 }
 
 /// What is nearest, and what is missing.
-void append_reason(Line& line, const el::Ontology& ontology, el::ClassNumber sub, el::ClassNumber super) {
-  const reasoner::WhyNot why_not = reasoner::why_not(ontology, sub, super, reasoner::Patience::of_a_daemon);
+void append_reason(Line& line, const compiled::Ontology& ontology, taxonomy::ClassNumber sub,
+                   taxonomy::ClassNumber super) {
+  const explanation::WhyNot why_not = explanation::why_not(ontology, sub, super, explanation::Patience::of_a_daemon);
   std::vector<std::string> common;
-  for (const el::ClassNumber number : why_not.common) common.push_back(ontology.short_name(number));
+  for (const taxonomy::ClassNumber number : why_not.common) common.push_back(ontology.short_name(number));
   append(line, "common", joined(common));
   std::string text;
-  for (const std::string& one : reasoner::describe(ontology, sub, super, why_not)) {
+  for (const std::string& one : explanation::describe(ontology, sub, super, why_not)) {
     if (text.size() + one.size() > max_reason_bytes) break;
     text += (text.empty() ? "" : "\n") + base::printable(one, max_reason_bytes);
   }
@@ -42,7 +43,7 @@ void append_reason(Line& line, const el::Ontology& ontology, el::ClassNumber sub
 
 Answered answer(Core& core, const gcnp::QueryExplain& query) {
   if (core.ontology == nullptr) return std::unexpected(no_ontology(core));
-  const el::Ontology& ontology = *core.ontology;
+  const compiled::Ontology& ontology = *core.ontology;
   const auto sub = find(ontology, "sub", query.sub);
   if (!sub) return std::unexpected(sub.error());
   const auto super = find(ontology, "super", query.super);
@@ -53,8 +54,8 @@ Answered answer(Core& core, const gcnp::QueryExplain& query) {
   }
   Answer answer{.kind = "explain", .lines = {}, .end = {}};
   answer.looked_through = explanation_work;
-  if (const auto axioms = reasoner::explain(ontology, *sub, *super, reasoner::Patience::of_a_daemon)) {
-    for (const reasoner::ExplainedAxiom& axiom : *axioms) {
+  if (const auto axioms = explanation::explain(ontology, *sub, *super, explanation::Patience::of_a_daemon)) {
+    for (const explanation::ExplainedAxiom& axiom : *axioms) {
       Line line;
       append(line, "axiom", axiom.text);
       append_known(line, "file", base::printable(axiom.file, 4096));

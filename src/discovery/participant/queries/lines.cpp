@@ -19,7 +19,7 @@ bool is_accepted(const ProviderFilter& filter, const ServiceKey& key, const std:
   return is_participant && (filter.peer.empty() || filter.peer == number || filter.peer == peer_name);
 }
 
-bool is_same_or_narrower(const el::Ontology* ontology, const std::string& sub, const std::string& super) {
+bool is_same_or_narrower(const compiled::Ontology* ontology, const std::string& sub, const std::string& super) {
   if (sub == super) return true;
   if (ontology == nullptr) return false;
   const auto sub_class = ontology->find_iri(sub);
@@ -28,15 +28,15 @@ bool is_same_or_narrower(const el::Ontology* ontology, const std::string& sub, c
 }
 
 /// `place` is that of the wanted concept where it is an expression.
-bool is_same_or_narrower(const el::Ontology* ontology, const std::string& sub, const std::string& super,
-                         const el::ExpressionPlace* place) {
+bool is_same_or_narrower(const compiled::Ontology* ontology, const std::string& sub, const std::string& super,
+                         const placement::ExpressionPlace* place) {
   if (sub == super || place == nullptr || ontology == nullptr) return is_same_or_narrower(ontology, sub, super);
   const auto sub_class = ontology->find_iri(sub);
-  return sub_class && el::is_above(*place, *sub_class, *ontology);
+  return sub_class && placement::is_above(*place, *sub_class, *ontology);
 }
 
-bool is_same_or_narrower(const el::Ontology* ontology, const Identity& identity, const Identity& wanted,
-                         const el::ExpressionPlace* place) {
+bool is_same_or_narrower(const compiled::Ontology* ontology, const Identity& identity, const Identity& wanted,
+                         const placement::ExpressionPlace* place) {
   const auto* sub = std::get_if<SemanticIdentity>(&identity);
   const auto* super = std::get_if<SemanticIdentity>(&wanted);
   if (sub == nullptr || super == nullptr) return identity == wanted;

@@ -25,13 +25,13 @@ Answered answer(Core& core, const gcnp::QueryOntology&) {
     append(answer.lines.front(), "left_out", left_out.size());
     const auto gaps = core.ontology->gaps();
     append_flag(answer.lines.front(), "complete", left_out.empty() && gaps.empty());
-    for (const el::LoadedFile& file : files) {
+    for (const owl::LoadedFile& file : files) {
       Line line;
       append(line, "file", base::printable(file.path, 4096));
       append_known(line, "iri", file.ontology_iri);
       answer.lines.push_back(std::move(line));
     }
-    for (const el::LeftOut& one : left_out) {
+    for (const owl::LeftOut& one : left_out) {
       Line line;
       append(line, "left_out", one.construct);
       append(line, "count", one.count);
@@ -51,7 +51,7 @@ Answered answer(Core& core, const gcnp::QueryOntology&) {
     append(line, "age", seconds(core.env.now() - core.ontology_state.failed_at));
     answer.lines.push_back(std::move(line));
   }
-  core.neighbours.for_each([&](const beacon::Neighbour& neighbour) {
+  core.neighbours.for_each([&](const membership::Neighbour& neighbour) {
     if (neighbour.ontology_digest == core.digest()) return;
     Line line;
     append(line, "other", to_string(neighbour.id));

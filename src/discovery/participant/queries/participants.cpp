@@ -7,9 +7,9 @@
 namespace geminga::participant {
 namespace {
 
-std::string addresses_of(const beacon::Neighbour& neighbour) {
+std::string addresses_of(const membership::Neighbour& neighbour) {
   std::vector<std::string> addresses;
-  for (const beacon::Path& path : neighbour.paths) {
+  for (const membership::Path& path : neighbour.paths) {
     for (const std::string& address : path.addresses) {
       if (std::ranges::find(addresses, address) == addresses.end()) addresses.push_back(address);
     }
@@ -42,7 +42,7 @@ Line ourselves(const Core& core) {
   return line;
 }
 
-Line line_of(const Core& core, const beacon::Neighbour& neighbour) {
+Line line_of(const Core& core, const membership::Neighbour& neighbour) {
   Line line;
   append(line, "id", to_string(neighbour.id));
   append(line, "name", neighbour.name.empty() ? to_string(neighbour.id) : neighbour.name);
@@ -61,7 +61,7 @@ Line line_of(const Core& core, const beacon::Neighbour& neighbour) {
 
 Answered answer(Core& core, const gcnp::QueryParticipants&) {
   Answer answer{.kind = "participants", .lines = {ourselves(core)}, .end = {}};
-  core.neighbours.for_each([&](const beacon::Neighbour& one) { answer.lines.push_back(line_of(core, one)); });
+  core.neighbours.for_each([&](const membership::Neighbour& one) { answer.lines.push_back(line_of(core, one)); });
   // The identifier is written with as many digits for everybody, so that its order is that of the text.
   std::ranges::sort(answer.lines, {}, [](const Line& line) { return *line.front().value; });
   return answer;

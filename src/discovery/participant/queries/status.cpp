@@ -32,11 +32,11 @@ void append_counters(Line& line, const Counters& counters) {
   append(line, "clashes", counters.clashes);
   for (std::size_t i = 0; i < counters.undecodable.size(); ++i) {
     if (counters.undecodable.at(i) == 0) continue;
-    append(line, "rejected_" + std::string(beacon::to_string(static_cast<beacon::DecodeError>(i))),
+    append(line, "rejected_" + std::string(announcement::to_string(static_cast<announcement::DecodeError>(i))),
            counters.undecodable.at(i));
   }
   for (const auto& [hearing, count] : counters.hearings) {
-    append(line, "heard_" + std::string(beacon::to_string(hearing)), count);
+    append(line, "heard_" + std::string(membership::to_string(hearing)), count);
   }
 }
 
@@ -45,11 +45,11 @@ void append_ontology_state(Line& line, const Core& core) {
   if (!core.ontology_state.failure.empty()) append(line, "ontology_failed", core.ontology_state.failure.front());
   const auto gaps = core.ontology == nullptr ? std::vector<std::string>() : core.ontology->gaps();
   const auto open =
-      std::ranges::find_if(gaps, [](const std::string& gap) { return gap.starts_with(el::undecided_words); });
-  if (open != gaps.end()) append(line, "ontology_undecided", open->substr(el::undecided_words.size()));
+      std::ranges::find_if(gaps, [](const std::string& gap) { return gap.starts_with(compiled::undecided_words); });
+  if (open != gaps.end()) append(line, "ontology_undecided", open->substr(compiled::undecided_words.size()));
   std::size_t others = 0;
   core.neighbours.for_each(
-      [&](const beacon::Neighbour& one) { others += one.ontology_digest == core.digest() ? 0 : 1; });
+      [&](const membership::Neighbour& one) { others += one.ontology_digest == core.digest() ? 0 : 1; });
   if (others != 0) append(line, "ontology_others", others);
 }
 

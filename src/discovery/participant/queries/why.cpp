@@ -55,13 +55,13 @@ std::string nearest(const Core& core, const registry::SubscriptionEntry& request
   const auto* asked = std::get_if<SemanticIdentity>(&request.subscription.identity);
   const auto* offered = std::get_if<SemanticIdentity>(&offer.publication.identity);
   if (core.ontology == nullptr || asked == nullptr || offered == nullptr) return "";
-  const el::Ontology& ontology = *core.ontology;
+  const compiled::Ontology& ontology = *core.ontology;
   const auto sub = ontology.find_iri(offered->concept_iri);
   const auto super = ontology.find_iri(asked->concept_iri);
   if (!sub || !super || ontology.is_subsumed(*sub, *super)) return "";
   if (const auto axioms = ontology.check_axioms(); !axioms) return "; " + axioms.error().text;
-  const reasoner::WhyNot why_not = reasoner::why_not(ontology, *sub, *super, reasoner::Patience::of_a_daemon);
-  return "; " + base::printable(reasoner::describe_briefly(ontology, *sub, *super, why_not), max_nearest_bytes);
+  const explanation::WhyNot why_not = explanation::why_not(ontology, *sub, *super, explanation::Patience::of_a_daemon);
+  return "; " + base::printable(explanation::describe_briefly(ontology, *sub, *super, why_not), max_nearest_bytes);
 }
 
 Line check_identity(const Core& core, const registry::SubscriptionEntry& request,

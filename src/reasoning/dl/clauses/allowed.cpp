@@ -3,9 +3,9 @@
 
 namespace geminga::clauses {
 
-bool Allowed::is_simple(el::TermId property) { return roles_.is_simple(vocabulary_.role(property)); }
+bool Allowed::is_simple(owl::TermId property) { return roles_.is_simple(vocabulary_.role(property)); }
 
-bool Allowed::is_top_data(el::TermId property) const {
+bool Allowed::is_top_data(owl::TermId property) const {
   return vocabulary_.source().name_of(property) == top_data_property;
 }
 

@@ -22,21 +22,21 @@ inline constexpr std::string_view bottom_data_property = "http://www.w3.org/2002
 /// that is not simple is allowed where it does not say at most of another: it is exact, as edges are paths.
 class Allowed {
  public:
-  Allowed(Vocabulary& vocabulary, const el::RoleBox& roles, std::uint32_t max_cardinality)
+  Allowed(Vocabulary& vocabulary, const owl::RoleBox& roles, std::uint32_t max_cardinality)
       : vocabulary_(vocabulary), roles_(roles), max_cardinality_(max_cardinality) {}
 
   /// Why the literal has no clauses where it is asserted; empty: it has.
   [[nodiscard]] std::string_view problem(Literal literal);
-  [[nodiscard]] bool is_simple(el::TermId property);
-  [[nodiscard]] bool is_top_data(el::TermId property) const;
+  [[nodiscard]] bool is_simple(owl::TermId property);
+  [[nodiscard]] bool is_top_data(owl::TermId property) const;
 
  private:
   [[nodiscard]] std::string_view problem_of(const Shape& shape);
 
   Vocabulary& vocabulary_;
-  const el::RoleBox& roles_;
+  const owl::RoleBox& roles_;
   std::uint32_t max_cardinality_;
-  std::map<std::tuple<el::TermId, bool, Part>, std::string_view> known_;
+  std::map<std::tuple<owl::TermId, bool, Part>, std::string_view> known_;
 };
 
 }  // namespace geminga::clauses

@@ -24,9 +24,9 @@ enum class ConceptId : std::uint32_t {};
 inline constexpr ConceptId thing{0};
 inline constexpr ConceptId nothing{1};
 /// Stands for the term of what has none in the source: an individual that only the translation needs.
-inline constexpr el::TermId no_term{0xffffffffU};
-using el::PropertyId;
-using el::Role;
+inline constexpr owl::TermId no_term{0xffffffffU};
+using owl::PropertyId;
+using owl::Role;
 /// A data property. Dense.
 enum class DataPropertyId : std::uint32_t {};
 /// A unary predicate over values: a data range or the complement of one. Dense; see DataRange.
@@ -105,14 +105,14 @@ struct DataAtMost {
 /// Which values a DataRangeId stands for.
 struct DataRange {
   /// A datatype, a data range expression, or a literal, which stands for the range that has only its value.
-  el::TermId term{};
+  owl::TermId term{};
   bool is_complement = false;  ///< every value that is not in it
   friend auto operator<=>(const DataRange&, const DataRange&) = default;
 };
 /// DatatypeDefinition(datatype range): where `datatype` stands in a term, `range` is meant.
 struct DatatypeDefinition {
-  el::TermId datatype{};
-  el::TermId range{};
+  owl::TermId datatype{};
+  owl::TermId range{};
 };
 
 /// Named individuals in `of` that agree on a value of each of these properties are equal. Values of object properties
@@ -131,7 +131,7 @@ enum class ConceptKind : std::uint8_t {
 };
 struct Concept {
   ConceptKind kind = ConceptKind::named;
-  el::TermId term{};
+  owl::TermId term{};
   IndividualId individual{};
 };
 
@@ -149,7 +149,7 @@ struct RoleFact {
 struct DataFact {
   DataPropertyId property{};
   IndividualId individual{};
-  el::TermId value{};
+  owl::TermId value{};
 };
 struct Equality {
   IndividualId first{};
@@ -165,12 +165,12 @@ struct Unused {
 
 /// The whole ontology. Tables are indexed by the numbers of the ids.
 struct ClauseSet {
-  std::vector<Concept> concepts;       ///< [0] is owl:Thing, [1] owl:Nothing
-  std::vector<el::TermId> properties;  ///< the object property
-  std::vector<el::TermId> data_properties;
+  std::vector<Concept> concepts;        ///< [0] is owl:Thing, [1] owl:Nothing
+  std::vector<owl::TermId> properties;  ///< the object property
+  std::vector<owl::TermId> data_properties;
   std::vector<DataRange> data_ranges;  ///< [0] is rdfs:Literal, every value, whatever its term; [1] no value
   std::vector<DatatypeDefinition> datatype_definitions;
-  std::vector<el::TermId> individuals;
+  std::vector<owl::TermId> individuals;
   std::vector<AtLeast> at_leasts;
   std::vector<DataAtLeast> data_at_leasts;
   std::vector<AtMost> at_mosts;

@@ -8,9 +8,9 @@
 
 namespace geminga::clauses {
 
-using el::AxiomKind;
-using el::TermId;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
 
 namespace {
 
@@ -21,7 +21,7 @@ constexpr std::size_t clauses_per_axiom = 100;
 
 }  // namespace
 
-Clausifier::Clausifier(const el::OntologySource& source, const ClausifyLimits& limits)
+Clausifier::Clausifier(const owl::Ontology& source, const ClausifyLimits& limits)
     : source_(source), limits_(limits), hashes_(source), vocabulary_(source, hashes_, set_) {
   limits_.clauses = std::min(limits_.clauses, always_clauses + clauses_per_axiom * source.axiom_count());
   is_seen_.assign(source.term_count(), false);
@@ -30,12 +30,12 @@ Clausifier::Clausifier(const el::OntologySource& source, const ClausifyLimits& l
 void Clausifier::order(std::optional<std::span<const std::uint32_t>> axioms) {
   struct Entry {
     AxiomKind kind;
-    el::ContentHashes::Hash hash;
+    owl::ContentHashes::Hash hash;
     std::uint32_t axiom;
   };
   std::vector<Entry> entries;
   const auto add = [&](std::uint32_t number) {
-    const el::Axiom axiom = source_.axiom(number);
+    const owl::Axiom axiom = source_.axiom(number);
     entries.push_back({axiom.kind, hashes_.of(axiom), number});
   };
   if (axioms) {
@@ -50,7 +50,7 @@ void Clausifier::order(std::optional<std::span<const std::uint32_t>> axioms) {
   for (const Entry& entry : entries) {
     const auto arguments = source_.axiom(entry.axiom).arguments;
     axioms_.push_back(
-        {entry.axiom, entry.kind, hashes_.sorted(arguments, el::set_begin(entry.kind, arguments.size()))});
+        {entry.axiom, entry.kind, hashes_.sorted(arguments, owl::set_begin(entry.kind, arguments.size()))});
   }
 }
 
@@ -62,8 +62,8 @@ void Clausifier::find_properties(std::span<const TermId> terms) {
     if (is_seen_[static_cast<std::size_t>(id)]) continue;
     is_seen_[static_cast<std::size_t>(id)] = true;
     find_property(id);
-    const el::Term term = source_.term(id);
-    const auto arguments = hashes_.sorted(term.arguments, el::set_begin(term.kind, term.arguments.size()));
+    const owl::Term term = source_.term(id);
+    const auto arguments = hashes_.sorted(term.arguments, owl::set_begin(term.kind, term.arguments.size()));
     open.insert(open.end(), arguments.rbegin(), arguments.rend());
   }
 }
@@ -126,7 +126,7 @@ void Clausifier::ask(std::span<const TermId> expressions, bool is_complement, st
   }
 }
 
-std::expected<ClauseSet, ClausifyError> clausify(const el::OntologySource& source,
+std::expected<ClauseSet, ClausifyError> clausify(const owl::Ontology& source,
                                                  std::optional<std::span<const std::uint32_t>> axioms,
                                                  std::span<const TermId> queries, std::span<const TermId> complements,
                                                  const ClausifyLimits& limits) {

@@ -1,4 +1,4 @@
-// From the axioms of an OntologySource to clauses: negation normal form, names for parts, automata for chains.
+// From the axioms of an Ontology to clauses: negation normal form, names for parts, automata for chains.
 #ifndef GEMINGA_REASONING_DL_CLAUSES_CLAUSIFY_HPP
 #define GEMINGA_REASONING_DL_CLAUSES_CLAUSIFY_HPP
 
@@ -29,10 +29,10 @@ struct ClausifyError {
 /// with Q SubClassOf expression, so that Q is satisfiable exactly if the expression is; each of `complements` one with
 /// Q SubClassOf not expression.
 /// Depends on the set of axioms, not on their order.
-[[nodiscard]] std::expected<ClauseSet, ClausifyError> clausify(const el::OntologySource& source,
+[[nodiscard]] std::expected<ClauseSet, ClausifyError> clausify(const owl::Ontology& source,
                                                                std::optional<std::span<const std::uint32_t>> axioms,
-                                                               std::span<const el::TermId> queries,
-                                                               std::span<const el::TermId> complements = {},
+                                                               std::span<const owl::TermId> queries,
+                                                               std::span<const owl::TermId> complements = {},
                                                                const ClausifyLimits& limits = {});
 
 }  // namespace geminga::clauses

@@ -5,9 +5,9 @@
 
 namespace geminga::clauses {
 
-using el::AxiomKind;
-using el::TermId;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
 
 namespace {
 

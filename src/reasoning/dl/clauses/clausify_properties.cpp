@@ -7,9 +7,9 @@
 
 namespace geminga::clauses {
 
-using el::AxiomKind;
-using el::TermId;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
 
 namespace {
 
@@ -17,8 +17,8 @@ constexpr Literal positive(TermId term) { return {term, false, Part::whole}; }
 
 }  // namespace
 
-void Clausifier::collect_roles(const Ordered& axiom, std::vector<el::RoleInclusion>& inclusions,
-                               std::vector<el::RoleChain>& chains) {
+void Clausifier::collect_roles(const Ordered& axiom, std::vector<owl::RoleInclusion>& inclusions,
+                               std::vector<owl::RoleChain>& chains) {
   const auto& arguments = axiom.arguments;
   const auto role = [&](std::size_t at) { return vocabulary_.role(arguments[at]); };
   switch (axiom.kind) {
@@ -28,7 +28,7 @@ void Clausifier::collect_roles(const Ordered& axiom, std::vector<el::RoleInclusi
         inclusions.push_back({role(0), role(1)});
         return;
       }
-      el::RoleChain chain{{}, role(1), axiom.axiom};
+      owl::RoleChain chain{{}, role(1), axiom.axiom};
       for (const TermId part : source_.term(arguments[0]).arguments) chain.word.push_back(vocabulary_.role(part));
       chains.push_back(std::move(chain));
       return;
@@ -54,8 +54,8 @@ void Clausifier::collect_roles(const Ordered& axiom, std::vector<el::RoleInclusi
 }
 
 void Clausifier::build_roles() {
-  std::vector<el::RoleInclusion> inclusions;
-  std::vector<el::RoleChain> chains;
+  std::vector<owl::RoleInclusion> inclusions;
+  std::vector<owl::RoleChain> chains;
   for (const Ordered& axiom : axioms_) collect_roles(axiom, inclusions, chains);
   if (top_role_) {
     // Everything is connected by way of one individual, and thus with everything.
@@ -75,7 +75,7 @@ void Clausifier::build_roles() {
   if (bottom_data_) translator_->add_clause({{{AtomKind::data_role, centre, 1, number(*bottom_data_)}}, {}});
 }
 
-void Clausifier::add_hierarchy(std::span<const el::RoleInclusion> inclusions) {
+void Clausifier::add_hierarchy(std::span<const owl::RoleInclusion> inclusions) {
   // R(x,y) -> S(x,y)
   const auto add = [&](Role sub, Role super) {
     translator_->add_clause({{translator_->role_atom(sub, centre, 1)}, {translator_->role_atom(super, centre, 1)}});

@@ -4,7 +4,7 @@
 namespace geminga::clauses {
 namespace {
 
-using el::TermKind;
+using owl::TermKind;
 
 constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
 
@@ -15,8 +15,7 @@ Shape constant(bool is_true) {
 }
 
 /// (>= n R.C) or, negated, (<= n-1 R.C).
-Shape at_least(const el::OntologySource& source, const el::Term& term, std::uint32_t count, bool is_negated,
-               bool is_data) {
+Shape at_least(const owl::Ontology& source, const owl::Term& term, std::uint32_t count, bool is_negated, bool is_data) {
   if (count == 0) return constant(!is_negated);
   Shape shape;
   shape.property = term.arguments[0];
@@ -42,12 +41,12 @@ Shape at_least(const el::OntologySource& source, const el::Term& term, std::uint
 }
 
 /// (<= n R.C) is not (>= n+1 R.C).
-Shape at_most(const el::OntologySource& source, const el::Term& term, bool is_negated, bool is_data) {
+Shape at_most(const owl::Ontology& source, const owl::Term& term, bool is_negated, bool is_data) {
   if (term.number == 0xffffffffU) return constant(!is_negated);
   return at_least(source, term, term.number + 1, !is_negated, is_data);
 }
 
-Shape exactly(const el::OntologySource& source, const el::Term& term, Literal literal, bool is_data) {
+Shape exactly(const owl::Ontology& source, const owl::Term& term, Literal literal, bool is_data) {
   if (literal.part == Part::minimum) return at_least(source, term, term.number, literal.is_negated, is_data);
   if (literal.part == Part::maximum || term.number == 0) return at_most(source, term, literal.is_negated, is_data);
   Shape shape;
@@ -58,22 +57,22 @@ Shape exactly(const el::OntologySource& source, const el::Term& term, Literal li
 }
 
 /// Intersections, and unions as their duals.
-Shape set_of(const el::Term& term, bool is_intersection, bool is_negated) {
+Shape set_of(const owl::Term& term, bool is_intersection, bool is_negated) {
   Shape shape;
   shape.kind = is_intersection != is_negated ? ShapeKind::all_of : ShapeKind::any_of;
-  for (const el::TermId argument : term.arguments) shape.operands.push_back({argument, is_negated, Part::whole});
+  for (const owl::TermId argument : term.arguments) shape.operands.push_back({argument, is_negated, Part::whole});
   if (!shape.operands.empty()) return shape;
   return constant(shape.kind == ShapeKind::all_of);
 }
 
-Shape quantified(ShapeKind kind, el::TermId property, Literal filler) {
+Shape quantified(ShapeKind kind, owl::TermId property, Literal filler) {
   Shape shape;
   shape.kind = kind;
   shape.property = property;
   shape.filler = filler;
   return shape;
 }
-Shape quantified(ShapeKind kind, el::TermId property, DataRange range) {
+Shape quantified(ShapeKind kind, owl::TermId property, DataRange range) {
   Shape shape;
   shape.kind = kind;
   shape.property = property;
@@ -83,7 +82,7 @@ Shape quantified(ShapeKind kind, el::TermId property, DataRange range) {
 
 }  // namespace
 
-DataRange range_of(const el::OntologySource& source, el::TermId term, bool is_complement) {
+DataRange range_of(const owl::Ontology& source, owl::TermId term, bool is_complement) {
   while (source.kind(term) == TermKind::data_complement_of) {
     term = source.term(term).arguments[0];
     is_complement = !is_complement;
@@ -92,11 +91,11 @@ DataRange range_of(const el::OntologySource& source, el::TermId term, bool is_co
   return {term, is_complement};
 }
 
-Shape shape_of(const el::OntologySource& source, Literal literal) {
+Shape shape_of(const owl::Ontology& source, Literal literal) {
   while (source.kind(literal.term) == TermKind::object_complement_of) {
     literal = {source.term(literal.term).arguments[0], !literal.is_negated, Part::whole};
   }
-  const el::Term term = source.term(literal.term);
+  const owl::Term term = source.term(literal.term);
   const bool is_negated = literal.is_negated;
   const ShapeKind some = is_negated ? ShapeKind::every : ShapeKind::some;
   const ShapeKind every = is_negated ? ShapeKind::some : ShapeKind::every;
@@ -135,8 +134,8 @@ Shape shape_of(const el::OntologySource& source, Literal literal) {
     default:
       break;
   }
-  if (literal.term == el::thing_term) return constant(!is_negated);
-  if (literal.term == el::nothing_term) return constant(is_negated);
+  if (literal.term == owl::thing_term) return constant(!is_negated);
+  if (literal.term == owl::nothing_term) return constant(is_negated);
   Shape shape;
   shape.kind = is_negated ? ShapeKind::negated_atom : ShapeKind::atom;
   shape.term = literal.term;

@@ -18,7 +18,7 @@ enum class Part : std::uint8_t { whole, minimum, maximum };
 
 /// A class expression or its complement. An individual stands for the nominal that has it as only instance.
 struct Literal {
-  el::TermId term = el::thing_term;
+  owl::TermId term = owl::thing_term;
   bool is_negated = false;
   Part part = Part::whole;
 };
@@ -27,7 +27,7 @@ struct Literal {
   return literal;
 }
 inline constexpr Literal top{};
-inline constexpr Literal bottom{el::thing_term, true, Part::whole};
+inline constexpr Literal bottom{owl::thing_term, true, Part::whole};
 
 enum class ShapeKind : std::uint8_t {
   truth,
@@ -51,19 +51,19 @@ enum class ShapeKind : std::uint8_t {
 /// What a literal says, with its sign pushed one level down.
 struct Shape {
   ShapeKind kind = ShapeKind::truth;
-  el::TermId term{};
+  owl::TermId term{};
   std::vector<Literal> operands;
-  el::TermId property{};  ///< an object property expression or data property
+  owl::TermId property{};  ///< an object property expression or data property
   std::uint32_t count = 1;
   Literal filler;
   DataRange range{no_term, false};
 };
 
 /// `literal` must be of a well-formed class expression or an individual.
-[[nodiscard]] Shape shape_of(const el::OntologySource& source, Literal literal);
+[[nodiscard]] Shape shape_of(const owl::Ontology& source, Literal literal);
 
 /// Of a data range expression or literal: without its complements, and rdfs:Literal as no_term.
-[[nodiscard]] DataRange range_of(const el::OntologySource& source, el::TermId term, bool is_complement);
+[[nodiscard]] DataRange range_of(const owl::Ontology& source, owl::TermId term, bool is_complement);
 
 }  // namespace geminga::clauses
 

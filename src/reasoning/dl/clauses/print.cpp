@@ -6,13 +6,13 @@ namespace {
 
 class Printer {
  public:
-  Printer(const el::OntologySource& source, const ClauseSet& set, const el::ShortName& short_name)
+  Printer(const owl::Ontology& source, const ClauseSet& set, const owl::ShortName& short_name)
       : source_(source), set_(set), short_name_(short_name) {}
 
   [[nodiscard]] std::string concept_of(ConceptId id) const {
     const Concept& entry = set_.concepts[number(id)];
     if (entry.kind == ConceptKind::auxiliary) return "Q" + std::to_string(number(id));
-    const std::string name = entry.term == no_term ? "?" : el::print(source_, entry.term, short_name_);
+    const std::string name = entry.term == no_term ? "?" : owl::print(source_, entry.term, short_name_);
     return entry.kind == ConceptKind::nominal ? "{" + name + "}" : name;
   }
 
@@ -32,15 +32,15 @@ class Printer {
     return at == centre ? "x" : "y" + std::to_string(static_cast<unsigned>(at));
   }
   [[nodiscard]] std::string role(Role role) const {
-    return el::print(source_, set_.properties[number(role.property)], short_name_) + (role.is_inverse ? "-" : "");
+    return owl::print(source_, set_.properties[number(role.property)], short_name_) + (role.is_inverse ? "-" : "");
   }
   [[nodiscard]] std::string data_property(DataPropertyId id) const {
-    return el::print(source_, set_.data_properties[number(id)], short_name_);
+    return owl::print(source_, set_.data_properties[number(id)], short_name_);
   }
   [[nodiscard]] std::string range(DataRangeId id) const {
     if (number(id) < 2) return number(id) == 0 ? "any" : "none";
     const DataRange& range = set_.data_ranges[number(id)];
-    return (range.is_complement ? "not " : "") + el::print(source_, range.term, short_name_);
+    return (range.is_complement ? "not " : "") + owl::print(source_, range.term, short_name_);
   }
   [[nodiscard]] std::string number_restriction(std::string_view sign, std::uint32_t count, const std::string& property,
                                                const std::string& filler, Variable at) const {
@@ -81,20 +81,19 @@ class Printer {
     return {};
   }
 
-  const el::OntologySource& source_;
+  const owl::Ontology& source_;
   const ClauseSet& set_;
-  const el::ShortName& short_name_;
+  const owl::ShortName& short_name_;
 };
 
 }  // namespace
 
-std::string print(const el::OntologySource& source, const ClauseSet& set, ConceptId id,
-                  const el::ShortName& short_name) {
+std::string print(const owl::Ontology& source, const ClauseSet& set, ConceptId id, const owl::ShortName& short_name) {
   return Printer(source, set, short_name).concept_of(id);
 }
 
-std::string print(const el::OntologySource& source, const ClauseSet& set, const Clause& clause,
-                  const el::ShortName& short_name) {
+std::string print(const owl::Ontology& source, const ClauseSet& set, const Clause& clause,
+                  const owl::ShortName& short_name) {
   const Printer printer(source, set, short_name);
   return printer.atoms(clause.body, ", ", "true") + " -> " + printer.atoms(clause.head, " or ", "false");
 }

@@ -41,7 +41,7 @@ struct Draft {
 
 class Translator {
  public:
-  Translator(Vocabulary& vocabulary, const el::RoleBox& roles, ClauseSet& set, std::size_t max_clauses)
+  Translator(Vocabulary& vocabulary, const owl::RoleBox& roles, ClauseSet& set, std::size_t max_clauses)
       : vocabulary_(vocabulary), source_(vocabulary.source()), roles_(roles), set_(set), max_clauses_(max_clauses) {}
 
   /// Everything is in one of these.
@@ -62,11 +62,11 @@ class Translator {
 
   /// R(x, y) of the canonical role, its arguments turned where it is an inverse.
   [[nodiscard]] Atom role_atom(Role role, Variable from, Variable to) const;
-  [[nodiscard]] Role role(el::TermId property) { return roles_.canonical(vocabulary_.role(property)); }
+  [[nodiscard]] Role role(owl::TermId property) { return roles_.canonical(vocabulary_.role(property)); }
   [[nodiscard]] bool is_full() const { return set_.clauses.size() > max_clauses_; }
 
  private:
-  using Key = std::tuple<el::ContentHashes::Hash, bool, Part>;
+  using Key = std::tuple<owl::ContentHashes::Hash, bool, Part>;
   struct Name {
     ConceptId id{};
     Literal literal;
@@ -100,11 +100,12 @@ class Translator {
   void finish(Draft draft);
   /// The concept of the first state of a role's automaton with `every role.filler`, and whether it goes into the head.
   std::pair<ConceptId, bool> path(Role role, Literal filler);
-  void add_moves(const el::Automaton& automaton, const std::vector<ConceptId>& states, Literal filler, bool is_forward);
+  void add_moves(const owl::Automaton& automaton, const std::vector<ConceptId>& states, Literal filler,
+                 bool is_forward);
 
   Vocabulary& vocabulary_;
-  const el::OntologySource& source_;
-  const el::RoleBox& roles_;
+  const owl::Ontology& source_;
+  const owl::RoleBox& roles_;
   ClauseSet& set_;
   std::size_t max_clauses_;
   std::map<Key, Name> names_;

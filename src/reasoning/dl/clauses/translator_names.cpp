@@ -7,7 +7,7 @@
 namespace geminga::clauses {
 
 Translator::Key Translator::key_of(Literal literal) const {
-  while (source_.kind(literal.term) == el::TermKind::object_complement_of) {
+  while (source_.kind(literal.term) == owl::TermKind::object_complement_of) {
     literal = {source_.term(literal.term).arguments[0], !literal.is_negated, Part::whole};
   }
   return {vocabulary_.hashes().of(literal.term), literal.is_negated, literal.part};
@@ -105,31 +105,31 @@ std::pair<ConceptId, bool> Translator::path(Role role, Literal filler) {
   const Literal named = is_forward ? filler : complement(filler);
   const auto [found, is_new] = paths_.try_emplace({role, key_of(named), is_forward});
   if (!is_new) return {found->second, is_forward};
-  const el::Automaton& automaton = roles_.automaton(role);
+  const owl::Automaton& automaton = roles_.automaton(role);
   const bool is_everything = !is_forward && shape_of(source_, named).kind == ShapeKind::truth;
   std::vector<ConceptId> states;
-  for (el::Automaton::State state = 0; state < automaton.state_count(); ++state) {
+  for (owl::Automaton::State state = 0; state < automaton.state_count(); ++state) {
     const bool needs_no_name =
-        state != el::Automaton::begin && automaton.is_final(state) && (is_everything || automaton.is_dead_end(state));
+        state != owl::Automaton::begin && automaton.is_final(state) && (is_everything || automaton.is_dead_end(state));
     states.push_back(needs_no_name ? thing : vocabulary_.auxiliary(filler.term));
   }
-  found->second = states[el::Automaton::begin];
+  found->second = states[owl::Automaton::begin];
   const ConceptId first = found->second;
   add_moves(automaton, states, filler, is_forward);
   return {first, is_forward};
 }
 
-void Translator::add_moves(const el::Automaton& automaton, const std::vector<ConceptId>& states, Literal filler,
+void Translator::add_moves(const owl::Automaton& automaton, const std::vector<ConceptId>& states, Literal filler,
                            bool is_forward) {
   //   forwards:   Qp(x), S(x,y) -> Qq(y)      Qf -> F        where F is the filler
   //   backwards:  S(x,y), Qq(y) -> Qp(x)      G -> Qf        where G is its complement
   // The name of a final state without further moves is the filler itself.
-  const auto leads_to_thing = [&](const el::Automaton::Move& other) {
+  const auto leads_to_thing = [&](const owl::Automaton::Move& other) {
     return automaton.is_final(other.to) && states[other.to] == thing && !is_forward &&
            shape_of(source_, filler).kind == ShapeKind::falsity;
   };
-  for (const el::Automaton::Move& move : automaton.moves()) {
-    const auto is_shorter = [&](const el::Automaton::Move& other) {
+  for (const owl::Automaton::Move& move : automaton.moves()) {
+    const auto is_shorter = [&](const owl::Automaton::Move& other) {
       return other.from == move.from && other.label == move.label && leads_to_thing(other);
     };
     if (states[move.from] == thing) continue;
@@ -146,7 +146,7 @@ void Translator::add_moves(const el::Automaton& automaton, const std::vector<Con
     }
     add(std::move(draft));
   }
-  for (el::Automaton::State state = 0; state < automaton.state_count(); ++state) {
+  for (owl::Automaton::State state = 0; state < automaton.state_count(); ++state) {
     if (!automaton.is_final(state) || states[state] == thing) continue;
     Draft draft;
     put_atom(draft, states[state], centre, is_forward);

@@ -12,15 +12,15 @@ Id append(std::vector<Record>& table, Record record) {
 
 }  // namespace
 
-Vocabulary::Vocabulary(const el::OntologySource& source, const el::ContentHashes& hashes, ClauseSet& set)
+Vocabulary::Vocabulary(const owl::Ontology& source, const owl::ContentHashes& hashes, ClauseSet& set)
     : source_(source), hashes_(hashes), set_(set) {
-  set_.concepts = {{ConceptKind::named, el::thing_term, {}}, {ConceptKind::named, el::nothing_term, {}}};
+  set_.concepts = {{ConceptKind::named, owl::thing_term, {}}, {ConceptKind::named, owl::nothing_term, {}}};
   set_.data_ranges = {{no_term, false}, {no_term, true}};
-  concepts_ = {{el::thing_term, thing}, {el::nothing_term, nothing}};
+  concepts_ = {{owl::thing_term, thing}, {owl::nothing_term, nothing}};
 }
 
-ConceptId Vocabulary::concept_of(el::TermId term) {
-  if (el::is_individual(source_.kind(term))) return nominal(individual(term));
+ConceptId Vocabulary::concept_of(owl::TermId term) {
+  if (owl::is_individual(source_.kind(term))) return nominal(individual(term));
   const auto [found, is_new] = concepts_.try_emplace(term);
   if (is_new) found->second = append<ConceptId>(set_.concepts, Concept{ConceptKind::named, term, {}});
   return found->second;
@@ -35,29 +35,29 @@ ConceptId Vocabulary::nominal(IndividualId individual) {
   return found->second;
 }
 
-ConceptId Vocabulary::auxiliary(el::TermId term) {
+ConceptId Vocabulary::auxiliary(owl::TermId term) {
   return append<ConceptId>(set_.concepts, Concept{ConceptKind::auxiliary, term, {}});
 }
 
-IndividualId Vocabulary::individual(el::TermId term) {
+IndividualId Vocabulary::individual(owl::TermId term) {
   const auto [found, is_new] = individuals_.try_emplace(term);
-  if (is_new) found->second = append<IndividualId>(set_.individuals, el::TermId{term});
+  if (is_new) found->second = append<IndividualId>(set_.individuals, owl::TermId{term});
   return found->second;
 }
 
-IndividualId Vocabulary::fresh_individual() { return append<IndividualId>(set_.individuals, el::TermId{no_term}); }
+IndividualId Vocabulary::fresh_individual() { return append<IndividualId>(set_.individuals, owl::TermId{no_term}); }
 
-Role Vocabulary::role(el::TermId term) {
-  const bool is_inverse = source_.kind(term) == el::TermKind::object_inverse_of;
+Role Vocabulary::role(owl::TermId term) {
+  const bool is_inverse = source_.kind(term) == owl::TermKind::object_inverse_of;
   if (is_inverse) term = source_.term(term).arguments[0];
   const auto [found, is_new] = properties_.try_emplace(term);
-  if (is_new) found->second = append<PropertyId>(set_.properties, el::TermId{term});
+  if (is_new) found->second = append<PropertyId>(set_.properties, owl::TermId{term});
   return {found->second, is_inverse};
 }
 
-DataPropertyId Vocabulary::data_property(el::TermId term) {
+DataPropertyId Vocabulary::data_property(owl::TermId term) {
   const auto [found, is_new] = data_properties_.try_emplace(term);
-  if (is_new) found->second = append<DataPropertyId>(set_.data_properties, el::TermId{term});
+  if (is_new) found->second = append<DataPropertyId>(set_.data_properties, owl::TermId{term});
   return found->second;
 }
 

@@ -17,21 +17,21 @@ namespace geminga::clauses {
 /// Fills the tables of `set`. Terms that differ only in the order of a set are one.
 class Vocabulary {
  public:
-  Vocabulary(const el::OntologySource& source, const el::ContentHashes& hashes, ClauseSet& set);
+  Vocabulary(const owl::Ontology& source, const owl::ContentHashes& hashes, ClauseSet& set);
 
-  [[nodiscard]] const el::OntologySource& source() const { return source_; }
-  [[nodiscard]] const el::ContentHashes& hashes() const { return hashes_; }
+  [[nodiscard]] const owl::Ontology& source() const { return source_; }
+  [[nodiscard]] const owl::ContentHashes& hashes() const { return hashes_; }
 
   /// Of a named class, or the nominal of an individual.
-  ConceptId concept_of(el::TermId term);
+  ConceptId concept_of(owl::TermId term);
   ConceptId nominal(IndividualId individual);
-  ConceptId auxiliary(el::TermId term);
-  IndividualId individual(el::TermId term);
+  ConceptId auxiliary(owl::TermId term);
+  IndividualId individual(owl::TermId term);
   /// One that no axiom names.
   IndividualId fresh_individual();
   /// Of a property expression.
-  Role role(el::TermId term);
-  DataPropertyId data_property(el::TermId term);
+  Role role(owl::TermId term);
+  DataPropertyId data_property(owl::TermId term);
   DataRangeId data_range(const DataRange& range);
   std::uint32_t index(const AtLeast& at_least) { return indexed(at_least, at_leasts_, set_.at_leasts); }
   std::uint32_t index(const DataAtLeast& at_least) { return indexed(at_least, data_at_leasts_, set_.data_at_leasts); }
@@ -47,15 +47,15 @@ class Vocabulary {
     return found->second;
   }
 
-  const el::OntologySource& source_;
-  const el::ContentHashes& hashes_;
+  const owl::Ontology& source_;
+  const owl::ContentHashes& hashes_;
   ClauseSet& set_;
-  std::unordered_map<el::TermId, ConceptId> concepts_;
+  std::unordered_map<owl::TermId, ConceptId> concepts_;
   std::unordered_map<std::uint32_t, ConceptId> nominals_;
-  std::unordered_map<el::TermId, IndividualId> individuals_;
-  std::unordered_map<el::TermId, PropertyId> properties_;
-  std::unordered_map<el::TermId, DataPropertyId> data_properties_;
-  std::map<std::pair<el::ContentHashes::Hash, bool>, DataRangeId> data_ranges_;
+  std::unordered_map<owl::TermId, IndividualId> individuals_;
+  std::unordered_map<owl::TermId, PropertyId> properties_;
+  std::unordered_map<owl::TermId, DataPropertyId> data_properties_;
+  std::map<std::pair<owl::ContentHashes::Hash, bool>, DataRangeId> data_ranges_;
   std::map<AtLeast, std::uint32_t> at_leasts_;
   std::map<DataAtLeast, std::uint32_t> data_at_leasts_;
   std::map<AtMost, std::uint32_t> at_mosts_;

@@ -54,7 +54,7 @@ void recentre(std::vector<RuleAtom>& atoms) {
 
 }  // namespace
 
-Centring::Centring(const el::OntologySource& source, const clauses::ClauseSet& clauses, bool with_facts)
+Centring::Centring(const owl::Ontology& source, const clauses::ClauseSet& clauses, bool with_facts)
     : source_(source), clauses_(clauses), with_facts_(with_facts) {}
 
 CentredRules Centring::run() {

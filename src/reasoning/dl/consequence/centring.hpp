@@ -71,7 +71,7 @@ inline constexpr std::uint32_t max_at_most = 64;
 class Centring {
  public:
   /// `with_facts`: what is said of individuals becomes rules, too.
-  Centring(const el::OntologySource& source, const clauses::ClauseSet& clauses, bool with_facts);
+  Centring(const owl::Ontology& source, const clauses::ClauseSet& clauses, bool with_facts);
   /// Centres the clauses, and those that facts stand for. To be called once.
   [[nodiscard]] CentredRules run();
 
@@ -99,12 +99,12 @@ class Centring {
   void add_values();
   void find_gaps();
 
-  const el::OntologySource& source_;
+  const owl::Ontology& source_;
   const clauses::ClauseSet& clauses_;
   bool with_facts_;
   CentredRules result_;
-  std::vector<std::uint32_t> range_predicate_;       ///< of each DataRangeId, then of the values of data facts
-  std::map<el::TermId, std::uint32_t> fact_values_;  ///< the position among them
+  std::vector<std::uint32_t> range_predicate_;        ///< of each DataRangeId, then of the values of data facts
+  std::map<owl::TermId, std::uint32_t> fact_values_;  ///< the position among them
   /// What is known between two individuals, about variable 1 as a neighbour of the first.
   std::map<std::pair<std::uint32_t, std::uint32_t>, Atoms> links_;
   std::uint32_t at_most_base_ = 0;

@@ -32,7 +32,7 @@ using clauses::number;
 
 }  // namespace
 
-Closure saturate(const el::OntologySource& source, const clauses::ClauseSet& clauses, std::span<const ConceptId> wanted,
+Closure saturate(const owl::Ontology& source, const clauses::ClauseSet& clauses, std::span<const ConceptId> wanted,
                  const Options& options) {
   const Rules rules(Centring(source, clauses, options.facts).run());
   const CentredRules& vocabulary = rules.vocabulary();

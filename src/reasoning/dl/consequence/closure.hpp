@@ -62,7 +62,7 @@ struct Closure {
 
 /// The result depends neither on the order of clauses nor on the number of threads, save for the counts, and save for a
 /// closure that was cut off. Builds only what the concepts asked for lead to (and, with `facts`, the individuals).
-[[nodiscard]] Closure saturate(const el::OntologySource& source, const clauses::ClauseSet& clauses,
+[[nodiscard]] Closure saturate(const owl::Ontology& source, const clauses::ClauseSet& clauses,
                                std::span<const clauses::ConceptId> wanted, const Options& options = {});
 
 }  // namespace geminga::consequence

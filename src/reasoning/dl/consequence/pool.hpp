@@ -17,18 +17,18 @@ namespace geminga::consequence {
 /// Makes an arena that of this thread, as long as it lives.
 class ArenaUse {
  public:
-  explicit ArenaUse(el::Arena& arena) : before_(std::exchange(current(), &arena)) {}
+  explicit ArenaUse(base::Arena& arena) : before_(std::exchange(current(), &arena)) {}
   ArenaUse(const ArenaUse&) = delete;
   ArenaUse& operator=(const ArenaUse&) = delete;
   ~ArenaUse() { current() = before_; }
 
-  [[nodiscard]] static el::Arena*& current() {
-    static thread_local el::Arena* arena = nullptr;
+  [[nodiscard]] static base::Arena*& current() {
+    static thread_local base::Arena* arena = nullptr;
     return arena;
   }
 
  private:
-  el::Arena* before_;
+  base::Arena* before_;
 };
 
 /// Takes from the arena of the thread, which there must be. What is given back where there is none stays where it is:
@@ -44,7 +44,7 @@ struct PoolAllocator {
     return static_cast<Item*>(ArenaUse::current()->allocate(count * sizeof(Item)));
   }
   void deallocate(Item* block, std::size_t count) {
-    if (el::Arena* const arena = ArenaUse::current(); arena != nullptr)
+    if (base::Arena* const arena = ArenaUse::current(); arena != nullptr)
       arena->release(static_cast<void*>(block), count * sizeof(Item));
   }
   friend bool operator==(const PoolAllocator&, const PoolAllocator&) { return true; }

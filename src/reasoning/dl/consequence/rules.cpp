@@ -39,7 +39,7 @@ void Rules::take_out_inclusions() {
                      {is_turned ? LiteralKind::incoming : LiteralKind::outgoing, 0, 0, rule.head[0].predicate}});
   }
   std::erase_if(centred_.rules, is_inclusion);
-  inclusions_ = el::Rows<RuleAtom>(centred_.role_count, pairs);
+  inclusions_ = base::Rows<RuleAtom>(centred_.role_count, pairs);
   inclusions_.sort_unique();
 }
 
@@ -195,9 +195,9 @@ void Rules::index() {
     is_unary_trigger_[centred_.first_marker + i] = true;
   }
   for (const std::uint32_t nominal : centred_.nominal_of) is_unary_trigger_[nominal] = true;
-  told_ = el::Rows<Literal>(centred_.predicate_count, told);
+  told_ = base::Rows<Literal>(centred_.predicate_count, told);
   told_.sort_unique();
-  unary_ = el::Rows<Occurrence>(centred_.predicate_count, unary_occurrences);
+  unary_ = base::Rows<Occurrence>(centred_.predicate_count, unary_occurrences);
 }
 
 }  // namespace geminga::consequence

@@ -89,13 +89,13 @@ class Rules {
   [[nodiscard]] std::vector<std::vector<RuleAtom>> expanded(const std::vector<RuleAtom>& head);
 
   CentredRules centred_;
-  el::Rows<RuleAtom> inclusions_;  ///< of each role; predicate: what is above it, incoming: turned round
+  base::Rows<RuleAtom> inclusions_;  ///< of each role; predicate: what is above it, incoming: turned round
   std::vector<bool> is_used_unary_;
   std::vector<bool> is_used_role_;
   std::vector<std::vector<RuleAtom>> supers_;
   std::vector<bool> has_supers_;
-  el::Rows<Literal> told_;
-  el::Rows<Occurrence> unary_;
+  base::Rows<Literal> told_;
+  base::Rows<Occurrence> unary_;
   std::vector<std::vector<Occurrence>> roles_;
   std::vector<std::vector<Occurrence>> reflexive_;
   std::vector<std::uint32_t> always_;

@@ -133,7 +133,7 @@ void Saturation::wake_all() {
 }
 
 void Saturation::run(unsigned threads) {
-  el::Crew crew(threads);
+  parallel::Crew crew(threads);
   while (stacks_.size() < crew.size()) stacks_.emplace_back();
   crew.run([this](unsigned worker) { work(worker); },
            [this] {

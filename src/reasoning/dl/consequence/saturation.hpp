@@ -46,7 +46,7 @@ class Saturation {
   void post(Context& to, MessageKind kind, const Context* from, Term f, std::span<const Literal> body,
             std::span<const Literal> head, unsigned worker);
   /// Where what is made before and after run() takes its memory from.
-  [[nodiscard]] el::Arena& arena() { return stacks_[0].arena; }
+  [[nodiscard]] base::Arena& arena() { return stacks_[0].arena; }
   /// Works until nothing is left to do, or the bound is reached. What one thread throws ends the work of all and is
   /// thrown here; nothing is to be asked then.
   void run(unsigned threads);
@@ -98,7 +98,7 @@ class Saturation {
   struct Stack {
     SpinLock lock;
     std::vector<Context*> contexts;
-    el::Arena arena;
+    base::Arena arena;
   };
 
   void schedule(Context& context, unsigned worker);

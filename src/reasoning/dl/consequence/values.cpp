@@ -10,23 +10,22 @@
 namespace geminga::consequence {
 namespace {
 
-using el::TermKind;
+using owl::TermKind;
 
 /// A range as far as it is understood.
 struct Understood {
   enum class Kind : std::uint8_t { everything, datatype, unknown_datatype, value, other } kind = Kind::other;
   bool is_complement = false;
-  std::optional<el::Datatype> datatype;
-  std::optional<el::DataValue> value;
-  el::TermId term{};
+  std::optional<owl::Datatype> datatype;
+  std::optional<owl::DataValue> value;
+  owl::TermId term{};
 };
 
 constexpr int max_definitions = 100;  ///< that lead from one datatype to another; beyond, it is not understood
 
 class Reading {
  public:
-  Reading(const el::OntologySource& source, std::span<const clauses::DatatypeDefinition> definitions)
-      : source_(source) {
+  Reading(const owl::Ontology& source, std::span<const clauses::DatatypeDefinition> definitions) : source_(source) {
     for (const auto& definition : definitions) definitions_.try_emplace(definition.datatype, definition.range);
   }
 
@@ -39,7 +38,7 @@ class Reading {
       return result;
     }
     for (int step = 0; step < max_definitions; ++step) {
-      const el::Term term = source_.term(result.term);
+      const owl::Term term = source_.term(result.term);
       if (term.kind == TermKind::data_complement_of) {
         result.is_complement = !result.is_complement;
         result.term = term.arguments[0];
@@ -55,21 +54,21 @@ class Reading {
   }
 
  private:
-  [[nodiscard]] Understood finish(Understood result, const el::Term& term) const {
+  [[nodiscard]] Understood finish(Understood result, const owl::Term& term) const {
     if (term.kind == TermKind::datatype) {
       const std::string_view iri = source_.name(term.name);
-      result.datatype = el::Datatype::find(iri);
+      result.datatype = owl::Datatype::find(iri);
       result.kind = result.datatype ? Understood::Kind::datatype : Understood::Kind::unknown_datatype;
       if (iri == "http://www.w3.org/2000/01/rdf-schema#Literal") result.kind = Understood::Kind::everything;
     } else if (term.kind == TermKind::literal) {
-      result.value = el::value_of(source_, term);
+      result.value = owl::value_of(source_, term);
       result.kind = Understood::Kind::value;
     }
     return result;
   }
 
-  const el::OntologySource& source_;
-  std::map<el::TermId, el::TermId> definitions_;
+  const owl::Ontology& source_;
+  std::map<owl::TermId, owl::TermId> definitions_;
 };
 
 using Kind = Understood::Kind;
@@ -114,7 +113,7 @@ using Kind = Understood::Kind;
 
 /// Numbers the values of literals that are told apart with certainty.
 [[nodiscard]] std::vector<std::uint32_t> number_values(const std::vector<Understood>& ranges) {
-  std::map<std::pair<el::DataFamily, std::string>, std::uint32_t> values;
+  std::map<std::pair<owl::DataFamily, std::string>, std::uint32_t> values;
   std::vector<std::uint32_t> numbers(ranges.size(), 0);
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const Understood& range = ranges[i];
@@ -131,7 +130,7 @@ using Kind = Understood::Kind;
 /// Ranges that taking apart may make; beyond, they stay whole, and are not understood.
 constexpr std::size_t max_ranges = 100'000;
 
-std::vector<RangeParts> take_apart(const el::OntologySource& source,
+std::vector<RangeParts> take_apart(const owl::Ontology& source,
                                    std::span<const clauses::DatatypeDefinition> definitions,
                                    std::vector<clauses::DataRange>& ranges) {
   const Reading reading(source, definitions);
@@ -141,11 +140,11 @@ std::vector<RangeParts> take_apart(const el::OntologySource& source,
   for (std::size_t i = 0; i < ranges.size() && ranges.size() < max_ranges; ++i) {
     const Understood range = reading.read(ranges[i]);
     if (range.kind != Kind::other) continue;
-    const el::Term term = source.term(range.term);
+    const owl::Term term = source.term(range.term);
     const bool is_union = term.kind == TermKind::data_union_of || term.kind == TermKind::data_one_of;
     if (!is_union && term.kind != TermKind::data_intersection_of) continue;
     RangeParts& made = result.emplace_back(RangeParts{i, is_union != range.is_complement, {}});
-    for (const el::TermId part : term.arguments) {
+    for (const owl::TermId part : term.arguments) {
       const clauses::DataRange wanted{part, range.is_complement};
       const auto [found, is_new] = known.try_emplace(wanted, ranges.size());
       if (is_new) ranges.push_back(wanted);
@@ -155,7 +154,7 @@ std::vector<RangeParts> take_apart(const el::OntologySource& source,
   return result;
 }
 
-ValueConflicts conflicts_of(const el::OntologySource& source, std::span<const clauses::DatatypeDefinition> definitions,
+ValueConflicts conflicts_of(const owl::Ontology& source, std::span<const clauses::DatatypeDefinition> definitions,
                             std::span<const clauses::DataRange> ranges, std::span<const RangeParts> apart) {
   const Reading reading(source, definitions);
   std::vector<Understood> understood;
@@ -170,7 +169,7 @@ ValueConflicts conflicts_of(const el::OntologySource& source, std::span<const cl
   std::vector<bool> is_unknown(understood.size(), false);
   // Numbered values are compared by their numbers, so that the rest, which is few, is what costs the square.
   std::vector<std::size_t> others;
-  std::map<el::TermId, std::vector<std::size_t>> not_understood;
+  std::map<owl::TermId, std::vector<std::size_t>> not_understood;
   for (std::size_t i = 0; i < understood.size(); ++i) {
     const Understood& range = understood[i];
     if (is_empty(range)) result.empty.push_back(i);

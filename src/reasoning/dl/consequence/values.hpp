@@ -24,7 +24,7 @@ struct RangeParts {
   std::vector<std::size_t> parts;
 };
 /// Takes ranges apart, and appends the parts that are no ranges yet.
-[[nodiscard]] std::vector<RangeParts> take_apart(const el::OntologySource& source,
+[[nodiscard]] std::vector<RangeParts> take_apart(const owl::Ontology& source,
                                                  std::span<const clauses::DatatypeDefinition> definitions,
                                                  std::vector<clauses::DataRange>& ranges);
 
@@ -41,7 +41,7 @@ struct ValueConflicts {
 };
 
 /// About these ranges, numbered by their positions, but for those that were taken apart.
-[[nodiscard]] ValueConflicts conflicts_of(const el::OntologySource& source,
+[[nodiscard]] ValueConflicts conflicts_of(const owl::Ontology& source,
                                           std::span<const clauses::DatatypeDefinition> definitions,
                                           std::span<const clauses::DataRange> ranges,
                                           std::span<const RangeParts> apart);

@@ -7,7 +7,7 @@
 
 #include "reasoning/dl/hypertableau/graph.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 /// A stack of nodes in ascending order: what changed is cut off and put back, so that the older nodes, which are most,
 /// are not looked at again.
@@ -41,6 +41,6 @@ class Blockers {
   std::vector<std::uint32_t> heads_;  ///< the newest entry of each slot
 };
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau
 
 #endif

@@ -8,7 +8,7 @@
 #include "reasoning/dl/hypertableau/blockers.hpp"
 #include "reasoning/dl/hypertableau/search.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 void Blockers::push(NodeId node, std::uint64_t key) {
   if (entries_.size() >= heads_.size()) grow();
@@ -126,4 +126,4 @@ bool Tableau::Search::has_same_edges(NodeId node, NodeId other) const {
   return true;
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

@@ -8,7 +8,7 @@
 
 #include "reasoning/dl/hypertableau/search.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 using clauses::Atom;
 using clauses::AtomKind;
@@ -227,4 +227,4 @@ void Tableau::Search::enforce(const Suspect& suspect, DependencySet dependency) 
   }
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

@@ -4,7 +4,7 @@
 
 #include "reasoning/dl/hypertableau/search.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 using clauses::number;
 
@@ -213,4 +213,4 @@ bool Tableau::Search::is_excluded(std::uint32_t id, NodeId node, DependencySet& 
   return false;
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 using clauses::Atom;
 using clauses::AtomKind;
@@ -41,4 +41,4 @@ void Denials::look(const clauses::ClauseSet& set, const clauses::Clause& clause)
   }
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

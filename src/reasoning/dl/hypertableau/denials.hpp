@@ -12,7 +12,7 @@
 
 #include "reasoning/dl/clauses/clause.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 class Denials {
  public:
@@ -29,6 +29,6 @@ class Denials {
   std::vector<std::vector<std::uint32_t>> denied_;  ///< by concept
 };
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau
 
 #endif

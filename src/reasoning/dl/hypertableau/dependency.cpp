@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 void DependencySets::clear() {
   cells_.assign(1, {0, no_dependency});
@@ -16,7 +16,7 @@ DependencySet DependencySets::cons(std::uint32_t branch, DependencySet rest) {
   const std::uint64_t hash = hash_of(cell);
   const std::uint32_t found =
       table_.find(hash, [&](std::uint32_t at) { return cells_[at].branch == branch && cells_[at].rest == rest; });
-  if (found != el::NumberTable::none) return found;
+  if (found != base::NumberTable::none) return found;
   const auto number = static_cast<DependencySet>(cells_.size());
   cells_.push_back(cell);
   table_.insert(hash, number, [this](std::uint32_t at) { return hash_of(cells_[at]); });
@@ -54,4 +54,4 @@ DependencySet DependencySets::unite(DependencySet first, DependencySet second) {
   return both;
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

@@ -8,7 +8,7 @@
 
 #include "base/interner.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 /// A set of branch numbers by its number. Equal sets have equal numbers.
 using DependencySet = std::uint32_t;
@@ -48,11 +48,11 @@ class DependencySets {
   DependencySet cons(std::uint32_t branch, DependencySet rest);
 
   std::vector<Cell> cells_;
-  el::NumberTable table_;
+  base::NumberTable table_;
   std::array<Known, known_count> known_{};
   std::vector<std::uint32_t> open_;
 };
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "reasoning/dl/hypertableau/search.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 using clauses::Atom;
 using clauses::AtomKind;
@@ -251,7 +251,7 @@ bool Tableau::Search::is_impossible(const Choice& choice) {
 
 std::optional<bool> Tableau::Search::is_constant_in(NodeId node, std::uint32_t range) {
   if (graph_.node(node).kind != NodeKind::constant) return std::nullopt;
-  return values_.is_in(el::TermId{graph_.node(node).literal}, range);
+  return values_.is_in(owl::TermId{graph_.node(node).literal}, range);
 }
 
 void Tableau::Search::apply(Choice choice, DependencySet dependency) {
@@ -295,4 +295,4 @@ void Tableau::Search::apply(Choice choice, DependencySet dependency) {
   }
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

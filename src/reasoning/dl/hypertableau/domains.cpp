@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 using clauses::Atom;
 using clauses::AtomKind;
@@ -74,4 +74,4 @@ std::vector<std::uint32_t> Domains::implied_by(const Direction& start) const {
   return result;
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

@@ -14,7 +14,7 @@
 
 #include "reasoning/dl/clauses/clause.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 class Domains {
  public:
@@ -47,6 +47,6 @@ class Domains {
   std::vector<std::vector<std::uint32_t>> of_data_at_least_;
 };
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau
 
 #endif

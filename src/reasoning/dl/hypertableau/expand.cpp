@@ -5,7 +5,7 @@
 
 #include "reasoning/dl/hypertableau/search.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 using clauses::number;
 
@@ -197,7 +197,7 @@ bool Tableau::Search::give_to_neighbour(const Fact& fact) {
 void Tableau::Search::expand_data(const Fact& fact) {
   const clauses::DataAtLeast& at_least = set_.data_at_leasts[fact.predicate];
   const clauses::DataRange& range = set_.data_ranges[number(at_least.range)];
-  const bool is_literal = number(at_least.range) > 1 && source_.kind(range.term) == el::TermKind::literal;
+  const bool is_literal = number(at_least.range) > 1 && source_.kind(range.term) == owl::TermKind::literal;
   if (at_least.count == 1 && is_literal && !range.is_complement) {
     DependencySet dependency = fact.dependency;
     const NodeId value = graph_.current(constant(range.term), sets_, dependency);
@@ -216,4 +216,4 @@ void Tableau::Search::expand_data(const Fact& fact) {
   }
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

@@ -3,7 +3,7 @@
 
 #include <tuple>
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 namespace {
 
 constexpr std::uint64_t mixed(std::uint64_t word) {
@@ -212,4 +212,4 @@ void Graph::cut(const Mark& mark) {
   }
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

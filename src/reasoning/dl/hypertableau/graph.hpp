@@ -10,7 +10,7 @@
 
 #include "reasoning/dl/hypertableau/dependency.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 using NodeId = std::uint32_t;
 using FactId = std::uint32_t;
@@ -132,6 +132,6 @@ class Graph {
   std::uint64_t versions_ = 0;
 };
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau
 
 #endif

@@ -8,7 +8,7 @@
 
 #include "reasoning/dl/hypertableau/search.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 /// Whether `node` stays and `other` goes. Roots stay, and what is higher in the tree; then what was there first.
 bool Tableau::Search::is_kept(NodeId node, NodeId other) const {
@@ -32,8 +32,8 @@ void Tableau::Search::merge(const Merge& merge) {
     return;
   }
   if (graph_.node(to).kind == NodeKind::constant && graph_.node(from).kind == NodeKind::constant) {
-    const el::TermId first{graph_.node(to).literal};
-    const el::TermId second{graph_.node(from).literal};
+    const owl::TermId first{graph_.node(to).literal};
+    const owl::TermId second{graph_.node(from).literal};
     if (values_.are_different(first, second)) {
       clash(dependency);
       return;
@@ -72,4 +72,4 @@ void Tableau::Search::copy_facts(NodeId from, NodeId to, DependencySet dependenc
   }
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 using clauses::Atom;
 using clauses::AtomKind;
@@ -283,4 +283,4 @@ void Program::note_inverses() {
                   std::ranges::any_of(set_.at_mosts, is_inverse);
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

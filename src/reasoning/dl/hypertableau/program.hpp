@@ -14,7 +14,7 @@
 #include "reasoning/dl/hypertableau/denials.hpp"
 #include "reasoning/dl/hypertableau/domains.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 inline constexpr std::uint32_t no_predicate = 0xffffffffU;
 
@@ -149,6 +149,6 @@ class Program {
   bool has_nominals_ = false;
 };
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "reasoning/dl/hypertableau/search.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 using clauses::number;
 
@@ -57,8 +57,8 @@ void Tableau::Search::load_facts() {
   }
 }
 
-NodeId Tableau::Search::constant(el::TermId literal) {
-  const el::TermId chosen = values_.representative(literal);
+NodeId Tableau::Search::constant(owl::TermId literal) {
+  const owl::TermId chosen = values_.representative(literal);
   const auto [found, is_new] = constants_.try_emplace(chosen, none);
   const NodeId known = found->second;
   const bool is_there = known < graph_.node_count() && graph_.node(known).kind == NodeKind::constant &&
@@ -215,8 +215,8 @@ void Tableau::Search::check_keys() {
   if (individuals_.empty() || set_.keys.empty()) return;
   is_named_.assign(graph_.node_count(), false);
   for (std::size_t at = 0; at < individuals_.size(); ++at) {
-    const el::TermId term = set_.individuals[at];
-    if (term == clauses::no_term || source_.kind(term) != el::TermKind::individual) continue;
+    const owl::TermId term = set_.individuals[at];
+    if (term == clauses::no_term || source_.kind(term) != owl::TermKind::individual) continue;
     DependencySet ignored = no_dependency;
     is_named_[graph_.current(individuals_[at], sets_, ignored)] = true;
   }
@@ -272,4 +272,4 @@ bool Tableau::Search::agree(const clauses::Key& key, NodeId first, NodeId second
          });
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
-Tableau::Search::Search(const el::OntologySource& source, const clauses::ClauseSet& set, const Limits& limits)
+Tableau::Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const Limits& limits)
     : source_(source), set_(set), limits_(limits), budget_(limits.budget), program_(set), values_(source, set) {
   variables_.assign(256, 0);
 }
@@ -181,4 +181,4 @@ void Tableau::Search::reset() {
   individuals_.clear();
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

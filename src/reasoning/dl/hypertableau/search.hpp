@@ -21,7 +21,7 @@
 #include "reasoning/dl/hypertableau/tableau.hpp"
 #include "reasoning/dl/hypertableau/value_check.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 /// One thing that may be made true.
 enum class ChoiceKind : std::uint8_t {
@@ -45,7 +45,7 @@ struct Choice {
 
 class Tableau::Search {
  public:
-  Search(const el::OntologySource& source, const clauses::ClauseSet& set, const Limits& limits);
+  Search(const owl::Ontology& source, const clauses::ClauseSet& set, const Limits& limits);
 
   Answer is_consistent();
   Answer is_satisfiable(std::vector<clauses::ConceptId> together);
@@ -241,10 +241,10 @@ class Tableau::Search {
 
   // Values.
   void check_values();
-  NodeId constant(el::TermId literal);
+  NodeId constant(owl::TermId literal);
   [[nodiscard]] std::optional<bool> is_constant_in(NodeId node, std::uint32_t range);
 
-  const el::OntologySource& source_;
+  const owl::Ontology& source_;
   const clauses::ClauseSet& set_;
   Limits limits_;
   base::BudgetUse budget_;
@@ -282,7 +282,7 @@ class Tableau::Search {
   std::vector<NodeId> variables_;  ///< of the clause that is matched
   std::vector<NodeId> individuals_;
   /// Of literals; an entry counts where the node is still there.
-  std::unordered_map<el::TermId, NodeId> constants_;
+  std::unordered_map<owl::TermId, NodeId> constants_;
   std::vector<bool> is_named_;  ///< by node, for keys
   std::size_t steps_ = 0;
   std::size_t looked_ = 0;  ///< what is less than a step
@@ -304,6 +304,6 @@ class Tableau::Search {
   Model model_;
 };
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau
 
 #endif

@@ -3,9 +3,9 @@
 
 #include "reasoning/dl/hypertableau/search.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
-Tableau::Tableau(const el::OntologySource& source, const clauses::ClauseSet& clauses, const Limits& limits)
+Tableau::Tableau(const owl::Ontology& source, const clauses::ClauseSet& clauses, const Limits& limits)
     : search_(std::make_unique<Search>(source, clauses, limits)) {}
 
 Tableau::~Tableau() = default;
@@ -18,4 +18,4 @@ Answer Tableau::is_satisfiable(std::vector<clauses::ConceptId> together) {
 
 const Model& Tableau::model() const { return search_->model(); }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

@@ -13,7 +13,7 @@
 #include "base/budget.hpp"
 #include "reasoning/dl/clauses/clause.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 /// The answer to a question that may be too hard.
 enum class Verdict : std::uint8_t { yes, no, unknown };
@@ -47,7 +47,7 @@ struct Model {
 /// Asks about one ClauseSet, which must outlive it. Not thread-safe; many may share the set.
 class Tableau {
  public:
-  Tableau(const el::OntologySource& source, const clauses::ClauseSet& clauses, const Limits& limits = {});
+  Tableau(const owl::Ontology& source, const clauses::ClauseSet& clauses, const Limits& limits = {});
   Tableau(const Tableau&) = delete;
   Tableau& operator=(const Tableau&) = delete;
   ~Tableau();
@@ -65,6 +65,6 @@ class Tableau {
   std::unique_ptr<Search> search_;
 };
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau
 
 #endif

@@ -8,10 +8,10 @@
 
 #include "reasoning/owl/literal_value.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 namespace {
 
-using el::DataFamily;
+using owl::DataFamily;
 
 Number read_decimal(std::string_view text) {
   const bool is_negative = text.starts_with('-');
@@ -113,10 +113,10 @@ Value text_value(std::string canonical) {
   }
   static constexpr std::array<std::string_view, 6> chain = {"normalizedString", "token",   "NMTOKEN", "Name",
                                                             "NCName",           "language"};
-  const el::DataValue value{DataFamily::text, canonical, true};
+  const owl::DataValue value{DataFamily::text, canonical, true};
   std::uint8_t layer = 0;
   while (layer < chain.size()) {
-    const auto type = el::Datatype::find("http://www.w3.org/2001/XMLSchema#" + std::string(chain[layer]));
+    const auto type = owl::Datatype::find("http://www.w3.org/2001/XMLSchema#" + std::string(chain[layer]));
     if (!type || !value.is_in(*type)) break;
     ++layer;
   }
@@ -151,8 +151,8 @@ std::uint8_t layer_count(DataFamily family) {
   }
 }
 
-std::optional<Value> value_of(const el::OntologySource& source, el::TermId literal) {
-  auto read = el::value_of(source, source.term(literal));
+std::optional<Value> value_of(const owl::Ontology& source, owl::TermId literal) {
+  auto read = owl::value_of(source, source.term(literal));
   if (!read) return std::nullopt;
   std::string& canonical = read->canonical;
   switch (read->family) {
@@ -187,4 +187,4 @@ std::optional<Value> value_of(const el::OntologySource& source, el::TermId liter
   return std::nullopt;
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

@@ -14,7 +14,7 @@
 #include "reasoning/owl/datatypes.hpp"
 #include "reasoning/owl/source.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 using Number = boost::multiprecision::cpp_rational;
 
@@ -30,7 +30,7 @@ inline constexpr std::uint8_t language_layer = 7;
 
 /// Equal values, and only these, are equal.
 struct Value {
-  el::DataFamily family = el::DataFamily::text;
+  owl::DataFamily family = owl::DataFamily::text;
   std::uint8_t layer = 0;
   Number position;
   std::string text;  ///< where a position has more than one value
@@ -40,15 +40,15 @@ struct Value {
   }
 };
 
-[[nodiscard]] std::uint8_t layer_count(el::DataFamily family);
+[[nodiscard]] std::uint8_t layer_count(owl::DataFamily family);
 
 /// The value of a literal term; nothing where its datatype is unknown or it is too long.
-[[nodiscard]] std::optional<Value> value_of(const el::OntologySource& source, el::TermId literal);
+[[nodiscard]] std::optional<Value> value_of(const owl::Ontology& source, owl::TermId literal);
 
 /// A finite or infinite float by its rank: neighbours differ by 1, and -0 comes just before 0.
 [[nodiscard]] Number rank_of(double value);
 [[nodiscard]] Number rank_of(float value);
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau
 
 #endif

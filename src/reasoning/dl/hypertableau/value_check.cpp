@@ -11,17 +11,17 @@
 
 #include "reasoning/dl/hypertableau/value_ranges.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 using clauses::DataRangeId;
 
 class ValueCheck::Problem {
  public:
-  Problem(const el::OntologySource& source, const clauses::ClauseSet& set) : ranges_(source, set) {}
+  Problem(const owl::Ontology& source, const clauses::ClauseSet& set) : ranges_(source, set) {}
 
   [[nodiscard]] ValueRanges& ranges() { return ranges_; }
-  [[nodiscard]] std::optional<bool> is_in(el::TermId literal, std::uint32_t range);
-  [[nodiscard]] el::TermId representative(el::TermId literal);
+  [[nodiscard]] std::optional<bool> is_in(owl::TermId literal, std::uint32_t range);
+  [[nodiscard]] owl::TermId representative(owl::TermId literal);
   [[nodiscard]] std::optional<DependencySet> clash(const Graph& graph, DependencySets& sets, std::string& unknown);
 
  private:
@@ -49,30 +49,30 @@ class ValueCheck::Problem {
   ValueRanges ranges_;
   std::map<std::pair<std::vector<std::uint32_t>, std::uint32_t>, std::uint32_t> set_of_ranges_;
   std::vector<Counted> sets_;
-  std::map<Value, el::TermId> representative_;
+  std::map<Value, owl::TermId> representative_;
 };
 
-ValueCheck::ValueCheck(const el::OntologySource& source, const clauses::ClauseSet& set)
+ValueCheck::ValueCheck(const owl::Ontology& source, const clauses::ClauseSet& set)
     : problem_(std::make_unique<Problem>(source, set)) {}
 ValueCheck::~ValueCheck() = default;
 
-std::optional<bool> ValueCheck::is_in(el::TermId literal, std::uint32_t range) {
+std::optional<bool> ValueCheck::is_in(owl::TermId literal, std::uint32_t range) {
   return problem_->is_in(literal, range);
 }
 
-el::TermId ValueCheck::representative(el::TermId literal) { return problem_->representative(literal); }
+owl::TermId ValueCheck::representative(owl::TermId literal) { return problem_->representative(literal); }
 
 std::optional<DependencySet> ValueCheck::clash(const Graph& graph, DependencySets& sets, std::string& unknown) {
   return problem_->clash(graph, sets, unknown);
 }
 
-bool ValueCheck::are_different(el::TermId first, el::TermId second) {
+bool ValueCheck::are_different(owl::TermId first, owl::TermId second) {
   const std::optional<Value> a = problem_->ranges().value(first);
   const std::optional<Value>& b = problem_->ranges().value(second);
   return a && b && !(*a == *b);
 }
 
-std::optional<bool> ValueCheck::Problem::is_in(el::TermId literal, std::uint32_t range) {
+std::optional<bool> ValueCheck::Problem::is_in(owl::TermId literal, std::uint32_t range) {
   const auto& value = ranges_.value(literal);
   if (!value) return std::nullopt;
   const KnownSet& set = ranges_.of(DataRangeId{range});
@@ -81,7 +81,7 @@ std::optional<bool> ValueCheck::Problem::is_in(el::TermId literal, std::uint32_t
   return std::nullopt;
 }
 
-el::TermId ValueCheck::Problem::representative(el::TermId literal) {
+owl::TermId ValueCheck::Problem::representative(owl::TermId literal) {
   const auto& value = ranges_.value(literal);
   return value ? representative_.try_emplace(*value, literal).first->second : literal;
 }
@@ -92,7 +92,7 @@ std::uint32_t ValueCheck::Problem::known_set(const std::vector<std::uint32_t>& r
   Counted counted{{ValueSet::everything(), ValueSet::everything(), {}}};
   KnownSet& set = counted.set;
   if (literal != none) {
-    const auto& value = ranges_.value(el::TermId{literal});
+    const auto& value = ranges_.value(owl::TermId{literal});
     if (value) {
       set = {ValueSet::one(*value), ValueSet::one(*value), {}};
     } else {
@@ -250,4 +250,4 @@ std::optional<bool> ValueCheck::Problem::can_differ(const std::vector<Variable>&
   return std::nullopt;
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

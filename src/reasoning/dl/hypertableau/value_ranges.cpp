@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 namespace {
 
 using clauses::no_term;
-using el::DataFamily;
-using el::TermId;
-using el::TermKind;
+using owl::DataFamily;
+using owl::TermId;
+using owl::TermKind;
 
 constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
 constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
@@ -53,7 +53,7 @@ ValueSet layers(DataFamily family, std::uint8_t first, std::uint8_t end) {
 
 /// The values of a datatype of OWL 2's map; nothing for others.
 std::optional<ValueSet> built_in(std::string_view iri) {
-  const auto type = el::Datatype::find(iri);
+  const auto type = owl::Datatype::find(iri);
   if (!type) return std::nullopt;
   const std::string_view name = iri.substr(iri.find('#') + 1);
   if (type->family() == DataFamily::number) {
@@ -82,7 +82,7 @@ std::optional<ValueSet> built_in(std::string_view iri) {
 
 }  // namespace
 
-ValueRanges::ValueRanges(const el::OntologySource& source, const clauses::ClauseSet& set) : source_(source), set_(set) {
+ValueRanges::ValueRanges(const owl::Ontology& source, const clauses::ClauseSet& set) : source_(source), set_(set) {
   for (const clauses::DatatypeDefinition& one : set.datatype_definitions) {
     definitions_.try_emplace(one.datatype, one.range);
   }
@@ -111,12 +111,12 @@ bool ValueRanges::is_unknown_datatype(clauses::DataRangeId range) const {
   const clauses::DataRange& one = set_.data_ranges[clauses::number(range)];
   if (one.is_complement || one.term == no_term || source_.kind(one.term) != TermKind::datatype) return false;
   const std::string_view iri = source_.name_of(one.term);
-  return iri != rdfs_literal && !definitions_.contains(one.term) && !el::Datatype::find(iri);
+  return iri != rdfs_literal && !definitions_.contains(one.term) && !owl::Datatype::find(iri);
 }
 
 KnownSet ValueRanges::evaluate(TermId id, unsigned depth) {
   if (const auto found = evaluated_.find(id); found != evaluated_.end()) return found->second;
-  const el::Term term = source_.term(id);
+  const owl::Term term = source_.term(id);
   KnownSet set;
   switch (term.kind) {
     case TermKind::datatype:
@@ -167,7 +167,7 @@ KnownSet ValueRanges::datatype(TermId id, unsigned depth) {
   return {ValueSet::nothing(), ValueSet::everything(), "the datatype <" + std::string(iri) + "> is not known"};
 }
 
-KnownSet ValueRanges::enumeration(const el::Term& term) {
+KnownSet ValueRanges::enumeration(const owl::Term& term) {
   if (term.arguments.size() > max_enumerated_values) {
     return {ValueSet::nothing(), ValueSet::everything(),
             "an enumeration has more than " + std::to_string(max_enumerated_values) + " values"};
@@ -182,7 +182,7 @@ KnownSet ValueRanges::enumeration(const el::Term& term) {
   return {std::move(listed), ValueSet::everything(), "literals of datatypes that are not known"};
 }
 
-KnownSet ValueRanges::restriction(const el::Term& term, unsigned depth) {
+KnownSet ValueRanges::restriction(const owl::Term& term, unsigned depth) {
   KnownSet set = evaluate(term.arguments[0], depth + 1);
   if (term.arguments.size() - 1 > max_facets) {
     set.least = ValueSet::nothing();
@@ -190,7 +190,7 @@ KnownSet ValueRanges::restriction(const el::Term& term, unsigned depth) {
     return set;
   }
   for (const TermId one : term.arguments.subspan(1)) {
-    const el::Term term_of_facet = source_.term(one);
+    const owl::Term term_of_facet = source_.term(one);
     const std::string_view name = source_.name(term_of_facet.name);
     const auto allowed = facet(name, term_of_facet.arguments[0]);
     if (allowed) {
@@ -259,4 +259,4 @@ std::optional<ValueSet> ValueRanges::facet(std::string_view name, TermId literal
   return result;
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

@@ -11,7 +11,7 @@
 #include "reasoning/dl/clauses/clause.hpp"
 #include "reasoning/dl/hypertableau/value_set.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 /// Larger enumerations, and restrictions by more facets, may have any of the values that they could have.
 inline constexpr std::size_t max_enumerated_values = 20'000;
@@ -29,31 +29,31 @@ struct KnownSet {
 /// that are not in the OWL 2 datatype map leave a set between nothing and what it is taken from.
 class ValueRanges {
  public:
-  ValueRanges(const el::OntologySource& source, const clauses::ClauseSet& set);
+  ValueRanges(const owl::Ontology& source, const clauses::ClauseSet& set);
 
   [[nodiscard]] const KnownSet& of(clauses::DataRangeId range);
   /// Whether it is a datatype of which nothing is said. It is taken to have values, as nobody names one that has none.
   [[nodiscard]] bool is_unknown_datatype(clauses::DataRangeId range) const;
   /// Of a literal; its value is kept.
-  [[nodiscard]] const std::optional<Value>& value(el::TermId literal);
+  [[nodiscard]] const std::optional<Value>& value(owl::TermId literal);
 
  private:
   /// `depth` bounds definitions that define each other in a circle.
-  KnownSet evaluate(el::TermId term, unsigned depth);
-  KnownSet datatype(el::TermId term, unsigned depth);
-  KnownSet enumeration(const el::Term& term);
-  KnownSet restriction(const el::Term& term, unsigned depth);
+  KnownSet evaluate(owl::TermId term, unsigned depth);
+  KnownSet datatype(owl::TermId term, unsigned depth);
+  KnownSet enumeration(const owl::Term& term);
+  KnownSet restriction(const owl::Term& term, unsigned depth);
   /// The values of the base type that a facet allows.
-  std::optional<ValueSet> facet(std::string_view name, el::TermId value);
+  std::optional<ValueSet> facet(std::string_view name, owl::TermId value);
 
-  const el::OntologySource& source_;
+  const owl::Ontology& source_;
   const clauses::ClauseSet& set_;
-  std::unordered_map<el::TermId, el::TermId> definitions_;
+  std::unordered_map<owl::TermId, owl::TermId> definitions_;
   std::unordered_map<std::uint32_t, KnownSet> known_;
-  std::unordered_map<el::TermId, KnownSet> evaluated_;
-  std::unordered_map<el::TermId, std::optional<Value>> literals_;
+  std::unordered_map<owl::TermId, KnownSet> evaluated_;
+  std::unordered_map<owl::TermId, std::optional<Value>> literals_;
 };
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau
 
 #endif

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 namespace {
 
-using el::DataFamily;
+using owl::DataFamily;
 
 constexpr std::size_t index(DataFamily family) { return static_cast<std::size_t>(family); }
 
@@ -298,4 +298,4 @@ std::vector<Value> ValueSet::list(std::size_t limit) const {
   return values;
 }
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

@@ -10,7 +10,7 @@
 
 #include "reasoning/dl/hypertableau/value.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 
 /// A place between numbers: just before or just after one.
 struct Cut {
@@ -51,7 +51,7 @@ class ValueSet {
   [[nodiscard]] static ValueSet one(const Value& value);
   [[nodiscard]] static ValueSet of(const std::vector<Value>& values);
   /// Everything of a layer whose position is in the intervals.
-  [[nodiscard]] static ValueSet layer(el::DataFamily family, std::uint8_t layer, const Intervals& intervals);
+  [[nodiscard]] static ValueSet layer(owl::DataFamily family, std::uint8_t layer, const Intervals& intervals);
 
   [[nodiscard]] bool contains(const Value& value) const;
   [[nodiscard]] ValueSet complement() const;
@@ -65,13 +65,13 @@ class ValueSet {
   [[nodiscard]] std::vector<Value> list(std::size_t limit) const;
 
  private:
-  static constexpr std::size_t families = el::data_family_count;
+  static constexpr std::size_t families = owl::data_family_count;
   using Layers = std::array<std::array<Intervals, text_layers>, families>;
 
   Layers layers_;
   std::set<Value> exceptions_;  ///< inside where the layers say outside, and the other way
 };
 
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau
 
 #endif

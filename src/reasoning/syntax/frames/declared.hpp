@@ -16,10 +16,10 @@ namespace geminga::frames {
 /// The kinds under which IRIs are declared, or used in a syntax that tells them apart, in all files of a load.
 class Declared {
  public:
-  void add(el::TermKind kind, std::string_view iri);
+  void add(owl::TermKind kind, std::string_view iri);
   /// What a source holds of properties and datatypes.
-  void add(const el::OntologySource& source);
-  [[nodiscard]] bool has(el::TermKind kind, std::string_view iri) const;
+  void add(const owl::Ontology& source);
+  [[nodiscard]] bool has(owl::TermKind kind, std::string_view iri) const;
 
  private:
   struct TextHash {

@@ -12,8 +12,8 @@ using manchester::Token;
 using manchester::Tokenizer;
 using manchester::TokenKind;
 
-Parser::Parser(std::string_view bytes, el::FileId file, el::OntologySource& source, const Declared& declared,
-               const Limits& limits, std::vector<el::Annotation>* annotations)
+Parser::Parser(std::string_view bytes, owl::FileId file, owl::Ontology& source, const Declared& declared,
+               const Limits& limits, std::vector<owl::Annotation>* annotations)
     : manchester::Parser(Tokenizer(bytes, section_words()), limits.expression, source),
       file_(file),
       declared_(declared),
@@ -51,11 +51,11 @@ void Parser::look_ahead(Declared& declared) {
   while (!failed() && tokens_.token().kind != TokenKind::end && !is_endless_text()) {
     const std::string_view word = is_section() ? tokens_.token().text : std::string_view();
     tokens_.advance();
-    el::TermKind kind = el::TermKind::named_class;
-    if (word == "ObjectProperty:") kind = el::TermKind::object_property;
-    if (word == "DataProperty:") kind = el::TermKind::data_property;
-    if (word == "Datatype:") kind = el::TermKind::datatype;
-    if (kind == el::TermKind::named_class || tokens_.token().kind != TokenKind::name) continue;
+    owl::TermKind kind = owl::TermKind::named_class;
+    if (word == "ObjectProperty:") kind = owl::TermKind::object_property;
+    if (word == "DataProperty:") kind = owl::TermKind::data_property;
+    if (word == "Datatype:") kind = owl::TermKind::datatype;
+    if (kind == owl::TermKind::named_class || tokens_.token().kind != TokenKind::name) continue;
     if (const auto name = iri_of(kind, tokens_.token())) declared.add(kind, *name);
   }
 }
@@ -82,7 +82,7 @@ void Parser::prefix_declaration() {
              '>');
     return;
   }
-  const auto is_same = [&](const el::DeclaredPrefix& declared) { return declared.prefix == prefix; };
+  const auto is_same = [&](const owl::DeclaredPrefix& declared) { return declared.prefix == prefix; };
   if (!is_new && std::ranges::any_of(document_.prefixes, is_same)) return;
   if (document_.prefixes.size() >= frame_limits_.prefixes) {
     fail(ParseError::Kind::too_large, name.begin, "more than " + std::to_string(frame_limits_.prefixes) + " prefixes");

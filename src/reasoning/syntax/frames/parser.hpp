@@ -27,8 +27,8 @@ namespace geminga::frames {
 class Parser final : private manchester::Parser {
  public:
   /// The bytes are valid UTF-8 without NUL. All arguments must outlive the parser.
-  Parser(std::string_view bytes, el::FileId file, el::OntologySource& source, const Declared& declared,
-         const Limits& limits, std::vector<el::Annotation>* annotations = nullptr);
+  Parser(std::string_view bytes, owl::FileId file, owl::Ontology& source, const Declared& declared,
+         const Limits& limits, std::vector<owl::Annotation>* annotations = nullptr);
 
   [[nodiscard]] std::expected<Document, ReadError> run();
   /// Reads prefixes, and the names of frames of properties and datatypes, up to the first problem.
@@ -72,7 +72,7 @@ class Parser final : private manchester::Parser {
   Term object_property_expression();
   /// A property, of which its declaration says whether it is one of objects.
   Term any_property();
-  void add(el::AxiomKind kind, std::span<const Term> arguments, std::uint32_t line);
+  void add(owl::AxiomKind kind, std::span<const Term> arguments, std::uint32_t line);
   void declare(Term entity, std::uint32_t line);
   bool take_comma();
 
@@ -90,8 +90,8 @@ class Parser final : private manchester::Parser {
   // parser_names.cpp
   std::string iri(std::string_view what);
   [[nodiscard]] std::expected<std::string, std::string> expand(const manchester::Token& token) const;
-  std::expected<std::string, std::string> iri_of(el::TermKind kind, const manchester::Token& token) override;
-  std::expected<el::TermKind, std::string> kind_of_property(const manchester::Token& token) override;
+  std::expected<std::string, std::string> iri_of(owl::TermKind kind, const manchester::Token& token) override;
+  std::expected<owl::TermKind, std::string> kind_of_property(const manchester::Token& token) override;
   Term literal_of(const manchester::Token& text, std::string_view datatype, std::string_view language) override;
   Term individual() override;
   [[nodiscard]] bool is_value_of_data(manchester::Tokenizer behind) const;
@@ -101,11 +101,11 @@ class Parser final : private manchester::Parser {
     std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
   };
 
-  const el::FileId file_;
+  const owl::FileId file_;
   const Declared& declared_;
   const Limits& frame_limits_;
   const std::string_view bytes_;
-  el::AnnotationStack annotations_;
+  owl::AnnotationStack annotations_;
   Document document_;
   std::unordered_map<std::string, std::string, TextHash, std::equal_to<>> prefixes_;
   std::unordered_set<std::string> imported_;

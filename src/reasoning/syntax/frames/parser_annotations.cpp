@@ -50,10 +50,10 @@ void Parser::annotation(std::string_view subject) {
   const std::string property = iri("the name of an annotation property");
   if (failed()) return;
   ++document_.annotations;
-  el::Annotation read = el::annotation_of(std::string(subject), property);
+  owl::Annotation read = owl::annotation_of(std::string(subject), property);
   read.number = static_cast<std::uint32_t>(file_);
   if (subject == of_ontology) {
-    read.of = el::Annotation::Of::ontology;
+    read.of = owl::Annotation::Of::ontology;
     read.subject.clear();
   }
   if (is_literal()) {
@@ -61,7 +61,7 @@ void Parser::annotation(std::string_view subject) {
     const Term value = literal();
     if (failed()) return;
     if (!is_text) {  // a number, true or false
-      const el::Term written = source_.term(value);
+      const owl::Term written = source_.term(value);
       last_text_ = source_.name(written.name);
       last_datatype_ = source_.name_of(written.arguments[0]);
       last_language_.clear();
@@ -86,7 +86,7 @@ void Parser::annotation_axiom(std::string_view subject, std::string_view word, s
   if (failed()) return;
   ++document_.annotations;
   const std::string of = "AnnotationProperty" + std::string(word.substr(0, word.size() - 1));
-  el::Annotation read = el::annotation_of(std::string(subject), el::property_of_annotation_axiom(of));
+  owl::Annotation read = owl::annotation_of(std::string(subject), owl::property_of_annotation_axiom(of));
   read.value = std::move(object);
   annotations_.add(std::move(read), 0);
 }

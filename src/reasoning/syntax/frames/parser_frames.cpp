@@ -6,10 +6,10 @@
 
 namespace geminga::frames {
 
-using el::AxiomKind;
-using el::TermKind;
 using manchester::Token;
 using manchester::TokenKind;
+using owl::AxiomKind;
+using owl::TermKind;
 
 bool Parser::take_comma() { return take_symbol(","); }
 
@@ -26,7 +26,7 @@ void Parser::declare(Term entity, std::uint32_t line) {
   if (!failed() && declarations_.insert(entity).second) add(AxiomKind::declaration, std::array{entity}, line);
 }
 
-el::TermId Parser::member(Member kind) {
+owl::TermId Parser::member(Member kind) {
   switch (kind) {
     case Member::class_expression:
       return description();
@@ -42,18 +42,18 @@ el::TermId Parser::member(Member kind) {
     case Member::iri:
       break;  // no terms
   }
-  return el::thing_term;
+  return owl::thing_term;
 }
 
 // objectPropertyExpression = name / "inverse" name / "inverse" "(" name ")"
-el::TermId Parser::object_property_expression() {
-  if (failed()) return el::thing_term;
+owl::TermId Parser::object_property_expression() {
+  if (failed()) return owl::thing_term;
   if (is_keyword("inverse")) return property();
   return is_name() ? entity(TermKind::object_property, take()) : expected("an object property");
 }
 
-el::TermId Parser::any_property() {
-  if (failed()) return el::thing_term;
+owl::TermId Parser::any_property() {
+  if (failed()) return owl::thing_term;
   return is_name() || is_keyword("inverse") ? property() : expected("a property");
 }
 
@@ -157,7 +157,7 @@ void Parser::annotation_property_frame() {
   while (!failed()) {
     if (is_section("Annotations:")) {
       own_annotations(name);
-    } else if (!list_section(Frame::of_annotation_property, el::thing_term, name)) {
+    } else if (!list_section(Frame::of_annotation_property, owl::thing_term, name)) {
       break;
     }
   }

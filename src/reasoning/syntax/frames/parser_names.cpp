@@ -9,10 +9,10 @@
 
 namespace geminga::frames {
 
-using el::TermKind;
 using manchester::ParseError;
 using manchester::Token;
 using manchester::TokenKind;
+using owl::TermKind;
 
 namespace {
 
@@ -117,21 +117,21 @@ bool Parser::is_value_of_data(manchester::Tokenizer behind) const {
   if (is_short_datatype(token.text)) return true;
   const auto name = expand(token);
   return name &&
-         (el::Datatype::find(*name).has_value() || *name == rdfs_literal || declared_.has(TermKind::datatype, *name));
+         (owl::Datatype::find(*name).has_value() || *name == rdfs_literal || declared_.has(TermKind::datatype, *name));
 }
 
 std::expected<TermKind, std::string> Parser::kind_of_property(const Token& token) {
   const auto name = iri_of(TermKind::object_property, token);
   if (!name) return std::unexpected(name.error());
-  const bool is_object = declared_.has(TermKind::object_property, *name) || *name == el::owl_top_object_property ||
-                         *name == el::owl_bottom_object_property;
-  const bool is_data = declared_.has(TermKind::data_property, *name) || *name == el::owl_top_data_property ||
-                       *name == el::owl_bottom_data_property;
+  const bool is_object = declared_.has(TermKind::object_property, *name) || *name == owl::owl_top_object_property ||
+                         *name == owl::owl_bottom_object_property;
+  const bool is_data = declared_.has(TermKind::data_property, *name) || *name == owl::owl_top_data_property ||
+                       *name == owl::owl_bottom_data_property;
   if (is_object != is_data) return is_data ? TermKind::data_property : TermKind::object_property;
   return is_value_of_data(tokens_) ? TermKind::data_property : TermKind::object_property;
 }
 
-el::TermId Parser::literal_of(const Token& text, std::string_view datatype, std::string_view language) {
+owl::TermId Parser::literal_of(const Token& text, std::string_view datatype, std::string_view language) {
   if (text.value.size() > frame_limits_.literal_bytes)
     return fail(ParseError::Kind::too_large, text.begin,
                 "a text of more than " + std::to_string(frame_limits_.literal_bytes) + " bytes");
@@ -155,8 +155,8 @@ el::TermId Parser::literal_of(const Token& text, std::string_view datatype, std:
   return source_.literal(last_text_, kind, last_language_);
 }
 
-el::TermId Parser::individual() {
-  if (failed()) return el::thing_term;
+owl::TermId Parser::individual() {
+  if (failed()) return owl::thing_term;
   const Token& token = tokens_.token();
   if (!is_name() || !token.text.starts_with("_:")) return manchester::Parser::individual();
   if (token.text.size() == 2) return expected("the name of a blank node behind '_:'");

@@ -36,15 +36,15 @@ std::optional<ReadError> check_text(std::string_view bytes) {
 void look_ahead(std::string_view bytes, Declared& declared, const Limits& limits) {
   bytes = without_mark(bytes);
   if (bytes.size() > limits.file_bytes || check_text(bytes)) return;
-  el::OntologySource unused;
-  const el::FileId file = unused.add_file("");
+  owl::Ontology unused;
+  const owl::FileId file = unused.add_file("");
   const Declared none;
   Parser(bytes, file, unused, none, limits).look_ahead(declared);
 }
 
-std::expected<Document, ReadError> read(std::string_view bytes, el::FileId file, el::OntologySource& source,
+std::expected<Document, ReadError> read(std::string_view bytes, owl::FileId file, owl::Ontology& source,
                                         const Declared& declared, const Limits& limits,
-                                        std::vector<el::Annotation>* annotations) {
+                                        std::vector<owl::Annotation>* annotations) {
   const auto refuse = [&](ReadError error) {
     error.file = base::printable(source.files()[static_cast<std::size_t>(file)].path, 4096);
     return std::unexpected(std::move(error));

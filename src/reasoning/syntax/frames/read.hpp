@@ -1,4 +1,4 @@
-// From the bytes of one document in the Manchester syntax of OWL 2 to the axioms of an OntologySource.
+// From the bytes of one document in the Manchester syntax of OWL 2 to the axioms of an Ontology.
 //
 //   frames::Declared declared;
 //   frames::look_ahead(bytes, declared);                     // of every file, before the first is read
@@ -23,8 +23,8 @@
 
 namespace geminga::frames {
 
-using el::Document;
-using el::ReadError;
+using owl::Document;
+using owl::ReadError;
 
 /// Notes the properties and datatypes that a file has frames of. What is wrong with the file is said by read(). Linear.
 void look_ahead(std::string_view bytes, Declared& declared, const Limits& limits = {});
@@ -37,10 +37,9 @@ void look_ahead(std::string_view bytes, Declared& declared, const Limits& limits
 /// The annotations of frames and of the ontology are put where they are wanted.
 ///
 /// On an error the source holds an unknown part of the file: the caller drops it. Linear in the file.
-[[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, el::FileId file,
-                                                      el::OntologySource& source, const Declared& declared,
-                                                      const Limits& limits = {},
-                                                      std::vector<el::Annotation>* annotations = nullptr);
+[[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, owl::FileId file, owl::Ontology& source,
+                                                      const Declared& declared, const Limits& limits = {},
+                                                      std::vector<owl::Annotation>* annotations = nullptr);
 
 }  // namespace geminga::frames
 

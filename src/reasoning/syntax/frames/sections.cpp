@@ -6,7 +6,7 @@
 namespace geminga::frames {
 namespace {
 
-using el::AxiomKind;
+using owl::AxiomKind;
 using enum Frame;
 using enum Member;
 

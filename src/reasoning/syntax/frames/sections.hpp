@@ -39,7 +39,7 @@ struct Section {
   Frame frame = Frame::of_class;
   std::string_view word;
   Member member = Member::class_expression;
-  el::AxiomKind kind = el::AxiomKind::sub_class_of;
+  owl::AxiomKind kind = owl::AxiomKind::sub_class_of;
   bool is_axiom = true;          ///< false: about annotation properties, which mean nothing to a reasoner
   bool is_subject_last = false;  ///< the frame's subject is the second argument
 };
@@ -50,7 +50,7 @@ struct Section {
 /// A characteristic of properties, `Transitive`; is_data: of data properties.
 struct Characteristic {
   std::string_view word;
-  el::AxiomKind kind = el::AxiomKind::functional_object_property;
+  owl::AxiomKind kind = owl::AxiomKind::functional_object_property;
 };
 [[nodiscard]] const Characteristic* find_characteristic(std::string_view word, bool is_data);
 

@@ -5,8 +5,8 @@
 namespace geminga::functional {
 namespace {
 
-using el::AxiomKind;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermKind;
 using enum Operand;
 using First = std::array<Operand, 3>;
 

@@ -54,8 +54,8 @@ struct Production {
   Operand optional = Operand::none;
   Operand repeated = Operand::none;
 
-  [[nodiscard]] el::TermKind term() const { return static_cast<el::TermKind>(kind); }
-  [[nodiscard]] el::AxiomKind axiom() const { return static_cast<el::AxiomKind>(kind); }
+  [[nodiscard]] owl::TermKind term() const { return static_cast<owl::TermKind>(kind); }
+  [[nodiscard]] owl::AxiomKind axiom() const { return static_cast<owl::AxiomKind>(kind); }
 };
 
 /// The production of a word, or nullptr where the grammar has no such word.

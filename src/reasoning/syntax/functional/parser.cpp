@@ -39,8 +39,8 @@ std::string describe(const Token& token) {
 
 }  // namespace
 
-Parser::Parser(std::string_view bytes, el::FileId file, el::OntologySource& source, const Limits& limits,
-               std::vector<el::Annotation>* annotations)
+Parser::Parser(std::string_view bytes, owl::FileId file, owl::Ontology& source, const Limits& limits,
+               std::vector<owl::Annotation>* annotations)
     : source_(source), file_(file), limits_(limits), bytes_(bytes), annotations_(annotations), tokens_(bytes, limits) {
   // OWL 2, table 2: every document knows these.
   prefixes_.emplace("owl", Prefix{"http://www.w3.org/2002/07/owl#", false});

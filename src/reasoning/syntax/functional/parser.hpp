@@ -27,8 +27,8 @@ namespace geminga::functional {
 class Parser {
  public:
   /// The bytes have passed check_text(). All arguments must outlive the parser.
-  Parser(std::string_view bytes, el::FileId file, el::OntologySource& source, const Limits& limits,
-         std::vector<el::Annotation>* annotations);
+  Parser(std::string_view bytes, owl::FileId file, owl::Ontology& source, const Limits& limits,
+         std::vector<owl::Annotation>* annotations);
 
   [[nodiscard]] std::expected<Document, Problem> run();
 
@@ -52,7 +52,7 @@ class Parser {
   /// Declares the entity on the stack, once in a file.
   void declare(std::uint32_t line);
   /// Hands over the terms on the stack as one axiom, or leaves it out where something in it has no term.
-  void add(el::AxiomKind kind, std::uint32_t line);
+  void add(owl::AxiomKind kind, std::uint32_t line);
 
   // parser_annotations.cpp
   bool annotation();
@@ -61,7 +61,7 @@ class Parser {
   bool annotation_assertion();
   bool annotation_axiom(std::string_view word);
   /// Hands over what was read last as the value of an annotation.
-  void keep(el::Annotation annotation, TokenKind value, std::size_t level);
+  void keep(owl::Annotation annotation, TokenKind value, std::size_t level);
 
   // parser_expressions.cpp
   bool operand(Operand wanted);
@@ -76,7 +76,7 @@ class Parser {
   /// One level deeper, where the limit allows it; the caller takes it back.
   bool descend();
   /// The term of an expression whose operands stand on the stack from `base` on.
-  el::TermId term_of(const Production& production, std::size_t base, std::uint32_t number);
+  owl::TermId term_of(const Production& production, std::size_t base, std::uint32_t number);
 
   // parser_names.cpp
   [[nodiscard]] bool is_name() const { return tokens_.is(TokenKind::full_iri) || tokens_.is(TokenKind::prefixed_name); }
@@ -84,7 +84,7 @@ class Parser {
   bool iri(std::string_view what);
   bool resolve(const Token& name);
   /// These two leave a term on the stack.
-  bool entity(el::TermKind kind, std::string_view what);
+  bool entity(owl::TermKind kind, std::string_view what);
   bool individual(std::string_view what);
   /// The name of a blank node, which no other file has; valid until the next name.
   std::string_view blank_name(std::string_view label);
@@ -102,11 +102,11 @@ class Parser {
     bool is_declared = false;  ///< in this file
   };
 
-  el::OntologySource& source_;
-  const el::FileId file_;
+  owl::Ontology& source_;
+  const owl::FileId file_;
   const Limits& limits_;
   const std::string_view bytes_;
-  el::AnnotationStack annotations_;
+  owl::AnnotationStack annotations_;
   Tokenizer tokens_;
   Document document_;
 
@@ -123,7 +123,7 @@ class Parser {
   std::string lexical_buffer_;
   std::string language_buffer_;
 
-  std::vector<el::TermId> terms_;
+  std::vector<owl::TermId> terms_;
   std::size_t depth_ = 0;           ///< of expressions or annotations
   bool is_of_ontology_ = false;     ///< what is read now is an annotation of the ontology
   const char* obstacle_ = nullptr;  ///< what in the current axiom has no term

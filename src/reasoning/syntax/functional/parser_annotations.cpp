@@ -27,9 +27,9 @@ bool Parser::annotation() {
   const TokenKind kind = tokens_.token().kind;
   is_read = is_read && annotation_value();
   if (is_read && annotations_.is_wanted()) {
-    el::Annotation read = el::annotation_of({}, std::move(property));
+    owl::Annotation read = owl::annotation_of({}, std::move(property));
     if (is_of_ontology_ && depth_ == 1) {
-      read.of = el::Annotation::Of::ontology;
+      read.of = owl::Annotation::Of::ontology;
       read.number = static_cast<std::uint32_t>(file_);
     }
     keep(std::move(read), kind, depth_);
@@ -40,7 +40,7 @@ bool Parser::annotation() {
   return is_read;
 }
 
-void Parser::keep(el::Annotation annotation, TokenKind value, std::size_t level) {
+void Parser::keep(owl::Annotation annotation, TokenKind value, std::size_t level) {
   annotation.is_literal = value == TokenKind::string;
   annotation.value = annotation.is_literal ? lexical_ : iri_;
   if (annotation.is_literal) {
@@ -73,7 +73,7 @@ bool Parser::annotation_assertion() {
   const TokenKind value = tokens_.token().kind;
   if (!annotation_value()) return false;
   if (is_label && !is_of_blank && value == TokenKind::string) source_.add_label(subject, lexical_, language_);
-  if (annotations_.is_wanted()) keep(el::annotation_of(std::move(subject), std::move(property)), value, 0);
+  if (annotations_.is_wanted()) keep(owl::annotation_of(std::move(subject), std::move(property)), value, 0);
   return true;
 }
 
@@ -82,7 +82,7 @@ bool Parser::annotation_axiom(std::string_view word) {
   std::string subject(iri_);
   if (!iri("an IRI")) return false;
   if (annotations_.is_wanted())
-    keep(el::annotation_of(std::move(subject), el::property_of_annotation_axiom(word)), TokenKind::full_iri, 0);
+    keep(owl::annotation_of(std::move(subject), owl::property_of_annotation_axiom(word)), TokenKind::full_iri, 0);
   return true;
 }
 

@@ -3,7 +3,7 @@
 
 namespace geminga::functional {
 
-using el::AxiomKind;
+using owl::AxiomKind;
 
 bool Parser::axiom() {
   const Production* production = tokens_.is(TokenKind::word) ? find_production(tokens_.token().text) : nullptr;
@@ -94,7 +94,7 @@ void Parser::declare(std::uint32_t line) {
   add(AxiomKind::declaration, line);
 }
 
-void Parser::add(el::AxiomKind kind, std::uint32_t line) {
+void Parser::add(owl::AxiomKind kind, std::uint32_t line) {
   if (obstacle_ != nullptr) {
     source_.leave_out(obstacle_, file_, line);
     return annotations_.drop();

@@ -6,7 +6,7 @@
 
 namespace geminga::functional {
 
-using el::TermKind;
+using owl::TermKind;
 
 bool Parser::operand(Operand wanted) {
   switch (wanted) {
@@ -86,14 +86,14 @@ bool Parser::expression(Operand wanted) {
   const bool is_read = production->form == Form::n_ary_data ? n_ary_data() : operands(*production);
   --depth_;
   if (!is_read || !expect(TokenKind::close, "')' behind the operands")) return false;
-  const el::TermId term = term_of(*production, base, number);
+  const owl::TermId term = term_of(*production, base, number);
   terms_.resize(base);
   terms_.push_back(term);
   return true;
 }
 
-el::TermId Parser::term_of(const Production& production, std::size_t base, std::uint32_t number) {
-  const std::span<const el::TermId> operands = std::span(terms_).subspan(base);
+owl::TermId Parser::term_of(const Production& production, std::size_t base, std::uint32_t number) {
+  const std::span<const owl::TermId> operands = std::span(terms_).subspan(base);
   // One operand where the grammar wants two is what it says by itself; OWL tools write such.
   const bool is_list = production.repeated != Operand::none && production.first.front() == Operand::none &&
                        production.term() != TermKind::object_one_of && production.term() != TermKind::data_one_of;

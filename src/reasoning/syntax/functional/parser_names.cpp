@@ -52,14 +52,14 @@ bool Parser::resolve(const Token& name) {
   return true;
 }
 
-bool Parser::entity(el::TermKind kind, std::string_view what) {
+bool Parser::entity(owl::TermKind kind, std::string_view what) {
   if (!iri(what)) return false;
   terms_.push_back(source_.entity(kind, iri_));
   return true;
 }
 
 bool Parser::individual(std::string_view what) {
-  if (!tokens_.is(TokenKind::node_id)) return entity(el::TermKind::individual, what);
+  if (!tokens_.is(TokenKind::node_id)) return entity(owl::TermKind::individual, what);
   terms_.push_back(source_.anonymous_individual(blank_name(tokens_.token().text)));
   tokens_.advance();
   return true;

@@ -1,4 +1,4 @@
-// From the bytes of one file in the functional-style syntax of OWL 2 to the axioms of an OntologySource.
+// From the bytes of one file in the functional-style syntax of OWL 2 to the axioms of an Ontology.
 //
 //   const el::FileId file = source.add_file(path);
 //   const auto document = functional::read(bytes, file, source);
@@ -20,8 +20,8 @@
 
 namespace geminga::functional {
 
-using el::Document;
-using el::ReadError;
+using owl::Document;
+using owl::ReadError;
 
 /// Whether a file is in this syntax by its content: its first word behind white space and comments is `Prefix` or
 /// `Ontology`, and a bracket follows. Looks no further.
@@ -35,9 +35,9 @@ using el::ReadError;
 /// Annotations of names and of the ontology are put where they are wanted.
 ///
 /// On an error the source holds an unknown part of the file: the caller drops it. Linear in the file.
-[[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, el::FileId file,
-                                                      el::OntologySource& source, const Limits& limits = {},
-                                                      std::vector<el::Annotation>* annotations = nullptr);
+[[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, owl::FileId file, owl::Ontology& source,
+                                                      const Limits& limits = {},
+                                                      std::vector<owl::Annotation>* annotations = nullptr);
 
 }  // namespace geminga::functional
 

@@ -4,7 +4,7 @@
 
 namespace geminga::graph {
 
-using el::Annotation;
+using owl::Annotation;
 
 Annotations::Annotations(std::span<const Annotation> all) : all_(all) {
   for (std::uint32_t number = 0; number < all.size(); ++number) {
@@ -54,13 +54,13 @@ void AxiomTriples::add(const Annotations& annotations, std::uint32_t number) {
   const Annotation& annotation = annotations.at(number);
   const std::uint32_t own[]{number};
   if (annotation.of == Annotation::Of::ontology)
-    return annotate(ontology(static_cast<el::FileId>(annotation.number)), annotations, own);
+    return annotate(ontology(static_cast<owl::FileId>(annotation.number)), annotations, own);
   // The annotation is an axiom itself.
   const std::string& subject = annotation.subject;
   annotate(subject.starts_with("_:") ? individual(subject) : iri(subject), annotations, own, "Axiom");
 }
 
-Node AxiomTriples::ontology(el::FileId file) const {
+Node AxiomTriples::ontology(owl::FileId file) const {
   const std::string& name = source_.files()[static_cast<std::size_t>(file)].ontology_iri;
   return name.empty() ? blank("o" + std::to_string(static_cast<std::uint32_t>(file))) : iri(name);
 }

@@ -6,7 +6,7 @@
 namespace geminga::graph {
 namespace {
 
-using el::TermKind;
+using owl::TermKind;
 
 constexpr std::string_view rdf = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
 constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
@@ -23,7 +23,7 @@ bool is_of_data(TermKind kind) {
 
 }  // namespace
 
-Node AxiomTriples::literal(const el::Term& term) const {
+Node AxiomTriples::literal(const owl::Term& term) const {
   const bool has_language = term.arguments.size() == 2;
   const std::string_view datatype = source_.name_of(term.arguments[0]);
   return {Node::Kind::literal, std::string(source_.name(term.name)), std::string(has_language ? "" : datatype),
@@ -37,13 +37,13 @@ Node AxiomTriples::described(std::string_view type, std::string_view predicate, 
   return made;
 }
 
-Node AxiomTriples::restriction(const el::Term& term, std::string_view predicate, const Node& object) {
+Node AxiomTriples::restriction(const owl::Term& term, std::string_view predicate, const Node& object) {
   const Node made = described("Restriction", predicate, object);
   link(made, owl("onProperty"), node(term.arguments[0]));
   return made;
 }
 
-Node AxiomTriples::cardinality(const el::Term& term) {
+Node AxiomTriples::cardinality(const owl::Term& term) {
   const bool is_qualified = term.arguments.size() == 2;
   std::string_view word = is_qualified ? "qualifiedCardinality" : "cardinality";
   if (term.kind == TermKind::object_min_cardinality || term.kind == TermKind::data_min_cardinality)
@@ -55,11 +55,11 @@ Node AxiomTriples::cardinality(const el::Term& term) {
   return made;
 }
 
-Node AxiomTriples::facets(const el::Term& term) {
+Node AxiomTriples::facets(const owl::Term& term) {
   const Node made = described("Datatype", "onDatatype", node(term.arguments[0]));
   Node rest = iri(std::string(rdf) + "nil");
   for (std::size_t place = term.arguments.size(); place-- > 1;) {
-    const el::Term facet = source_.term(term.arguments[place]);
+    const owl::Term facet = source_.term(term.arguments[place]);
     const Node holder = fresh();
     const Node item = fresh();
     link(holder, source_.name(facet.name), node(facet.arguments[0]));
@@ -71,7 +71,7 @@ Node AxiomTriples::facets(const el::Term& term) {
   return made;
 }
 
-Node AxiomTriples::expression(const el::Term& term) {
+Node AxiomTriples::expression(const owl::Term& term) {
   const auto argument = [&](std::size_t place) { return node(term.arguments[place]); };
   switch (term.kind) {
     case TermKind::object_inverse_of: {
@@ -113,8 +113,8 @@ Node AxiomTriples::expression(const el::Term& term) {
   }
 }
 
-Node AxiomTriples::node(el::TermId id) {
-  const el::Term term = source_.term(id);
+Node AxiomTriples::node(owl::TermId id) {
+  const owl::Term term = source_.term(id);
   if (term.kind <= TermKind::individual) return iri(source_.name(term.name));
   if (term.kind == TermKind::literal) return literal(term);
   if (term.kind != TermKind::anonymous_individual) return expression(term);

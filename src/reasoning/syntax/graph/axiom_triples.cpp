@@ -3,8 +3,8 @@
 namespace geminga::graph {
 namespace {
 
-using el::AxiomKind;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermKind;
 
 constexpr std::string_view rdf = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
 constexpr std::string_view rdfs = "http://www.w3.org/2000/01/rdf-schema#";
@@ -72,7 +72,7 @@ Node type_of_entity(TermKind kind) {
   }
 }
 
-void AxiomTriples::add(const el::Axiom& axiom) {
+void AxiomTriples::add(const owl::Axiom& axiom) {
   const Terms terms = axiom.arguments;
   said_.clear();
   holder_.reset();
@@ -104,7 +104,7 @@ void AxiomTriples::add(const el::Axiom& axiom) {
     case AxiomKind::object_property_assertion: {
       // A fact about an inverse is the fact the other way round (table 1 has no predicate that is a blank node).
       const bool is_inverse = source_.kind(terms[0]) == TermKind::object_inverse_of;
-      const el::TermId property = is_inverse ? source_.term(terms[0]).arguments[0] : terms[0];
+      const owl::TermId property = is_inverse ? source_.term(terms[0]).arguments[0] : terms[0];
       return say(node(terms[is_inverse ? 2 : 1]), source_.name_of(property), node(terms[is_inverse ? 1 : 2]));
     }
     case AxiomKind::data_property_assertion:
@@ -130,7 +130,7 @@ void AxiomTriples::link(const Node& subject, std::string_view predicate, const N
 /// EQ(T1 ... Tn) is T1 = T2, ..., Tn-1 = Tn.
 void AxiomTriples::chained(Terms terms, std::string_view predicate) {
   Node before = node(terms[0]);
-  for (const el::TermId id : terms.subspan(1)) {
+  for (const owl::TermId id : terms.subspan(1)) {
     Node next = node(id);
     say(before, predicate, next);
     before = std::move(next);
@@ -146,7 +146,7 @@ void AxiomTriples::several(Terms terms, std::string_view of_two, std::string_vie
   link(all, owl("members"), list(terms));
 }
 
-void AxiomTriples::negative(const el::Axiom& axiom) {
+void AxiomTriples::negative(const owl::Axiom& axiom) {
   const bool is_of_data = axiom.kind == AxiomKind::negative_data_property_assertion;
   const Node fact = fresh();
   holder_ = fact;

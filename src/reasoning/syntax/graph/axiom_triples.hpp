@@ -21,34 +21,34 @@ namespace geminga::graph {
 /// The annotations of all files, and which of them are about which axiom or annotation.
 class Annotations {
  public:
-  explicit Annotations(std::span<const el::Annotation> all);
+  explicit Annotations(std::span<const owl::Annotation> all);
 
-  [[nodiscard]] const el::Annotation& at(std::uint32_t number) const { return all_[number]; }
+  [[nodiscard]] const owl::Annotation& at(std::uint32_t number) const { return all_[number]; }
   [[nodiscard]] std::size_t size() const { return all_.size(); }
   /// Their numbers, ascending; of axioms and of annotations.
-  [[nodiscard]] std::span<const std::uint32_t> about(el::Annotation::Of of, std::uint32_t number) const;
+  [[nodiscard]] std::span<const std::uint32_t> about(owl::Annotation::Of of, std::uint32_t number) const;
 
  private:
-  std::span<const el::Annotation> all_;
-  std::map<std::pair<el::Annotation::Of, std::uint32_t>, std::vector<std::uint32_t>> about_;
+  std::span<const owl::Annotation> all_;
+  std::map<std::pair<owl::Annotation::Of, std::uint32_t>, std::vector<std::uint32_t>> about_;
 };
 
 /// Writes the axioms of one source; the source must outlive it and may grow. Blank nodes of expressions are numbered.
 class AxiomTriples {
  public:
-  AxiomTriples(const el::OntologySource& source, TripleSink sink) : source_(source), sink_(std::move(sink)) {}
+  AxiomTriples(const owl::Ontology& source, TripleSink sink) : source_(source), sink_(std::move(sink)) {}
 
-  void add(const el::Axiom& axiom);
+  void add(const owl::Axiom& axiom);
   /// Says of the axiom that was added last what annotations say of it, and of them: all of `own`, which are numbers in
   /// the list.
   void annotate(const Annotations& annotations, std::span<const std::uint32_t> own);
   /// An annotation of a name or of an ontology, and what annotations say of it.
   void add(const Annotations& annotations, std::uint32_t number);
   /// The node of the ontology in a file: its name, or a blank one.
-  [[nodiscard]] Node ontology(el::FileId file) const;
+  [[nodiscard]] Node ontology(owl::FileId file) const;
 
  private:
-  using Terms = std::span<const el::TermId>;
+  using Terms = std::span<const owl::TermId>;
 
   /// What an axiom is when it is one triple, or one of several that mean it together.
   struct Triple {
@@ -62,7 +62,7 @@ class AxiomTriples {
   void link(const Node& subject, std::string_view predicate, const Node& object);
   void chained(Terms terms, std::string_view predicate);
   void several(Terms terms, std::string_view of_two, std::string_view of_more);
-  void negative(const el::Axiom& axiom);
+  void negative(const owl::Axiom& axiom);
   void sub_property(Terms terms);
   Node list(Terms terms);
   Node fresh() { return blank("g" + std::to_string(++blanks_)); }
@@ -73,17 +73,17 @@ class AxiomTriples {
   Node reify(const Triple& triple, std::string_view type);
 
   // axiom_terms.cpp: the node of a term, after the triples that describe it.
-  Node node(el::TermId id);
+  Node node(owl::TermId id);
   /// The blank node of an anonymous individual.
   static Node individual(std::string_view name);
   Node described(std::string_view type, std::string_view predicate, const Node& object);
-  Node restriction(const el::Term& term, std::string_view predicate, const Node& object);
-  Node cardinality(const el::Term& term);
-  Node facets(const el::Term& term);
-  Node expression(const el::Term& term);
-  [[nodiscard]] Node literal(const el::Term& term) const;
+  Node restriction(const owl::Term& term, std::string_view predicate, const Node& object);
+  Node cardinality(const owl::Term& term);
+  Node facets(const owl::Term& term);
+  Node expression(const owl::Term& term);
+  [[nodiscard]] Node literal(const owl::Term& term) const;
 
-  const el::OntologySource& source_;
+  const owl::Ontology& source_;
   TripleSink sink_;
   std::uint64_t blanks_ = 0;
   std::vector<Triple> said_;    ///< of the axiom that was added last
@@ -97,7 +97,7 @@ inline constexpr std::string_view rdfs_sub_property_of = "http://www.w3.org/2000
 inline constexpr std::string_view owl_namespace = "http://www.w3.org/2002/07/owl#";
 
 /// `owl:Class` and its like, which declare an entity of this kind.
-[[nodiscard]] Node type_of_entity(el::TermKind kind);
+[[nodiscard]] Node type_of_entity(owl::TermKind kind);
 [[nodiscard]] Node owl_word(std::string_view word);
 
 }  // namespace geminga::graph

@@ -50,9 +50,9 @@ struct Reading {
   }
 };
 
-const char* parser_of(rdf::Syntax syntax) {
+const char* parser_of(syntax::Syntax syntax) {
   // N-Triples are Turtle, whose reader passes nothing over in silence.
-  return syntax == rdf::Syntax::rdf_xml ? "rdfxml" : "turtle";
+  return syntax == syntax::Syntax::rdf_xml ? "rdfxml" : "turtle";
 }
 
 /// Takes every occurrence of a word out of a text; how many there were.
@@ -103,8 +103,10 @@ void Graph::add(const Node& subject, const Node& predicate, const Node& object) 
     state_->fail("a triple cannot be held: memory is short, or a language tag has more than 255 letters");
 }
 
-std::optional<rdf::LoadError> Graph::add_file(const std::string& path, std::size_t number) {
-  const auto refuse = [&](std::string text) { return rdf::LoadError{base::printable(path, 4096), 0, std::move(text)}; };
+std::optional<syntax::LoadError> Graph::add_file(const std::string& path, std::size_t number) {
+  const auto refuse = [&](std::string text) {
+    return syntax::LoadError{base::printable(path, 4096), 0, std::move(text)};
+  };
   if (state_->problem) return std::nullopt;
   const auto text = rdf::read_text(path);
   if (!text) return text.error();
@@ -121,7 +123,7 @@ std::optional<rdf::LoadError> Graph::add_file(const std::string& path, std::size
     raptor_parser_set_option(parser, RAPTOR_OPTION_LOAD_EXTERNAL_ENTITIES, nullptr, 0);
     is_read = raptor_parser_parse_start(parser, base) == 0;
   }
-  const std::string_view bytes = rdf::without_mark(text->bytes.view());
+  const std::string_view bytes = syntax::without_mark(text->bytes.view());
   for (std::size_t at = 0; at < bytes.size() && is_read; at += chunk_bytes) {
     const std::string_view chunk = bytes.substr(at, chunk_bytes);
     is_read =

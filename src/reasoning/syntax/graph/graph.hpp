@@ -47,7 +47,7 @@ class Graph {
   void add(const Node& subject, const Node& predicate, const Node& object);
   /// The triples of a file that rdf::load() has read, all of them, comments too. Its blank nodes are told apart from
   /// those of other files by their number. Opens nothing else, whatever the file says.
-  [[nodiscard]] std::optional<rdf::LoadError> add_file(const std::string& path, std::size_t number);
+  [[nodiscard]] std::optional<syntax::LoadError> add_file(const std::string& path, std::size_t number);
 
   /// Why it is not whole: a limit was exceeded, or memory is short; in one line.
   [[nodiscard]] const std::optional<std::string>& problem() const;

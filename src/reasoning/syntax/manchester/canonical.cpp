@@ -10,13 +10,13 @@
 namespace geminga::manchester {
 namespace {
 
-using el::Term;
-using el::TermId;
-using el::TermKind;
+using owl::Term;
+using owl::TermId;
+using owl::TermKind;
 
-std::string text_in_full(const el::OntologySource& source, TermId id) {
+std::string text_in_full(const owl::Ontology& source, TermId id) {
   const auto full_name = [](std::string_view iri) { return "<" + std::string(iri) + ">"; };
-  return el::print(source, id, full_name, el::PrintStyle::parsing);
+  return owl::print(source, id, full_name, owl::PrintStyle::parsing);
 }
 
 bool is_set(TermKind kind) {
@@ -27,7 +27,7 @@ bool is_set(TermKind kind) {
 /// Copies a term into another source, arguments first. Its depth is bounded by that of terms.
 class Normaliser {
  public:
-  Normaliser(const el::OntologySource& from, el::OntologySource& to) : from_(from), to_(to) {}
+  Normaliser(const owl::Ontology& from, owl::Ontology& to) : from_(from), to_(to) {}
 
   TermId copy(TermId id) {
     const Term term = from_.term(id);
@@ -49,7 +49,7 @@ class Normaliser {
     if (is_set(term.kind) && arguments.size() == 1) return arguments.front();
     const bool is_cardinality =
         term.kind >= TermKind::object_min_cardinality && term.kind <= TermKind::object_exact_cardinality;
-    if (is_cardinality && arguments.size() == 2 && arguments[1] == el::thing_term) arguments.pop_back();
+    if (is_cardinality && arguments.size() == 2 && arguments[1] == owl::thing_term) arguments.pop_back();
     return to_.copy(term.kind, from_.name(term.name), term.number, arguments);
   }
 
@@ -63,14 +63,14 @@ class Normaliser {
     for (const auto& [text, id] : texts) terms.push_back(id);
   }
 
-  const el::OntologySource& from_;
-  el::OntologySource& to_;
+  const owl::Ontology& from_;
+  owl::Ontology& to_;
 };
 
 }  // namespace
 
-std::string canonical(const el::OntologySource& source, el::TermId term) {
-  el::OntologySource normal;
+std::string canonical(const owl::Ontology& source, owl::TermId term) {
+  owl::Ontology normal;
   const TermId id = Normaliser(source, normal).copy(term);
   return text_in_full(normal, id);
 }

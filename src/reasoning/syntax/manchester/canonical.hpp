@@ -11,7 +11,7 @@ namespace geminga::manchester {
 /// The canonical form (MANCHESTER.md): full IRIs, the members of `and`, `or` and braces sorted and each once. Equal for
 /// expressions that differ in nothing else. parse() reads it again. The term is a class expression; its depth is that
 /// of terms.
-[[nodiscard]] std::string canonical(const el::OntologySource& source, el::TermId term);
+[[nodiscard]] std::string canonical(const owl::Ontology& source, owl::TermId term);
 
 }  // namespace geminga::manchester
 

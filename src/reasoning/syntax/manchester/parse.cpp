@@ -13,11 +13,11 @@ namespace {
 /// An expression over an ontology that is loaded: its names are those of the ontology.
 class ExpressionParser final : public Parser {
  public:
-  ExpressionParser(std::string_view text, const el::Names& names, const Limits& limits, el::OntologySource& source)
+  ExpressionParser(std::string_view text, const owl::Names& names, const Limits& limits, owl::Ontology& source)
       : Parser(Tokenizer(text), limits, source), names_(names) {}
 
   /// description, then the end of the text.
-  el::TermId read() {
+  owl::TermId read() {
     const Term term = description();
     if (tokens_.token().kind != TokenKind::end) return expected("'and', 'or' or the end");
     return term;
@@ -27,16 +27,16 @@ class ExpressionParser final : public Parser {
   }
 
  private:
-  std::expected<std::string, std::string> iri_of(el::TermKind kind, const Token& token) override {
+  std::expected<std::string, std::string> iri_of(owl::TermKind kind, const Token& token) override {
     return names_.find(kind, token.kind == TokenKind::label ? std::string_view(token.value) : token.text);
   }
-  std::expected<el::TermKind, std::string> kind_of_property(const Token& token) override {
-    const bool is_object = names_.find(el::TermKind::object_property, token.text).has_value();
-    const bool is_data = names_.find(el::TermKind::data_property, token.text).has_value();
+  std::expected<owl::TermKind, std::string> kind_of_property(const Token& token) override {
+    const bool is_object = names_.find(owl::TermKind::object_property, token.text).has_value();
+    const bool is_data = names_.find(owl::TermKind::data_property, token.text).has_value();
     if (is_object && is_data)
       return std::unexpected("'" + base::printable(token.text) +
                              "' is an object property and a data property: say which by its IRI");
-    return is_data ? el::TermKind::data_property : el::TermKind::object_property;
+    return is_data ? owl::TermKind::data_property : owl::TermKind::object_property;
   }
   Term literal_of(const Token& text, std::string_view datatype, std::string_view language) override {
     const Term made = source_.literal(text.value, datatype, language);
@@ -44,12 +44,12 @@ class ExpressionParser final : public Parser {
     return fail(ParseError::Kind::malformed, text.begin, "a literal that is not of its datatype");
   }
 
-  const el::Names& names_;
+  const owl::Names& names_;
 };
 
 }  // namespace
 
-std::expected<Expression, ParseError> parse(std::string_view text, const el::Names& names, const Limits& limits) {
+std::expected<Expression, ParseError> parse(std::string_view text, const owl::Names& names, const Limits& limits) {
   if (text.size() > limits.text_bytes) {
     return std::unexpected(
         ParseError{ParseError::Kind::too_large, 1, "more than " + std::to_string(limits.text_bytes) + " octets"});

@@ -19,12 +19,12 @@ namespace geminga::manchester {
 
 /// One expression: a term of a source that holds nothing else. Its names are full IRIs.
 struct Expression {
-  el::OntologySource source;
-  el::TermId term{};
+  owl::Ontology source;
+  owl::TermId term{};
 };
 
 /// Reads a whole text. Any bytes may be given.
-[[nodiscard]] std::expected<Expression, ParseError> parse(std::string_view text, const el::Names& names,
+[[nodiscard]] std::expected<Expression, ParseError> parse(std::string_view text, const owl::Names& names,
                                                           const Limits& limits = {});
 
 /// Whether a text is more than one name: it holds a keyword, or a bracket or comma, outside of quotes and IRIs. What is

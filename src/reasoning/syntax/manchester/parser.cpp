@@ -10,7 +10,7 @@
 namespace geminga::manchester {
 namespace {
 
-using el::TermKind;
+using owl::TermKind;
 
 constexpr std::array<std::string_view, 7> words_of_restrictions{"some", "only", "value",  "Self",
                                                                 "min",  "max",  "exactly"};
@@ -29,7 +29,7 @@ Parser::Level::Level(Parser& parser) : parser_(parser) {
 }
 
 // description = conjunction *( "or" conjunction )
-el::TermId Parser::description() {
+owl::TermId Parser::description() {
   const Level level(*this);
   std::vector<Term> parts{conjunction()};
   while (!failed() && take_keyword("or")) parts.push_back(conjunction());
@@ -37,7 +37,7 @@ el::TermId Parser::description() {
 }
 
 // conjunction = primary *( ( "and" / "that" ) primary ), "that" behind a class only
-el::TermId Parser::conjunction() {
+owl::TermId Parser::conjunction() {
   std::vector<Term> parts{primary()};
   while (!failed()) {
     const bool is_that = is_keyword("that");
@@ -51,8 +51,8 @@ el::TermId Parser::conjunction() {
 }
 
 // primary = "not" primary / restriction / class / "{" individual *( "," individual ) "}" / "(" description ")"
-el::TermId Parser::primary() {
-  if (failed()) return el::thing_term;
+owl::TermId Parser::primary() {
+  if (failed()) return owl::thing_term;
   if (is_keyword("not")) return negation();
   if (is_symbol("{")) return enumeration();
   if (take_symbol("(")) {
@@ -65,36 +65,36 @@ el::TermId Parser::primary() {
   return is_restriction_next() ? restriction() : entity(TermKind::named_class, take());
 }
 
-el::TermId Parser::negation() {
+owl::TermId Parser::negation() {
   const Level level(*this);
   take();
   const Term inner = primary();
-  return failed() ? el::thing_term : source_.term(TermKind::object_complement_of, {inner});
+  return failed() ? owl::thing_term : source_.term(TermKind::object_complement_of, {inner});
 }
 
-el::TermId Parser::enumeration() {
+owl::TermId Parser::enumeration() {
   take();
   std::vector<Term> members{individual()};
   while (!failed() && take_symbol(",")) members.push_back(individual());
   expect_symbol("}", "',' or '}'");
-  return failed() ? el::thing_term : source_.term(TermKind::object_one_of, members);
+  return failed() ? owl::thing_term : source_.term(TermKind::object_one_of, members);
 }
 
-el::TermId Parser::individual() {
-  if (failed()) return el::thing_term;
+owl::TermId Parser::individual() {
+  if (failed()) return owl::thing_term;
   return is_name() ? entity(TermKind::individual, take()) : expected("an individual");
 }
 
 // restriction = property ( "some" / "only" ) primary / property "value" individual / property "Self"
 //             / property ( "min" / "max" / "exactly" ) number [ primary ]
-el::TermId Parser::restriction() {
+owl::TermId Parser::restriction() {
   const Level level(*this);
   const Term of = property();
   if (failed()) return of;
   return source_.kind(of) == TermKind::data_property ? data_restriction(of) : object_restriction(of);
 }
 
-el::TermId Parser::object_restriction(Term of) {
+owl::TermId Parser::object_restriction(Term of) {
   if (take_keyword("some")) {
     const Term filler = primary();
     return failed() ? filler : source_.term(TermKind::object_some_values_from, {of, filler});
@@ -111,7 +111,7 @@ el::TermId Parser::object_restriction(Term of) {
   return cardinality(of, false);
 }
 
-el::TermId Parser::cardinality(Term of, bool is_data) {
+owl::TermId Parser::cardinality(Term of, bool is_data) {
   TermKind kind = TermKind::object_exact_cardinality;
   if (is_keyword("min")) kind = TermKind::object_min_cardinality;
   if (is_keyword("max")) kind = TermKind::object_max_cardinality;
@@ -133,7 +133,7 @@ el::TermId Parser::cardinality(Term of, bool is_data) {
 }
 
 // property = "inverse" name / "inverse" "(" name ")" / name
-el::TermId Parser::property() {
+owl::TermId Parser::property() {
   if (take_keyword("inverse")) {
     const bool is_nested = take_symbol("(");
     if (!is_name()) return expected("an object property");
@@ -147,8 +147,8 @@ el::TermId Parser::property() {
   return entity(*kind, name);
 }
 
-el::TermId Parser::entity(el::TermKind kind, const Token& token) {
-  if (failed()) return el::thing_term;
+owl::TermId Parser::entity(owl::TermKind kind, const Token& token) {
+  if (failed()) return owl::thing_term;
   if (++parts_ > limits_.parts) {
     return fail(ParseError::Kind::too_large, token.begin,
                 "more than " + std::to_string(limits_.parts) + " names and values");
@@ -203,7 +203,7 @@ Token Parser::take() {
   return token;
 }
 
-el::TermId Parser::expected(std::string_view what) {
+owl::TermId Parser::expected(std::string_view what) {
   const Token& found = tokens_.token();
   if (found.kind == TokenKind::bad) return fail(ParseError::Kind::malformed, found.begin, found.value);
   return fail(ParseError::Kind::malformed, found.begin,
@@ -211,9 +211,9 @@ el::TermId Parser::expected(std::string_view what) {
                   (found.kind == TokenKind::end ? "the end" : "'" + base::printable(found.text) + "'"));
 }
 
-el::TermId Parser::fail(ParseError::Kind kind, std::size_t octet, std::string text) {
+owl::TermId Parser::fail(ParseError::Kind kind, std::size_t octet, std::string text) {
   if (!problem_) problem_ = Problem{kind, octet, std::move(text)};
-  return el::thing_term;
+  return owl::thing_term;
 }
 
 }  // namespace geminga::manchester

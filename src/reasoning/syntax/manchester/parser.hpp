@@ -28,7 +28,7 @@ struct Problem {
 /// from then on each function gives owl:Thing.
 class Parser {
  public:
-  Parser(Tokenizer tokens, const Limits& limits, el::OntologySource& source)
+  Parser(Tokenizer tokens, const Limits& limits, owl::Ontology& source)
       : tokens_(std::move(tokens)), limits_(limits), source_(source) {}
   Parser(const Parser&) = delete;
   Parser& operator=(const Parser&) = delete;
@@ -37,7 +37,7 @@ class Parser {
   [[nodiscard]] const std::optional<Problem>& problem() const { return problem_; }
 
  protected:
-  using Term = el::TermId;
+  using Term = owl::TermId;
 
   Term description();
   Term conjunction();
@@ -61,11 +61,11 @@ class Parser {
 
   // Names.
   Term property();
-  Term entity(el::TermKind kind, const Token& token);
+  Term entity(owl::TermKind kind, const Token& token);
   /// The IRI of an entity, or why there is none.
-  [[nodiscard]] virtual std::expected<std::string, std::string> iri_of(el::TermKind kind, const Token& token) = 0;
+  [[nodiscard]] virtual std::expected<std::string, std::string> iri_of(owl::TermKind kind, const Token& token) = 0;
   /// Whether a property, which was taken just now, is one of objects or of data, or why it is neither.
-  [[nodiscard]] virtual std::expected<el::TermKind, std::string> kind_of_property(const Token& token) = 0;
+  [[nodiscard]] virtual std::expected<owl::TermKind, std::string> kind_of_property(const Token& token) = 0;
   /// A literal with a datatype or a language, neither or not both.
   virtual Term literal_of(const Token& text, std::string_view datatype, std::string_view language) = 0;
   [[nodiscard]] bool is_restriction_next() const;
@@ -89,7 +89,7 @@ class Parser {
 
   Tokenizer tokens_;
   const Limits& limits_;
-  el::OntologySource& source_;
+  owl::Ontology& source_;
   std::size_t depth_ = 0;
   std::size_t parts_ = 0;
   std::optional<Problem> problem_;

@@ -8,7 +8,7 @@
 namespace geminga::manchester {
 namespace {
 
-using el::TermKind;
+using owl::TermKind;
 
 constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
 
@@ -36,7 +36,7 @@ std::string iri_of_facet(std::string_view written) {
 
 // restriction = property ( "some" / "only" ) dataPrimary / property "value" literal
 //             / property ( "min" / "max" / "exactly" ) number [ dataPrimary ]
-el::TermId Parser::data_restriction(Term of) {
+owl::TermId Parser::data_restriction(Term of) {
   if (take_keyword("some")) {
     const Term range = data_primary();
     return failed() ? range : source_.term(TermKind::data_some_values_from, {of, range});
@@ -53,14 +53,14 @@ el::TermId Parser::data_restriction(Term of) {
 }
 
 // dataRange = dataConjunction *( "or" dataConjunction )
-el::TermId Parser::data_range() {
+owl::TermId Parser::data_range() {
   std::vector<Term> parts{data_conjunction()};
   while (!failed() && take_keyword("or")) parts.push_back(data_conjunction());
   return failed() || parts.size() == 1 ? parts.front() : source_.term(TermKind::data_union_of, parts);
 }
 
 // dataConjunction = dataPrimary *( "and" dataPrimary )
-el::TermId Parser::data_conjunction() {
+owl::TermId Parser::data_conjunction() {
   std::vector<Term> parts{data_primary()};
   while (!failed() && take_keyword("and")) parts.push_back(data_primary());
   return failed() || parts.size() == 1 ? parts.front() : source_.term(TermKind::data_intersection_of, parts);
@@ -68,8 +68,8 @@ el::TermId Parser::data_conjunction() {
 
 // dataPrimary = "not" dataPrimary / datatype [ "[" facet literal *( "," facet literal ) "]" ]
 //             / "{" literal *( "," literal ) "}" / "(" dataRange ")"
-el::TermId Parser::data_primary() {
-  if (failed()) return el::thing_term;
+owl::TermId Parser::data_primary() {
+  if (failed()) return owl::thing_term;
   const Level level(*this);
   if (take_keyword("not")) {
     const Term inner = data_primary();
@@ -84,14 +84,14 @@ el::TermId Parser::data_primary() {
     std::vector<Term> members{literal()};
     while (!failed() && take_symbol(",")) members.push_back(literal());
     expect_symbol("}", "',' or '}'");
-    return failed() ? el::thing_term : source_.term(TermKind::data_one_of, members);
+    return failed() ? owl::thing_term : source_.term(TermKind::data_one_of, members);
   }
   if (!is_name()) return expected("a datatype, 'not', '(' or '{'");
   const Term datatype = entity(TermKind::datatype, take());
   return is_symbol("[") && !failed() ? datatype_restriction(datatype) : datatype;
 }
 
-el::TermId Parser::datatype_restriction(Term datatype) {
+owl::TermId Parser::datatype_restriction(Term datatype) {
   std::vector<Term> arguments{datatype};
   do {
     tokens_.set_facets(true);
@@ -100,10 +100,10 @@ el::TermId Parser::datatype_restriction(Term datatype) {
     arguments.push_back(facet());
   } while (!failed() && is_symbol(","));
   expect_symbol("]", "',' or ']'");
-  return failed() ? el::thing_term : source_.term(TermKind::datatype_restriction, arguments);
+  return failed() ? owl::thing_term : source_.term(TermKind::datatype_restriction, arguments);
 }
 
-el::TermId Parser::facet() {
+owl::TermId Parser::facet() {
   if (tokens_.token().kind != TokenKind::facet) {
     return expected("'<', '<=', '>', '>=', 'length', 'minLength', 'maxLength', 'pattern' or 'langRange'");
   }
@@ -113,8 +113,8 @@ el::TermId Parser::facet() {
 }
 
 // literal = string [ "@" language / "^^" datatype ] / number / "true" / "false"
-el::TermId Parser::literal() {
-  if (failed()) return el::thing_term;
+owl::TermId Parser::literal() {
+  if (failed()) return owl::thing_term;
   if (tokens_.token().kind == TokenKind::number) return number();
   if (is_keyword("true") || is_keyword("false")) {
     return source_.literal(take().text, std::string(xsd) + "boolean");
@@ -137,7 +137,7 @@ el::TermId Parser::literal() {
 }
 
 // A whole number is an xsd:integer, one with a point an xsd:decimal, one with an exponent or f an xsd:float.
-el::TermId Parser::number() {
+owl::TermId Parser::number() {
   if (++parts_ > limits_.parts) {
     return fail(ParseError::Kind::too_large, tokens_.token().begin,
                 "more than " + std::to_string(limits_.parts) + " names and values");

@@ -35,8 +35,8 @@ std::string_view value_of(std::span<const Attribute> attributes, std::string_vie
 
 }  // namespace
 
-Builder::Builder(std::string_view bytes, el::FileId file, el::OntologySource& source, const Limits& limits,
-                 std::vector<el::Annotation>* annotations)
+Builder::Builder(std::string_view bytes, owl::FileId file, owl::Ontology& source, const Limits& limits,
+                 std::vector<owl::Annotation>* annotations)
     : bytes_(bytes), file_(file), source_(source), limits_(limits), annotations_(annotations) {
   // Every document knows these.
   prefixes_.emplace("owl", owl);
@@ -104,7 +104,7 @@ Listener::Refusal Builder::begin_prefix(std::span<const Attribute> attributes) {
   if (known->second != iri)
     return "the prefix " + base::printable(prefix, 60) + ": already stands for <" + base::printable(known->second, 60) +
            '>';
-  const auto is_same = [&](const el::DeclaredPrefix& declared) { return declared.prefix == prefix; };
+  const auto is_same = [&](const owl::DeclaredPrefix& declared) { return declared.prefix == prefix; };
   if (!is_new && std::ranges::any_of(document_.prefixes, is_same)) return std::nullopt;
   if (document_.prefixes.size() >= limits_.prefixes)
     return "more than " + std::to_string(limits_.prefixes) + " prefixes";

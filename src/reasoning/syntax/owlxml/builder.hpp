@@ -24,8 +24,8 @@ namespace geminga::owlxml {
 class Builder final : public Listener {
  public:
   /// All arguments must outlive it.
-  Builder(std::string_view bytes, el::FileId file, el::OntologySource& source, const Limits& limits,
-          std::vector<el::Annotation>* annotations);
+  Builder(std::string_view bytes, owl::FileId file, owl::Ontology& source, const Limits& limits,
+          std::vector<owl::Annotation>* annotations);
 
   Refusal begin(std::string_view space, std::string_view name, std::span<const Attribute> attributes,
                 std::uint32_t line) override;
@@ -53,7 +53,7 @@ class Builder final : public Listener {
   /// Something that stood in an element that is still open.
   struct Operand {
     enum class Kind : std::uint8_t { term, iri, text, annotation } kind = Kind::term;
-    el::TermId term{};
+    owl::TermId term{};
     std::string iri;       ///< of an entity or an IRI in annotations
     std::string text;      ///< of a literal in annotations
     std::string language;  ///< of a literal in annotations
@@ -80,10 +80,10 @@ class Builder final : public Listener {
   Refusal check_n_ary_data(const Open& open);
   Refusal expected(std::string_view what, const Open& open, std::size_t place) const;
   [[nodiscard]] bool fits(functional::Operand wanted, const Operand& operand) const;
-  void add(el::AxiomKind kind, const Open& open);
+  void add(owl::AxiomKind kind, const Open& open);
   void drop_annotations(const Open& open);
   /// Hands over an annotation with this value.
-  void keep(el::Annotation annotation, const Operand& value, std::size_t level);
+  void keep(owl::Annotation annotation, const Operand& value, std::size_t level);
 
   // builder_names.cpp: names and literals.
   Refusal entity(const Open& open, std::span<const Attribute> attributes);
@@ -101,17 +101,17 @@ class Builder final : public Listener {
   };
 
   const std::string_view bytes_;
-  const el::FileId file_;
-  el::OntologySource& source_;
+  const owl::FileId file_;
+  owl::Ontology& source_;
   const Limits& limits_;
-  el::AnnotationStack annotations_;
+  owl::AnnotationStack annotations_;
   Document document_;
   std::vector<Open> open_;
   std::vector<Operand> operands_;
   std::vector<std::string> bases_;
   std::unordered_map<std::string, std::string, TextHash, std::equal_to<>> prefixes_;
   std::unordered_set<std::string> imported_;
-  std::unordered_set<el::TermId> declared_;
+  std::unordered_set<owl::TermId> declared_;
   std::string blank_prefix_;        ///< the same for the same file on every host: made of its content
   std::string text_;                ///< of the element that is open and may hold one
   std::string literal_datatype_;    ///< of the literal that is open

@@ -7,8 +7,8 @@
 namespace geminga::owlxml {
 namespace {
 
-using el::TermKind;
 using functional::Form;
+using owl::TermKind;
 using Wanted = functional::Operand;
 
 constexpr std::string_view rdfs_label = "http://www.w3.org/2000/01/rdf-schema#label";
@@ -25,21 +25,21 @@ bool Builder::fits(Wanted wanted, const Operand& operand) const {
     case Wanted::named_class:
       return kind == TermKind::named_class;
     case Wanted::class_expression:
-      return el::is_class_expression(kind);
+      return owl::is_class_expression(kind);
     case Wanted::named_object_property:
       return kind == TermKind::object_property;
     case Wanted::object_property:
-      return el::is_object_property_expression(kind);
+      return owl::is_object_property_expression(kind);
     case Wanted::property_chain:
-      return el::is_object_property_expression(kind) || kind == TermKind::object_property_chain;
+      return owl::is_object_property_expression(kind) || kind == TermKind::object_property_chain;
     case Wanted::data_property:
       return kind == TermKind::data_property;
     case Wanted::datatype:
       return kind == TermKind::datatype;
     case Wanted::data_range:
-      return el::is_data_range(kind);
+      return owl::is_data_range(kind);
     case Wanted::individual:
-      return el::is_individual(kind);
+      return owl::is_individual(kind);
     case Wanted::literal:
       return kind == TermKind::literal;
     case Wanted::facet:
@@ -52,7 +52,7 @@ Listener::Refusal Builder::expected(std::string_view what, const Open& open, std
   std::string found = "the end of the element";
   if (place < operands_.size()) {
     const Operand& operand = operands_[place];
-    found = operand.kind == Operand::Kind::term ? std::string(el::to_string(source_.kind(operand.term)))
+    found = operand.kind == Operand::Kind::term ? std::string(owl::to_string(source_.kind(operand.term)))
                                                 : std::string("something of annotations");
   }
   return "expected " + std::string(what) + " in <" + std::string(open.production->word) + ">, found " + found;
@@ -92,13 +92,13 @@ Listener::Refusal Builder::end_expression(const Open& open) {
   const functional::Production& production = *open.production;
   if (auto refusal = production.form == Form::n_ary_data ? check_n_ary_data(open) : check_operands(open))
     return refusal;
-  std::vector<el::TermId> arguments;
+  std::vector<owl::TermId> arguments;
   for (std::size_t place = open.first; place < operands_.size(); ++place) arguments.push_back(operands_[place].term);
   operands_.resize(open.first);
   // One operand where the grammar wants two is what it says by itself; OWL tools write such.
   const bool is_list = production.repeated != Wanted::none && production.first.front() == Wanted::none &&
                        production.term() != TermKind::object_one_of && production.term() != TermKind::data_one_of;
-  const el::TermId term =
+  const owl::TermId term =
       is_list && arguments.size() == 1 ? arguments.front() : source_.term(production.term(), arguments, open.number);
   operands_.push_back({Operand::Kind::term, term, {}, {}, {}, {}});
   return std::nullopt;
@@ -111,12 +111,12 @@ void Builder::drop_annotations(const Open& open) {
                   operands_.end());
 }
 
-void Builder::add(el::AxiomKind kind, const Open& open) {
+void Builder::add(owl::AxiomKind kind, const Open& open) {
   if (obstacle_ != nullptr) {
     source_.leave_out(obstacle_, file_, open.line);
     return annotations_.drop();
   }
-  std::vector<el::TermId> arguments;
+  std::vector<owl::TermId> arguments;
   for (std::size_t place = open.first; place < operands_.size(); ++place) arguments.push_back(operands_[place].term);
   const std::size_t before = source_.axiom_count();
   const std::size_t damaged = source_.damaged_count();
@@ -136,7 +136,7 @@ Listener::Refusal Builder::end_axiom(const Open& open) {
                              source_.kind(operands_.back().term) <= TermKind::individual;
       if (!is_entity) return expected("one name", open, open.first);
       if (declared_.insert(operands_.back().term).second) {
-        add(el::AxiomKind::declaration, open);
+        add(owl::AxiomKind::declaration, open);
       } else {
         annotations_.drop();
       }
@@ -150,7 +150,7 @@ Listener::Refusal Builder::end_axiom(const Open& open) {
         if (!fits(wanted, operands_[place])) refusal = expected("a class, then properties", open, place);
       }
       if (count == 0) return expected("a class, then properties", open, open.first);
-      if (!refusal) add(el::AxiomKind::has_key, open);
+      if (!refusal) add(owl::AxiomKind::has_key, open);
       break;
     case Form::annotation_assertion:
       refusal = end_annotation_assertion(open);
@@ -159,7 +159,7 @@ Listener::Refusal Builder::end_axiom(const Open& open) {
       if (count != 2) return expected("two names", open, open.first);
       ++document_.annotations;
       if (operands_[open.first].kind != Operand::Kind::iri) break;
-      keep(el::annotation_of(operands_[open.first].iri, el::property_of_annotation_axiom(production.word)),
+      keep(owl::annotation_of(operands_[open.first].iri, owl::property_of_annotation_axiom(production.word)),
            operands_[open.first + 1], 0);
       break;
     default:
@@ -178,7 +178,7 @@ Listener::Refusal Builder::end_axiom(const Open& open) {
   return refusal;
 }
 
-void Builder::keep(el::Annotation annotation, const Operand& value, std::size_t level) {
+void Builder::keep(owl::Annotation annotation, const Operand& value, std::size_t level) {
   if (!annotations_.is_wanted()) return;
   annotation.is_literal = value.kind == Operand::Kind::text;
   annotation.value = annotation.is_literal ? value.text : value.iri;
@@ -192,9 +192,9 @@ Listener::Refusal Builder::end_annotation(const Open& open) {
   drop_annotations(open);
   const bool is_whole = operands_.size() == open.first + 2 && operands_[open.first].kind == Operand::Kind::iri;
   if (!is_whole) return expected("an annotation property and a value", open, open.first);
-  el::Annotation read = el::annotation_of({}, operands_[open.first].iri);
+  owl::Annotation read = owl::annotation_of({}, operands_[open.first].iri);
   if (open_.size() == 1) {
-    read.of = el::Annotation::Of::ontology;
+    read.of = owl::Annotation::Of::ontology;
     read.number = static_cast<std::uint32_t>(file_);
   }
   const bool is_in_axiom = open_.size() > 1 && open_[1].production->form != Form::annotation;
@@ -214,7 +214,7 @@ Listener::Refusal Builder::end_annotation_assertion(const Open& open) {
   const bool is_label = of[0].iri == rdfs_label || of[0].iri == skos_pref_label;
   if (is_label && of[2].kind == Operand::Kind::text && !of[1].iri.starts_with("_:"))
     source_.add_label(of[1].iri, of[2].text, of[2].language);
-  keep(el::annotation_of(of[1].iri, of[0].iri), of[2], 0);
+  keep(owl::annotation_of(of[1].iri, of[0].iri), of[2], 0);
   return std::nullopt;
 }
 

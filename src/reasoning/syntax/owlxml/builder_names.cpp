@@ -121,7 +121,7 @@ Listener::Refusal Builder::end_literal(const Open& open) {
 
 Listener::Refusal Builder::end_facet(const Open& open) {
   const bool is_one = operands_.size() == open.first + 1 && operands_.back().kind == Operand::Kind::term &&
-                      source_.kind(operands_.back().term) == el::TermKind::literal;
+                      source_.kind(operands_.back().term) == owl::TermKind::literal;
   if (!is_one) return "expected one <Literal> in <FacetRestriction>";
   operands_.back().term = source_.facet(facet_iri_, operands_.back().term);
   return std::nullopt;

@@ -1,4 +1,4 @@
-// From the bytes of one file in OWL/XML to the axioms of an OntologySource.
+// From the bytes of one file in OWL/XML to the axioms of an Ontology.
 //
 //   const el::FileId file = source.add_file(path);
 //   const auto document = owlxml::read(bytes, file, source);
@@ -21,8 +21,8 @@
 
 namespace geminga::owlxml {
 
-using el::Document;
-using el::ReadError;
+using owl::Document;
+using owl::ReadError;
 
 /// Reads a whole file into the source. Sets the ontology IRI of `file` there, adds every axiom with the line in which
 /// its element ends its start tag, and the texts of rdfs:label and skos:prefLabel as labels. Declared prefixes are not
@@ -30,9 +30,9 @@ using el::ReadError;
 /// out there by name. Annotations of names and of the ontology are put where they are wanted.
 ///
 /// On an error the source holds an unknown part of the file: the caller drops it. Linear in the file.
-[[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, el::FileId file,
-                                                      el::OntologySource& source, const Limits& limits = {},
-                                                      std::vector<el::Annotation>* annotations = nullptr);
+[[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, owl::FileId file, owl::Ontology& source,
+                                                      const Limits& limits = {},
+                                                      std::vector<owl::Annotation>* annotations = nullptr);
 
 }  // namespace geminga::owlxml
 

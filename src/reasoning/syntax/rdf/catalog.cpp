@@ -28,10 +28,11 @@ bool is_uri_element(xmlTextReaderPtr reader) {
 
 }  // namespace
 
-std::expected<std::vector<CatalogEntry>, LoadError> read_catalog(const std::string& path, std::string_view bytes,
-                                                                 const Limits& limits) {
+std::expected<std::vector<CatalogEntry>, syntax::LoadError> read_catalog(const std::string& path,
+                                                                         std::string_view bytes,
+                                                                         const syntax::Limits& limits) {
   const auto refuse = [&](std::uint32_t line, std::string text) {
-    return std::unexpected(LoadError{base::printable(path, 4096), line, std::move(text)});
+    return std::unexpected(syntax::LoadError{base::printable(path, 4096), line, std::move(text)});
   };
   Pieces pieces(bytes.size());
   if (auto problem = scan_xml(bytes, limits, pieces)) return refuse(problem->line, std::move(problem->text));

@@ -24,9 +24,9 @@ struct CatalogEntry {
 
 /// The entries of a catalogue, in their order; at most `limits.files`. Everything else in it is passed over, and
 /// nothing that it names is opened.
-[[nodiscard]] std::expected<std::vector<CatalogEntry>, LoadError> read_catalog(const std::string& path,
-                                                                               std::string_view bytes,
-                                                                               const Limits& limits);
+[[nodiscard]] std::expected<std::vector<CatalogEntry>, syntax::LoadError> read_catalog(const std::string& path,
+                                                                                       std::string_view bytes,
+                                                                                       const syntax::Limits& limits);
 
 }  // namespace geminga::rdf
 

@@ -21,8 +21,8 @@ std::uint64_t hash_of(NodeKind kind, std::string_view text, NodeId datatype, Nod
 }  // namespace
 
 Graph::Graph() {
-  for (std::uint32_t word = 0; word < static_cast<std::uint32_t>(Word::count); ++word)
-    intern(NodeKind::iri, iri_of(static_cast<Word>(word)), NodeId{}, NodeId{});
+  for (std::uint32_t word = 0; word < static_cast<std::uint32_t>(syntax::Word::count); ++word)
+    intern(NodeKind::iri, iri_of(static_cast<syntax::Word>(word)), NodeId{}, NodeId{});
 }
 
 const char* Graph::store(std::string_view text) {
@@ -54,7 +54,7 @@ NodeId Graph::intern(NodeKind kind, std::string_view text, NodeId datatype, Node
 }
 
 void Graph::append(const Graph& other) {
-  constexpr auto words = static_cast<std::size_t>(Word::count);
+  constexpr auto words = static_cast<std::size_t>(syntax::Word::count);
   std::vector<NodeId> here(other.nodes_.size());
   for (std::size_t number = 0; number < other.nodes_.size(); ++number) {
     const Record& record = other.nodes_[number];
@@ -118,7 +118,7 @@ std::span<const std::uint32_t> Graph::about(NodeId subject) const {
   return std::span(order_).subspan(begins_[node], begins_[node + 1] - begins_[node]);
 }
 
-std::span<const std::uint32_t> Graph::about(NodeId subject, Word predicate) const {
+std::span<const std::uint32_t> Graph::about(NodeId subject, syntax::Word predicate) const {
   const auto predicate_of = [&](std::uint32_t number) { return triples_[number].predicate; };
   const auto found = std::ranges::equal_range(about(subject), node_of(predicate), {}, predicate_of);
   return {found.begin(), found.end()};

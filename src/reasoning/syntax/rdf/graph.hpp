@@ -17,7 +17,7 @@ namespace geminga::rdf {
 /// An interned RDF term of one Graph; 0 is none, and the words of the vocabulary have their own numbers.
 enum class NodeId : std::uint32_t {};
 
-[[nodiscard]] constexpr NodeId node_of(Word word) { return static_cast<NodeId>(word); }
+[[nodiscard]] constexpr NodeId node_of(syntax::Word word) { return static_cast<NodeId>(word); }
 
 enum class NodeKind : std::uint8_t { iri, blank, literal };
 
@@ -74,7 +74,7 @@ class Graph {
   /// vocabulary comes first. Requires index().
   [[nodiscard]] std::span<const std::uint32_t> about(NodeId subject) const;
   /// Those of them with this predicate. O(log n): a subject may have as many triples as its file.
-  [[nodiscard]] std::span<const std::uint32_t> about(NodeId subject, Word predicate) const;
+  [[nodiscard]] std::span<const std::uint32_t> about(NodeId subject, syntax::Word predicate) const;
   [[nodiscard]] bool has(NodeId subject, NodeId predicate, NodeId object) const;
 
  private:

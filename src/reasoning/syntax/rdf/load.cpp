@@ -31,7 +31,7 @@ constexpr std::size_t max_imports = 1000;
 /// What a file's relative IRIs are relative to: its name, not its place, so that they are the same on every robot.
 std::string base_iri(const std::string& path) {
   std::string iri = "file:///";
-  for (const char c : std::filesystem::path(name_without_gz(path)).filename().string()) {
+  for (const char c : std::filesystem::path(syntax::name_without_gz(path)).filename().string()) {
     const auto byte = static_cast<unsigned char>(c);
     const bool is_plain =
         (byte > 0x20 && byte < 0x7f && std::string_view("<>\"{}|\\^`%#?").find(c) == std::string_view::npos);
@@ -77,11 +77,11 @@ class Headers {
     for (std::uint32_t number = 0; number < graph.triple_count(); ++number) {
       const Triple& triple = graph.triple(number);
       const auto object = [&] { return graph.text(triple.object); };
-      if (triple.predicate == node_of(Word::rdf_type) && triple.object == node_of(Word::owl_ontology)) {
+      if (triple.predicate == node_of(syntax::Word::rdf_type) && triple.object == node_of(syntax::Word::owl_ontology)) {
         if (graph.is_iri(triple.subject)) name(graph.file_of(number), graph.text(triple.subject));
-      } else if (triple.predicate == node_of(Word::owl_version_iri)) {
+      } else if (triple.predicate == node_of(syntax::Word::owl_version_iri)) {
         version(object());
-      } else if (triple.predicate == node_of(Word::owl_imports)) {
+      } else if (triple.predicate == node_of(syntax::Word::owl_imports)) {
         import(graph.file_of(number), object(), triple.line);
       }
     }
@@ -91,7 +91,7 @@ class Headers {
 
   /// The imports that no file answers. Each is left out in the source, too.
   [[nodiscard]] std::vector<UnresolvedImport> settle(const std::vector<std::string>& paths,
-                                                     el::OntologySource& source) const {
+                                                     owl::Ontology& source) const {
     std::vector<UnresolvedImport> missing;
     std::set<std::string> own_in_lower_case;
     for (const std::string& own : own_) own_in_lower_case.insert(in_lower_case(own));
@@ -99,7 +99,7 @@ class Headers {
       // SOMA-HOME imports .../SOMA-ALL.owl, whose name is .../SOMA-All.owl: a file system may not care, nor do we.
       if (is_known(import.iri) || own_in_lower_case.contains(in_lower_case(import.iri))) continue;
       missing.push_back({import.iri, paths[import.file], import.line});
-      source.leave_out("owl:imports <" + import.iri + ">", el::FileId{static_cast<std::uint32_t>(import.file)},
+      source.leave_out("owl:imports <" + import.iri + ">", owl::FileId{static_cast<std::uint32_t>(import.file)},
                        import.line);
     }
     return missing;
@@ -128,9 +128,11 @@ class Headers {
 /// Gives every prefix one IRI: the one that most files declare, the smallest among equals, so that neither the order of
 /// files nor that of lines decides. The empty prefix means another thing in every file and counts only where it does
 /// not.
-std::vector<PrefixConflict> settle_prefixes(const std::vector<DeclaredPrefix>& declared, el::OntologySource& source) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> fixed{
-      {{"rdf", rdf_namespace}, {"rdfs", rdfs_namespace}, {"owl", owl_namespace}, {"xsd", xsd_namespace}}};
+std::vector<PrefixConflict> settle_prefixes(const std::vector<DeclaredPrefix>& declared, owl::Ontology& source) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> fixed{{{"rdf", syntax::rdf_namespace},
+                                                                                {"rdfs", syntax::rdfs_namespace},
+                                                                                {"owl", syntax::owl_namespace},
+                                                                                {"xsd", syntax::xsd_namespace}}};
   std::map<std::string, std::map<std::string, std::set<std::uint32_t>>> files_of;
   for (const DeclaredPrefix& prefix : declared) files_of[prefix.prefix][prefix.iri].insert(prefix.file);
   for (const auto& [prefix, iri] : fixed) {
@@ -158,42 +160,42 @@ std::vector<PrefixConflict> settle_prefixes(const std::vector<DeclaredPrefix>& d
 /// One load, file by file.
 class Loading {
  public:
-  Loading(const std::vector<std::string>& paths, const Limits& limits, OtherReader* other, unsigned threads)
+  Loading(const std::vector<std::string>& paths, const syntax::Limits& limits, OtherReader* other, unsigned threads)
       : paths_(paths), limits_(limits), other_(other), redland_(limits, threads), headers_(paths) {}
 
-  std::optional<LoadError> read(std::size_t number) {
+  std::optional<syntax::LoadError> read(std::size_t number) {
     const std::string& path = paths_[number];
-    const el::FileId file = loaded_.source.add_file(path);
-    auto bytes = FileBytes::read(path, limits_);
+    const owl::FileId file = loaded_.source.add_file(path);
+    auto bytes = syntax::FileBytes::read(path, limits_);
     if (!bytes) return std::move(bytes.error());
-    loaded_.source.set_content(file, el::fingerprint_of(bytes->view()));
-    if (is_gzip(bytes->view())) bytes = inflate(path, *bytes, limits_);
+    loaded_.source.set_content(file, owl::fingerprint_of(bytes->view()));
+    if (syntax::is_gzip(bytes->view())) bytes = inflate(path, *bytes, limits_);
     if (!bytes) return std::move(bytes.error());
-    auto syntax = detect_syntax(path, bytes->view());
-    if (!syntax) return LoadError{base::printable(path, 4096), 0, syntax.error()};
+    auto syntax = syntax::detect_syntax(path, bytes->view());
+    if (!syntax) return syntax::LoadError{base::printable(path, 4096), 0, syntax.error()};
     loaded_.syntaxes.push_back(*syntax);
     TurtleLines lines;
     Pieces pieces(limits_.piece_bytes);
     if (auto problem = scan(*syntax, bytes->view(), limits_, lines, pieces))
-      return LoadError{base::printable(path, 4096), problem->line, std::move(problem->text)};
-    if (!has_triples(*syntax)) {
+      return syntax::LoadError{base::printable(path, 4096), problem->line, std::move(problem->text)};
+    if (!syntax::has_triples(*syntax)) {
       graph_.begin_file();  // without triples, so that the graph's files have the source's numbers
       if (auto error = refuse_other(number, *syntax)) return error;
-      if (!is_read_last(*syntax)) return read_other(number, *syntax, bytes->view());
+      if (!syntax::is_read_last(*syntax)) return read_other(number, *syntax, bytes->view());
       other_->look_ahead(*syntax, bytes->view());
       waiting_.push_back({number, std::move(*bytes)});
       return std::nullopt;
     }
-    if (*syntax == Syntax::n_triples && lines.has_quote_in_comment()) syntax = Syntax::turtle;
+    if (*syntax == syntax::Syntax::n_triples && lines.has_quote_in_comment()) syntax = syntax::Syntax::turtle;
     return redland_.read(path, *syntax, *bytes, base_iri(path), lines.take(), pieces, graph_);
   }
 
   /// Takes the catalogue of a folder, where there is one: an import that it gives to one of our files is answered.
-  std::optional<LoadError> read_catalog_in(const std::string& folder) {
+  std::optional<syntax::LoadError> read_catalog_in(const std::string& folder) {
     const std::filesystem::path path = std::filesystem::path(folder) / catalog_name;
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
-    const auto bytes = FileBytes::read(path.string(), limits_);
+    const auto bytes = syntax::FileBytes::read(path.string(), limits_);
     if (!bytes) return bytes.error();
     const auto entries = read_catalog(path.string(), bytes->view(), limits_);
     if (!entries) return entries.error();
@@ -210,14 +212,14 @@ class Loading {
     return std::nullopt;
   }
 
-  std::expected<Loaded, LoadError> finish() {
+  std::expected<Loaded, syntax::LoadError> finish() {
     loaded_.triples = redland_.triple_count();
     headers_.read(graph_);
     graph_.index();
     loaded_.unknown_words = unknown_words(graph_);
     loaded_.undeclared_predicates = undeclared_predicates(graph_);
-    std::vector<el::FileId> files;
-    for (std::uint32_t number = 0; number < paths_.size(); ++number) files.push_back(el::FileId{number});
+    std::vector<owl::FileId> files;
+    for (std::uint32_t number = 0; number < paths_.size(); ++number) files.push_back(owl::FileId{number});
     Mapping(graph_, loaded_.source, std::move(files)).run();
     for (const Waiting& waiting : waiting_) {
       if (auto error = read_other(waiting.number, loaded_.syntaxes[waiting.number], waiting.bytes.view()))
@@ -227,9 +229,9 @@ class Loading {
     prefixes.insert(prefixes.end(), other_prefixes_.begin(), other_prefixes_.end());
     loaded_.conflicts = settle_prefixes(prefixes, loaded_.source);
     for (std::uint32_t number = 0; number < paths_.size(); ++number)
-      loaded_.source.set_ontology_iri(el::FileId{number}, headers_.own(number));
+      loaded_.source.set_ontology_iri(owl::FileId{number}, headers_.own(number));
     loaded_.unresolved = headers_.settle(paths_, loaded_.source);
-    if (const auto& problem = loaded_.source.problem()) return std::unexpected(LoadError{{}, 0, *problem});
+    if (const auto& problem = loaded_.source.problem()) return std::unexpected(syntax::LoadError{{}, 0, *problem});
     return std::move(loaded_);
   }
 
@@ -237,30 +239,30 @@ class Loading {
   /// A file in a syntax whose names mean what all others say that they do.
   struct Waiting {
     std::size_t number;
-    FileBytes bytes;
+    syntax::FileBytes bytes;
   };
 
-  std::optional<LoadError> refuse_other(std::size_t number, Syntax syntax) const {
+  std::optional<syntax::LoadError> refuse_other(std::size_t number, syntax::Syntax syntax) const {
     if (other_ != nullptr) return std::nullopt;
-    return LoadError{
+    return syntax::LoadError{
         base::printable(paths_[number], 4096), 0,
         "is in " + std::string(to_string(syntax)) + ", which is not read here: convert it to RDF/XML or Turtle"};
   }
 
-  std::optional<LoadError> read_other(std::size_t number, Syntax syntax, std::string_view bytes) {
-    const auto document = other_->read(syntax, bytes, el::FileId{static_cast<std::uint32_t>(number)}, loaded_.source,
+  std::optional<syntax::LoadError> read_other(std::size_t number, syntax::Syntax syntax, std::string_view bytes) {
+    const auto document = other_->read(syntax, bytes, owl::FileId{static_cast<std::uint32_t>(number)}, loaded_.source,
                                        loaded_.annotations);
-    if (!document) return LoadError{document.error().file, document.error().line, document.error().text};
+    if (!document) return syntax::LoadError{document.error().file, document.error().line, document.error().text};
     if (!document->ontology_iri.empty()) headers_.name(number, document->ontology_iri);
     if (!document->version_iri.empty()) headers_.version(document->version_iri);
-    for (const el::Import& import : document->imports) headers_.import(number, import.iri, import.line);
+    for (const owl::Import& import : document->imports) headers_.import(number, import.iri, import.line);
     for (const auto& [prefix, iri] : document->prefixes)
       other_prefixes_.push_back({prefix, iri, static_cast<std::uint32_t>(number)});
     return std::nullopt;
   }
 
   const std::vector<std::string>& paths_;
-  const Limits& limits_;
+  const syntax::Limits& limits_;
   OtherReader* other_;
   Redland redland_;
   Graph graph_;
@@ -272,14 +274,14 @@ class Loading {
 
 }  // namespace
 
-std::expected<TextFile, LoadError> read_text(const std::string& path, const Limits& limits) {
+std::expected<TextFile, syntax::LoadError> read_text(const std::string& path, const syntax::Limits& limits) {
   const auto refuse = [&](std::uint32_t line, std::string text) {
-    return std::unexpected(LoadError{base::printable(path, 4096), line, std::move(text)});
+    return std::unexpected(syntax::LoadError{base::printable(path, 4096), line, std::move(text)});
   };
-  auto bytes = FileBytes::read(path, limits);
-  if (bytes && is_gzip(bytes->view())) bytes = inflate(path, *bytes, limits);
+  auto bytes = syntax::FileBytes::read(path, limits);
+  if (bytes && syntax::is_gzip(bytes->view())) bytes = inflate(path, *bytes, limits);
   if (!bytes) return std::unexpected(std::move(bytes.error()));
-  const auto syntax = detect_syntax(path, bytes->view());
+  const auto syntax = syntax::detect_syntax(path, bytes->view());
   if (!syntax) return refuse(0, syntax.error());
   TurtleLines lines;
   Pieces pieces(limits.piece_bytes);
@@ -288,8 +290,8 @@ std::expected<TextFile, LoadError> read_text(const std::string& path, const Limi
   return TextFile{std::move(*bytes), *syntax, base_iri(path)};
 }
 
-std::expected<Loaded, LoadError> load(std::span<const std::string> arguments, const Limits& limits, OtherReader* other,
-                                      unsigned threads) {
+std::expected<Loaded, syntax::LoadError> load(std::span<const std::string> arguments, const syntax::Limits& limits,
+                                              OtherReader* other, unsigned threads) {
   auto listing = list_files(arguments, limits);
   if (!listing) return std::unexpected(std::move(listing.error()));
   Loading loading(listing->files, limits, other, threads);

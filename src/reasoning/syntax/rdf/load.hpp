@@ -41,43 +41,45 @@ class OtherReader {
  public:
   virtual ~OtherReader() = default;
   /// Is shown every such file that is to be read last, before the first of them is: what one declares another may use.
-  virtual void look_ahead(Syntax syntax, std::string_view bytes) = 0;
+  virtual void look_ahead(syntax::Syntax syntax, std::string_view bytes) = 0;
   /// Annotations are put behind those that are there, where it keeps them.
-  [[nodiscard]] virtual std::expected<el::Document, el::ReadError> read(Syntax syntax, std::string_view bytes,
-                                                                        el::FileId file, el::OntologySource& source,
-                                                                        std::vector<el::Annotation>& annotations) = 0;
+  [[nodiscard]] virtual std::expected<owl::Document, owl::ReadError> read(
+      syntax::Syntax syntax, std::string_view bytes, owl::FileId file, owl::Ontology& source,
+      std::vector<owl::Annotation>& annotations) = 0;
 };
 
 /// Everything that was read.
 struct Loaded {
-  el::OntologySource source;
-  std::vector<Syntax> syntaxes;  ///< of the source's files
-  Listing listing;               ///< what the arguments meant
+  owl::Ontology source;
+  std::vector<syntax::Syntax> syntaxes;  ///< of the source's files
+  syntax::Listing listing;               ///< what the arguments meant
   std::uint64_t triples = 0;
   std::vector<UnresolvedImport> unresolved;     ///< in the order of reading, each IRI once; in source's left-outs, too
   std::vector<PrefixConflict> conflicts;        ///< sorted by prefix
-  std::vector<el::Annotation> annotations;      ///< of files without triples, where their reader keeps them
+  std::vector<owl::Annotation> annotations;     ///< of files without triples, where their reader keeps them
   std::vector<UsedName> unknown_words;          ///< of triples, in the order of reading (used_names.hpp)
   std::vector<UsedName> undeclared_predicates;  ///< likewise
 };
 
 /// A file that was unpacked where it needed it, and scanned for what Redland must not see (scan.hpp).
 struct TextFile {
-  FileBytes bytes;
-  Syntax syntax = Syntax::turtle;
+  syntax::FileBytes bytes;
+  syntax::Syntax syntax = syntax::Syntax::turtle;
   std::string base_iri;  ///< what its relative IRIs are relative to
 };
 
 /// For those who need a file's triples as they stand there and not what they mean.
-[[nodiscard]] std::expected<TextFile, LoadError> read_text(const std::string& path, const Limits& limits = {});
+[[nodiscard]] std::expected<TextFile, syntax::LoadError> read_text(const std::string& path,
+                                                                   const syntax::Limits& limits = {});
 
 /// Reads RDF/XML, Turtle and N-Triples files, packed by gzip or not, and every such file in the folders named and below
 /// them (folders.hpp). Opens nothing else, whatever the files say. The first file that is broken, hostile or beyond a
 /// limit refuses everything, with its line. The result does not depend on the order of triples; what is reported first
 /// depends on the order of files. A large file is parsed by as many threads as are given; the result does not depend on
 /// them. Files in the syntaxes of OWL 2 itself go to `other`, and are refused where there is none.
-[[nodiscard]] std::expected<Loaded, LoadError> load(std::span<const std::string> arguments, const Limits& limits = {},
-                                                    OtherReader* other = nullptr, unsigned threads = 1);
+[[nodiscard]] std::expected<Loaded, syntax::LoadError> load(std::span<const std::string> arguments,
+                                                            const syntax::Limits& limits = {},
+                                                            OtherReader* other = nullptr, unsigned threads = 1);
 
 }  // namespace geminga::rdf
 

@@ -26,7 +26,7 @@ namespace geminga::rdf {
 class Mapping {
  public:
   /// `files` are the source's numbers of the graph's files.
-  Mapping(const Graph& graph, el::OntologySource& source, std::vector<el::FileId> files);
+  Mapping(const Graph& graph, owl::Ontology& source, std::vector<owl::FileId> files);
 
   void run();
 
@@ -45,10 +45,10 @@ class Mapping {
   static constexpr std::uint16_t property_kinds = is_object_property | is_data_property | is_annotation_property;
 
   /// The term that a node was mapped to, or the construct that stood in the way.
-  using Mapped = std::expected<el::TermId, const char*>;
+  using Mapped = std::expected<owl::TermId, const char*>;
   struct Memo {
     enum class State : std::uint8_t { unknown, open, mapped, failed } state = State::unknown;
-    el::TermId term{};
+    owl::TermId term{};
     const char* obstacle = nullptr;
   };
 
@@ -64,10 +64,10 @@ class Mapping {
   // mapping_expressions.cpp, mapping_restrictions.cpp, mapping_ranges.cpp
   Mapped class_expression(NodeId node);
   Mapped described_class(NodeId node);
-  Mapped boolean_class(NodeId node, Word constructor, NodeId object);
+  Mapped boolean_class(NodeId node, syntax::Word constructor, NodeId object);
   Mapped restriction(NodeId node);
-  Mapped quantifier(NodeId property, Word constraint, NodeId filler);
-  Mapped cardinality(NodeId property, Word constraint, NodeId number, NodeId on_class, NodeId on_range);
+  Mapped quantifier(NodeId property, syntax::Word constraint, NodeId filler);
+  Mapped cardinality(NodeId property, syntax::Word constraint, NodeId number, NodeId on_class, NodeId on_range);
   Mapped data_range(NodeId node);
   Mapped described_range(NodeId node);
   Mapped facets(NodeId datatype, NodeId restrictions);
@@ -85,13 +85,13 @@ class Mapping {
   void map_triple(std::uint32_t number);
   void map_type(std::uint32_t number);
   /// Declares the subject, once for each kind; nothing where it is blank.
-  void declare(std::uint32_t number, el::TermKind kind);
-  void map_class_axiom(std::uint32_t number, el::AxiomKind kind);
+  void declare(std::uint32_t number, owl::TermKind kind);
+  void map_class_axiom(std::uint32_t number, owl::AxiomKind kind);
   void map_definition(std::uint32_t number);
-  void map_property_axiom(std::uint32_t number, el::AxiomKind of_objects, el::AxiomKind of_data);
+  void map_property_axiom(std::uint32_t number, owl::AxiomKind of_objects, owl::AxiomKind of_data);
   void map_domain(std::uint32_t number);
   void map_range(std::uint32_t number);
-  void map_characteristic(std::uint32_t number, el::AxiomKind kind);
+  void map_characteristic(std::uint32_t number, owl::AxiomKind kind);
   void map_functional(std::uint32_t number);
   void map_chain(std::uint32_t number);
   void map_key(std::uint32_t number);
@@ -102,37 +102,37 @@ class Mapping {
   void map_negative_assertion(std::uint32_t number);
   void map_reified(std::uint32_t number);
   /// Whether a subject has this property with a blank node that describes this class.
-  bool has_described(NodeId subject, NodeId property, el::TermId described);
-  void map_identity(std::uint32_t number, el::AxiomKind kind);
+  bool has_described(NodeId subject, NodeId property, owl::TermId described);
+  void map_identity(std::uint32_t number, owl::AxiomKind kind);
   void map_assertion(std::uint32_t number);
   void map_labels();
   void report_leftovers();
 
   // Looking things up.
-  [[nodiscard]] static Word word(NodeId node);
+  [[nodiscard]] static syntax::Word word(NodeId node);
   [[nodiscard]] bool has_role(NodeId node, std::uint16_t roles) const {
     return (roles_[static_cast<std::size_t>(node)] & roles) != 0;
   }
   void add_role(NodeId node, std::uint16_t roles) { roles_[static_cast<std::size_t>(node)] |= roles; }
   /// The one object of a subject and predicate, marked as used; none where there is none or several.
-  NodeId object_of(NodeId subject, Word predicate);
-  [[nodiscard]] bool has_type(NodeId subject, Word type) const;
+  NodeId object_of(NodeId subject, syntax::Word predicate);
+  [[nodiscard]] bool has_type(NodeId subject, syntax::Word type) const;
   /// The members of an RDF list, its triples marked as used; nothing where it is not well-formed.
   std::optional<std::vector<NodeId>> list(NodeId head);
   /// Maps every member of a list by one of the functions above.
-  std::expected<std::vector<el::TermId>, const char*> terms(NodeId head, Mapped (Mapping::*map)(NodeId));
+  std::expected<std::vector<owl::TermId>, const char*> terms(NodeId head, Mapped (Mapping::*map)(NodeId));
   /// Two or more members are an axiom; the list is that of the one object of subject and predicate.
-  void add_list_axiom(std::uint32_t number, el::AxiomKind kind, NodeId head, Mapped (Mapping::*map)(NodeId));
+  void add_list_axiom(std::uint32_t number, owl::AxiomKind kind, NodeId head, Mapped (Mapping::*map)(NodeId));
   [[nodiscard]] bool use(std::uint32_t triple);
 
-  void add(std::uint32_t triple, el::AxiomKind kind, std::initializer_list<Mapped> arguments);
-  void add(std::uint32_t triple, el::AxiomKind kind, const std::vector<el::TermId>& arguments);
+  void add(std::uint32_t triple, owl::AxiomKind kind, std::initializer_list<Mapped> arguments);
+  void add(std::uint32_t triple, owl::AxiomKind kind, const std::vector<owl::TermId>& arguments);
   void leave_out(std::uint32_t triple, std::string_view construct);
-  [[nodiscard]] el::FileId file_of(std::uint32_t triple) const;
+  [[nodiscard]] owl::FileId file_of(std::uint32_t triple) const;
 
   const Graph& graph_;
-  el::OntologySource& source_;
-  std::vector<el::FileId> files_;
+  owl::Ontology& source_;
+  std::vector<owl::FileId> files_;
   std::vector<std::uint16_t> roles_;
   std::vector<bool> used_;                         ///< triples
   std::vector<bool> declared_;                     ///< by node and kind of entity

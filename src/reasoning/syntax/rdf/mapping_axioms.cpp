@@ -3,59 +3,59 @@
 
 namespace geminga::rdf {
 
-using Kind = el::AxiomKind;
+using Kind = owl::AxiomKind;
 
 void Mapping::map_triple(std::uint32_t number) {
   const Triple& triple = graph_.triple(number);
-  if (has_role(triple.subject, is_header | is_reified) && word(triple.predicate) != Word::rdf_type) {
+  if (has_role(triple.subject, is_header | is_reified) && word(triple.predicate) != syntax::Word::rdf_type) {
     used_[number] = true;  // annotations; imports are the loader's business
     return;
   }
   switch (word(triple.predicate)) {
-    case Word::rdf_type:
+    case syntax::Word::rdf_type:
       return map_type(number);
-    case Word::rdfs_sub_class_of:
+    case syntax::Word::rdfs_sub_class_of:
       return map_class_axiom(number, Kind::sub_class_of);
-    case Word::owl_equivalent_class:
-    case Word::owl_intersection_of:
-    case Word::owl_union_of:
-    case Word::owl_complement_of:
-    case Word::owl_one_of:
-    case Word::owl_on_property:
+    case syntax::Word::owl_equivalent_class:
+    case syntax::Word::owl_intersection_of:
+    case syntax::Word::owl_union_of:
+    case syntax::Word::owl_complement_of:
+    case syntax::Word::owl_one_of:
+    case syntax::Word::owl_on_property:
       return map_definition(number);
-    case Word::owl_disjoint_with:
+    case syntax::Word::owl_disjoint_with:
       return map_class_axiom(number, Kind::disjoint_classes);
-    case Word::owl_disjoint_union_of:
+    case syntax::Word::owl_disjoint_union_of:
       return map_disjoint_union(number);
-    case Word::rdfs_sub_property_of:
+    case syntax::Word::rdfs_sub_property_of:
       return map_property_axiom(number, Kind::sub_object_property_of, Kind::sub_data_property_of);
-    case Word::owl_equivalent_property:
+    case syntax::Word::owl_equivalent_property:
       return map_property_axiom(number, Kind::equivalent_object_properties, Kind::equivalent_data_properties);
-    case Word::owl_property_disjoint_with:
+    case syntax::Word::owl_property_disjoint_with:
       return map_property_axiom(number, Kind::disjoint_object_properties, Kind::disjoint_data_properties);
-    case Word::owl_inverse_of:
+    case syntax::Word::owl_inverse_of:
       if (graph_.is_blank(triple.subject)) return;  // an expression
       used_[number] = true;
       return add(number, Kind::inverse_object_properties,
                  {object_property(triple.subject), object_property(triple.object)});
-    case Word::owl_property_chain_axiom:
+    case syntax::Word::owl_property_chain_axiom:
       return map_chain(number);
-    case Word::rdfs_domain:
+    case syntax::Word::rdfs_domain:
       return map_domain(number);
-    case Word::rdfs_range:
+    case syntax::Word::rdfs_range:
       return map_range(number);
-    case Word::owl_has_key:
+    case syntax::Word::owl_has_key:
       return map_key(number);
-    case Word::owl_same_as:
+    case syntax::Word::owl_same_as:
       return map_identity(number, Kind::same_individual);
-    case Word::owl_different_from:
+    case syntax::Word::owl_different_from:
       return map_identity(number, Kind::different_individuals);
     default:
       return map_assertion(number);
   }
 }
 
-void Mapping::map_class_axiom(std::uint32_t number, el::AxiomKind kind) {
+void Mapping::map_class_axiom(std::uint32_t number, owl::AxiomKind kind) {
   used_[number] = true;
   const Triple& triple = graph_.triple(number);
   add(number, kind, {class_expression(triple.subject), class_expression(triple.object)});
@@ -63,8 +63,8 @@ void Mapping::map_class_axiom(std::uint32_t number, el::AxiomKind kind) {
 
 void Mapping::map_definition(std::uint32_t number) {
   const Triple& triple = graph_.triple(number);
-  const Word predicate = word(triple.predicate);
-  const bool is_equivalence = predicate == Word::owl_equivalent_class;
+  const syntax::Word predicate = word(triple.predicate);
+  const bool is_equivalence = predicate == syntax::Word::owl_equivalent_class;
   if (graph_.is_blank(triple.subject) && !is_equivalence) return;  // an expression, mapped where it is used
   used_[number] = true;
   const bool is_of_ranges =
@@ -76,11 +76,11 @@ void Mapping::map_definition(std::uint32_t number) {
   }
   if (is_equivalence)
     return add(number, Kind::equivalent_classes, {class_expression(triple.subject), class_expression(triple.object)});
-  if (predicate == Word::owl_on_property &&
+  if (predicate == syntax::Word::owl_on_property &&
       !named_restrictions_.insert(static_cast<std::uint32_t>(triple.subject)).second)
     return leave_out(number, "an owl:Restriction with several constraints");
   // OWL 1 described a named class without owl:equivalentClass (mapping, table 18).
-  const Mapped description = predicate == Word::owl_on_property
+  const Mapped description = predicate == syntax::Word::owl_on_property
                                  ? restriction(triple.subject)
                                  : boolean_class(triple.subject, predicate, triple.object);
   add(number, Kind::equivalent_classes, {class_expression(triple.subject), description});
@@ -97,7 +97,7 @@ void Mapping::map_disjoint_union(std::uint32_t number) {
   add(number, Kind::disjoint_union, *parts);
 }
 
-void Mapping::map_property_axiom(std::uint32_t number, el::AxiomKind of_objects, el::AxiomKind of_data) {
+void Mapping::map_property_axiom(std::uint32_t number, owl::AxiomKind of_objects, owl::AxiomKind of_data) {
   used_[number] = true;
   const Triple& triple = graph_.triple(number);
   bool is_mapped = false;
@@ -112,7 +112,7 @@ void Mapping::map_property_axiom(std::uint32_t number, el::AxiomKind of_objects,
   // About annotation properties nothing is said that a reasoner could use.
   if (is_mapped || has_role(triple.subject, is_annotation_property) || has_role(triple.object, is_annotation_property))
     return;
-  leave_out(number, short_word(graph_.text(triple.predicate)) + " between properties of different kinds");
+  leave_out(number, syntax::short_word(graph_.text(triple.predicate)) + " between properties of different kinds");
 }
 
 void Mapping::map_domain(std::uint32_t number) {
@@ -136,7 +136,7 @@ void Mapping::map_range(std::uint32_t number) {
     add(number, Kind::object_property_range, {object_property(triple.subject), class_expression(triple.object)});
 }
 
-void Mapping::map_characteristic(std::uint32_t number, el::AxiomKind kind) {
+void Mapping::map_characteristic(std::uint32_t number, owl::AxiomKind kind) {
   add(number, kind, {object_property(graph_.triple(number).subject)});
 }
 
@@ -154,7 +154,7 @@ void Mapping::map_chain(std::uint32_t number) {
   const Mapped super = object_property(triple.subject);
   if (links->empty()) return leave_out(number, "an empty owl:propertyChainAxiom");
   if (links->size() == 1) return add(number, Kind::sub_object_property_of, {links->front(), super});
-  add(number, Kind::sub_object_property_of, {source_.term(el::TermKind::object_property_chain, *links), super});
+  add(number, Kind::sub_object_property_of, {source_.term(owl::TermKind::object_property_chain, *links), super});
 }
 
 void Mapping::map_key(std::uint32_t number) {
@@ -164,8 +164,8 @@ void Mapping::map_key(std::uint32_t number) {
   if (!keyed) return leave_out(number, keyed.error());
   const auto members = list(triple.object);
   if (!members) return leave_out(number, "a broken rdf:List");
-  std::vector<el::TermId> arguments{*keyed};
-  std::vector<el::TermId> data;
+  std::vector<owl::TermId> arguments{*keyed};
+  std::vector<owl::TermId> data;
   for (const NodeId member : *members) {
     const Mapped property = is_data(member) ? data_property(member) : object_property(member);
     if (!property) return leave_out(number, property.error());
@@ -175,7 +175,7 @@ void Mapping::map_key(std::uint32_t number) {
   add(number, Kind::has_key, arguments);
 }
 
-void Mapping::map_identity(std::uint32_t number, el::AxiomKind kind) {
+void Mapping::map_identity(std::uint32_t number, owl::AxiomKind kind) {
   used_[number] = true;
   const Triple& triple = graph_.triple(number);
   add(number, kind, {individual(triple.subject), individual(triple.object)});
@@ -183,8 +183,8 @@ void Mapping::map_identity(std::uint32_t number, el::AxiomKind kind) {
 
 void Mapping::map_assertion(std::uint32_t number) {
   const Triple& triple = graph_.triple(number);
-  if (!has_role(triple.predicate, property_kinds) &&
-      (word(triple.predicate) != Word::none || graph_.text(triple.predicate).starts_with(owl_namespace)))
+  if (!has_role(triple.predicate, property_kinds) && (word(triple.predicate) != syntax::Word::none ||
+                                                      graph_.text(triple.predicate).starts_with(syntax::owl_namespace)))
     return;  // vocabulary
   const bool is_value = graph_.is_literal(triple.object);
   if (has_role(triple.predicate, is_object_property) && !is_value) {

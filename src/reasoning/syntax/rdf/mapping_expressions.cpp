@@ -42,20 +42,20 @@ Mapping::Mapped Mapping::described_class(NodeId node) {
       return std::unexpected("a datatype in place of a class");
     return source_.named_class(graph_.text(node));
   }
-  Word constructor = Word::none;
+  syntax::Word constructor = syntax::Word::none;
   NodeId object{};
   for (const std::uint32_t number : graph_.about(node)) {
     const Triple& triple = graph_.triple(number);
-    switch (const Word predicate = word(triple.predicate)) {
-      case Word::owl_on_property:
+    switch (const syntax::Word predicate = word(triple.predicate)) {
+      case syntax::Word::owl_on_property:
         if (constructor == predicate) break;
         [[fallthrough]];
-      case Word::owl_on_properties:
-      case Word::owl_intersection_of:
-      case Word::owl_union_of:
-      case Word::owl_complement_of:
-      case Word::owl_one_of:
-        if (constructor != Word::none) return std::unexpected("a blank class with several descriptions");
+      case syntax::Word::owl_on_properties:
+      case syntax::Word::owl_intersection_of:
+      case syntax::Word::owl_union_of:
+      case syntax::Word::owl_complement_of:
+      case syntax::Word::owl_one_of:
+        if (constructor != syntax::Word::none) return std::unexpected("a blank class with several descriptions");
         constructor = predicate;
         object = triple.object;
         used_[number] = true;
@@ -64,28 +64,28 @@ Mapping::Mapped Mapping::described_class(NodeId node) {
         break;
     }
   }
-  if (constructor == Word::none) return std::unexpected("a blank class without a description");
-  if (constructor == Word::owl_on_properties) return std::unexpected("owl:onProperties");
-  if (constructor == Word::owl_on_property) return restriction(node);
+  if (constructor == syntax::Word::none) return std::unexpected("a blank class without a description");
+  if (constructor == syntax::Word::owl_on_properties) return std::unexpected("owl:onProperties");
+  if (constructor == syntax::Word::owl_on_property) return restriction(node);
   return boolean_class(node, constructor, object);
 }
 
-Mapping::Mapped Mapping::boolean_class(NodeId, Word constructor, NodeId object) {
-  if (constructor == Word::owl_complement_of) {
+Mapping::Mapped Mapping::boolean_class(NodeId, syntax::Word constructor, NodeId object) {
+  if (constructor == syntax::Word::owl_complement_of) {
     const Mapped complement = class_expression(object);
     if (!complement) return complement;
-    return source_.term(el::TermKind::object_complement_of, {*complement});
+    return source_.term(owl::TermKind::object_complement_of, {*complement});
   }
-  const bool is_enumeration = constructor == Word::owl_one_of;
+  const bool is_enumeration = constructor == syntax::Word::owl_one_of;
   const auto members = terms(object, is_enumeration ? &Mapping::individual : &Mapping::class_expression);
   if (!members) return std::unexpected(members.error());
-  if (constructor == Word::owl_intersection_of) {
-    if (members->empty()) return source_.named_class(el::owl_thing);
-    return members->size() == 1 ? members->front() : source_.term(el::TermKind::object_intersection_of, *members);
+  if (constructor == syntax::Word::owl_intersection_of) {
+    if (members->empty()) return source_.named_class(owl::owl_thing);
+    return members->size() == 1 ? members->front() : source_.term(owl::TermKind::object_intersection_of, *members);
   }
-  if (members->empty()) return source_.named_class(el::owl_nothing);
-  if (is_enumeration) return source_.term(el::TermKind::object_one_of, *members);
-  return members->size() == 1 ? members->front() : source_.term(el::TermKind::object_union_of, *members);
+  if (members->empty()) return source_.named_class(owl::owl_nothing);
+  if (is_enumeration) return source_.term(owl::TermKind::object_one_of, *members);
+  return members->size() == 1 ? members->front() : source_.term(owl::TermKind::object_union_of, *members);
 }
 
 Mapping::Mapped Mapping::object_property(NodeId node) {
@@ -93,13 +93,14 @@ Mapping::Mapped Mapping::object_property(NodeId node) {
     return std::unexpected("a data property in place of an object property");
   if (graph_.is_iri(node)) return source_.object_property(graph_.text(node));
   if (graph_.is_literal(node)) return std::unexpected("a literal in place of a property");
-  const NodeId inverse = object_of(node, Word::owl_inverse_of);
+  const NodeId inverse = object_of(node, syntax::Word::owl_inverse_of);
   if (inverse == NodeId{} || !graph_.is_iri(inverse)) {
-    if (!graph_.about(node, Word::owl_union_of).empty()) return std::unexpected("a union of properties");
-    if (!graph_.about(node, Word::owl_intersection_of).empty()) return std::unexpected("an intersection of properties");
+    if (!graph_.about(node, syntax::Word::owl_union_of).empty()) return std::unexpected("a union of properties");
+    if (!graph_.about(node, syntax::Word::owl_intersection_of).empty())
+      return std::unexpected("an intersection of properties");
     return std::unexpected("a blank property without owl:inverseOf");
   }
-  return source_.term(el::TermKind::object_inverse_of, {source_.object_property(graph_.text(inverse))});
+  return source_.term(owl::TermKind::object_inverse_of, {source_.object_property(graph_.text(inverse))});
 }
 
 Mapping::Mapped Mapping::data_property(NodeId node) {
@@ -125,7 +126,7 @@ Mapping::Mapped Mapping::literal(NodeId id) {
   const std::string_view datatype = node.datatype == NodeId{} ? std::string_view() : graph_.text(node.datatype);
   const std::string_view language = node.language == NodeId{} ? std::string_view() : graph_.text(node.language);
   // "text@en"^^rdf:PlainLiteral is "text"@en, and "text@"^^rdf:PlainLiteral is "text" (OWL 2, section 5.7).
-  if (word(node.datatype) == Word::rdf_plain_literal) {
+  if (word(node.datatype) == syntax::Word::rdf_plain_literal) {
     const std::size_t at = node.text.rfind('@');
     if (at == std::string_view::npos) return source_.literal(node.text, {});
     std::string tag(node.text.substr(at + 1));

@@ -6,20 +6,21 @@
 
 namespace geminga::rdf {
 
-using Kind = el::AxiomKind;
+using Kind = owl::AxiomKind;
 
 namespace {
 
 /// Whether the triples of this predicate have a class as their object.
-bool is_class_valued(Word predicate) {
-  return predicate == Word::rdfs_sub_class_of || predicate == Word::owl_equivalent_class ||
-         predicate == Word::owl_disjoint_with || predicate == Word::rdfs_domain || predicate == Word::rdfs_range;
+bool is_class_valued(syntax::Word predicate) {
+  return predicate == syntax::Word::rdfs_sub_class_of || predicate == syntax::Word::owl_equivalent_class ||
+         predicate == syntax::Word::owl_disjoint_with || predicate == syntax::Word::rdfs_domain ||
+         predicate == syntax::Word::rdfs_range;
 }
 
 /// In OWL 1 these were classes of object properties (mapping, table 6).
-bool declares_object_property(Word type) {
-  return type == Word::owl_inverse_functional_property || type == Word::owl_symmetric_property ||
-         type == Word::owl_transitive_property;
+bool declares_object_property(syntax::Word type) {
+  return type == syntax::Word::owl_inverse_functional_property || type == syntax::Word::owl_symmetric_property ||
+         type == syntax::Word::owl_transitive_property;
 }
 
 }  // namespace
@@ -28,85 +29,85 @@ void Mapping::map_type(std::uint32_t number) {
   const Triple& triple = graph_.triple(number);
   const NodeId node = triple.subject;
   used_[number] = true;
-  if (declares_object_property(word(triple.object)) && !has_type(node, Word::owl_datatype_property) &&
-      !graph_.text(node).starts_with(owl_namespace))
-    declare(number, el::TermKind::object_property);
+  if (declares_object_property(word(triple.object)) && !has_type(node, syntax::Word::owl_datatype_property) &&
+      !graph_.text(node).starts_with(syntax::owl_namespace))
+    declare(number, owl::TermKind::object_property);
   switch (word(triple.object)) {
-    case Word::owl_class:
-    case Word::rdfs_class:
-    case Word::owl_deprecated_class:
-      if (has_role(node, is_datatype) && word(triple.object) == Word::rdfs_class) return;
-      return declare(number, el::TermKind::named_class);
-    case Word::rdfs_datatype:
-    case Word::owl_data_range:
-      return declare(number, el::TermKind::datatype);
-    case Word::owl_object_property:
-      return declare(number, el::TermKind::object_property);
-    case Word::owl_datatype_property:
-      return declare(number, el::TermKind::data_property);
-    case Word::owl_annotation_property:
-    case Word::owl_ontology_property:
-      return declare(number, el::TermKind::annotation_property);
-    case Word::rdf_property:
-    case Word::owl_deprecated_property:
+    case syntax::Word::owl_class:
+    case syntax::Word::rdfs_class:
+    case syntax::Word::owl_deprecated_class:
+      if (has_role(node, is_datatype) && word(triple.object) == syntax::Word::rdfs_class) return;
+      return declare(number, owl::TermKind::named_class);
+    case syntax::Word::rdfs_datatype:
+    case syntax::Word::owl_data_range:
+      return declare(number, owl::TermKind::datatype);
+    case syntax::Word::owl_object_property:
+      return declare(number, owl::TermKind::object_property);
+    case syntax::Word::owl_datatype_property:
+      return declare(number, owl::TermKind::data_property);
+    case syntax::Word::owl_annotation_property:
+    case syntax::Word::owl_ontology_property:
+      return declare(number, owl::TermKind::annotation_property);
+    case syntax::Word::rdf_property:
+    case syntax::Word::owl_deprecated_property:
       return;
-    case Word::owl_named_individual:
-      return declare(number, el::TermKind::individual);
-    case Word::owl_functional_property:
+    case syntax::Word::owl_named_individual:
+      return declare(number, owl::TermKind::individual);
+    case syntax::Word::owl_functional_property:
       return map_functional(number);
-    case Word::owl_inverse_functional_property:
+    case syntax::Word::owl_inverse_functional_property:
       return map_characteristic(number, Kind::inverse_functional_object_property);
-    case Word::owl_reflexive_property:
+    case syntax::Word::owl_reflexive_property:
       return map_characteristic(number, Kind::reflexive_object_property);
-    case Word::owl_irreflexive_property:
+    case syntax::Word::owl_irreflexive_property:
       return map_characteristic(number, Kind::irreflexive_object_property);
-    case Word::owl_symmetric_property:
+    case syntax::Word::owl_symmetric_property:
       return map_characteristic(number, Kind::symmetric_object_property);
-    case Word::owl_asymmetric_property:
+    case syntax::Word::owl_asymmetric_property:
       return map_characteristic(number, Kind::asymmetric_object_property);
-    case Word::owl_transitive_property:
+    case syntax::Word::owl_transitive_property:
       return map_characteristic(number, Kind::transitive_object_property);
-    case Word::owl_all_disjoint_classes:
-      return add_list_axiom(number, Kind::disjoint_classes, object_of(node, Word::owl_members),
+    case syntax::Word::owl_all_disjoint_classes:
+      return add_list_axiom(number, Kind::disjoint_classes, object_of(node, syntax::Word::owl_members),
                             &Mapping::class_expression);
-    case Word::owl_all_disjoint_properties:
+    case syntax::Word::owl_all_disjoint_properties:
       return map_all_disjoint_properties(number);
-    case Word::owl_all_different:
+    case syntax::Word::owl_all_different:
       return map_all_different(number);
-    case Word::owl_negative_property_assertion:
+    case syntax::Word::owl_negative_property_assertion:
       return map_negative_assertion(number);
-    case Word::owl_axiom:
+    case syntax::Word::owl_axiom:
       return map_reified(number);
-    case Word::owl_annotation:
-    case Word::owl_ontology:
-    case Word::rdf_list:
-    case Word::rdfs_resource:
+    case syntax::Word::owl_annotation:
+    case syntax::Word::owl_ontology:
+    case syntax::Word::rdf_list:
+    case syntax::Word::rdfs_resource:
       return;
-    case Word::owl_restriction:
+    case syntax::Word::owl_restriction:
       return;  // an expression, mapped where it is used or where its owl:onProperty stands
-    case Word::rdfs_literal:
-    case Word::rdf_plain_literal:
-    case Word::rdf_xml_literal:
-    case Word::rdf_lang_string:
-      return leave_out(number, "rdf:type " + short_word(graph_.text(triple.object)));
+    case syntax::Word::rdfs_literal:
+    case syntax::Word::rdf_plain_literal:
+    case syntax::Word::rdf_xml_literal:
+    case syntax::Word::rdf_lang_string:
+      return leave_out(number, "rdf:type " + syntax::short_word(graph_.text(triple.object)));
     default:
       break;
   }
-  if (graph_.is_iri(triple.object) && word(triple.object) != Word::owl_thing &&
-      word(triple.object) != Word::owl_nothing) {
+  if (graph_.is_iri(triple.object) && word(triple.object) != syntax::Word::owl_thing &&
+      word(triple.object) != syntax::Word::owl_nothing) {
     const std::string_view type = graph_.text(triple.object);
-    if (type.starts_with(owl_namespace)) return leave_out(number, "rdf:type " + short_word(type));
-    if (type.starts_with(swrl_namespace)) {
-      if (type.substr(swrl_namespace.size()) == "Imp") leave_out(number, "swrl:Imp");
+    if (type.starts_with(syntax::owl_namespace)) return leave_out(number, "rdf:type " + syntax::short_word(type));
+    if (type.starts_with(syntax::swrl_namespace)) {
+      if (type.substr(syntax::swrl_namespace.size()) == "Imp") leave_out(number, "swrl:Imp");
       return;
     }
-    if (type.starts_with(rdf_namespace)) return;  // rdf:Bag and the like say nothing here
+    if (type.starts_with(syntax::rdf_namespace)) return;  // rdf:Bag and the like say nothing here
   }
   add(number, Kind::class_assertion, {class_expression(triple.object), individual(node)});
 }
 
 void Mapping::map_all_disjoint_properties(std::uint32_t number) {
-  const NodeId head = object_of(graph_.triple(number).subject, Word::owl_members);
+  const NodeId head = object_of(graph_.triple(number).subject, syntax::Word::owl_members);
   const auto members = list(head);
   if (!members) return leave_out(number, "a broken rdf:List");
   const bool is_of_data = !members->empty() && is_data(members->front());
@@ -116,17 +117,17 @@ void Mapping::map_all_disjoint_properties(std::uint32_t number) {
 
 void Mapping::map_all_different(std::uint32_t number) {
   const NodeId node = graph_.triple(number).subject;
-  const NodeId members = object_of(node, Word::owl_members);
-  const NodeId distinct = object_of(node, Word::owl_distinct_members);
+  const NodeId members = object_of(node, syntax::Word::owl_members);
+  const NodeId distinct = object_of(node, syntax::Word::owl_distinct_members);
   add_list_axiom(number, Kind::different_individuals, members != NodeId{} ? members : distinct, &Mapping::individual);
 }
 
 void Mapping::map_negative_assertion(std::uint32_t number) {
   const NodeId node = graph_.triple(number).subject;
-  const NodeId source = object_of(node, Word::owl_source_individual);
-  const NodeId property = object_of(node, Word::owl_assertion_property);
-  const NodeId target = object_of(node, Word::owl_target_individual);
-  const NodeId value = object_of(node, Word::owl_target_value);
+  const NodeId source = object_of(node, syntax::Word::owl_source_individual);
+  const NodeId property = object_of(node, syntax::Word::owl_assertion_property);
+  const NodeId target = object_of(node, syntax::Word::owl_target_individual);
+  const NodeId value = object_of(node, syntax::Word::owl_target_value);
   if (source == NodeId{} || property == NodeId{} || (target == NodeId{}) == (value == NodeId{}))
     return leave_out(number, "a broken owl:NegativePropertyAssertion");
   if (value != NodeId{})
@@ -140,12 +141,12 @@ void Mapping::map_reified(std::uint32_t number) {
   // The annotated axiom's own triple must be there, too (mapping, section 3.2.5); then it has been mapped as such. An
   // annotation's triple may be missing: some are not kept (redland.cpp).
   const NodeId node = graph_.triple(number).subject;
-  const NodeId source = object_of(node, Word::owl_annotated_source);
-  const NodeId property = object_of(node, Word::owl_annotated_property);
-  const NodeId target = object_of(node, Word::owl_annotated_target);
+  const NodeId source = object_of(node, syntax::Word::owl_annotated_source);
+  const NodeId property = object_of(node, syntax::Word::owl_annotated_property);
+  const NodeId target = object_of(node, syntax::Word::owl_annotated_target);
   if (source == NodeId{} || property == NodeId{} || target == NodeId{}) return leave_out(number, "a broken owl:Axiom");
   if (has_role(property, is_annotation_property) ||
-      (word(property) == Word::none && !has_role(property, property_kinds)))
+      (word(property) == syntax::Word::none && !has_role(property, property_kinds)))
     return;
   // Writers repeat a blank node's description instead of its name. Lists and the like are taken on trust.
   if (graph_.is_blank(source) || (graph_.is_blank(target) && !is_class_valued(word(property)))) return;
@@ -158,8 +159,8 @@ void Mapping::map_reified(std::uint32_t number) {
   leave_out(number, "an owl:Axiom whose own triple is missing");
 }
 
-bool Mapping::has_described(NodeId subject, NodeId property, el::TermId described) {
-  const auto key_of = [](NodeId predicate, el::TermId term) {
+bool Mapping::has_described(NodeId subject, NodeId property, owl::TermId described) {
+  const auto key_of = [](NodeId predicate, owl::TermId term) {
     return std::uint64_t{static_cast<std::uint32_t>(predicate)} << 32U | static_cast<std::uint32_t>(term);
   };
   const auto [place, is_new] = repeated_by_.try_emplace(static_cast<std::uint32_t>(subject));
@@ -181,8 +182,8 @@ void Mapping::map_labels() {
     if (!has_role(named, is_class) && classes_[node].state != Memo::State::mapped) continue;
     for (const std::uint32_t number : graph_.about(named)) {
       const Triple& triple = graph_.triple(number);
-      const Word predicate = word(triple.predicate);
-      if (predicate != Word::rdfs_label && predicate != Word::skos_pref_label) continue;
+      const syntax::Word predicate = word(triple.predicate);
+      if (predicate != syntax::Word::rdfs_label && predicate != syntax::Word::skos_pref_label) continue;
       const Node label = graph_.node(triple.object);
       if (label.kind != NodeKind::literal) continue;
       source_.add_label(graph_.text(named), label.text,
@@ -197,20 +198,20 @@ void Mapping::report_leftovers() {
     const Triple& triple = graph_.triple(number);
     const std::string_view predicate = graph_.text(triple.predicate);
     // A class expression in no axiom says nothing, but it must be one.
-    if (graph_.is_blank(triple.subject) && predicate.starts_with(owl_namespace)) {
+    if (graph_.is_blank(triple.subject) && predicate.starts_with(syntax::owl_namespace)) {
       const bool was_tried = classes_[static_cast<std::size_t>(triple.subject)].state != Memo::State::unknown ||
                              ranges_.contains(static_cast<std::uint32_t>(triple.subject));
       if (was_tried) continue;  // and counted where it was used
-      const Mapped mapped = is_range(triple.subject)                         ? data_range(triple.subject)
-                            : word(triple.predicate) == Word::owl_inverse_of ? object_property(triple.subject)
-                                                                             : class_expression(triple.subject);
+      const Mapped mapped = is_range(triple.subject)                                 ? data_range(triple.subject)
+                            : word(triple.predicate) == syntax::Word::owl_inverse_of ? object_property(triple.subject)
+                                                                                     : class_expression(triple.subject);
       if (!mapped) leave_out(number, mapped.error());
       for (const std::uint32_t other : graph_.about(triple.subject)) used_[other] = true;
       continue;
     }
-    if (predicate.starts_with(owl_namespace) || word(triple.predicate) == Word::rdfs_domain ||
-        word(triple.predicate) == Word::rdfs_range)
-      leave_out(number, short_word(predicate));
+    if (predicate.starts_with(syntax::owl_namespace) || word(triple.predicate) == syntax::Word::rdfs_domain ||
+        word(triple.predicate) == syntax::Word::rdfs_range)
+      leave_out(number, syntax::short_word(predicate));
   }
 }
 

@@ -17,19 +17,19 @@ bool Mapping::is_range(NodeId node, int depth) const {
 }
 
 bool Mapping::is_described_range(NodeId node, int depth) const {
-  const auto has = [&](Word predicate) { return !graph_.about(node, predicate).empty(); };
-  if (has(Word::owl_on_datatype) || has(Word::owl_datatype_complement_of)) return true;
-  if (has(Word::owl_on_property) || has(Word::owl_complement_of)) return false;
-  const auto first_of = [&](Word constructor) {
+  const auto has = [&](syntax::Word predicate) { return !graph_.about(node, predicate).empty(); };
+  if (has(syntax::Word::owl_on_datatype) || has(syntax::Word::owl_datatype_complement_of)) return true;
+  if (has(syntax::Word::owl_on_property) || has(syntax::Word::owl_complement_of)) return false;
+  const auto first_of = [&](syntax::Word constructor) {
     for (const std::uint32_t number : graph_.about(node, constructor)) {
-      for (const std::uint32_t part : graph_.about(graph_.triple(number).object, Word::rdf_first))
+      for (const std::uint32_t part : graph_.about(graph_.triple(number).object, syntax::Word::rdf_first))
         return graph_.triple(part).object;
     }
     return NodeId{};
   };
-  if (const NodeId first = first_of(Word::owl_one_of); first != NodeId{}) return graph_.is_literal(first);
+  if (const NodeId first = first_of(syntax::Word::owl_one_of); first != NodeId{}) return graph_.is_literal(first);
   if (has_role(node, is_class)) return false;
-  for (const Word constructor : {Word::owl_intersection_of, Word::owl_union_of}) {
+  for (const syntax::Word constructor : {syntax::Word::owl_intersection_of, syntax::Word::owl_union_of}) {
     if (const NodeId first = first_of(constructor); first != NodeId{}) return is_range(first, depth + 1);
   }
   return false;
@@ -58,26 +58,26 @@ Mapping::Mapped Mapping::data_range(NodeId node) {
 }
 
 Mapping::Mapped Mapping::described_range(NodeId node) {
-  using Kind = el::TermKind;
+  using Kind = owl::TermKind;
   if (graph_.is_literal(node)) return std::unexpected("a literal in place of a datatype");
-  Word constructor = Word::none;
+  syntax::Word constructor = syntax::Word::none;
   NodeId object{};
   NodeId restrictions{};
   for (const std::uint32_t number : graph_.about(node)) {
     const Triple& triple = graph_.triple(number);
-    switch (const Word predicate = word(triple.predicate)) {
-      case Word::owl_intersection_of:
-      case Word::owl_union_of:
-      case Word::owl_complement_of:  // OWL 1 wrote it so
-      case Word::owl_datatype_complement_of:
-      case Word::owl_one_of:
-      case Word::owl_on_datatype:
-        if (constructor != Word::none) return std::unexpected("a blank data range with several descriptions");
+    switch (const syntax::Word predicate = word(triple.predicate)) {
+      case syntax::Word::owl_intersection_of:
+      case syntax::Word::owl_union_of:
+      case syntax::Word::owl_complement_of:  // OWL 1 wrote it so
+      case syntax::Word::owl_datatype_complement_of:
+      case syntax::Word::owl_one_of:
+      case syntax::Word::owl_on_datatype:
+        if (constructor != syntax::Word::none) return std::unexpected("a blank data range with several descriptions");
         constructor = predicate;
         object = triple.object;
         used_[number] = true;
         break;
-      case Word::owl_with_restrictions:
+      case syntax::Word::owl_with_restrictions:
         restrictions = triple.object;
         used_[number] = true;
         break;
@@ -86,29 +86,29 @@ Mapping::Mapped Mapping::described_range(NodeId node) {
     }
   }
   switch (constructor) {
-    case Word::owl_on_datatype:
+    case syntax::Word::owl_on_datatype:
       return facets(object, restrictions);
-    case Word::owl_complement_of:
-    case Word::owl_datatype_complement_of: {
+    case syntax::Word::owl_complement_of:
+    case syntax::Word::owl_datatype_complement_of: {
       const Mapped complement = data_range(object);
       if (!complement) return complement;
       return source_.term(Kind::data_complement_of, {*complement});
     }
-    case Word::owl_one_of: {
+    case syntax::Word::owl_one_of: {
       const auto members = terms(object, &Mapping::literal);
       if (!members) return std::unexpected(members.error());
       if (members->empty())
-        return source_.term(Kind::data_complement_of, {source_.datatype(iri_of(Word::rdfs_literal))});
+        return source_.term(Kind::data_complement_of, {source_.datatype(iri_of(syntax::Word::rdfs_literal))});
       return source_.term(Kind::data_one_of, *members);
     }
-    case Word::owl_intersection_of:
-    case Word::owl_union_of: {
+    case syntax::Word::owl_intersection_of:
+    case syntax::Word::owl_union_of: {
       const auto members = terms(object, &Mapping::data_range);
       if (!members) return std::unexpected(members.error());
-      const bool is_union = constructor == Word::owl_union_of;
+      const bool is_union = constructor == syntax::Word::owl_union_of;
       if (members->size() == 1) return members->front();
       if (!members->empty()) return source_.term(is_union ? Kind::data_union_of : Kind::data_intersection_of, *members);
-      const el::TermId all = source_.datatype(iri_of(Word::rdfs_literal));
+      const owl::TermId all = source_.datatype(iri_of(syntax::Word::rdfs_literal));
       return is_union ? source_.term(Kind::data_complement_of, {all}) : all;
     }
     default:
@@ -120,7 +120,7 @@ Mapping::Mapped Mapping::facets(NodeId datatype, NodeId restrictions) {
   if (!graph_.is_iri(datatype)) return std::unexpected("owl:onDatatype of a blank node");
   const auto members = restrictions == NodeId{} ? std::nullopt : list(restrictions);
   if (!members) return std::unexpected("owl:onDatatype without a list of owl:withRestrictions");
-  std::vector<el::TermId> parts{source_.datatype(graph_.text(datatype))};
+  std::vector<owl::TermId> parts{source_.datatype(graph_.text(datatype))};
   for (const NodeId member : *members) {
     for (const std::uint32_t number : graph_.about(member)) {
       const Triple& triple = graph_.triple(number);
@@ -130,7 +130,7 @@ Mapping::Mapped Mapping::facets(NodeId datatype, NodeId restrictions) {
       parts.push_back(source_.facet(graph_.text(triple.predicate), *value));
     }
   }
-  return parts.size() == 1 ? parts.front() : source_.term(el::TermKind::datatype_restriction, parts);
+  return parts.size() == 1 ? parts.front() : source_.term(owl::TermKind::datatype_restriction, parts);
 }
 
 }  // namespace geminga::rdf

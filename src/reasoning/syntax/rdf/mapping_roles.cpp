@@ -6,25 +6,29 @@
 namespace geminga::rdf {
 
 void Mapping::find_roles() {
-  for (const Word word : {Word::owl_thing, Word::owl_nothing}) add_role(node_of(word), is_class);
-  for (const Word word : {Word::rdfs_literal, Word::rdf_plain_literal, Word::rdf_xml_literal, Word::rdf_lang_string,
-                          Word::owl_real, Word::owl_rational})
+  for (const syntax::Word word : {syntax::Word::owl_thing, syntax::Word::owl_nothing})
+    add_role(node_of(word), is_class);
+  for (const syntax::Word word :
+       {syntax::Word::rdfs_literal, syntax::Word::rdf_plain_literal, syntax::Word::rdf_xml_literal,
+        syntax::Word::rdf_lang_string, syntax::Word::owl_real, syntax::Word::owl_rational})
     add_role(node_of(word), is_datatype);
-  for (const Word word : {Word::owl_top_object_property, Word::owl_bottom_object_property})
+  for (const syntax::Word word : {syntax::Word::owl_top_object_property, syntax::Word::owl_bottom_object_property})
     add_role(node_of(word), is_object_property);
-  for (const Word word : {Word::owl_top_data_property, Word::owl_bottom_data_property})
+  for (const syntax::Word word : {syntax::Word::owl_top_data_property, syntax::Word::owl_bottom_data_property})
     add_role(node_of(word), is_data_property);
-  for (const Word word : {Word::rdfs_label, Word::rdfs_comment, Word::rdfs_see_also, Word::rdfs_is_defined_by,
-                          Word::skos_pref_label, Word::owl_version_info, Word::owl_deprecated, Word::owl_prior_version,
-                          Word::owl_backward_compatible_with, Word::owl_incompatible_with})
+  for (const syntax::Word word :
+       {syntax::Word::rdfs_label, syntax::Word::rdfs_comment, syntax::Word::rdfs_see_also,
+        syntax::Word::rdfs_is_defined_by, syntax::Word::skos_pref_label, syntax::Word::owl_version_info,
+        syntax::Word::owl_deprecated, syntax::Word::owl_prior_version, syntax::Word::owl_backward_compatible_with,
+        syntax::Word::owl_incompatible_with})
     add_role(node_of(word), is_annotation_property);
   for (std::uint32_t node = 0; node < graph_.node_count(); ++node) {
-    if (graph_.is_iri(NodeId{node}) && graph_.text(NodeId{node}).starts_with(xsd_namespace))
+    if (graph_.is_iri(NodeId{node}) && graph_.text(NodeId{node}).starts_with(syntax::xsd_namespace))
       add_role(NodeId{node}, is_datatype);
   }
   for (std::uint32_t number = 0; number < graph_.triple_count(); ++number) {
     const Triple& triple = graph_.triple(number);
-    if (word(triple.predicate) == Word::rdf_type) role_of_type(triple);
+    if (word(triple.predicate) == syntax::Word::rdf_type) role_of_type(triple);
   }
   // Collected beside the declared roles, so that the order of triples decides nothing.
   std::vector<std::uint16_t> uses(roles_.size(), 0);
@@ -40,49 +44,50 @@ void Mapping::find_roles() {
 void Mapping::role_of_type(const Triple& triple) {
   const NodeId node = triple.subject;
   switch (word(triple.object)) {
-    case Word::owl_class:
-    case Word::rdfs_class:
-    case Word::owl_deprecated_class:
+    case syntax::Word::owl_class:
+    case syntax::Word::rdfs_class:
+    case syntax::Word::owl_deprecated_class:
       add_role(node, is_class);
       break;
-    case Word::rdfs_datatype:
-    case Word::owl_data_range:
+    case syntax::Word::rdfs_datatype:
+    case syntax::Word::owl_data_range:
       add_role(node, is_datatype);
       break;
-    case Word::owl_object_property:
+    case syntax::Word::owl_object_property:
       add_role(node, is_object_property | is_declared_property);
       break;
-    case Word::owl_inverse_functional_property:
-    case Word::owl_reflexive_property:
-    case Word::owl_irreflexive_property:
-    case Word::owl_symmetric_property:
-    case Word::owl_asymmetric_property:
-    case Word::owl_transitive_property:
+    case syntax::Word::owl_inverse_functional_property:
+    case syntax::Word::owl_reflexive_property:
+    case syntax::Word::owl_irreflexive_property:
+    case syntax::Word::owl_symmetric_property:
+    case syntax::Word::owl_asymmetric_property:
+    case syntax::Word::owl_transitive_property:
       // Of a data property OWL 2 DL has none of these: then the axiom is left out, and the property stays what it is.
-      if (!has_type(node, Word::owl_datatype_property)) add_role(node, is_object_property | is_declared_property);
+      if (!has_type(node, syntax::Word::owl_datatype_property))
+        add_role(node, is_object_property | is_declared_property);
       break;
-    case Word::owl_all_disjoint_properties:
-      if (const auto members = list(object_of(node, Word::owl_members))) {
+    case syntax::Word::owl_all_disjoint_properties:
+      if (const auto members = list(object_of(node, syntax::Word::owl_members))) {
         for (const NodeId property : *members) add_role(property, is_some_property);
       }
       break;
-    case Word::owl_datatype_property:
+    case syntax::Word::owl_datatype_property:
       add_role(node, is_data_property | is_declared_property);
       break;
-    case Word::owl_annotation_property:
-    case Word::owl_ontology_property:
+    case syntax::Word::owl_annotation_property:
+    case syntax::Word::owl_ontology_property:
       add_role(node, is_annotation_property | is_declared_property);
       break;
-    case Word::rdf_property:
-    case Word::owl_functional_property:
-    case Word::owl_deprecated_property:
+    case syntax::Word::rdf_property:
+    case syntax::Word::owl_functional_property:
+    case syntax::Word::owl_deprecated_property:
       add_role(node, is_some_property | is_declared_property);
       break;
-    case Word::owl_ontology:
+    case syntax::Word::owl_ontology:
       add_role(node, is_header);
       break;
-    case Word::owl_axiom:
-    case Word::owl_annotation:
+    case syntax::Word::owl_axiom:
+    case syntax::Word::owl_annotation:
       add_role(node, is_reified);
       break;
     default:
@@ -90,8 +95,8 @@ void Mapping::role_of_type(const Triple& triple) {
   }
 }
 
-bool Mapping::has_type(NodeId subject, Word type) const {
-  return std::ranges::any_of(graph_.about(subject, Word::rdf_type),
+bool Mapping::has_type(NodeId subject, syntax::Word type) const {
+  return std::ranges::any_of(graph_.about(subject, syntax::Word::rdf_type),
                              [&](std::uint32_t number) { return word(graph_.triple(number).object) == type; });
 }
 
@@ -99,37 +104,37 @@ void Mapping::role_of_use(const Triple& triple, std::vector<std::uint16_t>& uses
   const auto use = [&](NodeId node, std::uint16_t roles) { uses[static_cast<std::size_t>(node)] |= roles; };
   if (graph_.is_literal(triple.object)) use(triple.predicate, has_literals);
   switch (word(triple.predicate)) {
-    case Word::owl_inverse_of:
+    case syntax::Word::owl_inverse_of:
       if (graph_.is_iri(triple.subject)) use(triple.subject, is_object_property);
       use(triple.object, is_object_property);
       break;
-    case Word::owl_property_chain_axiom:
+    case syntax::Word::owl_property_chain_axiom:
       use(triple.subject, is_object_property);
       if (const auto chain = list(triple.object)) {
         for (const NodeId property : *chain) use(property, is_object_property);
       }
       break;
-    case Word::owl_has_key:
+    case syntax::Word::owl_has_key:
       if (const auto members = list(triple.object)) {
         for (const NodeId property : *members) use(property, is_some_property);
       }
       break;
-    case Word::owl_on_property:
+    case syntax::Word::owl_on_property:
       use(triple.object, is_some_property | use_of_restricted(triple.subject));
       break;
-    case Word::rdfs_domain:
+    case syntax::Word::rdfs_domain:
       use(triple.subject, is_some_property);
       break;
-    case Word::rdfs_range:
+    case syntax::Word::rdfs_range:
       use(triple.subject, is_some_property | (is_range(triple.object) ? is_data_property : is_object_property));
       break;
-    case Word::rdfs_sub_property_of:
-    case Word::owl_equivalent_property:
-    case Word::owl_property_disjoint_with:
+    case syntax::Word::rdfs_sub_property_of:
+    case syntax::Word::owl_equivalent_property:
+    case syntax::Word::owl_property_disjoint_with:
       use(triple.subject, is_some_property);
       use(triple.object, is_some_property);
       break;
-    case Word::owl_assertion_property:
+    case syntax::Word::owl_assertion_property:
       use(triple.object, use_of_asserted(triple.subject));
       break;
     default:
@@ -138,8 +143,8 @@ void Mapping::role_of_use(const Triple& triple, std::vector<std::uint16_t>& uses
 }
 
 std::uint16_t Mapping::use_of_asserted(NodeId assertion) const {
-  const bool has_target = !graph_.about(assertion, Word::owl_target_individual).empty();
-  const bool has_value = !graph_.about(assertion, Word::owl_target_value).empty();
+  const bool has_target = !graph_.about(assertion, syntax::Word::owl_target_individual).empty();
+  const bool has_value = !graph_.about(assertion, syntax::Word::owl_target_value).empty();
   return static_cast<std::uint16_t>((has_target ? is_object_property : 0) | (has_value ? is_data_property : 0));
 }
 
@@ -152,18 +157,18 @@ std::uint16_t Mapping::use_of_restricted(NodeId restriction) {
   for (const std::uint32_t number : graph_.about(restriction)) {
     const Triple& part = graph_.triple(number);
     switch (word(part.predicate)) {
-      case Word::owl_some_values_from:
-      case Word::owl_all_values_from:
+      case syntax::Word::owl_some_values_from:
+      case syntax::Word::owl_all_values_from:
         roles |= is_range(part.object) ? is_data_property : is_object_property;
         break;
-      case Word::owl_has_value:
+      case syntax::Word::owl_has_value:
         roles |= graph_.is_literal(part.object) ? is_data_property : is_object_property;
         break;
-      case Word::owl_has_self:
-      case Word::owl_on_class:
+      case syntax::Word::owl_has_self:
+      case syntax::Word::owl_on_class:
         roles |= is_object_property;
         break;
-      case Word::owl_on_data_range:
+      case syntax::Word::owl_on_data_range:
         roles |= is_data_property;
         break;
       default:
@@ -180,9 +185,9 @@ void Mapping::spread_property_kinds() {
   constexpr int max_rounds = 100;
   std::vector<std::uint32_t> links;
   for (std::uint32_t number = 0; number < graph_.triple_count(); ++number) {
-    const Word predicate = word(graph_.triple(number).predicate);
-    if (predicate == Word::rdfs_sub_property_of || predicate == Word::owl_equivalent_property ||
-        predicate == Word::owl_property_disjoint_with)
+    const syntax::Word predicate = word(graph_.triple(number).predicate);
+    if (predicate == syntax::Word::rdfs_sub_property_of || predicate == syntax::Word::owl_equivalent_property ||
+        predicate == syntax::Word::owl_property_disjoint_with)
       links.push_back(number);
   }
   std::vector<std::pair<NodeId, std::uint16_t>> news{{}};

@@ -31,13 +31,13 @@ constexpr std::size_t chunk_bytes = std::size_t{1} << 16;
 /// Declared external entities are empty: libxml2 opens nothing.
 xmlParserInputPtr no_external_entity(const char*, const char*, xmlParserCtxtPtr) { return nullptr; }
 
-const char* parser_name(Syntax syntax) {
+const char* parser_name(syntax::Syntax syntax) {
   switch (syntax) {
-    case Syntax::rdf_xml:
+    case syntax::Syntax::rdf_xml:
       return "rdfxml";
-    case Syntax::turtle:
+    case syntax::Syntax::turtle:
       return "turtle";
-    case Syntax::n_triples:
+    case syntax::Syntax::n_triples:
       return "ntriples";
     default:
       return "";  // never asked for
@@ -60,11 +60,11 @@ bool is_writable(std::string_view iri) {
 }
 
 bool is_comment(NodeId predicate) {
-  switch (static_cast<Word>(predicate)) {
-    case Word::rdfs_comment:
-    case Word::rdfs_see_also:
-    case Word::rdfs_is_defined_by:
-    case Word::owl_version_info:
+  switch (static_cast<syntax::Word>(predicate)) {
+    case syntax::Word::rdfs_comment:
+    case syntax::Word::rdfs_see_also:
+    case syntax::Word::rdfs_is_defined_by:
+    case syntax::Word::owl_version_info:
       return true;
     default:
       return false;
@@ -74,9 +74,9 @@ bool is_comment(NodeId predicate) {
 }  // namespace
 
 struct RaptorParser::World {
-  explicit World(const Limits& named_limits) : limits(named_limits) {}
+  explicit World(const syntax::Limits& named_limits) : limits(named_limits) {}
 
-  const Limits& limits;
+  const syntax::Limits& limits;
   raptor_world* world = nullptr;
 
   // Of the piece that is being read.
@@ -90,7 +90,7 @@ struct RaptorParser::World {
   std::vector<std::pair<std::string, std::string>> prefixes;
   std::unordered_set<std::string> known_prefixes;
   std::uint32_t generated = 0;
-  std::optional<LoadError> error;
+  std::optional<syntax::LoadError> error;
   bool out_of_memory = false;
 
   std::string label;
@@ -107,7 +107,7 @@ struct RaptorParser::World {
   void parse_piece(std::size_t number);
 
   void fail(std::string text) {
-    if (!error) error = LoadError{{}, line(), std::move(text)};
+    if (!error) error = syntax::LoadError{{}, line(), std::move(text)};
     if (parser != nullptr) raptor_parser_parse_abort(parser);
   }
 
@@ -226,14 +226,15 @@ struct RaptorParser::World {
   }
 };
 
-RaptorParser::RaptorParser(const Limits& limits, Syntax syntax) : world_(std::make_unique<World>(limits)) {
+RaptorParser::RaptorParser(const syntax::Limits& limits, syntax::Syntax syntax)
+    : world_(std::make_unique<World>(limits)) {
   xmlSetExternalEntityLoader(no_external_entity);
   raptor_world* world = raptor_new_world();
   if (world == nullptr) return;
   raptor_world_set_flag(world, RAPTOR_WORLD_FLAG_WWW_SKIP_INIT_FINISH, 1);
   // We intern for ourselves; raptor's tree of all URIs costs a sixth of its time. Its N-Triples reader forgets the
   // datatype of every literal, and only the tree remembers.
-  raptor_world_set_flag(world, RAPTOR_WORLD_FLAG_URI_INTERNING, syntax == Syntax::n_triples ? 1 : 0);
+  raptor_world_set_flag(world, RAPTOR_WORLD_FLAG_URI_INTERNING, syntax == syntax::Syntax::n_triples ? 1 : 0);
   raptor_world_set_log_handler(world, world_.get(), World::on_log);
   raptor_world_set_generate_bnodeid_handler(world, world_.get(), World::on_blank);
   if (raptor_world_open(world) != 0) {
@@ -268,10 +269,10 @@ void RaptorParser::World::parse_piece(std::size_t number) {
   const bool is_last = number + 1 == parts.size();
   const std::size_t end = is_last ? view.size() : parts[number + 1].begin;
   const std::size_t preamble = file->pieces.preamble();
-  if (number > 0 && !parse(without_mark(view.substr(0, preamble)), false)) return;
+  if (number > 0 && !parse(syntax::without_mark(view.substr(0, preamble)), false)) return;
   // What the other pieces need, too, stays.
   std::size_t released = std::max(piece.begin, preamble);
-  std::size_t at = number == 0 ? view.size() - without_mark(view).size() : piece.begin;
+  std::size_t at = number == 0 ? view.size() - syntax::without_mark(view).size() : piece.begin;
   while (at < end) {
     const std::size_t next = std::min(at + chunk_bytes, end);
     if (!parse(view.substr(at, next - at), false)) return;
@@ -279,7 +280,7 @@ void RaptorParser::World::parse_piece(std::size_t number) {
     at = next;
   }
   if (!is_last && !parse(file->pieces.closing(), false)) return;
-  if (!parse({}, true) || file->syntax != Syntax::n_triples) return;
+  if (!parse({}, true) || file->syntax != syntax::Syntax::n_triples) return;
   // Raptor's N-Triples reader may skip what it does not understand. One that counts with it makes sure.
   const std::size_t expected = (is_last ? file->lines.size() : parts[number + 1].triples) - piece.triples;
   if (triples != expected)
@@ -287,9 +288,9 @@ void RaptorParser::World::parse_piece(std::size_t number) {
          " can be read: check its quotation marks");
 }
 
-std::optional<LoadError> RaptorParser::read(const FileText& text, std::size_t piece, Graph& graph) {
+std::optional<syntax::LoadError> RaptorParser::read(const FileText& text, std::size_t piece, Graph& graph) {
   World& state = *world_;
-  LoadError short_of_memory{{}, 0, "cannot be read: Redland does not start, memory is short"};
+  syntax::LoadError short_of_memory{{}, 0, "cannot be read: Redland does not start, memory is short"};
   if (state.world == nullptr) return short_of_memory;
   const Piece& part = text.pieces.parts()[piece];
   state.graph = &graph;

@@ -22,8 +22,8 @@ namespace geminga::rdf {
 
 /// A file that is to be parsed, piece by piece. Borrows everything for the time of parsing.
 struct FileText {
-  FileBytes& bytes;
-  Syntax syntax = Syntax::rdf_xml;
+  syntax::FileBytes& bytes;
+  syntax::Syntax syntax = syntax::Syntax::rdf_xml;
   const std::string& base_iri;
   const std::string& blank_prefix;  ///< the same for the same file on every host: made of its content
   const std::vector<std::uint32_t>& lines;
@@ -34,13 +34,13 @@ struct FileText {
 class RaptorParser {
  public:
   /// For files in one syntax. Not while another parser is at work: what lies below raptor is set up once for all.
-  RaptorParser(const Limits& limits, Syntax syntax);
+  RaptorParser(const syntax::Limits& limits, syntax::Syntax syntax);
   RaptorParser(const RaptorParser&) = delete;
   RaptorParser& operator=(const RaptorParser&) = delete;
   ~RaptorParser();
 
   /// Parses one piece into a graph, up to its end or the first error, and gives back its memory.
-  [[nodiscard]] std::optional<LoadError> read(const FileText& text, std::size_t piece, Graph& graph);
+  [[nodiscard]] std::optional<syntax::LoadError> read(const FileText& text, std::size_t piece, Graph& graph);
 
   /// Prefixes and their IRIs, in the order of reading, of the piece that was read last; each once.
   [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& prefixes() const;

@@ -24,7 +24,7 @@ struct ReadPiece {
   Graph graph;
   std::vector<std::pair<std::string, std::string>> prefixes;
   std::uint64_t triples = 0;
-  std::optional<LoadError> error;
+  std::optional<syntax::LoadError> error;
 };
 
 }  // namespace
@@ -94,12 +94,12 @@ void parse_pieces(RaptorParser& parser, const FileText& text, PieceQueue& queue)
 
 }  // namespace
 
-Redland::Redland(const Limits& limits, unsigned threads)
+Redland::Redland(const syntax::Limits& limits, unsigned threads)
     : limits_(limits), threads_(std::clamp(threads, 1U, max_threads)) {}
 
-std::optional<LoadError> Redland::read(const std::string& path, Syntax syntax, FileBytes& bytes,
-                                       const std::string& base_iri, const std::vector<std::uint32_t>& lines,
-                                       const Pieces& pieces, Graph& graph) {
+std::optional<syntax::LoadError> Redland::read(const std::string& path, syntax::Syntax syntax, syntax::FileBytes& bytes,
+                                               const std::string& base_iri, const std::vector<std::uint32_t>& lines,
+                                               const Pieces& pieces, Graph& graph) {
   const std::string_view view = bytes.view();
   const std::string blank_prefix = "_:" + base::to_hex(XXH3_64bits(view.data(), view.size()), 16) + '.';
   const FileText text{bytes, syntax, base_iri, blank_prefix, lines, pieces};
@@ -110,16 +110,16 @@ std::optional<LoadError> Redland::read(const std::string& path, Syntax syntax, F
   return error;
 }
 
-std::optional<LoadError> Redland::read_pieces(const FileText& text, Graph& graph) {
+std::optional<syntax::LoadError> Redland::read_pieces(const FileText& text, Graph& graph) {
   try {
     return threads_ == 1 || text.pieces.parts().size() == 1 ? read_in_turn(text, graph) : read_at_once(text, graph);
   } catch (const std::bad_alloc&) {
-    return LoadError{{}, 0, "needs more memory than there is"};
+    return syntax::LoadError{{}, 0, "needs more memory than there is"};
   }
 }
 
-std::optional<LoadError> Redland::take_over(const std::vector<std::pair<std::string, std::string>>& prefixes,
-                                            std::uint64_t triples, std::uint32_t file) {
+std::optional<syntax::LoadError> Redland::take_over(const std::vector<std::pair<std::string, std::string>>& prefixes,
+                                                    std::uint64_t triples, std::uint32_t file) {
   for (const auto& [prefix, iri] : prefixes) {
     std::string both = prefix;
     both.append(" ").append(iri);
@@ -127,19 +127,19 @@ std::optional<LoadError> Redland::take_over(const std::vector<std::pair<std::str
   }
   triples_ += triples;
   if (prefixes_.size() > limits_.prefixes)
-    return LoadError{{}, 0, "is beyond " + std::to_string(limits_.prefixes) + " prefixes in all files"};
+    return syntax::LoadError{{}, 0, "is beyond " + std::to_string(limits_.prefixes) + " prefixes in all files"};
   if (triples_ > limits_.triples)
-    return LoadError{{}, 0, "is beyond " + std::to_string(limits_.triples) + " triples in all files"};
+    return syntax::LoadError{{}, 0, "is beyond " + std::to_string(limits_.triples) + " triples in all files"};
   return std::nullopt;
 }
 
-std::vector<std::unique_ptr<RaptorParser>>& Redland::parsers_for(Syntax syntax, std::size_t count) {
+std::vector<std::unique_ptr<RaptorParser>>& Redland::parsers_for(syntax::Syntax syntax, std::size_t count) {
   auto& parsers = parsers_[syntax];
   while (parsers.size() < count) parsers.push_back(std::make_unique<RaptorParser>(limits_, syntax));
   return parsers;
 }
 
-std::optional<LoadError> Redland::read_in_turn(const FileText& text, Graph& graph) {
+std::optional<syntax::LoadError> Redland::read_in_turn(const FileText& text, Graph& graph) {
   RaptorParser& parser = *parsers_for(text.syntax, 1).front();
   const auto file = static_cast<std::uint32_t>(graph.file_count() - 1);
   for (std::size_t number = 0; number < text.pieces.parts().size(); ++number) {
@@ -149,15 +149,15 @@ std::optional<LoadError> Redland::read_in_turn(const FileText& text, Graph& grap
   return std::nullopt;
 }
 
-std::optional<LoadError> Redland::read_at_once(const FileText& text, Graph& graph) {
+std::optional<syntax::LoadError> Redland::read_at_once(const FileText& text, Graph& graph) {
   const std::size_t count = text.pieces.parts().size();
   const std::size_t threads = std::min<std::size_t>(threads_, count);
   if (!has_room_for(threads)) return read_in_turn(text, graph);
-  el::Crew crew(static_cast<unsigned>(threads) + 1);  // the caller's joins what the others parse
+  parallel::Crew crew(static_cast<unsigned>(threads) + 1);  // the caller's joins what the others parse
   if (crew.size() == 1) return read_in_turn(text, graph);
   const auto& parsers = parsers_for(text.syntax, crew.size() - 1);
   PieceQueue queue(count, 2 * threads);
-  std::optional<LoadError> error;
+  std::optional<syntax::LoadError> error;
   const auto work = [&](unsigned me) {
     if (me != 0) return parse_pieces(*parsers[me - 1], text, queue);
     error = join_pieces(queue, count, graph);
@@ -167,7 +167,7 @@ std::optional<LoadError> Redland::read_at_once(const FileText& text, Graph& grap
   return error;
 }
 
-std::optional<LoadError> Redland::join_pieces(PieceQueue& queue, std::size_t count, Graph& graph) {
+std::optional<syntax::LoadError> Redland::join_pieces(PieceQueue& queue, std::size_t count, Graph& graph) {
   const auto file = static_cast<std::uint32_t>(graph.file_count() - 1);
   for (std::size_t number = 0; number < count; ++number) {
     const auto piece = queue.take(number);

@@ -32,15 +32,16 @@ class PieceQueue;
 /// Redland, opened once for all files of a load. It opens no file and no connection of its own, whatever a file asks.
 class Redland {
  public:
-  Redland(const Limits& limits, unsigned threads);
+  Redland(const syntax::Limits& limits, unsigned threads);
 
   /// Parses one file that was scanned (rdf/scan.hpp) into the graph. `base_iri` is what relative IRIs are relative to.
   /// `lines` are those of the file's triples in their order (rdf/turtle_lines.hpp); beyond them
   /// raptor's own are taken. Stops at the first error. Triples whose predicate can only be a comment are counted and
   /// not kept. Neither the triples nor an error depend on the number of threads.
-  [[nodiscard]] std::optional<LoadError> read(const std::string& path, Syntax syntax, FileBytes& bytes,
-                                              const std::string& base_iri, const std::vector<std::uint32_t>& lines,
-                                              const Pieces& pieces, Graph& graph);
+  [[nodiscard]] std::optional<syntax::LoadError> read(const std::string& path, syntax::Syntax syntax,
+                                                      syntax::FileBytes& bytes, const std::string& base_iri,
+                                                      const std::vector<std::uint32_t>& lines, const Pieces& pieces,
+                                                      Graph& graph);
 
   /// The prefixes of all files so far, in the order of reading.
   [[nodiscard]] const std::vector<DeclaredPrefix>& prefixes() const { return prefixes_; }
@@ -49,18 +50,18 @@ class Redland {
 
  private:
   /// As many parsers as are asked for, at least.
-  std::vector<std::unique_ptr<RaptorParser>>& parsers_for(Syntax syntax, std::size_t count);
-  std::optional<LoadError> read_pieces(const FileText& text, Graph& graph);
-  std::optional<LoadError> read_in_turn(const FileText& text, Graph& graph);
-  std::optional<LoadError> read_at_once(const FileText& text, Graph& graph);
-  std::optional<LoadError> join_pieces(PieceQueue& queue, std::size_t count, Graph& graph);
+  std::vector<std::unique_ptr<RaptorParser>>& parsers_for(syntax::Syntax syntax, std::size_t count);
+  std::optional<syntax::LoadError> read_pieces(const FileText& text, Graph& graph);
+  std::optional<syntax::LoadError> read_in_turn(const FileText& text, Graph& graph);
+  std::optional<syntax::LoadError> read_at_once(const FileText& text, Graph& graph);
+  std::optional<syntax::LoadError> join_pieces(PieceQueue& queue, std::size_t count, Graph& graph);
   /// Counts what a piece held, against the limits of all files.
-  std::optional<LoadError> take_over(const std::vector<std::pair<std::string, std::string>>& prefixes,
-                                     std::uint64_t triples, std::uint32_t file);
+  std::optional<syntax::LoadError> take_over(const std::vector<std::pair<std::string, std::string>>& prefixes,
+                                             std::uint64_t triples, std::uint32_t file);
 
-  const Limits& limits_;
+  const syntax::Limits& limits_;
   /// By syntax, one a thread; opened when they are first needed.
-  std::map<Syntax, std::vector<std::unique_ptr<RaptorParser>>> parsers_;
+  std::map<syntax::Syntax, std::vector<std::unique_ptr<RaptorParser>>> parsers_;
   unsigned threads_;
   std::vector<DeclaredPrefix> prefixes_;
   std::unordered_set<std::string> known_prefixes_;  ///< of the file that is being read

@@ -170,10 +170,10 @@ struct Vocabulary {
   std::string_view iri;
   std::span<const std::string_view> words;
 };
-constexpr std::array<Vocabulary, 4> vocabularies{{{"rdf", rdf_namespace, rdf_words},
-                                                  {"rdfs", rdfs_namespace, rdfs_words},
-                                                  {"owl", owl_namespace, owl_words},
-                                                  {"xsd", xsd_namespace, xsd_words}}};
+constexpr std::array<Vocabulary, 4> vocabularies{{{"rdf", syntax::rdf_namespace, rdf_words},
+                                                  {"rdfs", syntax::rdfs_namespace, rdfs_words},
+                                                  {"owl", syntax::owl_namespace, owl_words},
+                                                  {"xsd", syntax::xsd_namespace, xsd_words}}};
 
 const Vocabulary* vocabulary_of(std::string_view iri) {
   const auto found =

@@ -46,8 +46,8 @@ std::optional<ScanProblem> scan_text(std::string_view bytes, bool is_utf8) {
   return std::nullopt;
 }
 
-std::optional<ScanProblem> scan(Syntax syntax, std::string_view bytes, const Limits& limits, TurtleLines& lines,
-                                Pieces& pieces) {
+std::optional<ScanProblem> scan(syntax::Syntax syntax, std::string_view bytes, const syntax::Limits& limits,
+                                TurtleLines& lines, Pieces& pieces) {
   if (is_xml(syntax)) return scan_xml(bytes, limits, pieces);
   if (!has_triples(syntax)) return std::nullopt;  // its reader looks for itself
   if (auto problem = scan_text(bytes, true)) return problem;

@@ -27,16 +27,16 @@ class TurtleLines;
 
 /// The first problem of a file, or nothing. Linear in the file. `lines` follows the statements of a Turtle file;
 /// `pieces` learns where the file can be cut.
-[[nodiscard]] std::optional<ScanProblem> scan(Syntax syntax, std::string_view bytes, const Limits& limits,
-                                              TurtleLines& lines, Pieces& pieces);
+[[nodiscard]] std::optional<ScanProblem> scan(syntax::Syntax syntax, std::string_view bytes,
+                                              const syntax::Limits& limits, TurtleLines& lines, Pieces& pieces);
 
 /// NUL bytes and bad UTF-8.
 [[nodiscard]] std::optional<ScanProblem> scan_text(std::string_view bytes, bool is_utf8);
 /// Turtle and N-Triples: nesting, long texts and IRIs, escapes for NUL and surrogates.
-[[nodiscard]] std::optional<ScanProblem> scan_turtle(std::string_view bytes, const Limits& limits, TurtleLines& lines,
-                                                     Pieces& pieces);
+[[nodiscard]] std::optional<ScanProblem> scan_turtle(std::string_view bytes, const syntax::Limits& limits,
+                                                     TurtleLines& lines, Pieces& pieces);
 /// RDF/XML: encoding, nesting, long texts and tags, and what its DOCTYPE declares.
-[[nodiscard]] std::optional<ScanProblem> scan_xml(std::string_view bytes, const Limits& limits, Pieces& pieces);
+[[nodiscard]] std::optional<ScanProblem> scan_xml(std::string_view bytes, const syntax::Limits& limits, Pieces& pieces);
 
 /// The line, from 1, of a place in a text.
 [[nodiscard]] std::uint32_t line_of(std::string_view bytes, std::size_t place);

@@ -12,7 +12,7 @@ namespace {
 
 class TurtleScan {
  public:
-  TurtleScan(std::string_view bytes, const Limits& limits, TurtleLines& lines, Pieces& pieces)
+  TurtleScan(std::string_view bytes, const syntax::Limits& limits, TurtleLines& lines, Pieces& pieces)
       : bytes_(bytes), limits_(limits), lines_(lines), pieces_(pieces) {}
 
   std::optional<ScanProblem> run() {
@@ -195,7 +195,7 @@ class TurtleScan {
   }
 
   std::string_view bytes_;
-  const Limits& limits_;
+  const syntax::Limits& limits_;
   TurtleLines& lines_;
   Pieces& pieces_;
   bool has_begun_ = false;      ///< the first statement
@@ -210,7 +210,7 @@ class TurtleScan {
 
 }  // namespace
 
-std::optional<ScanProblem> scan_turtle(std::string_view bytes, const Limits& limits, TurtleLines& lines,
+std::optional<ScanProblem> scan_turtle(std::string_view bytes, const syntax::Limits& limits, TurtleLines& lines,
                                        Pieces& pieces) {
   return TurtleScan(bytes, limits, lines, pieces).run();
 }

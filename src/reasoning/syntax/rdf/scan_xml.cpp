@@ -29,7 +29,7 @@ bool equals_ignoring_case(std::string_view a, std::string_view b) {
 
 class XmlScan {
  public:
-  XmlScan(std::string_view bytes, const Limits& limits, Pieces& pieces)
+  XmlScan(std::string_view bytes, const syntax::Limits& limits, Pieces& pieces)
       : bytes_(bytes), limits_(limits), pieces_(pieces) {}
 
   std::optional<ScanProblem> run() {
@@ -194,7 +194,7 @@ class XmlScan {
   }
 
   std::string_view bytes_;
-  const Limits& limits_;
+  const syntax::Limits& limits_;
   Pieces& pieces_;
   std::size_t place_ = 0;
   std::size_t counted_ = 0;  ///< lines were counted up to here
@@ -209,7 +209,7 @@ class XmlScan {
 
 }  // namespace
 
-std::optional<ScanProblem> scan_xml(std::string_view bytes, const Limits& limits, Pieces& pieces) {
+std::optional<ScanProblem> scan_xml(std::string_view bytes, const syntax::Limits& limits, Pieces& pieces) {
   constexpr std::array<std::string_view, 4> utf8_names{"utf-8", "utf8", "us-ascii", "ascii"};
   constexpr std::array<std::string_view, 3> latin1_names{"iso-8859-1", "latin1", "iso_8859-1"};
   const std::string_view encoding = declared_encoding(bytes);
@@ -217,7 +217,7 @@ std::optional<ScanProblem> scan_xml(std::string_view bytes, const Limits& limits
   const bool is_latin1 = std::ranges::any_of(latin1_names, is_named);
   if (!encoding.empty() && !is_latin1 && std::ranges::none_of(utf8_names, is_named))
     return ScanProblem{1, "is in an encoding that is not read: convert it to UTF-8"};
-  if (is_latin1 && without_mark(bytes).size() != bytes.size())
+  if (is_latin1 && syntax::without_mark(bytes).size() != bytes.size())
     return ScanProblem{1, "begins as UTF-8 and declares ISO-8859-1: correct its declaration"};
   if (auto problem = scan_text(bytes, !is_latin1)) return problem;
   return XmlScan(bytes, limits, pieces).run();

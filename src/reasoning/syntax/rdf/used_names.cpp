@@ -10,7 +10,7 @@
 namespace geminga::rdf {
 namespace {
 
-constexpr auto word_count = static_cast<std::uint32_t>(Word::count);
+constexpr auto word_count = static_cast<std::uint32_t>(syntax::Word::count);
 
 /// Where each wanted node stands first among those that `nodes_of` gives of a triple.
 template <typename NodesOf>
@@ -51,7 +51,8 @@ std::vector<UsedName> undeclared_predicates(const Graph& graph) {
   for (std::uint32_t number = word_count; number < graph.node_count(); ++number) {
     if (!is_undeclared[number]) continue;
     const NodeId node{number};
-    if (is_reserved(graph.text(node)) || !graph.about(node, Word::rdf_type).empty()) is_undeclared[number] = false;
+    if (is_reserved(graph.text(node)) || !graph.about(node, syntax::Word::rdf_type).empty())
+      is_undeclared[number] = false;
   }
   return places(graph, std::move(is_undeclared),
                 [](const Triple& triple) { return std::array<NodeId, 1>{triple.predicate}; });

@@ -15,7 +15,7 @@ namespace {
 std::string local_name(std::string_view iri) { return std::string(iri.substr(iri.find('#') + 1)); }
 
 /// The clauses and facts, as lines.
-std::vector<std::string> lines_of(const el::OntologySource& source) {
+std::vector<std::string> lines_of(const owl::Ontology& source) {
   const auto set = clausify(source, std::nullopt, {});
   if (!set) return {set.error().text};
   std::vector<std::string> lines;
@@ -28,7 +28,7 @@ std::vector<std::string> lines_of(const el::OntologySource& source) {
   std::ranges::sort(lines);
   return lines;
 }
-std::vector<std::string> lines_of(std::string_view text) { return lines_of(el::written(text)); }
+std::vector<std::string> lines_of(std::string_view text) { return lines_of(owl::written(text)); }
 
 struct Translated {
   const char* name;
@@ -114,7 +114,7 @@ const std::vector<Translated> cases = {
 
 TEST(ClausifyLimits, LeaveOutAndNameACardinalityThatIsTooLarge) {
   const auto unused_with = [](std::uint32_t limit) {
-    const el::OntologySource source = el::written("SubClassOf(A ObjectMinCardinality(3 r))\nSubClassOf(A B)");
+    const owl::Ontology source = owl::written("SubClassOf(A ObjectMinCardinality(3 r))\nSubClassOf(A B)");
     const auto set = clausify(source, std::nullopt, {}, {}, {.cardinality = limit});
     return set ? set->unused.size() : 99;
   };
@@ -125,7 +125,7 @@ TEST(ClausifyLimits, LeaveOutAndNameACardinalityThatIsTooLarge) {
 
 TEST(ClausifyLimits, RefuseMoreClausesThanTheyAllow) {
   const auto text_with = [](std::size_t limit) {
-    const el::OntologySource source = el::written("SubClassOf(A B)\nSubClassOf(A C)\nSubClassOf(A D)");
+    const owl::Ontology source = owl::written("SubClassOf(A B)\nSubClassOf(A C)\nSubClassOf(A D)");
     const auto set = clausify(source, std::nullopt, {}, {}, {.clauses = limit});
     return set ? std::string() : set.error().text;
   };
@@ -136,8 +136,8 @@ TEST(ClausifyLimits, RefuseMoreClausesThanTheyAllow) {
 
 TEST(ClausifyLimits, LeaveOutAndNameChainsWhoseAutomatonIsTooLarge) {
   const auto unused_with = [](std::size_t limit) {
-    const el::OntologySource source =
-        el::written("SubObjectPropertyOf(ObjectPropertyChain(r s t) u)\nSubClassOf(A ObjectAllValuesFrom(u B))");
+    const owl::Ontology source =
+        owl::written("SubObjectPropertyOf(ObjectPropertyChain(r s t) u)\nSubClassOf(A ObjectAllValuesFrom(u B))");
     const auto set = clausify(source, std::nullopt, {}, {}, {.automaton_states = limit});
     return set ? set->unused.size() : 99;
   };

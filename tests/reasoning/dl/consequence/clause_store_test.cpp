@@ -14,7 +14,7 @@ namespace {
 /// Stores take their memory from the arena of the thread.
 class StoreOfClauses : public testing::Test {
  private:
-  el::Arena arena_;
+  base::Arena arena_;
   ArenaUse use_{arena_};
 };
 

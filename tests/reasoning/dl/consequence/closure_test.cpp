@@ -17,7 +17,7 @@ using Lines = std::vector<std::string>;
 TEST(Closure, IsCutOffWhereTooManyMessagesWait) {
   std::string text = "SubClassOf(:A ObjectUnionOf(:B :C)) SameIndividual(";
   for (int number = 0; number < 1200; ++number) text += ":i" + std::to_string(number) + ' ';
-  const el::OntologySource source = written(text + ")");
+  const owl::Ontology source = written(text + ")");
   const Closure closure = saturate(source, clauses_of(source), {}, {.clauses = 200'000});
   EXPECT_THAT(closure.gaps, testing::Contains("more than 1200000 messages between contexts waited"));
 }
@@ -169,7 +169,7 @@ TEST(Closure, IsInconsistentWhereAnIndividualCannotExist) {
 }
 
 TEST(Closure, LooksAtFactsOnlyWhenAsked) {
-  const el::OntologySource source = written("ClassAssertion(:A :a) SubClassOf(:A owl:Nothing)");
+  const owl::Ontology source = written("ClassAssertion(:A :a) SubClassOf(:A owl:Nothing)");
   const clauses::ClauseSet clauses = clauses_of(source);
   EXPECT_FALSE(saturate(source, clauses, {}).is_consistent);
   EXPECT_TRUE(saturate(source, clauses, {}, {.facts = false}).is_consistent);
@@ -265,7 +265,7 @@ TEST(Gaps, AreNotNamedWhereItIs) {
 }
 
 TEST(Closure, IsCutOffAtItsLimitAndSaysSo) {
-  const el::OntologySource source = written("SubClassOf(:A :B) SubClassOf(:B :C) SubClassOf(:C :D)");
+  const owl::Ontology source = written("SubClassOf(:A :B) SubClassOf(:B :C) SubClassOf(:C :D)");
   const clauses::ClauseSet clauses = clauses_of(source);
   const std::size_t needed = saturate(source, clauses, named_classes(clauses)).derived;
   EXPECT_THAT(saturate(source, clauses, named_classes(clauses), {.clauses = needed}).gaps, IsEmpty());
@@ -280,7 +280,7 @@ TEST(Closure, OfOneConceptBuildsOnlyWhatItLeadsTo) {
                      "))");
   }
   axioms.emplace_back("SubClassOf(ObjectSomeValuesFrom(:r :X3) :Y)");
-  const el::OntologySource source = written(joined(axioms));
+  const owl::Ontology source = written(joined(axioms));
   const clauses::ClauseSet clauses = clauses_of(source);
   for (const clauses::ConceptId asked : named_classes(clauses)) {
     if (source.name_of(clauses.concepts[number(asked)].term) != "https://t.example/#A") continue;
@@ -290,12 +290,12 @@ TEST(Closure, OfOneConceptBuildsOnlyWhatItLeadsTo) {
 }
 
 TEST(Closure, OfAQueryIsWhatItsExpressionIsUnder) {
-  el::OntologySource source = written("SubClassOf(ObjectSomeValuesFrom(:r :B) :C) DisjointClasses(:B :D)");
-  const el::TermId r = source.object_property("https://t.example/#r");
-  const el::TermId b = source.named_class("https://t.example/#B");
-  const el::TermId d = source.named_class("https://t.example/#D");
-  const el::TermId some = source.term(el::TermKind::object_some_values_from, {r, b});
-  const el::TermId both = source.term(el::TermKind::object_intersection_of, {b, d});
+  owl::Ontology source = written("SubClassOf(ObjectSomeValuesFrom(:r :B) :C) DisjointClasses(:B :D)");
+  const owl::TermId r = source.object_property("https://t.example/#r");
+  const owl::TermId b = source.named_class("https://t.example/#B");
+  const owl::TermId d = source.named_class("https://t.example/#D");
+  const owl::TermId some = source.term(owl::TermKind::object_some_values_from, {r, b});
+  const owl::TermId both = source.term(owl::TermKind::object_intersection_of, {b, d});
   const clauses::ClauseSet clauses = clauses_of(source, std::vector{some, both});
   const Closure closure = saturate(source, clauses, clauses.queries);
   ASSERT_EQ(closure.subsumers.size(), 2U);

@@ -10,11 +10,11 @@ namespace geminga::consequence {
 namespace {
 
 using clauses::ConceptId;
-using tableau::Verdict;
+using hypertableau::Verdict;
 
 /// A class and the complements of all classes, asked for in one clause set.
 struct Questions {
-  el::OntologySource source;
+  owl::Ontology source;
   clauses::ClauseSet clauses;
   std::vector<ConceptId> classes;
   std::vector<ConceptId> complements;  ///< of each class
@@ -23,10 +23,10 @@ struct Questions {
 Questions questions_of(const std::string& axioms) {
   Questions questions{written(axioms), {}, {}, {}};
   const clauses::ClauseSet plain = clauses_of(questions.source);
-  std::vector<el::TermId> complements;
+  std::vector<owl::TermId> complements;
   for (const ConceptId named : named_classes(plain)) {
     complements.push_back(
-        questions.source.term(el::TermKind::object_complement_of, {plain.concepts[number(named)].term}));
+        questions.source.term(owl::TermKind::object_complement_of, {plain.concepts[number(named)].term}));
   }
   questions.clauses = clauses_of(questions.source, complements);
   questions.classes = named_classes(questions.clauses);
@@ -41,7 +41,7 @@ struct Agreement {
 };
 
 void compare(const Questions& questions, const Closure& closure, Agreement& agreement) {
-  tableau::Tableau models(questions.source, questions.clauses);
+  hypertableau::Tableau models(questions.source, questions.clauses);
   // There is at least one thing.
   const Verdict consistent = models.is_satisfiable({clauses::thing}).verdict;
   if (consistent == Verdict::unknown) return;
@@ -103,7 +103,7 @@ TEST(RandomOntologies, HaveTheSameClosureInAnyOrderAndWithAnyNumberOfThreads) {
     const std::vector<std::string> expected = closure_of(joined(axioms));
     for (std::size_t at = axioms.size(); at > 1; --at) std::swap(axioms[at - 1], axioms[random.below(at)]);
     ASSERT_EQ(closure_of(joined(axioms)), expected);
-    const el::OntologySource source = written(joined(axioms));
+    const owl::Ontology source = written(joined(axioms));
     clauses::ClauseSet clauses = clauses_of(source);
     for (std::size_t at = clauses.clauses.size(); at > 1; --at) {
       std::swap(clauses.clauses[at - 1], clauses.clauses[random.below(at)]);
@@ -120,7 +120,7 @@ TEST(RandomOntologies, GiveForOneConceptWhatTheyGiveForAll) {
     base::Random random(seed);
     const std::string axioms = joined(random_axioms(random, {}));
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + axioms);
-    const el::OntologySource source = written(axioms);
+    const owl::Ontology source = written(axioms);
     const clauses::ClauseSet clauses = clauses_of(source);
     const std::vector<ConceptId> classes = named_classes(clauses);
     const Closure whole = saturate(source, clauses, classes);

@@ -12,7 +12,7 @@ using testing::IsEmpty;
 
 /// The classes in `:` that are settled, in the order of the clauses.
 std::vector<std::string> settled_of(std::string_view axioms, const Options& options = {}) {
-  const el::OntologySource source = written(axioms);
+  const owl::Ontology source = written(axioms);
   const clauses::ClauseSet clauses = clauses_of(source);
   const std::vector<clauses::ConceptId> classes = named_classes(clauses);
   const Closure closure = saturate(source, clauses, classes, options);
@@ -79,7 +79,7 @@ constexpr std::string_view by_cases = R"(SubClassOf(:A ObjectUnionOf(:B :C)) Sub
 
 /// How many conclusions by cases the context of :A has: the least limit under which there is no gap.
 std::uint32_t needed_alternatives() {
-  const el::OntologySource source = written(by_cases);
+  const owl::Ontology source = written(by_cases);
   const clauses::ClauseSet clauses = clauses_of(source);
   for (std::uint32_t limit = 0;; ++limit) {
     if (saturate(source, clauses, named_classes(clauses), {.alternatives = limit}).gaps.empty()) return limit;
@@ -96,7 +96,7 @@ TEST(Settled, IsNoClassThatLeadsToOneWithMoreAlternativesThanAreDerived) {
 
 TEST(Settled, IsPlainWhereNoAlternativeIsLeft) {
   // B and F make the covering axiom of A redundant: an instance of F need not be in C.
-  const el::OntologySource source = written(by_cases);
+  const owl::Ontology source = written(by_cases);
   const clauses::ClauseSet clauses = clauses_of(source);
   const std::vector<clauses::ConceptId> classes = named_classes(clauses);
   const Closure closure = saturate(source, clauses, classes, {.alternatives = 0});
@@ -108,7 +108,7 @@ TEST(Settled, IsPlainWhereNoAlternativeIsLeft) {
 }
 
 TEST(Settled, NamesTheGapWhereAlternativesAreNotDerivedAndKeepsWhatHasNone) {
-  const el::OntologySource source = written(by_cases);
+  const owl::Ontology source = written(by_cases);
   const clauses::ClauseSet clauses = clauses_of(source);
   const Closure closure = saturate(source, clauses, named_classes(clauses), {.alternatives = 0});
   EXPECT_THAT(closure.gaps, ElementsAre(alternative_gap));

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view prefix = "https://t.example/#";
 
-[[nodiscard]] std::string short_name(const el::OntologySource& source, const clauses::ClauseSet& clauses,
+[[nodiscard]] std::string short_name(const owl::Ontology& source, const clauses::ClauseSet& clauses,
                                      clauses::ConceptId id) {
   if (id == clauses::nothing) return "Nothing";
   const std::string_view iri = source.name_of(clauses.concepts[number(id)].term);
@@ -21,20 +21,20 @@ constexpr std::string_view prefix = "https://t.example/#";
 
 }  // namespace
 
-el::OntologySource written(std::string_view axioms) {
+owl::Ontology written(std::string_view axioms) {
   const std::string text = "Prefix(:=<" + std::string(prefix) +
                            ">)\nPrefix(owl:=<http://www.w3.org/2002/07/owl#>)\n"
                            "Prefix(rdfs:=<http://www.w3.org/2000/01/rdf-schema#>)\n"
                            "Prefix(xsd:=<http://www.w3.org/2001/XMLSchema#>)\nOntology(<https://t.example/>\n" +
                            std::string(axioms) + "\n)\n";
-  el::OntologySource source;
-  const el::FileId file = source.add_file("test.ofn");
+  owl::Ontology source;
+  const owl::FileId file = source.add_file("test.ofn");
   const auto document = functional::read(text, file, source);
   EXPECT_TRUE(document.has_value()) << text << (document ? "" : document.error().text);
   return source;
 }
 
-clauses::ClauseSet clauses_of(const el::OntologySource& source, std::span<const el::TermId> queries) {
+clauses::ClauseSet clauses_of(const owl::Ontology& source, std::span<const owl::TermId> queries) {
   auto clauses = clauses::clausify(source, {}, queries);
   EXPECT_TRUE(clauses.has_value());
   return clauses ? std::move(*clauses) : clauses::ClauseSet();
@@ -48,7 +48,7 @@ std::vector<clauses::ConceptId> named_classes(const clauses::ClauseSet& clauses)
   return classes;
 }
 
-std::vector<std::string> lines_of(const el::OntologySource& source, const clauses::ClauseSet& clauses,
+std::vector<std::string> lines_of(const owl::Ontology& source, const clauses::ClauseSet& clauses,
                                   const Closure& closure) {
   if (!closure.is_consistent) return {"inconsistent"};
   std::vector<std::string> lines;
@@ -67,13 +67,13 @@ std::vector<std::string> lines_of(const el::OntologySource& source, const clause
 }
 
 std::vector<std::string> closure_of(std::string_view axioms) {
-  const el::OntologySource source = written(axioms);
+  const owl::Ontology source = written(axioms);
   const clauses::ClauseSet clauses = clauses_of(source);
   return lines_of(source, clauses, saturate(source, clauses, named_classes(clauses)));
 }
 
 std::vector<std::string> gaps_of(std::string_view axioms) {
-  const el::OntologySource source = written(axioms);
+  const owl::Ontology source = written(axioms);
   const clauses::ClauseSet clauses = clauses_of(source);
   return saturate(source, clauses, named_classes(clauses)).gaps;
 }

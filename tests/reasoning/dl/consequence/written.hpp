@@ -14,14 +14,14 @@
 namespace geminga::consequence {
 
 /// Names in `:` are of https://t.example/#. What cannot be read fails the test that asks, and is an empty ontology.
-[[nodiscard]] el::OntologySource written(std::string_view axioms);
+[[nodiscard]] owl::Ontology written(std::string_view axioms);
 /// Of all axioms, and of the class expressions given as terms.
-[[nodiscard]] clauses::ClauseSet clauses_of(const el::OntologySource& source, std::span<const el::TermId> queries = {});
+[[nodiscard]] clauses::ClauseSet clauses_of(const owl::Ontology& source, std::span<const owl::TermId> queries = {});
 /// All named classes, owl:Thing and owl:Nothing included.
 [[nodiscard]] std::vector<clauses::ConceptId> named_classes(const clauses::ClauseSet& clauses);
 /// Lines "A B" for A below B, both named classes and not the same, B not owl:Thing; an unsatisfiable A has one line,
 /// "A Nothing". "inconsistent" where it is.
-[[nodiscard]] std::vector<std::string> lines_of(const el::OntologySource& source, const clauses::ClauseSet& clauses,
+[[nodiscard]] std::vector<std::string> lines_of(const owl::Ontology& source, const clauses::ClauseSet& clauses,
                                                 const Closure& closure);
 /// The same from axioms to lines.
 [[nodiscard]] std::vector<std::string> closure_of(std::string_view axioms);

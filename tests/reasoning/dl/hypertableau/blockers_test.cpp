@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 namespace {
 
 constexpr auto any = [](NodeId) { return true; };
@@ -43,4 +43,4 @@ TEST(Blockers, ForgetWhatIsCutOffAndKeepWhatIsOlder) {
 }
 
 }  // namespace
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

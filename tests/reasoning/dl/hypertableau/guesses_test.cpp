@@ -8,7 +8,7 @@
 #include "reasoning/dl/hypertableau/tableau.hpp"
 #include "support/written.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 namespace {
 
 constexpr std::size_t count = 400;
@@ -16,7 +16,7 @@ constexpr std::size_t count = 400;
 constexpr std::size_t steps_a_family = 40;
 
 Verdict answer(const std::string& axioms) {
-  const el::OntologySource source = el::written(axioms);
+  const owl::Ontology source = owl::written(axioms);
   const auto set = clauses::clausify(source, std::nullopt, {});
   EXPECT_TRUE(set && set->unused.empty());
   Tableau tableau(source, *set, {.steps = steps_a_family * count});
@@ -98,7 +98,7 @@ std::string covers(std::size_t kinds) {
 }
 
 TEST(Guesses, NeedNoNeighbourForWhatOneThatIsThereIsNot) {
-  const el::OntologySource source = el::written(covers(30));
+  const owl::Ontology source = owl::written(covers(30));
   const auto set = clauses::clausify(source, std::nullopt, {});
   ASSERT_TRUE(set && set->unused.empty());
   Tableau tableau(source, *set, {.steps = 50'000});
@@ -109,4 +109,4 @@ TEST(Guesses, NeedNoNeighbourForWhatOneThatIsThereIsNot) {
 }
 
 }  // namespace
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

@@ -8,7 +8,7 @@
 #include "reasoning/dl/hypertableau/tableau.hpp"
 #include "support/written.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 namespace {
 
 constexpr const char* ontologies[] = {
@@ -31,11 +31,11 @@ constexpr const char* ontologies[] = {
 TEST(KeptModels, ChangeNoAnswer) {
   for (const char* text : ontologies) {
     SCOPED_TRACE(text);
-    const el::OntologySource source = el::written(text);
-    std::vector<el::TermId> classes;
+    const owl::Ontology source = owl::written(text);
+    std::vector<owl::TermId> classes;
     for (std::uint32_t id = 0; id < source.term_count(); ++id) {
-      if (source.kind(el::TermId{id}) == el::TermKind::named_class && el::TermId{id} != el::nothing_term)
-        classes.push_back(el::TermId{id});
+      if (source.kind(owl::TermId{id}) == owl::TermKind::named_class && owl::TermId{id} != owl::nothing_term)
+        classes.push_back(owl::TermId{id});
     }
     const auto set = clauses::clausify(source, std::nullopt, classes, classes);
     ASSERT_TRUE(set) << set.error().text;
@@ -58,7 +58,7 @@ TEST(KeptModels, AreNotBuiltAgain) {
   for (int at = 0; at < 30; ++at)
     text += "SubClassOf(C" + std::to_string(at) + " ObjectSomeValuesFrom(r C" + std::to_string(at + 1) + "))\n";
   for (int at = 0; at < 30; ++at) text += "SubClassOf(B" + std::to_string(at) + " ObjectSomeValuesFrom(r C0))\n";
-  const el::OntologySource source = el::written(text);
+  const owl::Ontology source = owl::written(text);
   const auto set = clauses::clausify(source, std::nullopt, {});
   ASSERT_TRUE(set) << set.error().text;
   Tableau tableau(source, *set);
@@ -72,4 +72,4 @@ TEST(KeptModels, AreNotBuiltAgain) {
 }
 
 }  // namespace
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

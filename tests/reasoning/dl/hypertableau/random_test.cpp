@@ -11,15 +11,15 @@
 #include "support/reference.hpp"
 #include "support/written.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 namespace {
 
-using el::TermId;
+using owl::TermId;
 
 /// Every subsumption as closure() of tests/reasoning/el writes it, by looking for a counter-model of each.
 /// Nothing where an axiom is outside OWL 2 DL.
-std::optional<std::vector<std::string>> closure_by_models(const el::OntologySource& source) {
-  std::vector<TermId> classes = {el::thing_term};
+std::optional<std::vector<std::string>> closure_by_models(const owl::Ontology& source) {
+  std::vector<TermId> classes = {owl::thing_term};
   for (std::size_t at = 0; at < source.axiom_count(); ++at) {
     std::vector<TermId> open(source.axiom(at).arguments.begin(), source.axiom(at).arguments.end());
     while (!open.empty()) {
@@ -27,7 +27,7 @@ std::optional<std::vector<std::string>> closure_by_models(const el::OntologySour
       open.pop_back();
       const auto arguments = source.term(term).arguments;
       open.insert(open.end(), arguments.begin(), arguments.end());
-      if (source.kind(term) == el::TermKind::named_class && term != el::nothing_term) classes.push_back(term);
+      if (source.kind(term) == owl::TermKind::named_class && term != owl::nothing_term) classes.push_back(term);
     }
   }
   std::ranges::sort(classes);
@@ -57,7 +57,7 @@ std::optional<std::vector<std::string>> closure_by_models(const el::OntologySour
     }
     const std::vector<clauses::ConceptId> certain = tableau.model().certain;
     for (std::size_t super = 0; super < classes.size(); ++super) {
-      if (super == sub || classes[super] == el::thing_term) continue;
+      if (super == sub || classes[super] == owl::thing_term) continue;
       const bool holds = !is_possible({set->queries[sub], set->complements[super]});
       if (holds) lines.push_back(name_of(sub) + " < " + name_of(super));
       EXPECT_TRUE(holds || !std::ranges::binary_search(certain, set->queries[super]))
@@ -72,10 +72,10 @@ TEST(RandomOntologies, HaveCounterModelsExactlyOfWhatTheNaiveReasonerDoesNotDeri
   int compared = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     base::Random random(seed);
-    const std::string text = el::random_ontology(random, 4 + random.below(12));
+    const std::string text = owl::random_ontology(random, 4 + random.below(12));
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
-    const el::OntologySource source = el::written(text);
-    const std::vector<std::string> expected = el::reference_closure(source);
+    const owl::Ontology source = owl::written(text);
+    const std::vector<std::string> expected = owl::reference_closure(source);
     const auto found = closure_by_models(source);
     if (!found || expected == std::vector<std::string>{"inconsistent"}) continue;
     ++compared;
@@ -85,4 +85,4 @@ TEST(RandomOntologies, HaveCounterModelsExactlyOfWhatTheNaiveReasonerDoesNotDeri
 }
 
 }  // namespace
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

@@ -9,7 +9,7 @@
 #include "reasoning/dl/hypertableau/value_ranges.hpp"
 #include "support/written.hpp"
 
-namespace geminga::tableau {
+namespace geminga::hypertableau {
 namespace {
 
 using clauses::ClauseSet;
@@ -30,7 +30,7 @@ void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 class Models : public testing::TestWithParam<Case> {};
 
 TEST_P(Models, AreFoundExactlyWhereThereAreSome) {
-  const el::OntologySource source = el::written(GetParam().axioms);
+  const owl::Ontology source = owl::written(GetParam().axioms);
   const auto set = clauses::clausify(source, std::nullopt, {});
   ASSERT_TRUE(set);
   EXPECT_TRUE(set->unused.empty());
@@ -320,7 +320,7 @@ const std::vector<Case> value_cases = {
 
 /// The answer for class A with limits.
 std::string answer_with(const Limits& limits, std::string_view axioms) {
-  const el::OntologySource source = el::written(axioms);
+  const owl::Ontology source = owl::written(axioms);
   const auto set = clauses::clausify(source, std::nullopt, {});
   Tableau tableau(source, *set, limits);
   return to_string(tableau.is_consistent());
@@ -357,7 +357,7 @@ TEST(Limits, OfFactsGiveNoAnswerBeyondTheLastOne) {
 }
 
 TEST(Limits, OfABudgetAreThoseOfAllQuestionsTogether) {
-  const el::OntologySource source = el::written("SubClassOf(A ObjectUnionOf(B C))\nClassAssertion(A i:a)");
+  const owl::Ontology source = owl::written("SubClassOf(A ObjectUnionOf(B C))\nClassAssertion(A i:a)");
   const auto set = clauses::clausify(source, std::nullopt, {});
   base::Budget budget(1'000'000, [] { return true; });
   Tableau tableau(source, *set, {.budget = &budget});
@@ -395,4 +395,4 @@ INSTANTIATE_TEST_SUITE_P(OfValues, Models, testing::ValuesIn(value_cases),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace
-}  // namespace geminga::tableau
+}  // namespace geminga::hypertableau

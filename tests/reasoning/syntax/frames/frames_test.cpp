@@ -91,7 +91,7 @@ TEST(Frames, ThatComeLaterSayOfWhichKindAPropertyIs) {
 
 TEST(Frames, OfOtherFilesSayItToo) {
   Declared declared;
-  declared.add(el::TermKind::data_property, "http://e/d");
+  declared.add(owl::TermKind::data_property, "http://e/d");
   const Reading reading(ontology("Class: A SubClassOf: d min 2"), {}, declared);
   EXPECT_THAT(reading.axioms(), ElementsAre("Declaration(:A)", "SubClassOf(:A DataMinCardinality(2 :d))"));
 }

@@ -12,7 +12,7 @@ namespace geminga::frames {
 
 /// What one text became.
 struct Reading {
-  el::OntologySource source;
+  owl::Ontology source;
   Document document;
   std::string error;  ///< "t.omn:3: what is wrong"; empty: it was read
 

@@ -13,7 +13,7 @@ namespace geminga::frames {
 namespace {
 
 /// In any order, without what is declared by being the subject of a frame.
-std::vector<std::string> sorted_axioms(const el::OntologySource& source) {
+std::vector<std::string> sorted_axioms(const owl::Ontology& source) {
   std::vector<std::string> lines = rdf::functional(source);
   std::ranges::sort(lines);
   return lines;
@@ -22,7 +22,7 @@ std::vector<std::string> sorted_axioms(const el::OntologySource& source) {
 TEST(RoundTrip, GivesTheAxiomsThatWereWritten) {
   for (const compare::Profile profile : compare::profiles) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-      const el::OntologySource source = compare::random_ontology(profile, seed, 40);
+      const owl::Ontology source = compare::random_ontology(profile, seed, 40);
       const Reading reading(manchester(source));
       ASSERT_EQ(reading.error, "") << compare::to_string(profile) << ' ' << seed << '\n' << manchester(source);
       ASSERT_EQ(sorted_axioms(reading.source), sorted_axioms(source))

@@ -6,19 +6,19 @@
 namespace geminga::frames {
 namespace {
 
-using el::AxiomKind;
-using el::TermId;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
 
 class Writer {
  public:
-  explicit Writer(const el::OntologySource& source) : source_(source) {}
+  explicit Writer(const owl::Ontology& source) : source_(source) {}
 
   std::string document() const {
     std::string text = "Ontology: <http://random.example/>\n";
     std::string declarations;
     for (std::size_t number = 0; number < source_.axiom_count(); ++number) {
-      const el::Axiom axiom = source_.axiom(number);
+      const owl::Axiom axiom = source_.axiom(number);
       (axiom.kind == AxiomKind::declaration ? declarations : text) += frame(axiom) + '\n';
     }
     return text + declarations;
@@ -31,7 +31,7 @@ class Writer {
     return text;
   }
 
-  std::string literal(const el::Term& of) const {
+  std::string literal(const owl::Term& of) const {
     std::string text = "\"";
     for (const char c : source_.name(of.name)) {
       if (c == '"' || c == '\\') text += '\\';
@@ -42,14 +42,14 @@ class Writer {
     return text + "^^" + term(of.arguments[0]);
   }
 
-  std::string restriction(const el::Term& of, std::string_view word) const {
+  std::string restriction(const owl::Term& of, std::string_view word) const {
     std::string text = '(' + term(of.arguments[0]) + ' ' + std::string(word);
     const bool is_counted = word == "min" || word == "max" || word == "exactly";
     if (is_counted) text += ' ' + std::to_string(of.number);
     return text + (of.arguments.size() > 1 ? ' ' + term(of.arguments[1]) : "") + ')';
   }
 
-  std::string facets(const el::Term& of) const {
+  std::string facets(const owl::Term& of) const {
     static const std::map<std::string, std::string, std::less<>> words{
         {"minInclusive", ">="}, {"maxInclusive", "<="}, {"minExclusive", ">"}, {"maxExclusive", "<"}};
     std::string text = term(of.arguments[0]) + '[';
@@ -64,7 +64,7 @@ class Writer {
   }
 
   std::string term(TermId id) const {
-    const el::Term of = source_.term(id);
+    const owl::Term of = source_.term(id);
     switch (of.kind) {
       case TermKind::literal:
         return literal(of);
@@ -118,7 +118,7 @@ class Writer {
     return std::string(frame) + ' ' + term(first) + "\n    " + std::string(word) + ' ' + std::string(rest);
   }
 
-  std::string frame(const el::Axiom& axiom) const {
+  std::string frame(const owl::Axiom& axiom) const {
     static const std::map<TermKind, std::string_view> frames{
         {TermKind::named_class, "Class:"},          {TermKind::object_property, "ObjectProperty:"},
         {TermKind::data_property, "DataProperty:"}, {TermKind::annotation_property, "AnnotationProperty:"},
@@ -203,11 +203,11 @@ class Writer {
     return {};
   }
 
-  const el::OntologySource& source_;
+  const owl::Ontology& source_;
 };
 
 }  // namespace
 
-std::string manchester(const el::OntologySource& source) { return Writer(source).document(); }
+std::string manchester(const owl::Ontology& source) { return Writer(source).document(); }
 
 }  // namespace geminga::frames

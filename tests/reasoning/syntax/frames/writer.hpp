@@ -10,7 +10,7 @@ namespace geminga::frames {
 
 /// Each axiom is a frame of its own, in the order of the source; declarations stand behind all others, so that every
 /// name is used before it is declared.
-[[nodiscard]] std::string manchester(const el::OntologySource& source);
+[[nodiscard]] std::string manchester(const owl::Ontology& source);
 
 }  // namespace geminga::frames
 

@@ -176,16 +176,16 @@ INSTANTIATE_TEST_SUITE_P(Construct, Expression, testing::ValuesIn(expressions())
 });
 
 TEST(Grammar, HasEveryKindOfAxiomAndTermUnderItsWord) {
-  for (std::uint8_t kind = 0; kind < el::axiom_kind_count; ++kind) {
-    const std::string_view word = el::to_string(static_cast<el::AxiomKind>(kind));
+  for (std::uint8_t kind = 0; kind < owl::axiom_kind_count; ++kind) {
+    const std::string_view word = owl::to_string(static_cast<owl::AxiomKind>(kind));
     const Production* production = find_production(word);
     ASSERT_NE(production, nullptr) << word;
     if (production->form != Form::axiom) continue;
     EXPECT_EQ(production->kind, kind) << word;
   }
-  const auto first = static_cast<std::uint8_t>(el::TermKind::object_inverse_of);
-  for (std::uint8_t kind = first; kind < static_cast<std::uint8_t>(el::TermKind::facet); ++kind) {
-    const std::string_view word = el::to_string(static_cast<el::TermKind>(kind));
+  const auto first = static_cast<std::uint8_t>(owl::TermKind::object_inverse_of);
+  for (std::uint8_t kind = first; kind < static_cast<std::uint8_t>(owl::TermKind::facet); ++kind) {
+    const std::string_view word = owl::to_string(static_cast<owl::TermKind>(kind));
     const Production* production = find_production(word);
     ASSERT_NE(production, nullptr) << word;
     EXPECT_EQ(production->kind, kind) << word;
@@ -203,11 +203,11 @@ TEST(Grammar, HasACaseForEveryWord) {
   for (const char* word :
        {"Class", "Datatype", "ObjectProperty", "DataProperty", "AnnotationProperty", "NamedIndividual"})
     EXPECT_NE(all.find("(" + std::string(word) + "("), std::string::npos) << word;
-  for (std::uint8_t kind = 0; kind < el::axiom_kind_count; ++kind)
-    EXPECT_NE(all.find(std::string(el::to_string(static_cast<el::AxiomKind>(kind))) + '('), std::string::npos);
-  for (auto kind = static_cast<std::uint8_t>(el::TermKind::object_inverse_of);
-       kind < static_cast<std::uint8_t>(el::TermKind::facet); ++kind)
-    EXPECT_NE(all.find(std::string(el::to_string(static_cast<el::TermKind>(kind))) + '('), std::string::npos);
+  for (std::uint8_t kind = 0; kind < owl::axiom_kind_count; ++kind)
+    EXPECT_NE(all.find(std::string(owl::to_string(static_cast<owl::AxiomKind>(kind))) + '('), std::string::npos);
+  for (auto kind = static_cast<std::uint8_t>(owl::TermKind::object_inverse_of);
+       kind < static_cast<std::uint8_t>(owl::TermKind::facet); ++kind)
+    EXPECT_NE(all.find(std::string(owl::to_string(static_cast<owl::TermKind>(kind))) + '('), std::string::npos);
 }
 
 }  // namespace

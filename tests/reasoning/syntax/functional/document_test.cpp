@@ -86,15 +86,15 @@ TEST(Document, GivesEveryAxiomTheLineInWhichItBegins) {
   EXPECT_EQ(reading.source.axiom(0).line, 4U);
   EXPECT_EQ(reading.source.axiom(1).line, 5U);
   EXPECT_EQ(reading.source.axiom(2).line, 8U);
-  EXPECT_EQ(reading.source.axiom(2).file, el::FileId{0});
+  EXPECT_EQ(reading.source.axiom(2).file, owl::FileId{0});
 }
 
 TEST(Document, DeclaresAnEntityOnce) {
   const Reading reading(ontology("Declaration(Class(:A))\nDeclaration(Class(:A))\nDeclaration(NamedIndividual(:A))"));
   ASSERT_EQ(reading.error, "");
   EXPECT_THAT(reading.axioms(), ElementsAre("Declaration(:A)", "Declaration(:A)"));
-  EXPECT_EQ(reading.source.kind(reading.source.axiom(0).arguments[0]), el::TermKind::named_class);
-  EXPECT_EQ(reading.source.kind(reading.source.axiom(1).arguments[0]), el::TermKind::individual);
+  EXPECT_EQ(reading.source.kind(reading.source.axiom(0).arguments[0]), owl::TermKind::named_class);
+  EXPECT_EQ(reading.source.kind(reading.source.axiom(1).arguments[0]), owl::TermKind::individual);
 }
 
 TEST(Document, CollectsLabels) {
@@ -112,7 +112,7 @@ TEST(Document, CollectsLabels) {
 }
 
 TEST(Document, TellsBlankNodesOfDifferentFilesApart) {
-  el::OntologySource source;
+  owl::Ontology source;
   const std::string first = ontology("ClassAssertion(:A _:x) ClassAssertion(:B _:x)");
   const std::string second = ontology("ClassAssertion(:C _:x)");
   ASSERT_TRUE(read(first, source.add_file("a.ofn"), source));

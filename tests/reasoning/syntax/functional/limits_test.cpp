@@ -159,9 +159,9 @@ TEST(Limits, BoundImports) {
 }
 
 TEST(Limits, OfTheSourceRefuseTheFile) {
-  el::SourceLimits source_limits;
+  owl::SourceLimits source_limits;
   source_limits.axioms = 2;
-  el::OntologySource source(source_limits);
+  owl::Ontology source(source_limits);
   const std::string text = ontology("SubClassOf(:A :B) SubClassOf(:B :C) SubClassOf(:C :D)");
   const auto result = read(text, source.add_file("t.ofn"), source);
   ASSERT_FALSE(result);

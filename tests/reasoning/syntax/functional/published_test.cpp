@@ -36,7 +36,7 @@ std::string content_of(const fs::path& path) {
   return content.str();
 }
 
-Axioms axioms_of(const el::OntologySource& source, bool with_declarations) {
+Axioms axioms_of(const owl::Ontology& source, bool with_declarations) {
   const std::vector<std::string> lines = rdf::functional(source, with_declarations);
   return {lines.begin(), lines.end()};
 }
@@ -53,7 +53,7 @@ std::string missing(const Axioms& wanted, const Axioms& found) {
 TEST(Published, SomaHasTheSameAxiomsInBothSyntaxes) {
   const fs::path folder = published("ontologies/soma");
   if (folder.empty()) GTEST_SKIP() << "no ontologies/soma in $GEMINGA_TEST_DATA or ../shared/data";
-  el::OntologySource source;
+  owl::Ontology source;
   std::vector<std::string> others;
   std::size_t imports = 0;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -99,10 +99,10 @@ std::map<std::string, std::map<std::string, std::string>> test_cases(const fs::p
   const auto loaded = rdf::load(std::vector{file.string(), scratch.write("properties.ttl", declarations)});
   std::map<std::string, std::map<std::string, std::string>> cases;
   if (!loaded) return cases;
-  const el::OntologySource& source = loaded->source;
+  const owl::Ontology& source = loaded->source;
   for (std::size_t number = 0; number < source.axiom_count(); ++number) {
-    const el::Axiom axiom = source.axiom(number);
-    if (axiom.kind != el::AxiomKind::data_property_assertion) continue;
+    const owl::Axiom axiom = source.axiom(number);
+    if (axiom.kind != owl::AxiomKind::data_property_assertion) continue;
     const std::string_view property = source.name_of(axiom.arguments[0]);
     const std::string_view name = source.name_of(axiom.arguments[1]);
     cases[std::string(name.substr(name.rfind('/') + 1))][std::string(property.substr(property.rfind('#') + 1))] =

@@ -13,12 +13,12 @@ namespace geminga::functional {
 
 /// What one text became.
 struct Reading {
-  el::OntologySource source;
+  owl::Ontology source;
   Document document;
   std::string error;  ///< "t.ofn:3: what is wrong"; empty: it was read
 
   explicit Reading(std::string_view text, const Limits& limits = {}) {
-    const el::FileId file = source.add_file("t.ofn");
+    const owl::FileId file = source.add_file("t.ofn");
     auto result = read(text, file, source, limits);
     if (result) {
       document = std::move(*result);

@@ -84,7 +84,7 @@ TEST(Graph, RefusesAFileThatIsBrokenOrHostileAsTheLoaderDoes) {
                                                   "&x;</rdf:RDF>"),
                                     0);
   ASSERT_TRUE(error);
-  EXPECT_THAT(rdf::to_string(*error), HasSubstr("a.owl:1: "));
+  EXPECT_THAT(syntax::to_string(*error), HasSubstr("a.owl:1: "));
 }
 
 TEST(Graph, WritesNumbersInTurtleThatKeepTheirDatatypes) {
@@ -97,7 +97,7 @@ TEST(Graph, WritesNumbersInTurtleThatKeepTheirDatatypes) {
     if (!turtle) return turtle.error();
     const rdf::Scratch scratch;
     Graph again;
-    if (const auto error = again.add_file(scratch.write("a.ttl", *turtle), 0)) return rdf::to_string(*error);
+    if (const auto error = again.add_file(scratch.write("a.ttl", *turtle), 0)) return syntax::to_string(*error);
     std::string line = n_triples(again);
     return line.substr(26, line.size() - 29);
   };

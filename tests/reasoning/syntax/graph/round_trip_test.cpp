@@ -15,16 +15,17 @@ namespace geminga::graph {
 namespace {
 
 /// In any order, with n classes that mean the same as n - 1 pairs, as triples say it.
-std::vector<std::string> sorted_axioms(const el::OntologySource& source) {
-  el::OntologySource pairs;
-  const el::FileId file = pairs.add_file("");
+std::vector<std::string> sorted_axioms(const owl::Ontology& source) {
+  owl::Ontology pairs;
+  const owl::FileId file = pairs.add_file("");
   for (std::size_t number = 0; number < source.axiom_count(); ++number) {
-    const el::Axiom axiom = source.axiom(number);
-    std::vector<el::TermId> arguments;
-    for (const el::TermId id : axiom.arguments) arguments.push_back(pairs.copy(source, id));
-    const bool is_chained =
-        axiom.kind == el::AxiomKind::equivalent_classes || axiom.kind == el::AxiomKind::equivalent_object_properties ||
-        axiom.kind == el::AxiomKind::equivalent_data_properties || axiom.kind == el::AxiomKind::same_individual;
+    const owl::Axiom axiom = source.axiom(number);
+    std::vector<owl::TermId> arguments;
+    for (const owl::TermId id : axiom.arguments) arguments.push_back(pairs.copy(source, id));
+    const bool is_chained = axiom.kind == owl::AxiomKind::equivalent_classes ||
+                            axiom.kind == owl::AxiomKind::equivalent_object_properties ||
+                            axiom.kind == owl::AxiomKind::equivalent_data_properties ||
+                            axiom.kind == owl::AxiomKind::same_individual;
     for (std::size_t at = 0; is_chained && at + 1 < arguments.size(); ++at)
       pairs.add(axiom.kind, {arguments[at], arguments[at + 1]}, file, 0);
     if (!is_chained) pairs.add(axiom.kind, arguments, file, 0);
@@ -38,14 +39,14 @@ std::vector<std::string> sorted_axioms(const el::OntologySource& source) {
   return lines;
 }
 
-void declare_all(el::OntologySource& source) {
-  const el::FileId file{0};
+void declare_all(owl::Ontology& source) {
+  const owl::FileId file{0};
   for (std::uint32_t number = 0; number < source.term_count(); ++number) {
-    const el::TermKind kind = source.kind(el::TermId{number});
+    const owl::TermKind kind = source.kind(owl::TermId{number});
     const bool is_of_owl =
-        kind <= el::TermKind::individual && (source.name_of(el::TermId{number}).starts_with("http://www.w3.org/"));
-    if (kind <= el::TermKind::individual && !is_of_owl)
-      source.add(el::AxiomKind::declaration, {el::TermId{number}}, file, 0);
+        kind <= owl::TermKind::individual && (source.name_of(owl::TermId{number}).starts_with("http://www.w3.org/"));
+    if (kind <= owl::TermKind::individual && !is_of_owl)
+      source.add(owl::AxiomKind::declaration, {owl::TermId{number}}, file, 0);
   }
 }
 
@@ -54,7 +55,7 @@ TEST(RoundTrip, OfAxiomsThroughTriplesGivesTheSameAxioms) {
       {Format::turtle, "t.ttl"}, {Format::rdf_xml, "t.owl"}, {Format::n_triples, "t.nt"}};
   for (const compare::Profile profile : compare::profiles) {
     for (std::uint64_t seed = 1; seed <= 15; ++seed) {
-      el::OntologySource source = compare::random_ontology(profile, seed, 40);
+      owl::Ontology source = compare::random_ontology(profile, seed, 40);
       declare_all(source);
       Graph graph;
       AxiomTriples triples(source, [&](const Node& s, const Node& p, const Node& o) { graph.add(s, p, o); });
@@ -65,7 +66,7 @@ TEST(RoundTrip, OfAxiomsThroughTriplesGivesTheSameAxioms) {
         const auto text = graph.write(format, {{"r", "http://random.example/"}});
         ASSERT_TRUE(text) << text.error();
         const auto loaded = rdf::load_text(name, *text);
-        ASSERT_TRUE(loaded) << name << ' ' << rdf::to_string(loaded.error()) << '\n' << *text;
+        ASSERT_TRUE(loaded) << name << ' ' << syntax::to_string(loaded.error()) << '\n' << *text;
         ASSERT_EQ(sorted_axioms(loaded->source), sorted_axioms(source))
             << compare::to_string(profile) << ' ' << seed << ' ' << name << '\n'
             << *text;

@@ -178,11 +178,11 @@ TEST(Place, OfAUnionWithAComplementMayBeHigherThanItSays) {
 
 TEST(Place, IsTheTaxonomysWhereThatKnowsMore) {
   // An axiom that the rules do not use, and a class that is below another by it in the taxonomy of a stronger engine.
-  el::OntologySource source = el::written(
+  owl::Ontology source = owl::written(
       "SubClassOf(A ObjectUnionOf(B C))\nSubClassOf(B D)\nSubClassOf(C D)\nSubClassOf(E ObjectSomeValuesFrom(r A))\n"
       "EquivalentClasses(F ObjectSomeValuesFrom(r D))\n");
-  source.add(el::AxiomKind::sub_class_of,
-             {source.named_class("https://t.example/#A"), source.named_class("https://t.example/#D")}, el::FileId{0},
+  source.add(owl::AxiomKind::sub_class_of,
+             {source.named_class("https://t.example/#A"), source.named_class("https://t.example/#D")}, owl::FileId{0},
              9);
   EXPECT_EQ(Asked(source).place("r some A"), "< F > E ?");
 }
@@ -197,31 +197,31 @@ TEST(Place, OfTheSameExpressionInOtherWordsIsTheSame) {
 TEST(Distance, IsThatOfAClassInThePlace) {
   const Asked asked(sensors);
   const auto place = asked.place_of("Sensor and (observes some Ball)");
-  const auto number = [&](std::string_view name) { return el::named(asked.ontology(), name); };
-  EXPECT_EQ(el::distance_up(place, number("Sensor"), asked.ontology()), 1U);
-  EXPECT_EQ(el::distance_up(place, *asked.ontology().find_iri(el::owl_thing), asked.ontology()), 2U);
-  EXPECT_EQ(el::distance_up(place, number("Camera"), asked.ontology()), std::nullopt);
-  EXPECT_EQ(el::distance_down(place, number("BallCamera"), asked.ontology()), 1U);
-  EXPECT_EQ(el::distance_down(place, number("Lidar"), asked.ontology()), std::nullopt);
+  const auto number = [&](std::string_view name) { return owl::named(asked.ontology(), name); };
+  EXPECT_EQ(placement::distance_up(place, number("Sensor"), asked.ontology()), 1U);
+  EXPECT_EQ(placement::distance_up(place, *asked.ontology().find_iri(owl::owl_thing), asked.ontology()), 2U);
+  EXPECT_EQ(placement::distance_up(place, number("Camera"), asked.ontology()), std::nullopt);
+  EXPECT_EQ(placement::distance_down(place, number("BallCamera"), asked.ontology()), 1U);
+  EXPECT_EQ(placement::distance_down(place, number("Lidar"), asked.ontology()), std::nullopt);
   const auto same = asked.place_of("Camera and Sensor");
-  EXPECT_EQ(el::distance_up(same, number("Camera"), asked.ontology()), 0U);
-  EXPECT_EQ(el::distance_down(same, number("BallCamera"), asked.ontology()), 1U);
+  EXPECT_EQ(placement::distance_up(same, number("Camera"), asked.ontology()), 0U);
+  EXPECT_EQ(placement::distance_down(same, number("BallCamera"), asked.ontology()), 1U);
 }
 
 TEST(Base, IsRefusedBeyondItsLimits) {
-  const el::Ontology ontology = el::loaded(sensors);
-  el::ExpressionLimits limits;
+  const compiled::Ontology ontology = owl::loaded(sensors);
+  placement::ExpressionLimits limits;
   limits.axioms = 8;
-  EXPECT_TRUE(el::ExpressionClassifier::build(ontology, limits));
+  EXPECT_TRUE(placement::ExpressionClassifier::build(ontology, limits));
   limits.axioms = 7;
-  const auto refused = el::ExpressionClassifier::build(ontology, limits);
+  const auto refused = placement::ExpressionClassifier::build(ontology, limits);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().text,
             "the ontology has 8 axioms, and class expressions are possible with at most 7: name a class instead");
   limits = {};
   limits.conclusions = 3;
-  EXPECT_FALSE(el::ExpressionClassifier::build(ontology, limits));
-  EXPECT_FALSE(el::ExpressionClassifier::build(el::loaded("ClassAssertion(Nothing i:a)\n")));
+  EXPECT_FALSE(placement::ExpressionClassifier::build(ontology, limits));
+  EXPECT_FALSE(placement::ExpressionClassifier::build(owl::loaded("ClassAssertion(Nothing i:a)\n")));
 }
 
 TEST(Base, DoesNotGrowByTenThousandQuestions) {
@@ -239,7 +239,7 @@ TEST(Base, DoesNotGrowByTenThousandQuestions) {
 }
 
 TEST(Work, OverTheLimitLeavesAGapAndNothingWrong) {
-  el::ExpressionLimits limits;
+  placement::ExpressionLimits limits;
   limits.work = 2;
   const Asked asked(sensors, limits);
   EXPECT_EQ(asked.place("Camera and (observes some (RedBall and Lidar))").back(), '?');

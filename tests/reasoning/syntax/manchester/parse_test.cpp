@@ -12,8 +12,8 @@ namespace geminga::manchester {
 namespace {
 
 /// The ontology of MANCHESTER.md's examples.
-el::OntologySource example() {
-  el::OntologySource source = el::written(
+owl::Ontology example() {
+  owl::Ontology source = owl::written(
       "SubClassOf(Camera Sensor)\nSubClassOf(Sensor ObjectSomeValuesFrom(observes Thing))\nDeclaration(Ball)\n"
       "Declaration(LeftEye)\nDeclaration(OilBall)\nObjectPropertyDomain(partOf Thing)\n"
       "SubClassOf(Ball DataSomeValuesFrom(d:weight x:decimal))\nClassAssertion(Thing i:robot1)\n");
@@ -85,9 +85,9 @@ TEST(Expression, IsPrintedSoThatItIsReadAgain) {
   for (const auto& [text, expected] : examples("canonical")) {
     const auto read = parse(text, asked.names());
     ASSERT_TRUE(read) << text;
-    const std::string printed = el::print(
+    const std::string printed = owl::print(
         read->source, read->term, [&](std::string_view iri) { return asked.ontology().short_name(iri); },
-        el::PrintStyle::parsing);
+        owl::PrintStyle::parsing);
     EXPECT_EQ(asked.read(printed), asked.read(text)) << printed;
   }
 }
@@ -144,9 +144,9 @@ TEST(Expression, HasOnlyLiteralsOfTheirDatatypes) {
 }
 
 TEST(Name, ThatFitsTwiceIsRefusedWithBoth) {
-  el::OntologySource source = example();
-  source.add(el::AxiomKind::declaration, {source.named_class("https://u.example/Ball")}, el::FileId{0}, 1);
-  source.add(el::AxiomKind::declaration, {source.data_property("https://t.example/#observes")}, el::FileId{0}, 1);
+  owl::Ontology source = example();
+  source.add(owl::AxiomKind::declaration, {source.named_class("https://u.example/Ball")}, owl::FileId{0}, 1);
+  source.add(owl::AxiomKind::declaration, {source.data_property("https://t.example/#observes")}, owl::FileId{0}, 1);
   const Asked asked(source);
   EXPECT_EQ(asked.read("not Ball"), "column 5: 'Ball' may be t:Ball or <https://u.example/Ball>: say which");
   EXPECT_EQ(shortened(asked.read("not t:Ball")), "not t:Ball");

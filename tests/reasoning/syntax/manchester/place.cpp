@@ -8,28 +8,30 @@
 namespace geminga::manchester {
 namespace {
 
-std::string listed(const std::vector<el::ClassNumber>& classes, const el::Ontology& ontology) {
+std::string listed(const std::vector<taxonomy::ClassNumber>& classes, const compiled::Ontology& ontology) {
   std::string text;
-  for (const el::ClassNumber number : classes) text += " " + std::string(el::end_of_iri(ontology.iri(number)));
+  for (const taxonomy::ClassNumber number : classes)
+    text += " " + std::string(compiled::end_of_iri(ontology.iri(number)));
   return text;
 }
 
 }  // namespace
 
-Asked::Asked(std::string_view ontology, const el::ExpressionLimits& limits) : Asked(el::written(ontology), limits) {}
+Asked::Asked(std::string_view ontology, const placement::ExpressionLimits& limits)
+    : Asked(owl::written(ontology), limits) {}
 
-Asked::Asked(const el::OntologySource& source, const el::ExpressionLimits& limits)
-    : ontology_(std::make_unique<el::Ontology>(el::loaded(source))),
-      names_(std::make_unique<el::EntityNames>(*ontology_)) {
-  auto classifier = el::ExpressionClassifier::build(*ontology_, limits);
+Asked::Asked(const owl::Ontology& source, const placement::ExpressionLimits& limits)
+    : ontology_(std::make_unique<compiled::Ontology>(owl::loaded(source))),
+      names_(std::make_unique<compiled::EntityNames>(*ontology_)) {
+  auto classifier = placement::ExpressionClassifier::build(*ontology_, limits);
   if (!classifier) {
     ADD_FAILURE() << classifier.error().text;
     return;
   }
-  classifier_ = std::make_unique<el::ExpressionClassifier>(std::move(*classifier));
+  classifier_ = std::make_unique<placement::ExpressionClassifier>(std::move(*classifier));
 }
 
-el::ExpressionPlace Asked::place_of(std::string_view expression) const {
+placement::ExpressionPlace Asked::place_of(std::string_view expression) const {
   const auto read = parse(expression, *names_);
   if (!read) {
     ADD_FAILURE() << expression << ": " << to_string(read.error());
@@ -39,7 +41,7 @@ el::ExpressionPlace Asked::place_of(std::string_view expression) const {
 }
 
 std::string Asked::place(std::string_view expression) const {
-  const el::ExpressionPlace place = place_of(expression);
+  const placement::ExpressionPlace place = place_of(expression);
   const std::string gap = place.gaps.empty() ? "" : " ?";
   if (!place.is_satisfiable) return "nothing" + gap;
   if (place.equivalent) return "=" + listed({*place.equivalent}, *ontology_) + gap;
@@ -54,7 +56,7 @@ std::string Asked::is_subsumed(std::string_view sub, std::string_view super) con
     ADD_FAILURE() << to_string(both.error());
     return {};
   }
-  const el::Term term = both->source.term(both->term);
+  const owl::Term term = both->source.term(both->term);
   const auto answer = classifier_->is_subsumed(both->source, term.arguments[0], term.arguments[1]);
   return answer.holds ? "yes" : answer.gaps.empty() ? "no" : "no?";
 }

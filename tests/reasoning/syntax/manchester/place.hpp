@@ -16,27 +16,27 @@ namespace geminga::manchester {
 /// An ontology in the syntax of el/written.hpp with everything that reads and classifies expressions over it.
 class Asked {
  public:
-  explicit Asked(std::string_view ontology, const el::ExpressionLimits& limits = {});
-  explicit Asked(const el::OntologySource& source, const el::ExpressionLimits& limits = {});
+  explicit Asked(std::string_view ontology, const placement::ExpressionLimits& limits = {});
+  explicit Asked(const owl::Ontology& source, const placement::ExpressionLimits& limits = {});
 
   /// `= A`, or `< A B > C D`: the classes right above and right below by local name, in the order of their numbers;
   /// `nothing` where it has no instance. ` ?` behind it where there are gaps. A text that cannot be read fails the test
   /// that asks.
   [[nodiscard]] std::string place(std::string_view expression) const;
-  [[nodiscard]] el::ExpressionPlace place_of(std::string_view expression) const;
+  [[nodiscard]] placement::ExpressionPlace place_of(std::string_view expression) const;
   /// "yes", "no", or "no?" where there are gaps.
   [[nodiscard]] std::string is_subsumed(std::string_view sub, std::string_view super) const;
   /// The canonical text, or what is wrong.
   [[nodiscard]] std::string read(std::string_view expression, const Limits& limits = {}) const;
 
-  [[nodiscard]] const el::Ontology& ontology() const { return *ontology_; }
-  [[nodiscard]] const el::ExpressionClassifier& classifier() const { return *classifier_; }
-  [[nodiscard]] const el::EntityNames& names() const { return *names_; }
+  [[nodiscard]] const compiled::Ontology& ontology() const { return *ontology_; }
+  [[nodiscard]] const placement::ExpressionClassifier& classifier() const { return *classifier_; }
+  [[nodiscard]] const compiled::EntityNames& names() const { return *names_; }
 
  private:
-  std::unique_ptr<el::Ontology> ontology_;
-  std::unique_ptr<el::EntityNames> names_;
-  std::unique_ptr<el::ExpressionClassifier> classifier_;
+  std::unique_ptr<compiled::Ontology> ontology_;
+  std::unique_ptr<compiled::EntityNames> names_;
+  std::unique_ptr<placement::ExpressionClassifier> classifier_;
 };
 
 }  // namespace geminga::manchester

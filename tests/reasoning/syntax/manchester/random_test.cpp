@@ -16,7 +16,7 @@
 namespace geminga::manchester {
 namespace {
 
-using el::ClassNumber;
+using taxonomy::ClassNumber;
 
 /// Random expressions in Manchester syntax over the names of el::random_ontology().
 class Expressions {
@@ -77,11 +77,11 @@ std::string with_all_names(const std::string& text, std::uint64_t classes) {
 
 /// The names above and below a class in an ontology, itself left out: `above A`, `below B`.
 std::set<std::string> from_scratch(const std::string& text, const Expression& expression) {
-  el::OntologySource source = el::written(text);
-  const el::TermId own = source.named_class("https://t.example/#TheExpression");
-  source.add(el::AxiomKind::equivalent_classes, {own, source.copy(expression.source, expression.term)}, el::FileId{0},
+  owl::Ontology source = owl::written(text);
+  const owl::TermId own = source.named_class("https://t.example/#TheExpression");
+  source.add(owl::AxiomKind::equivalent_classes, {own, source.copy(expression.source, expression.term)}, owl::FileId{0},
              0);
-  const el::Ontology ontology = el::loaded(source);
+  const compiled::Ontology ontology = owl::loaded(source);
   const ClassNumber number = *ontology.find_iri("https://t.example/#TheExpression");
   std::set<std::string> found;
   if (!ontology.is_consistent()) return {"inconsistent"};
@@ -96,13 +96,13 @@ std::set<std::string> from_scratch(const std::string& text, const Expression& ex
 }
 
 std::set<std::string> by_overlay(const Asked& asked, const Expression& expression) {
-  const el::ExpressionPlace place = asked.classifier().classify(expression.source, expression.term);
+  const placement::ExpressionPlace place = asked.classifier().classify(expression.source, expression.term);
   if (!place.is_satisfiable) return {"nothing"};
   std::set<std::string> found;
   for (std::uint32_t other = 0; other < asked.ontology().class_count(); ++other) {
     const std::string iri(asked.ontology().iri(ClassNumber{other}));
-    if (el::is_below(place, ClassNumber{other}, asked.ontology())) found.insert("above " + iri);
-    if (el::is_above(place, ClassNumber{other}, asked.ontology())) found.insert("below " + iri);
+    if (placement::is_below(place, ClassNumber{other}, asked.ontology())) found.insert("above " + iri);
+    if (placement::is_above(place, ClassNumber{other}, asked.ontology())) found.insert("below " + iri);
   }
   return found;
 }
@@ -113,12 +113,12 @@ TEST(RandomExpressions, StandWhereAClassOfTheirOwnWouldStand) {
     base::Random random(seed);
     const std::uint64_t size = 4 + random.below(16);
     const std::uint64_t classes = size / 2 + 3;
-    const std::string text = with_all_names(el::random_ontology(random, size), classes);
-    if (!el::loaded(text).is_consistent()) continue;
+    const std::string text = with_all_names(owl::random_ontology(random, size), classes);
+    if (!owl::loaded(text).is_consistent()) continue;
     const Asked asked(text);
     // Expressions are placed without the universals that ranges of chains need, and say so.
-    const el::OntologySource source = el::written(text);
-    const bool is_complete = el::classified(source).unused.empty() && !el::has_range_over_chain(source);
+    const owl::Ontology source = owl::written(text);
+    const bool is_complete = owl::classified(source).unused.empty() && !owl::has_range_over_chain(source);
     Expressions expressions(random, classes);
     for (int turn = 0; turn < 12; ++turn) {
       const std::string written = expressions.write(3);
@@ -147,8 +147,8 @@ TEST(RandomExpressions, BeyondElAreWhereTheReasonerOfAllOfOwlPutsThem) {
     base::Random random(seed);
     const std::uint64_t size = 3 + random.below(8);
     const std::uint64_t classes = size / 2 + 3;
-    const std::string text = with_all_names(el::random_ontology(random, size), classes);
-    if (!el::loaded(text).is_consistent() || !el::classified(el::written(text)).unused.empty()) continue;
+    const std::string text = with_all_names(owl::random_ontology(random, size), classes);
+    if (!owl::loaded(text).is_consistent() || !owl::classified(owl::written(text)).unused.empty()) continue;
     const Asked asked(text);
     Expressions expressions(random, classes);
     for (int turn = 0; turn < 6; ++turn) {
@@ -156,10 +156,10 @@ TEST(RandomExpressions, BeyondElAreWhereTheReasonerOfAllOfOwlPutsThem) {
       SCOPED_TRACE("seed " + std::to_string(seed) + " " + written + "\n" + text);
       const auto expression = parse(written, asked.names());
       ASSERT_TRUE(expression) << to_string(expression.error());
-      const el::ExpressionPlace place = asked.classifier().classify(expression->source, expression->term);
-      el::OntologySource source = el::written(text);
-      const el::TermId term = source.copy(expression->source, expression->term);
-      const auto check = [&](el::TermId sub, el::TermId super, bool is_found) {
+      const placement::ExpressionPlace place = asked.classifier().classify(expression->source, expression->term);
+      owl::Ontology source = owl::written(text);
+      const owl::TermId term = source.copy(expression->source, expression->term);
+      const auto check = [&](owl::TermId sub, owl::TermId super, bool is_found) {
         const reasoner::Answer answer = reasoner::entails(source, std::nullopt, sub, super);
         if (answer.verdict == reasoner::Verdict::unknown) return;
         if (is_found) {
@@ -169,13 +169,13 @@ TEST(RandomExpressions, BeyondElAreWhereTheReasonerOfAllOfOwlPutsThem) {
           ++refused;
         }
       };
-      check(term, el::nothing_term, !place.is_satisfiable);
+      check(term, owl::nothing_term, !place.is_satisfiable);
       for (std::uint32_t at = 0; at < asked.ontology().class_count() && place.is_satisfiable; ++at) {
-        const el::ClassNumber number{at};
-        const el::TermId name = source.named_class(asked.ontology().iri(number));
+        const taxonomy::ClassNumber number{at};
+        const owl::TermId name = source.named_class(asked.ontology().iri(number));
         SCOPED_TRACE(asked.ontology().short_name(number));
-        check(term, name, el::is_below(place, number, asked.ontology()));
-        check(name, term, el::is_above(place, number, asked.ontology()));
+        check(term, name, placement::is_below(place, number, asked.ontology()));
+        check(name, term, placement::is_above(place, number, asked.ontology()));
       }
       if (place.gaps.empty()) ++complete;
       if (testing::Test::HasFailure()) return;
@@ -188,8 +188,8 @@ TEST(RandomExpressions, BeyondElAreWhereTheReasonerOfAllOfOwlPutsThem) {
 TEST(RandomWalk, OfQuestionsGivesTheAnswersOfAFreshStart) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     base::Random random(seed);
-    const std::string text = with_all_names(el::random_ontology(random, 12), 9);
-    if (!el::loaded(text).is_consistent()) continue;
+    const std::string text = with_all_names(owl::random_ontology(random, 12), 9);
+    if (!owl::loaded(text).is_consistent()) continue;
     const Asked asked(text);
     Expressions expressions(random, 9);
     std::vector<std::string> known;

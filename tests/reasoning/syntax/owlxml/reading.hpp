@@ -12,7 +12,7 @@ namespace geminga::owlxml {
 
 /// What one text became.
 struct Reading {
-  el::OntologySource source;
+  owl::Ontology source;
   Document document;
   std::string error;  ///< "t.owx:3: what is wrong"; empty: it was read
 

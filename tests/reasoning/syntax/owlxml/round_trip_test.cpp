@@ -13,7 +13,7 @@ namespace {
 TEST(RoundTrip, GivesTheAxiomsThatWereWrittenInTheirOrder) {
   for (const compare::Profile profile : compare::profiles) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-      const el::OntologySource source = compare::random_ontology(profile, seed, 40);
+      const owl::Ontology source = compare::random_ontology(profile, seed, 40);
       const Reading reading(owl_xml(source));
       ASSERT_EQ(reading.error, "") << compare::to_string(profile) << ' ' << seed << '\n' << owl_xml(source);
       ASSERT_EQ(rdf::functional(reading.source), rdf::functional(source))

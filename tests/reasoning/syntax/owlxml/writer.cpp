@@ -4,17 +4,17 @@
 namespace geminga::owlxml {
 namespace {
 
-using el::TermKind;
+using owl::TermKind;
 
 class Writer {
  public:
-  explicit Writer(const el::OntologySource& source) : source_(source) {}
+  explicit Writer(const owl::Ontology& source) : source_(source) {}
 
   std::string document() const {
     std::string text = "<?xml version=\"1.0\"?>\n<Ontology xmlns=\"http://www.w3.org/2002/07/owl#\">\n";
     for (std::size_t number = 0; number < source_.axiom_count(); ++number) {
-      const el::Axiom axiom = source_.axiom(number);
-      text += element(el::to_string(axiom.kind), "", list(axiom.arguments)) + '\n';
+      const owl::Axiom axiom = source_.axiom(number);
+      text += element(owl::to_string(axiom.kind), "", list(axiom.arguments)) + '\n';
     }
     return text + "</Ontology>\n";
   }
@@ -42,14 +42,14 @@ class Writer {
     return ' ' + std::string(name) + "=\"" + escaped(value) + '"';
   }
 
-  std::string list(std::span<const el::TermId> terms) const {
+  std::string list(std::span<const owl::TermId> terms) const {
     std::string text;
-    for (const el::TermId id : terms) text += term(id);
+    for (const owl::TermId id : terms) text += term(id);
     return text;
   }
 
-  std::string term(el::TermId id) const {
-    const el::Term of = source_.term(id);
+  std::string term(owl::TermId id) const {
+    const owl::Term of = source_.term(id);
     const std::string_view name =
         of.kind <= TermKind::language_tag || of.kind == TermKind::facet ? source_.name(of.name) : std::string_view();
     switch (of.kind) {
@@ -80,15 +80,15 @@ class Writer {
     const bool is_counted =
         (of.kind >= TermKind::object_min_cardinality && of.kind <= TermKind::object_exact_cardinality) ||
         (of.kind >= TermKind::data_min_cardinality && of.kind <= TermKind::data_exact_cardinality);
-    return element(el::to_string(of.kind), is_counted ? attribute("cardinality", std::to_string(of.number)) : "",
+    return element(owl::to_string(of.kind), is_counted ? attribute("cardinality", std::to_string(of.number)) : "",
                    list(of.arguments));
   }
 
-  const el::OntologySource& source_;
+  const owl::Ontology& source_;
 };
 
 }  // namespace
 
-std::string owl_xml(const el::OntologySource& source) { return Writer(source).document(); }
+std::string owl_xml(const owl::Ontology& source) { return Writer(source).document(); }
 
 }  // namespace geminga::owlxml

@@ -9,7 +9,7 @@
 namespace geminga::owlxml {
 
 /// One axiom a line, in the order of the source.
-[[nodiscard]] std::string owl_xml(const el::OntologySource& source);
+[[nodiscard]] std::string owl_xml(const owl::Ontology& source);
 
 }  // namespace geminga::owlxml
 

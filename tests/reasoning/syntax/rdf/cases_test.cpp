@@ -38,7 +38,7 @@ std::vector<std::string> lines_of(const fs::path& path) {
 /// Axioms, then what was left out, in the form of the .axioms files.
 std::vector<std::string> found_in(const Loaded& loaded) {
   std::vector<std::string> found = functional(loaded.source);
-  for (const el::OntologySource::Omission& omission : loaded.source.omissions())
+  for (const owl::Ontology::Omission& omission : loaded.source.omissions())
     found.push_back("left out: " + std::string(loaded.source.name(omission.construct)) + ", " +
                     std::to_string(omission.count) + ", line " + std::to_string(omission.line));
   return found;
@@ -91,7 +91,7 @@ TEST(Mapping, KeepsFileAndLineOfEveryAxiom) {
   ASSERT_TRUE(loaded) << to_string(loaded.error());
   ASSERT_EQ(loaded->source.axiom_count(), 2U);
   const auto place = [&](std::size_t index) {
-    const el::Axiom axiom = loaded->source.axiom(index);
+    const owl::Axiom axiom = loaded->source.axiom(index);
     return loaded->source.files()[static_cast<std::size_t>(axiom.file)].path + ':' + std::to_string(axiom.line);
   };
   EXPECT_EQ(place(0), a + ":1");

@@ -27,7 +27,7 @@ std::vector<std::string> from(const std::filesystem::path& folder, const std::ve
   return found;
 }
 
-std::vector<std::string> names(const std::expected<Listing, LoadError>& listing) {
+std::vector<std::string> names(const std::expected<syntax::Listing, syntax::LoadError>& listing) {
   if (!listing) return {"refused: " + to_string(listing.error())};
   std::vector<std::string> found;
   for (const std::string& file : listing->files) found.push_back(std::filesystem::path(file).filename().string());
@@ -40,7 +40,7 @@ TEST(Files, AFolderMeansItsOntologyFilesAndThoseBelowSortedByPath) {
        {"z.owl", "b.ttl", "a.nt", "c.rdf", "d.xml", "e.ofn", "f.fss", "g.omn", "h.owx", "i.owl.gz", "notes.txt",
         ".#b.ttl", ".git/x.ttl", "catalog-v001.xml", "below/deep/e.ttl", "folder.ttl/f.ttl", "table.csv.gz"})
     scratch.write(name, "");
-  const auto listing = list_files(std::vector{scratch.path().string()}, {});
+  const auto listing = syntax::list_files(std::vector{scratch.path().string()}, {});
   ASSERT_TRUE(listing);
   EXPECT_THAT(from(scratch.path(), listing->files),
               ElementsAre("a.nt", "b.ttl", "below/deep/e.ttl", "c.rdf", "d.xml", "e.ofn", "f.fss", "folder.ttl/f.ttl",
@@ -54,18 +54,18 @@ TEST(Files, XmlOfOtherProgramsInAFolderIsSkippedAndWhatIsNamedIsNot) {
   const std::string package = scratch.write("package.xml", "<?xml version=\"1.0\"?>\n<package format=\"3\"/>");
   scratch.write("a.xml", "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\"/>");
   scratch.write("b.xml", "<Ontology xmlns=\"http://www.w3.org/2002/07/owl#\"/>");
-  const auto listing = list_files(std::vector{scratch.path().string()}, {});
+  const auto listing = syntax::list_files(std::vector{scratch.path().string()}, {});
   ASSERT_TRUE(listing);
   EXPECT_THAT(from(scratch.path(), listing->files), ElementsAre("a.xml", "b.xml"));
   EXPECT_THAT(from(scratch.path(), listing->skipped), ElementsAre("package.xml"));
-  EXPECT_THAT(names(list_files(std::vector{package}, {})), ElementsAre("package.xml"));
+  EXPECT_THAT(names(syntax::list_files(std::vector{package}, {})), ElementsAre("package.xml"));
 }
 
 TEST(Files, LinksToFoldersAreNotFollowedSoThatNoneLeadsRound) {
   const Scratch scratch;
   scratch.write("below/a.ttl", "");
   std::filesystem::create_directory_symlink("..", scratch.path() / "below" / "up");
-  const auto listing = list_files(std::vector{scratch.path().string()}, {});
+  const auto listing = syntax::list_files(std::vector{scratch.path().string()}, {});
   ASSERT_TRUE(listing);
   EXPECT_THAT(from(scratch.path(), listing->files), ElementsAre("below/a.ttl"));
   EXPECT_THAT(from(scratch.path(), listing->skipped), ElementsAre("below/up"));
@@ -77,11 +77,11 @@ TEST(Files, FoldersHaveAMostOfLevelsAndOfEntries) {
   scratch.write("1/2/b.txt", "");
   const std::vector arguments{scratch.path().string()};
   for (const std::size_t levels : {3U, 4U}) {
-    Limits limits;
+    syntax::Limits limits;
     limits.folder_levels = levels;
     EXPECT_THAT(names(list_files(arguments, limits)), ElementsAre("a.ttl")) << levels;
   }
-  Limits limits;
+  syntax::Limits limits;
   limits.folder_levels = 2;
   EXPECT_THAT(names(list_files(arguments, limits)),
               ElementsAre(EndsWith("1/2/3: is more than 2 folders deep: name the folders of the ontologies")));
@@ -98,13 +98,13 @@ TEST(Files, WhatIsNamedTwiceIsTakenOnce) {
   const std::string a = scratch.write("a.ttl", "");
   scratch.write("b.ttl", "");
   std::filesystem::create_symlink("a.ttl", scratch.path() / "c.ttl");
-  EXPECT_THAT(names(list_files(std::vector{a, scratch.path().string(), a}, {})), ElementsAre("a.ttl", "b.ttl"));
+  EXPECT_THAT(names(syntax::list_files(std::vector{a, scratch.path().string(), a}, {})), ElementsAre("a.ttl", "b.ttl"));
 }
 
 TEST(Files, AFolderWithoutOntologiesIsAnError) {
   const Scratch scratch;
   scratch.write("notes.txt", "");
-  const auto files = list_files(std::vector{scratch.path().string()}, {});
+  const auto files = syntax::list_files(std::vector{scratch.path().string()}, {});
   ASSERT_FALSE(files);
   EXPECT_THAT(files.error().text, HasSubstr("holds no ontology file"));
 }
@@ -115,7 +115,7 @@ TEST(Files, ALinkThatLeavesItsFolderIsRefused) {
   const Scratch scratch;
   scratch.write("a.ttl", "");
   std::filesystem::create_symlink(target, scratch.path() / "b.ttl");
-  const auto files = list_files(std::vector{scratch.path().string()}, {});
+  const auto files = syntax::list_files(std::vector{scratch.path().string()}, {});
   ASSERT_FALSE(files);
   EXPECT_THAT(files.error().file, EndsWith("b.ttl"));
   EXPECT_EQ(files.error().text, "is a link that leads out of its folder: name the file itself");
@@ -124,33 +124,33 @@ TEST(Files, ALinkThatLeavesItsFolderIsRefused) {
 TEST(Files, ALinkToNowhereIsAnError) {
   const Scratch scratch;
   std::filesystem::create_symlink("nowhere", scratch.path() / "a.ttl");
-  EXPECT_FALSE(list_files(std::vector{scratch.path().string()}, {}));
+  EXPECT_FALSE(syntax::list_files(std::vector{scratch.path().string()}, {}));
 }
 
 TEST(Files, FifosDevicesAndSocketsAreNeverOpened) {
   const Scratch scratch;
   const std::string fifo = (scratch.path() / "fifo.ttl").string();
   ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
-  const auto read_fifo = FileBytes::read(fifo, {});  // would wait for ever for somebody who writes
+  const auto read_fifo = syntax::FileBytes::read(fifo, {});  // would wait for ever for somebody who writes
   ASSERT_FALSE(read_fifo);
   EXPECT_EQ(read_fifo.error().text, "is a FIFO, not a regular file");
   EXPECT_TRUE(read_fifo.error().is_unreadable);
   EXPECT_FALSE(load(std::vector{scratch.path().string()}));
 
-  const auto device = FileBytes::read("/dev/zero", {});
+  const auto device = syntax::FileBytes::read("/dev/zero", {});
   ASSERT_FALSE(device);
   EXPECT_EQ(device.error().text, "is a device, not a regular file");
-  const auto folder = FileBytes::read(scratch.path().string(), {});
+  const auto folder = syntax::FileBytes::read(scratch.path().string(), {});
   ASSERT_FALSE(folder);
   EXPECT_EQ(folder.error().text, "is a folder, not a regular file");
-  const auto missing = FileBytes::read((scratch.path() / "missing.ttl").string(), {});
+  const auto missing = syntax::FileBytes::read((scratch.path() / "missing.ttl").string(), {});
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().text, "cannot be opened: No such file or directory");
 }
 
 TEST(Files, AFileThatGrowsWhileItIsReadIsRefused) {
   // A file of /proc says that it has no bytes, and then has some: like one that grew between the two questions.
-  const auto bytes = FileBytes::read("/proc/self/status", {});
+  const auto bytes = syntax::FileBytes::read("/proc/self/status", {});
   ASSERT_FALSE(bytes);
   EXPECT_EQ(bytes.error().text, "became longer while it was read: try again");
 }
@@ -163,7 +163,7 @@ TEST(Files, WhatMayNotBeReadIsUnreadable) {
   const bool is_root = geteuid() == 0;
   constexpr uid_t nobody = 65'534;
   if (is_root && seteuid(nobody) != 0) GTEST_SKIP() << "root of this user namespace may become nobody else";
-  const auto bytes = FileBytes::read(path, {});
+  const auto bytes = syntax::FileBytes::read(path, {});
   if (is_root) {
     ASSERT_EQ(seteuid(0), 0);
   }
@@ -175,13 +175,13 @@ TEST(Files, WhatMayNotBeReadIsUnreadable) {
 TEST(Files, AFolderNamedLikeAFileIsReadAsTheFolderThatItIs) {
   const Scratch scratch;
   scratch.write("x.ttl/a.ttl", "");
-  EXPECT_THAT(names(list_files(std::vector{(scratch.path() / "x.ttl").string()}, {})), ElementsAre("a.ttl"));
+  EXPECT_THAT(names(syntax::list_files(std::vector{(scratch.path() / "x.ttl").string()}, {})), ElementsAre("a.ttl"));
 }
 
 TEST(Files, ReleasedBytesAreGoneAndTheRestIsThere) {
   const Scratch scratch;
   const std::string path = scratch.write("a.ttl", std::string(1 << 18, 'x') + "end");
-  auto bytes = FileBytes::read(path, {});
+  auto bytes = syntax::FileBytes::read(path, {});
   ASSERT_TRUE(bytes);
   EXPECT_EQ(bytes->view().size(), (1U << 18) + 3);
   EXPECT_EQ(bytes->release(0, 1 << 17), 1U << 17);

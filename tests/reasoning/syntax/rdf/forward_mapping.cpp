@@ -9,22 +9,22 @@
 namespace geminga::rdf {
 namespace {
 
-using el::AxiomKind;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermKind;
 
 std::string in_brackets(std::string_view iri) { return '<' + std::string(iri) + '>'; }
-std::string rdf_word(std::string_view word) { return in_brackets(std::string(rdf_namespace).append(word)); }
-std::string rdfs_word(std::string_view word) { return in_brackets(std::string(rdfs_namespace).append(word)); }
-std::string owl_word(std::string_view word) { return in_brackets(std::string(owl_namespace).append(word)); }
+std::string rdf_word(std::string_view word) { return in_brackets(std::string(syntax::rdf_namespace).append(word)); }
+std::string rdfs_word(std::string_view word) { return in_brackets(std::string(syntax::rdfs_namespace).append(word)); }
+std::string owl_word(std::string_view word) { return in_brackets(std::string(syntax::owl_namespace).append(word)); }
 
 class Writer {
  public:
-  explicit Writer(const el::OntologySource& source) : source_(source) {}
+  explicit Writer(const owl::Ontology& source) : source_(source) {}
 
   std::vector<std::string> take() { return std::move(lines_); }
 
-  void axiom(const el::Axiom& axiom, bool is_annotated) {
-    const std::span<const el::TermId> terms = axiom.arguments;
+  void axiom(const owl::Axiom& axiom, bool is_annotated) {
+    const std::span<const owl::TermId> terms = axiom.arguments;
     switch (axiom.kind) {
       case AxiomKind::declaration:
         return main(term(terms[0]), rdf_word("type"), kind_of_entity(source_.kind(terms[0])), is_annotated);
@@ -76,7 +76,7 @@ class Writer {
   }
 
   /// Two are a triple, more are a node of their own.
-  void several(std::span<const el::TermId> terms, std::string_view of_two, std::string_view of_more,
+  void several(std::span<const owl::TermId> terms, std::string_view of_two, std::string_view of_more,
                bool is_annotated) {
     if (terms.size() == 2) return main(term(terms[0]), owl_word(of_two), term(terms[1]), is_annotated);
     const std::string node = fresh();
@@ -85,7 +85,7 @@ class Writer {
     if (is_annotated) triple(node, "<http://e/note>", "\"why\"");
   }
 
-  void negative(const el::Axiom& axiom, bool is_annotated) {
+  void negative(const owl::Axiom& axiom, bool is_annotated) {
     const bool is_of_data = axiom.kind == AxiomKind::negative_data_property_assertion;
     const std::string node = fresh();
     triple(node, rdf_word("type"), owl_word("NegativePropertyAssertion"));
@@ -95,7 +95,7 @@ class Writer {
     if (is_annotated) triple(node, "<http://e/note>", "\"why\"");
   }
 
-  std::string list(std::span<const el::TermId> terms) {
+  std::string list(std::span<const owl::TermId> terms) {
     std::string rest = rdf_word("nil");
     for (std::size_t place = terms.size(); place-- > 0;) {
       const std::string node = fresh();
@@ -153,14 +153,15 @@ class Writer {
     }
   }
 
-  std::string literal(const el::Term& term) {
+  std::string literal(const owl::Term& term) {
     std::string text = '"' + std::string(source_.name(term.name)) + '"';
     if (term.arguments.size() == 2) return text + '@' + std::string(source_.name_of(term.arguments[1]));
     return text + "^^" + in_brackets(source_.name_of(term.arguments[0]));
   }
 
   std::string number(std::uint32_t value) {
-    return '"' + std::to_string(value) + "\"^^" + in_brackets(std::string(xsd_namespace) + "nonNegativeInteger");
+    return '"' + std::to_string(value) + "\"^^" +
+           in_brackets(std::string(syntax::xsd_namespace) + "nonNegativeInteger");
   }
 
   std::string described(std::string_view type, std::string_view predicate, const std::string& object) {
@@ -170,13 +171,13 @@ class Writer {
     return node;
   }
 
-  std::string restriction(const el::Term& term, std::string_view predicate, const std::string& object) {
+  std::string restriction(const owl::Term& term, std::string_view predicate, const std::string& object) {
     const std::string node = described("Restriction", predicate, object);
     triple(node, owl_word("onProperty"), this->term(term.arguments[0]));
     return node;
   }
 
-  std::string cardinality(const el::Term& term, std::string_view plain, std::string_view qualified,
+  std::string cardinality(const owl::Term& term, std::string_view plain, std::string_view qualified,
                           std::string_view filler) {
     if (term.arguments.size() == 1) return restriction(term, plain, number(term.number));
     const std::string node = restriction(term, qualified, number(term.number));
@@ -184,11 +185,11 @@ class Writer {
     return node;
   }
 
-  std::string facets(const el::Term& term) {
+  std::string facets(const owl::Term& term) {
     const std::string node = described("Datatype", "onDatatype", this->term(term.arguments[0]));
     std::string rest = rdf_word("nil");
     for (std::size_t place = term.arguments.size(); place-- > 1;) {
-      const el::Term facet = source_.term(term.arguments[place]);
+      const owl::Term facet = source_.term(term.arguments[place]);
       const std::string holder = fresh();
       const std::string item = fresh();
       triple(holder, in_brackets(source_.name(facet.name)), this->term(facet.arguments[0]));
@@ -200,8 +201,8 @@ class Writer {
     return node;
   }
 
-  std::string term(el::TermId id) {
-    const el::Term term = source_.term(id);
+  std::string term(owl::TermId id) {
+    const owl::Term term = source_.term(id);
     const auto argument = [&](std::size_t place) { return this->term(term.arguments[place]); };
     switch (term.kind) {
       case TermKind::anonymous_individual:
@@ -231,7 +232,7 @@ class Writer {
       case TermKind::data_has_value:
         return restriction(term, "hasValue", argument(1));
       case TermKind::object_has_self:
-        return restriction(term, "hasSelf", "\"true\"^^" + in_brackets(std::string(xsd_namespace) + "boolean"));
+        return restriction(term, "hasSelf", "\"true\"^^" + in_brackets(std::string(syntax::xsd_namespace) + "boolean"));
       case TermKind::object_min_cardinality:
         return cardinality(term, "minCardinality", "minQualifiedCardinality", "onClass");
       case TermKind::object_max_cardinality:
@@ -259,15 +260,14 @@ class Writer {
     }
   }
 
-  const el::OntologySource& source_;
+  const owl::Ontology& source_;
   std::vector<std::string> lines_;
   std::size_t blanks_ = 0;
 };
 
 }  // namespace
 
-std::vector<std::string> triples_of(const el::OntologySource& source,
-                                    const std::function<bool(std::size_t)>& is_annotated) {
+std::vector<std::string> triples_of(const owl::Ontology& source, const std::function<bool(std::size_t)>& is_annotated) {
   Writer writer(source);
   for (std::size_t index = 0; index < source.axiom_count(); ++index)
     writer.axiom(source.axiom(index), is_annotated(index));

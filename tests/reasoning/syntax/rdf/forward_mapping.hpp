@@ -12,7 +12,7 @@ namespace geminga::rdf {
 
 /// The axioms of a source as N-Triples, one a line. Those for whose index `is_annotated` says so carry an annotation
 /// (section 2.2), which is a reified axiom where the axiom is a triple.
-[[nodiscard]] std::vector<std::string> triples_of(const el::OntologySource& source,
+[[nodiscard]] std::vector<std::string> triples_of(const owl::Ontology& source,
                                                   const std::function<bool(std::size_t)>& is_annotated);
 
 }  // namespace geminga::rdf

@@ -12,11 +12,11 @@ namespace geminga::rdf {
 /// `SubClassOf(:A ObjectSomeValuesFrom(:p :B))`. IRIs below http://e/ are written with a bare colon, those of OWL, RDF,
 /// RDFS and XSD with their prefixes, others in angle brackets; blank nodes `_:1`, `_:2` in the order of their
 /// appearance. Declarations are left out unless they are asked for.
-[[nodiscard]] std::vector<std::string> functional(const el::OntologySource& source, bool with_declarations = false);
+[[nodiscard]] std::vector<std::string> functional(const owl::Ontology& source, bool with_declarations = false);
 /// The same with declarations; then "left out: CONSTRUCT, COUNT, line N".
-[[nodiscard]] std::vector<std::string> functional_with_left_out(const el::OntologySource& source);
+[[nodiscard]] std::vector<std::string> functional_with_left_out(const owl::Ontology& source);
 /// "IRI text" or "IRI text@en".
-[[nodiscard]] std::vector<std::string> labels(const el::OntologySource& source);
+[[nodiscard]] std::vector<std::string> labels(const owl::Ontology& source);
 
 }  // namespace geminga::rdf
 

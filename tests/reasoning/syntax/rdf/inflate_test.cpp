@@ -58,7 +58,7 @@ TEST(Inflate, RefusesWhatIsCutDamagedOrFollowedBySomethingElseWithItsOctet) {
 TEST(Inflate, GrowsToItsLimitAndNotBeyond) {
   constexpr std::size_t limit = 5000;
   for (const std::size_t size : {limit - 1, limit, limit + 1}) {
-    Limits limits;
+    syntax::Limits limits;
     limits.inflated_free_bytes = limit;
     limits.inflated_growth = 0;
     const std::string text = turtle + std::string(size - turtle.size(), '\n');
@@ -74,7 +74,7 @@ TEST(Inflate, GrowsToItsLimitAndNotBeyond) {
 TEST(Inflate, GrowsWithTheSizeOfThePackedFileAndNeverBeyondThatOfAnyFile) {
   const std::string text = turtle + std::string(100'000, '\n');
   const std::string bytes = packed(text);
-  Limits limits;
+  syntax::Limits limits;
   limits.inflated_free_bytes = 0;
   limits.inflated_growth = text.size() / bytes.size() + 1;
   EXPECT_EQ(refusal("a.ttl.gz", bytes, limits), "accepted");
@@ -94,7 +94,7 @@ TEST(Inflate, ABombCostsNoMoreThanItsLimit) {
 }
 
 TEST(Inflate, FindsATextThatIsTooLongBeforeTheRestIsUnpacked) {
-  Limits limits;
+  syntax::Limits limits;
   limits.watched_bytes = 100;
   limits.literal_bytes = 5000;
   limits.inflated_growth = 100'000;
@@ -103,9 +103,9 @@ TEST(Inflate, FindsATextThatIsTooLongBeforeTheRestIsUnpacked) {
 }
 
 TEST(Inflate, TakesTheSuffixFromNamesThatHaveMoreThanIt) {
-  EXPECT_EQ(name_without_gz("in/a.owl.gz"), "in/a.owl");
-  EXPECT_EQ(name_without_gz("a.owl"), "a.owl");
-  EXPECT_EQ(name_without_gz(".gz"), ".gz");
+  EXPECT_EQ(syntax::name_without_gz("in/a.owl.gz"), "in/a.owl");
+  EXPECT_EQ(syntax::name_without_gz("a.owl"), "a.owl");
+  EXPECT_EQ(syntax::name_without_gz(".gz"), ".gz");
 }
 
 }  // namespace

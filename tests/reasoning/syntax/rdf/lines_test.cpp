@@ -13,8 +13,8 @@ std::vector<std::string> axioms_with_lines(std::string_view text) {
   std::vector<std::string> axioms = functional(loaded->source);
   std::size_t place = 0;
   for (std::size_t index = 0; index < loaded->source.axiom_count(); ++index) {
-    const el::Axiom axiom = loaded->source.axiom(index);
-    if (axiom.kind != el::AxiomKind::declaration) axioms[place++].insert(0, std::to_string(axiom.line) + ": ");
+    const owl::Axiom axiom = loaded->source.axiom(index);
+    if (axiom.kind != owl::AxiomKind::declaration) axioms[place++].insert(0, std::to_string(axiom.line) + ": ");
   }
   return axioms;
 }

@@ -242,18 +242,18 @@ class Recorder final : public OtherReader {
  public:
   std::vector<std::string> calls;
 
-  void look_ahead(Syntax syntax, std::string_view bytes) override {
+  void look_ahead(syntax::Syntax syntax, std::string_view bytes) override {
     calls.push_back("ahead " + std::string(to_string(syntax)) + ' ' + std::string(bytes));
   }
-  std::expected<el::Document, el::ReadError> read(Syntax syntax, std::string_view bytes, el::FileId file,
-                                                  el::OntologySource& source, std::vector<el::Annotation>&) override {
+  std::expected<owl::Document, owl::ReadError> read(syntax::Syntax syntax, std::string_view bytes, owl::FileId file,
+                                                    owl::Ontology& source, std::vector<owl::Annotation>&) override {
     calls.push_back("read " + std::string(to_string(syntax)) + ' ' + std::string(bytes));
-    source.add(el::AxiomKind::sub_class_of, {source.named_class("http://e/A"), source.named_class("http://e/B")}, file,
+    source.add(owl::AxiomKind::sub_class_of, {source.named_class("http://e/A"), source.named_class("http://e/B")}, file,
                7);
-    return el::Document{.ontology_iri = "http://e/a",
-                        .version_iri = "http://e/a/1",
-                        .imports = {{"http://e/b", 1}, {"http://e/d", 2}},
-                        .prefixes = {{"other", "http://o/"}}};
+    return owl::Document{.ontology_iri = "http://e/a",
+                         .version_iri = "http://e/a/1",
+                         .imports = {{"http://e/b", 1}, {"http://e/d", 2}},
+                         .prefixes = {{"other", "http://o/"}}};
   }
 };
 

@@ -18,10 +18,11 @@ namespace fs = std::filesystem;
 using testing::StartsWith;
 
 /// All that a load says, one thing a line.
-std::vector<std::string> everything(const std::vector<std::string>& files, const Limits& limits, unsigned threads) {
+std::vector<std::string> everything(const std::vector<std::string>& files, const syntax::Limits& limits,
+                                    unsigned threads) {
   const auto loaded = load(files, limits, {}, threads);
   if (!loaded) return {to_string(loaded.error())};
-  const el::OntologySource& source = loaded->source;
+  const owl::Ontology& source = loaded->source;
   std::vector<std::string> lines = functional(source, true);
   for (std::size_t index = 0; index < source.axiom_count(); ++index)
     lines[index] += " in line " + std::to_string(source.axiom(index).line);
@@ -33,8 +34,8 @@ std::vector<std::string> everything(const std::vector<std::string>& files, const
   return lines;
 }
 
-Limits in_pieces_of(std::size_t bytes) {
-  Limits limits;
+syntax::Limits in_pieces_of(std::size_t bytes) {
+  syntax::Limits limits;
   limits.piece_bytes = bytes;
   return limits;
 }
@@ -167,7 +168,7 @@ TEST(Pieces, CountTogetherAgainstTheLimits) {
   const Scratch scratch;
   const std::vector files{scratch.write("a.owl", document(many_descriptions(40)))};
   for (const unsigned threads : {1U, 2U}) {
-    Limits limits = in_pieces_of(1);
+    syntax::Limits limits = in_pieces_of(1);
     limits.triples = 160;
     EXPECT_EQ(everything(files, limits, threads).back(), "160 triples");
     limits.triples = 159;

@@ -14,17 +14,17 @@
 namespace geminga::rdf {
 namespace {
 
-using el::AxiomKind;
-using el::TermId;
-using el::TermKind;
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
 
 /// Names are used for a class, an individual and a property at once: punning must not matter.
 class Author {
  public:
-  Author(std::uint64_t seed, el::OntologySource& source) : random_(seed), source_(source) {}
+  Author(std::uint64_t seed, owl::Ontology& source) : random_(seed), source_(source) {}
 
   void write(std::size_t axioms) {
-    const el::FileId file = source_.add_file("random.nt");
+    const owl::FileId file = source_.add_file("random.nt");
     for (const char* name : {"a", "b", "c"}) {
       for (const TermKind kind : {TermKind::named_class, TermKind::object_property, TermKind::individual})
         source_.add(AxiomKind::declaration, {source_.entity(kind, iri(name))}, file, 1);
@@ -34,7 +34,7 @@ class Author {
     source_.add(AxiomKind::declaration, {source_.datatype(iri("t"))}, file, 1);
     source_.add(AxiomKind::declaration, {source_.annotation_property(iri("note"))}, file, 1);
     while (source_.axiom_count() < axioms + 13) {
-      const auto kind = static_cast<AxiomKind>(1 + random_.below(el::axiom_kind_count - 1));
+      const auto kind = static_cast<AxiomKind>(1 + random_.below(owl::axiom_kind_count - 1));
       source_.add(kind, arguments(kind), file, 1);
     }
   }
@@ -45,7 +45,7 @@ class Author {
   std::string any_name() { return iri(std::string(1, static_cast<char>('a' + below(3)))); }
 
   TermId property() {
-    return source_.object_property(below(8) == 0 ? iri_of(Word::owl_top_object_property) : any_name());
+    return source_.object_property(below(8) == 0 ? iri_of(syntax::Word::owl_top_object_property) : any_name());
   }
   TermId property_expression() {
     return below(3) == 0 ? source_.term(TermKind::object_inverse_of, {property()}) : property();
@@ -57,7 +57,7 @@ class Author {
       case 0:
         return source_.literal("text", {}, "en-gb");
       case 1:
-        return source_.literal(std::to_string(below(9)), std::string(xsd_namespace) + "integer");
+        return source_.literal(std::to_string(below(9)), std::string(syntax::xsd_namespace) + "integer");
       case 2:
         return source_.literal("v", iri("t"));
       default:
@@ -84,17 +84,17 @@ class Author {
       case 3:
         return source_.term(TermKind::data_one_of, several(1, [&] { return literal(); }));
       case 4: {
-        std::vector<TermId> parts{source_.datatype(std::string(xsd_namespace) + "integer")};
+        std::vector<TermId> parts{source_.datatype(std::string(syntax::xsd_namespace) + "integer")};
         for (const char* facet : {"minInclusive", "maxExclusive"})
-          parts.push_back(source_.facet(std::string(xsd_namespace) + facet, literal()));
+          parts.push_back(source_.facet(std::string(syntax::xsd_namespace) + facet, literal()));
         return source_.term(TermKind::datatype_restriction, parts);
       }
       case 5:
-        return source_.datatype(iri_of(Word::rdfs_literal));
+        return source_.datatype(iri_of(syntax::Word::rdfs_literal));
       case 6:
         return source_.datatype(iri("t"));
       default:
-        return source_.datatype(std::string(xsd_namespace) + "string");
+        return source_.datatype(std::string(syntax::xsd_namespace) + "string");
     }
   }
 
@@ -103,7 +103,7 @@ class Author {
     const auto kind = static_cast<TermKind>(static_cast<std::uint64_t>(TermKind::object_intersection_of) +
                                             below(static_cast<std::uint64_t>(TermKind::data_exact_cardinality) -
                                                   static_cast<std::uint64_t>(TermKind::object_intersection_of) + 1));
-    if (depth > 2 || below(3) == 0) return source_.named_class(below(8) == 0 ? el::owl_thing : any_name());
+    if (depth > 2 || below(3) == 0) return source_.named_class(below(8) == 0 ? owl::owl_thing : any_name());
     switch (kind) {
       case TermKind::object_intersection_of:
       case TermKind::object_union_of:
@@ -193,10 +193,10 @@ class Author {
   }
 
   base::Random random_;
-  el::OntologySource& source_;
+  owl::Ontology& source_;
 };
 
-std::vector<std::string> sorted_axioms(const el::OntologySource& source) {
+std::vector<std::string> sorted_axioms(const owl::Ontology& source) {
   std::vector<std::string> axioms = functional(source, true);
   std::ranges::sort(axioms);
   const auto repeated = std::ranges::unique(axioms);
@@ -208,7 +208,7 @@ TEST(RoundTrip, RandomOntologiesComeBackFromTheirTriplesInAnyOrder) {
   constexpr std::uint64_t seeds = 300;
   const Scratch scratch;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    el::OntologySource written;
+    owl::Ontology written;
     Author(seed, written).write(60);
     ASSERT_FALSE(written.problem());
     base::Random random(seed);

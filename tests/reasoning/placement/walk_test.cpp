@@ -12,7 +12,7 @@
 #include "support/reference.hpp"
 #include "support/written.hpp"
 
-namespace geminga::el {
+namespace geminga::placement {
 namespace {
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -43,29 +43,29 @@ std::string expression(base::Random& random, std::uint64_t classes, int depth) {
 /// What somebody holds while the world changes: axioms, and expressions of whoever asked.
 class Live {
  public:
-  explicit Live(std::string names) : names_(std::move(names)) { write_into(source_, names_, "names"); }
+  explicit Live(std::string names) : names_(std::move(names)) { owl::write_into(source_, names_, "names"); }
 
   void add(const std::string& axiom) {
     axioms_.push_back(axiom);
-    write_into(source_, axiom, "step");
+    owl::write_into(source_, axiom, "step");
   }
   /// The rest goes over into a new source, term by term.
   void remove(std::size_t at) {
-    OntologySource rest;
+    owl::Ontology rest;
     rest.add_prefix("t", "https://t.example/#");
-    const FileId file = rest.add_file("rest");
+    const owl::FileId file = rest.add_file("rest");
     const std::size_t names = lines_of(names_).size();
     for (std::size_t number = 0; number < source_.axiom_count(); ++number) {
       if (number == names + at) continue;
-      const Axiom axiom = source_.axiom(number);
-      std::vector<TermId> arguments;
-      for (const TermId argument : axiom.arguments) arguments.push_back(rest.copy(source_, argument));
+      const owl::Axiom axiom = source_.axiom(number);
+      std::vector<owl::TermId> arguments;
+      for (const owl::TermId argument : axiom.arguments) arguments.push_back(rest.copy(source_, argument));
       rest.add(axiom.kind, arguments, file, axiom.line);
     }
     source_ = std::move(rest);
     axioms_.erase(axioms_.begin() + static_cast<std::ptrdiff_t>(at));
   }
-  [[nodiscard]] const OntologySource& source() const { return source_; }
+  [[nodiscard]] const owl::Ontology& source() const { return source_; }
   [[nodiscard]] std::size_t size() const { return axioms_.size(); }
   /// Every line, in another order.
   [[nodiscard]] std::string from_scratch(base::Random& random) const {
@@ -78,33 +78,34 @@ class Live {
  private:
   std::string names_;
   std::vector<std::string> axioms_;
-  OntologySource source_;
+  owl::Ontology source_;
 };
 
-std::set<std::string> place_by_overlay(const Ontology& ontology, const ExpressionClassifier& classifier,
+std::set<std::string> place_by_overlay(const compiled::Ontology& ontology,
+                                       const ExpressionClassifier& classifier,
                                        const std::string& expression) {
-  const OntologySource query = written("SubClassOf(TheExpression " + expression + ")");
+  const owl::Ontology query = owl::written("SubClassOf(TheExpression " + expression + ")");
   const ExpressionPlace place = classifier.classify(query, query.axiom(0).arguments[1]);
   if (!place.is_satisfiable) return {"nothing"};
   std::set<std::string> found;
   for (std::uint32_t other = 0; other < ontology.class_count(); ++other) {
-    const std::string iri(ontology.iri(ClassNumber{other}));
-    if (is_below(place, ClassNumber{other}, ontology)) found.insert("above " + iri);
-    if (is_above(place, ClassNumber{other}, ontology)) found.insert("below " + iri);
+    const std::string iri(ontology.iri(taxonomy::ClassNumber{other}));
+    if (is_below(place, taxonomy::ClassNumber{other}, ontology)) found.insert("above " + iri);
+    if (is_above(place, taxonomy::ClassNumber{other}, ontology)) found.insert("below " + iri);
   }
   return found;
 }
 
 std::set<std::string> place_from_scratch(const std::string& text, const std::string& expression) {
-  const Ontology ontology = loaded(text + "EquivalentClasses(TheExpression " + expression + ")\n");
-  const ClassNumber own = named(ontology, "TheExpression");
+  const compiled::Ontology ontology = owl::loaded(text + "EquivalentClasses(TheExpression " + expression + ")\n");
+  const taxonomy::ClassNumber own = owl::named(ontology, "TheExpression");
   if (!ontology.is_satisfiable(own)) return {"nothing"};
   std::set<std::string> found;
   for (std::uint32_t other = 0; other < ontology.class_count(); ++other) {
-    if (ClassNumber{other} == own) continue;
-    const std::string iri(ontology.iri(ClassNumber{other}));
-    if (ontology.is_subsumed(own, ClassNumber{other})) found.insert("above " + iri);
-    if (ontology.is_subsumed(ClassNumber{other}, own)) found.insert("below " + iri);
+    if (taxonomy::ClassNumber{other} == own) continue;
+    const std::string iri(ontology.iri(taxonomy::ClassNumber{other}));
+    if (ontology.is_subsumed(own, taxonomy::ClassNumber{other})) found.insert("above " + iri);
+    if (ontology.is_subsumed(taxonomy::ClassNumber{other}, own)) found.insert("below " + iri);
   }
   return found;
 }
@@ -119,7 +120,7 @@ TEST(Walk, OfAxiomsAndExpressionsIsWhereFromScratchIs) {
     for (std::uint64_t at = 0; at < classes; ++at) names += "Declaration(C" + std::to_string(at) + ")\n";
     for (int role = 0; role < 4; ++role)
       names += "SubObjectPropertyOf(r" + std::to_string(role) + " r" + std::to_string(role) + ")\n";
-    std::vector<std::string> pool = lines_of(random_ontology(random, 18));  // whose names are C0 to C11
+    std::vector<std::string> pool = lines_of(owl::random_ontology(random, 18));  // whose names are C0 to C11
     Live live(names);
     std::set<std::string> expressions;
     for (int step = 0; step < 24; ++step) {
@@ -134,12 +135,13 @@ TEST(Walk, OfAxiomsAndExpressionsIsWhereFromScratchIs) {
       }
       const std::string scratch = live.from_scratch(random);
       SCOPED_TRACE(scratch);
-      const Classification classification = *classify(live.source(), {.threads = 1 + static_cast<unsigned>(step % 3)});
-      const Ontology ontology = loaded(live.source());
-      ASSERT_EQ(closure(ontology), closure(scratch));
+      const taxonomy::Classification classification =
+          *el::classify(live.source(), {.threads = 1 + static_cast<unsigned>(step % 3)});
+      const compiled::Ontology ontology = owl::loaded(live.source());
+      ASSERT_EQ(owl::closure(ontology), owl::closure(scratch));
       if (!classification.unused.empty()) continue;
       ++complete;
-      ASSERT_EQ(closure(ontology), reference_closure(written(scratch)));
+      ASSERT_EQ(owl::closure(ontology), owl::reference_closure(owl::written(scratch)));
       const auto classifier = ExpressionClassifier::build(ontology);
       if (!classifier) continue;
       for (const std::string& one : expressions) {
@@ -153,13 +155,13 @@ TEST(Walk, OfAxiomsAndExpressionsIsWhereFromScratchIs) {
 }
 
 /// The same axioms in the same order, all in one line: where they stand is a part of the bytes.
-OntologySource without_lines(const OntologySource& source) {
-  OntologySource copy;
-  const FileId file = copy.add_file("f");
+owl::Ontology without_lines(const owl::Ontology& source) {
+  owl::Ontology copy;
+  const owl::FileId file = copy.add_file("f");
   for (std::size_t number = 0; number < source.axiom_count(); ++number) {
-    const Axiom axiom = source.axiom(number);
-    std::vector<TermId> arguments;
-    for (const TermId argument : axiom.arguments) arguments.push_back(copy.copy(source, argument));
+    const owl::Axiom axiom = source.axiom(number);
+    std::vector<owl::TermId> arguments;
+    for (const owl::TermId argument : axiom.arguments) arguments.push_back(copy.copy(source, argument));
     copy.add(axiom.kind, arguments, file, 1);
   }
   return copy;
@@ -168,12 +170,12 @@ OntologySource without_lines(const OntologySource& source) {
 TEST(Order, OfAxiomsAndNumberOfThreadsLeaveTheBytesAsTheyAre) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     base::Random random(seed);
-    std::vector<std::string> lines = lines_of(random_ontology(random, 10 + random.below(60)));
+    std::vector<std::string> lines = lines_of(owl::random_ontology(random, 10 + random.below(60)));
     if (random.chance(0.3)) lines.emplace_back("FunctionalObjectProperty(r0)");
     if (random.chance(0.3)) lines.emplace_back("SubClassOf(C0 ObjectHasValue(r1 i:a))");
     const auto bytes_of = [&](unsigned threads) {
-      const OntologySource source = without_lines(written(joined(lines)));
-      return compile(source, *classify(source, {.threads = threads}));
+      const owl::Ontology source = without_lines(owl::written(joined(lines)));
+      return compiled::compile(source, *el::classify(source, {.threads = threads}));
     };
     const auto first = bytes_of(1);
     for (const unsigned threads : {1U, 2U, 3U}) {
@@ -184,4 +186,4 @@ TEST(Order, OfAxiomsAndNumberOfThreadsLeaveTheBytesAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace geminga::el
+}  // namespace geminga::placement
