@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path cases = fs::path(GEMINGA_SOURCE_DIR) / "tests" / "rdf" / "cases";
+const fs::path cases = fs::path(GEMINGA_SOURCE_DIR) / "tests/reasoning/syntax/rdf/cases";
 
 std::vector<fs::path> case_files() {
   std::vector<fs::path> files;

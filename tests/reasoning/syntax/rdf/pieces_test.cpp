@@ -41,7 +41,7 @@ syntax::Limits in_pieces_of(std::size_t bytes) {
 }
 
 TEST(Pieces, AreInvisibleInEveryCase) {
-  for (const auto& entry : fs::directory_iterator(fs::path(GEMINGA_SOURCE_DIR) / "tests" / "rdf" / "cases")) {
+  for (const auto& entry : fs::directory_iterator(fs::path(GEMINGA_SOURCE_DIR) / "tests/reasoning/syntax/rdf/cases")) {
     if (entry.path().extension() == ".axioms") continue;
     const std::vector files{entry.path().string()};
     const auto whole = everything(files, {}, 1);
@@ -125,7 +125,7 @@ TEST(Pieces, GiveTheErrorThatTheWholeFileGives) {
 TEST(Pieces, OfABentFileAreReadWhereTheWholeFileIs) {
   std::vector<std::pair<std::string, std::string>> texts{{"a.owl", document(kinds + many_descriptions(2))}};
   for (const char* name : {"Restriction.ttl", "SubClassOfTriples.nt", "RestrictionXml.rdf"}) {
-    std::ifstream file(fs::path(GEMINGA_SOURCE_DIR) / "tests" / "rdf" / "cases" / name);
+    std::ifstream file(fs::path(GEMINGA_SOURCE_DIR) / "tests/reasoning/syntax/rdf/cases" / name);
     texts.emplace_back(name, std::string(std::istreambuf_iterator<char>(file), {}));
   }
   constexpr std::string_view likely = "<>/\"':.#@_[](),; \n&!-ar";
