@@ -1,5 +1,5 @@
 // Work by several threads on contexts that know of each other: each worker has a queue of its own that nobody else
-// sees. When somebody is idle, it lays the older half of it on its shelf, where others may take it.
+// sees. When somebody is idle, it puts the older half of it on its work queue, from which others may take.
 #ifndef GEMINGA_BASE_PARALLEL_THREADS_HPP
 #define GEMINGA_BASE_PARALLEL_THREADS_HPP
 
@@ -21,7 +21,7 @@ inline constexpr unsigned max_threads = 64;
 
 /// What others may take of one worker. The only lock that the threads have between them, and taken only where one of
 /// them has nothing to do.
-struct Shelf {
+struct WorkQueue {
   std::mutex mutex;
   std::vector<std::uint32_t> contexts;
   std::atomic<bool> is_empty = true;
@@ -32,7 +32,7 @@ template <typename Shared, typename Worker>
 class Team {
  public:
   Team(Shared& shared, std::span<const std::unique_ptr<Worker>> workers)
-      : shared_(shared), workers_(workers), shelves_(workers.size()), seen_round_(workers.size(), 0) {}
+      : shared_(shared), workers_(workers), work_queues_(workers.size()), seen_round_(workers.size(), 0) {}
 
   /// The crew is as large as there are workers. What one of them throws ends the work of all, and is thrown here.
   void run(Crew& crew) {
@@ -64,39 +64,40 @@ class Team {
 
   void end() {
     is_done_ = true;
-    ring();
+    wake_all();
   }
 
   [[nodiscard]] bool is_done() const { return is_done_.load(std::memory_order_relaxed) || shared_.has_ended(); }
 
   void share(std::size_t me) {
     std::vector<std::uint32_t>& queue = workers_[me]->queue();
-    if (queue.size() < 2 || !shelves_[me].is_empty.load(std::memory_order_relaxed)) return;
+    if (queue.size() < 2 || !work_queues_[me].is_empty.load(std::memory_order_relaxed)) return;
     {
-      const std::scoped_lock lock(shelves_[me].mutex);
+      const std::scoped_lock lock(work_queues_[me].mutex);
       const auto middle = queue.begin() + static_cast<std::ptrdiff_t>(queue.size() / 2);
-      shelves_[me].contexts.assign(queue.begin(), middle);
-      for (const std::uint32_t context : shelves_[me].contexts) set_owner(context, 0);
+      work_queues_[me].contexts.assign(queue.begin(), middle);
+      for (const std::uint32_t context : work_queues_[me].contexts) set_owner(context, 0);
       queue.erase(queue.begin(), middle);
-      shelves_[me].is_empty = false;
+      work_queues_[me].is_empty = false;
     }
-    ring();
+    wake_all();
   }
 
-  /// Who was idle counts as busy before others see that the shelf is empty: so where all are idle, nothing is left.
+  /// Who was idle counts as busy before others see that the work queue is empty: so where all are idle, nothing is
+  /// left.
   bool take(std::size_t me, std::size_t from, bool was_idle) {
-    if (shelves_[from].is_empty.load()) return false;
-    const std::scoped_lock lock(shelves_[from].mutex);
-    std::vector<std::uint32_t>& shelf = shelves_[from].contexts;
-    if (shelf.empty()) return false;
+    if (work_queues_[from].is_empty.load()) return false;
+    const std::scoped_lock lock(work_queues_[from].mutex);
+    std::vector<std::uint32_t>& work_queue = work_queues_[from].contexts;
+    if (work_queue.empty()) return false;
     if (was_idle) --idle_;
-    // From another's shelf a half, so that a third has something to take, too.
-    const std::size_t count = me == from ? shelf.size() : (shelf.size() + 1) / 2;
-    const auto first = shelf.end() - static_cast<std::ptrdiff_t>(count);
-    workers_[me]->queue().assign(first, shelf.end());
+    // From another's work queue a half, so that a third has something to take, too.
+    const std::size_t count = me == from ? work_queue.size() : (work_queue.size() + 1) / 2;
+    const auto first = work_queue.end() - static_cast<std::ptrdiff_t>(count);
+    workers_[me]->queue().assign(first, work_queue.end());
     for (const std::uint32_t context : workers_[me]->queue()) set_owner(context, workers_[me]->rank());
-    shelf.erase(first, shelf.end());
-    shelves_[from].is_empty = shelf.empty();
+    work_queue.erase(first, work_queue.end());
+    work_queues_[from].is_empty = work_queue.empty();
     return true;
   }
 
@@ -111,7 +112,7 @@ class Team {
   bool wait_for_work(std::size_t me) {
     ++idle_;
     for (;;) {
-      const std::uint32_t heard = bell_.load();
+      const std::uint32_t seen = wake_ups_.load();
       for (std::size_t other = 0; other < workers_.size(); ++other) {
         if (other != me && take(me, other, true)) return true;
       }
@@ -123,7 +124,7 @@ class Team {
         if (!workers_[me]->begin_round()) return false;
         ++round_;
         --idle_;
-        ring();
+        wake_all();
         return true;
       }
       // Who comes too late for a round finds nothing, and is idle as before.
@@ -134,7 +135,7 @@ class Team {
         ++idle_;
         continue;
       }
-      bell_.wait(heard);
+      wake_ups_.wait(seen);
     }
   }
 
@@ -142,17 +143,17 @@ class Team {
     shared_.contexts[context].owner.store(number, std::memory_order_relaxed);
   }
 
-  void ring() {
-    ++bell_;
-    bell_.notify_all();
+  void wake_all() {
+    ++wake_ups_;
+    wake_ups_.notify_all();
   }
 
   Shared& shared_;
   std::span<const std::unique_ptr<Worker>> workers_;
-  std::vector<Shelf> shelves_;
+  std::vector<WorkQueue> work_queues_;
   std::atomic<std::size_t> idle_ = 0;
   std::atomic<std::size_t> conclusions_ = 0;
-  std::atomic<std::uint32_t> bell_ = 0;
+  std::atomic<std::uint32_t> wake_ups_ = 0;
   std::atomic<bool> is_done_ = false;
   std::mutex rounds_;  ///< whoever has it begins the next round
   std::atomic<std::uint32_t> round_ = 0;

@@ -12,7 +12,7 @@ namespace geminga::el {
 
 class AtomsAbove {
  public:
-  AtomsAbove(const Index& index, const Saturation& saturation)
+  AtomsAbove(const IndexedOntology& index, const Saturation& saturation)
       : index_(index), saturation_(saturation), seen_in_(index.size(), 0) {}
 
   /// The representatives above an atom, itself and T included. Valid until the next call.
@@ -23,7 +23,7 @@ class AtomsAbove {
  private:
   void reach(ExprId atom);
 
-  const Index& index_;
+  const IndexedOntology& index_;
   const Saturation& saturation_;
   std::vector<std::uint32_t> seen_in_;  ///< by atom: the last call that found it
   std::uint32_t round_ = 0;

@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "reasoning/el/finished.hpp"
-#include "reasoning/el/index.hpp"
+#include "reasoning/el/indexed_ontology.hpp"
 #include "reasoning/el/inheritance.hpp"
 #include "reasoning/el/nominals.hpp"
-#include "reasoning/el/normaliser.hpp"
+#include "reasoning/el/rule_normaliser.hpp"
 #include "reasoning/el/saturation.hpp"
 #include "reasoning/el/settlement.hpp"
 #include "reasoning/el/shared.hpp"
@@ -113,8 +113,8 @@ class Classifier {
     for (const auto& [sub, super] : told_) index_.add_told(sub, super);
     // Where another engine has to do everything again, universals are left to it.
     const bool is_more = normaliser_.open().is_more;
-    const Normaliser::Unused late =
-        normaliser_.finish(is_more ? Normaliser::Universals::left_out : Normaliser::Universals::used);
+    const RuleNormaliser::Unused late =
+        normaliser_.finish(is_more ? RuleNormaliser::Universals::left_out : RuleNormaliser::Universals::used);
     may_settle_ = !result_.unused.empty() && late.empty() && !is_more;
     for (const auto& [axiom, construct] : late) result_.unused.push_back({axiom, to_string(construct)});
     sort_unused();
@@ -326,8 +326,8 @@ class Classifier {
   SaturationLimits limits_;
   Inclusions told_;
   Inclusions shared_;
-  Index index_;
-  Normaliser normaliser_;
+  IndexedOntology index_;
+  RuleNormaliser normaliser_;
   std::vector<owl::TermId> classes_;
   std::vector<ExprId> exprs_;
   std::vector<ExprId> asked_;

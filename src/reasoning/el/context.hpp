@@ -12,9 +12,9 @@
 
 #include "base/arena_containers.hpp"
 #include "base/growing_set.hpp"
-#include "base/parallel/inbox.hpp"
+#include "base/parallel/mailbox.hpp"
 #include "base/stable_store.hpp"
-#include "reasoning/el/index.hpp"
+#include "reasoning/el/indexed_ontology.hpp"
 
 namespace geminga::el {
 
@@ -74,8 +74,8 @@ struct Message {
 };
 
 /// A message that waits for the thread that will work on the context.
-struct Letter {
-  Letter* next = nullptr;
+struct QueuedMessage {
+  QueuedMessage* next = nullptr;
   Message message;
 };
 
@@ -91,8 +91,8 @@ struct alignas(64) Context {
   /// Among many threads: the rank of the worker that has it in hand or on its queue, or 0. Only that worker relies on
   /// it, for whom it cannot change.
   std::atomic<std::uint8_t> owner = 0;
-  /// Letters from other threads, the last first; null where nobody has it in hand.
-  parallel::Inbox<Letter> inbox;
+  /// Messages from other threads, the last first; null where nobody has it in hand.
+  parallel::Mailbox<QueuedMessage> mailbox;
   base::ArenaSet<Link> backward;  ///< links that end here
   std::uint32_t backward_done = 0;
   base::ArenaSet<Link> firsts;  ///< of them those that chains may go on from

@@ -5,7 +5,7 @@
 #include <map>
 
 namespace geminga::el {
-Copies::Copies(const Index& index, const Saturation& saturation, const InverseRoles& roles, Growing growing,
+Copies::Copies(const IndexedOntology& index, const Saturation& saturation, const InverseRoles& roles, Growing growing,
                const CopyLimits& limits)
     : index_(index),
       saturation_(saturation),

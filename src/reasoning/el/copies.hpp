@@ -39,7 +39,7 @@ class Copies {
     /// Whether a copy of the one may have a successor in the other.
     std::function<bool(std::uint32_t from, RoleId role, std::uint32_t to)> may_lead_to;
   };
-  Copies(const Index& index, const Saturation& saturation, const InverseRoles& roles, Growing growing,
+  Copies(const IndexedOntology& index, const Saturation& saturation, const InverseRoles& roles, Growing growing,
          const CopyLimits& limits = {});
 
   /// What follows for a context from what its successors learn of it: it is in the expression.
@@ -96,7 +96,7 @@ class Copies {
   template <typename IsIn>
   [[nodiscard]] bool tells_nothing_new(std::uint32_t copy, RoleId link, IsIn&& is_in_source) const;
 
-  const Index& index_;
+  const IndexedOntology& index_;
   const Saturation& saturation_;
   const InverseRoles& roles_;
   Growing growing_;

@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <optional>
 
-#include "reasoning/el/index.hpp"
+#include "reasoning/el/indexed_ontology.hpp"
 #include "reasoning/el/nominals.hpp"
-#include "reasoning/el/normaliser.hpp"
+#include "reasoning/el/rule_normaliser.hpp"
 
 namespace geminga::el {
 
 Entailed find_entailed(const owl::Ontology& source, std::span<const std::uint32_t> axioms, owl::TermId sub,
                        owl::TermId super) {
   constexpr std::size_t max_pairs = std::size_t{1} << 26;
-  Index index;
-  Normaliser normaliser(source, index);
+  IndexedOntology index;
+  RuleNormaliser normaliser(source, index);
   bool is_complete = true;
   for (const std::uint32_t axiom : axioms) is_complete &= normaliser.add(axiom) == owl::Construct::none;
   const ExprId from = normaliser.expression(sub);

@@ -11,7 +11,7 @@ namespace {
 
 class Finished {
  public:
-  Finished(const Index& index, const Inheritance& inheritance)
+  Finished(const IndexedOntology& index, const Inheritance& inheritance)
       : index_(index), inheritance_(inheritance), is_open_(inheritance.nodes().size(), false) {
     for (std::uint32_t at = 0; at < is_open_.size(); ++at) look_above(at);
     spread();
@@ -20,7 +20,7 @@ class Finished {
   [[nodiscard]] bool has(ExprId expr) const { return !is_open(top_expr) && !is_open(expr); }
 
  private:
-  /// Of an atom, or of what stands for it (Index::needs_no_context()).
+  /// Of an atom, or of what stands for it (IndexedOntology::needs_no_context()).
   template <typename Visit>
   void visit_nodes(ExprId atom, Visit&& visit) const {
     if (!index_.needs_no_context(atom)) return visit(inheritance_.find(atom));
@@ -71,7 +71,7 @@ class Finished {
     }
   }
 
-  const Index& index_;
+  const IndexedOntology& index_;
   const Inheritance& inheritance_;
   std::vector<bool> is_open_;  ///< by node
   std::vector<std::uint32_t> newly_open_;
@@ -80,7 +80,8 @@ class Finished {
 
 }  // namespace
 
-std::vector<bool> find_finished(const Index& index, const Inheritance& inheritance, std::span<const ExprId> exprs) {
+std::vector<bool> find_finished(const IndexedOntology& index, const Inheritance& inheritance,
+                                std::span<const ExprId> exprs) {
   const Finished finished(index, inheritance);
   std::vector<bool> result;
   result.reserve(exprs.size());

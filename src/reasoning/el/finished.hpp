@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "reasoning/el/index.hpp"
+#include "reasoning/el/indexed_ontology.hpp"
 #include "reasoning/el/inheritance.hpp"
 
 namespace geminga::el {
@@ -14,7 +14,7 @@ namespace geminga::el {
 /// Of each expression, a representative of a class, whether nothing is missing above it, if the ontology is consistent:
 /// its node and all that this has heard of are final. Requires that the rules use every axiom. Linear in what is above
 /// the nodes.
-[[nodiscard]] std::vector<bool> find_finished(const Index& index, const Inheritance& inheritance,
+[[nodiscard]] std::vector<bool> find_finished(const IndexedOntology& index, const Inheritance& inheritance,
                                               std::span<const ExprId> exprs);
 
 }  // namespace geminga::el

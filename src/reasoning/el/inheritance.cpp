@@ -1,4 +1,4 @@
-// How nodes come to be, what is above them, and how they hear of each other; the rules are in heir_rules.cpp.
+// How nodes come to be, what is above them, and how they hear of each other; the rules are in inheritance_rules.cpp.
 #include "reasoning/el/inheritance.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 #include "base/parallel/claim.hpp"
 #include "base/parallel/threads.hpp"
-#include "reasoning/el/heir_worker.hpp"
+#include "reasoning/el/inheritance_worker.hpp"
 
 namespace geminga::el {
 namespace {
@@ -16,11 +16,11 @@ constexpr std::uint32_t any_number = std::numeric_limits<std::uint32_t>::max();
 
 constexpr std::size_t first_round = 512;  // seeds
 
-std::size_t bytes_of(std::size_t item_count) { return sizeof(NodeLetter) + item_count * sizeof(std::uint32_t); }
+std::size_t bytes_of(std::size_t item_count) { return sizeof(QueuedNodeMessage) + item_count * sizeof(std::uint32_t); }
 
 }  // namespace
 
-Inheriting::Inheriting(const Index& of, const SaturationLimits& within, std::span<const ExprId> asked)
+Inheriting::Inheriting(const IndexedOntology& of, const SaturationLimits& within, std::span<const ExprId> asked)
     : index(of),
       limits(within),
       first_link(static_cast<std::uint32_t>(of.size() + of.disjointness_count())),
@@ -43,9 +43,9 @@ Inheriting::Inheriting(const Index& of, const SaturationLimits& within, std::spa
   expected[number(top_expr)] = any_number;
 }
 
-Inheritance::Inheritance(const Index& index, const SaturationLimits& limits, std::span<const ExprId> asked)
+Inheritance::Inheritance(const IndexedOntology& index, const SaturationLimits& limits, std::span<const ExprId> asked)
     : shared_(index, limits, asked) {
-  workers_.push_back(std::make_unique<HeirWorker>(shared_, std::uint8_t{1}));
+  workers_.push_back(std::make_unique<InheritanceWorker>(shared_, std::uint8_t{1}));
   shared_.contexts[workers_.front()->require(top_expr)].is_nonempty = true;
 }
 
@@ -72,7 +72,7 @@ std::size_t Inheritance::link_count() const {
   return count;
 }
 
-std::uint32_t HeirWorker::require(ExprId atom) {
+std::uint32_t InheritanceWorker::require(ExprId atom) {
   std::atomic<std::uint32_t>& entry = shared_.node_of[number(atom)];
   std::uint32_t known = entry.load(std::memory_order_acquire);
   while (known <= Inheriting::claimed_node) {
@@ -94,7 +94,7 @@ std::uint32_t HeirWorker::require(ExprId atom) {
   return known - 2;
 }
 
-std::uint32_t HeirWorker::require_existential(RoleId role, std::uint32_t filler) {
+std::uint32_t InheritanceWorker::require_existential(RoleId role, std::uint32_t filler) {
   const std::uint64_t hash = base::mixed(base::mixed(0, static_cast<std::uint32_t>(role)), filler);
   Inheriting::Part& part = shared_.existentials[hash % Inheriting::part_count];
   std::uint32_t created = no_node;
@@ -116,9 +116,9 @@ std::uint32_t HeirWorker::require_existential(RoleId role, std::uint32_t filler)
 }
 
 /// The node is new, and this worker has it in hand.
-void HeirWorker::take_in_hand(std::uint32_t node) {
+void InheritanceWorker::take_in_hand(std::uint32_t node) {
   if (is_parallel_) {
-    nodes_[node].inbox.hold();
+    nodes_[node].mailbox.hold();
     nodes_[node].owner.store(rank_, std::memory_order_relaxed);
   } else {
     nodes_[node].is_queued = true;
@@ -128,14 +128,14 @@ void HeirWorker::take_in_hand(std::uint32_t node) {
 
 //  ----- (init)   -----
 //  N < N          N < T
-void HeirWorker::start(std::uint32_t node) {
+void InheritanceWorker::start(std::uint32_t node) {
   Node& self = nodes_[node];
   self.has_begun = true;
   if (self.is_existential()) {
     // What the link says together with others is an item, too.
     if (index_.roles().is_second(RoleId{self.root})) self.items.insert(shared_.first_link + node, arena_);
     ++self.pending;
-    return tell(self.filler, {Tidings::source, node, 0});
+    return tell(self.filler, {NodeMessage::Kind::source, node, 0});
   }
   const ExprId atom{self.root};
   for (const ExprId above : index_.frontier(atom)) inherit(node, require(above));
@@ -145,13 +145,13 @@ void HeirWorker::start(std::uint32_t node) {
   if (index_.is_active(atom)) add_item(node, atom);
 }
 
-void HeirWorker::inherit(std::uint32_t node, std::uint32_t from) {
+void InheritanceWorker::inherit(std::uint32_t node, std::uint32_t from) {
   if (node == from) return;
   ++nodes_[node].pending;
-  tell(from, {Tidings::heir, node, 0});
+  tell(from, {NodeMessage::Kind::child, node, 0});
 }
 
-void HeirWorker::inherit_existential(std::uint32_t node, RoleId role, std::uint32_t filler) {
+void InheritanceWorker::inherit_existential(std::uint32_t node, RoleId role, std::uint32_t filler) {
   const std::uint32_t from = require_existential(role, filler);
   Node& self = nodes_[node];
   if (from == node || self.is_unsatisfiable || self.items.contains(shared_.first_link + from)) return;
@@ -159,7 +159,7 @@ void HeirWorker::inherit_existential(std::uint32_t node, RoleId role, std::uint3
   inherit(node, from);
 }
 
-void HeirWorker::inherit_derived(std::uint32_t node, ExprId atom) {
+void InheritanceWorker::inherit_derived(std::uint32_t node, ExprId atom) {
   Node& self = nodes_[node];
   if (self.is_unsatisfiable || (!self.is_existential() && number(atom) == self.root)) return;
   // Most have few; where there are many, hearing of one twice does no harm.
@@ -172,7 +172,7 @@ void HeirWorker::inherit_derived(std::uint32_t node, ExprId atom) {
   for (const ExprId only : index_.frontier(atom)) inherit(node, require(only));
 }
 
-void HeirWorker::run_alone() {
+void InheritanceWorker::run_alone() {
   do {
     while (!queue_.empty() && !shared_.has_ended()) {
       const std::uint32_t node = queue_.back();
@@ -183,7 +183,7 @@ void HeirWorker::run_alone() {
   } while (!shared_.has_ended() && (release_one() || begin_round()));
 }
 
-bool HeirWorker::begin_round() {
+bool InheritanceWorker::begin_round() {
   // Nobody waits, and nothing is to be done: what has begun is closed, circles and all.
   for (; shared_.closed < nodes_.size(); ++shared_.closed) {
     Node& node = nodes_[shared_.closed];
@@ -202,7 +202,7 @@ bool HeirWorker::begin_round() {
   return false;
 }
 
-bool HeirWorker::begin_more() {
+bool InheritanceWorker::begin_more() {
   // Few at once, so that what one leads to is soon closed.
   const std::size_t count = is_parallel_ ? 16 : 1;
   while (queue_.empty()) {
@@ -217,22 +217,22 @@ bool HeirWorker::begin_more() {
   return true;
 }
 
-bool HeirWorker::release_one() {
+bool InheritanceWorker::release_one() {
   while (queue_.empty() && !stalled_.empty()) {
     const std::uint32_t node = stalled_.back();
     stalled_.pop_back();
-    tell(node, {Tidings::release, 0, 0});
+    tell(node, {NodeMessage::Kind::release, 0, 0});
   }
   return !queue_.empty();
 }
 
-void HeirWorker::stall(std::uint32_t node) {
+void InheritanceWorker::stall(std::uint32_t node) {
   if (nodes_[node].is_stalled) return;
   nodes_[node].is_stalled = true;
   stalled_.push_back(node);
 }
 
-void HeirWorker::process(std::uint32_t node) {
+void InheritanceWorker::process(std::uint32_t node) {
   Node& self = nodes_[node];
   if (!self.has_begun) start(node);
   while (!self.is_unsatisfiable && !shared_.has_ended()) {
@@ -245,7 +245,7 @@ void HeirWorker::process(std::uint32_t node) {
   self.is_released = true;
   self.is_final = self.pending == 0 && !self.is_open && !shared_.has_ended();
   tell_sources(node);
-  serve_heirs(node);
+  serve_children(node);
   self.items_told = self.items.size();
   self.selfs_told = self.selfs.size();
   if (self.is_final) let_go(node);
@@ -253,13 +253,13 @@ void HeirWorker::process(std::uint32_t node) {
   if (conclusions_ > shared_.limits.conclusions) shared_.is_over_limit = true;
 }
 
-void HeirWorker::let_go(std::uint32_t node) {
+void InheritanceWorker::let_go(std::uint32_t node) {
   // Whoever was told knows all there will ever be, and nothing will be looked up any more.
   Node& self = nodes_[node];
-  const std::uint32_t asked = self.heirs.size() + self.sources.size();
-  self.heirs.clear(arena_);
+  const std::uint32_t asked = self.children.size() + self.sources.size();
+  self.children.clear(arena_);
   self.sources.clear(arena_);
-  self.heirs_served = self.sources_told = 0;
+  self.children_served = self.sources_told = 0;
   self.todo.clear(arena_);
   if (self.expected != any_number) self.expected -= std::min(asked, self.expected);
   if (self.expected == 0 && !self.is_kept && !self.is_existential()) {
@@ -271,7 +271,7 @@ void HeirWorker::let_go(std::uint32_t node) {
   }
 }
 
-void HeirWorker::begin_anew(std::uint32_t node) {
+void InheritanceWorker::begin_anew(std::uint32_t node) {
   Node& self = nodes_[node];
   self.is_dropped = self.is_final = self.has_begun = self.is_released = false;
   self.is_kept = true;
@@ -279,81 +279,81 @@ void HeirWorker::begin_anew(std::uint32_t node) {
   self.above.clear(arena_);
 }
 
-void HeirWorker::set_parallel(bool is_parallel) {
+void InheritanceWorker::set_parallel(bool is_parallel) {
   is_parallel_ = is_parallel;
   if (!is_parallel) return;
   for (const std::uint32_t node : queue_) {
-    nodes_[node].inbox.hold();
+    nodes_[node].mailbox.hold();
     nodes_[node].owner = rank_;
     nodes_[node].is_queued = false;
   }
 }
 
-void HeirWorker::work_on(std::uint32_t node) {
+void InheritanceWorker::work_on(std::uint32_t node) {
   Node& self = nodes_[node];
   for (;;) {
-    NodeLetter* letter = self.inbox.empty();
-    while (letter != nullptr) {
-      NodeLetter* next = letter->next;
-      receive(node, letter->told, {reinterpret_cast<const std::uint32_t*>(letter + 1), letter->item_count});
-      arena_.release(letter, bytes_of(letter->item_count));
-      letter = next;
+    QueuedNodeMessage* waiting = self.mailbox.empty();
+    while (waiting != nullptr) {
+      QueuedNodeMessage* next = waiting->next;
+      receive(node, waiting->message, {reinterpret_cast<const std::uint32_t*>(waiting + 1), waiting->item_count});
+      arena_.release(waiting, bytes_of(waiting->item_count));
+      waiting = next;
     }
     process(node);
     self.owner.store(0, std::memory_order_relaxed);
-    if (shared_.has_ended() || self.inbox.rest()) break;
-    self.owner.store(rank_, std::memory_order_relaxed);  // a letter has come
+    if (shared_.has_ended() || self.mailbox.rest()) break;
+    self.owner.store(rank_, std::memory_order_relaxed);  // a message has come
   }
 }
 
-void HeirWorker::tell(std::uint32_t node, const Told& told, Items items) {
-  if (is_elsewhere(node)) return post(node, told, items);
-  receive(node, told, items);
+void InheritanceWorker::tell(std::uint32_t node, const NodeMessage& message, Items items) {
+  if (is_elsewhere(node)) return post(node, message, items);
+  receive(node, message, items);
 }
 
-void HeirWorker::post(std::uint32_t node, const Told& told, Items items) {
+void InheritanceWorker::post(std::uint32_t node, const NodeMessage& message, Items items) {
   Node& there = nodes_[node];
-  if (there.inbox.take()) {
+  if (there.mailbox.take()) {
     there.owner.store(rank_, std::memory_order_relaxed);
     queue_.push_back(node);
-    return receive(node, told, items);
+    return receive(node, message, items);
   }
-  auto* letter = ::new (arena_.allocate(bytes_of(items.size())))
-      NodeLetter{nullptr, told, static_cast<std::uint32_t>(items.size())};
-  if (!items.empty()) std::memcpy(static_cast<void*>(letter + 1), items.data(), items.size_bytes());
-  if (!there.inbox.put(letter)) return;
+  auto* waiting = ::new (arena_.allocate(bytes_of(items.size())))
+      QueuedNodeMessage{nullptr, message, static_cast<std::uint32_t>(items.size())};
+  if (!items.empty()) std::memcpy(static_cast<void*>(waiting + 1), items.data(), items.size_bytes());
+  if (!there.mailbox.put(waiting)) return;
   there.owner.store(rank_, std::memory_order_relaxed);  // it has come to rest meanwhile
   queue_.push_back(node);
 }
 
-void HeirWorker::receive(std::uint32_t node, const Told& told, Items items) {
+void InheritanceWorker::receive(std::uint32_t node, const NodeMessage& message, Items items) {
   Node& self = nodes_[node];
-  switch (told.kind) {
-    case Tidings::heir:
-    case Tidings::source:
-      if (self.is_unsatisfiable) return tell(told.first, {Tidings::bottom, 0, 0});
-      (told.kind == Tidings::heir ? self.heirs : self.sources).push_back(told.first, arena_);
+  switch (message.kind) {
+    case NodeMessage::Kind::child:
+    case NodeMessage::Kind::source:
+      if (self.is_unsatisfiable) return tell(message.first, {NodeMessage::Kind::bottom, 0, 0});
+      (message.kind == NodeMessage::Kind::child ? self.children : self.sources).push_back(message.first, arena_);
       if (self.is_dropped) begin_anew(node);
       return enqueue(node);
-    case Tidings::inherited:
-    case Tidings::found:
-      if ((told.first & for_the_first_time) != 0) {
+    case NodeMessage::Kind::inherited:
+    case NodeMessage::Kind::found:
+      if ((message.first & first_delivery) != 0) {
         --self.pending;
-        if ((told.first & for_all_time) == 0) self.is_open = true;
+        if ((message.first & final_delivery) == 0) self.is_open = true;
       }
       if (self.is_unsatisfiable) return;
-      if (told.kind == Tidings::inherited) {
+      if (message.kind == NodeMessage::Kind::inherited) {
         add_inherited(node, items);
       } else {
         for (const std::uint32_t item : items) add_item(node, ExprId{item});
       }
       break;
-    case Tidings::composed:
-      inherit_existential(node, RoleId{told.first}, told.second);
+    case NodeMessage::Kind::composed:
+      inherit_existential(node, RoleId{message.first}, message.second);
       break;
-    case Tidings::bottom:
+    case NodeMessage::Kind::bottom:
       return add_bottom(node);
-    case Tidings::release:
+    case NodeMessage::Kind::release:
       self.is_stalled = false;
       if (self.pending == 0 || self.is_released) return;
       self.is_released = true;
@@ -362,7 +362,7 @@ void HeirWorker::receive(std::uint32_t node, const Told& told, Items items) {
   if (self.pending == 0 || self.is_released) enqueue(node);
 }
 
-void HeirWorker::enqueue(std::uint32_t node) {
+void InheritanceWorker::enqueue(std::uint32_t node) {
   if (is_parallel_ || nodes_[node].is_queued) return;
   nodes_[node].is_queued = true;
   queue_.push_back(node);

@@ -1,11 +1,11 @@
 // The closure by inheritance: what is above a class is concluded once, and handed down to all that is below it.
 //
 // The closure of saturation.hpp applies every rule again in every context: what follows from "Pizza < has some Topping"
-// is derived for each kind of pizza. Here what one node has found is copied into its heirs as a whole, and there only
-// rules with two premises that come from different sides are still to be applied. An existential R some A is a node as
-// well, to which the existentials above it belong; whatever is below it is its heir, so that a link is kept once, and
-// not once for all that has it. It is for ontologies without nominals, functional properties and universals, whose
-// rules reach into contexts from the side; these are Saturation's.
+// is derived for each kind of pizza. Here what one node has found is copied into its children as a whole, and there
+// only rules with two premises that come from different sides are still to be applied. An existential R some A is a
+// node as well, to which the existentials above it belong; whatever is below it is its child, so that a link is kept
+// once, and not once for all that has it. It is for ontologies without nominals, functional properties and universals,
+// whose rules reach into contexts from the side; these are Saturation's.
 //
 // Legend: M N nodes, N < X "X is an item of N", T owl:Thing, F owl:Nothing, R S roles, R <* S the role hierarchy;
 // `R some N` is the node of an existential that leads to N; an item R some N says that this node is above.
@@ -27,13 +27,13 @@
 
 namespace geminga::el {
 
-class HeirWorker;
+class InheritanceWorker;
 
 /// What the workers share.
 struct Inheriting {
-  Inheriting(const Index& of, const SaturationLimits& within, std::span<const ExprId> asked);
+  Inheriting(const IndexedOntology& of, const SaturationLimits& within, std::span<const ExprId> asked);
 
-  const Index& index;
+  const IndexedOntology& index;
   SaturationLimits limits;
   std::uint32_t first_link;  ///< items from here on are nodes of existentials
   NodeStore contexts;
@@ -65,13 +65,13 @@ struct Inheriting {
 /// Closes what is above the atoms of `asked`, which are their own representatives and must live as long as this.
 class Inheritance {
  public:
-  Inheritance(const Index& index, const SaturationLimits& limits, std::span<const ExprId> asked);
+  Inheritance(const IndexedOntology& index, const SaturationLimits& limits, std::span<const ExprId> asked);
   Inheritance(const Inheritance&) = delete;
   Inheritance& operator=(const Inheritance&) = delete;
   ~Inheritance();
 
   /// Whether the ontology is of the kind that this is for.
-  [[nodiscard]] static bool is_for(const Index& index) {
+  [[nodiscard]] static bool is_for(const IndexedOntology& index) {
     return !index.has_nominals() && !index.has_functional() && !index.has_universals();
   }
 
@@ -94,7 +94,7 @@ class Inheritance {
 
  private:
   Inheriting shared_;
-  std::vector<std::unique_ptr<HeirWorker>> workers_;  ///< their arenas hold what nodes know, so they are kept
+  std::vector<std::unique_ptr<InheritanceWorker>> workers_;  ///< their arenas hold what nodes know, so they are kept
 };
 
 }  // namespace geminga::el

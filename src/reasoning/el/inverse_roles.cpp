@@ -60,7 +60,7 @@ std::vector<std::vector<ImpliedRole>> find_implied_roles(const Roles& roles,
   return implied;
 }
 
-InverseRoles::InverseRoles(const Index& index, std::span<const InverseInclusion> inverses)
+InverseRoles::InverseRoles(const IndexedOntology& index, std::span<const InverseInclusion> inverses)
     : index_(index),
       implied_(find_implied_roles(index.roles(), inverses)),
       learning_(index.roles().count()),

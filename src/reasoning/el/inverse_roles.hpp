@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "reasoning/el/index.hpp"
+#include "reasoning/el/indexed_ontology.hpp"
 #include "reasoning/el/open_parts.hpp"
 #include "reasoning/owl/automaton.hpp"
 #include "reasoning/owl/role_box.hpp"
@@ -42,7 +42,7 @@ struct Learning {
 /// Calls with each expression that the end of a link learns, of whose beginning these are the subsumers and, among
 /// them, those with existential rules.
 template <typename Visit>
-void visit_taught(const Index& index, std::span<const Learning> all, std::span<const ExprId> fillers,
+void visit_taught(const IndexedOntology& index, std::span<const Learning> all, std::span<const ExprId> fillers,
                   std::span<const std::uint32_t> subsumers, Visit&& visit) {
   for (const Learning& learning : all) {
     if (learning.filler) {
@@ -66,8 +66,8 @@ void visit_taught(const Index& index, std::span<const Learning> all, std::span<c
 class InverseRoles {
  public:
   /// Requires that inclusions and chains between inverses have been told between the roles themselves
-  /// (Normaliser::mirror_roles).
-  InverseRoles(const Index& index, std::span<const InverseInclusion> inverses);
+  /// (RuleNormaliser::mirror_roles).
+  InverseRoles(const IndexedOntology& index, std::span<const InverseInclusion> inverses);
 
   [[nodiscard]] std::span<const ImpliedRole> implied(RoleId role) const {
     return implied_[static_cast<std::size_t>(role)];
@@ -88,7 +88,7 @@ class InverseRoles {
   void learn(RoleId heard, const owl::Automaton& automaton, bool is_existential, const owl::RoleBox& box);
   void learn(RoleId link, RoleId heard, const owl::Automaton& automaton, bool is_existential);
 
-  const Index& index_;
+  const IndexedOntology& index_;
   std::vector<std::vector<ImpliedRole>> implied_;
   std::vector<std::vector<Learning>> learning_;
   std::vector<bool> tells_end_;

@@ -9,7 +9,7 @@ namespace geminga::el {
 namespace {
 
 /// Whether a context below a nominal has subsumers with rules that the nominal has not.
-bool says_more(const Index& index, const Saturation& saturation, const Context& context) {
+bool says_more(const IndexedOntology& index, const Saturation& saturation, const Context& context) {
   return std::ranges::any_of(context.nominals, [&](std::uint32_t nominal) {
     const Context& individual = saturation.contexts()[nominal];
     return std::ranges::any_of(context.subsumers.items(), [&](std::uint32_t subsumer) {
@@ -20,7 +20,7 @@ bool says_more(const Index& index, const Saturation& saturation, const Context& 
 
 }  // namespace
 
-std::vector<ExprId> find_conditional_roots(const Index& index, const Saturation& saturation,
+std::vector<ExprId> find_conditional_roots(const IndexedOntology& index, const Saturation& saturation,
                                            std::span<const ExprId> asked) {
   std::vector<ExprId> roots;
   if (!index.has_nominals() || !saturation.is_consistent()) return roots;
@@ -51,7 +51,7 @@ std::vector<ExprId> find_conditional_roots(const Index& index, const Saturation&
   return roots;
 }
 
-std::optional<World> find_world(const Index& index, ExprId root, std::span<const ExprId> individuals,
+std::optional<World> find_world(const IndexedOntology& index, ExprId root, std::span<const ExprId> individuals,
                                 const SaturationLimits& limits) {
   Saturation saturation(index, limits);
   for (const ExprId individual : individuals) saturation.require(index.representative(individual));

@@ -12,13 +12,13 @@
 #include <span>
 #include <vector>
 
-#include "reasoning/el/index.hpp"
+#include "reasoning/el/indexed_ontology.hpp"
 #include "reasoning/el/saturation.hpp"
 
 namespace geminga::el {
 
 /// Those of the ascending `asked` atoms for which a saturation with an instance of their own may say more.
-[[nodiscard]] std::vector<ExprId> find_conditional_roots(const Index& index, const Saturation& saturation,
+[[nodiscard]] std::vector<ExprId> find_conditional_roots(const IndexedOntology& index, const Saturation& saturation,
                                                          std::span<const ExprId> asked);
 
 /// What holds for one atom in the models in which it has an instance, which is all that holds for it.
@@ -28,8 +28,8 @@ struct World {
 };
 
 /// Saturates with an instance of `root` beside all individuals. Nothing where the limits do not allow that.
-[[nodiscard]] std::optional<World> find_world(const Index& index, ExprId root, std::span<const ExprId> individuals,
-                                              const SaturationLimits& limits);
+[[nodiscard]] std::optional<World> find_world(const IndexedOntology& index, ExprId root,
+                                              std::span<const ExprId> individuals, const SaturationLimits& limits);
 
 }  // namespace geminga::el
 

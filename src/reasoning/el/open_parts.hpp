@@ -1,14 +1,14 @@
 // What the rules do not use of the axioms, in a form that a model can be tested for.
 //
 // The contexts of a saturation are a model of what the rules use. Where they are a model of the rest, too, nothing is
-// missing (settlement.hpp). Legend as in index.hpp; X stands for an expression that has no rules.
+// missing (settlement.hpp). Legend as in indexed_ontology.hpp; X stands for an expression that has no rules.
 #ifndef GEMINGA_REASONING_EL_OPEN_PARTS_HPP
 #define GEMINGA_REASONING_EL_OPEN_PARTS_HPP
 
 #include <cstdint>
 #include <vector>
 
-#include "reasoning/el/index.hpp"
+#include "reasoning/el/indexed_ontology.hpp"
 
 namespace geminga::el {
 

@@ -1,4 +1,4 @@
-// The closure as its users see it, and how conclusions travel between contexts; the rules are in rules.cpp.
+// The closure as its users see it, and how conclusions travel between contexts; the rules are in saturation_rules.cpp.
 #include "reasoning/el/saturation.hpp"
 
 #include <algorithm>
@@ -8,15 +8,15 @@
 #include "base/interner.hpp"
 #include "base/parallel/claim.hpp"
 #include "base/parallel/threads.hpp"
-#include "reasoning/el/worker.hpp"
+#include "reasoning/el/saturation_worker.hpp"
 
 namespace geminga::el {
 
-Saturating::Saturating(const Index& of, const SaturationLimits& within)
+Saturating::Saturating(const IndexedOntology& of, const SaturationLimits& within)
     : index(of), limits(within), keeps_forward(of.has_nominals()), context_of(of.size()) {}
 
-Saturation::Saturation(const Index& index, const SaturationLimits& limits) : shared_(index, limits) {
-  workers_.push_back(std::make_unique<Worker>(shared_, std::uint8_t{1}));
+Saturation::Saturation(const IndexedOntology& index, const SaturationLimits& limits) : shared_(index, limits) {
+  workers_.push_back(std::make_unique<SaturationWorker>(shared_, std::uint8_t{1}));
   require_nonempty(require(top_expr));
 }
 
@@ -56,7 +56,7 @@ std::size_t Saturation::link_count() const {
 
 //   ----- (init)   -----
 //   C < C          C < T
-std::uint32_t Worker::require(ExprId root) {
+std::uint32_t SaturationWorker::require(ExprId root) {
   std::atomic<std::uint32_t>& entry = shared_.context_of[number(root)];
   std::uint32_t known = entry.load(std::memory_order_acquire);
   while (known <= Saturating::claimed_context) {
@@ -76,10 +76,10 @@ std::uint32_t Worker::require(ExprId root) {
   return known - 2;
 }
 
-void Worker::start(std::uint32_t context, std::span<const ExprId> atoms) {
+void SaturationWorker::start(std::uint32_t context, std::span<const ExprId> atoms) {
   // Nobody else knows this context yet.
   if (is_parallel_) {
-    contexts_[context].inbox.hold();
+    contexts_[context].mailbox.hold();
     contexts_[context].owner.store(rank_, std::memory_order_relaxed);
     queue_.push_back(context);
   }
@@ -92,7 +92,7 @@ void Worker::start(std::uint32_t context, std::span<const ExprId> atoms) {
   }
 }
 
-void Worker::run_alone() {
+void SaturationWorker::run_alone() {
   while (!queue_.empty() && !shared_.has_ended()) {
     const std::uint32_t context = queue_.back();
     queue_.pop_back();
@@ -101,36 +101,36 @@ void Worker::run_alone() {
   }
 }
 
-void Worker::set_parallel(bool is_parallel) {
+void SaturationWorker::set_parallel(bool is_parallel) {
   is_parallel_ = is_parallel;
   if (!is_parallel) return;
   for (const std::uint32_t context : queue_) {
-    contexts_[context].inbox.hold();
+    contexts_[context].mailbox.hold();
     contexts_[context].owner = rank_;
     contexts_[context].is_queued = false;
   }
 }
 
-void Worker::work_on(std::uint32_t context) {
+void SaturationWorker::work_on(std::uint32_t context) {
   Context& self = contexts_[context];
   for (;;) {
-    Letter* letter = self.inbox.empty();
-    while (letter != nullptr) {
-      Letter* next = letter->next;
-      receive(context, letter->message);
-      arena_.release(letter, sizeof(Letter));
-      letter = next;
+    QueuedMessage* waiting = self.mailbox.empty();
+    while (waiting != nullptr) {
+      QueuedMessage* next = waiting->next;
+      receive(context, waiting->message);
+      arena_.release(waiting, sizeof(QueuedMessage));
+      waiting = next;
     }
     process(context);
     self.owner.store(0, std::memory_order_relaxed);
-    if (shared_.has_ended() || self.inbox.rest()) break;
-    self.owner.store(rank_, std::memory_order_relaxed);  // a letter has come
+    if (shared_.has_ended() || self.mailbox.rest()) break;
+    self.owner.store(rank_, std::memory_order_relaxed);  // a message has come
   }
 }
 
-void Worker::post(std::uint32_t context, const Message& message) {
+void SaturationWorker::post(std::uint32_t context, const Message& message) {
   Context& there = contexts_[context];
-  if (there.inbox.take()) {
+  if (there.mailbox.take()) {
     there.owner.store(rank_, std::memory_order_relaxed);
     queue_.push_back(context);
     return receive(context, message);
@@ -142,13 +142,13 @@ void Worker::post(std::uint32_t context, const Message& message) {
   Posted& slot = posted_[base::mixed(base::mixed(kind_and_context, message.first), message.second) % posted_count];
   if (slot.context == context && slot.message == message) return;
   slot = {context, message};
-  auto* letter = ::new (arena_.allocate(sizeof(Letter))) Letter{nullptr, message};
-  if (!there.inbox.put(letter)) return;
+  auto* waiting = ::new (arena_.allocate(sizeof(QueuedMessage))) QueuedMessage{nullptr, message};
+  if (!there.mailbox.put(waiting)) return;
   there.owner.store(rank_, std::memory_order_relaxed);  // it has come to rest meanwhile
   queue_.push_back(context);
 }
 
-void Worker::receive(std::uint32_t context, const Message& message) {
+void SaturationWorker::receive(std::uint32_t context, const Message& message) {
   switch (message.kind) {
     case Message::Kind::subsumer:
       return add_subsumer(context, ExprId{message.first});
@@ -163,13 +163,13 @@ void Worker::receive(std::uint32_t context, const Message& message) {
   }
 }
 
-void Worker::enqueue(std::uint32_t context) {
+void SaturationWorker::enqueue(std::uint32_t context) {
   if (is_parallel_ || contexts_[context].is_queued) return;
   contexts_[context].is_queued = true;
   queue_.push_back(context);
 }
 
-void Worker::process(std::uint32_t context) {
+void SaturationWorker::process(std::uint32_t context) {
   Context& self = contexts_[context];
   while (!shared_.has_ended()) {
     if (self.is_unsatisfiable) {

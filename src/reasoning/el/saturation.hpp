@@ -19,18 +19,18 @@
 #include <vector>
 
 #include "reasoning/el/context.hpp"
-#include "reasoning/el/index.hpp"
+#include "reasoning/el/indexed_ontology.hpp"
 #include "reasoning/el/limits.hpp"
 
 namespace geminga::el {
 
-class Worker;
+class SaturationWorker;
 
 /// What the workers of one saturation share.
 struct Saturating {
-  Saturating(const Index& of, const SaturationLimits& within);
+  Saturating(const IndexedOntology& of, const SaturationLimits& within);
 
-  const Index& index;
+  const IndexedOntology& index;
   SaturationLimits limits;
   bool keeps_forward;  ///< all forward links, not only those that chains want
   ContextStore contexts;
@@ -54,8 +54,8 @@ struct Saturating {
 /// Saturates contexts on demand. To be used by one thread; the index may be shared.
 class Saturation {
  public:
-  explicit Saturation(const Index& index, const SaturationLimits& limits);
-  Saturation(const Index& index, std::size_t max_conclusions)
+  explicit Saturation(const IndexedOntology& index, const SaturationLimits& limits);
+  Saturation(const IndexedOntology& index, std::size_t max_conclusions)
       : Saturation(index, SaturationLimits{.conclusions = max_conclusions}) {}
   Saturation(const Saturation&) = delete;
   Saturation& operator=(const Saturation&) = delete;
@@ -88,7 +88,7 @@ class Saturation {
 
  private:
   Saturating shared_;
-  std::vector<std::unique_ptr<Worker>> workers_;  ///< their arenas hold what contexts know, so they are kept
+  std::vector<std::unique_ptr<SaturationWorker>> workers_;  ///< their arenas hold what contexts know, so they are kept
 };
 
 }  // namespace geminga::el

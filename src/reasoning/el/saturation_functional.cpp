@@ -1,11 +1,11 @@
 // The rules for functional properties; the legend is in saturation.hpp.
 #include <algorithm>
 
-#include "reasoning/el/worker.hpp"
+#include "reasoning/el/saturation_worker.hpp"
 
 namespace geminga::el {
 
-std::uint32_t Worker::require_together(const std::vector<ExprId>& atoms) {
+std::uint32_t SaturationWorker::require_together(const std::vector<ExprId>& atoms) {
   if (atoms.size() == 1) return require(atoms.front());
   const std::scoped_lock lock(shared_.together_mutex);  // in ontologies with functional properties only
   const auto [known, is_new] = shared_.context_of_some.try_emplace(atoms, 0);
@@ -26,12 +26,12 @@ std::uint32_t Worker::require_together(const std::vector<ExprId>& atoms) {
   return created;
 }
 
-std::vector<ExprId> Worker::atoms_of(std::uint32_t context) const {
+std::vector<ExprId> SaturationWorker::atoms_of(std::uint32_t context) const {
   const Context& self = contexts_[context];
   return self.together.empty() ? std::vector<ExprId>{self.root} : self.together.get();
 }
 
-void Worker::process_functional(std::uint32_t context, Link link) {
+void SaturationWorker::process_functional(std::uint32_t context, Link link) {
   for (const RoleId super : index_.roles().supers(link.role)) {
     const auto holds_here = [&](ExprId id) { return contexts_[context].subsumers.contains(number(id)); };
     if (index_.is_functional(super) || std::ranges::any_of(index_.functional_in(super), holds_here)) {
@@ -44,7 +44,7 @@ void Worker::process_functional(std::uint32_t context, Link link) {
 //  C -R1-> D1   C -R2-> D2
 //  ------------------------------------- [S is functional in C, R1 <* S, R2 <* S]
 //  C -R1-> D1 and D2   C -R2-> D1 and D2
-void Worker::group_successor(std::uint32_t context, RoleId functional, Link link) {
+void SaturationWorker::group_successor(std::uint32_t context, RoleId functional, Link link) {
   if (!index_.roles().is_sub_role(link.role, functional)) return;
   std::vector<FunctionalGroup>& groups = contexts_[context].groups.own();
   auto group = std::ranges::find(groups, functional, &FunctionalGroup::functional);
@@ -70,7 +70,7 @@ void Worker::group_successor(std::uint32_t context, RoleId functional, Link link
 //  C < R Self   C -R'-> D
 //  ---------------------- [S is functional in C, R <* S, R' <* S]
 //  C < D
-void Worker::process_functional_self(std::uint32_t context, RoleId functional) {
+void SaturationWorker::process_functional_self(std::uint32_t context, RoleId functional) {
   const Context& self = contexts_[context];
   const bool has_self =
       std::ranges::any_of(self.selfs, [&](RoleId role) { return index_.roles().is_sub_role(role, functional); });

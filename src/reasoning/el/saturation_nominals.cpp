@@ -1,11 +1,11 @@
 // The rules for nominals, and for what must have an instance; the legend is in saturation.hpp.
 #include <algorithm>
 
-#include "reasoning/el/worker.hpp"
+#include "reasoning/el/saturation_worker.hpp"
 
 namespace geminga::el {
 
-void Worker::require_nonempty(std::uint32_t context) {
+void SaturationWorker::require_nonempty(std::uint32_t context) {
   std::vector<std::uint32_t> stack = {context};
   while (!stack.empty()) {
     const std::uint32_t at = stack.back();
@@ -23,7 +23,7 @@ void Worker::require_nonempty(std::uint32_t context) {
 //  C < {a}   {a} < D     C < {a}   C < D
 //  -----------------     --------------- [C is not empty; neither where C is of values, which are no individuals]
 //  C < D                 {a} < D
-void Worker::process_nominal(std::uint32_t context, ExprId subsumer) {
+void SaturationWorker::process_nominal(std::uint32_t context, ExprId subsumer) {
   // Only what is said of everything is said of values, too, and they are no part of what there is.
   if (is_of_values(context)) return;
   Context& self = contexts_[context];
@@ -47,13 +47,13 @@ void Worker::process_nominal(std::uint32_t context, ExprId subsumer) {
   if (index_.has_negative_self()) find_selfs(context, nominal);
 }
 
-bool Worker::is_of_values(std::uint32_t context) const {
+bool SaturationWorker::is_of_values(std::uint32_t context) const {
   const Context& self = contexts_[context];
   if (self.together.empty()) return index_.is_value(self.root);
   return std::ranges::any_of(self.together, [&](ExprId atom) { return index_.is_value(atom); });
 }
 
-void Worker::merge_into_nominal(std::uint32_t context, std::uint32_t nominal) {
+void SaturationWorker::merge_into_nominal(std::uint32_t context, std::uint32_t nominal) {
   for (const ExprId atom : atoms_of(context)) add_derived_atom(nominal, atom);
   const base::ArenaSet<std::uint32_t>& known = contexts_[context].subsumers;
   work_.add(known.size());
@@ -65,7 +65,7 @@ void Worker::merge_into_nominal(std::uint32_t context, std::uint32_t nominal) {
 //  C < {a}   D < {a}   C -R-> D
 //  ----------------------------
 //  C < R Self
-void Worker::find_selfs(std::uint32_t context, std::uint32_t nominal) {
+void SaturationWorker::find_selfs(std::uint32_t context, std::uint32_t nominal) {
   const auto is_same = [&](std::uint32_t other) {
     return other == nominal ||
            std::ranges::find(contexts_[other].nominals.get(), nominal) != contexts_[other].nominals.get().end();
@@ -80,7 +80,7 @@ void Worker::find_selfs(std::uint32_t context, std::uint32_t nominal) {
   }
 }
 
-void Worker::find_self_of_link(std::uint32_t from, RoleId role, std::uint32_t to) {
+void SaturationWorker::find_self_of_link(std::uint32_t from, RoleId role, std::uint32_t to) {
   const auto nominals_of = [&](std::uint32_t context) {
     std::vector<std::uint32_t> nominals = contexts_[context].nominals.get();
     if (index_.is_nominal(contexts_[context].root)) nominals.push_back(context);

@@ -5,14 +5,14 @@
 // says less.
 #include <algorithm>
 
-#include "reasoning/el/worker.hpp"
+#include "reasoning/el/saturation_worker.hpp"
 
 namespace geminga::el {
 
 //  C < D   C < Q
 //  --------------- [D < R some E is told, Q < S only P, R <* S]
 //  C -R-> E and P
-std::uint32_t Worker::require_restricted(std::uint32_t context, const LinkRule& link) {
+std::uint32_t SaturationWorker::require_restricted(std::uint32_t context, const LinkRule& link) {
   const Context& self = contexts_[context];
   if (self.restricting.empty()) return require(link.root);
   std::vector<ExprId> together;
@@ -30,7 +30,7 @@ std::uint32_t Worker::require_restricted(std::uint32_t context, const LinkRule& 
 }
 
 // The premise with the universal is new.
-void Worker::process_universal(std::uint32_t context, ExprId subsumer) {
+void SaturationWorker::process_universal(std::uint32_t context, ExprId subsumer) {
   const auto rules = index_.universals(subsumer);
   if (rules.empty()) return;
   const Context& self = contexts_[context];
@@ -53,7 +53,7 @@ void Worker::process_universal(std::uint32_t context, ExprId subsumer) {
 //  C < R Self   C < Q
 //  ------------------ [Q < S only P, R <* S]
 //  C < P
-void Worker::process_universal_self(std::uint32_t context, RoleId role) {
+void SaturationWorker::process_universal_self(std::uint32_t context, RoleId role) {
   std::vector<ExprId> found;
   for (const ExprId restricting : contexts_[context].restricting) {
     for (const UniversalRule& rule : index_.universals(restricting)) {

@@ -6,7 +6,7 @@
 
 namespace geminga::el {
 
-Settlement::Settlement(const Index& index, const Saturation& saturation, const OpenParts& open,
+Settlement::Settlement(const IndexedOntology& index, const Saturation& saturation, const OpenParts& open,
                        std::span<const ExprId> classes, const CopyLimits& limits)
     : index_(index),
       saturation_(saturation),

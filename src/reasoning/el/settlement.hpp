@@ -33,8 +33,8 @@ class Settlement {
   /// Requires a saturation that has ended within its limits and without contradiction, and that the rest of the axioms
   /// is all in `open`.
   /// Only what is missing of `classes`, representatives, counts.
-  Settlement(const Index& index, const Saturation& saturation, const OpenParts& open, std::span<const ExprId> classes,
-             const CopyLimits& limits = {});
+  Settlement(const IndexedOntology& index, const Saturation& saturation, const OpenParts& open,
+             std::span<const ExprId> classes, const CopyLimits& limits = {});
 
   /// Whether nothing is missing above an atom, if the ontology is consistent.
   [[nodiscard]] bool is_settled(ExprId atom);
@@ -75,7 +75,7 @@ class Settlement {
   [[nodiscard]] bool is_root_settled(std::uint32_t context, unsigned depth);
   [[nodiscard]] bool has_nothing_more(std::uint32_t context, unsigned depth);
 
-  const Index& index_;
+  const IndexedOntology& index_;
   const Saturation& saturation_;
   const OpenParts& open_;
   InverseRoles inverses_;

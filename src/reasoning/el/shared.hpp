@@ -12,8 +12,8 @@ namespace geminga::el {
 
 /// Inclusions between the unions of `open` and atoms that follow from what was derived of the parts and that are not
 /// told. Enumerations of individuals are unions, too. Linear in what is above the parts.
-[[nodiscard]] std::vector<std::pair<ExprId, ExprId>> find_shared(const Index& index, const Saturation& saturation,
-                                                                 const OpenParts& open);
+[[nodiscard]] std::vector<std::pair<ExprId, ExprId>> find_shared(const IndexedOntology& index,
+                                                                 const Saturation& saturation, const OpenParts& open);
 
 }  // namespace geminga::el
 

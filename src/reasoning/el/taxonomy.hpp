@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "reasoning/el/index.hpp"
+#include "reasoning/el/indexed_ontology.hpp"
 #include "reasoning/taxonomy/classification.hpp"
 #include "reasoning/taxonomy/reduction.hpp"
 
@@ -13,7 +13,9 @@ namespace geminga::el {
 /// The subsumptions of atoms that are known, as a graph whose ways up are all that hold. Nodes are representatives.
 class SubsumptionGraph {
  public:
-  explicit SubsumptionGraph(const Index& index) : index_(index) { graph_.is_empty.assign(index.size(), false); }
+  explicit SubsumptionGraph(const IndexedOntology& index) : index_(index) {
+    graph_.is_empty.assign(index.size(), false);
+  }
 
   void add_edge(ExprId sub, ExprId super) { graph_.edges.emplace_back(number(sub), number(super)); }
   /// Nodes that stand for no expression: numbers behind those of the index.
@@ -27,7 +29,7 @@ class SubsumptionGraph {
  private:
   void add_told_edges();
 
-  const Index& index_;
+  const IndexedOntology& index_;
   taxonomy::Inclusions graph_;
 };
 

@@ -129,7 +129,7 @@ std::optional<owl::TermId> ExpressionBase::find_term(owl::TermKind kind, std::st
 }
 
 std::optional<ExpressionError> ExpressionBase::saturate() {
-  normaliser_ = std::make_unique<el::Normaliser>(source_, index_);
+  normaliser_ = std::make_unique<el::RuleNormaliser>(source_, index_);
   std::vector<std::string> unused;
   const auto note = [&](owl::Construct construct) {
     if (construct != owl::Construct::none) unused.emplace_back(to_string(construct));

@@ -19,8 +19,8 @@
 #include "base/rows.hpp"
 #include "reasoning/compiled/compiled_view.hpp"
 #include "reasoning/compiled/ontology.hpp"
-#include "reasoning/el/index.hpp"
-#include "reasoning/el/normaliser.hpp"
+#include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/el/rule_normaliser.hpp"
 #include "reasoning/el/saturation.hpp"
 #include "reasoning/owl/datatypes.hpp"
 #include "reasoning/owl/source.hpp"
@@ -65,7 +65,7 @@ class ExpressionBase {
 
   [[nodiscard]] const ExpressionLimits& limits() const { return limits_; }
   [[nodiscard]] const taxonomy::ClassifiedView& view() const { return view_; }
-  [[nodiscard]] const el::Index& index() const { return index_; }
+  [[nodiscard]] const el::IndexedOntology& index() const { return index_; }
   /// The axioms with the taxonomy, each edge an axiom.
   [[nodiscard]] const owl::Ontology& source() const { return source_; }
   [[nodiscard]] std::size_t context_count() const { return saturation_->contexts().size(); }
@@ -131,8 +131,8 @@ class ExpressionBase {
   taxonomy::ClassifiedView view_;
   ExpressionLimits limits_;
   owl::Ontology source_;
-  el::Index index_;
-  std::unique_ptr<el::Normaliser> normaliser_;
+  el::IndexedOntology index_;
+  std::unique_ptr<el::RuleNormaliser> normaliser_;
   std::unique_ptr<el::Saturation> saturation_;
   std::vector<std::string> gaps_;
   base::NumberTable term_table_;

@@ -48,7 +48,7 @@ class MeetingPoint {
 
   const ExpressionOverlay& overlay_;
   const ExpressionBase& base_;
-  const el::Index& index_;
+  const el::IndexedOntology& index_;
   Side own_;
   std::vector<bool> holds_;               ///< by expression: this point has it
   std::vector<std::uint32_t> member_of_;  ///< by axiom of disjointness: the member that this point has

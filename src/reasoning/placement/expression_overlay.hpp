@@ -91,7 +91,7 @@ class ExpressionOverlay {
   void process_functional_self(std::uint32_t context, el::RoleId functional);
 
   const ExpressionBase& base_;
-  const el::Index& index_;
+  const el::IndexedOntology& index_;
   const ShapeReader& shapes_;
   std::uint32_t base_count_;
   std::uint32_t size_;  ///< of the index: seeds from here on are shapes

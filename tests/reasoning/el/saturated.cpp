@@ -12,7 +12,7 @@ namespace {
 
 class Validator {
  public:
-  Validator(const Index& index, const Saturation& saturation) : index_(index), saturation_(saturation) {
+  Validator(const IndexedOntology& index, const Saturation& saturation) : index_(index), saturation_(saturation) {
     for (std::uint32_t at = 0; at < saturation.contexts().size(); ++at) {
       const Context& context = saturation.contexts()[at];
       above_.emplace_back(context.subsumers.items().begin(), context.subsumers.items().end());
@@ -173,7 +173,7 @@ class Validator {
     }
   }
 
-  const Index& index_;
+  const IndexedOntology& index_;
   const Saturation& saturation_;
   std::vector<std::set<std::uint32_t>> above_;
   std::set<Entry> links_;
@@ -183,7 +183,7 @@ class Validator {
 }  // namespace
 
 Saturated::Saturated(const owl::Ontology& source, unsigned threads, const SaturationLimits& limits) {
-  Normaliser normaliser(source, index);
+  RuleNormaliser normaliser(source, index);
   for (std::uint32_t axiom = 0; axiom < source.axiom_count(); ++axiom) (void)normaliser.add(axiom);
   std::vector<ExprId> roots;
   for (std::uint32_t id = 0; id < source.term_count(); ++id) {
@@ -198,7 +198,7 @@ Saturated::Saturated(const owl::Ontology& source, unsigned threads, const Satura
   saturation->run(threads);
 }
 
-std::string rule_left_to_fire(const Index& index, const Saturation& saturation) {
+std::string rule_left_to_fire(const IndexedOntology& index, const Saturation& saturation) {
   return Validator(index, saturation).run();
 }
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "reasoning/el/index.hpp"
-#include "reasoning/el/normaliser.hpp"
+#include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/el/rule_normaliser.hpp"
 #include "reasoning/el/saturation.hpp"
 #include "reasoning/owl/source.hpp"
 
@@ -15,13 +15,13 @@ namespace geminga::el {
 /// The contexts of all named classes and individuals of a source, saturated by so many threads.
 struct Saturated {
   Saturated(const owl::Ontology& source, unsigned threads, const SaturationLimits& limits = {});
-  Index index;
+  IndexedOntology index;
   std::unique_ptr<Saturation> saturation;
 };
 
 /// Looks for a premise whose conclusion is missing: what it is, or nothing where no rule is left to fire. It is as slow
 /// as it is simple, and shares no code with the rules.
-std::string rule_left_to_fire(const Index& index, const Saturation& saturation);
+std::string rule_left_to_fire(const IndexedOntology& index, const Saturation& saturation);
 
 }  // namespace geminga::el
 

@@ -130,7 +130,7 @@ TEST(Threads, AgreeOnWhatIsLargeEnoughToBeShared) {
 /// What the closure of a source begins with.
 struct Indexed {
   explicit Indexed(const owl::Ontology& source) {
-    Normaliser normaliser(source, index);
+    RuleNormaliser normaliser(source, index);
     for (std::uint32_t axiom = 0; axiom < source.axiom_count(); ++axiom) (void)normaliser.add(axiom);
     for (std::uint32_t id = 0; id < source.term_count(); ++id) {
       if (source.kind(owl::TermId{id}) == owl::TermKind::named_class)
@@ -140,7 +140,7 @@ struct Indexed {
     EXPECT_TRUE(index.finish(1000000));
     for (ExprId& expr : asked) expr = index.representative(expr);
   }
-  Index index;
+  IndexedOntology index;
   std::vector<ExprId> asked;
 };
 

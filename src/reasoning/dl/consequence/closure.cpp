@@ -11,14 +11,13 @@ namespace {
 using clauses::ConceptId;
 using clauses::number;
 
-[[nodiscard]] ContextKey key_of(const CentredRules& vocabulary, ConceptId wanted) {
+[[nodiscard]] ContextKey key_of(const RuleSet& vocabulary, ConceptId wanted) {
   ContextKey key;
   if (wanted != clauses::thing) key.core.push_back(unary(vocabulary.predicate_of[number(wanted)], x_term));
   return key;
 }
 
-[[nodiscard]] std::vector<ConceptId> subsumers_of(const CentredRules& vocabulary, const Context& context,
-                                                  ConceptId wanted) {
+[[nodiscard]] std::vector<ConceptId> subsumers_of(const RuleSet& vocabulary, const Context& context, ConceptId wanted) {
   if (context.is_unsatisfiable) return {clauses::nothing};
   std::vector<ConceptId> found{clauses::thing, wanted};
   context.store.for_each_unit([&](Literal literal) {
@@ -34,8 +33,8 @@ using clauses::number;
 
 Closure saturate(const owl::Ontology& source, const clauses::ClauseSet& clauses, std::span<const ConceptId> wanted,
                  const Options& options) {
-  const Rules rules(Centring(source, clauses, options.facts).run());
-  const CentredRules& vocabulary = rules.vocabulary();
+  const Rules rules(RuleBuilder(source, clauses, options.facts).run());
+  const RuleSet& vocabulary = rules.vocabulary();
   std::vector<std::uint32_t> wanted_predicates;
   for (const ConceptId asked : wanted) wanted_predicates.push_back(vocabulary.predicate_of[number(asked)]);
   Saturation saturation(rules, wanted_predicates,

@@ -1,6 +1,6 @@
 // One context: what is known about all things of which its core holds, and who its successors and predecessors are.
 //
-// A context is worked by one thread at a time. Others only post messages into its inbox.
+// A context is worked by one thread at a time. Others only post messages into its mailbox.
 #ifndef GEMINGA_REASONING_DL_CONSEQUENCE_CONTEXT_HPP
 #define GEMINGA_REASONING_DL_CONSEQUENCE_CONTEXT_HPP
 
@@ -90,7 +90,7 @@ struct Context {
   /// Whether its units answer questions, see Rules::is_query().
   bool answers_queries = false;
   bool is_unsatisfiable = false;
-  bool has_open = false;           ///< something open is in the head of a clause, see CentredRules::is_open
+  bool has_open = false;           ///< something open is in the head of a clause, see RuleSet::is_open
   bool has_replaced = false;       ///< some successor is known to be another term
   bool is_nonempty = false;        ///< some thing is in it for certain; see nominals.cpp
   bool is_cut = false;             ///< it had too many alternatives and keeps what has none, see Worker::cut()
@@ -109,8 +109,8 @@ struct Context {
   Pooled<Context*> inheritors;
 
   SpinLock lock;  ///< guards what follows
-  Pooled<Message> inbox;
-  Pooled<Literal> inbox_literals;
+  Pooled<Message> mailbox;
+  Pooled<Literal> mailbox_literals;
   bool is_scheduled = false;
 };
 

@@ -1,15 +1,15 @@
 // Facts and values as rules, and what of an ontology the calculus cannot use fully.
 #include <algorithm>
 
-#include "reasoning/dl/consequence/centring.hpp"
 #include "reasoning/dl/consequence/closure.hpp"
+#include "reasoning/dl/consequence/rule_builder.hpp"
 #include "reasoning/dl/consequence/values.hpp"
 
 namespace geminga::consequence {
 
 using clauses::number;
 
-void Centring::gather_facts() {
+void RuleBuilder::gather_facts() {
   for (const clauses::RoleFact& fact : clauses_.role_facts) {
     if (fact.first == fact.second) continue;
     const std::uint32_t role = number(fact.property);
@@ -29,7 +29,7 @@ void Centring::gather_facts() {
 //  a = b            becomes  {a} < {b}  and  {b} < {a}
 //  a is not b       becomes  {a} and {b} < F
 // Whatever is between two individuals is one successor, so that its roles meet.
-void Centring::add_facts() {
+void RuleBuilder::add_facts() {
   const auto nominal = [this](clauses::IndividualId individual) {
     return RuleAtom{LiteralKind::unary, 0, 0, result_.nominal_of[number(individual)]};
   };
@@ -68,7 +68,7 @@ void Centring::add_facts() {
 //  D < F           [D has no value]
 //  D and E < F     [D and E have none in common]
 //  {v} < Bi  or  {v} < Ci,  Bi and Ci < F    for each bit i of v's number: two values differ in one of them
-void Centring::add_values() {
+void RuleBuilder::add_values() {
   std::vector<clauses::DataRange> ranges(clauses_.data_ranges.begin(), clauses_.data_ranges.end());
   ranges.resize(ranges.size() + fact_values_.size());
   for (const auto& [value, position] : fact_values_) ranges[position] = {value, false};
@@ -107,7 +107,7 @@ void Centring::add_values() {
   result_.gaps.insert(result_.gaps.end(), conflicts.gaps.begin(), conflicts.gaps.end());
 }
 
-void Centring::find_gaps() {
+void RuleBuilder::find_gaps() {
   result_.is_open.assign(result_.predicate_count, false);
   for (const std::uint32_t range : unclear_) result_.is_open[range] = true;
   for (const std::uint32_t nominal : result_.nominal_of) result_.is_open[nominal] = true;

@@ -17,13 +17,13 @@ namespace {
 
 }  // namespace
 
-Rules::Rules(CentredRules centred) : centred_(std::move(centred)) {
-  for (const Expansion& expansion : centred_.expansions) {
+Rules::Rules(RuleSet rule_set) : rule_set_(std::move(rule_set)) {
+  for (const Expansion& expansion : rule_set_.expansions) {
     marker_of_.insert(marker_of_.end(), expansion.count,
-                      static_cast<std::uint32_t>(&expansion - centred_.expansions.data()));
+                      static_cast<std::uint32_t>(&expansion - rule_set_.expansions.data()));
   }
-  is_nominal_.resize(centred_.predicate_count);
-  for (const std::uint32_t nominal : centred_.nominal_of) is_nominal_[nominal] = true;
+  is_nominal_.resize(rule_set_.predicate_count);
+  for (const std::uint32_t nominal : rule_set_.nominal_of) is_nominal_[nominal] = true;
   take_out_inclusions();
   drop_pure();
   expand_heads();
@@ -32,23 +32,23 @@ Rules::Rules(CentredRules centred) : centred_(std::move(centred)) {
 
 void Rules::take_out_inclusions() {
   std::vector<std::pair<std::uint32_t, RuleAtom>> pairs;
-  for (const Rule& rule : centred_.rules) {
+  for (const Rule& rule : rule_set_.rules) {
     if (!is_inclusion(rule)) continue;
     const bool is_turned = rule.body[0].kind != rule.head[0].kind;
     pairs.push_back({rule.body[0].predicate,
                      {is_turned ? LiteralKind::incoming : LiteralKind::outgoing, 0, 0, rule.head[0].predicate}});
   }
-  std::erase_if(centred_.rules, is_inclusion);
-  inclusions_ = base::Rows<RuleAtom>(centred_.role_count, pairs);
+  std::erase_if(rule_set_.rules, is_inclusion);
+  inclusions_ = base::Rows<RuleAtom>(rule_set_.role_count, pairs);
   inclusions_.sort_unique();
 }
 
 void Rules::mark_used() {
-  is_used_unary_.assign(centred_.predicate_count, false);
-  is_used_role_.assign(centred_.role_count, false);
-  supers_.assign(centred_.role_count, {});
-  has_supers_.assign(centred_.role_count, false);
-  for (const Rule& rule : centred_.rules) {
+  is_used_unary_.assign(rule_set_.predicate_count, false);
+  is_used_role_.assign(rule_set_.role_count, false);
+  supers_.assign(rule_set_.role_count, {});
+  has_supers_.assign(rule_set_.role_count, false);
+  for (const Rule& rule : rule_set_.rules) {
     for (const RuleAtom& atom : rule.body) {
       (atom.kind == LiteralKind::unary ? is_used_unary_ : is_used_role_)[atom.predicate] = true;
     }
@@ -60,7 +60,7 @@ const std::vector<RuleAtom>& Rules::supers(std::uint32_t role) {
   if (has_supers_[role]) return found;
   has_supers_[role] = true;
   std::vector<RuleAtom> reached{{LiteralKind::outgoing, 0, 0, role}};
-  std::vector<bool> is_reached(centred_.role_count * std::size_t{2}, false);
+  std::vector<bool> is_reached(rule_set_.role_count * std::size_t{2}, false);
   is_reached[role * std::size_t{2}] = true;
   for (std::size_t next = 0; next < reached.size(); ++next) {
     const RuleAtom current = reached[next];
@@ -82,7 +82,8 @@ const std::vector<RuleAtom>& Rules::supers(std::uint32_t role) {
 bool Rules::is_used(const RuleAtom& atom) {
   switch (atom.kind) {
     case LiteralKind::unary: {
-      if (atom.predicate < centred_.query_count || is_used_unary_[atom.predicate] || centred_.is_open[atom.predicate]) {
+      if (atom.predicate < rule_set_.query_count || is_used_unary_[atom.predicate] ||
+          rule_set_.is_open[atom.predicate]) {
         return true;
       }
       const Expansion* const made = expansion(atom.predicate);
@@ -99,10 +100,10 @@ bool Rules::is_used(const RuleAtom& atom) {
 }
 
 void Rules::drop_pure() {
-  for (std::size_t before = 0; before != centred_.rules.size();) {
-    before = centred_.rules.size();
+  for (std::size_t before = 0; before != rule_set_.rules.size();) {
+    before = rule_set_.rules.size();
     mark_used();
-    std::erase_if(centred_.rules, [this](const Rule& rule) {
+    std::erase_if(rule_set_.rules, [this](const Rule& rule) {
       return std::ranges::any_of(rule.head, [this](const RuleAtom& atom) { return !is_used(atom); });
     });
   }
@@ -138,7 +139,7 @@ std::vector<std::vector<RuleAtom>> Rules::expanded(const std::vector<RuleAtom>& 
 
 void Rules::expand_heads() {
   std::vector<Rule> rules;
-  for (Rule& rule : centred_.rules) {
+  for (Rule& rule : rule_set_.rules) {
     for (auto& head : expanded(rule.head)) {
       Rule made = rule;
       std::ranges::sort(head);
@@ -149,8 +150,8 @@ void Rules::expand_heads() {
   }
   std::ranges::sort(rules);
   rules.erase(std::ranges::unique(rules).begin(), rules.end());
-  centred_.rules = std::move(rules);
-  for (Expansion& expansion : centred_.expansions) {
+  rule_set_.rules = std::move(rules);
+  for (Expansion& expansion : rule_set_.expansions) {
     std::vector<RuleAtom> atoms;
     for (const RuleAtom& atom : expansion.atoms) {
       if (!is_used(atom)) continue;
@@ -165,11 +166,11 @@ void Rules::expand_heads() {
 void Rules::index() {
   std::vector<std::pair<std::uint32_t, Literal>> told;
   std::vector<std::pair<std::uint32_t, Occurrence>> unary_occurrences;
-  roles_.resize(centred_.role_count * std::size_t{2});
-  reflexive_.resize(centred_.role_count);
-  is_unary_trigger_.assign(centred_.predicate_count, false);
-  for (std::uint32_t number = 0; number < centred_.rules.size(); ++number) {
-    const Rule& rule = centred_.rules[number];
+  roles_.resize(rule_set_.role_count * std::size_t{2});
+  reflexive_.resize(rule_set_.role_count);
+  is_unary_trigger_.assign(rule_set_.predicate_count, false);
+  for (std::uint32_t number = 0; number < rule_set_.rules.size(); ++number) {
+    const Rule& rule = rule_set_.rules[number];
     if (rule.body.empty()) always_.push_back(number);
     const bool is_told = rule.body.size() == 1 && rule.body[0].kind == LiteralKind::unary && rule.head.size() == 1 &&
                          rule.head[0].kind == LiteralKind::unary && rule.neighbours == 0;
@@ -191,13 +192,13 @@ void Rules::index() {
       }
     }
   }
-  for (std::size_t i = 0; i < centred_.expansions.size(); ++i) {
-    is_unary_trigger_[centred_.first_marker + i] = true;
+  for (std::size_t i = 0; i < rule_set_.expansions.size(); ++i) {
+    is_unary_trigger_[rule_set_.first_marker + i] = true;
   }
-  for (const std::uint32_t nominal : centred_.nominal_of) is_unary_trigger_[nominal] = true;
-  told_ = base::Rows<Literal>(centred_.predicate_count, told);
+  for (const std::uint32_t nominal : rule_set_.nominal_of) is_unary_trigger_[nominal] = true;
+  told_ = base::Rows<Literal>(rule_set_.predicate_count, told);
   told_.sort_unique();
-  unary_ = base::Rows<Occurrence>(centred_.predicate_count, unary_occurrences);
+  unary_ = base::Rows<Occurrence>(rule_set_.predicate_count, unary_occurrences);
 }
 
 }  // namespace geminga::consequence

@@ -1,4 +1,4 @@
-// The ontology as the saturation reads it: centred rules without what cannot matter, found by each atom of their
+// The ontology as the saturation reads it: rules without what cannot matter, found by each atom of their
 // bodies.
 #ifndef GEMINGA_REASONING_DL_CONSEQUENCE_RULES_HPP
 #define GEMINGA_REASONING_DL_CONSEQUENCE_RULES_HPP
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/rows.hpp"
-#include "reasoning/dl/consequence/centring.hpp"
+#include "reasoning/dl/consequence/rule_builder.hpp"
 
 namespace geminga::consequence {
 
@@ -27,10 +27,10 @@ struct Occurrence {
 /// stays, as who asks where it may hold must see it.
 class Rules {
  public:
-  explicit Rules(CentredRules centred);
+  explicit Rules(RuleSet rule_set);
 
-  [[nodiscard]] const Rule& rule(std::uint32_t index) const { return centred_.rules[index]; }
-  [[nodiscard]] std::size_t rule_count() const { return centred_.rules.size(); }
+  [[nodiscard]] const Rule& rule(std::uint32_t index) const { return rule_set_.rules[index]; }
+  [[nodiscard]] std::size_t rule_count() const { return rule_set_.rules.size(); }
   /// A < L for one literal L over x.
   [[nodiscard]] std::span<const Literal> told(std::uint32_t predicate) const { return told_[predicate]; }
   /// All other rules with A(x), with R(x, y) or, where `is_incoming`, R(y, x), and with R(x, x) in their bodies.
@@ -57,25 +57,25 @@ class Rules {
   }
   /// What "at least" puts there; nullptr for predicates that are no such.
   [[nodiscard]] const Expansion* expansion(std::uint32_t predicate) const {
-    const std::uint32_t index = predicate - centred_.first_marker;
-    return index < centred_.expansions.size() ? &centred_.expansions[index] : nullptr;
+    const std::uint32_t index = predicate - rule_set_.first_marker;
+    return index < rule_set_.expansions.size() ? &rule_set_.expansions[index] : nullptr;
   }
   /// Whether f and g come from the same "at least", so that f(x) and g(x) are different.
   [[nodiscard]] bool are_siblings(std::uint32_t f, std::uint32_t g) const { return marker_of_[f] == marker_of_[g]; }
   [[nodiscard]] std::uint32_t first_sibling(std::uint32_t f) const {
-    return centred_.expansions[marker_of_[f]].first_function;
+    return rule_set_.expansions[marker_of_[f]].first_function;
   }
   /// Whether f(x) is a value.
-  [[nodiscard]] bool is_value(std::uint32_t f) const { return centred_.expansions[marker_of_[f]].is_value; }
+  [[nodiscard]] bool is_value(std::uint32_t f) const { return rule_set_.expansions[marker_of_[f]].is_value; }
   /// Literals B(x) with which a question may be answered. In contexts that do, none of them is above another.
   [[nodiscard]] bool is_query(Literal literal) const {
     return literal.term() == x_term && literal.kind() == LiteralKind::unary &&
-           literal.predicate() < centred_.query_count;
+           literal.predicate() < rule_set_.query_count;
   }
-  [[nodiscard]] bool is_open(std::uint32_t predicate) const { return centred_.is_open[predicate]; }
+  [[nodiscard]] bool is_open(std::uint32_t predicate) const { return rule_set_.is_open[predicate]; }
   [[nodiscard]] bool is_nominal(std::uint32_t predicate) const { return is_nominal_[predicate]; }
-  [[nodiscard]] bool has_nominals() const { return !centred_.nominal_of.empty(); }
-  [[nodiscard]] const CentredRules& vocabulary() const { return centred_; }
+  [[nodiscard]] bool has_nominals() const { return !rule_set_.nominal_of.empty(); }
+  [[nodiscard]] const RuleSet& vocabulary() const { return rule_set_; }
 
  private:
   void take_out_inclusions();
@@ -88,7 +88,7 @@ class Rules {
   [[nodiscard]] const std::vector<RuleAtom>& supers(std::uint32_t role);
   [[nodiscard]] std::vector<std::vector<RuleAtom>> expanded(const std::vector<RuleAtom>& head);
 
-  CentredRules centred_;
+  RuleSet rule_set_;
   base::Rows<RuleAtom> inclusions_;  ///< of each role; predicate: what is above it, incoming: turned round
   std::vector<bool> is_used_unary_;
   std::vector<bool> is_used_role_;

@@ -73,10 +73,10 @@ void Saturation::post(Context& to, MessageKind kind, const Context* from, Term f
   }
   {
     const std::lock_guard guard(to.lock);
-    to.inbox.push_back({kind, f, const_cast<Context*>(from), static_cast<std::uint32_t>(body.size()),
-                        static_cast<std::uint32_t>(head.size())});
-    to.inbox_literals.insert(to.inbox_literals.end(), body.begin(), body.end());
-    to.inbox_literals.insert(to.inbox_literals.end(), head.begin(), head.end());
+    to.mailbox.push_back({kind, f, const_cast<Context*>(from), static_cast<std::uint32_t>(body.size()),
+                          static_cast<std::uint32_t>(head.size())});
+    to.mailbox_literals.insert(to.mailbox_literals.end(), body.begin(), body.end());
+    to.mailbox_literals.insert(to.mailbox_literals.end(), head.begin(), head.end());
     if (to.is_scheduled) return;
     to.is_scheduled = true;
   }

@@ -1,7 +1,7 @@
 // The contexts of one closure and the threads that work them.
 //
 // A context that has messages is scheduled: it is in the stack of one worker, and whoever takes it out works it until
-// its inbox is empty. No lock is held but that of an inbox, of one stack or of one of the parts of the table of
+// its mailbox is empty. No lock is held but that of a mailbox, of one stack or of one of the parts of the table of
 // contexts, and each for a few instructions only. The run ends when no context is scheduled.
 #ifndef GEMINGA_REASONING_DL_CONSEQUENCE_SATURATION_HPP
 #define GEMINGA_REASONING_DL_CONSEQUENCE_SATURATION_HPP
@@ -55,7 +55,7 @@ class Saturation {
   bool count(std::size_t clauses);
   /// Counts attempts to match a body, most of which may give nothing new; false: there were too many, all stop.
   bool count_attempts(std::size_t attempts);
-  /// Messages that were taken out of an inbox.
+  /// Messages that were taken out of a mailbox.
   void note_received(std::size_t messages) { waiting_.fetch_sub(messages, std::memory_order_relaxed); }
   /// More messages waited at once than are allowed: all stop.
   [[nodiscard]] bool is_flooded() const { return is_flooded_.load(std::memory_order_relaxed); }

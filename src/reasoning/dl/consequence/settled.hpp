@@ -1,7 +1,7 @@
 // Which contexts no gap matters to, so that what is known of them is complete in a consistent ontology.
 //
 // Let O be consistent, with a model I. Where nothing that is open (a nominal, a range of values that is not understood;
-// see CentredRules::is_open) stands in the head of any clause of the contexts that a context leads to, the calculus
+// see RuleSet::is_open) stands in the head of any clause of the contexts that a context leads to, the calculus
 // builds from these contexts a model J of all rules in which nothing open holds of anything: the literals that hold in
 // J are literals of such heads (Bate et al., section 6). In J no thing is an individual, so that neither facts nor keys
 // speak of J, and each value has only ranges whose common values are known. As the body of a rule hangs together by its

@@ -17,14 +17,14 @@ void Worker::work(Context& context) {
   while (true) {
     {
       const std::lock_guard guard(context.lock);
-      if (context.inbox.empty() || saturation_.is_cut_off()) {
+      if (context.mailbox.empty() || saturation_.is_cut_off()) {
         context.is_scheduled = false;
         break;
       }
       messages_.clear();
       message_literals_.clear();
-      messages_.swap(context.inbox);
-      message_literals_.swap(context.inbox_literals);
+      messages_.swap(context.mailbox);
+      message_literals_.swap(context.mailbox_literals);
     }
     saturation_.note_received(messages_.size());
     receive();

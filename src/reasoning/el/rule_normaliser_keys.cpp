@@ -1,11 +1,12 @@
-// Keys, which OWL 2 gives to named individuals only, as nominals. Legend as in index.hpp; p are properties, x values.
+// Keys, which OWL 2 gives to named individuals only, as nominals. Legend as in indexed_ontology.hpp; p are properties,
+// x values.
 #include <algorithm>
 
-#include "reasoning/el/normaliser.hpp"
+#include "reasoning/el/rule_normaliser.hpp"
 
 namespace geminga::el {
 
-owl::Construct Normaliser::add_key(const owl::Axiom& axiom) {
+owl::Construct RuleNormaliser::add_key(const owl::Axiom& axiom) {
   const owl::TermId of = axiom.arguments[0];
   owl::Construct unused = use_negative(of);
   Key key{current_axiom_, expression(of), {}};
@@ -24,7 +25,7 @@ owl::Construct Normaliser::add_key(const owl::Axiom& axiom) {
 //  literals xi, where {a} < N for every named individual a, and y is an individual of no other axiom
 //
 // Whatever is on the left is then one thing, and y may be that thing, or, where there is none, anything.
-void Normaliser::use_keys(Unused& unused) {
+void RuleNormaliser::use_keys(Unused& unused) {
   if (keys_.empty()) return;
   std::vector<ExprId> named;
   std::vector<owl::TermId> literals;
@@ -59,8 +60,8 @@ void Normaliser::use_keys(Unused& unused) {
 }
 
 /// The rule for the tuple of this number: its digits, each to the base of its property, say which values.
-void Normaliser::use_key(const Key& key, ExprId is_named, std::size_t tuple, const std::vector<ExprId>& named,
-                         const std::vector<ExprId>& literals) {
+void RuleNormaliser::use_key(const Key& key, ExprId is_named, std::size_t tuple, const std::vector<ExprId>& named,
+                             const std::vector<ExprId>& literals) {
   std::vector<ExprId> parts = {key.of, is_named};
   for (const Property& property : key.properties) {
     const std::vector<ExprId>& values = property.is_data ? literals : named;

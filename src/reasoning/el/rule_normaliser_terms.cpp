@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/assert.hpp"
-#include "reasoning/el/normaliser.hpp"
+#include "reasoning/el/rule_normaliser.hpp"
 
 namespace geminga::el {
 namespace {
@@ -21,7 +21,7 @@ bool is_qualified(const owl::Term& term) { return term.arguments.size() == 2; }
 
 }  // namespace
 
-Normaliser::Normaliser(const owl::Ontology& source, Index& index)
+RuleNormaliser::RuleNormaliser(const owl::Ontology& source, IndexedOntology& index)
     : source_(source),
       index_(index),
       exprs_(source.term_count(), none),
@@ -29,7 +29,7 @@ Normaliser::Normaliser(const owl::Ontology& source, Index& index)
       positive_(source.term_count(), 0),
       roles_(source.term_count(), none) {}
 
-Normaliser::Property Normaliser::property(owl::TermId id) {
+RuleNormaliser::Property RuleNormaliser::property(owl::TermId id) {
   const owl::Term term = source_.term(id);
   if (term.kind == owl::TermKind::object_inverse_of) {
     Property inverse = property(term.arguments[0]);
@@ -54,13 +54,13 @@ Normaliser::Property Normaliser::property(owl::TermId id) {
   return result;
 }
 
-ExprId Normaliser::expression(owl::TermId id) {
+ExprId RuleNormaliser::expression(owl::TermId id) {
   const auto index = static_cast<std::size_t>(id);
   if (exprs_[index] == none) exprs_[index] = number(make_expression(id));
   return ExprId{exprs_[index]};
 }
 
-ExprId Normaliser::make_expression(owl::TermId id) {
+ExprId RuleNormaliser::make_expression(owl::TermId id) {
   const owl::Term term = source_.term(id);
   switch (term.kind) {
     case owl::TermKind::named_class: {
@@ -106,7 +106,7 @@ ExprId Normaliser::make_expression(owl::TermId id) {
   }
 }
 
-ExprId Normaliser::make_union(const std::vector<ExprId>& parts) {
+ExprId RuleNormaliser::make_union(const std::vector<ExprId>& parts) {
   std::vector<std::uint32_t> key;
   for (const ExprId part : parts) {
     if (part == top_expr) return top_expr;
@@ -119,17 +119,17 @@ ExprId Normaliser::make_union(const std::vector<ExprId>& parts) {
   return opaque(owl::TermKind::object_union_of, 0, std::move(key));
 }
 
-ExprId Normaliser::filler_of(const owl::Term& term) {
+ExprId RuleNormaliser::filler_of(const owl::Term& term) {
   return is_qualified(term) ? expression(term.arguments[1]) : top_expr;
 }
 
-ExprId Normaliser::make_some(const Property& property, ExprId filler, owl::TermId) {
+ExprId RuleNormaliser::make_some(const Property& property, ExprId filler, owl::TermId) {
   if (filler == bottom_expr) return bottom_expr;
   if (property.is_inverse) return opaque_restriction(owl::TermKind::object_some_values_from, 0, property, filler);
   return index_.existential(property.role, filler);
 }
 
-ExprId Normaliser::make_restriction(owl::TermId id, const owl::Term& term) {
+ExprId RuleNormaliser::make_restriction(owl::TermId id, const owl::Term& term) {
   const Property role = property(term.arguments[0]);
   switch (term.kind) {
     case owl::TermKind::object_some_values_from:
@@ -170,13 +170,13 @@ ExprId Normaliser::make_restriction(owl::TermId id, const owl::Term& term) {
   }
 }
 
-ExprId Normaliser::opaque_restriction(owl::TermKind kind, std::uint32_t limit, const Property& property,
-                                      ExprId filler) {
+ExprId RuleNormaliser::opaque_restriction(owl::TermKind kind, std::uint32_t limit, const Property& property,
+                                          ExprId filler) {
   return opaque(kind, limit,
                 {static_cast<std::uint32_t>(property.role), property.is_inverse ? 1U : 0U, number(filler)});
 }
 
-ExprId Normaliser::opaque(owl::TermKind kind, std::uint32_t limit, std::vector<std::uint32_t> key) {
+ExprId RuleNormaliser::opaque(owl::TermKind kind, std::uint32_t limit, std::vector<std::uint32_t> key) {
   key.push_back(limit);
   key.push_back(static_cast<std::uint32_t>(kind));
   const auto filed = [&](std::uint32_t entry) {

@@ -1,11 +1,11 @@
 // The rules, each in logic notation beside its code; the legend is in saturation.hpp.
 #include <algorithm>
 
-#include "reasoning/el/worker.hpp"
+#include "reasoning/el/saturation_worker.hpp"
 
 namespace geminga::el {
 
-void Worker::add_subsumer(std::uint32_t context, ExprId subsumer) {
+void SaturationWorker::add_subsumer(std::uint32_t context, ExprId subsumer) {
   if (is_elsewhere(context)) return post(context, {Message::Kind::subsumer, number(subsumer), 0});
   Context& self = contexts_[context];
   if (self.is_unsatisfiable || !self.subsumers.insert(number(subsumer), arena_)) return;
@@ -14,7 +14,7 @@ void Worker::add_subsumer(std::uint32_t context, ExprId subsumer) {
   enqueue(context);
 }
 
-void Worker::add_derived_atom(std::uint32_t context, ExprId atom) {
+void SaturationWorker::add_derived_atom(std::uint32_t context, ExprId atom) {
   Context& self = contexts_[context];
   if (self.is_unsatisfiable || atom == self.root) return;
   if (index_.is_active(atom)) {
@@ -27,7 +27,7 @@ void Worker::add_derived_atom(std::uint32_t context, ExprId atom) {
   for (const ExprId above : index_.frontier(atom)) add_subsumer(context, above);
 }
 
-void Worker::process_subsumer(std::uint32_t context, ExprId subsumer) {
+void SaturationWorker::process_subsumer(std::uint32_t context, ExprId subsumer) {
   Context& self = contexts_[context];
   const auto has = [&](RuleBits rules) { return index_.has_rules(subsumer, rules); };
 
@@ -95,7 +95,7 @@ void Worker::process_subsumer(std::uint32_t context, ExprId subsumer) {
   if (index_.has_nominals() && !self.is_unsatisfiable) process_nominal(context, subsumer);
 }
 
-void Worker::apply_conjunctions(std::uint32_t context, std::span<const ConjunctionRule> rules) {
+void SaturationWorker::apply_conjunctions(std::uint32_t context, std::span<const ConjunctionRule> rules) {
   // Whichever is shorter is walked, and the other searched: names like "disease" are in thousands of conjunctions.
   Context& self = contexts_[context];
   work_.add(std::min<std::size_t>(rules.size(), self.subsumers.size()));
@@ -117,7 +117,7 @@ void Worker::apply_conjunctions(std::uint32_t context, std::span<const Conjuncti
 //  C < D   C < E
 //  ------------- [D and E are different members of one disjointness axiom]
 //  C < F
-void Worker::add_disjointness(std::uint32_t context, std::uint32_t axiom) {
+void SaturationWorker::add_disjointness(std::uint32_t context, std::uint32_t axiom) {
   Context& self = contexts_[context];
   if (self.is_unsatisfiable) return;
   // The axiom's mark in the set of subsumers says that one member was there before.
@@ -127,7 +127,7 @@ void Worker::add_disjointness(std::uint32_t context, std::uint32_t axiom) {
 //  C -R-> D   D < F
 //  ---------------- ; what is left to do for C < F itself
 //  C < F
-void Worker::add_bottom(std::uint32_t context) {
+void SaturationWorker::add_bottom(std::uint32_t context) {
   if (is_elsewhere(context)) return post(context, {Message::Kind::bottom, 0, 0});
   Context& self = contexts_[context];
   if (self.is_unsatisfiable) return;
@@ -148,7 +148,7 @@ void Worker::add_bottom(std::uint32_t context) {
   enqueue(context);
 }
 
-void Worker::add_link(std::uint32_t from, RoleId role, std::uint32_t to, bool is_last) {
+void SaturationWorker::add_link(std::uint32_t from, RoleId role, std::uint32_t to, bool is_last) {
   // Of another thread's context it is not known whether it is still worth it; that one will see.
   if (!is_elsewhere(from) && contexts_[from].is_unsatisfiable) return;
   if (is_elsewhere(to)) {
@@ -167,7 +167,7 @@ void Worker::add_link(std::uint32_t from, RoleId role, std::uint32_t to, bool is
   }
 }
 
-void Worker::add_forward(std::uint32_t from, Link link) {
+void SaturationWorker::add_forward(std::uint32_t from, Link link) {
   if (is_elsewhere(from)) {
     return post(from, {Message::Kind::forward, static_cast<std::uint32_t>(link.role), link.context});
   }
@@ -177,7 +177,7 @@ void Worker::add_forward(std::uint32_t from, Link link) {
   enqueue(from);
 }
 
-void Worker::propagate(Link link, ExprId filler) {
+void SaturationWorker::propagate(Link link, ExprId filler) {
   // What a hub is below may be the filler of thousands of existentials, of which one link concerns a handful.
   constexpr std::size_t max_scanned = 8;
   const Roles& roles = index_.roles();
@@ -196,7 +196,7 @@ void Worker::propagate(Link link, ExprId filler) {
   }
 }
 
-void Worker::process_backward(std::uint32_t context, Link link) {
+void SaturationWorker::process_backward(std::uint32_t context, Link link) {
   Context& self = contexts_[context];
 
   //  C -R-> D   D < E
@@ -211,7 +211,7 @@ void Worker::process_backward(std::uint32_t context, Link link) {
 //  C -R'-> E
 //  A link that is composed of two of a transitive R' is no first premise: its own first part is, again and again, so
 //  that a path of n links is walked n times and not n * n times.
-void Worker::process_first(std::uint32_t context, Link link) {
+void SaturationWorker::process_first(std::uint32_t context, Link link) {
   Context& self = contexts_[context];
   work_.add(self.forward_done);
   for (std::uint32_t at = 0; at < self.forward_done; ++at) {
@@ -220,7 +220,7 @@ void Worker::process_first(std::uint32_t context, Link link) {
   }
 }
 
-void Worker::process_forward(std::uint32_t context, Link link) {
+void SaturationWorker::process_forward(std::uint32_t context, Link link) {
   //  C -R-> D   D -S-> E
   //  ------------------- [R o S SubPropertyOf R']; here the second premise is new
   //  C -R'-> E
@@ -237,7 +237,7 @@ void Worker::process_forward(std::uint32_t context, Link link) {
   if (index_.has_nominals() && index_.has_negative_self()) find_self_of_link(context, link.role, link.context);
 }
 
-void Worker::compose(std::uint32_t from, RoleId first, RoleId second, std::uint32_t to) {
+void SaturationWorker::compose(std::uint32_t from, RoleId first, RoleId second, std::uint32_t to) {
   const auto rules = index_.roles().compositions(first);
   for (auto rule = std::ranges::lower_bound(rules, second, {}, &Composition::second);
        rule != rules.end() && rule->second == second; ++rule) {
@@ -245,7 +245,7 @@ void Worker::compose(std::uint32_t from, RoleId first, RoleId second, std::uint3
   }
 }
 
-void Worker::add_self(std::uint32_t context, RoleId role) {
+void SaturationWorker::add_self(std::uint32_t context, RoleId role) {
   Context& self = contexts_[context];
   if (self.is_unsatisfiable || std::ranges::find(self.selfs, role) != self.selfs.end()) return;
   self.selfs.own().push_back(role);
@@ -253,7 +253,7 @@ void Worker::add_self(std::uint32_t context, RoleId role) {
   enqueue(context);
 }
 
-void Worker::process_self(std::uint32_t context, RoleId role) {
+void SaturationWorker::process_self(std::uint32_t context, RoleId role) {
   //  C < R Self
   //  ---------- [R <* S, S Self occurs negatively]
   //  C < S Self

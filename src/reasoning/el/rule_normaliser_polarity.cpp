@@ -1,6 +1,6 @@
-// What the occurrences of an expression left or right of "SubClassOf" need. Legend as in index.hpp; X is the atom that
-// stands for an expression without rules.
-#include "reasoning/el/normaliser.hpp"
+// What the occurrences of an expression left or right of "SubClassOf" need. Legend as in indexed_ontology.hpp; X is the
+// atom that stands for an expression without rules.
+#include "reasoning/el/rule_normaliser.hpp"
 
 namespace geminga::el {
 namespace {
@@ -14,38 +14,38 @@ bool is_qualified(const owl::Term& term) { return term.arguments.size() == 2; }
 
 }  // namespace
 
-ExprId Normaliser::negative_some(const Property& property, ExprId filler) {
+ExprId RuleNormaliser::negative_some(const Property& property, ExprId filler) {
   const ExprId some = index_.existential(property.role, filler);
   index_.mark_negative(some);
   return some;
 }
 
-owl::Construct Normaliser::use_negative(owl::TermId id) { return use_once(id, false); }
+owl::Construct RuleNormaliser::use_negative(owl::TermId id) { return use_once(id, false); }
 
-owl::Construct Normaliser::use_positive(owl::TermId id) { return use_once(id, true); }
+owl::Construct RuleNormaliser::use_positive(owl::TermId id) { return use_once(id, true); }
 
-owl::Construct Normaliser::use_once(owl::TermId id, bool is_positive) {
+owl::Construct RuleNormaliser::use_once(owl::TermId id, bool is_positive) {
   std::uint8_t& known = (is_positive ? positive_ : negative_)[static_cast<std::size_t>(id)];
   if (known == 0) {
-    const std::size_t begin = later_.size();
+    const std::size_t begin = pending_uses_.size();
     const owl::Construct unused = is_positive ? make_positive(id) : make_negative(id);
     known = static_cast<std::uint8_t>(1 + static_cast<int>(unused));
-    if (later_.size() != begin) uses_of_term_[{id, is_positive}] = {begin, later_.size(), current_axiom_};
+    if (pending_uses_.size() != begin) uses_of_term_[{id, is_positive}] = {begin, pending_uses_.size(), current_axiom_};
   } else if (!uses_of_term_.empty()) {
     repeat_uses(id, is_positive);
   }
   return static_cast<owl::Construct>(known - 1);
 }
 
-owl::Construct Normaliser::use_negative_filler(const owl::Term& term) {
+owl::Construct RuleNormaliser::use_negative_filler(const owl::Term& term) {
   return is_qualified(term) ? use_negative(term.arguments[1]) : owl::Construct::none;
 }
 
-owl::Construct Normaliser::use_positive_filler(const owl::Term& term) {
+owl::Construct RuleNormaliser::use_positive_filler(const owl::Term& term) {
   return is_qualified(term) ? use_positive(term.arguments[1]) : owl::Construct::none;
 }
 
-owl::Construct Normaliser::make_negative(owl::TermId id) {
+owl::Construct RuleNormaliser::make_negative(owl::TermId id) {
   const owl::Term term = source_.term(id);
   const ExprId expr = expression(id);
   // What is T or F is exact as it is, whatever it was written with.
@@ -87,7 +87,7 @@ owl::Construct Normaliser::make_negative(owl::TermId id) {
   }
 }
 
-owl::Construct Normaliser::make_negative_restriction(const owl::Term& term, ExprId expr) {
+owl::Construct RuleNormaliser::make_negative_restriction(const owl::Term& term, ExprId expr) {
   const Property role = property(term.arguments[0]);
   if (role.is_top) return beyond(owl::Construct::top_property);
   switch (term.kind) {
@@ -115,7 +115,7 @@ owl::Construct Normaliser::make_negative_restriction(const owl::Term& term, Expr
   return use_negative_filler(term);
 }
 
-owl::Construct Normaliser::make_positive(owl::TermId id) {
+owl::Construct RuleNormaliser::make_positive(owl::TermId id) {
   const owl::Term term = source_.term(id);
   const ExprId expr = expression(id);
   if (expr == top_expr || expr == bottom_expr) return owl::Construct::none;
@@ -168,7 +168,7 @@ owl::Construct Normaliser::make_positive(owl::TermId id) {
   }
 }
 
-owl::Construct Normaliser::make_positive_restriction(const owl::Term& term, ExprId expr) {
+owl::Construct RuleNormaliser::make_positive_restriction(const owl::Term& term, ExprId expr) {
   const Property role = property(term.arguments[0]);
   if (role.is_top) return beyond(owl::Construct::top_property);
   owl::Construct unused = owl::Construct::none;
@@ -200,7 +200,7 @@ owl::Construct Normaliser::make_positive_restriction(const owl::Term& term, Expr
   }
 }
 
-owl::Construct Normaliser::use_all_values(const Property& role, owl::TermId filler, ExprId expr) {
+owl::Construct RuleNormaliser::use_all_values(const Property& role, owl::TermId filler, ExprId expr) {
   const owl::TermKind kind = source_.kind(filler);
   if (role.is_inverse) {
     //  C < inverse R only D  is  C < X, R some X < D
@@ -228,7 +228,7 @@ owl::Construct Normaliser::use_all_values(const Property& role, owl::TermId fill
 }
 
 //  at least n R C < R some C
-owl::Construct Normaliser::use_at_least(std::uint32_t count, const Property& role, const owl::Term& term) {
+owl::Construct RuleNormaliser::use_at_least(std::uint32_t count, const Property& role, const owl::Term& term) {
   const ExprId expr = opaque_restriction(owl::TermKind::object_min_cardinality, count, role, filler_of(term));
   index_.add_told(expr, index_.existential(role.role, filler_of(term)));
   if (role.is_data) return beyond(owl::Construct::min_cardinality);
@@ -236,7 +236,8 @@ owl::Construct Normaliser::use_at_least(std::uint32_t count, const Property& rol
   return owl::Construct::min_cardinality;
 }
 
-owl::Construct Normaliser::use_at_most(std::uint32_t limit, const Property& role, const owl::Term& term, ExprId expr) {
+owl::Construct RuleNormaliser::use_at_most(std::uint32_t limit, const Property& role, const owl::Term& term,
+                                           ExprId expr) {
   if (limit == 1 && !role.is_inverse && filler_of(term) == top_expr) {
     if (!role.is_data) note_use(SimpleUse{role.role, owl::Construct::max_cardinality_not_simple});
     index_.add_functional(expr, role.role);

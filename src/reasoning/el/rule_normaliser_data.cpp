@@ -1,8 +1,8 @@
-// Literals and datatypes as atoms, and what is known between them. Legend as in index.hpp; u v are literals.
+// Literals and datatypes as atoms, and what is known between them. Legend as in indexed_ontology.hpp; u v are literals.
 #include <algorithm>
 #include <string>
 
-#include "reasoning/el/normaliser.hpp"
+#include "reasoning/el/rule_normaliser.hpp"
 #include "reasoning/owl/literal_value.hpp"
 
 namespace geminga::el {
@@ -12,7 +12,7 @@ constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#
 
 }  // namespace
 
-ExprId Normaliser::make_datatype(const owl::Term& term) {
+ExprId RuleNormaliser::make_datatype(const owl::Term& term) {
   const std::string_view iri = source_.name(term.name);
   if (iri == rdfs_literal) return top_expr;
   const ExprId expr = index_.add_atom();
@@ -21,7 +21,7 @@ ExprId Normaliser::make_datatype(const owl::Term& term) {
 }
 
 // Literals with the same value are one atom. Of a literal whose datatype nobody knows it is known that it is itself.
-ExprId Normaliser::make_literal(owl::TermId id, const owl::Term& term) {
+ExprId RuleNormaliser::make_literal(owl::TermId id, const owl::Term& term) {
   auto value = value_of(source_, term);
   if (!value) return index_.add_atom();
   family_of_literal_.emplace(id, value->family);
@@ -34,23 +34,23 @@ ExprId Normaliser::make_literal(owl::TermId id, const owl::Term& term) {
   return known->second;
 }
 
-void Normaliser::use_negative_literal(owl::TermId id) {
+void RuleNormaliser::use_negative_literal(owl::TermId id) {
   note_literal(id);
   const auto family = family_of_literal_.find(id);
   if (family != family_of_literal_.end()) has_negative_literal_[static_cast<std::size_t>(family->second)] = true;
 }
 
-void Normaliser::note_literal(owl::TermId id) {
+void RuleNormaliser::note_literal(owl::TermId id) {
   const auto exact = is_exact_literal_.find(id);
   if (exact != is_exact_literal_.end() && !exact->second) note_use(family_of_literal_.at(id));
 }
 
-owl::Construct Normaliser::use_positive_datatype(const owl::Term& term) {
+owl::Construct RuleNormaliser::use_positive_datatype(const owl::Term& term) {
   if (const auto type = owl::Datatype::find(source_.name(term.name))) note_use(*type);
   return owl::Construct::none;
 }
 
-void Normaliser::relate_data() {
+void RuleNormaliser::relate_data() {
   const auto exclude = [&](ExprId one, ExprId other) {
     const ExprId both_of_them = index_.conjunction({one, other});
     index_.mark_negative(both_of_them);

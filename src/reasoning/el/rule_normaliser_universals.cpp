@@ -1,4 +1,4 @@
-// Universals right of "SubClassOf", and the ranges that OWL 2 EL does not allow. Legend as in index.hpp.
+// Universals right of "SubClassOf", and the ranges that OWL 2 EL does not allow. Legend as in indexed_ontology.hpp.
 //
 // A range of R is a universal of everything, T < R only C. As long as the last property of each chain below R has the
 // range, too (OWL 2 profiles, section 2.2.6), it is enough that the fillers of existentials are in it (Baader, Brandt,
@@ -10,7 +10,7 @@
 #include <map>
 #include <optional>
 
-#include "reasoning/el/normaliser.hpp"
+#include "reasoning/el/rule_normaliser.hpp"
 
 namespace geminga::el {
 namespace {
@@ -45,7 +45,7 @@ RoleId label_of(const owl::Automaton::Move& move) { return RoleId{static_cast<st
 }  // namespace
 
 // Each range whose property has a chain below it of which the last property has it not.
-std::vector<std::size_t> Normaliser::find_ranges_over_chains(const Roles& closed) const {
+std::vector<std::size_t> RuleNormaliser::find_ranges_over_chains(const Roles& closed) const {
   std::vector<std::size_t> found;
   for (std::size_t at = 0; at < ranges_.size(); ++at) {
     const Range& range = ranges_[at];
@@ -60,7 +60,7 @@ std::vector<std::size_t> Normaliser::find_ranges_over_chains(const Roles& closed
   return found;
 }
 
-void Normaliser::add_universals(Universals universals, Unused& unused) {
+void RuleNormaliser::add_universals(Universals universals, Unused& unused) {
   if (index_.roles().chains().empty() && universals_.empty()) return;
   Roles closed = index_.roles();
   if (!closed.close_hierarchy(max_role_pairs)) return;  // the index will not close either, and that is reported
@@ -87,7 +87,7 @@ void Normaliser::add_universals(Universals universals, Unused& unused) {
     if (can_use(universal.property.role))
       add_universal(universal.restricting, universal.property, universal.filler, box);
   }
-  for (const LaterUse& later : later_) {
+  for (const PendingUse& later : pending_uses_) {
     const auto* use = std::get_if<UniversalUse>(&later.use);
     if (use == nullptr) continue;
     const bool is_used = can_use(universals_[use->universal].property.role);
@@ -98,7 +98,8 @@ void Normaliser::add_universals(Universals universals, Unused& unused) {
 
 //  Q < R only C  is  Q < S only Q'  for each move S of the automaton of R from its first state to Q', the same for its
 //  other states, and Q'' < C for the final ones
-void Normaliser::add_universal(ExprId restricting, const Property& property, ExprId filler, const owl::RoleBox& box) {
+void RuleNormaliser::add_universal(ExprId restricting, const Property& property, ExprId filler,
+                                   const owl::RoleBox& box) {
   const owl::Role role = role_of(property.role);
   if (property.is_data || box.is_simple(role)) {
     // What is said of values must not be said of what else is in a class of the same atom.
@@ -119,7 +120,7 @@ void Normaliser::add_universal(ExprId restricting, const Property& property, Exp
 }
 
 //  T < R only C  is the same with T as the first state, of which Q < S only Q' is the range Q' of S
-void Normaliser::add_range_over_chains(RoleId role, std::span<const ExprId> ranges, const owl::RoleBox& box) {
+void RuleNormaliser::add_range_over_chains(RoleId role, std::span<const ExprId> ranges, const owl::RoleBox& box) {
   const owl::Automaton& automaton = box.automaton(box.canonical(role_of(role)));
   std::vector<ExprId> states(automaton.state_count(), top_expr);
   for (owl::Automaton::State state = 0; state < automaton.state_count(); ++state) {

@@ -5,8 +5,8 @@
 //   B(y), R(x,y) -> H(x,y)          becomes  B(x), R(y,x) -> H(y,x)                    the neighbour is made the centre
 //   A(x), B(y), R(x,y) -> H(x)      becomes  B(x), R(y,x) -> P(y)   A(x), P(x) -> H(x)         P names "some R.B"
 //   A(x), B(y), R(x,y) -> H(x,y)    becomes  B(x), R(y,x) -> R'(y,x)   A(x), R'(x,y) -> H(x,y)  R' names "R into B"
-#ifndef GEMINGA_REASONING_DL_CONSEQUENCE_CENTRING_HPP
-#define GEMINGA_REASONING_DL_CONSEQUENCE_CENTRING_HPP
+#ifndef GEMINGA_REASONING_DL_CONSEQUENCE_RULE_BUILDER_HPP
+#define GEMINGA_REASONING_DL_CONSEQUENCE_RULE_BUILDER_HPP
 
 #include <cstdint>
 #include <map>
@@ -29,7 +29,7 @@ struct RuleAtom {
   friend auto operator<=>(const RuleAtom&, const RuleAtom&) = default;
 };
 
-/// A clause of the ontology in centred form.
+/// A clause of the ontology whose body speaks of the centre and of roles to its neighbours.
 struct Rule {
   std::vector<RuleAtom> body;
   std::vector<RuleAtom> head;
@@ -47,9 +47,9 @@ struct Expansion {
 };
 
 /// The predicates of the calculus. Unary ones are numbered: named classes and nominals (what is asked for), then all
-/// other concepts, then one for each "at least" and "at most", data ranges, and names that centring has made. Data
+/// other concepts, then one for each "at least" and "at most", data ranges, and names that RuleBuilder makes. Data
 /// properties are roles like others, whose successors are values.
-struct CentredRules {
+struct RuleSet {
   std::vector<Rule> rules;
   std::uint32_t query_count = 0;  ///< predicates below it are what may be asked for
   std::uint32_t predicate_count = 0;
@@ -68,12 +68,12 @@ struct CentredRules {
 /// At-mosts beyond this are left out and named: their rules have so many variables.
 inline constexpr std::uint32_t max_at_most = 64;
 
-class Centring {
+class RuleBuilder {
  public:
   /// `with_facts`: what is said of individuals becomes rules, too.
-  Centring(const owl::Ontology& source, const clauses::ClauseSet& clauses, bool with_facts);
-  /// Centres the clauses, and those that facts stand for. To be called once.
-  [[nodiscard]] CentredRules run();
+  RuleBuilder(const owl::Ontology& source, const clauses::ClauseSet& clauses, bool with_facts);
+  /// Makes rules of the clauses, and of those that facts stand for. To be called once.
+  [[nodiscard]] RuleSet run();
 
  private:
   using Atoms = std::vector<RuleAtom>;
@@ -85,7 +85,7 @@ class Centring {
   void add_clause(const clauses::Clause& clause);
   /// Adds a rule whose body may speak of neighbours' concepts.
   void add(Atoms body, Atoms head);
-  void add_centred(Atoms body, Atoms head);
+  void add_rule(Atoms body, Atoms head);
   /// Replaces the centre's concepts in a long body by names for some of them.
   void shorten(Atoms& body);
   [[nodiscard]] std::uint32_t name_for(const Atoms& about_neighbour, bool is_role);
@@ -102,7 +102,7 @@ class Centring {
   const owl::Ontology& source_;
   const clauses::ClauseSet& clauses_;
   bool with_facts_;
-  CentredRules result_;
+  RuleSet result_;
   std::vector<std::uint32_t> range_predicate_;        ///< of each DataRangeId, then of the values of data facts
   std::map<owl::TermId, std::uint32_t> fact_values_;  ///< the position among them
   /// What is known between two individuals, about variable 1 as a neighbour of the first.

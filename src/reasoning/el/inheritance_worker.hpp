@@ -1,14 +1,14 @@
 // One thread's part of a closure by inheritance: works on one node after the other.
 //
 // A node is worked on by one thread at a time, which alone touches what is in it. What others have to tell it goes
-// there at once where one thread does everything, or where this thread has the node in hand; else by letter
-// (worker.hpp).
+// there at once where one thread does everything, or where this thread has the node in hand; else through its mailbox
+// (saturation_worker.hpp).
 //
-// Order decides how much is copied twice. A node tells its heirs nothing before it has heard of everything above it, so
-// that what is without cycles is closed from the top, each node once. Where nodes wait for each other in a circle, one
-// of them is released when there is nothing else to do.
-#ifndef GEMINGA_REASONING_EL_HEIR_WORKER_HPP
-#define GEMINGA_REASONING_EL_HEIR_WORKER_HPP
+// Order decides how much is copied twice. A node tells its children nothing before it has heard of everything above it,
+// so that what is without cycles is closed from the top, each node once. Where nodes wait for each other in a circle,
+// one of them is released when there is nothing else to do.
+#ifndef GEMINGA_REASONING_EL_INHERITANCE_WORKER_HPP
+#define GEMINGA_REASONING_EL_INHERITANCE_WORKER_HPP
 
 #include <cstddef>
 #include <cstdint>
@@ -22,17 +22,17 @@
 
 namespace geminga::el {
 
-class HeirWorker {
+class InheritanceWorker {
  public:
   /// Ranks are from 1.
-  HeirWorker(Inheriting& shared, std::uint8_t rank)
+  InheritanceWorker(Inheriting& shared, std::uint8_t rank)
       : shared_(shared), index_(shared.index), nodes_(shared.contexts), work_(shared), rank_(rank) {}
 
   /// The node of an atom, or of what is above it where it has nothing itself.
   std::uint32_t require(ExprId atom);
 
   void run_alone();
-  /// Reads the letters of a node of its queue and works on it until no more come. For one of many.
+  /// Reads the messages of a node of its queue and works on it until no more come. For one of many.
   void work_on(std::uint32_t node);
   /// Puts something on the empty queue: what was asked for and not yet begun.
   bool begin_more();
@@ -54,9 +54,9 @@ class HeirWorker {
   [[nodiscard]] bool is_elsewhere(std::uint32_t node) const {
     return is_parallel_ && nodes_[node].owner.load(std::memory_order_relaxed) != rank_;
   }
-  void tell(std::uint32_t node, const Told& told, Items items = {});
-  void post(std::uint32_t node, const Told& told, Items items);
-  void receive(std::uint32_t node, const Told& told, Items items);
+  void tell(std::uint32_t node, const NodeMessage& message, Items items = {});
+  void post(std::uint32_t node, const NodeMessage& message, Items items);
+  void receive(std::uint32_t node, const NodeMessage& message, Items items);
   void enqueue(std::uint32_t node);
   void take_in_hand(std::uint32_t node);
   void process(std::uint32_t node);
@@ -87,14 +87,14 @@ class HeirWorker {
   // What a node hands on.
   void tell_sources(std::uint32_t node);
   void tell_source(std::uint32_t node, std::uint32_t source, bool is_new, Items items);
-  void serve_heirs(std::uint32_t node);
+  void serve_children(std::uint32_t node);
   void tell_bottom(std::uint32_t node);
-  [[nodiscard]] std::uint32_t hearing(std::uint32_t node, bool is_new) const;
+  [[nodiscard]] std::uint32_t delivery_of(std::uint32_t node, bool is_new) const;
   [[nodiscard]] bool has_conjunctions(std::uint32_t item) const;
   [[nodiscard]] bool is_filler(std::uint32_t item) const;
 
   Inheriting& shared_;
-  const Index& index_;
+  const IndexedOntology& index_;
   NodeStore& nodes_;
   WorkCount<Inheriting> work_;
   std::uint8_t rank_;

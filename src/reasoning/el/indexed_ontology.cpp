@@ -1,5 +1,5 @@
 // Interning of expressions, and the sorting of rules to the expressions that trigger them.
-#include "reasoning/el/index.hpp"
+#include "reasoning/el/indexed_ontology.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -15,20 +15,20 @@ std::uint64_t hash_of(const Expr& expr) {
 
 }  // namespace
 
-Index::Index() {
+IndexedOntology::IndexedOntology() {
   add({});  // T
   add({});  // F
 }
 
-ExprId Index::add(const Expr& expr) {
+ExprId IndexedOntology::add(const Expr& expr) {
   exprs_.push_back(expr);
   is_negative_.push_back(false);
   return ExprId{static_cast<std::uint32_t>(exprs_.size() - 1)};
 }
 
-ExprId Index::add_nominal() { return add({ExprKind::nominal, 0, 0}); }
+ExprId IndexedOntology::add_nominal() { return add({ExprKind::nominal, 0, 0}); }
 
-ExprId Index::intern(const Expr& expr) {
+ExprId IndexedOntology::intern(const Expr& expr) {
   const std::uint64_t hash = hash_of(expr);
   const std::uint32_t found = table_.find(hash, [&](std::uint32_t filed) {
     return exprs_[filed].kind == expr.kind && exprs_[filed].first == expr.first && exprs_[filed].second == expr.second;
@@ -39,7 +39,7 @@ ExprId Index::intern(const Expr& expr) {
   return id;
 }
 
-ExprId Index::conjunction(std::vector<ExprId> parts) {
+ExprId IndexedOntology::conjunction(std::vector<ExprId> parts) {
   for (std::size_t at = 0; at < parts.size();) {
     const Expr expr = exprs_[number(parts[at])];
     if (expr.kind != ExprKind::conjunction) {
@@ -61,18 +61,18 @@ ExprId Index::conjunction(std::vector<ExprId> parts) {
   return result;
 }
 
-ExprId Index::existential(RoleId role, ExprId filler) {
+ExprId IndexedOntology::existential(RoleId role, ExprId filler) {
   if (filler == bottom_expr) return bottom_expr;
   return intern({ExprKind::existential, static_cast<std::uint32_t>(role), number(filler)});
 }
 
-ExprId Index::self(RoleId role) { return intern({ExprKind::self, static_cast<std::uint32_t>(role), 0}); }
+ExprId IndexedOntology::self(RoleId role) { return intern({ExprKind::self, static_cast<std::uint32_t>(role), 0}); }
 
-void Index::add_told(ExprId sub, ExprId super) {
+void IndexedOntology::add_told(ExprId sub, ExprId super) {
   if (sub != super && super != top_expr && sub != bottom_expr) told_.emplace_back(sub, super);
 }
 
-void Index::mark_negative(ExprId id) {
+void IndexedOntology::mark_negative(ExprId id) {
   while (exprs_[number(id)].kind == ExprKind::conjunction && !is_negative_[number(id)]) {
     is_negative_[number(id)] = true;
     const ExprId last{exprs_[number(id)].second};
@@ -82,39 +82,39 @@ void Index::mark_negative(ExprId id) {
   is_negative_[number(id)] = true;
 }
 
-void Index::add_disjoint(std::span<const ExprId> members) {
+void IndexedOntology::add_disjoint(std::span<const ExprId> members) {
   for (const ExprId member : members) {
     disjoint_pairs_.emplace_back(number(member), static_cast<std::uint32_t>(disjointness_count_));
   }
   ++disjointness_count_;
 }
 
-void Index::add_functional(ExprId id, RoleId role) { functional_pairs_.emplace_back(number(id), role); }
+void IndexedOntology::add_functional(ExprId id, RoleId role) { functional_pairs_.emplace_back(number(id), role); }
 
-ExprId Index::range_atom(RoleId role) {
+ExprId IndexedOntology::range_atom(RoleId role) {
   const auto index = static_cast<std::size_t>(role);
   if (range_atoms_.size() <= index) range_atoms_.resize(index + 1, top_expr);
   if (range_atoms_[index] == top_expr) range_atoms_[index] = add_atom();
   return range_atoms_[index];
 }
 
-void Index::mark_data(RoleId role) {
+void IndexedOntology::mark_data(RoleId role) {
   const auto place = static_cast<std::size_t>(role);
   if (is_data_role_.size() <= place) is_data_role_.resize(place + 1, false);
   is_data_role_[place] = true;
 }
 
-ExprId Index::range_of(RoleId role) const {
+ExprId IndexedOntology::range_of(RoleId role) const {
   const auto index = static_cast<std::size_t>(role);
   return index < range_atoms_.size() ? range_atoms_[index] : top_expr;
 }
 
-ExprId Index::negative_self(RoleId role) const {
+ExprId IndexedOntology::negative_self(RoleId role) const {
   const auto index = static_cast<std::size_t>(role);
   return index < negative_selfs_.size() ? negative_selfs_[index] : bottom_expr;
 }
 
-bool Index::finish(std::size_t max_pairs) {
+bool IndexedOntology::finish(std::size_t max_pairs) {
   if (!roles_.close(std::min(max_pairs, max_role_pairs))) return false;
   inherit_ranges();
   flatten_told();
@@ -129,7 +129,7 @@ bool Index::finish(std::size_t max_pairs) {
   return true;
 }
 
-void Index::inherit_ranges() {
+void IndexedOntology::inherit_ranges() {
   if (range_atoms_.empty()) return;
   range_atoms_.resize(roles_.count(), top_expr);
   const std::vector<ExprId> own = range_atoms_;
@@ -141,7 +141,7 @@ void Index::inherit_ranges() {
   }
 }
 
-void Index::flatten_told() {
+void IndexedOntology::flatten_told() {
   is_told_bottom_.assign(exprs_.size(), false);
   is_told_bottom_[number(bottom_expr)] = true;
   find_universal_targets();
@@ -155,7 +155,7 @@ void Index::flatten_told() {
   is_told_bottom_.resize(exprs_.size(), false);
 }
 
-void Index::flatten_one(ExprId sub, ExprId super) {
+void IndexedOntology::flatten_one(ExprId sub, ExprId super) {
   std::vector<ExprId> stack = {super};
   while (!stack.empty()) {
     const ExprId id = stack.back();
@@ -190,12 +190,12 @@ void Index::flatten_one(ExprId sub, ExprId super) {
   }
 }
 
-ExprId Index::link_target(RoleId role, ExprId filler) {
+ExprId IndexedOntology::link_target(RoleId role, ExprId filler) {
   // Ranges in EL (Baader, Brandt, Lutz 2008): what R leads to is in the range of R and of all its super roles, too.
   return atom_of(conjunction({filler, range_of(role)}));
 }
 
-ExprId Index::atom_of(ExprId target) {
+ExprId IndexedOntology::atom_of(ExprId target) {
   if (exprs_[number(target)].kind <= ExprKind::nominal) return target;
   if (target_atoms_.size() <= number(target)) target_atoms_.resize(exprs_.size(), top_expr);
   if (target_atoms_[number(target)] == top_expr) {
@@ -206,7 +206,7 @@ ExprId Index::atom_of(ExprId target) {
   return target_atoms_[number(target)];
 }
 
-void Index::find_universal_targets() {
+void IndexedOntology::find_universal_targets() {
   for (auto& [atom, rule] : universals_told_) {
     rule.target = atom_of(rule.target);
     const auto place = static_cast<std::size_t>(rule.role);
@@ -214,7 +214,7 @@ void Index::find_universal_targets() {
   }
 }
 
-void Index::find_representatives() {
+void IndexedOntology::find_representatives() {
   const auto count = static_cast<std::uint32_t>(exprs_.size());
   std::vector<std::pair<std::uint32_t, ExprId>> edges;
   edges.reserve(atom_pairs_.size());
@@ -241,17 +241,17 @@ void Index::find_representatives() {
 }
 
 template <typename Item>
-base::Rows<Item> Index::rows_of(std::vector<std::pair<std::uint32_t, Item>>& pairs) const {
+base::Rows<Item> IndexedOntology::rows_of(std::vector<std::pair<std::uint32_t, Item>>& pairs) const {
   for (auto& [row, item] : pairs) row = number(representative_[row]);
   base::Rows<Item> rows(exprs_.size(), pairs);
   pairs.clear();
   pairs.shrink_to_fit();
   return rows;
 }
-// For index_merging.cpp.
-template base::Rows<RoleId> Index::rows_of(std::vector<std::pair<std::uint32_t, RoleId>>& pairs) const;
+// For indexed_ontology_merging.cpp.
+template base::Rows<RoleId> IndexedOntology::rows_of(std::vector<std::pair<std::uint32_t, RoleId>>& pairs) const;
 
-void Index::sort_rules() {
+void IndexedOntology::sort_rules() {
   for (auto& [row, item] : atom_pairs_) item = representative_[number(item)];
   std::erase_if(atom_pairs_, [&](const auto& pair) { return representative_[pair.first] == pair.second; });
   told_atoms_ = rows_of(atom_pairs_);
@@ -293,7 +293,7 @@ void Index::sort_rules() {
   universals_.sort_unique();
 }
 
-void Index::find_active() {
+void IndexedOntology::find_active() {
   is_active_.assign(exprs_.size(), false);
   for (std::uint32_t id = 0; id < exprs_.size(); ++id) {
     is_active_[id] = exprs_[id].kind > ExprKind::nominal || is_nominal_rep_[id] || is_told_bottom_[id] ||
@@ -304,7 +304,7 @@ void Index::find_active() {
   for (const ExprId atom : watched_) is_active_[number(representative_[number(atom)])] = true;
 }
 
-bool Index::is_told_below(ExprId sub, ExprId super) const {
+bool IndexedOntology::is_told_below(ExprId sub, ExprId super) const {
   constexpr std::size_t max_looked_at = 64;
   std::vector<ExprId> seen = {sub};
   for (std::size_t at = 0; at < seen.size() && at < max_looked_at; ++at) {
@@ -316,7 +316,7 @@ bool Index::is_told_below(ExprId sub, ExprId super) const {
   return false;
 }
 
-bool Index::find_frontiers(std::size_t max_items) {
+bool IndexedOntology::find_frontiers(std::size_t max_items) {
   frontier_begin_.assign(exprs_.size(), 0);
   frontier_count_.assign(exprs_.size(), 0);
   std::vector<std::uint32_t> seen_from(exprs_.size(), base::NumberTable::none);
@@ -342,7 +342,7 @@ bool Index::find_frontiers(std::size_t max_items) {
   return true;
 }
 
-void Index::find_rule_bits() {
+void IndexedOntology::find_rule_bits() {
   rule_bits_.assign(exprs_.size(), 0);
   for (std::uint32_t id = 0; id < exprs_.size(); ++id) {
     const bool is_atom = exprs_[id].kind <= ExprKind::nominal;
@@ -356,14 +356,14 @@ void Index::find_rule_bits() {
   }
 }
 
-void Index::find_link_roots() {
+void IndexedOntology::find_link_roots() {
   for (LinkRule& link : links_.mutable_items()) {
     // By a functional role the successor may turn out to be this one itself, which then is in the target, too.
     link.root = may_be_functional(link.role) ? link.target : link_root(link.target);
   }
 }
 
-ExprId Index::link_root(ExprId target) const {
+ExprId IndexedOntology::link_root(ExprId target) const {
   // What has no rules of its own and at most one thing above it with rules has no other subsumers than that thing, so
   // that it needs no context. Not with nominals: there a class that is not empty may turn out to be a nominal's equal.
   if (has_nominals_ || keeps_link_targets_ || !is_atom(target) || is_active(target) || frontier(target).size() > 1)

@@ -1,7 +1,7 @@
 // The rules of a closure by inheritance, each in logic notation beside its code; the legend is in inheritance.hpp.
 #include <algorithm>
 
-#include "reasoning/el/heir_worker.hpp"
+#include "reasoning/el/inheritance_worker.hpp"
 
 namespace geminga::el {
 namespace {
@@ -10,14 +10,14 @@ constexpr std::uint8_t bit(RuleBits rules) { return static_cast<std::uint8_t>(ru
 
 }  // namespace
 
-void HeirWorker::add_item(std::uint32_t node, ExprId item) {
+void InheritanceWorker::add_item(std::uint32_t node, ExprId item) {
   Node& self = nodes_[node];
   if (self.is_unsatisfiable || !self.items.insert(number(item), arena_)) return;
   ++conclusions_;
   self.todo.push_back(number(item), arena_);
 }
 
-void HeirWorker::process_item(std::uint32_t node, ExprId item) {
+void InheritanceWorker::process_item(std::uint32_t node, ExprId item) {
   const std::uint8_t rules = index_.rule_bits(item);
   const auto has = [&](RuleBits kind) { return (rules & bit(kind)) != 0; };
 
@@ -43,7 +43,7 @@ void HeirWorker::process_item(std::uint32_t node, ExprId item) {
   process_inherited(node, number(item));
 }
 
-void HeirWorker::process_inherited(std::uint32_t node, std::uint32_t item) {
+void InheritanceWorker::process_inherited(std::uint32_t node, std::uint32_t item) {
   if (item >= shared_.first_link) return process_propagating(node, item);
   const std::uint8_t rules = index_.rule_bits(ExprId{item});
   const auto has = [&](RuleBits kind) { return (rules & bit(kind)) != 0; };
@@ -59,7 +59,7 @@ void HeirWorker::process_inherited(std::uint32_t node, std::uint32_t item) {
 //  N < D   N < E
 //  ------------- [D and E occurs negatively]; unless one node above has both
 //  N < D and E
-void HeirWorker::apply_conjunctions(std::uint32_t node, ExprId item) {
+void InheritanceWorker::apply_conjunctions(std::uint32_t node, ExprId item) {
   // Whichever is shorter is walked, and the other searched: names like "disease" are in thousands of conjunctions.
   Node& self = nodes_[node];
   const std::span<const ConjunctionRule> rules = index_.conjunctions(item);
@@ -82,7 +82,7 @@ void HeirWorker::apply_conjunctions(std::uint32_t node, ExprId item) {
 //  N < D   N < E
 //  ------------- [D and E are different members of one disjointness axiom]
 //  N < F
-void HeirWorker::add_disjointness(std::uint32_t node, std::uint32_t axiom) {
+void InheritanceWorker::add_disjointness(std::uint32_t node, std::uint32_t axiom) {
   Node& self = nodes_[node];
   if (self.is_unsatisfiable) return;
   // The axiom's mark among the items says that one member was there before. Each node sets its own: two that are above
@@ -93,7 +93,7 @@ void HeirWorker::add_disjointness(std::uint32_t node, std::uint32_t axiom) {
 //  N < D   N is below R Self
 //  ------------------------- [S some D occurs negatively, R <* S]; and what a link says, as in compose()
 //  N < S some D
-void HeirWorker::process_propagating(std::uint32_t node, std::uint32_t item) {
+void InheritanceWorker::process_propagating(std::uint32_t node, std::uint32_t item) {
   Node& self = nodes_[node];
   for (std::uint32_t at = 0; at < self.selfs.size(); ++at) {
     const RoleId role = self.selfs[at];
@@ -110,7 +110,7 @@ void HeirWorker::process_propagating(std::uint32_t node, std::uint32_t item) {
 //  N < R Self
 //  ---------- [R <* S, S Self occurs negatively]; what else R Self says is in the next rules
 //  N < S Self
-void HeirWorker::add_self(std::uint32_t node, RoleId role) {
+void InheritanceWorker::add_self(std::uint32_t node, RoleId role) {
   Node& self = nodes_[node];
   if (self.is_unsatisfiable || std::ranges::find(self.selfs, role) != self.selfs.end()) return;
   self.selfs.push_back(role, arena_);
@@ -157,14 +157,14 @@ void HeirWorker::add_self(std::uint32_t node, RoleId role) {
 //  N < R Self   N < S some M
 //  ------------------------- [R o S SubPropertyOf R']
 //  N < R' some M
-void HeirWorker::compose(std::uint32_t node, RoleId first, std::uint32_t link) {
+void InheritanceWorker::compose(std::uint32_t node, RoleId first, std::uint32_t link) {
   const Node& second = nodes_[link - shared_.first_link];
   for (const RoleId result : index_.roles().composed(first, RoleId{second.root})) {
     inherit_existential(node, result, second.filler);
   }
 }
 
-void HeirWorker::find_existentials(RoleId role, ExprId filler, std::vector<std::uint32_t>& found) const {
+void InheritanceWorker::find_existentials(RoleId role, ExprId filler, std::vector<std::uint32_t>& found) const {
   // What a hub is below may be the filler of thousands of existentials, of which one link concerns a handful.
   constexpr std::size_t max_scanned = 8;
   const Roles& roles = index_.roles();
@@ -183,7 +183,7 @@ void HeirWorker::find_existentials(RoleId role, ExprId filler, std::vector<std::
   }
 }
 
-void HeirWorker::tell_sources(std::uint32_t node) {
+void InheritanceWorker::tell_sources(std::uint32_t node) {
   Node& self = nodes_[node];
   if (self.sources.empty()) return;
   const auto gather = [&](std::uint32_t from, std::vector<std::uint32_t>& gathered) {
@@ -201,7 +201,7 @@ void HeirWorker::tell_sources(std::uint32_t node) {
   self.sources_told = self.sources.size();
 }
 
-void HeirWorker::tell_source(std::uint32_t node, std::uint32_t source, bool is_new, Items items) {
+void InheritanceWorker::tell_source(std::uint32_t node, std::uint32_t source, bool is_new, Items items) {
   const Node& self = nodes_[node];
   const RoleId role{nodes_[source].root};
   found_.clear();
@@ -220,7 +220,7 @@ void HeirWorker::tell_source(std::uint32_t node, std::uint32_t source, bool is_n
     //  R some N < R' some M
     const Node& second = nodes_[item - shared_.first_link];
     for (const RoleId result : index_.roles().composed(role, RoleId{second.root})) {
-      tell(source, {Tidings::composed, static_cast<std::uint32_t>(result), second.filler});
+      tell(source, {NodeMessage::Kind::composed, static_cast<std::uint32_t>(result), second.filler});
     }
   }
 
@@ -229,25 +229,25 @@ void HeirWorker::tell_source(std::uint32_t node, std::uint32_t source, bool is_n
   //  R some N < R' some N
   for (std::uint32_t next = is_new ? 0 : self.selfs_told; next < self.selfs.size(); ++next) {
     for (const RoleId result : index_.roles().composed(role, self.selfs[next])) {
-      tell(source, {Tidings::composed, static_cast<std::uint32_t>(result), node});
+      tell(source, {NodeMessage::Kind::composed, static_cast<std::uint32_t>(result), node});
     }
   }
-  if (is_new || !found_.empty()) tell(source, {Tidings::found, hearing(node, is_new), 0}, found_);
+  if (is_new || !found_.empty()) tell(source, {NodeMessage::Kind::found, delivery_of(node, is_new), 0}, found_);
 }
 
-std::uint32_t HeirWorker::hearing(std::uint32_t node, bool is_new) const {
-  if (!is_new) return once_more;
-  return nodes_[node].is_final ? for_the_first_time | for_all_time : for_the_first_time;
+std::uint32_t InheritanceWorker::delivery_of(std::uint32_t node, bool is_new) const {
+  if (!is_new) return further_delivery;
+  return nodes_[node].is_final ? first_delivery | final_delivery : first_delivery;
 }
 
 //  M < X
-//  ----- [N is an heir of M, which is N < M]; only of what may be a premise together with something else
+//  ----- [N is a child of M, which is N < M]; only of what may be a premise together with something else
 //  N < X
-void HeirWorker::serve_heirs(std::uint32_t node) {
+void InheritanceWorker::serve_children(std::uint32_t node) {
   constexpr std::uint8_t with_others =
       bit(RuleBits::selfs) | bit(RuleBits::conjunctions) | bit(RuleBits::existentials) | bit(RuleBits::disjointness);
   Node& self = nodes_[node];
-  if (self.heirs.empty()) return;
+  if (self.children.empty()) return;
   const auto gather = [&](std::uint32_t from, std::vector<std::uint32_t>& gathered) {
     gathered.clear();
     for (std::uint32_t at = from; at < self.items.size(); ++at) {
@@ -257,30 +257,30 @@ void HeirWorker::serve_heirs(std::uint32_t node) {
       if (is_wanted) gathered.push_back(item);
     }
   };
-  if (self.heirs_served != 0 && self.items_told < self.items.size()) {
+  if (self.children_served != 0 && self.items_told < self.items.size()) {
     gather(self.items_told, new_items_);
-    for (std::uint32_t at = 0; at < self.heirs_served && !new_items_.empty() && !shared_.has_ended(); ++at) {
-      tell(self.heirs[at], {Tidings::inherited, once_more, 0}, new_items_);
+    for (std::uint32_t at = 0; at < self.children_served && !new_items_.empty() && !shared_.has_ended(); ++at) {
+      tell(self.children[at], {NodeMessage::Kind::inherited, further_delivery, 0}, new_items_);
     }
   }
-  if (self.heirs_served < self.heirs.size()) {
+  if (self.children_served < self.children.size()) {
     gather(0, all_items_);
-    for (std::uint32_t at = self.heirs_served; at < self.heirs.size() && !shared_.has_ended(); ++at) {
-      tell(self.heirs[at], {Tidings::inherited, hearing(node, true), 0}, all_items_);
+    for (std::uint32_t at = self.children_served; at < self.children.size() && !shared_.has_ended(); ++at) {
+      tell(self.children[at], {NodeMessage::Kind::inherited, delivery_of(node, true), 0}, all_items_);
     }
   }
-  self.heirs_served = self.heirs.size();
+  self.children_served = self.children.size();
 }
 
-bool HeirWorker::has_conjunctions(std::uint32_t item) const {
+bool InheritanceWorker::has_conjunctions(std::uint32_t item) const {
   return item < index_.size() && (index_.rule_bits(ExprId{item}) & bit(RuleBits::conjunctions)) != 0;
 }
 
-bool HeirWorker::is_filler(std::uint32_t item) const {
+bool InheritanceWorker::is_filler(std::uint32_t item) const {
   return item < index_.size() && (index_.rule_bits(ExprId{item}) & bit(RuleBits::existentials)) != 0;
 }
 
-void HeirWorker::add_inherited(std::uint32_t node, Items items) {
+void InheritanceWorker::add_inherited(std::uint32_t node, Items items) {
   Node& self = nodes_[node];
   const std::uint32_t begin = self.items.size();
   self.items.reserve(begin + static_cast<std::uint32_t>(items.size()), arena_);
@@ -299,9 +299,9 @@ void HeirWorker::add_inherited(std::uint32_t node, Items items) {
 }
 
 //  M < F
-//  ----- [N is an heir of M, or R some M]; what is left to do for N < F itself
+//  ----- [N is a child of M, or R some M]; what is left to do for N < F itself
 //  N < F
-void HeirWorker::add_bottom(std::uint32_t node) {
+void InheritanceWorker::add_bottom(std::uint32_t node) {
   Node& self = nodes_[node];
   if (self.is_unsatisfiable) return;
   self.is_unsatisfiable = true;
@@ -315,13 +315,14 @@ void HeirWorker::add_bottom(std::uint32_t node) {
   enqueue(node);
 }
 
-void HeirWorker::tell_bottom(std::uint32_t node) {
+void InheritanceWorker::tell_bottom(std::uint32_t node) {
   Node& self = nodes_[node];
-  for (std::uint32_t at = 0; at < self.heirs.size(); ++at) tell(self.heirs[at], {Tidings::bottom, 0, 0});
-  for (std::uint32_t at = 0; at < self.sources.size(); ++at) tell(self.sources[at], {Tidings::bottom, 0, 0});
-  self.heirs.clear(arena_);
+  for (std::uint32_t at = 0; at < self.children.size(); ++at)
+    tell(self.children[at], {NodeMessage::Kind::bottom, 0, 0});
+  for (std::uint32_t at = 0; at < self.sources.size(); ++at) tell(self.sources[at], {NodeMessage::Kind::bottom, 0, 0});
+  self.children.clear(arena_);
   self.sources.clear(arena_);
-  self.heirs_served = self.sources_told = 0;
+  self.children_served = self.sources_told = 0;
 }
 
 }  // namespace geminga::el

@@ -1,9 +1,9 @@
-// What inverses say of properties alone, told of the properties themselves. Legend as in index.hpp.
+// What inverses say of properties alone, told of the properties themselves. Legend as in indexed_ontology.hpp.
 #include <algorithm>
 #include <set>
 
 #include "reasoning/el/inverse_roles.hpp"
-#include "reasoning/el/normaliser.hpp"
+#include "reasoning/el/rule_normaliser.hpp"
 
 namespace geminga::el {
 namespace {
@@ -14,7 +14,7 @@ constexpr std::size_t max_mirror_images = 16;  // of one chain
 
 //  R <* S through two inverses  is  R < S
 //  R1 o ... o Rn < R, R(x,y) says S(y,x), Ti(x,y) says Ri(y,x)  is  Tn o ... o T1 < S
-void Normaliser::mirror_roles() {
+void RuleNormaliser::mirror_roles() {
   if (open_.inverses.empty()) return;
   Roles closed = index_.roles();
   if (!closed.close_hierarchy(max_role_pairs)) return;  // the index will not close either, and that is reported

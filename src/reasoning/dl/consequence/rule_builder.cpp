@@ -1,4 +1,4 @@
-#include "reasoning/dl/consequence/centring.hpp"
+#include "reasoning/dl/consequence/rule_builder.hpp"
 
 #include <algorithm>
 
@@ -54,10 +54,10 @@ void recentre(std::vector<RuleAtom>& atoms) {
 
 }  // namespace
 
-Centring::Centring(const owl::Ontology& source, const clauses::ClauseSet& clauses, bool with_facts)
+RuleBuilder::RuleBuilder(const owl::Ontology& source, const clauses::ClauseSet& clauses, bool with_facts)
     : source_(source), clauses_(clauses), with_facts_(with_facts) {}
 
-CentredRules Centring::run() {
+RuleSet RuleBuilder::run() {
   if (with_facts_) gather_facts();
   number_predicates();
   make_expansions();
@@ -70,7 +70,7 @@ CentredRules Centring::run() {
   return std::move(result_);
 }
 
-void Centring::number_predicates() {
+void RuleBuilder::number_predicates() {
   result_.predicate_of.resize(clauses_.concepts.size());
   std::uint32_t next = 0;
   for (const bool is_query : {true, false}) {
@@ -104,7 +104,7 @@ void Centring::number_predicates() {
   result_.role_count = data_role_base_ + static_cast<std::uint32_t>(clauses_.data_properties.size());
 }
 
-std::uint32_t Centring::add_expansion(std::uint32_t count, Atoms atoms) {
+std::uint32_t RuleBuilder::add_expansion(std::uint32_t count, Atoms atoms) {
   Expansion& expansion = result_.expansions.emplace_back();
   const bool is_value = std::ranges::any_of(
       atoms, [this](const RuleAtom& atom) { return is_role_atom(atom) && atom.predicate >= data_role_base_; });
@@ -117,7 +117,7 @@ std::uint32_t Centring::add_expansion(std::uint32_t count, Atoms atoms) {
   return result_.first_marker + static_cast<std::uint32_t>(result_.expansions.size() - 1);
 }
 
-void Centring::make_expansions() {
+void RuleBuilder::make_expansions() {
   const auto role_of = [](const clauses::Role& role) {
     return RuleAtom{role.is_inverse ? LiteralKind::incoming : LiteralKind::outgoing, 1, 0, number(role.property)};
   };
@@ -148,7 +148,7 @@ void Centring::make_expansions() {
   }
 }
 
-void Centring::add_at_most(std::uint32_t marker, std::uint32_t count, RuleAtom role, std::uint32_t filler) {
+void RuleBuilder::add_at_most(std::uint32_t marker, std::uint32_t count, RuleAtom role, std::uint32_t filler) {
   if (filler == nothing_) return;
   if (count > max_at_most) {
     result_.gaps.push_back("at most " + std::to_string(count) + " of a property");
@@ -168,11 +168,11 @@ void Centring::add_at_most(std::uint32_t marker, std::uint32_t count, RuleAtom r
   add(std::move(body), std::move(head));
 }
 
-RuleAtom Centring::concept_atom(clauses::ConceptId of, std::uint8_t variable) const {
+RuleAtom RuleBuilder::concept_atom(clauses::ConceptId of, std::uint8_t variable) const {
   return {LiteralKind::unary, variable, 0, result_.predicate_of[number(of)]};
 }
 
-bool Centring::convert(const clauses::Atom& atom, bool is_head, Atoms& atoms, bool& is_redundant) const {
+bool RuleBuilder::convert(const clauses::Atom& atom, bool is_head, Atoms& atoms, bool& is_redundant) const {
   const auto expansion = [&](std::uint32_t index, bool is_trivial) {
     if (is_trivial) is_redundant = true;
     atoms.push_back({LiteralKind::unary, atom.first, 0, result_.first_marker + index});
@@ -225,7 +225,7 @@ bool Centring::convert(const clauses::Atom& atom, bool is_head, Atoms& atoms, bo
   return false;
 }
 
-void Centring::add_clause(const clauses::Clause& clause) {
+void RuleBuilder::add_clause(const clauses::Clause& clause) {
   Atoms body;
   Atoms head;
   bool is_redundant = false;
@@ -240,7 +240,7 @@ void Centring::add_clause(const clauses::Clause& clause) {
   add(std::move(body), std::move(head));
 }
 
-void Centring::add(Atoms body, Atoms head) {
+void RuleBuilder::add(Atoms body, Atoms head) {
   const std::uint8_t last = std::max(greatest_variable(body), greatest_variable(head));
   for (std::uint8_t variable = 1; variable <= last; ++variable) {
     const auto is_guard = [&](const RuleAtom& atom) { return is_role_atom(atom) && atom.first == variable; };
@@ -261,12 +261,12 @@ void Centring::add(Atoms body, Atoms head) {
   if (last == 1 && !speaks_of_centre && (speaks_of_neighbours || is_range)) {
     recentre(body);
     recentre(head);
-    return add_centred(std::move(body), std::move(head));
+    return add_rule(std::move(body), std::move(head));
   }
-  if (!speaks_of_neighbours) return add_centred(std::move(body), std::move(head));
-  Atoms centred;
+  if (!speaks_of_neighbours) return add_rule(std::move(body), std::move(head));
+  Atoms about_centre;
   for (const RuleAtom& atom : body) {
-    if (atom.first == 0) centred.push_back(atom);
+    if (atom.first == 0) about_centre.push_back(atom);
   }
   for (std::uint8_t variable = 1; variable <= last; ++variable) {
     Atoms about;
@@ -278,19 +278,19 @@ void Centring::add(Atoms body, Atoms head) {
     if (std::ranges::all_of(about, is_role_atom)) {
       for (RuleAtom atom : about) {
         atom.first = variable;
-        centred.push_back(atom);
+        about_centre.push_back(atom);
       }
       continue;
     }
     const bool is_role = mentions(head, variable);
     const std::uint32_t name = name_for(about, is_role);
-    centred.push_back(is_role ? RuleAtom{LiteralKind::outgoing, variable, 0, name}
-                              : RuleAtom{LiteralKind::unary, 0, 0, name});
+    about_centre.push_back(is_role ? RuleAtom{LiteralKind::outgoing, variable, 0, name}
+                                   : RuleAtom{LiteralKind::unary, 0, 0, name});
   }
-  add_centred(std::move(centred), std::move(head));
+  add_rule(std::move(about_centre), std::move(head));
 }
 
-std::uint32_t Centring::name_for(const Atoms& about_neighbour, bool is_role) {
+std::uint32_t RuleBuilder::name_for(const Atoms& about_neighbour, bool is_role) {
   Atoms key = about_neighbour;
   std::ranges::sort(key);
   const auto [entry, is_new] = names_.try_emplace({key, is_role}, 0);
@@ -301,11 +301,11 @@ std::uint32_t Centring::name_for(const Atoms& about_neighbour, bool is_role) {
   const RuleAtom name = is_role ? RuleAtom{LiteralKind::incoming, 1, 0, entry->second}
                                 : RuleAtom{LiteralKind::unary, 1, 0, entry->second};
   const std::uint32_t made = entry->second;
-  add_centred(std::move(key), {name});
+  add_rule(std::move(key), {name});
   return made;
 }
 
-void Centring::shorten(Atoms& body) {
+void RuleBuilder::shorten(Atoms& body) {
   constexpr std::size_t longest = 32;
   while (static_cast<std::size_t>(std::ranges::count(body, std::uint8_t{0}, &RuleAtom::first)) > longest) {
     Atoms taken;
@@ -314,13 +314,13 @@ void Centring::shorten(Atoms& body) {
       (atom.first == 0 && taken.size() < longest ? taken : left).push_back(atom);
     }
     const std::uint32_t name = result_.predicate_count++;
-    add_centred(std::move(taken), {{LiteralKind::unary, 0, 0, name}});
+    add_rule(std::move(taken), {{LiteralKind::unary, 0, 0, name}});
     left.push_back({LiteralKind::unary, 0, 0, name});
     body = std::move(left);
   }
 }
 
-void Centring::add_centred(Atoms body, Atoms head) {
+void RuleBuilder::add_rule(Atoms body, Atoms head) {
   std::ranges::sort(body);
   body.erase(std::ranges::unique(body).begin(), body.end());
   shorten(body);

@@ -3,8 +3,8 @@
 // Legend: A atom, C D E expressions, R S roles, C < D for "C SubClassOf D", T owl:Thing, F owl:Nothing.
 // An expression occurs negatively where it must be recognised (left of <), positively where it is asserted (right of
 // <).
-#ifndef GEMINGA_REASONING_EL_INDEX_HPP
-#define GEMINGA_REASONING_EL_INDEX_HPP
+#ifndef GEMINGA_REASONING_EL_INDEXED_ONTOLOGY_HPP
+#define GEMINGA_REASONING_EL_INDEXED_ONTOLOGY_HPP
 
 #include <cstddef>
 #include <cstdint>
@@ -80,9 +80,9 @@ enum class RuleBits : std::uint8_t {
 };
 
 /// Built by the normaliser, finished once, then only read, by any number of threads.
-class Index {
+class IndexedOntology {
  public:
-  Index();
+  IndexedOntology();
 
   // Building.
   ExprId add_atom() { return add({ExprKind::atom, 0, 0}); }

@@ -2,10 +2,10 @@
 //
 // A context is worked on by one thread at a time, which alone touches what is in it. What a rule concludes about
 // another context goes there at once where one thread does everything. Among many, the thread that finds the other
-// context at rest takes it for its own and puts it on its queue; of one that another thread has it posts a letter to
-// the inbox. So there is no lock around the closure (threads.hpp says how queues are shared).
-#ifndef GEMINGA_REASONING_EL_WORKER_HPP
-#define GEMINGA_REASONING_EL_WORKER_HPP
+// context at rest takes it for its own and puts it on its queue; of one that another thread has it posts a message to
+// the mailbox. So there is no lock around the closure (threads.hpp says how queues are shared).
+#ifndef GEMINGA_REASONING_EL_SATURATION_WORKER_HPP
+#define GEMINGA_REASONING_EL_SATURATION_WORKER_HPP
 
 #include <cstddef>
 #include <cstdint>
@@ -20,10 +20,10 @@
 
 namespace geminga::el {
 
-class Worker {
+class SaturationWorker {
  public:
   /// Ranks are from 1.
-  Worker(Saturating& shared, std::uint8_t rank)
+  SaturationWorker(Saturating& shared, std::uint8_t rank)
       : shared_(shared), index_(shared.index), contexts_(shared.contexts), work_(shared), rank_(rank) {}
 
   std::uint32_t require(ExprId root);
@@ -32,7 +32,7 @@ class Worker {
 
   /// Works through its queue, alone.
   void run_alone();
-  /// Reads the letters of a context of its queue and works on it until no more come. For one of many.
+  /// Reads the messages of a context of its queue and works on it until no more come. For one of many.
   void work_on(std::uint32_t context);
   /// What is on its queue is in its hand from then on. Before there are threads, and after.
   void set_parallel(bool is_parallel);
@@ -98,7 +98,7 @@ class Worker {
   void find_self_of_link(std::uint32_t from, RoleId role, std::uint32_t to);
 
   Saturating& shared_;
-  const Index& index_;
+  const IndexedOntology& index_;
   ContextStore& contexts_;
   WorkCount<Saturating> work_;
   std::uint8_t rank_;

@@ -1,5 +1,5 @@
-// Axioms, one kind after the other. Expressions are in normaliser_terms.cpp.
-#include "reasoning/el/normaliser.hpp"
+// Axioms, one kind after the other. Expressions are in rule_normaliser_terms.cpp.
+#include "reasoning/el/rule_normaliser.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@ owl::Construct both(owl::Construct first, owl::Construct second) {
 
 }  // namespace
 
-owl::Construct Normaliser::add(std::uint32_t number) {
+owl::Construct RuleNormaliser::add(std::uint32_t number) {
   const owl::Axiom axiom = source_.axiom(number);
   current_axiom_ = number;
   switch (axiom.kind) {
@@ -48,7 +48,7 @@ owl::Construct Normaliser::add(std::uint32_t number) {
   }
 }
 
-owl::Construct Normaliser::include(owl::TermId sub, owl::TermId super) {
+owl::Construct RuleNormaliser::include(owl::TermId sub, owl::TermId super) {
   if (const std::optional<owl::Construct> range = include_as_range(sub, super)) return *range;
   index_.add_told(expression(sub), expression(super));
   return both(use_negative(sub), use_positive(super));
@@ -56,7 +56,7 @@ owl::Construct Normaliser::include(owl::TermId sub, owl::TermId super) {
 
 //  T < R only C              is the range C of R
 //  inverse R some T < C      too
-std::optional<owl::Construct> Normaliser::include_as_range(owl::TermId sub, owl::TermId super) {
+std::optional<owl::Construct> RuleNormaliser::include_as_range(owl::TermId sub, owl::TermId super) {
   const owl::Term left = source_.term(sub);
   const owl::Term right = source_.term(super);
   const bool is_all =
@@ -72,7 +72,7 @@ std::optional<owl::Construct> Normaliser::include_as_range(owl::TermId sub, owl:
   return std::nullopt;
 }
 
-owl::Construct Normaliser::add_class_axiom(const owl::Axiom& axiom) {
+owl::Construct RuleNormaliser::add_class_axiom(const owl::Axiom& axiom) {
   const auto arguments = axiom.arguments;
   owl::Construct unused = owl::Construct::none;
   switch (axiom.kind) {
@@ -102,7 +102,7 @@ owl::Construct Normaliser::add_class_axiom(const owl::Axiom& axiom) {
   }
 }
 
-owl::Construct Normaliser::add_disjoint(std::span<const owl::TermId> members) {
+owl::Construct RuleNormaliser::add_disjoint(std::span<const owl::TermId> members) {
   // Small axioms, and those with equal members, go by pairs; n members of a large one would need n * n conjunctions.
   constexpr std::size_t max_by_pairs = 4;
   owl::Construct unused = owl::Construct::none;
@@ -135,20 +135,20 @@ owl::Construct Normaliser::add_disjoint(std::span<const owl::TermId> members) {
   return unused;
 }
 
-owl::Construct Normaliser::add_domain(const Property& property, owl::TermId domain) {
+owl::Construct RuleNormaliser::add_domain(const Property& property, owl::TermId domain) {
   const ExprId some = negative_some(property, top_expr);
   index_.add_told(some, expression(domain));
   return use_positive(domain);
 }
 
-owl::Construct Normaliser::add_range(const Property& property, owl::TermId range, std::uint32_t axiom) {
+owl::Construct RuleNormaliser::add_range(const Property& property, owl::TermId range, std::uint32_t axiom) {
   const ExprId atom = index_.range_atom(property.role);
   index_.add_told(atom, expression(range));
   ranges_.push_back({axiom, property.role, expression(range)});
   return use_positive(range);
 }
 
-owl::Construct Normaliser::add_chain(const owl::Term& chain, owl::TermId super) {
+owl::Construct RuleNormaliser::add_chain(const owl::Term& chain, owl::TermId super) {
   const Property to = property(super);
   if (to.is_top) return owl::Construct::none;
   std::vector<RoleId> roles;
@@ -164,14 +164,14 @@ owl::Construct Normaliser::add_chain(const owl::Term& chain, owl::TermId super) 
   return owl::Construct::none;
 }
 
-void Normaliser::add_chain(std::span<const RoleId> roles, RoleId super) {
+void RuleNormaliser::add_chain(std::span<const RoleId> roles, RoleId super) {
   index_.roles().add_chain(roles, super);
   owl::RoleChain chain{{}, role_of(super), static_cast<std::uint32_t>(chains_.size())};
   for (const RoleId role : roles) chain.word.push_back(role_of(role));
   chains_.push_back(std::move(chain));
 }
 
-owl::Construct Normaliser::add_object_property_axiom(const owl::Axiom& axiom) {
+owl::Construct RuleNormaliser::add_object_property_axiom(const owl::Axiom& axiom) {
   const auto arguments = axiom.arguments;
   if (axiom.kind == owl::AxiomKind::sub_object_property_of &&
       source_.kind(arguments[0]) == owl::TermKind::object_property_chain) {
@@ -241,13 +241,13 @@ owl::Construct Normaliser::add_object_property_axiom(const owl::Axiom& axiom) {
   }
 }
 
-owl::Construct Normaliser::add_inverse(const Property& one, const Property& other) {
+owl::Construct RuleNormaliser::add_inverse(const Property& one, const Property& other) {
   if (one.is_inverse != other.is_inverse) return beyond(owl::Construct::inverse_of);
   open_inverse(other, one, owl::Construct::inverse_of);
   return open_inverse(one, other, owl::Construct::inverse_of);
 }
 
-owl::Construct Normaliser::add_data_property_axiom(const owl::Axiom& axiom) {
+owl::Construct RuleNormaliser::add_data_property_axiom(const owl::Axiom& axiom) {
   const auto arguments = axiom.arguments;
   const Property first = property(arguments[0]);
   switch (axiom.kind) {
@@ -277,7 +277,7 @@ owl::Construct Normaliser::add_data_property_axiom(const owl::Axiom& axiom) {
   }
 }
 
-owl::Construct Normaliser::add_assertion(const owl::Axiom& axiom) {
+owl::Construct RuleNormaliser::add_assertion(const owl::Axiom& axiom) {
   const auto arguments = axiom.arguments;
   switch (axiom.kind) {
     case owl::AxiomKind::same_individual:
@@ -299,7 +299,7 @@ owl::Construct Normaliser::add_assertion(const owl::Axiom& axiom) {
   }
 }
 
-owl::Construct Normaliser::add_property_assertion(const owl::Axiom& axiom, bool is_negative) {
+owl::Construct RuleNormaliser::add_property_assertion(const owl::Axiom& axiom, bool is_negative) {
   const Property role = property(axiom.arguments[0]);
   ExprId from = expression(axiom.arguments[1]);
   ExprId to = expression(axiom.arguments[2]);

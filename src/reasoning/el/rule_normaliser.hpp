@@ -1,6 +1,6 @@
 // From OWL axioms to the index: what EL can say exactly is said, what it cannot is weakened soundly and named.
-#ifndef GEMINGA_REASONING_EL_NORMALISER_HPP
-#define GEMINGA_REASONING_EL_NORMALISER_HPP
+#ifndef GEMINGA_REASONING_EL_RULE_NORMALISER_HPP
+#define GEMINGA_REASONING_EL_RULE_NORMALISER_HPP
 
 #include <array>
 #include <cstdint>
@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "reasoning/el/index.hpp"
+#include "reasoning/el/indexed_ontology.hpp"
 #include "reasoning/el/open_parts.hpp"
 #include "reasoning/owl/construct.hpp"
 #include "reasoning/owl/datatypes.hpp"
@@ -27,9 +27,9 @@ inline constexpr std::size_t max_key_tuples = std::size_t{1} << 16;
 /// that whatever is derived is sound; where it returns Construct::none, nothing of the axiom is lost.
 ///
 /// An expression that EL has no rules for becomes an atom of its own, so that it is at least equal to itself.
-class Normaliser {
+class RuleNormaliser {
  public:
-  Normaliser(const owl::Ontology& source, Index& index);
+  RuleNormaliser(const owl::Ontology& source, IndexedOntology& index);
 
   /// Adds one axiom of the source; the first construct in it that is not used in full.
   owl::Construct add(std::uint32_t axiom);
@@ -70,7 +70,7 @@ class Normaliser {
   Property property(owl::TermId term);
   ExprId filler_of(const owl::Term& term);
 
-  // Data (normaliser_data.cpp).
+  // Data (rule_normaliser_data.cpp).
   ExprId make_literal(owl::TermId id, const owl::Term& term);
   ExprId make_datatype(const owl::Term& term);
   void use_negative_literal(owl::TermId id);
@@ -78,7 +78,7 @@ class Normaliser {
   owl::Construct use_positive_datatype(const owl::Term& term);
   void relate_data();
 
-  // Keys (normaliser_keys.cpp).
+  // Keys (rule_normaliser_keys.cpp).
   struct Key {
     std::uint32_t axiom = 0;
     ExprId of{};
@@ -89,7 +89,7 @@ class Normaliser {
   void use_key(const Key& key, ExprId is_named, std::size_t tuple, const std::vector<ExprId>& named,
                const std::vector<ExprId>& literals);
 
-  // Uses that are judged when all axioms are known (normaliser_later.cpp).
+  // Uses that are judged when all axioms are known (rule_normaliser_finish.cpp).
   struct SimpleUse {
     RoleId role{};
     owl::Construct construct = owl::Construct::none;  ///< what it is unless the role is simple
@@ -98,7 +98,7 @@ class Normaliser {
   struct UniversalUse {
     std::size_t universal = 0;
   };
-  struct LaterUse {
+  struct PendingUse {
     std::uint32_t axiom = 0;
     /// A datatype that values are said to be in, the family of a literal whose value is not exact, a property that must
     /// be simple, or a universal.
@@ -108,25 +108,25 @@ class Normaliser {
     return {owl::PropertyId{static_cast<std::uint32_t>(role)}, false};
   }
   void note_use(const std::variant<owl::Datatype, owl::DataFamily, SimpleUse, UniversalUse>& use) {
-    later_.push_back({current_axiom_, use});
+    pending_uses_.push_back({current_axiom_, use});
   }
   void repeat_uses(owl::TermId term, bool is_positive);
   void find_unused_data(Unused& unused) const;
   void find_not_simple(const Roles& closed, Unused& unused) const;
 
-  // Universals, and ranges that chains would escape (normaliser_universals.cpp).
+  // Universals, and ranges that chains would escape (rule_normaliser_universals.cpp).
   void add_universals(Universals universals, Unused& unused);
   [[nodiscard]] std::vector<std::size_t> find_ranges_over_chains(const Roles& closed) const;
   void add_universal(ExprId restricting, const Property& property, ExprId filler, const owl::RoleBox& box);
   void add_range_over_chains(RoleId role, std::span<const ExprId> ranges, const owl::RoleBox& box);
 
-  // What no rule uses (normaliser_open.cpp).
+  // What no rule uses (rule_normaliser_open_parts.cpp).
   owl::Construct beyond(owl::Construct construct);
   void open_union(ExprId whole, std::span<const ExprId> parts);
   void open_count(std::vector<OpenCount>& counts, const OpenCount& count);
   owl::Construct open_inverse(const Property& sub, const Property& super, owl::Construct construct);
 
-  // Inverses (normaliser_inverses.cpp).
+  // Inverses (rule_normaliser_inverses.cpp).
   void mirror_roles();
 
   // One polarity: `use` adds the rules, once, and returns the first construct that has none.
@@ -160,7 +160,7 @@ class Normaliser {
   owl::Construct add_property_assertion(const owl::Axiom& axiom, bool is_negative);
 
   const owl::Ontology& source_;
-  Index& index_;
+  IndexedOntology& index_;
   std::vector<std::uint32_t> exprs_;    ///< by term
   std::vector<std::uint8_t> negative_;  ///< by term: 0 not used yet, else 1 + construct
   std::vector<std::uint8_t> positive_;
@@ -176,7 +176,7 @@ class Normaliser {
   std::map<std::pair<owl::DataFamily, std::string>, ExprId> expr_of_value_;
   std::map<owl::TermId, owl::DataFamily> family_of_literal_;
   std::vector<Key> keys_;
-  std::vector<LaterUse> later_;
+  std::vector<PendingUse> pending_uses_;
   /// The later uses of a term with rules: of the axiom that used it first, and for whom they were repeated last.
   struct TermUses {
     std::size_t begin = 0;

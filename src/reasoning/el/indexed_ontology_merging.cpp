@@ -1,11 +1,11 @@
 // Which rules may make two things one: functional properties and nominals.
 #include <algorithm>
 
-#include "reasoning/el/index.hpp"
+#include "reasoning/el/indexed_ontology.hpp"
 
 namespace geminga::el {
 
-void Index::find_functional() {
+void IndexedOntology::find_functional() {
   is_functional_.assign(roles_.count(), false);
   if (functional_pairs_.empty()) return;
   std::vector<std::pair<std::uint32_t, ExprId>> by_role;
@@ -28,7 +28,7 @@ void Index::find_functional() {
   }
 }
 
-void Index::forget_merging() {
+void IndexedOntology::forget_merging() {
   universals_ = {};
   may_be_functional_.clear();
   is_functional_.assign(roles_.count(), false);
@@ -36,7 +36,7 @@ void Index::forget_merging() {
   functional_roles_ = {};
 }
 
-void Index::find_nominals() {
+void IndexedOntology::find_nominals() {
   // Individuals that nothing leads to need none of the rules for nominals: each is a class that must not be empty.
   for (std::uint32_t id = 0; id < exprs_.size() && !has_nominals_; ++id) {
     const auto is_nominal_rep = [&](ExprId expr) { return is_nominal_rep_[number(expr)]; };

@@ -1,0 +1,57 @@
+// Messages to something that one thread at a time has in hand, and which of them that is.
+#ifndef GEMINGA_BASE_PARALLEL_MAILBOX_HPP
+#define GEMINGA_BASE_PARALLEL_MAILBOX_HPP
+
+#include <atomic>
+
+namespace geminga::parallel {
+
+/// A stack without a lock. It is empty while its thing is at rest; while a thread has the thing in hand, works on it or
+/// has it on a queue, messages lie on a mark that says so. Message has a pointer `next`; whoever reads messages owns
+/// them.
+template <typename Message>
+class Mailbox {
+ public:
+  /// Of a thing that nobody else knows, or while there is one thread.
+  void hold() { newest_.store(mark(), std::memory_order_relaxed); }
+
+  /// Takes the thing in hand if it is at rest.
+  [[nodiscard]] bool take() {
+    Message* at_rest = nullptr;
+    return newest_.load(std::memory_order_relaxed) == nullptr &&
+           newest_.compare_exchange_strong(at_rest, mark(), std::memory_order_acq_rel);
+  }
+
+  /// True where the thing was at rest after all: whoever put the message has it in hand, with the message to be read.
+  [[nodiscard]] bool put(Message* message) {
+    Message* before = newest_.load(std::memory_order_relaxed);
+    do {
+      message->next = before == mark() ? nullptr : before;
+    } while (!newest_.compare_exchange_weak(before, message, std::memory_order_acq_rel, std::memory_order_relaxed));
+    return before == nullptr;
+  }
+
+  /// The messages, the newest first, or nullptr. The thing stays in the hand of the caller.
+  [[nodiscard]] Message* empty() {
+    Message* const newest = newest_.exchange(mark(), std::memory_order_acq_rel);
+    return newest == mark() ? nullptr : newest;
+  }
+
+  /// Puts the thing to rest. False where a message has come: then it stays in hand.
+  [[nodiscard]] bool rest() {
+    Message* in_hand = mark();
+    return newest_.compare_exchange_strong(in_hand, nullptr, std::memory_order_acq_rel);
+  }
+
+ private:
+  static Message* mark() {
+    static Message in_hand;  // only its address is used
+    return &in_hand;
+  }
+
+  std::atomic<Message*> newest_ = nullptr;
+};
+
+}  // namespace geminga::parallel
+
+#endif
