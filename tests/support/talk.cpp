@@ -129,8 +129,9 @@ bool Talk::wait_until(const std::string& words, const std::function<bool(const s
   constexpr int moment = 5;  // milliseconds; without it the daemon would answer 429
   const auto until = std::chrono::steady_clock::now() + patience;
   while (!holds(query(words))) {
-    if (std::chrono::steady_clock::now() > until) return false;
-    ::poll(nullptr, 0, moment);
+    if (has_ended_ || std::chrono::steady_clock::now() > until) return false;
+    pollfd news{socket_, POLLIN, 0};  // what the daemon says on its own account ends the moment
+    ::poll(&news, 1, moment);
   }
   return true;
 }
