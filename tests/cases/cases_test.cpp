@@ -1,4 +1,5 @@
-// Each pair Name.ttl and Name.taxonomy of this folder: the file classified is the tree, exactly, and known to be whole.
+// Each pair Name.ttl and Name.taxonomy of the folders below this one: the file classified is the tree, exactly, and
+// known to be whole.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,10 +20,11 @@ using testing::IsEmpty;
 
 const fs::path folder = fs::path(GEMINGA_SOURCE_DIR) / "tests" / "cases";
 
+/// Without their extension, as in `chains/LongChain`.
 std::vector<fs::path> files_with(std::string_view extension) {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == extension) files.push_back(entry.path().stem());
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() == extension) files.push_back(fs::relative(entry.path(), folder).replace_extension());
   }
   std::ranges::sort(files);
   return files;
@@ -54,7 +56,7 @@ TEST_P(Case, IsClassifiedAsItsTaxonomy) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Construct, Case, testing::ValuesIn(files_with(".ttl")),
-                         [](const auto& param) { return param.param.string(); });
+                         [](const auto& param) { return param.param.filename().string(); });
 
 TEST(Cases, AreAllPairs) {
   EXPECT_EQ(files_with(".ttl"), files_with(".taxonomy"));
