@@ -1,6 +1,7 @@
 #include "law/source_tree.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -13,6 +14,22 @@ std::string read_text(const std::filesystem::path& path) {
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
+}
+
+/// What stands behind DEPENDS in the arguments of a call.
+std::set<std::string> depends_in(const std::string& arguments) {
+  static const std::regex word(R"(\S+)");
+  std::set<std::string> depends;
+  bool in_depends = false;
+  for (auto w = std::sregex_iterator(arguments.begin(), arguments.end(), word); w != std::sregex_iterator(); ++w) {
+    const std::string argument = w->str();
+    if (argument == "DEPENDS" || argument == "SOURCES" || argument == "LINK") {
+      in_depends = argument == "DEPENDS";
+    } else if (in_depends) {
+      depends.insert(argument);
+    }
+  }
+  return depends;
 }
 
 }  // namespace
@@ -32,34 +49,29 @@ std::vector<SourceFile> source_files(std::string_view folder) {
   return files;
 }
 
-Law read_law(const std::filesystem::path& src) {
-  static const std::regex call(R"(geminga_module\(\s*([a-z/]+)([^)]*)\))");
-  static const std::regex word(R"(\S+)");
+Law read_law() {
+  static const std::regex call(R"(geminga_(module|program)\(\s*([a-z/-]+)([^)]*)\))");
+  const std::filesystem::path root = GEMINGA_SOURCE_DIR;
   Law law;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(src)) {
-    if (entry.path().filename() != "CMakeLists.txt") continue;
-    const std::string text = read_text(entry.path());
-    for (auto it = std::sregex_iterator(text.begin(), text.end(), call); it != std::sregex_iterator(); ++it) {
-      auto& depends = law[(*it)[1]];
-      const std::string arguments = (*it)[2];
-      bool in_depends = false;
-      for (auto w = std::sregex_iterator(arguments.begin(), arguments.end(), word); w != std::sregex_iterator(); ++w) {
-        const std::string argument = w->str();
-        if (argument == "DEPENDS" || argument == "SOURCES" || argument == "LINK") {
-          in_depends = argument == "DEPENDS";
-        } else if (in_depends) {
-          depends.insert(argument);
-        }
+  for (const char* wing : {"src", "tools"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / wing)) {
+      if (entry.path().filename() != "CMakeLists.txt") continue;
+      const std::string folder = std::filesystem::relative(entry.path().parent_path(), root).string();
+      const std::string text = read_text(entry.path());
+      for (auto it = std::sregex_iterator(text.begin(), text.end(), call); it != std::sregex_iterator(); ++it) {
+        const bool is_program = (*it)[1] == "program";
+        if (is_program && folder.starts_with("src/")) continue;  // main() of a module
+        law[is_program ? folder : std::string((*it)[2])].merge(depends_in((*it)[3]));
       }
     }
   }
   return law;
 }
 
-std::string module_of(const Law& law, std::string_view path_below_src) {
+std::string module_of(const Law& law, std::string_view path) {
   std::string best;
   for (const auto& [module, depends] : law) {
-    if (path_below_src.starts_with(module + '/') && module.size() > best.size()) best = module;
+    if (path.starts_with(module + '/') && module.size() > best.size()) best = module;
   }
   return best;
 }
@@ -74,7 +86,10 @@ std::vector<std::string> violations(const Law& law, const SourceFile& file) {
                                                             {"google/protobuf", "discovery/announcement"}};
   std::vector<std::string> found;
   const bool is_public = file.path.starts_with("include/");
-  const std::string own = is_public ? "" : module_of(law, file.path.substr(std::string("src/").size()));
+  const bool is_tool = file.path.starts_with("tools/");
+  const std::string_view path = file.path;
+  const std::string own =
+      is_public ? "" : module_of(law, is_tool ? path : path.substr(std::string_view("src/").size()));
   if (!is_public && own.empty()) return {file.path + ": belongs to no module"};
   for (std::size_t i = 0; i < file.lines.size(); ++i) {
     std::smatch match;
@@ -85,7 +100,8 @@ std::vector<std::string> violations(const Law& law, const SourceFile& file) {
       if (target.starts_with(library) && own != owner) found.push_back(place + target + " belongs to src/" + owner);
     }
     if (match[1] == "<" || target.starts_with("geminga/")) continue;
-    const std::string other = module_of(law, target);
+    std::string other = module_of(law, target);
+    if (is_tool && other.empty()) other = module_of(law, "tools/" + target);
     if (is_public) {
       found.push_back(place + "the public face includes " + target);
     } else if (!other.empty() && other != own && !law.at(own).contains(other)) {

@@ -2,7 +2,6 @@
 #ifndef GEMINGA_TESTS_LAW_SOURCE_TREE_HPP
 #define GEMINGA_TESTS_LAW_SOURCE_TREE_HPP
 
-#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
@@ -20,12 +19,13 @@ struct SourceFile {
 /// Every .hpp, .cpp and .h below a folder of the project, sorted by path.
 [[nodiscard]] std::vector<SourceFile> source_files(std::string_view folder);
 
-/// The modules of src/ and what each names in DEPENDS, as the CMakeLists.txt files say it.
+/// The modules of src/ and tools/ and what each names in DEPENDS, as the CMakeLists.txt files say it. A program is the
+/// module of its folder, as in "tools/query"; names of modules in src/ are below src/.
 using Law = std::map<std::string, std::set<std::string>, std::less<>>;
-[[nodiscard]] Law read_law(const std::filesystem::path& src);
+[[nodiscard]] Law read_law();
 
-/// The module of the law that a path such as "env/asio/streams.hpp" belongs to, or "".
-[[nodiscard]] std::string module_of(const Law& law, std::string_view path_below_src);
+/// The module of the law that a path such as "env/asio/streams.hpp" or "tools/shell/json.hpp" belongs to, or "".
+[[nodiscard]] std::string module_of(const Law& law, std::string_view path);
 
 /// What is wrong with one file's includes; empty where nothing is.
 [[nodiscard]] std::vector<std::string> violations(const Law& law, const SourceFile& file);

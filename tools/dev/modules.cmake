@@ -1,5 +1,5 @@
-# The one home of the include law: a folder under src/ is a target, and its DEPENDS are all that it may include.
-# tests/law compares every #include with the DEPENDS written here.
+# The one home of the include law: a folder under src/ or tools/ is a target, and its DEPENDS are all that it may include.
+# tests/law compares every #include with the DEPENDS of each call.
 
 add_library(geminga_flags INTERFACE)
 # The modules that another project links when it uses the client; tools/dev/install.cmake installs them.
@@ -31,7 +31,7 @@ if(GEMINGA_BUILD_FUZZERS)
 endif()
 
 # geminga_module(NAME SOURCES file... [DEPENDS module...] [LINK external-target...])
-# Makes the static library geminga_NAME from src/NAME. `#include "other/..."` needs `other` in DEPENDS; the public face
+# Makes the static library geminga_NAME from src/NAME, or from NAME where that is tools/shell. `#include "other/..."` needs `other` in DEPENDS; the public face
 # <geminga/...> is open to all.
 function(geminga_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;LINK")
@@ -48,7 +48,8 @@ function(geminga_module name)
   endforeach()
 endfunction()
 
-# geminga_program(NAME SOURCES file... [DEPENDS module...] [LINK external-target...]): an installed executable.
+# geminga_program(NAME SOURCES file... [DEPENDS module...] [LINK external-target...]): an installed executable. Its DEPENDS are the law of
+# its folder.
 function(geminga_program name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;LINK")
   add_executable(${name} ${arg_SOURCES})
