@@ -1,0 +1,105 @@
+// Every path that a document or a comment names exists: documents and comments outlive the files that they are about.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "law/source_tree.hpp"
+
+namespace geminga::law {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const fs::path root = GEMINGA_SOURCE_DIR;
+
+/// A line that names a path from the root of the project: `tools/bench reasoner`, src/base/budget.hpp, tests/law.
+std::vector<std::string> paths_from_root(const std::string& line) {
+  static const std::regex path(R"((^|[^\w/.\-])((src|include|tests|tools|ontology|examples)/[\w\-]+([./]+[\w\-]+)*))");
+  std::vector<std::string> found;
+  for (auto at = std::sregex_iterator(line.begin(), line.end(), path); at != std::sregex_iterator(); ++at) {
+    const char next = at->suffix().length() == 0 ? ' ' : *at->suffix().first;
+    if (next != '*') found.push_back((*at)[2]);  // tests/law/*: a pattern
+  }
+  return found;
+}
+
+/// Where the links of a line lead: [text](target), but for other sites and places on the same page.
+std::vector<std::string> links(const std::string& line) {
+  static const std::regex link(R"(\]\(([^)#\s]+)[^)]*\))");
+  std::vector<std::string> found;
+  for (auto at = std::sregex_iterator(line.begin(), line.end(), link); at != std::sregex_iterator(); ++at) {
+    if (!(*at)[1].str().contains("://")) found.push_back((*at)[1]);
+  }
+  return found;
+}
+
+/// A file may be named without its ending: `tests/law/paths_test`.
+bool is_there(const fs::path& path) {
+  return std::ranges::any_of(std::vector<const char*>{"", ".hpp", ".cpp"},
+                             [&](const char* ending) { return fs::exists(path.string() + ending); });
+}
+
+/// The documents at the top and below src/, tests/ and ontology/. The changelog tells of what was.
+std::vector<fs::path> documents() {
+  std::vector<fs::path> found;
+  const auto look_at = [&](const fs::directory_entry& entry) {
+    if (entry.path().extension() == ".md" && entry.path().filename() != "CHANGELOG.md") found.push_back(entry.path());
+  };
+  for (const auto& entry : fs::directory_iterator(root)) look_at(entry);
+  for (const char* folder : {"src", "tests", "ontology"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) look_at(entry);
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+TEST(Paths, OfDocumentsExist) {
+  for (const fs::path& document : documents()) {
+    std::ifstream file(document);
+    std::size_t number = 0;
+    for (std::string line; std::getline(file, line);) {
+      ++number;
+      for (const std::string& path : paths_from_root(line)) {
+        // In a link it may be relative to the document.
+        EXPECT_TRUE(is_there(root / path) || is_there(document.parent_path() / path))
+            << document.string() << ':' << number << ": there is no " << path;
+      }
+      for (const std::string& target : links(line)) {
+        EXPECT_TRUE(fs::exists(document.parent_path() / target))
+            << document.string() << ':' << number << ": the link leads nowhere: " << target;
+      }
+    }
+  }
+}
+
+TEST(Paths, OfCommentsExist) {
+  for (const char* folder : {"src", "include", "tools"}) {
+    for (const SourceFile& file : source_files(folder)) {
+      for (std::size_t at = 0; at < file.lines.size(); ++at) {
+        const auto comment = file.lines[at].find("//");
+        if (comment == std::string::npos) continue;
+        for (const std::string& path : paths_from_root(file.lines[at].substr(comment))) {
+          EXPECT_TRUE(is_there(root / path)) << file.path << ':' << at + 1 << ": there is no " << path;
+        }
+      }
+    }
+  }
+}
+
+TEST(Paths, AreFoundInALine) {
+  EXPECT_THAT(paths_from_root("see `tools/bench reasoner`, src/base/ and tests/law/paths_test.cpp."),
+              ElementsAre("tools/bench", "src/base", "tests/law/paths_test.cpp"));
+  EXPECT_THAT(paths_from_root("/usr/src/linux, my-tests/x, src/**/*.md, http://a/tools/b"), IsEmpty());
+  EXPECT_THAT(links("[a](b/c.md#d), [e](https://f/g), [h](#i)"), ElementsAre("b/c.md"));
+}
+
+}  // namespace
+}  // namespace geminga::law
