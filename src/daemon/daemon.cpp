@@ -26,8 +26,8 @@ using base::LogLevel;
 /// the half second that is promised.
 constexpr std::chrono::milliseconds stop_patience{400};
 
-std::string digest_of(const compiled::Ontology* ontology) {
-  return ontology == nullptr ? "none" : base::to_hex(ontology->digest(), 16);
+std::string digest_of(const vocabulary::Vocabulary& vocabulary) {
+  return vocabulary.is_loaded() ? base::to_hex(vocabulary.digest(), 16) : "none";
 }
 
 /// How long a start waits for the ontology before it serves without it.
@@ -142,7 +142,7 @@ class Daemon::State final : private env::EventSink {
     settings.interval = configuration_.interval;
     settings.version = GEMINGA_VERSION;
     env_.event([&] {
-      participant_ = std::make_unique<participant::Participant>(env_, settings, ontology_);
+      participant_ = std::make_unique<participant::Participant>(env_, settings, vocabulary_);
       participant_->set_status_source([this] { return status(); });
       if (loader_.is_loading()) participant_->ontology_begun();
       participant_->start();
@@ -157,38 +157,37 @@ class Daemon::State final : private env::EventSink {
     if (is_stopping_) return;
     if (participant_ == nullptr) return take_first(std::move(loaded));
     if (!loaded) {
-      say_kept(loaded.error(), ontology_ == nullptr ? "serving without an ontology: mend it and send SIGHUP"
-                                                    : "the ontology in force is kept: " + digest_of(ontology_.get()));
+      say_kept(loaded.error(), vocabulary_.is_loaded() ? "the ontology in force is kept: " + digest_of(vocabulary_)
+                                                       : "serving without an ontology: mend it and send SIGHUP");
       env_.event([&] { participant_->ontology_failed(loaded.error()); });
     } else if (loaded->ontology != nullptr && participant_->uses_expressions()) {
       // The one in force goes on until this one is ready for what is asked for: nobody loses a match for that time.
-      next_ontology_ = std::move(loaded->ontology);
-      preparation_.start(next_ontology_, [this](Prepared prepared) {
+      is_next_in_preparation_ = true;
+      preparation_.start(vocabulary::Vocabulary(std::move(loaded->ontology)), [this](vocabulary::Vocabulary prepared) {
         if (is_stopping_) return;
-        put_in_force(std::exchange(next_ontology_, nullptr), std::move(prepared));
+        is_next_in_preparation_ = false;
+        put_in_force(std::move(prepared));
         after_event();
       });
     } else {
-      put_in_force(std::move(loaded->ontology), nullptr);
+      put_in_force(vocabulary::Vocabulary(std::move(loaded->ontology)));
     }
     after_event();
   }
 
-  using Prepared = std::unique_ptr<const participant::PreparedOntology>;
-
-  void put_in_force(std::shared_ptr<const compiled::Ontology> ontology, Prepared prepared) {
+  void put_in_force(vocabulary::Vocabulary vocabulary) {
     preparation_.cancel();
-    env_.event([&] { participant_->set_ontology(ontology, std::move(prepared)); });
-    ontology_ = std::move(ontology);
-    log_.write(LogLevel::info, "ontology: " + digest_of(ontology_.get()) + " is in force");
+    vocabulary_ = std::move(vocabulary);
+    env_.event([&] { participant_->set_vocabulary(vocabulary_); });
+    log_.write(LogLevel::info, "ontology: " + digest_of(vocabulary_) + " is in force");
   }
 
-  /// Has the ontology in force prepared where an event has asked for that.
+  /// Has the vocabulary in force prepared where an event has asked for that.
   void look_for_expressions() {
-    const compiled::Ontology* wanted = participant_->wants_prepared();
-    if (wanted == nullptr || wanted != ontology_.get() || next_ontology_ != nullptr) return;
-    if (preparation_.current() == wanted) return;
-    preparation_.start(ontology_, [this](Prepared prepared) {
+    const vocabulary::Vocabulary* wanted = participant_->wants_prepared();
+    if (wanted == nullptr || !wanted->has_ontology_of(vocabulary_) || is_next_in_preparation_) return;
+    if (preparation_.is_preparing(*wanted)) return;
+    preparation_.start(*wanted, [this](vocabulary::Vocabulary prepared) {
       env_.event([&] { participant_->on_prepared(std::move(prepared)); });
       after_event();
     });
@@ -196,7 +195,7 @@ class Daemon::State final : private env::EventSink {
 
   /// The same before anybody is served.
   void take_first(Loaded loaded) {
-    if (loaded) ontology_ = std::move(loaded->ontology);
+    if (loaded) vocabulary_ = vocabulary::Vocabulary(std::move(loaded->ontology));
     begin();
     if (!loaded) take(std::move(loaded));
   }
@@ -287,7 +286,7 @@ class Daemon::State final : private env::EventSink {
       log_.write(LogLevel::warning, "name, group, gcnp, gcnp-socket and interval take effect at the next start");
     }
     if (configuration_.air != before.air) env_.open_air(configuration_.air);
-    if (std::exchange(next_ontology_, nullptr) != nullptr) preparation_.cancel();  // what is read now is newer
+    if (std::exchange(is_next_in_preparation_, false)) preparation_.cancel();  // what is read now is newer
     env_.event([&] { participant_->ontology_begun(); });
     load([this](Loaded loaded) { take(std::move(loaded)); });
   }
@@ -310,7 +309,7 @@ class Daemon::State final : private env::EventSink {
     for (const GcnpAddress& address : configuration_.gcnp) addresses.push_back(env::to_string(address.endpoint));
     if (!configuration_.gcnp_socket.empty()) addresses.push_back(base::printable(configuration_.gcnp_socket));
     return "ready: gcnp " + joined(addresses) + "; interfaces " + interface_words() + "; ontology " +
-           (loader_.is_loading() ? "is being loaded" : digest_of(ontology_.get()));
+           (loader_.is_loading() ? "is being loaded" : digest_of(vocabulary_));
   }
 
   [[nodiscard]] std::vector<gcnp::Parameter> status() const {
@@ -341,8 +340,8 @@ class Daemon::State final : private env::EventSink {
   net::steady_timer patience_;
   OntologyLoader loader_;
   env::AsioEnv env_{context_, log_};
-  std::shared_ptr<const compiled::Ontology> ontology_;
-  std::shared_ptr<const compiled::Ontology> next_ontology_;  ///< loaded, and not in force until it is prepared
+  vocabulary::Vocabulary vocabulary_;    ///< what the participant was given last
+  bool is_next_in_preparation_ = false;  ///< one is loaded, and not in force until it is prepared
   std::unique_ptr<participant::Participant> participant_;
   Preparation preparation_;
   std::chrono::steady_clock::duration load_time_{};

@@ -4,13 +4,11 @@
 
 namespace geminga::daemon {
 
-void Preparation::start(std::shared_ptr<const compiled::Ontology> ontology, Done done) {
-  ontology_ = std::move(ontology);
-  // It holds the ontology on its own account: whoever started it may be gone before it is done.
-  background_.start([ontology = ontology_, done = std::move(done)] {
-    auto result = std::make_shared<std::unique_ptr<const participant::PreparedOntology>>(
-        participant::PreparedOntology::make(*ontology));
-    return [result, done] { done(std::move(*result)); };
+void Preparation::start(const vocabulary::Vocabulary& vocabulary, Done done) {
+  started_ = vocabulary::OntologyMark(vocabulary);
+  // The thread holds the vocabulary on its own account: whoever started it may be gone before it is done.
+  background_.start([vocabulary, done = std::move(done)] {
+    return [prepared = vocabulary.with_expressions(), done] { done(prepared); };
   });
 }
 

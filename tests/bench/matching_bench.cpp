@@ -25,7 +25,7 @@ constexpr std::uint32_t rare = class_count - 1;  // the class that only those ha
 
 std::string class_iri(std::uint32_t number) { return "http://example.org/team#Concept" + std::to_string(number); }
 
-compiled::Ontology tree() {
+vocabulary::Vocabulary tree() {
   owl::Ontology source;
   const owl::FileId file = source.add_file("tree.ttl");
   for (std::uint32_t number = 1; number < class_count; ++number) {
@@ -34,11 +34,12 @@ compiled::Ontology tree() {
                number);
   }
   auto classification = el::classify(source);
-  return std::move(compiled::Ontology::from_bytes(compiled::compile(source, classification.value()))).value();
+  return vocabulary::Vocabulary(
+      std::move(compiled::Ontology::from_bytes(compiled::compile(source, classification.value()))).value());
 }
 
-const compiled::Ontology& ontology() {
-  static const compiled::Ontology loaded = tree();
+const vocabulary::Vocabulary& ontology() {
+  static const vocabulary::Vocabulary loaded = tree();
   return loaded;
 }
 
@@ -69,7 +70,7 @@ std::uint32_t common_class(base::Random& random) {
 
 /// Many standing subscriptions of local peers, of which a few want the rare class, by whatever name above it.
 struct Consumers {
-  explicit Consumers(std::uint32_t size) : matcher(&ontology()) {
+  explicit Consumers(std::uint32_t size) : matcher(ontology()) {
     base::Random random(size);
     for (std::uint32_t number = 0; number < size - answers; ++number) matcher.put(wish(number, common_class(random)));
     std::uint32_t wider = rare;
@@ -83,7 +84,7 @@ struct Consumers {
 
 /// Many services of the team, of which a few are of the rare class.
 struct Providers {
-  explicit Providers(std::uint32_t size) : matcher(&ontology()) {
+  explicit Providers(std::uint32_t size) : matcher(ontology()) {
     base::Random random(size);
     for (std::uint32_t number = 0; number < size; ++number) {
       entries.push_back(service(number, number < answers ? rare : common_class(random)));
@@ -155,7 +156,7 @@ void answer(benchmark::State& state) {
 void change_ontology(benchmark::State& state) {
   auto& providers = team<Providers>(state.range(0));
   for (auto _ : state) {
-    providers.matcher.begin_ontology(&ontology());
+    providers.matcher.begin_vocabulary(ontology());
     while (providers.matcher.file_next()) {
     }
     providers.matcher.put_in_force();

@@ -13,7 +13,7 @@
 namespace geminga::daemon {
 namespace {
 
-using Prepared = std::unique_ptr<const participant::PreparedOntology>;
+using vocabulary::Vocabulary;
 
 /// A chain of classes, each with a label.
 std::shared_ptr<const compiled::Ontology> ontology_of(int classes) {
@@ -47,39 +47,39 @@ class PreparationTest : public testing::Test {
 
 TEST_F(PreparationTest, GoesOnBesideAnEventLoopThatReadsTheSameOntology) {
   const auto ontology = ontology_of(2000);
-  Prepared result;
-  preparation.start(ontology, [&](Prepared prepared) { result = std::move(prepared); });
-  EXPECT_EQ(preparation.current(), ontology.get());
+  Vocabulary result;
+  preparation.start(Vocabulary(ontology), [&](Vocabulary prepared) { result = std::move(prepared); });
+  EXPECT_TRUE(preparation.is_preparing(Vocabulary(ontology)));
   read(*ontology);
   context.run();
   EXPECT_GT(reads, 0);
   EXPECT_FALSE(preparation.is_at_work());
-  EXPECT_EQ(preparation.current(), nullptr);
-  ASSERT_NE(result, nullptr);
-  EXPECT_EQ(&result->ontology(), ontology.get());
-  EXPECT_TRUE(result->parts());
+  EXPECT_FALSE(preparation.is_preparing(Vocabulary(ontology)));
+  ASSERT_TRUE(result.is_prepared());
+  EXPECT_TRUE(result.has_ontology_of(Vocabulary(ontology)));
+  EXPECT_TRUE(result.check_expressions());
 }
 
 TEST_F(PreparationTest, DropsWhatIsGivenUpForAnother) {
   const auto second = ontology_of(10);
   std::weak_ptr<const compiled::Ontology> given_up;
   int stale = 0;
-  Prepared result;
+  Vocabulary result;
   {
     const auto first = ontology_of(500);
     given_up = first;
-    preparation.start(first, [&](const Prepared&) { ++stale; });
+    preparation.start(Vocabulary(first), [&](const Vocabulary&) { ++stale; });
   }
-  preparation.start(second, [&](Prepared prepared) { result = std::move(prepared); });
+  preparation.start(Vocabulary(second), [&](Vocabulary prepared) { result = std::move(prepared); });
   context.run();
   EXPECT_EQ(stale, 0);
-  ASSERT_NE(result, nullptr);
-  EXPECT_EQ(&result->ontology(), second.get());
+  ASSERT_TRUE(result.is_prepared());
+  EXPECT_TRUE(result.has_ontology_of(Vocabulary(second)));
 }
 
 TEST_F(PreparationTest, BringsNothingOnceItIsCancelled) {
   int brought = 0;
-  preparation.start(ontology_of(100), [&](const Prepared&) { ++brought; });
+  preparation.start(Vocabulary(ontology_of(100)), [&](const Vocabulary&) { ++brought; });
   preparation.cancel();
   context.run();
   EXPECT_EQ(brought, 0);
@@ -90,7 +90,7 @@ TEST(Preparation, MayEndBeforeItsThread) {
   boost::asio::io_context context(1);
   for (int round = 0; round < 20; ++round) {
     Preparation preparation(context);
-    preparation.start(ontology_of(50), [](const Prepared&) { FAIL(); });
+    preparation.start(Vocabulary(ontology_of(50)), [](const Vocabulary&) { FAIL(); });
   }
   context.run();
 }

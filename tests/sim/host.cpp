@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "discovery/participant/prepared_ontology.hpp"
-#include "sim/small_ontology.hpp"
-
 namespace geminga::sim {
 
 /// Enters the daemon's words into the trace: they must not depend on chance either.
@@ -39,9 +36,9 @@ Host::~Host() = default;
 void Host::switch_on() {
   ++life_;
   is_stopping_ = false;
-  in_preparation_ = nullptr;
+  is_preparing_ = false;
   world_.trace(name_, "on");
-  participant_ = std::make_unique<participant::Participant>(*this, settings, unowned(ontology));
+  participant_ = std::make_unique<participant::Participant>(*this, settings, ontology);
   participant_->start();
   end_of_event();
 }
@@ -63,12 +60,12 @@ void Host::stop() {
   end_of_event();
 }
 
-void Host::prepare_for(const compiled::Ontology& wanted, std::function<void()> then) {
-  in_preparation_ = &wanted;
+void Host::prepare_for(std::function<void()> then) {
+  is_preparing_ = true;
   const std::uint64_t number = ++preparing_;
   const auto done = [this, number, then = std::move(then), life = life_] {
     if (life != life_ || number != preparing_) return;
-    in_preparation_ = nullptr;
+    is_preparing_ = false;
     then();
     end_of_event();
   };
@@ -77,21 +74,19 @@ void Host::prepare_for(const compiled::Ontology& wanted, std::function<void()> t
 }
 
 void Host::prepare() {
-  const compiled::Ontology* wanted = participant_->wants_prepared();
-  if (wanted == nullptr || in_preparation_ != nullptr) return;
-  prepare_for(*wanted, [this, wanted] { participant_->on_prepared(participant::PreparedOntology::make(*wanted)); });
+  const vocabulary::Vocabulary* wanted = participant_->wants_prepared();
+  if (wanted == nullptr || is_preparing_) return;
+  prepare_for([this, asked = *wanted] { participant_->on_prepared(asked.with_expressions()); });
 }
 
-void Host::reload(const compiled::Ontology* another) {
+void Host::reload(const vocabulary::Vocabulary& another) {
   ontology = another;
   ++preparing_;
-  in_preparation_ = nullptr;
-  if (another == nullptr || !participant_->uses_expressions()) {
-    return event([&](participant::Participant& participant) { participant.set_ontology(unowned(another)); });
+  is_preparing_ = false;
+  if (!another.is_loaded() || !participant_->uses_expressions()) {
+    return event([&](participant::Participant& participant) { participant.set_vocabulary(another); });
   }
-  prepare_for(*another, [this, another] {
-    participant_->set_ontology(unowned(another), participant::PreparedOntology::make(*another));
-  });
+  prepare_for([this, another] { participant_->set_vocabulary(another.with_expressions()); });
 }
 
 void Host::end_of_event() {

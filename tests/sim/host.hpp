@@ -30,7 +30,7 @@ class Host final : public env::Env {
 
   /// Settings of the next participant that is switched on; its name is the host's until changed.
   participant::Settings settings;
-  const compiled::Ontology* ontology = nullptr;
+  vocabulary::Vocabulary ontology;
   /// How long it takes to prepare an ontology for class expressions; 0: it is there within the event that asks for it.
   base::Duration preparing_takes{};
   /// What it has written into its log.
@@ -54,7 +54,7 @@ class Host final : public env::Env {
   void event(const std::function<void(participant::Participant&)>& what);
   /// Reads another ontology while the participant runs, as gemingad does: where expressions are in use it comes into
   /// force when it is prepared for them.
-  void reload(const compiled::Ontology* another);
+  void reload(const vocabulary::Vocabulary& another);
   /// Counts the times it was switched on or off, so that what was meant for an earlier life does not reach a later one.
   [[nodiscard]] std::uint64_t life() const { return life_; }
 
@@ -96,7 +96,7 @@ class Host final : public env::Env {
 
   void end_of_event();
   void prepare();
-  void prepare_for(const compiled::Ontology& wanted, std::function<void()> then);
+  void prepare_for(std::function<void()> then);
   void drop_clients();
 
   World& world_;
@@ -131,7 +131,7 @@ class Host final : public env::Env {
 
   std::map<env::StreamId, Stream> streams_;
   std::uint64_t preparing_ = 0;  ///< counts, so that one that is given up brings nothing
-  const compiled::Ontology* in_preparation_ = nullptr;
+  bool is_preparing_ = false;
 };
 
 }  // namespace geminga::sim

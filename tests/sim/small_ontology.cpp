@@ -93,17 +93,17 @@ compiled::Ontology make_sensors(bool has_ball, bool is_damaged = false) {
 
 }  // namespace
 
-const compiled::Ontology* small_ontology(std::string_view name) {
-  static const compiled::Ontology whole = make(true);
-  static const compiled::Ontology without_ball = make(false);
-  static const compiled::Ontology sensors = make_sensors(true);
-  static const compiled::Ontology blind = make_sensors(false);
-  static const compiled::Ontology damaged = make_sensors(true, true);
-  if (name == "damaged") return &damaged;
-  if (name == "soccer") return &whole;
-  if (name == "sensors") return &sensors;
-  if (name == "blind") return &blind;
-  return name == "ballless" ? &without_ball : nullptr;
+vocabulary::Vocabulary small_ontology(std::string_view name) {
+  static const vocabulary::Vocabulary whole(make(true));
+  static const vocabulary::Vocabulary without_ball(make(false));
+  static const vocabulary::Vocabulary sensors(make_sensors(true));
+  static const vocabulary::Vocabulary blind(make_sensors(false));
+  static const vocabulary::Vocabulary damaged(make_sensors(true, true));
+  if (name == "damaged") return damaged;
+  if (name == "soccer") return whole;
+  if (name == "sensors") return sensors;
+  if (name == "blind") return blind;
+  return name == "ballless" ? without_ball : vocabulary::Vocabulary();
 }
 
 }  // namespace geminga::sim

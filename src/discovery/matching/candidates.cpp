@@ -7,24 +7,24 @@
 
 namespace geminga::matching {
 
-FilingPlan::FilingPlan(std::optional<taxonomy::ClassNumber> own, bool is_below, const Edition& edition)
+FilingPlan::FilingPlan(std::optional<vocabulary::ClassNumber> own, bool is_below, const Edition& edition)
     : generation_(edition.generation) {
   if (!own) return;
   own_ = std::to_underlying(*own);
   if (!is_below) return;
-  for (const taxonomy::ClassNumber number : edition.ontology->subsumers(*own))
+  for (const vocabulary::ClassNumber number : edition.vocabulary.subsumers(*own))
     below_.push_back(std::to_underlying(number));
 }
 
-FilingPlan::FilingPlan(const placement::ExpressionPlace& place, bool is_below, const Edition& edition)
+FilingPlan::FilingPlan(const vocabulary::Place& place, bool is_below, const Edition& edition)
     : generation_(edition.generation) {
   if (place.equivalent) {
     own_ = std::to_underlying(*place.equivalent);
   } else {
-    for (const taxonomy::ClassNumber child : place.children) further_own_.push_back(std::to_underlying(child));
+    for (const vocabulary::ClassNumber child : place.children) further_own_.push_back(std::to_underlying(child));
   }
   if (!is_below) return;
-  for (const taxonomy::ClassNumber number : placement::subsumers(place, *edition.ontology)) {
+  for (const vocabulary::ClassNumber number : edition.vocabulary.subsumers(place)) {
     below_.push_back(std::to_underlying(number));
   }
 }
@@ -55,7 +55,7 @@ void add_standing(const registry::Subscriptions& subscriptions, const Identity& 
   } else if (!classes.concept_class) {
     add_all(subscriptions.with_concept(semantic->concept_iri));
   } else {
-    for (const taxonomy::ClassNumber wider : edition.ontology->subsumers(*classes.concept_class)) {
+    for (const vocabulary::ClassNumber wider : edition.vocabulary.subsumers(*classes.concept_class)) {
       add_all(subscriptions.own(std::to_underlying(wider), edition.generation));
     }
     add_all(subscriptions.below(std::to_underlying(*classes.concept_class), edition.generation));

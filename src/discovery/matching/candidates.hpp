@@ -11,13 +11,13 @@
 #include "discovery/matching/degree.hpp"
 #include "discovery/registry/table.hpp"
 #include "geminga/service.hpp"
-#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::matching {
 
-/// One of the ontologies that are at work while one takes the place of another, with the index that is filed by it.
+/// One of the vocabularies that are at work while one takes the place of another, with the index that is filed by it.
 struct Edition {
-  const compiled::Ontology* ontology = nullptr;  ///< null: without one
+  vocabulary::Vocabulary vocabulary;
   registry::Generation generation = registry::Generation::even;
 };
 
@@ -35,9 +35,9 @@ class FilingPlan {
   [[nodiscard]] std::size_t size() const { return below_.size() + further_own_.size() + (own_ ? 1 : 0); }
 
  private:
-  FilingPlan(std::optional<taxonomy::ClassNumber> own, bool is_below, const Edition& edition);
+  FilingPlan(std::optional<vocabulary::ClassNumber> own, bool is_below, const Edition& edition);
   /// Of an expression: under the classes right below it, below which its narrower offers are.
-  FilingPlan(const placement::ExpressionPlace& place, bool is_below, const Edition& edition);
+  FilingPlan(const vocabulary::Place& place, bool is_below, const Edition& edition);
 
   registry::Generation generation_;
   std::optional<registry::ClassIndex> own_;
@@ -47,7 +47,7 @@ class FilingPlan {
 
 /// As visit_publications() for an expression in a place.
 template <typename Visit>
-void visit_publications_around(const registry::Publications& publications, const placement::ExpressionPlace& place,
+void visit_publications_around(const registry::Publications& publications, const vocabulary::Place& place,
                                Degree weakest, const Edition& edition, const Visit& visit) {
   std::set<std::uint32_t> seen;  // a concept may be below several of the classes right below the expression
   const auto visit_all = [&](auto filed) {
@@ -56,12 +56,12 @@ void visit_publications_around(const registry::Publications& publications, const
     }
     return false;
   };
-  const auto below = [&](taxonomy::ClassNumber number) {
+  const auto below = [&](vocabulary::ClassNumber number) {
     return visit_all(publications.below(std::to_underlying(number), edition.generation));
   };
   if (place.equivalent ? below(*place.equivalent) : std::ranges::any_of(place.children, below)) return;
   if (weakest < Degree::broader) return;
-  for (const taxonomy::ClassNumber wider : placement::subsumers(place, *edition.ontology)) {
+  for (const vocabulary::ClassNumber wider : edition.vocabulary.subsumers(place)) {
     if (visit_all(publications.own(std::to_underlying(wider), edition.generation))) return;
   }
 }
@@ -94,11 +94,11 @@ void visit_publications(const registry::Publications& publications, const Identi
   } else if (!classes.concept_class) {
     visit_all(publications.with_concept(semantic->concept_iri));
   } else {
-    const taxonomy::ClassNumber wanted = *classes.concept_class;
+    const vocabulary::ClassNumber wanted = *classes.concept_class;
     if (visit_all(publications.below(std::to_underlying(wanted), edition.generation)) || weakest < Degree::broader)
       return;
-    for (const taxonomy::ClassNumber wider : edition.ontology->subsumers(wanted)) {
-      if (edition.ontology->is_subsumed(wider, wanted)) continue;  // visited already
+    for (const vocabulary::ClassNumber wider : edition.vocabulary.subsumers(wanted)) {
+      if (edition.vocabulary.is_subsumed(wider, wanted)) continue;  // visited already
       if (visit_all(publications.own(std::to_underlying(wider), edition.generation))) return;
     }
   }

@@ -8,45 +8,45 @@
 namespace geminga::matching {
 namespace {
 
-std::optional<taxonomy::ClassNumber> class_of(const std::string& iri, const compiled::Ontology& ontology) {
-  const auto number = ontology.find_iri(iri);
-  if (!number || !ontology.is_satisfiable(*number)) return std::nullopt;
+std::optional<vocabulary::ClassNumber> class_of(const std::string& iri, const vocabulary::Vocabulary& vocabulary) {
+  const auto number = vocabulary.find_iri(iri);
+  if (!number || !vocabulary.is_satisfiable(*number)) return std::nullopt;
   return number;
 }
 
 }  // namespace
 
-Classes classes_of(const Identity& identity, const compiled::Ontology* ontology) {
+Classes classes_of(const Identity& identity, const vocabulary::Vocabulary& vocabulary) {
   const auto* semantic = std::get_if<SemanticIdentity>(&identity);
-  if (semantic == nullptr || ontology == nullptr) return {};
+  if (semantic == nullptr) return {};
   Classes classes;
-  if (!has_expression(*semantic)) classes.concept_class = class_of(semantic->concept_iri, *ontology);
+  if (!has_expression(*semantic)) classes.concept_class = class_of(semantic->concept_iri, vocabulary);
   if (!semantic->representation_iri.empty()) {
-    classes.representation_class = class_of(semantic->representation_iri, *ontology);
+    classes.representation_class = class_of(semantic->representation_iri, vocabulary);
   }
   return classes;
 }
 
-std::optional<Match> degree_of_name(const std::string& offered_iri, std::optional<taxonomy::ClassNumber> offered,
-                                    const std::string& requested_iri, std::optional<taxonomy::ClassNumber> requested,
-                                    const compiled::Ontology* ontology) {
+std::optional<Match> degree_of_name(const std::string& offered_iri, std::optional<vocabulary::ClassNumber> offered,
+                                    const std::string& requested_iri, std::optional<vocabulary::ClassNumber> requested,
+                                    const vocabulary::Vocabulary& vocabulary) {
   if (offered_iri == requested_iri) return Match{Degree::exact, 0};
-  if (!offered || !requested || ontology == nullptr) return std::nullopt;
-  if (const auto up = ontology->distance(*offered, *requested)) {
-    if (ontology->is_subsumed(*requested, *offered)) return Match{Degree::equivalent, 0};
+  if (!offered || !requested) return std::nullopt;
+  if (const auto up = vocabulary.distance(*offered, *requested)) {
+    if (vocabulary.is_subsumed(*requested, *offered)) return Match{Degree::equivalent, 0};
     return Match{Degree::narrower, *up};
   }
-  if (const auto down = ontology->distance(*requested, *offered)) return Match{Degree::broader, *down};
+  if (const auto down = vocabulary.distance(*requested, *offered)) return Match{Degree::broader, *down};
   return std::nullopt;
 }
 
-std::optional<Match> degree_of_expression(std::optional<taxonomy::ClassNumber> offered,
-                                          const placement::ExpressionPlace* requested,
-                                          const compiled::Ontology* ontology) {
-  if (!offered || requested == nullptr || !requested->is_satisfiable || ontology == nullptr) return std::nullopt;
-  const auto up = placement::distance_down(*requested, *offered, *ontology);
+std::optional<Match> degree_of_expression(std::optional<vocabulary::ClassNumber> offered,
+                                          const vocabulary::Place* requested,
+                                          const vocabulary::Vocabulary& vocabulary) {
+  if (!offered || requested == nullptr || !requested->is_satisfiable) return std::nullopt;
+  const auto up = vocabulary.distance_down(*requested, *offered);
   if (up) return *up == 0 ? Match{Degree::equivalent, 0} : Match{Degree::narrower, *up};
-  if (const auto down = placement::distance_up(*requested, *offered, *ontology)) return Match{Degree::broader, *down};
+  if (const auto down = vocabulary.distance_up(*requested, *offered)) return Match{Degree::broader, *down};
   return std::nullopt;
 }
 
@@ -58,7 +58,7 @@ bool is_number_of(const Identity& number, const Identity& named) {
 
 std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
                                         const Identity& requested, const Classes& requested_classes,
-                                        const compiled::Ontology* ontology) {
+                                        const vocabulary::Vocabulary& vocabulary) {
   const auto* offer = std::get_if<SemanticIdentity>(&offered);
   const auto* request = std::get_if<SemanticIdentity>(&requested);
   if (offer == nullptr || request == nullptr) {
@@ -67,13 +67,13 @@ std::optional<Match> degree_of_identity(const Identity& offered, const Classes& 
   }
   const bool is_expression = has_expression(*request) && offer->concept_iri != request->concept_iri;
   const auto by_concept =
-      is_expression ? degree_of_expression(offered_classes.concept_class, requested_classes.place.get(), ontology)
+      is_expression ? degree_of_expression(offered_classes.concept_class, requested_classes.place.get(), vocabulary)
                     : degree_of_name(offer->concept_iri, offered_classes.concept_class, request->concept_iri,
-                                     requested_classes.concept_class, ontology);
+                                     requested_classes.concept_class, vocabulary);
   if (!by_concept) return std::nullopt;
   const auto by_representation =
       degree_of_representation(offer->representation_iri, offered_classes.representation_class,
-                               request->representation_iri, requested_classes.representation_class, ontology);
+                               request->representation_iri, requested_classes.representation_class, vocabulary);
   if (!by_representation) return std::nullopt;
   // An identity whose concept has no class here is met exactly or not at all, whatever its representations.
   const bool has_classes =

@@ -1,4 +1,4 @@
-// How an offered identity meets a requested one, by the ontology or, where it knows nothing, by the identifier alone.
+// How an offered identity meets a requested one, by the vocabulary or, where it knows nothing, by the identifier alone.
 #ifndef GEMINGA_DISCOVERY_MATCHING_DEGREE_HPP
 #define GEMINGA_DISCOVERY_MATCHING_DEGREE_HPP
 
@@ -12,8 +12,7 @@
 #include "geminga/identity.hpp"
 #include "geminga/match.hpp"
 #include "geminga/service.hpp"
-#include "reasoning/compiled/ontology.hpp"
-#include "reasoning/placement/expression.hpp"
+#include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::matching {
 
@@ -24,37 +23,38 @@ struct Match {
   friend auto operator<=>(const Match&, const Match&) = default;
 };
 
-/// The classes of a semantic identity in one ontology. A name that the ontology does not know has no class here, and
-/// neither has an unsatisfiable one: it is below everything only because nothing can be an instance of it, so a service
-/// that offers it has no instance to give and one that asks for it none to take. Both match exactly or not at all.
+/// The classes of a semantic identity in one vocabulary. A name that the vocabulary does not know has no class here,
+/// and neither has an unsatisfiable one: it is below everything only because nothing can be an instance of it, so a
+/// service that offers it has no instance to give and one that asks for it none to take. Both match exactly or not at
+/// all.
 struct Classes {
-  std::optional<taxonomy::ClassNumber> concept_class;
-  std::optional<taxonomy::ClassNumber> representation_class;
+  std::optional<vocabulary::ClassNumber> concept_class;
+  std::optional<vocabulary::ClassNumber> representation_class;
   /// Where the expression stands that is asked for instead of a concept; null where there is none or it is not known.
-  std::shared_ptr<const placement::ExpressionPlace> place{};
+  std::shared_ptr<const vocabulary::Place> place{};
 };
 
-/// Gives the place of a canonical expression in the ontology that the matcher works with, or null where it is not known
-/// (yet), or nothing can be an instance of it. `from` says who asks: its own participant, or one on the air.
-using Placing =
-    std::function<std::shared_ptr<const placement::ExpressionPlace>(const std::string& expression, ParticipantId from)>;
+/// Gives the place of a canonical expression in a vocabulary, or null where it is not known (yet), or nothing can be an
+/// instance of it. `from` says who asks: its own participant, or one on the air.
+using Placing = std::function<std::shared_ptr<const vocabulary::Place>(
+    const vocabulary::Vocabulary& vocabulary, const std::string& expression, ParticipantId from)>;
 
-/// Looks up both names. `ontology` may be null: then there are no classes.
-[[nodiscard]] Classes classes_of(const Identity& identity, const compiled::Ontology* ontology);
+/// Looks up both names.
+[[nodiscard]] Classes classes_of(const Identity& identity, const vocabulary::Vocabulary& vocabulary);
 
 /// The degree of one name, a concept or a representation: exact for equal identifiers, otherwise by subsumption between
 /// the classes, which needs both. Nothing where neither subsumes the other.
 [[nodiscard]] std::optional<Match> degree_of_name(const std::string& offered_iri,
-                                                  std::optional<taxonomy::ClassNumber> offered,
+                                                  std::optional<vocabulary::ClassNumber> offered,
                                                   const std::string& requested_iri,
-                                                  std::optional<taxonomy::ClassNumber> requested,
-                                                  const compiled::Ontology* ontology);
+                                                  std::optional<vocabulary::ClassNumber> requested,
+                                                  const vocabulary::Vocabulary& vocabulary);
 
 /// The degree of a concept against an expression: that which it would have against a class in this place, and the
-/// distance that it would have (el/expression.hpp).
-[[nodiscard]] std::optional<Match> degree_of_expression(std::optional<taxonomy::ClassNumber> offered,
-                                                        const placement::ExpressionPlace* requested,
-                                                        const compiled::Ontology* ontology);
+/// distance that it would have (reasoning/placement/expression.hpp).
+[[nodiscard]] std::optional<Match> degree_of_expression(std::optional<vocabulary::ClassNumber> offered,
+                                                        const vocabulary::Place* requested,
+                                                        const vocabulary::Vocabulary& vocabulary);
 
 /// Whether the first is a number and the second a concept with that 32-bit identity.
 [[nodiscard]] bool is_number_of(const Identity& number, const Identity& named);
@@ -64,7 +64,7 @@ using Placing =
 /// texts match only when they are equal.
 [[nodiscard]] std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
                                                       const Identity& requested, const Classes& requested_classes,
-                                                      const compiled::Ontology* ontology);
+                                                      const vocabulary::Vocabulary& vocabulary);
 
 }  // namespace geminga::matching
 

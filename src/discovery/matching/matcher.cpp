@@ -11,8 +11,8 @@ namespace geminga::matching {
 using registry::StoredPublication;
 using registry::StoredSubscription;
 
-Matcher::Matcher(const compiled::Ontology* ontology, Placing placing)
-    : state_(std::make_unique<State>(ontology, std::move(placing))) {}
+Matcher::Matcher(vocabulary::Vocabulary vocabulary, Placing placing)
+    : state_(std::make_unique<State>(std::move(vocabulary), std::move(placing))) {}
 
 Matcher::~Matcher() = default;
 
@@ -50,13 +50,17 @@ bool Matcher::depart_next() { return state_->depart_next(); }
 
 bool Matcher::is_departing() const { return !state_->departures_.empty(); }
 
-void Matcher::begin_ontology(const compiled::Ontology* next) { state_->begin_ontology(next); }
+const vocabulary::Vocabulary& Matcher::vocabulary() const { return state_->in_force_.vocabulary; }
+
+void Matcher::begin_vocabulary(vocabulary::Vocabulary next) { state_->begin_vocabulary(std::move(next)); }
 
 bool Matcher::file_next() { return state_->file_next(); }
 
 void Matcher::put_in_force() { state_->put_in_force(); }
 
 bool Matcher::rematch_next() { return state_->rematch_next(); }
+
+bool Matcher::take_prepared(vocabulary::Vocabulary prepared) { return state_->take_prepared(std::move(prepared)); }
 
 void Matcher::place_again() { state_->place_again(); }
 
@@ -72,7 +76,7 @@ std::optional<Standing> Matcher::standing(const ServiceKey& subscription, const 
 }
 
 std::shared_ptr<const Request> Matcher::prepare(const Subscription& asked) const {
-  return std::make_shared<const Request>(prepared(asked, state_->in_force_.ontology, state_->placing_));
+  return std::make_shared<const Request>(prepared(asked, vocabulary(), state_->placing_));
 }
 
 std::optional<Match> Matcher::meets(const Subscription& asked, const Request& request,
@@ -94,10 +98,9 @@ std::optional<std::vector<ServiceKey>> Matcher::candidates(const Subscription& a
 
 std::expected<Match, std::string> Matcher::why(const registry::SubscriptionEntry& request,
                                                const registry::PublicationEntry& offer) const {
-  const compiled::Ontology* ontology = state_->in_force_.ontology;
   ++state_->judged_;
   return explained(request.subscription, state_->prepare(request), offer,
-                   classes_of(offer.publication.identity, ontology), ontology);
+                   classes_of(offer.publication.identity, vocabulary()), vocabulary());
 }
 
 bool Matcher::walk_publications(const std::optional<ServiceKey>& after, const VisitPublication& visit) const {

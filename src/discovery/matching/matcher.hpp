@@ -19,7 +19,7 @@
 #include "discovery/matching/where.hpp"  // check_where() is part of this seam
 #include "discovery/registry/entry.hpp"
 #include "geminga/service.hpp"
-#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::matching {
 
@@ -53,10 +53,9 @@ class Matcher {
     providers,  ///< the consumer is not: it asks by chosen(), piece by piece
   };
 
-  /// `ontology` may be null: then semantic identities match exactly or not at all. Borrowed until another one has taken
-  /// its place.
+  /// Without an ontology semantic identities match exactly or not at all.
   /// `placing` gives the places of expressions that are asked for; without it they meet nothing.
-  explicit Matcher(const compiled::Ontology* ontology, Placing placing = {});
+  explicit Matcher(vocabulary::Vocabulary vocabulary = {}, Placing placing = {});
   ~Matcher();
 
   /// Adds or changes an entry. Its identity is resolved by the caller (IRIs). An entry of another participant whose
@@ -75,24 +74,28 @@ class Matcher {
   /// False: no departure was left to do.
   [[nodiscard]] bool depart_next();
   [[nodiscard]] bool is_departing() const;
-  /// Begins to put another ontology, or none, in the place of the one in force. That is work over the whole registry,
-  /// and is done in steps between which everything else may go on:
+  /// The vocabulary in force: what is asked of the matcher is answered by it.
+  [[nodiscard]] const vocabulary::Vocabulary& vocabulary() const;
+  /// Begins to put another vocabulary in the place of the one in force. That is work over the whole registry, and is
+  /// done in steps between which everything else may go on:
   ///
-  ///     matcher.begin_ontology(next);
+  ///     matcher.begin_vocabulary(next);
   ///     while (matcher.file_next()) {}     // what is offered is filed by it, too; nothing else changes
-  ///     matcher.put_in_force();            // at once; from here on `placing` must give places in it
+  ///     matcher.put_in_force();            // at once: vocabulary() is the next one
   ///     while (matcher.rematch_next()) {}  // one subscription after the other, by key, is judged by it
   ///
-  /// No change may be under way: another begins when rematch_next() has given false. Both ontologies are borrowed until
-  /// then, and the former one not any more. A subscription is judged by one ontology at any time, by the former until
-  /// its step, and its events are those of that step: what stays matched gets none. What is asked of the matcher is
-  /// answered by the ontology in force. A step costs what putting one publication or subscription does.
-  void begin_ontology(const compiled::Ontology* next);
+  /// No change may be under way: another begins when rematch_next() has given false, and the former one is let go then.
+  /// A subscription is judged by one vocabulary at any time, by the former until its step, and its events are those of
+  /// that step: what stays matched gets none. A step costs what putting one publication or subscription does.
+  void begin_vocabulary(vocabulary::Vocabulary next);
   /// False: everything is filed, and put_in_force() is due.
   [[nodiscard]] bool file_next();
   void put_in_force();
   /// False: nothing was left to do.
   [[nodiscard]] bool rematch_next();
+  /// Takes the vocabulary in force prepared for expressions; place_again() makes use of that. False where this is of
+  /// another ontology or the one in force is prepared already: then it is dropped.
+  bool take_prepared(vocabulary::Vocabulary prepared);
   /// Has rematch_next() ask again for the place of each subscription whose expression has none.
   void place_again();
 

@@ -1,4 +1,4 @@
-// The change from one ontology to another, in steps between which everything else goes on.
+// The change from one vocabulary to another, in steps between which everything else goes on.
 #include <algorithm>
 #include <utility>
 
@@ -26,23 +26,19 @@ auto next_after(const Table& table, std::optional<ServiceKey>& at) {
   return found;
 }
 
-std::size_t class_count(const Edition& edition) {
-  return edition.ontology == nullptr ? 0 : edition.ontology->class_count();
-}
-
 }  // namespace
 
-Matcher::State::State(const compiled::Ontology* ontology, Placing placing)
-    : in_force_{ontology}, placing_(std::move(placing)) {
-  publications_.set_class_count(class_count(in_force_));
-  subscriptions_.set_class_count(class_count(in_force_));
+Matcher::State::State(vocabulary::Vocabulary vocabulary, Placing placing)
+    : in_force_{.vocabulary = std::move(vocabulary)}, placing_(std::move(placing)) {
+  publications_.set_class_count(in_force_.vocabulary.class_count());
+  subscriptions_.set_class_count(in_force_.vocabulary.class_count());
 }
 
-void Matcher::State::begin_ontology(const compiled::Ontology* next) {
+void Matcher::State::begin_vocabulary(vocabulary::Vocabulary next) {
   GEMINGA_ASSERT(stage_ == Stage::none);
-  other_ = {next, registry::other(in_force_.generation)};
-  publications_.set_class_count(class_count(other_), other_.generation);
-  subscriptions_.set_class_count(class_count(other_), other_.generation);
+  other_ = {std::move(next), registry::other(in_force_.generation)};
+  publications_.set_class_count(other_.vocabulary.class_count(), other_.generation);
+  subscriptions_.set_class_count(other_.vocabulary.class_count(), other_.generation);
   stage_ = Stage::filing;
   at_.reset();
 }
@@ -102,6 +98,13 @@ bool Matcher::State::unfile_next() {
   filed_ += 1 + stored->filings[std::to_underlying(registry::filed_by(other_.generation))].size();
   publications_.unfile(*stored, other_.generation);
   of(*stored).classes[std::to_underlying(other_.generation)] = {};
+  return true;
+}
+
+bool Matcher::State::take_prepared(vocabulary::Vocabulary prepared) {
+  const bool is_news = !in_force_.vocabulary.is_prepared() && prepared.is_prepared();
+  if (!is_news || !prepared.has_ontology_of(in_force_.vocabulary)) return false;
+  in_force_.vocabulary = std::move(prepared);
   return true;
 }
 

@@ -10,10 +10,10 @@ std::optional<Match> degree_of_representation(const std::string& offered_iri,
                                               std::optional<taxonomy::ClassNumber> offered,
                                               const std::string& requested_iri,
                                               std::optional<taxonomy::ClassNumber> requested,
-                                              const compiled::Ontology* ontology) {
+                                              const vocabulary::Vocabulary& vocabulary) {
   if (requested_iri.empty()) return Match{Degree::exact, 0};
   if (offered_iri.empty()) return std::nullopt;
-  return degree_of_name(offered_iri, offered, requested_iri, requested, ontology);
+  return degree_of_name(offered_iri, offered, requested_iri, requested, vocabulary);
 }
 
 Match combined(const Match& by_concept, const Match& by_representation) {

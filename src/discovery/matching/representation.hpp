@@ -6,7 +6,7 @@
 #include <string>
 
 #include "discovery/matching/degree.hpp"
-#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::matching {
 
@@ -17,7 +17,7 @@ namespace geminga::matching {
                                                             std::optional<taxonomy::ClassNumber> offered,
                                                             const std::string& requested_iri,
                                                             std::optional<taxonomy::ClassNumber> requested,
-                                                            const compiled::Ontology* ontology);
+                                                            const vocabulary::Vocabulary& vocabulary);
 
 /// The weaker of the two degrees, and the distances added.
 [[nodiscard]] Match combined(const Match& by_concept, const Match& by_representation);

@@ -41,30 +41,31 @@ std::string kind_of(const Identity& identity) {
   return std::holds_alternative<TextIdentity>(identity) ? "a text" : "a concept";
 }
 
-std::string named(const compiled::Ontology* ontology, const std::string& iri) {
+std::string named(const vocabulary::Vocabulary& vocabulary, const std::string& iri) {
   if (iri.find('<') != std::string::npos) return base::printable(iri, max_shown_expression);
-  return ontology == nullptr ? '<' + iri + '>' : ontology->short_name(std::string_view(iri));
+  return vocabulary.short_name(std::string_view(iri));
 }
 
 /// Why a name of the ontology has no part in subsumption; empty where it has.
-std::string without_class(const compiled::Ontology* ontology, const std::string& iri) {
-  if (ontology == nullptr) return "no ontology is loaded";
-  const auto number = ontology->find_iri(iri);
-  if (!number) return named(ontology, iri) + " is unknown to the ontology";
-  return ontology->is_satisfiable(*number) ? "" : named(ontology, iri) + " is unsatisfiable";
+std::string without_class(const vocabulary::Vocabulary& vocabulary, const std::string& iri) {
+  if (!vocabulary.is_loaded()) return "no ontology is loaded";
+  const auto number = vocabulary.find_iri(iri);
+  if (!number) return named(vocabulary, iri) + " is unknown to the ontology";
+  return vocabulary.is_satisfiable(*number) ? "" : named(vocabulary, iri) + " is unsatisfiable";
 }
 
-std::string unrelated(const compiled::Ontology* ontology, const std::string& offered, const std::string& requested) {
-  std::string why = named(ontology, offered) + " is offered, " + named(ontology, requested) + " is asked for";
+std::string unrelated(const vocabulary::Vocabulary& vocabulary, const std::string& offered,
+                      const std::string& requested) {
+  std::string why = named(vocabulary, offered) + " is offered, " + named(vocabulary, requested) + " is asked for";
   for (const auto* iri : {&offered, &requested}) {
-    const std::string reason = without_class(ontology, *iri);
+    const std::string reason = without_class(vocabulary, *iri);
     if (!reason.empty()) return why.append(", and ").append(reason);
   }
   return why + ", and neither subsumes the other";
 }
 
 std::string identity_misfit(const Identity& offered, const Classes& offered_classes, const Identity& requested,
-                            const Classes& requested_classes, const compiled::Ontology* ontology) {
+                            const Classes& requested_classes, const vocabulary::Vocabulary& vocabulary) {
   if (offered.index() != requested.index()) {
     return "identity: " + kind_of(offered) + " is offered, " + kind_of(requested) + " is asked for";
   }
@@ -75,28 +76,29 @@ std::string identity_misfit(const Identity& offered, const Classes& offered_clas
            base::printable(canonical_form(requested)) + " is asked for";
   }
   if (has_expression(*request) && !requested_classes.place) {
-    return "concept: " + named(ontology, offer->concept_iri) + " is offered, " + named(ontology, request->concept_iri) +
+    return "concept: " + named(vocabulary, offer->concept_iri) + " is offered, " +
+           named(vocabulary, request->concept_iri) +
            " is asked for, and that is unknown to the ontology, unsatisfiable, or waits to be classified";
   }
   const bool fits =
       has_expression(*request)
-          ? degree_of_expression(offered_classes.concept_class, requested_classes.place.get(), ontology).has_value()
+          ? degree_of_expression(offered_classes.concept_class, requested_classes.place.get(), vocabulary).has_value()
           : degree_of_name(offer->concept_iri, offered_classes.concept_class, request->concept_iri,
-                           requested_classes.concept_class, ontology)
+                           requested_classes.concept_class, vocabulary)
                 .has_value();
   if (!fits && has_expression(*request)) {
-    return "concept: " + named(ontology, offer->concept_iri) + " is offered, " + named(ontology, request->concept_iri) +
-           " is asked for, and neither subsumes the other";
+    return "concept: " + named(vocabulary, offer->concept_iri) + " is offered, " +
+           named(vocabulary, request->concept_iri) + " is asked for, and neither subsumes the other";
   }
   if (!fits) {
-    return "concept: " + unrelated(ontology, offer->concept_iri, request->concept_iri);
+    return "concept: " + unrelated(vocabulary, offer->concept_iri, request->concept_iri);
   }
   if (offer->representation_iri.empty()) {
-    return "representation: none is stated, " + named(ontology, request->representation_iri) + " is asked for";
+    return "representation: none is stated, " + named(vocabulary, request->representation_iri) + " is asked for";
   }
-  std::string why = "representation: " + unrelated(ontology, offer->representation_iri, request->representation_iri);
+  std::string why = "representation: " + unrelated(vocabulary, offer->representation_iri, request->representation_iri);
   if (degree_of_name(offer->representation_iri, offered_classes.representation_class, request->representation_iri,
-                     requested_classes.representation_class, ontology)) {
+                     requested_classes.representation_class, vocabulary)) {
     why = "representation: it is not the same, and the concept has no class by which to compare";
   }
   return why;
@@ -104,11 +106,11 @@ std::string identity_misfit(const Identity& offered, const Classes& offered_clas
 
 }  // namespace
 
-Request prepared(const Subscription& subscription, const compiled::Ontology* ontology, const Placing& placing,
+Request prepared(const Subscription& subscription, const vocabulary::Vocabulary& vocabulary, const Placing& placing,
                  ParticipantId from) {
-  Request request{classes_of(subscription.identity, ontology), std::nullopt};
-  if (placing && ontology != nullptr && has_expression(subscription.identity)) {
-    request.classes.place = placing(std::get<SemanticIdentity>(subscription.identity).concept_iri, from);
+  Request request{classes_of(subscription.identity, vocabulary), std::nullopt};
+  if (placing && vocabulary.is_loaded() && has_expression(subscription.identity)) {
+    request.classes.place = placing(vocabulary, std::get<SemanticIdentity>(subscription.identity).concept_iri, from);
     if (request.classes.place && !request.classes.place->is_satisfiable) request.classes.place = nullptr;
   }
   if (auto where = Where::parse(subscription.where)) request.where = std::move(*where);
@@ -117,26 +119,26 @@ Request prepared(const Subscription& subscription, const compiled::Ontology* ont
 
 std::optional<Match> meets(const Subscription& subscription, const Request& request,
                            const PublicationEntry& publication, const Classes& offered,
-                           const compiled::Ontology* ontology) {
+                           const vocabulary::Vocabulary& vocabulary) {
   if (subscription.mode != publication.publication.mode || !request.where) return std::nullopt;
   if (!is_accepted_provider(subscription, publication)) return std::nullopt;
   if (!is_accepted_protocol(subscription, publication)) return std::nullopt;
   const auto match =
-      degree_of_identity(publication.publication.identity, offered, subscription.identity, request.classes, ontology);
+      degree_of_identity(publication.publication.identity, offered, subscription.identity, request.classes, vocabulary);
   if (!match || match->degree > subscription.weakest || !request.where->accepts(publication)) return std::nullopt;
   return match;
 }
 
 std::expected<Match, std::string> explained(const Subscription& subscription, const Request& request,
                                             const PublicationEntry& publication, const Classes& offered,
-                                            const compiled::Ontology* ontology) {
-  if (const auto match = meets(subscription, request, publication, offered, ontology)) return *match;
+                                            const vocabulary::Vocabulary& vocabulary) {
+  if (const auto match = meets(subscription, request, publication, offered, vocabulary)) return *match;
   std::string why;
   const auto say = [&why](const std::string& misfit) { why += (why.empty() ? "" : "; ") + misfit; };
   const auto degree =
-      degree_of_identity(publication.publication.identity, offered, subscription.identity, request.classes, ontology);
+      degree_of_identity(publication.publication.identity, offered, subscription.identity, request.classes, vocabulary);
   if (!degree) {
-    say(identity_misfit(publication.publication.identity, offered, subscription.identity, request.classes, ontology));
+    say(identity_misfit(publication.publication.identity, offered, subscription.identity, request.classes, vocabulary));
   } else if (degree->degree > subscription.weakest) {
     say("degree: " + std::string(to_string(degree->degree)) + ", but at least " +
         std::string(to_string(subscription.weakest)) + " is asked for");

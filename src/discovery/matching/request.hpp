@@ -10,7 +10,7 @@
 #include "discovery/matching/where.hpp"
 #include "discovery/registry/entry.hpp"
 #include "geminga/service.hpp"
-#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::matching {
 
@@ -21,19 +21,20 @@ struct Request {
 };
 
 /// `placing` may be empty: then expressions meet nothing. `from` is whose subscription it is.
-[[nodiscard]] Request prepared(const Subscription& subscription, const compiled::Ontology* ontology,
+[[nodiscard]] Request prepared(const Subscription& subscription, const vocabulary::Vocabulary& vocabulary,
                                const Placing& placing = {}, ParticipantId from = {});
 
 /// How the publication meets the subscription by mode, provider, identity and filter; nothing where it does not.
 /// `subscription` is what `request` was prepared from, `offered` the classes of the publication's identity.
 [[nodiscard]] std::optional<Match> meets(const Subscription& subscription, const Request& request,
                                          const registry::PublicationEntry& publication, const Classes& offered,
-                                         const compiled::Ontology* ontology);
+                                         const vocabulary::Vocabulary& vocabulary);
 
 /// The same with everything that does not fit in words, joined by "; ".
 [[nodiscard]] std::expected<Match, std::string> explained(const Subscription& subscription, const Request& request,
                                                           const registry::PublicationEntry& publication,
-                                                          const Classes& offered, const compiled::Ontology* ontology);
+                                                          const Classes& offered,
+                                                          const vocabulary::Vocabulary& vocabulary);
 
 }  // namespace geminga::matching
 

@@ -31,12 +31,12 @@ std::optional<Match> Matcher::State::meet(const Subscription& asked, const Reque
                                           const Edition& edition) const {
   ++judged_;
   if (is_kept_apart(offered.publication.identity, asked.identity)) return std::nullopt;
-  return matching::meets(asked, request, offered, classes, edition.ontology);
+  return matching::meets(asked, request, offered, classes, edition.vocabulary);
 }
 
 void Matcher::State::file(const StoredPublication& stored, const Edition& edition) {
   auto& known = of(stored).classes[std::to_underlying(edition.generation)];
-  known = classes_of(stored.entry.publication.identity, edition.ontology);
+  known = classes_of(stored.entry.publication.identity, edition.vocabulary);
   const FilingPlan plan = FilingPlan::of_publication(known, edition);
   publications_.refile(stored, plan.filing());
   filed_ += 1 + plan.size();
@@ -68,7 +68,7 @@ const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const S
   } else {
     replaced_subscription_ = {known, known->entry};
     replaced_request_ = std::move(of(*known).request);
-    replaced_edition_ = edition_of(*known);
+    replaced_generation_ = of(*known).generation;
     replaced_was_clashing_ = clashing_.contains(known->identity);
     subscriptions_.replace(*known, std::move(entry), plan.filing());
   }
@@ -207,12 +207,13 @@ bool Matcher::State::is_of_interest(const SubscriptionEntry& subscription, const
 bool Matcher::State::was_chosen_unseen(const StoredPublication& publication) const {
   if (replaced_subscription_.stored == nullptr) return false;
   const SubscriptionEntry& before = replaced_subscription_.before;
+  const Edition& edition = edition_of(replaced_generation_);
   const bool was_kept_apart =
       replaced_was_clashing_ && before.subscription.identity.index() != publication.entry.publication.identity.index();
   return !is_of_interest(before, publication.entry) && before.subscription.mode != ChannelMode::one_to_many_stream &&
          !was_kept_apart &&
-         matching::meets(before.subscription, replaced_request_, publication.entry,
-                         classes(publication, replaced_edition_), replaced_edition_.ontology);
+         matching::meets(before.subscription, replaced_request_, publication.entry, classes(publication, edition),
+                         edition.vocabulary);
 }
 
 void Matcher::State::judge(const StoredSubscription& subscription, const StoredPublication& publication) {

@@ -46,7 +46,7 @@ struct Ranked {
 /// subscription whose candidates changed is settled once, which gives the events.
 class Matcher::State {
  public:
-  State(const compiled::Ontology* ontology, Placing placing);
+  State(vocabulary::Vocabulary vocabulary, Placing placing);
 
   void put(registry::PublicationEntry entry);
   void put(registry::SubscriptionEntry entry, Telling telling);
@@ -55,14 +55,15 @@ class Matcher::State {
               const std::vector<const registry::StoredSubscription*>& subscriptions, Reason reason);
   void begin_departure(ParticipantId participant, Reason reason);
   [[nodiscard]] bool depart_next();
-  void begin_ontology(const compiled::Ontology* next);
+  void begin_vocabulary(vocabulary::Vocabulary next);
   [[nodiscard]] bool file_next();
   void put_in_force();
   [[nodiscard]] bool rematch_next();
+  bool take_prepared(vocabulary::Vocabulary prepared);
   void place_again();
-  /// Requires the ontology in force.
+  /// By the vocabulary in force.
   [[nodiscard]] Request prepare(const registry::SubscriptionEntry& entry) const {
-    return prepared(entry.subscription, in_force_.ontology, placing_, entry.key.participant);
+    return prepared(entry.subscription, in_force_.vocabulary, placing_, entry.key.participant);
   }
 
   [[nodiscard]] std::vector<Ranked> match(const Subscription& asked, const Request& request) const;
@@ -112,10 +113,10 @@ class Matcher::State {
     const registry::StoredSubscription* stored = nullptr;
     Request request;
     Choice choice;
-    registry::Generation generation = registry::Generation::even;  ///< of the ontology that it is judged by
+    registry::Generation generation = registry::Generation::even;  ///< of the edition that it is judged by
     bool is_leaving = false;                                       ///< it is about to be erased
   };
-  /// How far the change to another ontology is. A subscription is judged by one ontology at any time, and filed in its
+  /// How far the change to another vocabulary is. A subscription is judged by one of them at any time, and filed in its
   /// index alone; what is offered is known by both from the beginning of `filing` to the end of `rematching`.
   enum class Stage {
     none,
@@ -129,12 +130,15 @@ class Matcher::State {
   [[nodiscard]] const Classes& classes(const registry::StoredPublication& stored, const Edition& edition) const {
     return of_publication_[stored.slot].classes[std::to_underlying(edition.generation)];
   }
-  /// The ontology that a subscription is judged by.
+  [[nodiscard]] const Edition& edition_of(registry::Generation generation) const {
+    return generation == in_force_.generation ? in_force_ : other_;
+  }
+  /// The one that a subscription is judged by.
   [[nodiscard]] const Edition& edition_of(const registry::StoredSubscription& subscription) const {
-    return of_subscription_[subscription.slot].generation == in_force_.generation ? in_force_ : other_;
+    return edition_of(of_subscription_[subscription.slot].generation);
   }
   [[nodiscard]] bool is_known_by_both() const { return stage_ == Stage::filing || stage_ == Stage::rematching; }
-  /// Looks up what is offered in an ontology, and files it by that.
+  /// Looks up what is offered in a vocabulary, and files it by that.
   void file(const registry::StoredPublication& stored, const Edition& edition);
   /// For somebody who comes back before his departure is over.
   void finish_departures() {
@@ -143,7 +147,7 @@ class Matcher::State {
   }
   void erase(const registry::StoredPublication& publication, std::set<Id32>& numbers);
   void erase(const registry::StoredSubscription& subscription, std::set<Id32>& numbers);
-  /// Judges a subscription by the ontology in force, after it was filed by it.
+  /// Judges a subscription by the vocabulary in force, after it was filed by it.
   void rematch(const registry::StoredSubscription& subscription);
   [[nodiscard]] bool unfile_next();
   [[nodiscard]] bool place_next();
@@ -235,7 +239,7 @@ class Matcher::State {
   Replaced<registry::PublicationEntry> replaced_publication_;
   Replaced<registry::SubscriptionEntry> replaced_subscription_;
   Request replaced_request_;
-  Edition replaced_edition_;                              ///< that replaced_request_ is of
+  registry::Generation replaced_generation_ = registry::Generation::even;  ///< of the edition of replaced_request_
   bool replaced_was_clashing_ = false;                    ///< whether its number was that of two concepts
   const registry::StoredSubscription* untold_ = nullptr;  ///< the one whose consumer is told by nobody here
 };

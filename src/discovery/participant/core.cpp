@@ -5,7 +5,6 @@
 
 #include "base/assert.hpp"
 #include "discovery/participant/naming.hpp"
-#include "reasoning/compiled/ontology.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -33,22 +32,19 @@ std::string_view to_string(Phase phase) {
   return "failed";
 }
 
-Core::Core(env::Env& the_env, Settings the_settings, std::shared_ptr<const compiled::Ontology> the_ontology)
+Core::Core(env::Env& the_env, Settings the_settings, vocabulary::Vocabulary the_vocabulary)
     : env(the_env),
       settings(std::move(the_settings)),
-      ontology(the_ontology.get()),
-      ontology_change(std::move(the_ontology)),
-      expressions(ontology),
-      matcher(ontology,
-              [this](const std::string& expression, ParticipantId from) {
+      matcher(std::move(the_vocabulary),
+              [this](const vocabulary::Vocabulary& by, const std::string& expression, ParticipantId from) {
                 const bool is_own = from == ParticipantId{} || from == id;
-                return expressions.place(expression, is_own ? std::nullopt : std::optional(from), env.now());
+                return expressions.place(by, expression, is_own ? std::nullopt : std::optional(from), env.now());
               }),
       neighbours(settings.group) {}
 
 std::string Core::name() const { return settings.name.empty() ? to_string(id) : settings.name; }
 
-std::uint64_t Core::digest() const { return ontology == nullptr ? 0 : ontology->digest(); }
+std::uint64_t Core::digest() const { return vocabulary().digest(); }
 
 Session* Core::find(PeerId peer) {
   const auto found = std::ranges::find(sessions, peer, [](const auto& entry) { return entry.second->peer(); });

@@ -1,4 +1,4 @@
-// What the parts of one participant share: the world, the ontology, the registry with its matcher, and the peers.
+// What the parts of one participant share: the world, the registry with its matcher and the vocabulary, and the peers.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_CORE_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_CORE_HPP
 
@@ -38,13 +38,12 @@ enum class Phase : std::uint8_t {
 [[nodiscard]] std::string_view to_string(Phase phase);
 
 struct Core {
-  Core(env::Env& the_env, Settings the_settings, std::shared_ptr<const compiled::Ontology> the_ontology);
+  Core(env::Env& the_env, Settings the_settings, vocabulary::Vocabulary the_vocabulary);
   Core(const Core&) = delete;
   Core& operator=(const Core&) = delete;
 
   env::Env& env;
   const Settings settings;
-  const compiled::Ontology* ontology;  ///< in force; null: none
   OntologyChange ontology_change;
   OntologyState ontology_state;
   OntologyWatch ontology_watch;
@@ -66,6 +65,8 @@ struct Core {
   bool is_changed = false;
   std::function<std::vector<gcnp::Parameter>()> status_source;
 
+  /// In force: what every name means.
+  [[nodiscard]] const vocabulary::Vocabulary& vocabulary() const { return matcher.vocabulary(); }
   /// What the team calls us.
   [[nodiscard]] std::string name() const;
   [[nodiscard]] std::uint64_t digest() const;

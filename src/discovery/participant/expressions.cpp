@@ -6,8 +6,7 @@
 
 #include "discovery/announcement/limits.hpp"
 #include "discovery/gcnp/limits.hpp"
-#include "reasoning/syntax/manchester/canonical.hpp"
-#include "reasoning/syntax/manchester/parse.hpp"
+#include "reasoning/vocabulary/expression.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -23,29 +22,12 @@ bool count(Window& window, std::size_t limit, base::Instant now) {
 
 }  // namespace
 
-void Expressions::set_ontology(const compiled::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared) {
-  ontology_ = ontology;
-  is_wanted_ = false;
-  prepared_.reset();
+void Expressions::attend_to(const Vocabulary& vocabulary) {
+  if (ontology_.is_of(vocabulary)) return;
+  ontology_ = vocabulary::OntologyMark(vocabulary);
+  is_used_ = false;
   remembered_.clear();
   waiting_since_.reset();
-  give(std::move(prepared));
-}
-
-bool Expressions::give(std::unique_ptr<const PreparedOntology> prepared) {
-  if (prepared == nullptr || prepared_ != nullptr || &prepared->ontology() != ontology_) return false;
-  prepared_ = std::move(prepared);
-  return true;
-}
-
-std::expected<const PreparedOntology::Parts*, Error> Expressions::parts() {
-  is_wanted_ = true;
-  if (prepared_ == nullptr) {
-    return std::unexpected(
-        Error{ErrorCode::not_ready, "not ready: the ontology is being prepared for class expressions"});
-  }
-  if (!prepared_->parts()) return std::unexpected(prepared_->parts().error());
-  return &*prepared_->parts();
 }
 
 Expressions::Place Expressions::remember(const std::string& canonical, Place place) {
@@ -55,36 +37,30 @@ Expressions::Place Expressions::remember(const std::string& canonical, Place pla
   return remembered_.insert_or_assign(canonical, Remembered{std::move(place), ++uses_}).first->second.place;
 }
 
-std::expected<std::string, Error> Expressions::resolve(std::string_view text) {
-  const auto ready = parts();
-  if (!ready) return std::unexpected(ready.error());
-  const auto& [classifier, names] = **ready;
-  manchester::Limits limits;
-  limits.text_bytes = gcnp::max_concept_bytes;
-  const auto expression = manchester::parse(text, names, limits);
-  if (!expression) {
-    const bool is_large = expression.error().kind == manchester::ParseError::Kind::too_large;
-    return std::unexpected(
-        Error{is_large ? ErrorCode::too_large : ErrorCode::impossible, to_string(expression.error())});
-  }
-  std::string canonical = manchester::canonical(expression->source, expression->term);
+std::expected<std::string, Error> Expressions::resolve(const Vocabulary& vocabulary, std::string_view text) {
+  attend_to(vocabulary);
+  is_used_ = true;
+  if (const auto ready = vocabulary.check_expressions(); !ready) return std::unexpected(ready.error());
+  const auto expression = vocabulary.read(text, gcnp::max_concept_bytes);
+  if (!expression) return std::unexpected(expression.error());
+  std::string canonical = expression->canonical();
   Place place;
   if (const auto known = remembered_.find(canonical); known != remembered_.end() && known->second.place) {
     known->second.used = ++uses_;
     place = known->second.place;
   } else {
     ++counts_.classified;
-    auto found = classifier.classify(expression->source, expression->term);
-    place = remember(canonical, std::make_shared<const placement::ExpressionPlace>(std::move(found)));
+    place = remember(canonical, std::make_shared<const vocabulary::Place>(vocabulary.place(*expression)));
   }
   if (!place->is_satisfiable) {
     return std::unexpected(Error{ErrorCode::impossible, "the expression is unsatisfiable, nothing can be one"});
   }
-  if (place->equivalent) return std::string(ontology_->iri(*place->equivalent));
+  if (place->equivalent) return std::string(vocabulary.iri(*place->equivalent));
   return canonical;
 }
 
-bool Expressions::take_waiting(base::Instant now) {
+bool Expressions::take_waiting(const Vocabulary& vocabulary, base::Instant now) {
+  attend_to(vocabulary);
   if (!waiting_since_ || now - *waiting_since_ < second) return false;
   waiting_since_.reset();
   return true;
@@ -102,30 +78,30 @@ bool Expressions::take_turn(ParticipantId from, base::Instant now) {
   return false;
 }
 
-Expressions::Place Expressions::place(const std::string& canonical, std::optional<ParticipantId> from,
-                                      base::Instant now) {
-  if (ontology_ == nullptr) return nullptr;
+Expressions::Place Expressions::place(const Vocabulary& vocabulary, const std::string& canonical,
+                                      std::optional<ParticipantId> from, base::Instant now) {
+  if (!vocabulary.is_loaded()) return nullptr;
+  attend_to(vocabulary);
   if (const auto known = remembered_.find(canonical); known != remembered_.end()) {
     known->second.used = ++uses_;
     return known->second.place;
   }
-  const auto ready = parts();
-  if (!ready) return nullptr;
+  is_used_ = true;
+  if (!vocabulary.check_expressions()) return nullptr;
   if (from && !take_turn(*from, now)) return nullptr;
-  const auto& [classifier, names] = **ready;
   // A text in which only what it means counts: it may be none of ours, and is read as strictly as a peer's.
-  const auto expression = manchester::parse(canonical, names);
+  const auto expression = vocabulary.read(canonical, vocabulary::max_expression_bytes);
   if (!expression) {
     if (from) ++counts_.unknown;
     return remember(canonical, nullptr);
   }
   ++counts_.classified;
-  auto found = classifier.classify(expression->source, expression->term);
+  auto found = vocabulary.place(*expression);
   if (!found.is_satisfiable) {
     if (from) ++counts_.unknown;
     return remember(canonical, nullptr);
   }
-  return remember(canonical, std::make_shared<const placement::ExpressionPlace>(std::move(found)));
+  return remember(canonical, std::make_shared<const vocabulary::Place>(std::move(found)));
 }
 
 }  // namespace geminga::participant

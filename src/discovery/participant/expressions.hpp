@@ -1,4 +1,5 @@
-// The class expressions that are asked for, by own peers and on the air, each with its place in the loaded ontology.
+// The class expressions that are asked for, by own peers and on the air, each with its place in the vocabulary in
+// force.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_EXPRESSIONS_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_EXPRESSIONS_HPP
 
@@ -12,9 +13,9 @@
 #include <string_view>
 
 #include "base/time.hpp"
-#include "discovery/participant/prepared_ontology.hpp"
 #include "geminga/error.hpp"
 #include "geminga/service.hpp"
+#include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::participant {
 
@@ -27,32 +28,31 @@ inline constexpr std::size_t max_expressions_from_air = 32;
 /// A peer's expression that had to be classified counts as so many statements (Limits::statements_per_second).
 inline constexpr std::size_t statements_per_expression = 100;
 
-/// Classifies expressions over one ontology and remembers where they stand. What it needs of the ontology is made
-/// elsewhere, and asked for when the first expression comes. Not thread-safe.
+/// Has expressions placed by the vocabulary that it is given, and remembers where they stand until that is of another
+/// ontology. What a vocabulary needs for it is made elsewhere, and asked for when the first expression comes. Not
+/// thread-safe.
 class Expressions {
  public:
-  using Place = std::shared_ptr<const placement::ExpressionPlace>;
+  using Place = std::shared_ptr<const vocabulary::Place>;
+  using Vocabulary = vocabulary::Vocabulary;
 
-  explicit Expressions(const compiled::Ontology* ontology) : ontology_(ontology) {}
-  /// Forgets everything. The ontology must outlive this, or be replaced before it goes. `prepared` may be null; of
-  /// another ontology it is dropped.
-  void set_ontology(const compiled::Ontology* ontology, std::unique_ptr<const PreparedOntology> prepared);
-  /// The ontology that is to be prepared, because an expression has come: null where none is, or it was given.
-  [[nodiscard]] const compiled::Ontology* wanted() const { return is_wanted_ && !prepared_ ? ontology_ : nullptr; }
-  /// Whether an expression has come since the ontology is in force.
-  [[nodiscard]] bool is_used() const { return is_wanted_; }
-  /// Takes what was wanted. False where it is of another ontology, or there already; then it is dropped.
-  bool give(std::unique_ptr<const PreparedOntology> prepared);
+  /// Whether an expression has come since this ontology is in force.
+  [[nodiscard]] bool is_used(const Vocabulary& vocabulary) const { return is_used_ && ontology_.is_of(vocabulary); }
+  /// Whether one has come, and the vocabulary is yet to be prepared for it.
+  [[nodiscard]] bool is_waiting(const Vocabulary& vocabulary) const {
+    return is_used(vocabulary) && !vocabulary.is_prepared();
+  }
 
   /// What a peer's expression is asked for as: the full IRI of the class that it is equivalent to, or its canonical
   /// text. 422 where it cannot be read or can have no instance, or the ontology is too large; 413 over a limit; 503
-  /// while the ontology is wanted().
-  [[nodiscard]] std::expected<std::string, Error> resolve(std::string_view text);
+  /// while is_waiting(). Requires an ontology.
+  [[nodiscard]] std::expected<std::string, Error> resolve(const Vocabulary& vocabulary, std::string_view text);
   /// Where a canonical text stands; null where it is unknown here, can have no instance, or must wait. `from` is null
   /// for our own; its text is one that resolve() gave.
-  [[nodiscard]] Place place(const std::string& canonical, std::optional<ParticipantId> from, base::Instant now);
+  [[nodiscard]] Place place(const Vocabulary& vocabulary, const std::string& canonical,
+                            std::optional<ParticipantId> from, base::Instant now);
   /// Whether something from the air waits and a new second has begun; it is to be asked for again then.
-  [[nodiscard]] bool take_waiting(base::Instant now);
+  [[nodiscard]] bool take_waiting(const Vocabulary& vocabulary, base::Instant now);
 
   struct Counts {
     std::uint64_t classified = 0;  ///< places found, each time that it was work
@@ -72,14 +72,13 @@ class Expressions {
     std::size_t seen = 0;
   };
 
-  /// What expressions need of the ontology, or why it is not there; 503: not yet.
-  [[nodiscard]] std::expected<const PreparedOntology::Parts*, Error> parts();
+  /// Forgets what is of another ontology.
+  void attend_to(const Vocabulary& vocabulary);
   [[nodiscard]] bool take_turn(ParticipantId from, base::Instant now);
   Place remember(const std::string& canonical, Place place);
 
-  const compiled::Ontology* ontology_;
-  std::unique_ptr<const PreparedOntology> prepared_;
-  bool is_wanted_ = false;
+  vocabulary::OntologyMark ontology_;  ///< that the rest of this is about
+  bool is_used_ = false;
   std::map<std::string, Remembered, std::less<>> remembered_;
   std::uint64_t uses_ = 0;
   std::map<ParticipantId, Window> windows_;

@@ -8,7 +8,7 @@ namespace {
 
 /// The name of a concept that only an ontology can give an identity, where there is none.
 const ConceptNames* needs_ontology(const Core& core, const NamedIdentity& named) {
-  return core.ontology == nullptr ? std::get_if<ConceptNames>(&named) : nullptr;
+  return core.vocabulary().is_loaded() ? nullptr : std::get_if<ConceptNames>(&named);
 }
 
 std::unexpected<Error> without_ontology(const Core& core, const ConceptNames& names) {
@@ -22,16 +22,16 @@ std::unexpected<Error> without_ontology(const Core& core, const ConceptNames& na
 
 std::expected<Identity, Error> resolve_offered(Core& core, const NamedIdentity& named) {
   if (const ConceptNames* names = needs_ontology(core, named)) return without_ontology(core, *names);
-  return resolve(core.ontology, named);
+  return resolve(core.vocabulary(), named);
 }
 
 std::expected<Identity, Error> resolve_asked(Core& core, const NamedIdentity& named) {
   if (const ConceptNames* names = needs_ontology(core, named)) return without_ontology(core, *names);
-  return resolve(core.expressions, core.ontology, named);
+  return resolve(core.expressions, core.vocabulary(), named);
 }
 
 bool is_awaited(const Core& core, const std::expected<Identity, Error>& identity) {
-  return core.ontology == nullptr && !identity && identity.error().code == ErrorCode::not_ready;
+  return !core.vocabulary().is_loaded() && !identity && identity.error().code == ErrorCode::not_ready;
 }
 
 Error no_ontology(const Core& core) {

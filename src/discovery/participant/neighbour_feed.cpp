@@ -111,7 +111,7 @@ Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceInde
       *announcement, {.interface = interface, .interface_name = on->name, .source = source, .now = core.env.now()});
   ++core.counters.hearings[hearing];
   feed(core);
-  if (core.expressions.take_waiting(core.env.now())) core.ontology_change.place_again();
+  if (core.expressions.take_waiting(core.vocabulary(), core.env.now())) core.ontology_change.place_again();
   return announcer.heard(
       {.announcement = *announcement, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
 }

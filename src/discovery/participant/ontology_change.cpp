@@ -23,8 +23,8 @@ void end_answers(Core& core) {
 
 }  // namespace
 
-void OntologyChange::begin(Core& core, Pointer next, std::unique_ptr<const PreparedOntology> prepared) {
-  Next coming{std::move(next), std::move(prepared), core.ontology_state.readings};
+void OntologyChange::begin(Core& core, vocabulary::Vocabulary next) {
+  Next coming{std::move(next), core.ontology_state.readings};
   if (is_under_way()) {
     queued_ = std::move(coming);
   } else {
@@ -33,12 +33,12 @@ void OntologyChange::begin(Core& core, Pointer next, std::unique_ptr<const Prepa
 }
 
 void OntologyChange::give_up(Core& core) {
-  if (in_force_ == nullptr && !is_under_way()) start(core, {});
+  if (!core.vocabulary().is_loaded() && !is_under_way()) start(core, {});
 }
 
 void OntologyChange::start(Core& core, Next next) {
-  next_ = std::move(next);
-  core.matcher.begin_ontology(next_.ontology.get());
+  reading_ = next.reading;
+  core.matcher.begin_vocabulary(std::move(next.vocabulary));
   stage_ = Stage::filing;
 }
 
@@ -79,15 +79,12 @@ void OntologyChange::file_or_put_in_force(Core& core) {
 
 void OntologyChange::put_in_force(Core& core) {
   // What was read since is told of when it comes into force itself.
-  if (next_.reading == core.ontology_state.readings) {
+  if (reading_ == core.ontology_state.readings) {
     if (!core.ontology_state.failure.empty())
       core.log(base::LogLevel::info, "ontology: read at last, the failure is mended");
     core.ontology_state.succeed();
   }
   end_answers(core);
-  former_ = std::exchange(in_force_, std::move(next_.ontology));
-  core.ontology = in_force_.get();
-  core.expressions.set_ontology(core.ontology, std::move(next_.prepared));
   core.matcher.put_in_force();
   core.is_changed = true;  // the digest is announced
   must_take_up_ = false;   // all is resolved anew
@@ -98,7 +95,6 @@ void OntologyChange::put_in_force(Core& core) {
 
 void OntologyChange::match_or_restate(Core& core) {
   if (core.matcher.rematch_next()) return;
-  former_.reset();
   if (must_restate_ || must_take_up_) {
     list_statements(core, must_restate_);
     must_place_ = must_place_ || (must_take_up_ && !must_restate_);

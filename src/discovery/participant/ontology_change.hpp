@@ -3,15 +3,12 @@
 #define GEMINGA_DISCOVERY_PARTICIPANT_ONTOLOGY_CHANGE_HPP
 
 #include <cstdint>
-#include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
-#include "discovery/participant/prepared_ontology.hpp"
 #include "discovery/participant/work.hpp"
 #include "env/env.hpp"
-#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::participant {
 
@@ -23,14 +20,9 @@ struct Core;
 /// holds meanwhile).
 class OntologyChange {
  public:
-  using Pointer = std::shared_ptr<const compiled::Ontology>;
-
-  /// `first` is in force from the start; null: none.
-  explicit OntologyChange(Pointer first) : in_force_(std::move(first)) {}
-
   /// Another one, or none, is to come into force: behind the change that is under way, and only the one that came last.
-  /// `prepared` is of it, or null: then what asks for a class expression waits for it.
-  void begin(Core& core, Pointer next, std::unique_ptr<const PreparedOntology> prepared);
+  /// Where it is not prepared for class expressions, what asks for one waits for that.
+  void begin(Core& core, vocabulary::Vocabulary next);
   /// Reading has failed. Where none is in force and none is to come, what waited for one is told.
   void give_up(Core& core);
   /// The ontology in force is prepared for class expressions: what waits for that comes into force, or gets its 422.
@@ -50,8 +42,7 @@ class OntologyChange {
     restating,  ///< the names in statements are resolved anew
   };
   struct Next {
-    Pointer ontology;
-    std::unique_ptr<const PreparedOntology> prepared;
+    vocabulary::Vocabulary vocabulary;
     std::optional<std::uint64_t> reading;  ///< OntologyState::readings when it came; nothing: it was not read
   };
   struct Statement {
@@ -67,9 +58,8 @@ class OntologyChange {
   void list_statements(const Core& core, bool is_of_all);
 
   Stage stage_ = Stage::none;
-  Pointer in_force_;
-  Pointer former_;                   ///< until nothing is judged by it
-  Next next_;                        ///< meaningful while filing
+  /// OntologyState::readings when the next one came; nothing: it was not read. Meaningful while filing.
+  std::optional<std::uint64_t> reading_;
   std::optional<Next> queued_;       ///< comes after the change under way
   bool must_restate_ = false;        ///< all statements, when matching is over
   bool must_take_up_ = false;        ///< the awaited ones, when matching and the others are over

@@ -20,7 +20,7 @@ std::string name_of(const Core& core, ParticipantId id, std::uint64_t digest) {
 
 void OntologyWatch::look(Core& core) {
   const base::Instant now = core.env.now();
-  const bool is_waiting_for_ours = core.ontology == nullptr && core.ontology_state.is_loading;
+  const bool is_waiting_for_ours = !core.vocabulary().is_loaded() && core.ontology_state.is_loading;
   if (now < next_look_ || is_waiting_for_ours) return;
   next_look_ = now + ontology_look_interval;
   Others others;

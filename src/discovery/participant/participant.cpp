@@ -18,8 +18,8 @@ namespace geminga::participant {
 /// Handles one event at a time; settle() ends each of them.
 class Participant::State {
  public:
-  State(env::Env& env, Settings settings, Ontology ontology)
-      : core(env, std::move(settings), std::move(ontology)), announcer(core) {}
+  State(env::Env& env, Settings settings, Vocabulary vocabulary)
+      : core(env, std::move(settings), std::move(vocabulary)), announcer(core) {}
 
   Core core;
   Announcer announcer;
@@ -92,13 +92,13 @@ class Participant::State {
     settle();
   }
 
-  void set_ontology(Ontology ontology, std::unique_ptr<const PreparedOntology> prepared) {
-    core.ontology_change.begin(core, std::move(ontology), std::move(prepared));
+  void set_vocabulary(Vocabulary vocabulary) {
+    core.ontology_change.begin(core, std::move(vocabulary));
     change_ontology();
   }
 
-  void prepared(std::unique_ptr<const PreparedOntology> prepared) {
-    if (!core.expressions.give(std::move(prepared))) return;
+  void prepared(Vocabulary prepared) {
+    if (!core.matcher.take_prepared(std::move(prepared))) return;
     core.ontology_change.take_up_expressions();
     change_ontology();
   }
@@ -174,8 +174,8 @@ class Participant::State {
   }
 };
 
-Participant::Participant(env::Env& env, Settings settings, Ontology ontology)
-    : state_(std::make_unique<State>(env, std::move(settings), std::move(ontology))) {}
+Participant::Participant(env::Env& env, Settings settings, Vocabulary vocabulary)
+    : state_(std::make_unique<State>(env, std::move(settings), std::move(vocabulary))) {}
 
 Participant::~Participant() = default;
 
@@ -196,14 +196,13 @@ void Participant::on_stream_opened(env::StreamId stream, std::string_view user) 
 void Participant::on_stream_bytes(env::StreamId stream, std::string_view bytes) { state_->read(stream, bytes); }
 void Participant::on_stream_drained(env::StreamId) { state_->drained(); }
 void Participant::on_stream_closed(env::StreamId stream) { state_->closed(stream); }
-void Participant::set_ontology(Ontology ontology, std::unique_ptr<const PreparedOntology> prepared) {
-  state_->set_ontology(std::move(ontology), std::move(prepared));
+void Participant::set_vocabulary(Vocabulary vocabulary) { state_->set_vocabulary(std::move(vocabulary)); }
+const vocabulary::Vocabulary* Participant::wants_prepared() const {
+  const Core& core = state_->core;
+  return core.expressions.is_waiting(core.vocabulary()) ? &core.vocabulary() : nullptr;
 }
-const compiled::Ontology* Participant::wants_prepared() const { return state_->core.expressions.wanted(); }
-bool Participant::uses_expressions() const { return state_->core.expressions.is_used(); }
-void Participant::on_prepared(std::unique_ptr<const PreparedOntology> prepared) {
-  state_->prepared(std::move(prepared));
-}
+bool Participant::uses_expressions() const { return state_->core.expressions.is_used(state_->core.vocabulary()); }
+void Participant::on_prepared(Vocabulary prepared) { state_->prepared(std::move(prepared)); }
 void Participant::ontology_begun() { state_->core.ontology_state.begin(state_->core.env.now()); }
 void Participant::ontology_failed(const std::vector<std::string>& lines) { state_->ontology_failed(lines); }
 void Participant::set_status_source(StatusSource source) { state_->core.status_source = std::move(source); }

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "discovery/gcnp/statement.hpp"
-#include "discovery/participant/prepared_ontology.hpp"
 #include "discovery/participant/settings.hpp"
 #include "env/env.hpp"
+#include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::participant {
 
@@ -23,11 +23,10 @@ namespace geminga::participant {
 /// Bytes from outside may be anything. No function throws.
 class Participant {
  public:
-  /// What the names of services mean; null: none is loaded.
-  using Ontology = std::shared_ptr<const compiled::Ontology>;
+  using Vocabulary = vocabulary::Vocabulary;
 
   /// Borrows `env` for its life.
-  Participant(env::Env& env, Settings settings, Ontology ontology = nullptr);
+  Participant(env::Env& env, Settings settings, Vocabulary vocabulary = {});
   /// May come at any time; without a stop() that has ended, the team learns of it by the deadline only.
   ~Participant();
   Participant(const Participant&) = delete;
@@ -63,26 +62,26 @@ class Participant {
   /// What was written to the client has gone on its way, after some of it had to wait.
   void on_stream_drained(env::StreamId stream);
 
-  /// Takes another ontology, or none. Peers are told what follows: a publication or subscription whose names the new
-  /// one does not know gets one error 422 and its events `del reason=changed`, and comes back by itself when a later
-  /// ontology knows them. What there is to do for a large team is done in later on_timer(), in turns, and another
-  /// ontology that comes meanwhile waits. `prepared` is what PreparedOntology::make() gave of it, or null; without it,
-  /// requests for class expressions are out of force until on_prepared(), and their peers are told so.
-  void set_ontology(Ontology ontology, std::unique_ptr<const PreparedOntology> prepared = nullptr);
-  /// The ontology that is to be prepared for class expressions, because one has come; null: none. To be looked at after
-  /// each event: who owns the participant prepares it elsewhere, since that is long work, and brings it by
+  /// Takes the vocabulary of another ontology, or of none. Peers are told what follows: a publication or subscription
+  /// whose names the new one does not know gets one error 422 and its events `del reason=changed`, and comes back by
+  /// itself when a later ontology knows them. What there is to do for a large team is done in later on_timer(), in
+  /// turns, and another ontology that comes meanwhile waits. Where it is not prepared for class expressions, requests
+  /// for these are out of force until on_prepared(), and their peers are told so.
+  void set_vocabulary(Vocabulary vocabulary);
+  /// The vocabulary that is to be prepared for class expressions, because one has come; null: none. To be looked at
+  /// after each event: who owns the participant prepares it elsewhere, since that is long work, and brings it by
   /// on_prepared(). Statements that need it wait meanwhile, and with them what their clients say behind them.
-  [[nodiscard]] const compiled::Ontology* wants_prepared() const;
+  [[nodiscard]] const Vocabulary* wants_prepared() const;
   /// Whether class expressions are in use with the ontology in force: then the next one had better come prepared.
   [[nodiscard]] bool uses_expressions() const;
-  /// The ontology is prepared. Of one that is not in force any more it is dropped.
-  void on_prepared(std::unique_ptr<const PreparedOntology> prepared);
+  /// The vocabulary is prepared. Of an ontology that is not in force any more it is dropped.
+  void on_prepared(Vocabulary prepared);
   /// Ontologies are being read: `query status` and `query ontology` say so until one of the other two is called. Where
   /// none is in force meanwhile, statements with concepts are kept without an answer and come into force with the
   /// ontology, or get their 422 then; queries that need it are answered 503 at once.
   void ontology_begun();
   /// They could not be read, and these lines say why. What was in force stays; queries show the lines until a later
-  /// reading ends in set_ontology().
+  /// reading ends in set_vocabulary().
   void ontology_failed(const std::vector<std::string>& lines);
 
   /// Fields that only the owner knows (memory, processor time, files), appended to the answer of `query status`. Called

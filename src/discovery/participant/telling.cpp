@@ -53,11 +53,11 @@ struct Said {
 };
 
 void describe(const Core& core, const registry::PublicationEntry& entry, ServiceEvent& told) {
-  told.publication = named(core.ontology, entry.publication);
+  told.publication = named(core.vocabulary(), entry.publication);
 }
 
 void describe(const Core& core, const registry::SubscriptionEntry& entry, ConsumerEvent& told) {
-  told.subscribed = named(core.ontology, entry.subscription);
+  told.subscribed = named(core.vocabulary(), entry.subscription);
 }
 
 ServiceEvent event_about(const registry::PublicationEntry*, const ServiceKey& key) {

@@ -40,7 +40,7 @@ void take_statement(Core& core, Session& session, std::string_view line) {
   const std::uint64_t classified = core.expressions.counts().classified;
   const auto request = gcnp::read_request(*statement);
   const Refusal refusal = request ? handle(core, session, statement->id, *request) : Refusal(request.error());
-  if (refusal && refusal->code == ErrorCode::not_ready && core.expressions.wanted() != nullptr) {
+  if (refusal && refusal->code == ErrorCode::not_ready && core.expressions.is_waiting(core.vocabulary())) {
     session.held = line;  // a refused statement has changed nothing, and is handled anew
     return;
   }
@@ -128,7 +128,7 @@ bool has_business(Session& session) {
 bool has_work(Core& core, Session& session) {
   if (!has_business(session)) return false;
   if (session.is_leaving) return true;
-  const bool must_wait = session.held && core.expressions.wanted() != nullptr && !is_being_told(session);
+  const bool must_wait = session.held && core.expressions.is_waiting(core.vocabulary()) && !is_being_told(session);
   return !must_wait && core.backlog(session) <= core.settings.limits.unread_before_more;
 }
 

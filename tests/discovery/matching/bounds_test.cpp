@@ -11,7 +11,7 @@ namespace {
 const Identity ball = TextIdentity{"ball"};
 
 TEST(Bounds, AConsumerThatAsksForAllIsGivenTheBestOfSoMany) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   const ServiceKey asking = key(here, 1, 1);
   matcher.put(request(asking, ball));
   for (std::uint32_t number = 1; number <= max_given + 1; ++number) {
@@ -32,7 +32,7 @@ TEST(Bounds, AConsumerThatAsksForAllIsGivenTheBestOfSoMany) {
 }
 
 TEST(Bounds, AProviderIsToldOfSoManyConsumersAndOfTheOthersWhenHalfHaveGone) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   const ServiceKey offering = key(here, 1, 1);
   auto offered = offer(offering, ball);
   offered.publication.mode = ChannelMode::one_to_many_pubsub;

@@ -40,7 +40,7 @@ TEST(Clash, ANumberMeetsTheConceptWhoseHashItIs) {
   const Identity number = NumericIdentity{id32(named)};
   for (const auto& [offered, asked] : {std::pair(named, number), std::pair(number, named)}) {
     for (const bool offer_comes_first : {true, false}) {
-      Matcher matcher(nullptr);
+      Matcher matcher;
       if (offer_comes_first) matcher.put(offer(key(2, 1, 7), offered));
       matcher.put(request(key(here, 1, 1), asked));
       if (!offer_comes_first) matcher.put(offer(key(2, 1, 7), offered));
@@ -48,7 +48,7 @@ TEST(Clash, ANumberMeetsTheConceptWhoseHashItIs) {
       EXPECT_THAT(matched(matcher, request(key(here, 1, 1), asked).subscription), ElementsAre(key(2, 1, 7)));
     }
   }
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(offer(key(2, 1, 7), TextIdentity{"a text"}));
   matcher.put(request(key(here, 1, 1), NumericIdentity{id32(TextIdentity{"a text"})}));
   EXPECT_THAT(told(matcher), IsEmpty()) << "a text has no part in this";
@@ -57,7 +57,7 @@ TEST(Clash, ANumberMeetsTheConceptWhoseHashItIs) {
 TEST(Clash, AProviderThatAClashKeptApartIsNoIncumbentWhenItEnds) {
   const auto [one, other] = twins();
   const Identity number = NumericIdentity{id32(one)};
-  Matcher matcher(nullptr);
+  Matcher matcher;
   auto apart = offer(key(3, 1, 1), number);
   apart.publication.protocol = "tcp";
   matcher.put(apart);
@@ -74,7 +74,7 @@ TEST(Clash, AProviderThatAClashKeptApartIsNoIncumbentWhenItEnds) {
 TEST(Clash, TwoConceptsThatShareANumberAreNotConnectedByItAndBothSidesAreTold) {
   const auto [one, other] = twins();
   const Identity number = NumericIdentity{id32(one)};
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(request(key(here, 1, 1), number));
   matcher.put(request(key(here, 1, 2), one));
   matcher.put(offer(key(here, 2, 1), one));
@@ -92,7 +92,7 @@ TEST(Clash, TwoConceptsThatShareANumberAreNotConnectedByItAndBothSidesAreTold) {
 
 TEST(Clash, TwoConceptsThatShareANumberWhichNobodyUsesAreNobodysBusiness) {
   const auto [one, other] = twins();
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(request(key(here, 1, 1), one));
   matcher.put(offer(key(here, 2, 1), other));
   matcher.put(offer(key(here, 2, 2), one));

@@ -14,7 +14,8 @@ namespace {
 
 using enum Degree;
 
-std::optional<Match> degree_of(const Identity& offered, const Identity& requested, const compiled::Ontology* ontology) {
+std::optional<Match> degree_of(const Identity& offered, const Identity& requested,
+                               const vocabulary::Vocabulary& ontology) {
   return degree_of_identity(offered, classes_of(offered, ontology), requested, classes_of(requested, ontology),
                             ontology);
 }
@@ -25,7 +26,7 @@ struct Case {
   std::optional<Match> wanted;
 };
 
-void expect_all(const std::vector<Case>& cases, const compiled::Ontology* ontology) {
+void expect_all(const std::vector<Case>& cases, const vocabulary::Vocabulary& ontology) {
   for (const auto& [offered, requested, wanted] : cases) {
     const auto got = degree_of(offered, requested, ontology);
     EXPECT_EQ(got.has_value(), wanted.has_value()) << canonical_form(offered) << " for " << canonical_form(requested);
@@ -46,7 +47,7 @@ TEST(Degree, FollowsSubsumptionBetweenConcepts) {
               {semantic("OwnBall"), semantic("Tracked"), Match{narrower, 2}},
               {semantic("Tracked"), semantic("OwnBall"), Match{broader, 2}},
               {semantic("Ball"), semantic("Robot"), std::nullopt}},
-             &ontology);
+             ontology);
 }
 
 TEST(Degree, IsTheWeakerOfConceptAndRepresentationAndDistancesAdd) {
@@ -61,7 +62,7 @@ TEST(Degree, IsTheWeakerOfConceptAndRepresentationAndDistancesAdd) {
               {semantic("Tracked", "FieldFrame"), semantic("Ball", "Frame"), Match{broader, 2}},
               {semantic("Ball", "Robot"), semantic("Ball", "Frame"), std::nullopt},
               {semantic("Robot", "Frame"), semantic("Ball", "Frame"), std::nullopt}},
-             &ontology);
+             ontology);
 }
 
 TEST(Degree, ARequestWithoutRepresentationTakesAnyAndIsNotWeakened) {
@@ -69,7 +70,7 @@ TEST(Degree, ARequestWithoutRepresentationTakesAnyAndIsNotWeakened) {
   expect_all({{semantic("Ball", "Frame"), semantic("Ball"), Match{exact, 0}},
               {semantic("Ball", "Unheard"), semantic("Ball"), Match{exact, 0}},
               {semantic("OwnBall", "PolarFieldFrame"), semantic("Ball"), Match{narrower, 1}}},
-             &ontology);
+             ontology);
 }
 
 TEST(Degree, AnUnstatedRepresentationMeetsOnlyARequestWithoutOne) {
@@ -78,7 +79,7 @@ TEST(Degree, AnUnstatedRepresentationMeetsOnlyARequestWithoutOne) {
               {semantic("OwnBall"), semantic("Ball"), Match{narrower, 1}},
               {semantic("Ball"), semantic("Ball", "Frame"), std::nullopt},
               {semantic("OwnBall"), semantic("Ball", "Frame"), std::nullopt}},
-             &ontology);
+             ontology);
 }
 
 TEST(Degree, KindsNeverMatchAcrossButForANumberAndTheConceptWhoseHashItIs) {
@@ -93,7 +94,7 @@ TEST(Degree, KindsNeverMatchAcrossButForANumberAndTheConceptWhoseHashItIs) {
               {semantic("Ball"), NumericIdentity{id32(text)}, Match{exact, 0}},
               {NumericIdentity{id32(text) + 1}, semantic("Ball"), std::nullopt},
               {NumericIdentity{7}, TextIdentity{"7"}, std::nullopt}},
-             &ontology);
+             ontology);
 }
 
 TEST(Degree, NumbersAndTextsMatchExactlyOrNotAtAll) {
@@ -103,7 +104,7 @@ TEST(Degree, NumbersAndTextsMatchExactlyOrNotAtAll) {
               {TextIdentity{"a"}, TextIdentity{"a"}, Match{exact, 0}},
               {TextIdentity{"a"}, TextIdentity{"A"}, std::nullopt},
               {TextIdentity{"service-3352"}, TextIdentity{"service-724358"}, std::nullopt}},
-             &ontology);
+             ontology);
 }
 
 TEST(Degree, WhatTheOntologyDoesNotKnowMatchesExactlyOrNotAtAll) {
@@ -115,13 +116,13 @@ TEST(Degree, WhatTheOntologyDoesNotKnowMatchesExactlyOrNotAtAll) {
                                 {semantic("New"), semantic("Ball"), std::nullopt},
                                 {semantic("Ball"), semantic("New"), std::nullopt},
                                 {semantic("New"), semantic("New", "Frame"), std::nullopt}};
-  expect_all(cases, &ontology);
-  expect_all(cases, nullptr);
+  expect_all(cases, ontology);
+  expect_all(cases, {});
   expect_all({{semantic("Ball", "New"), semantic("Ball", "New"), Match{exact, 0}},
               {semantic("OwnBall", "New"), semantic("Ball", "New"), Match{narrower, 1}},
               {semantic("Ball", "New"), semantic("Ball", "Frame"), std::nullopt}},
-             &ontology);
-  expect_all({{semantic("OwnBall"), semantic("Ball"), std::nullopt}}, nullptr);
+             ontology);
+  expect_all({{semantic("OwnBall"), semantic("Ball"), std::nullopt}}, {});
 }
 
 TEST(Degree, WhatCannotExistMatchesNothingButItselfExactly) {
@@ -134,15 +135,15 @@ TEST(Degree, WhatCannotExistMatchesNothingButItselfExactly) {
               {semantic("Ball", "Ghost"), semantic("Ball", "Frame"), std::nullopt},
               {semantic("Ball", "Ghost"), semantic("Ball", "Ghost"), Match{exact, 0}},
               {semantic("Ghost", "FieldFrame"), semantic("Ghost", "Frame"), std::nullopt}},
-             &ontology);
+             ontology);
 }
 
 TEST(Degree, EverythingThatCanExistIsAThing) {
   const auto ontology = soccer();
   const Identity thing = SemanticIdentity{std::string(owl::owl_thing), ""};
-  EXPECT_EQ(degree_of(semantic("Ball"), thing, &ontology)->degree, narrower);
-  EXPECT_FALSE(degree_of(semantic("Ghost"), thing, &ontology));
-  EXPECT_FALSE(degree_of(semantic("New"), thing, &ontology));
+  EXPECT_EQ(degree_of(semantic("Ball"), thing, ontology)->degree, narrower);
+  EXPECT_FALSE(degree_of(semantic("Ghost"), thing, ontology));
+  EXPECT_FALSE(degree_of(semantic("New"), thing, ontology));
 }
 
 TEST(Degree, DistancesThatDoNotFitStayAtTheGreatest) {

@@ -14,7 +14,7 @@ using testing::UnorderedElementsAre;
 const Identity ball = TextIdentity{"ball"};
 
 TEST(Matcher, NothingOfAParticipantThatIsLeavingIsGivenBetweenTheSteps) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   for (std::uint32_t number = 1; number <= 3; ++number) matcher.put(offer(key(2, 1, number), ball, 9));
   matcher.put(request(key(2, 1, 9), ball, 1));
   matcher.put(offer(key(3, 1, 1), ball));
@@ -43,7 +43,7 @@ TEST(Matcher, NothingOfAParticipantThatIsLeavingIsGivenBetweenTheSteps) {
 }
 
 TEST(Matcher, WhoComesBackBeforeHisDepartureIsOverIsThere) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(offer(key(2, 1, 1), ball));
   matcher.put(offer(key(2, 1, 2), ball));
   matcher.put(request(key(here, 1, 1), ball));

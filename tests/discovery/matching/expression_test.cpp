@@ -20,25 +20,24 @@ const std::string tracked_or_so = "<http://example.org/Ball> or <http://example.
 /// A place right below Tracked and right above Ball and Robot.
 class Places {
  public:
-  explicit Places(const compiled::Ontology& ontology) {
+  explicit Places(const vocabulary::Vocabulary& ontology) {
     const auto number = [&](std::string_view name) { return *ontology.find_iri(iri(name)); };
-    placement::ExpressionPlace place;
+    vocabulary::Place place;
     place.parents = {number("Tracked")};
     place.children = {number("Ball"), number("Robot")};
-    place_ = std::make_shared<const placement::ExpressionPlace>(place);
+    place_ = std::make_shared<const vocabulary::Place>(place);
   }
   Placing placing() {
-    return
-        [this](const std::string& expression, ParticipantId from) -> std::shared_ptr<const placement::ExpressionPlace> {
-          asked[expression] = from;
-          return is_known && expression == tracked_or_so ? place_ : nullptr;
-        };
+    return [this](const vocabulary::Vocabulary&, const std::string& expression, ParticipantId from) {
+      asked[expression] = from;
+      return is_known && expression == tracked_or_so ? place_ : nullptr;
+    };
   }
   bool is_known = true;
   std::map<std::string, ParticipantId> asked;
 
  private:
-  std::shared_ptr<const placement::ExpressionPlace> place_;
+  std::shared_ptr<const vocabulary::Place> place_;
 };
 
 Identity expression(const std::string& text) { return SemanticIdentity{text, ""}; }
@@ -47,7 +46,7 @@ TEST(ExpressionMatcher, MeetsWhatIsBelowWhicheverComesFirst) {
   const auto ontology = soccer();
   for (const bool offer_comes_first : {true, false}) {
     Places places(ontology);
-    Matcher matcher(&ontology, places.placing());
+    Matcher matcher(ontology, places.placing());
     const auto offers = [&] {
       matcher.put(offer(key(2, 1, 1), semantic("OwnBall")));
       matcher.put(offer(key(2, 1, 2), semantic("Sphere")));
@@ -69,7 +68,7 @@ TEST(ExpressionMatcher, MeetsWhatIsAboveWhereTheConsumerAllowsIt) {
   const auto ontology = soccer();
   for (const bool offer_comes_first : {true, false}) {
     Places places(ontology);
-    Matcher matcher(&ontology, places.placing());
+    Matcher matcher(ontology, places.placing());
     if (offer_comes_first) matcher.put(offer(key(2, 1, 4), semantic("Tracked")));
     matcher.put(request(key(here, 1, 1), expression(tracked_or_so), 0, Degree::broader));
     if (!offer_comes_first) matcher.put(offer(key(2, 1, 4), semantic("Tracked")));
@@ -81,7 +80,7 @@ TEST(ExpressionMatcher, MeetsNothingUntilItsPlaceIsKnown) {
   const auto ontology = soccer();
   Places places(ontology);
   places.is_known = false;
-  Matcher matcher(&ontology, places.placing());
+  Matcher matcher(ontology, places.placing());
   matcher.put(offer(key(2, 1, 1), semantic("Ball")));
   const auto asking = request(key(here, 1, 1), expression(tracked_or_so));
   matcher.put(asking);
@@ -100,13 +99,13 @@ TEST(ExpressionMatcher, MeetsNothingUntilItsPlaceIsKnown) {
 TEST(ExpressionMatcher, ForgetsItsPlaceWithTheOntology) {
   const auto ontology = soccer();
   Places places(ontology);
-  Matcher matcher(&ontology, places.placing());
+  Matcher matcher(ontology, places.placing());
   matcher.put(offer(key(2, 1, 1), semantic("Ball")));
   matcher.put(request(key(here, 1, 1), expression(tracked_or_so)));
   (void)told(matcher);
-  change_ontology(matcher, nullptr);
+  change_vocabulary(matcher, {});
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub del p2.1.1 changed"));
-  change_ontology(matcher, &ontology);
+  change_vocabulary(matcher, ontology);
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p2.1.1 narrower 1"));
 }
 
@@ -115,7 +114,7 @@ TEST(ExpressionMatcher, MeetsOneOfferOnceThoughItIsBelowTwoChildren) {
   taxonomy.sub("Ball", "Tracked").sub("Robot", "Tracked").sub("BallRobot", "Ball").sub("BallRobot", "Robot");
   const auto ontology = taxonomy.classified();
   Places places(ontology);
-  Matcher matcher(&ontology, places.placing());
+  Matcher matcher(ontology, places.placing());
   matcher.put(offer(key(2, 1, 1), semantic("BallRobot")));
   const auto asking = request(key(here, 1, 1), expression(tracked_or_so));
   matcher.put(asking);

@@ -14,7 +14,7 @@ using enum ChannelMode;
 const Identity ball = TextIdentity{"ball"};
 
 TEST(Matcher, SaysWhoHasThePlaceThatAPublicationDoesNotGet) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(request(key(here, 1, 1), ball, 1));
   matcher.put(offer(key(3, 1, 1), ball, 1));
   matcher.put(offer(key(2, 1, 1), ball, 1));
@@ -39,7 +39,7 @@ TEST(Matcher, SaysWhoHasThePlaceThatAPublicationDoesNotGet) {
 }
 
 TEST(Matcher, OfAConsumerElsewhereItSaysWhatTheRankingSays) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(request(key(9, 1, 1), ball, 1, Degree::narrower, one_to_many_stream));
   matcher.put(offer(key(3, 1, 1), ball, 1, one_to_many_stream));
   matcher.put(offer(key(2, 1, 1), ball, 1, one_to_many_stream));
@@ -51,7 +51,7 @@ TEST(Matcher, OfAConsumerElsewhereItSaysWhatTheRankingSays) {
 }
 
 TEST(Matcher, FindsWhatMeetsARequest) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(offer(key(2, 1, 1), ball, 1));
   matcher.put(offer(key(3, 1, 2), ball, 5));
   matcher.put(offer(key(3, 1, 1), ball, 1));
@@ -62,7 +62,7 @@ TEST(Matcher, FindsWhatMeetsARequest) {
 }
 
 TEST(Matcher, KnowsWhoIsServedAndUsedInTheWholeTeam) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(offer(key(2, 1, 1), ball));
   matcher.put(offer(key(2, 1, 2), TextIdentity{"goal"}));
   matcher.put(request(key(3, 1, 1), ball));
@@ -74,7 +74,7 @@ TEST(Matcher, KnowsWhoIsServedAndUsedInTheWholeTeam) {
 }
 
 TEST(Matcher, ListsEntriesByKey) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   for (const auto& one : {key(3, 1, 1), key(1, 2, 1), key(2, 1, 5), key(2, 1, 4)}) {
     matcher.put(offer(one, ball));
     matcher.put(request(one, ball));

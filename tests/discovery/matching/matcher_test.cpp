@@ -20,7 +20,7 @@ const Identity ball = TextIdentity{"ball"};
 
 TEST(Matcher, TellsAConsumerWhicheverComesFirst) {
   for (const bool offer_comes_first : {true, false}) {
-    Matcher matcher(nullptr);
+    Matcher matcher;
     if (offer_comes_first) matcher.put(offer(key(2, 1, 7), ball));
     matcher.put(request(key(here, 1, 1), ball));
     if (!offer_comes_first) matcher.put(offer(key(2, 1, 7), ball));
@@ -30,7 +30,7 @@ TEST(Matcher, TellsAConsumerWhicheverComesFirst) {
 }
 
 TEST(Matcher, AnEventCarriesTheWholeEntry) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   auto entry = offer(key(2, 1, 7), ball, 3);
   entry.publication.address = "192.0.2.7";
   entry.publication.attributes["rate"] = "30";
@@ -43,14 +43,14 @@ TEST(Matcher, AnEventCarriesTheWholeEntry) {
 }
 
 TEST(Matcher, APeerMayUseItsOwnService) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(offer(key(here, 1, 1), ball));
   matcher.put(request(key(here, 1, 2), ball));
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.2 pub add p1.1.1 exact 0", "p1.1.1 sub add p1.1.2 exact 0"));
 }
 
 TEST(Matcher, APutOfWhatIsThereOnlyMovesItsAge) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   auto service = offer(key(2, 1, 7), ball);
   auto wish = request(key(3, 1, 8), ball);
   matcher.put(offer(key(here, 1, 2), ball));
@@ -69,7 +69,7 @@ TEST(Matcher, APutOfWhatIsThereOnlyMovesItsAge) {
 TEST(Matcher, ProvidersAreToldOfConsumersWhereTheModeNeedsIt) {
   for (const auto& [mode, is_told] :
        {std::pair(one_to_one, true), std::pair(one_to_many_pubsub, true), std::pair(one_to_many_stream, false)}) {
-    Matcher matcher(nullptr);
+    Matcher matcher;
     matcher.put(offer(key(here, 1, 1), ball, 0, mode));
     matcher.put(request(key(2, 1, 8), ball, 0, Degree::narrower, mode));
     const auto events = told(matcher);
@@ -84,7 +84,7 @@ TEST(Matcher, ProvidersAreToldOfConsumersWhereTheModeNeedsIt) {
 }
 
 TEST(Matcher, AProviderIsToldOnlyOfConsumersThatChooseIt) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(offer(key(here, 1, 1), ball, 1));
   matcher.put(offer(key(2, 1, 1), ball, 2));
   matcher.put(request(key(3, 1, 8), ball, 1));
@@ -97,7 +97,7 @@ TEST(Matcher, AProviderIsToldOnlyOfConsumersThatChooseIt) {
 
 TEST(Matcher, ARemoteConsumerOfVeryManyProvidersIsToldToAllOfThem) {
   for (const auto& [limit, is_told] : {std::pair(15U, false), std::pair(16U, false), std::pair(17U, true)}) {
-    Matcher matcher(nullptr);
+    Matcher matcher;
     for (std::uint32_t number = 0; number < 17; ++number) matcher.put(offer(key(2, 1, number), ball, 2));
     matcher.put(offer(key(here, 1, 1), ball, 1));
     matcher.put(request(key(3, 1, 8), ball, limit));
@@ -106,7 +106,7 @@ TEST(Matcher, ARemoteConsumerOfVeryManyProvidersIsToldToAllOfThem) {
 }
 
 TEST(Matcher, OneThatFellBehindAllOthersIsNotForgotten) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(request(key(here, 1, 1), ball, 1));
   matcher.put(offer(key(3, 1, 1), ball, 9));
   for (std::uint32_t number = 0; number < 30; ++number) matcher.put(offer(key(2, 1, number), ball, 1));
@@ -119,14 +119,14 @@ TEST(Matcher, OneThatFellBehindAllOthersIsNotForgotten) {
 }
 
 TEST(Matcher, ModesAreNotMixed) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(offer(key(2, 1, 1), ball, 0, one_to_many_stream));
   matcher.put(request(key(here, 1, 1), ball, 0, Degree::narrower, one_to_many_pubsub));
   EXPECT_THAT(told(matcher), IsEmpty());
 }
 
 TEST(Matcher, NothingThatIsAboutToGoTakesAnothersPlace) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(offer(key(2, 1, 1), ball, 3));
   matcher.put(offer(key(2, 1, 2), ball, 2));
   matcher.put(offer(key(3, 1, 1), ball, 1));
@@ -137,7 +137,7 @@ TEST(Matcher, NothingThatIsAboutToGoTakesAnothersPlace) {
 }
 
 TEST(Matcher, AConsumerHasTheBetterServiceBeforeTheOutrankedOneGoes) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(request(key(here, 1, 1), ball, 1));
   matcher.put(offer(key(2, 1, 1), ball, 1));
   matcher.put(offer(key(3, 1, 1), ball, 1));
@@ -147,7 +147,7 @@ TEST(Matcher, AConsumerHasTheBetterServiceBeforeTheOutrankedOneGoes) {
 }
 
 TEST(Matcher, ADelCarriesTheServiceAsItWasLastTold) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(request(key(here, 1, 1), ball));
   matcher.put(offer(key(2, 1, 1), ball, 4));
   told(matcher);
@@ -159,7 +159,7 @@ TEST(Matcher, ADelCarriesTheServiceAsItWasLastTold) {
 }
 
 TEST(Matcher, AModifiedServiceIsToldOnceAndOnlyToThoseWhoHaveIt) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(request(key(here, 1, 1), ball));
   matcher.put(request(key(here, 1, 2), TextIdentity{"goal"}));
   matcher.put(offer(key(2, 1, 1), ball));
@@ -172,7 +172,7 @@ TEST(Matcher, AModifiedServiceIsToldOnceAndOnlyToThoseWhoHaveIt) {
 }
 
 TEST(Matcher, AModifiedSubscriptionIsToldToItsProvidersNotToItself) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(offer(key(here, 1, 1), ball));
   matcher.put(request(key(here, 2, 1), ball));
   told(matcher);
@@ -183,7 +183,7 @@ TEST(Matcher, AModifiedSubscriptionIsToldToItsProvidersNotToItself) {
 }
 
 TEST(Matcher, ASubscriptionThatAsksForSomethingElseLosesAndGains) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(offer(key(2, 1, 1), ball));
   matcher.put(offer(key(2, 1, 2), TextIdentity{"goal"}));
   matcher.put(offer(key(here, 9, 1), ball));
@@ -195,7 +195,7 @@ TEST(Matcher, ASubscriptionThatAsksForSomethingElseLosesAndGains) {
 }
 
 TEST(Matcher, ItsOwnEndIsNotToldToAPeer) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   matcher.put(offer(key(here, 1, 1), ball));
   matcher.put(request(key(here, 1, 2), ball));
   matcher.put(request(key(here, 2, 1), ball));
@@ -216,7 +216,7 @@ TEST(Matcher, ProvidersAreFilteredByIdAndByName) {
                                                            {{"robot2", "module6"}, false},  {{"2", ""}, false},
                                                            {{"ROBOT2", ""}, false},         {{"", "module5"}, true}};
   for (const auto& [filter, fits] : cases) {
-    Matcher matcher(nullptr);
+    Matcher matcher;
     matcher.put(offer(key(2, 5, 1), ball));
     auto wish = request(key(here, 1, 1), ball);
     wish.subscription.providers = {filter};
@@ -229,7 +229,7 @@ TEST(Matcher, ProvidersAreFilteredByIdAndByName) {
 }
 
 TEST(Matcher, AFilterDecidesAndAnUnreadableOneNeverMatches) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   auto service = offer(key(2, 1, 1), ball);
   service.publication.attributes["rate"] = "30";
   matcher.put(service);
@@ -262,7 +262,7 @@ TEST(Matcher, CollidingIdentitiesNeverMatchInWhateverOrderTheyCome) {
       if (i == j || is_number_of(names[i], names[j]) || is_number_of(names[j], names[i])) continue;
       std::vector<int> order{0, 1, 2, 3};
       do {
-        Matcher matcher(nullptr);
+        Matcher matcher;
         for (const int step : order) {
           if (step == 0) matcher.put(offer(key(2, 1, 1), names[i]));
           if (step == 1) matcher.put(offer(key(2, 1, 2), names[j]));
@@ -279,7 +279,7 @@ TEST(Matcher, CollidingIdentitiesNeverMatchInWhateverOrderTheyCome) {
 }
 
 TEST(Matcher, OnlyTheProtocolsThatAreAskedForMatch) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   auto service = offer(key(2, 1, 1), ball);
   service.publication.protocol = "tcp";
   auto wish = request(key(here, 1, 1), ball);

@@ -30,10 +30,10 @@ class Model {
  public:
   std::map<ServiceKey, registry::PublicationEntry> publications;
   std::map<ServiceKey, registry::SubscriptionEntry> subscriptions;
-  const compiled::Ontology* ontology = nullptr;
+  vocabulary::Vocabulary ontology;
   /// While an ontology changes: the subscriptions that are still judged by the former one.
   std::set<ServiceKey> former;
-  const compiled::Ontology* former_ontology = nullptr;
+  vocabulary::Vocabulary former_ontology;
 
   /// Chooses anew for every subscription, with those chosen last time as incumbents.
   void work_out();

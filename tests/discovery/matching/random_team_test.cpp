@@ -18,7 +18,7 @@ using registry::SubscriptionEntry;
 /// One team, held by a matcher and by a model, and what its local peers were told.
 class RandomTeam {
  public:
-  RandomTeam(std::uint64_t seed, std::vector<const compiled::Ontology*> ontologies)
+  RandomTeam(std::uint64_t seed, std::vector<vocabulary::Vocabulary> ontologies)
       : random_(seed),
         crowd_(static_cast<Crowd>(seed % 3)),
         ontologies_(std::move(ontologies)),
@@ -225,7 +225,7 @@ class RandomTeam {
   void set_ontology() {
     if (stage_ == Stage::none) {
       next_ontology_ = ontologies_[random_.below(ontologies_.size())];
-      matcher_.begin_ontology(next_ontology_);
+      matcher_.begin_vocabulary(next_ontology_);
       stage_ = Stage::filing;
     }
     if (random_.chance(0.5)) return;
@@ -302,7 +302,7 @@ class RandomTeam {
 
   base::Random random_;
   Crowd crowd_;
-  std::vector<const compiled::Ontology*> ontologies_;
+  std::vector<vocabulary::Vocabulary> ontologies_;
   base::Instant now_;
   Reason reason_ = Reason::withdrawn;
   Model model_;
@@ -310,7 +310,7 @@ class RandomTeam {
   Replay replay_;
   /// The change of the ontology that is under way.
   enum class Stage { none, filing, rematching } stage_ = Stage::none;
-  const compiled::Ontology* next_ontology_ = nullptr;
+  vocabulary::Vocabulary next_ontology_;
   std::optional<ServiceKey> at_;
 };
 
@@ -322,7 +322,7 @@ TEST(RandomTeam, IsToldExactlyWhatWorkingEverythingOutSays) {
   const auto second = taxonomy.classified();
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomTeam team(seed, {&first, &second, nullptr});
+    RandomTeam team(seed, {first, second, {}});
     for (int number = 0; number < 1500 && !testing::Test::HasFailure(); ++number) team.step(number);
     if (testing::Test::HasFailure()) return;
   }

@@ -16,7 +16,7 @@ using testing::IsEmpty;
 TEST(SemanticMatcher, TellsOfNarrowerConceptsWhicheverComesFirst) {
   const auto ontology = soccer();
   for (const bool offer_comes_first : {true, false}) {
-    Matcher matcher(&ontology);
+    Matcher matcher(ontology);
     if (offer_comes_first) matcher.put(offer(key(2, 1, 7), semantic("OwnBall", "PolarFieldFrame")));
     matcher.put(request(key(here, 1, 1), semantic("Tracked", "Frame")));
     matcher.put(request(key(here, 1, 2), semantic("Robot")));
@@ -34,7 +34,7 @@ TEST(SemanticMatcher, TheWeakestDegreeDecides) {
   for (const auto weakest : {Degree::exact, Degree::equivalent, Degree::narrower, Degree::broader}) {
     for (const auto& [concept_name, degree] : offers) {
       for (const bool offer_comes_first : {true, false}) {
-        Matcher matcher(&ontology);
+        Matcher matcher(ontology);
         if (offer_comes_first) matcher.put(offer(key(2, 1, 7), semantic(concept_name)));
         matcher.put(request(key(here, 1, 1), semantic("Ball"), 0, weakest));
         if (!offer_comes_first) matcher.put(offer(key(2, 1, 7), semantic(concept_name)));
@@ -50,7 +50,7 @@ TEST(SemanticMatcher, TheWeakestDegreeDecides) {
 
 TEST(SemanticMatcher, ABetterDegreeOutranksAndAGreaterPriorityOutranksThat) {
   const auto ontology = soccer();
-  Matcher matcher(&ontology);
+  Matcher matcher(ontology);
   matcher.put(request(key(here, 1, 1), semantic("Ball"), 1));
   matcher.put(offer(key(2, 1, 1), semantic("OwnBall")));
   matcher.put(offer(key(2, 1, 2), semantic("Sphere")));
@@ -64,7 +64,7 @@ TEST(SemanticMatcher, ABetterDegreeOutranksAndAGreaterPriorityOutranksThat) {
 
 TEST(SemanticMatcher, AServiceThatBecomesNarrowerIsModifiedForThoseWhoKeepIt) {
   const auto ontology = soccer();
-  Matcher matcher(&ontology);
+  Matcher matcher(ontology);
   matcher.put(request(key(here, 1, 1), semantic("Tracked")));
   matcher.put(request(key(here, 1, 2), semantic("OwnBall")));
   matcher.put(request(key(here, 1, 3), semantic("Robot")));
@@ -79,28 +79,28 @@ TEST(SemanticMatcher, AnotherOntologyTellsOnlyWhatItChanges) {
   Taxonomy flat;
   flat.sub("OwnBall", "Tracked").sub("Ball", "Round");
   const auto other = flat.classified();
-  Matcher matcher(&ontology);
+  Matcher matcher(ontology);
   matcher.put(request(key(here, 1, 1), semantic("Tracked")));
   matcher.put(request(key(here, 1, 2), semantic("Ball")));
   matcher.put(request(key(here, 1, 3), semantic("Round")));
   matcher.put(offer(key(2, 1, 1), semantic("OwnBall")));
   matcher.put(offer(key(2, 1, 2), semantic("Ball")));
   EXPECT_EQ(matcher.take_events().size(), 4U);
-  change_ontology(matcher, &other);
+  change_vocabulary(matcher, other);
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub del p2.1.2 changed", "p1.1.1 pub modify p2.1.1 narrower 1",
                                          "p1.1.2 pub del p2.1.1 changed", "p1.1.3 pub add p2.1.2 narrower 1"));
-  change_ontology(matcher, &other);
+  change_vocabulary(matcher, other);
   EXPECT_THAT(told(matcher), IsEmpty());
-  change_ontology(matcher, nullptr);
+  change_vocabulary(matcher, {});
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub del p2.1.1 changed", "p1.1.3 pub del p2.1.2 changed"));
-  change_ontology(matcher, &ontology);
+  change_vocabulary(matcher, ontology);
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p2.1.2 narrower 1", "p1.1.1 pub add p2.1.1 narrower 2",
                                          "p1.1.2 pub add p2.1.1 narrower 1"));
 }
 
 TEST(SemanticMatcher, SaysWhyAPairDoesNotMatch) {
   const auto ontology = soccer();
-  Matcher matcher(&ontology);
+  Matcher matcher(ontology);
   const auto why = [&](const Identity& requested, const Identity& offered) {
     const auto match = matcher.why(request(key(here, 1, 1), requested), offer(key(2, 1, 1), offered));
     return match ? "matches " + std::string(to_string(match->degree)) : match.error();
@@ -118,7 +118,7 @@ TEST(SemanticMatcher, SaysWhyAPairDoesNotMatch) {
 }
 
 TEST(SemanticMatcher, NamesEverythingThatDoesNotFit) {
-  Matcher matcher(nullptr);
+  Matcher matcher;
   auto wish = request(key(here, 1, 1), TextIdentity{"ball"});
   wish.subscription.mode = ChannelMode::one_to_many_stream;
   wish.subscription.providers = {{"robot9", ""}};

@@ -11,6 +11,7 @@
 #include "reasoning/el/classify.hpp"
 #include "reasoning/owl/axiom.hpp"
 #include "reasoning/owl/source.hpp"
+#include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::matching {
 
@@ -38,9 +39,10 @@ class Taxonomy {
     return *this;
   }
 
-  [[nodiscard]] compiled::Ontology classified() const {
+  [[nodiscard]] vocabulary::Vocabulary classified() const {
     auto classification = el::classify(source_);
-    return std::move(compiled::Ontology::from_bytes(compiled::compile(source_, classification.value()))).value();
+    return vocabulary::Vocabulary(
+        std::move(compiled::Ontology::from_bytes(compiled::compile(source_, classification.value()))).value());
   }
 
  private:
@@ -53,7 +55,7 @@ class Taxonomy {
 
 /// Tracked things and frames as in robot soccer: an own ball is a ball is a tracked object, a sphere is just another
 /// word for a ball, nothing can be a ghost.
-inline compiled::Ontology soccer() {
+inline vocabulary::Vocabulary soccer() {
   Taxonomy taxonomy;
   taxonomy.sub("Ball", "Tracked").sub("OwnBall", "Ball").sub("Robot", "Tracked").equivalent("Sphere", "Ball");
   taxonomy.sub("FieldFrame", "Frame").sub("PolarFieldFrame", "FieldFrame").equivalent("Pitch", "FieldFrame");

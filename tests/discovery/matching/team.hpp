@@ -80,9 +80,9 @@ inline void remove_participant(Matcher& matcher, ParticipantId participant, Reas
   }
 }
 
-/// All steps of the change to another ontology.
-inline void change_ontology(Matcher& matcher, const compiled::Ontology* next) {
-  matcher.begin_ontology(next);
+/// All steps of the change to another vocabulary.
+inline void change_vocabulary(Matcher& matcher, const vocabulary::Vocabulary& next) {
+  matcher.begin_vocabulary(next);
   while (matcher.file_next()) {
   }
   matcher.put_in_force();

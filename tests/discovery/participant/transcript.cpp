@@ -120,7 +120,7 @@ void Transcript::direct(std::string_view words) {
       if (one->is_on()) one->reload(one->ontology);
     } else if (verb == "unprepared") {
       one->ontology = sim::small_ontology(third);
-      one->event([&](participant::Participant& participant) { participant.set_ontology(sim::unowned(one->ontology)); });
+      one->event([&](participant::Participant& participant) { participant.set_vocabulary(one->ontology); });
     } else if (verb == "preparing") {
       const auto count = base::parse_number<int>(third);
       ASSERT_TRUE(count && words == " ms") << at_;

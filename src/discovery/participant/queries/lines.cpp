@@ -6,7 +6,6 @@
 #include "base/text.hpp"
 #include "discovery/participant/identities.hpp"
 #include "discovery/participant/naming.hpp"
-#include "reasoning/compiled/ontology.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -19,30 +18,29 @@ bool is_accepted(const ProviderFilter& filter, const ServiceKey& key, const std:
   return is_participant && (filter.peer.empty() || filter.peer == number || filter.peer == peer_name);
 }
 
-bool is_same_or_narrower(const compiled::Ontology* ontology, const std::string& sub, const std::string& super) {
+bool is_same_or_narrower(const vocabulary::Vocabulary& vocabulary, const std::string& sub, const std::string& super) {
   if (sub == super) return true;
-  if (ontology == nullptr) return false;
-  const auto sub_class = ontology->find_iri(sub);
-  const auto super_class = ontology->find_iri(super);
-  return sub_class && super_class && ontology->is_subsumed(*sub_class, *super_class);
+  const auto sub_class = vocabulary.find_iri(sub);
+  const auto super_class = vocabulary.find_iri(super);
+  return sub_class && super_class && vocabulary.is_subsumed(*sub_class, *super_class);
 }
 
 /// `place` is that of the wanted concept where it is an expression.
-bool is_same_or_narrower(const compiled::Ontology* ontology, const std::string& sub, const std::string& super,
-                         const placement::ExpressionPlace* place) {
-  if (sub == super || place == nullptr || ontology == nullptr) return is_same_or_narrower(ontology, sub, super);
-  const auto sub_class = ontology->find_iri(sub);
-  return sub_class && placement::is_above(*place, *sub_class, *ontology);
+bool is_same_or_narrower(const vocabulary::Vocabulary& vocabulary, const std::string& sub, const std::string& super,
+                         const vocabulary::Place* place) {
+  if (sub == super || place == nullptr) return is_same_or_narrower(vocabulary, sub, super);
+  const auto sub_class = vocabulary.find_iri(sub);
+  return sub_class && vocabulary.is_above(*place, *sub_class);
 }
 
-bool is_same_or_narrower(const compiled::Ontology* ontology, const Identity& identity, const Identity& wanted,
-                         const placement::ExpressionPlace* place) {
+bool is_same_or_narrower(const vocabulary::Vocabulary& vocabulary, const Identity& identity, const Identity& wanted,
+                         const vocabulary::Place* place) {
   const auto* sub = std::get_if<SemanticIdentity>(&identity);
   const auto* super = std::get_if<SemanticIdentity>(&wanted);
   if (sub == nullptr || super == nullptr) return identity == wanted;
-  return is_same_or_narrower(ontology, sub->concept_iri, super->concept_iri, place) &&
+  return is_same_or_narrower(vocabulary, sub->concept_iri, super->concept_iri, place) &&
          (super->representation_iri.empty() ||
-          is_same_or_narrower(ontology, sub->representation_iri, super->representation_iri));
+          is_same_or_narrower(vocabulary, sub->representation_iri, super->representation_iri));
 }
 
 }  // namespace
@@ -88,7 +86,7 @@ std::expected<Sieve, Error> Sieve::make(Core& core, const gcnp::ListFilter& filt
     sieve.identity_ = std::move(*identity);
     if (has_expression(*sieve.identity_)) {
       const auto& text = std::get<SemanticIdentity>(*sieve.identity_).concept_iri;
-      sieve.place_ = core.expressions.place(text, std::nullopt, core.env.now());
+      sieve.place_ = core.expressions.place(core.vocabulary(), text, std::nullopt, core.env.now());
     }
   }
   return sieve;
@@ -97,7 +95,7 @@ std::expected<Sieve, Error> Sieve::make(Core& core, const gcnp::ListFilter& filt
 bool Sieve::passes(const Core& core, const ServiceKey& key, const std::string& participant_name,
                    const std::string& peer_name, const Identity& identity, ChannelMode mode) const {
   if (filter_.mode && *filter_.mode != mode) return false;
-  if (identity_ && !is_same_or_narrower(core.ontology, identity, *identity_, place_.get())) return false;
+  if (identity_ && !is_same_or_narrower(core.vocabulary(), identity, *identity_, place_.get())) return false;
   return filter_.providers.empty() || std::ranges::any_of(filter_.providers, [&](const ProviderFilter& one) {
            return is_accepted(one, key, participant_name, peer_name);
          });

@@ -35,7 +35,7 @@ Line line_of(const Core& core, const registry::PublicationEntry& entry, const ma
   append(line, "service", to_string(entry.key));
   append(line, "provider", gcnp::peer_word(entry.key));
   append_known(line, "name", entry.peer_name);
-  gcnp::append_identity(line, named(core.ontology, entry.publication.identity));
+  gcnp::append_identity(line, named(core.vocabulary(), entry.publication.identity));
   append(line, "degree", std::string(to_string(match.degree)));
   append(line, "distance", match.distance);
   append_channel(line, entry.publication);

@@ -1,6 +1,4 @@
 // `query ontology`: what is loaded, what the reasoner does not use, and who on the air has loaded something else.
-#include "reasoning/compiled/ontology.hpp"
-
 #include "base/text.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
@@ -15,23 +13,24 @@ constexpr std::uint32_t unnamed_classes = 2;
 
 Answered answer(Core& core, const gcnp::QueryOntology&) {
   Answer answer{.kind = "ontology", .lines = {{}}, .end = {}};
-  append_flag(answer.lines.front(), "loaded", core.ontology != nullptr);
+  const auto& vocabulary = core.vocabulary();
+  append_flag(answer.lines.front(), "loaded", vocabulary.is_loaded());
   append(answer.lines.front(), "digest", digest_word(core.digest()));
-  if (core.ontology != nullptr) {
-    const auto files = core.ontology->files();
-    const auto left_out = core.ontology->left_out();
-    append(answer.lines.front(), "classes", core.ontology->class_count() - unnamed_classes);
+  if (vocabulary.is_loaded()) {
+    const auto files = vocabulary.files();
+    const auto left_out = vocabulary.left_out();
+    append(answer.lines.front(), "classes", vocabulary.class_count() - unnamed_classes);
     append(answer.lines.front(), "files", files.size());
     append(answer.lines.front(), "left_out", left_out.size());
-    const auto gaps = core.ontology->gaps();
+    const auto gaps = vocabulary.gaps();
     append_flag(answer.lines.front(), "complete", left_out.empty() && gaps.empty());
-    for (const owl::LoadedFile& file : files) {
+    for (const auto& file : files) {
       Line line;
       append(line, "file", base::printable(file.path, 4096));
       append_known(line, "iri", file.ontology_iri);
       answer.lines.push_back(std::move(line));
     }
-    for (const owl::LeftOut& one : left_out) {
+    for (const auto& one : left_out) {
       Line line;
       append(line, "left_out", one.construct);
       append(line, "count", one.count);

@@ -16,7 +16,7 @@ Line line_of(const Core& core, const registry::SubscriptionEntry& entry) {
   append(line, "consumer", gcnp::peer_word(entry.key));
   append_known(line, "name", entry.peer_name);
   append_known(line, "participant_name", entry.participant_name);
-  gcnp::append_identity(line, named(core.ontology, subscription.identity));
+  gcnp::append_identity(line, named(core.vocabulary(), subscription.identity));
   append(line, "match", std::string(to_string(subscription.weakest)));
   append(line, "mode", std::string(to_string(subscription.mode)));
   append_known(line, "provider", joined(subscription.providers));

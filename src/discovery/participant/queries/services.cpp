@@ -15,7 +15,7 @@ Line line_of(const Core& core, const registry::PublicationEntry& entry) {
   append(line, "provider", gcnp::peer_word(entry.key));
   append_known(line, "name", entry.peer_name);
   append_known(line, "participant_name", entry.participant_name);
-  gcnp::append_identity(line, named(core.ontology, entry.publication.identity));
+  gcnp::append_identity(line, named(core.vocabulary(), entry.publication.identity));
   append_channel(line, entry.publication);
   append(line, "age", age(core, entry));
   append_flag(line, "local", entry.is_local);

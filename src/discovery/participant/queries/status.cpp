@@ -5,7 +5,6 @@
 #include "discovery/announcement/codec.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
-#include "reasoning/compiled/compile.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -43,10 +42,7 @@ void append_counters(Line& line, const Counters& counters) {
 void append_ontology_state(Line& line, const Core& core) {
   if (core.ontology_state.is_loading) append_flag(line, "ontology_loading", true);
   if (!core.ontology_state.failure.empty()) append(line, "ontology_failed", core.ontology_state.failure.front());
-  const auto gaps = core.ontology == nullptr ? std::vector<std::string>() : core.ontology->gaps();
-  const auto open =
-      std::ranges::find_if(gaps, [](const std::string& gap) { return gap.starts_with(compiled::undecided_words); });
-  if (open != gaps.end()) append(line, "ontology_undecided", open->substr(compiled::undecided_words.size()));
+  if (const auto undecided = core.vocabulary().undecided()) append(line, "ontology_undecided", *undecided);
   std::size_t others = 0;
   core.neighbours.for_each(
       [&](const membership::Neighbour& one) { others += one.ontology_digest == core.digest() ? 0 : 1; });

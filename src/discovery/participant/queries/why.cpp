@@ -5,7 +5,6 @@
 #include "discovery/gcnp/event.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
-#include "reasoning/explanation/why_not.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -24,7 +23,7 @@ Line check(std::string_view what, bool is_ok, std::string text) {
 /// The identity as a user would write it.
 std::string words(const Core& core, const Identity& identity) {
   Line line;
-  gcnp::append_identity(line, named(core.ontology, identity));
+  gcnp::append_identity(line, named(core.vocabulary(), identity));
   std::string text;
   for (const gcnp::Parameter& one : line) text += (text.empty() ? "" : " ") + one.key + "=" + one.value.value_or("");
   return text;
@@ -54,14 +53,13 @@ std::string nearest(const Core& core, const registry::SubscriptionEntry& request
                     const registry::PublicationEntry& offer) {
   const auto* asked = std::get_if<SemanticIdentity>(&request.subscription.identity);
   const auto* offered = std::get_if<SemanticIdentity>(&offer.publication.identity);
-  if (core.ontology == nullptr || asked == nullptr || offered == nullptr) return "";
-  const compiled::Ontology& ontology = *core.ontology;
-  const auto sub = ontology.find_iri(offered->concept_iri);
-  const auto super = ontology.find_iri(asked->concept_iri);
-  if (!sub || !super || ontology.is_subsumed(*sub, *super)) return "";
-  if (const auto axioms = ontology.check_axioms(); !axioms) return "; " + axioms.error().text;
-  const explanation::WhyNot why_not = explanation::why_not(ontology, *sub, *super, explanation::Patience::of_a_daemon);
-  return "; " + base::printable(explanation::describe_briefly(ontology, *sub, *super, why_not), max_nearest_bytes);
+  if (asked == nullptr || offered == nullptr) return "";
+  const auto& vocabulary = core.vocabulary();
+  const auto sub = vocabulary.find_iri(offered->concept_iri);
+  const auto super = vocabulary.find_iri(asked->concept_iri);
+  if (!sub || !super || vocabulary.is_subsumed(*sub, *super)) return "";
+  const auto why_not = vocabulary.why_not(*sub, *super);
+  return "; " + (why_not ? base::printable(*why_not, max_nearest_bytes) : why_not.error().text);
 }
 
 Line check_identity(const Core& core, const registry::SubscriptionEntry& request,

@@ -1,0 +1,31 @@
+// A class expression whose names were found in a vocabulary.
+#ifndef GEMINGA_REASONING_VOCABULARY_EXPRESSION_HPP
+#define GEMINGA_REASONING_VOCABULARY_EXPRESSION_HPP
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "reasoning/syntax/manchester/limits.hpp"
+#include "reasoning/syntax/manchester/parse.hpp"
+
+namespace geminga::vocabulary {
+
+/// The most octets that an expression may have, whoever wrote it.
+inline constexpr std::size_t max_expression_bytes = manchester::Limits{}.text_bytes;
+
+/// What Vocabulary::read() gives (src/reasoning/syntax/manchester/MANCHESTER.md).
+class Expression {
+ public:
+  /// Equal for expressions that differ in nothing but their writing; read() takes it.
+  [[nodiscard]] std::string canonical() const;
+
+ private:
+  friend class Vocabulary;
+  explicit Expression(manchester::Expression parsed) : parsed_(std::move(parsed)) {}
+  manchester::Expression parsed_;
+};
+
+}  // namespace geminga::vocabulary
+
+#endif

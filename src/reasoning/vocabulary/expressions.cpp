@@ -1,0 +1,70 @@
+// Prepares a vocabulary for class expressions, and turns every way in which that is impossible into an error.
+#include <new>
+#include <utility>
+
+#include "base/assert.hpp"
+#include "reasoning/compiled/entity_names.hpp"
+#include "reasoning/placement/expression_classifier.hpp"
+#include "reasoning/syntax/manchester/canonical.hpp"
+#include "reasoning/vocabulary/expression.hpp"
+#include "reasoning/vocabulary/vocabulary.hpp"
+
+namespace geminga::vocabulary {
+
+/// What expressions are read and placed with, or why they cannot be.
+class ExpressionReader {
+ public:
+  struct Parts {
+    placement::ExpressionClassifier classifier;
+    compiled::EntityNames names;
+  };
+
+  explicit ExpressionReader(const compiled::Ontology& ontology) : parts(make(ontology)) {}
+
+  const std::expected<Parts, Error> parts;
+
+ private:
+  [[nodiscard]] static std::expected<Parts, Error> make(const compiled::Ontology& ontology) {
+    try {
+      auto classifier = placement::ExpressionClassifier::build(ontology);
+      if (!classifier) return std::unexpected(Error{ErrorCode::impossible, classifier.error().text});
+      return Parts{std::move(*classifier), compiled::EntityNames(ontology)};
+    } catch (const std::bad_alloc&) {
+      return std::unexpected(
+          Error{ErrorCode::impossible, "not enough memory for class expressions: name a class instead"});
+    }
+  }
+};
+
+std::string Expression::canonical() const { return manchester::canonical(parsed_.source, parsed_.term); }
+
+Vocabulary Vocabulary::with_expressions() const {
+  GEMINGA_ASSERT(is_loaded());
+  Vocabulary prepared = *this;
+  prepared.reader_ = std::make_shared<const ExpressionReader>(*ontology_);
+  return prepared;
+}
+
+std::expected<void, Error> Vocabulary::check_expressions() const {
+  if (reader_ == nullptr) {
+    return std::unexpected(
+        Error{ErrorCode::not_ready, "not ready: the ontology is being prepared for class expressions"});
+  }
+  if (!reader_->parts) return std::unexpected(reader_->parts.error());
+  return {};
+}
+
+std::expected<Expression, Error> Vocabulary::read(std::string_view text, std::size_t max_bytes) const {
+  manchester::Limits limits;
+  limits.text_bytes = max_bytes;
+  auto parsed = manchester::parse(text, reader_->parts->names, limits);
+  if (parsed) return Expression(std::move(*parsed));
+  const bool is_large = parsed.error().kind == manchester::ParseError::Kind::too_large;
+  return std::unexpected(Error{is_large ? ErrorCode::too_large : ErrorCode::impossible, to_string(parsed.error())});
+}
+
+Place Vocabulary::place(const Expression& expression) const {
+  return reader_->parts->classifier.classify(expression.parsed_.source, expression.parsed_.term);
+}
+
+}  // namespace geminga::vocabulary

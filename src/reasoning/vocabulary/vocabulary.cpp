@@ -1,0 +1,71 @@
+// Names, and what is known of the ontology.
+#include "reasoning/vocabulary/vocabulary.hpp"
+
+#include <algorithm>
+
+#include "reasoning/compiled/compile.hpp"
+#include "reasoning/compiled/similar.hpp"
+#include "reasoning/syntax/manchester/parse.hpp"
+
+namespace geminga::vocabulary {
+
+Vocabulary::Vocabulary(compiled::Ontology ontology)
+    : ontology_(std::make_shared<const compiled::Ontology>(std::move(ontology))) {}
+
+std::expected<ClassNumber, std::string> Vocabulary::find(std::string_view name) const {
+  const auto found = ontology_->find(name);
+  if (found) return *found;
+  if (found.error().kind != compiled::NameError::Kind::unknown) return std::unexpected(found.error().text);
+  const compiled::SimilarLimits limits{.classes = compiled::max_compared_classes};
+  return std::unexpected(found.error().text + compiled::did_you_mean(compiled::find_similar(*ontology_, name, limits)));
+}
+
+bool Vocabulary::is_expression(std::string_view name) const {
+  return is_loaded() && manchester::is_compound(name) && !ontology_->find(name);
+}
+
+std::string Vocabulary::short_name(std::string_view iri) const {
+  return is_loaded() ? ontology_->short_name(iri) : "<" + std::string(iri) + ">";
+}
+
+// The canonical text has angle brackets around IRIs, in comparisons behind a blank, and within quotes, of which a
+// backslash takes away the meaning.
+std::string Vocabulary::short_expression(std::string_view canonical) const {
+  std::string text;
+  bool is_quoted = false;
+  for (std::size_t at = 0; at < canonical.size(); ++at) {
+    const std::size_t end = canonical.find('>', at);
+    const bool is_iri = !is_quoted && canonical[at] == '<' && end != std::string_view::npos &&
+                        canonical.substr(at, end - at).find(' ') == std::string_view::npos;
+    if (is_iri) {
+      text += short_name(canonical.substr(at + 1, end - at - 1));
+      at = end;
+      continue;
+    }
+    if (canonical[at] == '"') is_quoted = !is_quoted;
+    text += canonical[at];
+    if (is_quoted && canonical[at] == '\\' && at + 1 < canonical.size()) text += canonical[++at];
+  }
+  return text;
+}
+
+std::vector<owl::LoadedFile> Vocabulary::files() const {
+  return is_loaded() ? ontology_->files() : std::vector<owl::LoadedFile>();
+}
+
+std::vector<owl::LeftOut> Vocabulary::left_out() const {
+  return is_loaded() ? ontology_->left_out() : std::vector<owl::LeftOut>();
+}
+
+std::vector<std::string> Vocabulary::gaps() const {
+  return is_loaded() ? ontology_->gaps() : std::vector<std::string>();
+}
+
+std::optional<std::string> Vocabulary::undecided() const {
+  const auto all = gaps();
+  const auto open =
+      std::ranges::find_if(all, [](const std::string& gap) { return gap.starts_with(compiled::undecided_words); });
+  return open == all.end() ? std::nullopt : std::optional(open->substr(compiled::undecided_words.size()));
+}
+
+}  // namespace geminga::vocabulary

@@ -1,0 +1,149 @@
+// What the names of services mean: the one thing of reasoning/ that discovery/ knows.
+#ifndef GEMINGA_REASONING_VOCABULARY_VOCABULARY_HPP
+#define GEMINGA_REASONING_VOCABULARY_VOCABULARY_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "geminga/error.hpp"
+#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/placement/expression.hpp"
+#include "reasoning/taxonomy/class_number.hpp"
+
+namespace geminga::vocabulary {
+
+using taxonomy::ClassNumber;
+/// Where a class expression stands among the classes of one vocabulary.
+using Place = placement::ExpressionPlace;
+
+class Expression;
+struct Explanation;
+class ExpressionReader;
+
+/// The team's ontology with its prefixes and, once it is prepared, what class expressions are placed with: one value,
+/// replaced as a whole and never changed. Copies are cheap and share what they know, which lives as long as one of
+/// them. Safe to read from many threads.
+///
+/// A vocabulary without an ontology knows no class. Numbers are of one ontology: whoever has one has it from a
+/// vocabulary of this ontology, so that what takes a number or a place needs no other sign that one is loaded.
+class Vocabulary {
+ public:
+  /// Without an ontology.
+  Vocabulary() = default;
+  /// Null: without one.
+  explicit Vocabulary(std::shared_ptr<const compiled::Ontology> ontology) : ontology_(std::move(ontology)) {}
+  explicit Vocabulary(compiled::Ontology ontology);
+
+  [[nodiscard]] bool is_loaded() const { return ontology_ != nullptr; }
+  /// Whether both are of one ontology, read once: numbers and places of the one are those of the other.
+  [[nodiscard]] bool has_ontology_of(const Vocabulary& other) const { return ontology_ == other.ontology_; }
+
+  // Names.
+
+  /// The class of `prefix:Name`, `<IRI>`, a bare IRI or a label. The error is one line that says what is wrong and
+  /// which classes may have been meant. Requires an ontology.
+  [[nodiscard]] std::expected<ClassNumber, std::string> find(std::string_view name) const;
+  [[nodiscard]] std::optional<ClassNumber> find_iri(std::string_view iri) const {
+    return is_loaded() ? ontology_->find_iri(iri) : std::nullopt;
+  }
+  /// Whether a name is that of no class, and more than one name: a class expression, be it a wrong one.
+  [[nodiscard]] bool is_expression(std::string_view name) const;
+  [[nodiscard]] std::string_view iri(ClassNumber number) const { return ontology_->iri(number); }
+  /// `prefix:Name` where a prefix fits, else `<IRI>`; of any IRI, known as a class or not.
+  [[nodiscard]] std::string short_name(ClassNumber number) const { return ontology_->short_name(number); }
+  [[nodiscard]] std::string short_name(std::string_view iri) const;
+  /// A canonical expression with short names.
+  [[nodiscard]] std::string short_expression(std::string_view canonical) const;
+
+  // How classes stand to each other. All that is asked of the hot path: nothing here is virtual or allocates but what
+  // gives a vector.
+
+  [[nodiscard]] std::uint32_t class_count() const { return is_loaded() ? ontology_->class_count() : 0; }
+  /// False where nothing can be an instance of the class.
+  [[nodiscard]] bool is_satisfiable(ClassNumber number) const { return ontology_->is_satisfiable(number); }
+  /// Whether every instance of `sub` is one of `super`. Reflexive. O(1) to O(log n).
+  [[nodiscard]] bool is_subsumed(ClassNumber sub, ClassNumber super) const {
+    return ontology_->is_subsumed(sub, super);
+  }
+  /// Edges of the shortest way up from `sub` to `super`: 0 for equivalents; nothing where not subsumed.
+  [[nodiscard]] std::optional<std::uint32_t> distance(ClassNumber sub, ClassNumber super) const {
+    return ontology_->distance(sub, super);
+  }
+  /// Every class that subsumes this one, itself included, ascending.
+  [[nodiscard]] std::vector<ClassNumber> subsumers(ClassNumber number) const { return ontology_->subsumers(number); }
+  /// The same of an expression in its place (placement/expression.hpp).
+  [[nodiscard]] std::vector<ClassNumber> subsumers(const Place& place) const {
+    return placement::subsumers(place, *ontology_);
+  }
+  [[nodiscard]] bool is_above(const Place& place, ClassNumber sub) const {
+    return placement::is_above(place, sub, *ontology_);
+  }
+  [[nodiscard]] std::optional<std::uint32_t> distance_up(const Place& place, ClassNumber super) const {
+    return placement::distance_up(place, super, *ontology_);
+  }
+  [[nodiscard]] std::optional<std::uint32_t> distance_down(const Place& place, ClassNumber sub) const {
+    return placement::distance_down(place, sub, *ontology_);
+  }
+
+  // Class expressions. They need the ontology saturated and its names looked up, which takes seconds for a large one.
+
+  /// The same ontology, prepared for expressions. It may run on any thread, beside others that read this. Where that is
+  /// impossible, for the ontology is over a limit or memory runs out, check_expressions() of the result says so.
+  /// Requires an ontology.
+  [[nodiscard]] Vocabulary with_expressions() const;
+  [[nodiscard]] bool is_prepared() const { return reader_ != nullptr; }
+  /// Whether expressions can be read: 503 until the vocabulary is prepared, 422 where they are impossible in it.
+  [[nodiscard]] std::expected<void, Error> check_expressions() const;
+  /// Reads a text of so many octets at most: 413 where it is over a limit, 422 where it cannot be read. Requires that
+  /// check_expressions() is content, as place() does.
+  [[nodiscard]] std::expected<Expression, Error> read(std::string_view text, std::size_t max_bytes) const;
+  /// Costs what the expression leads to and what is below it.
+  [[nodiscard]] Place place(const Expression& expression) const;
+
+  // Why. These read the axioms, and search: they take milliseconds. 422 where the axioms are damaged.
+
+  [[nodiscard]] std::expected<Explanation, Error> explain(ClassNumber sub, ClassNumber super) const;
+  /// Of a class that is not below the other, in one line of few words: what is nearest, and what is missing.
+  [[nodiscard]] std::expected<std::string, Error> why_not(ClassNumber sub, ClassNumber super) const;
+
+  // The ontology itself; of none there is nothing to say, and the digest is 0.
+
+  /// Equal on every host that loaded the same ontologies.
+  [[nodiscard]] std::uint64_t digest() const { return is_loaded() ? ontology_->digest() : 0; }
+  [[nodiscard]] std::vector<owl::LoadedFile> files() const;
+  [[nodiscard]] std::vector<owl::LeftOut> left_out() const;
+  /// Why something may be missing although its axioms were used, one line each.
+  [[nodiscard]] std::vector<std::string> gaps() const;
+  /// The one of them that says which classes nobody could decide about, without the words that it begins with.
+  [[nodiscard]] std::optional<std::string> undecided() const;
+
+ private:
+  friend class OntologyMark;
+
+  std::shared_ptr<const compiled::Ontology> ontology_;
+  std::shared_ptr<const ExpressionReader> reader_;  ///< borrows the ontology; null: not prepared
+};
+
+/// Tells whether a vocabulary is still of the ontology that something was remembered of, without keeping that alive.
+class OntologyMark {
+ public:
+  OntologyMark() = default;
+  explicit OntologyMark(const Vocabulary& vocabulary) : ontology_(vocabulary.ontology_) {}
+  [[nodiscard]] bool is_of(const Vocabulary& vocabulary) const {
+    return !ontology_.owner_before(vocabulary.ontology_) && !vocabulary.ontology_.owner_before(ontology_);
+  }
+
+ private:
+  std::weak_ptr<const compiled::Ontology> ontology_;
+};
+
+}  // namespace geminga::vocabulary
+
+#endif
