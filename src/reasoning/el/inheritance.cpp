@@ -142,7 +142,7 @@ void InheritanceWorker::start(std::uint32_t node) {
   // Whoever is above has it from there, too.
   const bool says_top_something = index_.is_active(top_expr) || !index_.frontier(top_expr).empty();
   if (index_.frontier(atom).empty() && atom != top_expr && says_top_something) inherit(node, require(top_expr));
-  if (index_.is_active(atom)) add_item(node, atom);
+  if (index_.is_active(atom)) add_subsumer(node, atom);
 }
 
 void InheritanceWorker::inherit(std::uint32_t node, std::uint32_t from) {
@@ -151,7 +151,7 @@ void InheritanceWorker::inherit(std::uint32_t node, std::uint32_t from) {
   tell(from, {NodeMessage::Kind::child, node, 0});
 }
 
-void InheritanceWorker::inherit_existential(std::uint32_t node, RoleId role, std::uint32_t filler) {
+void InheritanceWorker::add_link(std::uint32_t node, RoleId role, std::uint32_t filler) {
   const std::uint32_t from = require_existential(role, filler);
   Node& self = nodes_[node];
   if (from == node || self.is_unsatisfiable || self.items.contains(shared_.first_link + from)) return;
@@ -159,7 +159,7 @@ void InheritanceWorker::inherit_existential(std::uint32_t node, RoleId role, std
   inherit(node, from);
 }
 
-void InheritanceWorker::inherit_derived(std::uint32_t node, ExprId atom) {
+void InheritanceWorker::add_atom(std::uint32_t node, ExprId atom) {
   Node& self = nodes_[node];
   if (self.is_unsatisfiable || (!self.is_existential() && number(atom) == self.root)) return;
   // Most have few; where there are many, hearing of one twice does no harm.
@@ -238,7 +238,7 @@ void InheritanceWorker::process(std::uint32_t node) {
   while (!self.is_unsatisfiable && !shared_.has_ended()) {
     if (self.pending != 0 && !self.is_released) return stall(node);
     if (self.todo.empty()) break;
-    process_item(node, ExprId{self.todo.pop_back()});
+    apply(node, ExprId{self.todo.pop_back()});
     work_.add(1);
   }
   if (self.is_unsatisfiable) return tell_bottom(node);
@@ -345,11 +345,11 @@ void InheritanceWorker::receive(std::uint32_t node, const NodeMessage& message, 
       if (message.kind == NodeMessage::Kind::inherited) {
         add_inherited(node, items);
       } else {
-        for (const std::uint32_t item : items) add_item(node, ExprId{item});
+        for (const std::uint32_t item : items) add_subsumer(node, ExprId{item});
       }
       break;
     case NodeMessage::Kind::composed:
-      inherit_existential(node, RoleId{message.first}, message.second);
+      add_link(node, RoleId{message.first}, message.second);
       break;
     case NodeMessage::Kind::bottom:
       return add_bottom(node);

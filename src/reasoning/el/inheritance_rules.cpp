@@ -1,4 +1,5 @@
-// The rules of a closure by inheritance, each in logic notation beside its code; the legend is in inheritance.hpp.
+// Where the conclusions of a closure by inheritance are noted, and what nodes tell each other because of the rules of
+// rules.hpp; the legend is in inheritance.hpp.
 #include <algorithm>
 
 #include "reasoning/el/inheritance_worker.hpp"
@@ -10,177 +11,58 @@ constexpr std::uint8_t bit(RuleBits rules) { return static_cast<std::uint8_t>(ru
 
 }  // namespace
 
-void InheritanceWorker::add_item(std::uint32_t node, ExprId item) {
+void InheritanceWorker::add_subsumer(std::uint32_t node, ExprId item) {
   Node& self = nodes_[node];
   if (self.is_unsatisfiable || !self.items.insert(number(item), arena_)) return;
   ++conclusions_;
   self.todo.push_back(number(item), arena_);
 }
 
-void InheritanceWorker::process_item(std::uint32_t node, ExprId item) {
-  const std::uint8_t rules = index_.rule_bits(item);
-  const auto has = [&](RuleBits kind) { return (rules & bit(kind)) != 0; };
-
-  //  N < D
-  //  ----- [D < F is told]
-  //  N < F
-  if (has(RuleBits::bottom)) return add_bottom(node);
-
-  //  N < D
-  //  ----- [D < E is told]; what is told of an atom is above its node from the start
-  //  N < E
-  if (has(RuleBits::above) && !index_.is_atom(item)) {
-    for (const ExprId above : index_.told_atoms(item)) inherit_derived(node, above);
-  }
-
-  //  N < D
-  //  ------------ [D < R some E is told, M is the node of E]
-  //  N < R some M
-  if (has(RuleBits::links)) {
-    for (const LinkRule& link : index_.links(item)) inherit_existential(node, link.role, require(link.root));
-  }
-  if (has(RuleBits::conjunctions)) apply_conjunctions(node, item);
-  process_inherited(node, number(item));
-}
-
 void InheritanceWorker::process_inherited(std::uint32_t node, std::uint32_t item) {
-  if (item >= shared_.first_link) return process_propagating(node, item);
-  const std::uint8_t rules = index_.rule_bits(ExprId{item});
-  const auto has = [&](RuleBits kind) { return (rules & bit(kind)) != 0; };
-  if (has(RuleBits::selfs)) {
-    for (const RoleId role : index_.selfs(ExprId{item})) add_self(node, role);
-  }
-  if (has(RuleBits::existentials)) process_propagating(node, item);
-  if (has(RuleBits::disjointness)) {
-    for (const std::uint32_t axiom : index_.disjointness(ExprId{item})) add_disjointness(node, axiom);
+  if (item >= shared_.first_link) {
+    const Node& self = nodes_[node];
+    for (std::uint32_t at = 0; at < self.selfs.size(); ++at) compose_with_link(node, self.selfs[at], item);
+  } else {
+    apply_to_inherited(node, ExprId{item}, index_.rule_bits(ExprId{item}));
   }
 }
 
-//  N < D   N < E
-//  ------------- [D and E occurs negatively]; unless one node above has both
-//  N < D and E
-void InheritanceWorker::apply_conjunctions(std::uint32_t node, ExprId item) {
-  // Whichever is shorter is walked, and the other searched: names like "disease" are in thousands of conjunctions.
-  Node& self = nodes_[node];
-  const std::span<const ConjunctionRule> rules = index_.conjunctions(item);
-  work_.add(std::min<std::size_t>(rules.size(), self.items.size()));
-  if (rules.size() <= self.items.size() * 2) {
-    for (const ConjunctionRule& rule : rules) {
-      if (self.items.contains(number(rule.partner))) add_item(node, rule.conjunction);
-    }
-    return;
-  }
-  for (std::size_t at = 0; at < self.items.size(); ++at) {
-    const ExprId partner{self.items[at]};
-    for (auto rule = std::ranges::lower_bound(rules, partner, {}, &ConjunctionRule::partner);
-         rule != rules.end() && rule->partner == partner; ++rule) {
-      add_item(node, rule->conjunction);
-    }
-  }
+// Here only what R Self says: all other links are nodes, which tell_sources() tells of fillers.
+void InheritanceWorker::add_filler(std::uint32_t node, ExprId item) {
+  const Node& self = nodes_[node];
+  for (std::uint32_t at = 0; at < self.selfs.size(); ++at) propagate({self.selfs[at], node}, item);
 }
 
-//  N < D   N < E
-//  ------------- [D and E are different members of one disjointness axiom]
-//  N < F
-void InheritanceWorker::add_disjointness(std::uint32_t node, std::uint32_t axiom) {
-  Node& self = nodes_[node];
-  if (self.is_unsatisfiable) return;
-  // The axiom's mark among the items says that one member was there before. Each node sets its own: two that are above
-  // may have theirs from the same member.
-  if (!self.items.insert(static_cast<std::uint32_t>(index_.size()) + axiom, arena_)) add_bottom(node);
-}
-
-//  N < D   N is below R Self
-//  ------------------------- [S some D occurs negatively, R <* S]; and what a link says, as in compose()
-//  N < S some D
-void InheritanceWorker::process_propagating(std::uint32_t node, std::uint32_t item) {
-  Node& self = nodes_[node];
-  for (std::uint32_t at = 0; at < self.selfs.size(); ++at) {
-    const RoleId role = self.selfs[at];
-    if (item >= shared_.first_link) {
-      compose(node, role, item);
-      continue;
-    }
-    std::vector<std::uint32_t> found;
-    find_existentials(role, ExprId{item}, found);
-    for (const std::uint32_t existential : found) add_item(node, ExprId{existential});
-  }
-}
-
-//  N < R Self
-//  ---------- [R <* S, S Self occurs negatively]; what else R Self says is in the next rules
-//  N < S Self
 void InheritanceWorker::add_self(std::uint32_t node, RoleId role) {
   Node& self = nodes_[node];
   if (self.is_unsatisfiable || std::ranges::find(self.selfs, role) != self.selfs.end()) return;
   self.selfs.push_back(role, arena_);
   ++conclusions_;
-  for (const RoleId super : index_.roles().supers(role)) {
-    const ExprId negative = index_.negative_self(super);
-    if (negative != bottom_expr) add_item(node, negative);
-  }
+  apply_self(node, role);
+}
 
-  //  N < R Self
-  //  ---------- [E is the range of R]
-  //  N < E
-  if (index_.range_of(role) != top_expr) inherit_derived(node, index_.representative(index_.range_of(role)));
-
-  //  N < D   N < R Self
-  //  ------------------ [S some D occurs negatively, R <* S]; here the second premise is new
-  //  N < S some D
-  std::vector<std::uint32_t> found;
+// The node of R some N could tell N only what follows from the items of N itself. So it is not made, and these are read
+// here.
+void InheritanceWorker::add_loop(std::uint32_t node, RoleId role) {
+  const Node& self = nodes_[node];
+  std::vector<ExprId> found;
   for (std::uint32_t at = 0; at < self.items.size(); ++at) {
     const std::uint32_t item = self.items[at];
     if (item >= shared_.first_link) {
-      compose(node, role, item);
+      compose_with_link(node, role, item);
     } else if (is_filler(item)) {
-      find_existentials(role, ExprId{item}, found);
+      for_each_existential(role, ExprId{item}, [&](ExprId existential) { found.push_back(existential); });
     }
   }
-  for (const std::uint32_t existential : found) add_item(node, ExprId{existential});
-
-  //  N < R Self   N < S Self
-  //  ----------------------- [R o S SubPropertyOf R']
-  //  N < R' Self
-  const auto compose_selfs = [&](RoleId first, RoleId second) {
-    for (const Composition& rule : index_.roles().compositions(first)) {
-      if (rule.second == second) add_self(node, rule.result);
-    }
-  };
-  for (std::uint32_t at = 0; at < self.selfs.size(); ++at) {
-    const RoleId other = self.selfs[at];
-    compose_selfs(role, other);
-    if (other != role) compose_selfs(other, role);
-  }
+  for (const ExprId existential : found) add_subsumer(node, existential);
 }
 
 //  N < R Self   N < S some M
 //  ------------------------- [R o S SubPropertyOf R']
 //  N < R' some M
-void InheritanceWorker::compose(std::uint32_t node, RoleId first, std::uint32_t link) {
-  const Node& second = nodes_[link - shared_.first_link];
-  for (const RoleId result : index_.roles().composed(first, RoleId{second.root})) {
-    inherit_existential(node, result, second.filler);
-  }
-}
-
-void InheritanceWorker::find_existentials(RoleId role, ExprId filler, std::vector<std::uint32_t>& found) const {
-  // What a hub is below may be the filler of thousands of existentials, of which one link concerns a handful.
-  constexpr std::size_t max_scanned = 8;
-  const Roles& roles = index_.roles();
-  const auto rules = index_.existentials(filler);
-  if (rules.size() <= max_scanned) {
-    for (const ExistentialRule& rule : rules) {
-      if (roles.is_sub_role(role, rule.role)) found.push_back(number(rule.existential));
-    }
-    return;
-  }
-  for (const RoleId super : roles.supers(role)) {
-    for (auto rule = std::ranges::lower_bound(rules, super, {}, &ExistentialRule::role);
-         rule != rules.end() && rule->role == super; ++rule) {
-      found.push_back(number(rule->existential));
-    }
-  }
+void InheritanceWorker::compose_with_link(std::uint32_t node, RoleId first, std::uint32_t item) {
+  const Node& link = nodes_[item - shared_.first_link];
+  compose(node, first, RoleId{link.root}, link.filler);
 }
 
 void InheritanceWorker::tell_sources(std::uint32_t node) {
@@ -211,7 +93,7 @@ void InheritanceWorker::tell_source(std::uint32_t node, std::uint32_t source, bo
     //  --------------------- [S some D occurs negatively, R <* S]
     //  R some N < S some D
     if (item < shared_.first_link) {
-      find_existentials(role, ExprId{item}, found_);
+      for_each_existential(role, ExprId{item}, [&](ExprId existential) { found_.push_back(number(existential)); });
       continue;
     }
 

@@ -18,15 +18,16 @@
 #include "base/arena.hpp"
 #include "reasoning/el/inheritance.hpp"
 #include "reasoning/el/node.hpp"
+#include "reasoning/el/rules.hpp"
 #include "reasoning/el/work_count.hpp"
 
 namespace geminga::el {
 
-class InheritanceWorker {
+class InheritanceWorker : private Rules<InheritanceWorker> {
  public:
   /// Ranks are from 1.
   InheritanceWorker(Inheriting& shared, std::uint8_t rank)
-      : shared_(shared), index_(shared.index), nodes_(shared.contexts), work_(shared), rank_(rank) {}
+      : Rules(shared.index), shared_(shared), nodes_(shared.contexts), work_(shared), rank_(rank) {}
 
   /// The node of an atom, or of what is above it where it has nothing itself.
   std::uint32_t require(ExprId atom);
@@ -48,6 +49,7 @@ class InheritanceWorker {
   [[nodiscard]] std::size_t link_count() const { return links_; }
 
  private:
+  friend class Rules<InheritanceWorker>;
   using Items = std::span<const std::uint32_t>;
 
   // How nodes hear of each other.
@@ -68,21 +70,30 @@ class InheritanceWorker {
   std::uint32_t require_existential(RoleId role, std::uint32_t filler);
   void start(std::uint32_t node);
   void inherit(std::uint32_t node, std::uint32_t from);
-  void inherit_existential(std::uint32_t node, RoleId role, std::uint32_t filler);
-  void inherit_derived(std::uint32_t node, ExprId atom);
 
-  // Conclusions, and the rules by the premise that is new.
-  void add_item(std::uint32_t node, ExprId item);
-  void add_inherited(std::uint32_t node, Items items);
+  // What the rules ask of a closure (rules.hpp); each conclusion is noted where it is new.
+  static constexpr bool inherits = true;
+  void add_subsumer(std::uint32_t node, ExprId item);
+  void add_atom(std::uint32_t node, ExprId atom);
   void add_bottom(std::uint32_t node);
+  void add_link(std::uint32_t node, RoleId role, std::uint32_t filler);
   void add_self(std::uint32_t node, RoleId role);
-  void add_disjointness(std::uint32_t node, std::uint32_t axiom);
-  void process_item(std::uint32_t node, ExprId item);
+  void add_loop(std::uint32_t node, RoleId role);
+  void add_filler(std::uint32_t node, ExprId item);
+  [[nodiscard]] bool add_mark(std::uint32_t node, std::uint32_t mark) {
+    return nodes_[node].items.insert(mark, arena_);
+  }
+  [[nodiscard]] std::uint32_t successor_of(std::uint32_t /*node*/, const LinkRule& link) { return require(link.root); }
+  [[nodiscard]] bool is_unsatisfiable(std::uint32_t node) const { return nodes_[node].is_unsatisfiable; }
+  [[nodiscard]] const auto& subsumers(std::uint32_t node) const { return nodes_[node].items; }
+  [[nodiscard]] const auto& selfs(std::uint32_t node) const { return nodes_[node].selfs; }
+  [[nodiscard]] std::uint32_t selfs_done(std::uint32_t node) const { return nodes_[node].selfs.size(); }
+  void count_work(std::size_t premises) { work_.add(premises); }
+
+  // What is inherited.
+  void add_inherited(std::uint32_t node, Items items);
   void process_inherited(std::uint32_t node, std::uint32_t item);
-  void process_propagating(std::uint32_t node, std::uint32_t item);
-  void apply_conjunctions(std::uint32_t node, ExprId item);
-  void find_existentials(RoleId role, ExprId filler, std::vector<std::uint32_t>& found) const;
-  void compose(std::uint32_t node, RoleId first, std::uint32_t link);
+  void compose_with_link(std::uint32_t node, RoleId first, std::uint32_t item);
 
   // What a node hands on.
   void tell_sources(std::uint32_t node);
@@ -94,7 +105,6 @@ class InheritanceWorker {
   [[nodiscard]] bool is_filler(std::uint32_t item) const;
 
   Inheriting& shared_;
-  const IndexedOntology& index_;
   NodeStore& nodes_;
   WorkCount<Inheriting> work_;
   std::uint8_t rank_;

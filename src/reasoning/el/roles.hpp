@@ -51,7 +51,11 @@ class Roles {
   }
   /// The roles of a link of `first` followed by one of `second`.
   [[nodiscard]] auto composed(RoleId first, RoleId second) const {
-    return std::ranges::equal_range(compositions(first), second, {}, &Composition::second) |
+    const std::span<const Composition> all = compositions(first);
+    // Few chains have the same two roles: what is behind the first of them is looked at and not searched.
+    const auto begin = std::ranges::lower_bound(all, second, {}, &Composition::second);
+    return std::ranges::subrange(begin, all.end()) |
+           std::views::take_while([second](const Composition& rule) { return rule.second == second; }) |
            std::views::transform(&Composition::result);
   }
   /// Whether the role may be the second of a composition.

@@ -185,7 +185,7 @@ void SaturationWorker::process(std::uint32_t context) {
     } else if (self.forward_done < self.forward.size()) {
       process_forward(context, self.forward[self.forward_done++]);
     } else if (self.selfs_done < self.selfs.size()) {
-      process_self(context, self.selfs[self.selfs_done++]);
+      apply_self(context, self.selfs[self.selfs_done++]);
     } else {
       break;
     }

@@ -54,7 +54,7 @@ bool SaturationWorker::is_of_values(std::uint32_t context) const {
 }
 
 void SaturationWorker::merge_into_nominal(std::uint32_t context, std::uint32_t nominal) {
-  for (const ExprId atom : atoms_of(context)) add_derived_atom(nominal, atom);
+  for (const ExprId atom : members_of(context)) add_atom(nominal, atom);
   const base::ArenaSet<std::uint32_t>& known = contexts_[context].subsumers;
   work_.add(known.size());
   for (std::size_t at = 0; at < known.size(); ++at) {

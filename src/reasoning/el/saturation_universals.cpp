@@ -12,7 +12,7 @@ namespace geminga::el {
 //  C < D   C < Q
 //  --------------- [D < R some E is told, Q < S only P, R <* S]
 //  C -R-> E and P
-std::uint32_t SaturationWorker::require_restricted(std::uint32_t context, const LinkRule& link) {
+std::uint32_t SaturationWorker::successor_of(std::uint32_t context, const LinkRule& link) {
   const Context& self = contexts_[context];
   if (self.restricting.empty()) return require(link.root);
   std::vector<ExprId> together;
@@ -42,7 +42,7 @@ void SaturationWorker::process_universal(std::uint32_t context, ExprId subsumer)
     const std::uint32_t known = self.subsumers[at];
     if (known >= index_.size() || !index_.has_rules(ExprId{known}, RuleBits::links)) continue;
     for (const LinkRule& link : index_.links(ExprId{known})) {
-      if (is_concerned(link.role)) add_link(context, link.role, require_restricted(context, link));
+      if (is_concerned(link.role)) add_link(context, link.role, successor_of(context, link));
     }
   }
   for (std::uint32_t at = 0; at < contexts_[context].selfs_done; ++at) {
@@ -60,7 +60,7 @@ void SaturationWorker::process_universal_self(std::uint32_t context, RoleId role
       if (index_.roles().is_sub_role(role, rule.role)) found.push_back(rule.target);
     }
   }
-  for (const ExprId target : found) add_derived_atom(context, target);
+  for (const ExprId target : found) add_atom(context, target);
 }
 
 }  // namespace geminga::el

@@ -15,16 +15,17 @@
 
 #include "base/arena.hpp"
 #include "reasoning/el/context.hpp"
+#include "reasoning/el/rules.hpp"
 #include "reasoning/el/saturation.hpp"
 #include "reasoning/el/work_count.hpp"
 
 namespace geminga::el {
 
-class SaturationWorker {
+class SaturationWorker : private Rules<SaturationWorker> {
  public:
   /// Ranks are from 1.
   SaturationWorker(Saturating& shared, std::uint8_t rank)
-      : shared_(shared), index_(shared.index), contexts_(shared.contexts), work_(shared), rank_(rank) {}
+      : Rules(shared.index), shared_(shared), contexts_(shared.contexts), work_(shared), rank_(rank) {}
 
   std::uint32_t require(ExprId root);
   void require_nonempty(std::uint32_t context);
@@ -47,6 +48,7 @@ class SaturationWorker {
   [[nodiscard]] std::size_t link_count() const { return links_; }
 
  private:
+  friend class Rules<SaturationWorker>;
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
   // How conclusions travel.
@@ -58,35 +60,45 @@ class SaturationWorker {
   void enqueue(std::uint32_t context);
   void process(std::uint32_t context);
 
-  // Conclusions: each is noted where it is new.
+  // What the rules ask of a closure (rules.hpp); each conclusion is noted where it is new.
+  static constexpr bool inherits = false;
   void add_subsumer(std::uint32_t context, ExprId subsumer);
-  void add_link(std::uint32_t from, RoleId role, std::uint32_t to, bool is_last = false);
-  void add_forward(std::uint32_t from, Link link);
+  void add_atom(std::uint32_t context, ExprId atom);
   void add_bottom(std::uint32_t context);
-  void add_derived_atom(std::uint32_t context, ExprId atom);
+  void add_link(std::uint32_t from, RoleId role, std::uint32_t to, bool is_last = false);
+  void add_composed_link(std::uint32_t from, RoleId first, RoleId second, RoleId result, std::uint32_t to) {
+    add_link(from, result, to, index_.roles().is_last(first, second, result));
+  }
   void add_self(std::uint32_t context, RoleId role);
-  void add_disjointness(std::uint32_t context, std::uint32_t axiom);
+  void add_loop(std::uint32_t context, RoleId role);
+  void add_filler(std::uint32_t context, ExprId subsumer);
+  void add_member(std::uint32_t context, ExprId atom) { add_atom(context, atom); }
+  [[nodiscard]] bool add_mark(std::uint32_t context, std::uint32_t mark) {
+    return contexts_[context].subsumers.insert(mark, arena_);
+  }
+  [[nodiscard]] bool is_unsatisfiable(std::uint32_t context) const { return contexts_[context].is_unsatisfiable; }
+  [[nodiscard]] const auto& subsumers(std::uint32_t context) const { return contexts_[context].subsumers; }
+  [[nodiscard]] const auto& selfs(std::uint32_t context) const { return contexts_[context].selfs.get(); }
+  [[nodiscard]] std::uint32_t selfs_done(std::uint32_t context) const { return contexts_[context].selfs_done; }
+  [[nodiscard]] const auto& forward(std::uint32_t context) const { return contexts_[context].forward; }
+  [[nodiscard]] std::uint32_t forward_done(std::uint32_t context) const { return contexts_[context].forward_done; }
+  [[nodiscard]] std::vector<FunctionalGroup>& groups(std::uint32_t context) { return contexts_[context].groups.own(); }
+  void count_work(std::size_t premises) { work_.add(premises); }
 
-  // Rules, by the premise that is new.
+  // Rules by the premise that is new.
   void process_subsumer(std::uint32_t context, ExprId subsumer);
-  void propagate(Link link, ExprId filler);
   void process_backward(std::uint32_t context, Link link);
   void process_first(std::uint32_t context, Link link);
   void process_forward(std::uint32_t context, Link link);
-  void process_self(std::uint32_t context, RoleId role);
-  void apply_conjunctions(std::uint32_t context, std::span<const ConjunctionRule> rules);
-  void compose(std::uint32_t from, RoleId first, RoleId second, std::uint32_t to);
+  void add_forward(std::uint32_t from, Link link);
   void start(std::uint32_t context, std::span<const ExprId> atoms);
 
-  // Functional properties (saturation_functional.cpp).
+  // Contexts of several atoms (saturation_functional.cpp).
   std::uint32_t require_together(const std::vector<ExprId>& atoms);
-  [[nodiscard]] std::vector<ExprId> atoms_of(std::uint32_t context) const;
-  void group_successor(std::uint32_t context, RoleId functional, Link link);
-  void process_functional(std::uint32_t context, Link link);
-  void process_functional_self(std::uint32_t context, RoleId functional);
+  [[nodiscard]] std::vector<ExprId> members_of(std::uint32_t context) const;
 
   // Universals (saturation_universals.cpp).
-  std::uint32_t require_restricted(std::uint32_t context, const LinkRule& link);
+  std::uint32_t successor_of(std::uint32_t context, const LinkRule& link);
   void process_universal(std::uint32_t context, ExprId subsumer);
   void process_universal_self(std::uint32_t context, RoleId role);
 
@@ -98,7 +110,6 @@ class SaturationWorker {
   void find_self_of_link(std::uint32_t from, RoleId role, std::uint32_t to);
 
   Saturating& shared_;
-  const IndexedOntology& index_;
   ContextStore& contexts_;
   WorkCount<Saturating> work_;
   std::uint8_t rank_;

@@ -1,4 +1,4 @@
-// The rules over a base; the legend is in saturation.hpp, X stands for a context of the overlay.
+// Contexts over a base, and the rules of el/rules.hpp by the premise that is new.
 #include "reasoning/placement/expression_overlay.hpp"
 
 #include <algorithm>
@@ -6,8 +6,8 @@
 namespace geminga::placement {
 
 ExpressionOverlay::ExpressionOverlay(const ExpressionBase& base, const ShapeReader& shapes)
-    : base_(base),
-      index_(base.index()),
+    : Rules(base.index()),
+      base_(base),
       shapes_(shapes),
       base_count_(static_cast<std::uint32_t>(base.context_count())),
       size_(static_cast<std::uint32_t>(base.index().size())) {}
@@ -29,14 +29,9 @@ std::span<const el::Link> ExpressionOverlay::forward_of(std::uint32_t context) c
   return base_.forward_of(context);
 }
 
-std::vector<el::ExistentialRule> ExpressionOverlay::propagations_of(std::uint32_t context) const {
-  if (is_own(context)) return own_[context - base_count_].propagations;
-  std::vector<el::ExistentialRule> rules;
-  for (const el::ExprId filler : base_.propagating_of(context)) {
-    const auto of_filler = index_.existentials(filler);
-    rules.insert(rules.end(), of_filler.begin(), of_filler.end());
-  }
-  return rules;
+std::span<const el::ExprId> ExpressionOverlay::propagating_of(std::uint32_t context) const {
+  if (is_own(context)) return own_[context - base_count_].propagating;
+  return base_.propagating_of(context);
 }
 
 void ExpressionOverlay::add_seed(Seeds& seeds, ShapeId id) const {
@@ -84,14 +79,16 @@ std::uint32_t ExpressionOverlay::context_of(Seeds seeds) {
   //  ----- (init)   -----
   //  X < C          X < T
   add_atom(created, el::ExprId{top});
-  for (const std::uint32_t seed : seeds) {
-    if (seed < size_) {
-      add_atom(created, el::ExprId{seed});
-    } else {
-      assert_shape(created, seed - size_);
-    }
-  }
+  for (const std::uint32_t seed : seeds) add_member(created, seed);
   return created;
+}
+
+void ExpressionOverlay::add_member(std::uint32_t context, std::uint32_t seed) {
+  if (seed < size_) {
+    add_atom(context, el::ExprId{seed});
+  } else {
+    assert_shape(context, seed - size_);
+  }
 }
 
 bool ExpressionOverlay::run() {
@@ -121,7 +118,7 @@ void ExpressionOverlay::process(std::uint32_t context) {
     } else if (self.forward_done < self.forward.size()) {
       process_link(context, self.forward[self.forward_done++]);
     } else if (self.selfs_done < self.selfs.size()) {
-      process_self(context, self.selfs[self.selfs_done++]);
+      apply_self(context, self.selfs[self.selfs_done++]);
     } else {
       break;
     }
@@ -158,53 +155,16 @@ void ExpressionOverlay::add_atom(std::uint32_t context, el::ExprId atom) {
 }
 
 void ExpressionOverlay::process_subsumer(std::uint32_t context, el::ExprId subsumer) {
-  //  X < D                X < D
-  //  ----- [D < F told]   ----- [D < E told]
-  //  X < F                X < E
-  if (index_.is_told_bottom(subsumer)) return add_bottom(context);
-  if (index_.is_atom(subsumer)) {
-    for (const el::ExprId above : index_.frontier(subsumer)) add_subsumer(context, above);
-  } else {
-    for (const el::ExprId above : index_.told_atoms(subsumer)) add_atom(context, above);
-  }
-
-  //  X < D
-  //  -------- [D < R some E is told]
-  //  X -R-> E
-  for (const el::LinkRule& link : index_.links(subsumer)) add_link(context, link.role, context_of_atom(link.target));
-  for (const el::RoleId role : index_.selfs(subsumer)) add_self(context, role);
-
-  //  X < D   X < E
-  //  ------------- [D and E occurs negatively]
-  //  X < D and E
-  for (const el::ConjunctionRule& rule : index_.conjunctions(subsumer)) {
-    if (own(context).subsumers.contains(number(rule.partner))) add_subsumer(context, rule.conjunction);
-  }
-
-  //  X -R-> D   D < E
-  //  ---------------- [S some E occurs negatively, R <* S]; here the second premise is new
-  //  X < S some E
-  for (const el::ExistentialRule& rule : index_.existentials(subsumer)) {
-    own(context).propagations.push_back(rule);
-    const std::vector<el::Link> before = own(context).backward;
-    for (const el::Link link : before) {
-      if (index_.roles().is_sub_role(link.role, rule.role)) add_subsumer(link.context, rule.existential);
-    }
-  }
-
-  //  X < D   X < E
-  //  ------------- [D and E are different members of one disjointness axiom]
-  //  X < F
-  for (const std::uint32_t axiom : index_.disjointness(subsumer)) {
-    if (!own(context).subsumers.insert(size_ + axiom)) return add_bottom(context);
-  }
-
-  for (const el::RoleId functional : index_.functional_roles(subsumer)) {
-    const std::vector<el::Link> links = own(context).forward.items();
-    for (const el::Link link : links) group_successor(context, functional, link);
-    process_functional_self(context, functional);
-  }
+  apply(context, subsumer);
+  if (own(context).is_unsatisfiable) return;
+  apply_functional(context, subsumer);
   if (index_.is_nominal(subsumer)) process_nominal(context, subsumer);
+}
+
+// The second premise of propagate() is new.
+void ExpressionOverlay::add_filler(std::uint32_t context, el::ExprId subsumer) {
+  own(context).propagating.push_back(subsumer);
+  for (std::size_t at = 0; at < own(context).backward.size(); ++at) propagate(own(context).backward[at], subsumer);
 }
 
 //  X < {a}   {a} < D
@@ -232,16 +192,8 @@ void ExpressionOverlay::process_link(std::uint32_t context, el::Link link) {
   if (is_unsatisfiable(link.context)) return add_bottom(context);
   if (!is_own(link.context) && base_.is_conditional(link.context)) is_conditional_ = true;
 
-  //  X -R-> D   D < E
-  //  ---------------- [S some E occurs negatively, R <* S]; here the first premise is new
-  //  X < S some E
-  for (const el::ExistentialRule& rule : propagations_of(link.context)) {
-    if (index_.roles().is_sub_role(link.role, rule.role)) add_subsumer(context, rule.existential);
-  }
-
-  //  C -R-> X   X -S-> E        X -R-> D   D -S-> E
-  //  ------------------- and    ------------------- [R o S SubPropertyOf R']
-  //  C -R'-> E                  X -R'-> E
+  // The first premise of propagate() is new; then the first of compose(), then its second.
+  for (const el::ExprId filler : propagating_of(link.context)) propagate({link.role, context}, filler);
   if (!index_.roles().compositions(link.role).empty()) {
     const std::vector<el::Link> next(forward_of(link.context).begin(), forward_of(link.context).end());
     for (const el::Link& further : next) compose(context, link.role, further.role, further.context);
@@ -252,15 +204,7 @@ void ExpressionOverlay::process_link(std::uint32_t context, el::Link link) {
   }
   const std::vector<ShapeId> universals = own(context).universals;
   for (const ShapeId universal : universals) apply_universal(context, universal, link);
-  process_functional(context, link);
-}
-
-void ExpressionOverlay::compose(std::uint32_t from, el::RoleId first, el::RoleId second, std::uint32_t to) {
-  const auto rules = index_.roles().compositions(first);
-  for (auto rule = std::ranges::lower_bound(rules, second, {}, &el::Composition::second);
-       rule != rules.end() && rule->second == second; ++rule) {
-    add_link(from, rule->result, to);
-  }
+  if (index_.may_be_functional(link.role) || !own(context).functional.empty()) functional_link(context, link);
 }
 
 //  X < R only C   X -S-> D

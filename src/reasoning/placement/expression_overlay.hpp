@@ -1,8 +1,8 @@
 // The contexts of one expression, laid over a base that never changes.
 //
 // A new context links into the base, whose contexts are saturated already, so that every conclusion about it is drawn
-// when the link is made; nothing is ever added to the base. The rules are those of saturation.hpp, where the legend
-// is, and X stands for a context of the overlay.
+// when the link is made; nothing is ever added to the base. The rules are those of el/rules.hpp. The legend is in
+// el/saturation.hpp, and X stands for a context of the overlay.
 #ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_OVERLAY_HPP
 #define GEMINGA_REASONING_PLACEMENT_EXPRESSION_OVERLAY_HPP
 
@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "reasoning/el/rules.hpp"
 #include "reasoning/placement/expression_base.hpp"
 #include "reasoning/placement/expression_shape.hpp"
 
@@ -27,8 +28,8 @@ struct OverlayContext {
   std::uint32_t subsumers_done = 0;
   base::GrowingSet<el::Link> forward;
   std::uint32_t forward_done = 0;
-  std::vector<el::Link> backward;  ///< from contexts of the overlay
-  std::vector<el::ExistentialRule> propagations;
+  std::vector<el::Link> backward;       ///< from contexts of the overlay
+  std::vector<el::ExprId> propagating;  ///< subsumers with existential rules
   std::vector<el::RoleId> selfs;
   std::uint32_t selfs_done = 0;
   std::vector<el::FunctionalGroup> groups;
@@ -38,7 +39,7 @@ struct OverlayContext {
   std::vector<ShapeId> negations;           ///< what must not hold
 };
 
-class ExpressionOverlay {
+class ExpressionOverlay : private el::Rules<ExpressionOverlay> {
  public:
   ExpressionOverlay(const ExpressionBase& base, const ShapeReader& shapes);
 
@@ -65,10 +66,11 @@ class ExpressionOverlay {
   [[nodiscard]] std::vector<el::ExprId> atoms_above(std::uint32_t context) const;
 
  private:
+  friend class el::Rules<ExpressionOverlay>;
   [[nodiscard]] OverlayContext& own(std::uint32_t context) { return own_[context - base_count_]; }
   [[nodiscard]] bool is_own(std::uint32_t context) const { return context >= base_count_; }
   [[nodiscard]] std::span<const el::Link> forward_of(std::uint32_t context) const;
-  [[nodiscard]] std::vector<el::ExistentialRule> propagations_of(std::uint32_t context) const;
+  [[nodiscard]] std::span<const el::ExprId> propagating_of(std::uint32_t context) const;
   void add_seed(Seeds& seeds, ShapeId shape) const;
   std::uint32_t context_of(Seeds seeds);
   std::uint32_t context_of_atom(el::ExprId atom);
@@ -76,22 +78,38 @@ class ExpressionOverlay {
   void process(std::uint32_t context);
   void assert_shape(std::uint32_t context, ShapeId shape);
   void add_successor(std::uint32_t context, el::RoleId role, ShapeId filler);
-  void add_subsumer(std::uint32_t context, el::ExprId subsumer);
-  void add_atom(std::uint32_t context, el::ExprId atom);
   void process_subsumer(std::uint32_t context, el::ExprId subsumer);
   void process_nominal(std::uint32_t context, el::ExprId nominal);
-  void add_link(std::uint32_t from, el::RoleId role, std::uint32_t to);
   void process_link(std::uint32_t context, el::Link link);
-  void compose(std::uint32_t from, el::RoleId first, el::RoleId second, std::uint32_t to);
   void apply_universal(std::uint32_t context, ShapeId universal, el::Link link);
+
+  // What the rules ask of a closure (el/rules.hpp), of contexts of the overlay.
+  static constexpr bool inherits = false;
+  void add_subsumer(std::uint32_t context, el::ExprId subsumer);
+  void add_atom(std::uint32_t context, el::ExprId atom);
+  void add_link(std::uint32_t from, el::RoleId role, std::uint32_t to);
   void add_self(std::uint32_t context, el::RoleId role);
-  void process_self(std::uint32_t context, el::RoleId role);
-  void process_functional(std::uint32_t context, el::Link link);
-  void group_successor(std::uint32_t context, el::RoleId functional, el::Link link);
-  void process_functional_self(std::uint32_t context, el::RoleId functional);
+  void add_loop(std::uint32_t context, el::RoleId role);
+  void add_filler(std::uint32_t context, el::ExprId subsumer);
+  void add_member(std::uint32_t context, std::uint32_t seed);
+  [[nodiscard]] bool add_mark(std::uint32_t context, std::uint32_t mark) { return own(context).subsumers.insert(mark); }
+  [[nodiscard]] std::uint32_t successor_of(std::uint32_t /*context*/, const el::LinkRule& link) {
+    return context_of_atom(link.target);
+  }
+  [[nodiscard]] bool is_functional_in(std::uint32_t context, el::RoleId role);
+  [[nodiscard]] Seeds members_of(std::uint32_t context) const { return seeds_of(context); }
+  [[nodiscard]] std::uint32_t require_together(const Seeds& seeds) { return context_of(seeds); }
+  [[nodiscard]] const auto& subsumers(std::uint32_t context) { return own(context).subsumers; }
+  [[nodiscard]] const auto& selfs(std::uint32_t context) { return own(context).selfs; }
+  [[nodiscard]] std::uint32_t selfs_done(std::uint32_t context) { return own(context).selfs_done; }
+  [[nodiscard]] const auto& forward(std::uint32_t context) { return own(context).forward; }
+  /// To meet the links that are still to be processed does no harm.
+  [[nodiscard]] std::size_t forward_done(std::uint32_t context) { return own(context).forward.size(); }
+  [[nodiscard]] std::vector<el::FunctionalGroup>& groups(std::uint32_t context) { return own(context).groups; }
+  /// The limit of an overlay is of conclusions.
+  void count_work(std::size_t /*premises*/) {}
 
   const ExpressionBase& base_;
-  const el::IndexedOntology& index_;
   const ShapeReader& shapes_;
   std::uint32_t base_count_;
   std::uint32_t size_;  ///< of the index: seeds from here on are shapes
