@@ -1,5 +1,7 @@
 #include "discovery/participant/naming.hpp"
 
+#include <utility>
+
 #include "base/text.hpp"
 #include "discovery/participant/expressions.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
@@ -24,22 +26,27 @@ std::expected<std::string, Error> resolve_class(const vocabulary::Vocabulary& vo
   return std::string(vocabulary.iri(*found));
 }
 
+/// The identity of a concept whose IRI or canonical expression is known.
+std::expected<Identity, Error> with_representation(const vocabulary::Vocabulary& vocabulary, std::string concept_iri,
+                                                   const std::string& representation_name) {
+  SemanticIdentity identity{.concept_iri = std::move(concept_iri), .representation_iri = {}};
+  if (!representation_name.empty()) {
+    auto representation_iri = resolve_class(vocabulary, "representation", representation_name);
+    if (!representation_iri) return std::unexpected(representation_iri.error());
+    identity.representation_iri = std::move(*representation_iri);
+  }
+  return identity;
+}
+
 }  // namespace
 
 std::expected<Identity, Error> resolve(const vocabulary::Vocabulary& vocabulary, const NamedIdentity& named) {
   if (const auto* number = std::get_if<NumericIdentity>(&named)) return *number;
   if (const auto* text = std::get_if<TextIdentity>(&named)) return *text;
   const auto& names = std::get<ConceptNames>(named);
-  SemanticIdentity identity;
   auto concept_iri = resolve_class(vocabulary, "concept", names.concept_name);
   if (!concept_iri) return std::unexpected(concept_iri.error());
-  identity.concept_iri = std::move(*concept_iri);
-  if (!names.representation_name.empty()) {
-    auto representation_iri = resolve_class(vocabulary, "representation", names.representation_name);
-    if (!representation_iri) return std::unexpected(representation_iri.error());
-    identity.representation_iri = std::move(*representation_iri);
-  }
-  return identity;
+  return with_representation(vocabulary, std::move(*concept_iri), names.representation_name);
 }
 
 std::expected<Identity, Error> resolve(Expressions& expressions, const vocabulary::Vocabulary& vocabulary,
@@ -51,13 +58,7 @@ std::expected<Identity, Error> resolve(Expressions& expressions, const vocabular
     return std::unexpected(
         Error{resolved.error().code, "concept=" + base::printable(names->concept_name) + ": " + resolved.error().text});
   }
-  SemanticIdentity identity{.concept_iri = std::move(*resolved), .representation_iri = {}};
-  if (!names->representation_name.empty()) {
-    auto representation_iri = resolve_class(vocabulary, "representation", names->representation_name);
-    if (!representation_iri) return std::unexpected(representation_iri.error());
-    identity.representation_iri = std::move(*representation_iri);
-  }
-  return identity;
+  return with_representation(vocabulary, std::move(*resolved), names->representation_name);
 }
 
 NamedIdentity named(const vocabulary::Vocabulary& vocabulary, const Identity& identity) {
