@@ -56,7 +56,7 @@ void Background::set_to_work() {
   try {
     std::thread(all).detach();
   } catch (const std::system_error&) {
-    all();  // The host has no thread to give: all wait this once, rather than that the work is never done.
+    all();  // The host has no thread left. That all wait this once is better than work that is never done.
   }
 }
 

@@ -13,8 +13,8 @@ class io_context;
 
 namespace geminga::daemon {
 
-/// Never two threads. Work shares what it was given and nothing else with the event loop, so that it can be left to
-/// itself: it cannot be broken off, and neither a reload nor the end of the daemon waits for it.
+/// There is never more than one thread. Work shares with the event loop what it was given and nothing else. It cannot
+/// be stopped, and neither a reload nor the end of the daemon waits for it.
 class Background {
  public:
   /// What is done on the event loop when the work is done, in an event of its own.
@@ -35,7 +35,8 @@ class Background {
   void cancel();
   /// Whether something was started that is neither done nor given up.
   [[nodiscard]] bool is_wanted() const { return wanted_.has_value(); }
-  /// Whether the thread is at work, be it for what was given up. The process must not take down then what it uses.
+  /// Whether the thread is at work, even on work that was given up. Until it is done, the process must not destroy what
+  /// the thread uses.
   [[nodiscard]] bool is_at_work() const { return is_at_work_; }
 
  private:

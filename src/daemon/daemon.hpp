@@ -31,7 +31,7 @@ class Daemon {
   [[nodiscard]] std::expected<void, std::vector<std::string>> check();
   /// Serves until SIGTERM or SIGINT. The errors are why it could not begin, lines for the user.
   [[nodiscard]] std::expected<void, std::vector<std::string>> run();
-  /// Whether a thread is still at work that cannot be stopped, and that must not lose what it uses.
+  /// Whether a thread is still at work. It cannot be stopped, so the process must not destroy what the thread uses.
   [[nodiscard]] bool is_at_work() const;
 
  private:

@@ -23,7 +23,7 @@ struct Key {
   Kind kind;
   std::string_view placeholder;
   std::string_view help;
-  std::string_view refused;  ///< not empty: known, not there yet, and why
+  std::string_view refused;  ///< not empty: the key is known but cannot be used yet, and this says why
 };
 
 inline constexpr std::array<Key, 15> keys{{

@@ -45,8 +45,8 @@ class OntologyLoader {
   /// it is verified; where an ontology was loaded before, all of it is.
   void load(const std::vector<std::string>& files, const Prefixes& prefixes, Done done);
   [[nodiscard]] bool is_loading() const;
-  /// Whether the thread is at work, be it for a load that was given up. The process must not take down then what it
-  /// uses.
+  /// Whether the thread is at work, even for a load that was given up. Until it is done, the process must not destroy
+  /// what the thread uses.
   [[nodiscard]] bool is_at_work() const;
 
  private:

@@ -26,7 +26,8 @@ class Preparation {
   [[nodiscard]] bool is_preparing(const vocabulary::Vocabulary& vocabulary) const {
     return background_.is_wanted() && started_.is_of(vocabulary);
   }
-  /// Whether the thread is at work, be it for what was given up. The process must not take down then what it uses.
+  /// Whether the thread is at work, even on an ontology that was given up. Until it is done, the process must not
+  /// destroy what the thread uses.
   [[nodiscard]] bool is_at_work() const { return background_.is_at_work(); }
 
  private:

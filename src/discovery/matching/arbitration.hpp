@@ -35,9 +35,9 @@ struct BestFirst {
   }
 };
 
-/// How many candidates beyond its limit a subscription remembers, so that one team member that announces thousands of
-/// services, and another that asks for them thousands of times, cost memory for neither product. Fewer than this may go
-/// before the registry has to be searched again.
+/// How many candidates beyond its limit a subscription remembers. Without this bound, one team member that announces
+/// thousands of services and another that asks for them thousands of times would cost memory for every pair. When all
+/// that are remembered have gone, the registry is searched again.
 inline constexpr std::size_t max_waiting = 16;
 
 /// What one settling changed. Each publication is in at most one of the lists.

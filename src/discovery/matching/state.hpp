@@ -28,8 +28,8 @@ namespace geminga::matching {
 /// ones.
 inline constexpr std::uint32_t max_counted_providers = 16;
 
-/// A consumer of our own that asks for all is given the best of so many. What one pair costs is memory here and with
-/// its peer, and the air may bring more services than a host has room for pairs.
+/// A consumer of our own that asks for all is given the best of so many. Each pair costs memory here and in its peer,
+/// and more services may be announced than a host has memory for pairs.
 inline constexpr std::uint32_t max_given = 1024;
 
 /// Consumers of other hosts without a limit that a publication of our own is told of. One more waits until half of them

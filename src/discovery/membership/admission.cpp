@@ -12,10 +12,11 @@ namespace {
 using base::Instant;
 
 constexpr std::size_t bucket_size = 4;
-/// A stranger that was silent for so long begins anew; and a place whose owner was is nobody's when all are wanted.
+/// A stranger that was silent for so long begins anew. A participant that was silent for so long loses its place when
+/// all places are wanted.
 constexpr base::Duration longest_silence = deadline_intervals * announcement::stranger_interval;
 
-/// Who is silent for longer than this does not announce itself each interval, or a datagram was lost.
+/// Who is silent for longer than this has not announced itself in each interval, or a datagram of it was lost.
 constexpr base::Duration longest_pause = announcement::stranger_interval + announcement::stranger_interval / 4;
 
 /// The finalizer of splitmix64: every bit of the result depends on every bit of `bits`.
@@ -127,7 +128,7 @@ std::optional<ParticipantId> Admission::from_greedier(std::string_view source) c
   const auto own = shares_.find(source);
   const auto count = own == shares_.end() ? 0 : own->second.count;
   const auto* most = greediest();
-  // With one less it still has as many as the newcomer's source with one more.
+  // The source that gives one place away keeps at least as many as the newcomer's source then has.
   if (most == nullptr || most->count < count + 2) return std::nullopt;
   return most->unseasoned.begin()->second;
 }
@@ -142,7 +143,7 @@ Admission::Decision Admission::decide(const announcement::Announcement& newcomer
 std::optional<ParticipantId> Admission::decide(std::string_view source, const Standing& standing, Instant now) const {
   if (const auto gives_way = from_greedier(source)) return gives_way;
   const auto own = shares_.find(source);
-  // Where the newcomer's address has no place, all others have one each.
+  // If the newcomer's address has no place, every other address has exactly one.
   const auto& others = own != shares_.end() ? own->second.unseasoned : unseasoned_;
   if (!others.empty()) {
     const auto& [rank, id] = *others.begin();

@@ -18,15 +18,15 @@
 
 namespace geminga::membership {
 
-/// Strangers that were heard while all places were taken. At most max_waiting, and in a bucket of four the one of the
-/// lowest rank gives way. Uses no memory before the first.
+/// Strangers that were heard while all places were taken: at most max_waiting. They lie in buckets of four; in a full
+/// bucket the one of the lowest rank gives way. Uses no memory before the first.
 class WaitingList {
  public:
   /// Random bits, so that nobody can aim at the place of another.
   void set_secret(std::uint64_t secret) { secret_ = secret; }
-  /// Hears a stranger; its standing from the second time on.
+  /// Hears a stranger. Gives its standing from the second time on, nothing the first time.
   [[nodiscard]] std::optional<Standing> hear(const announcement::Announcement& announcement, base::Instant now);
-  /// Somebody who has had to give its place away, and need not begin anew.
+  /// Puts in somebody who had to give its place away, so that it keeps its standing.
   void put(ParticipantId id, announcement::BootNonce boot, std::uint64_t sequence, const Standing& standing);
 
  private:
@@ -51,7 +51,7 @@ class Admission {
   void add(ParticipantId id, const std::string& source, const Standing& standing);
   void update(ParticipantId id, const Standing& standing);
   void remove(ParticipantId id);
-  /// It was removed for a newcomer, and may come back.
+  /// Remembers somebody who was removed for a newcomer, and may come back.
   void remember(ParticipantId id, announcement::BootNonce boot, std::uint64_t sequence, const Standing& standing) {
     waiting_.put(id, boot, sequence, standing);
   }
@@ -67,8 +67,8 @@ class Admission {
   /// The same for somebody of whom this standing is known.
   [[nodiscard]] std::optional<ParticipantId> decide(std::string_view source, const Standing& standing,
                                                     base::Instant now) const;
-  /// The same for somebody who had a place until somebody else said that it was gone: if all else fails, whoever was
-  /// added last gives back what was free only by a lie. A look at every place.
+  /// The same for somebody who had a place until somebody else said that it was gone. If all else fails, whoever was
+  /// added last gives way, since its place was free only because of a lie. Looks at every place.
   [[nodiscard]] std::optional<ParticipantId> decide_return(std::string_view source, Standing standing,
                                                            base::Instant now) const;
 

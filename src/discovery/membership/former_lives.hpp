@@ -16,9 +16,9 @@
 namespace geminga::membership {
 
 /// At most max_participants lives (an identifier with a boot nonce) in whose name a goodbye was said or that lost their
-/// identifier to another one, each for goodbye_memory or two of its intervals. The youngest gives way: so many that are
-/// older than somebody who has been known for as long as they are remembered cannot be there, since at most 255 were
-/// known beside it.
+/// identifier to another one, each for goodbye_memory or two of its intervals. When there is no room, the youngest
+/// gives way. So a participant that has been known for as long as lives are remembered keeps its place: at most 255
+/// others were known beside it, and only they can be older.
 class FormerLives {
  public:
   void remember(std::unique_ptr<NeighbourRecord> record, base::Instant now);

@@ -33,10 +33,10 @@ class NeighbourRecord {
   NeighbourRecord& operator=(const NeighbourRecord&) = delete;
 
   [[nodiscard]] announcement::BootNonce boot() const { return boot_; }
-  /// The source address that it was first heard from: whose share its place is of.
+  /// The source address that it was first heard from. Its place is counted against the share of that address.
   [[nodiscard]] const std::string& source() const { return source_; }
-  /// When it was first heard under its identifier, be it with a claim: of several lives under one identifier the one
-  /// for which this is lowest has it.
+  /// When it was first heard under its identifier; a claim counts, too. Of several lives under one identifier the one
+  /// that was heard first owns it.
   [[nodiscard]] Turn since() const { return since_; }
   [[nodiscard]] const Standing& standing() const { return standing_; }
   void set_standing(const Standing& standing) { standing_ = standing; }
@@ -47,7 +47,7 @@ class NeighbourRecord {
   /// Whether a goodbye of this life ends it at once. One of a contested participant only shortens its deadline, so that
   /// it stays if it goes on speaking.
   [[nodiscard]] Hearing hear_goodbye(const announcement::Announcement& announcement, const Arrival& arrival);
-  /// A goodbye was heard on this way: what has a higher number is not from before it.
+  /// A goodbye was heard on this way. A datagram with a higher number was sent after it.
   void note_goodbye(const announcement::Announcement& announcement, const Arrival& arrival);
   /// What a state proves of somebody who seemed to leave at `left`.
   enum class Proof : std::uint8_t {
@@ -56,11 +56,12 @@ class NeighbourRecord {
     alive,  ///< it was sent after that
   };
   [[nodiscard]] Proof proof(const announcement::Announcement& announcement, const Arrival& arrival, base::Instant left);
-  /// For how long it is remembered when it seems to leave: until it has spoken again, if it was only made to seem so.
+  /// For how long it is remembered when it seems to leave: long enough to hear it again if somebody has only lied about
+  /// it.
   [[nodiscard]] base::Duration memory(base::Instant now) const;
-  /// It is back: all that is known of it is to be told again, and somebody has lied in its name.
+  /// It is back: somebody has lied in its name, and all that is known of it is to be told again.
   void come_back(base::Instant now, std::vector<Change>& changes);
-  /// Another life speaks under this identifier: whether this one has been silent for so long meanwhile that it is over.
+  /// Another life speaks under this identifier. Whether this one gives way, because it has been silent for too long.
   [[nodiscard]] bool yields_to(const announcement::Announcement& rival, const Arrival& arrival);
 
   /// Drops ways and services that have their deadline at or before `now`; the participant itself is the table's.

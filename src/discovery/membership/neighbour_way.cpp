@@ -68,7 +68,7 @@ NeighbourWay::Origin NeighbourWay::origin(const announcement::Announcement& anno
   }
   if (announcement.sequence == mover_->sequence) return Origin::copied;
   mover_->sequence = announcement.sequence;
-  // A datagram of the bound address would have ended the mover.
+  // Nothing was heard from the bound address meanwhile: that would have reset `mover_`.
   if ((needs_silence || was_misled_) && !is_silent) return Origin::elsewhere;
   move(arrival, hold);
   return Origin::bound;

@@ -25,7 +25,7 @@ class ServiceRoom {
   std::size_t withdrawn = 0;  ///< services that are remembered though they are withdrawn
 
  protected:
-  /// Makes somebody with more than his share give up one service, which gives back its room.
+  /// Makes somebody with more than its share give up one service, which gives back its room.
   virtual bool make_room(const NeighbourServices& who) = 0;
 
  private:

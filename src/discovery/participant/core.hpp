@@ -30,7 +30,7 @@ namespace geminga::participant {
 enum class Phase : std::uint8_t {
   created,   ///< start() has not been called
   claiming,  ///< no identifier has been held: statements wait
-  ready,     ///< peers are served; while another identifier is claimed after a clash, under the one given up
+  ready,     ///< peers are served; after a clash under the old identifier, until another is claimed
   stopping,  ///< goodbyes are being said
   stopped,   ///< may be destroyed
   failed,    ///< no identifier could be claimed: may be destroyed

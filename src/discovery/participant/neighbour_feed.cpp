@@ -86,7 +86,8 @@ void proceed_feed(Core& core, Work most) {
 void feed(Core& core) {
   const bool is_behind = is_feed_due(core);
   for (membership::Change& change : core.neighbours.take_changes()) core.neighbour_queue.push(std::move(change));
-  // Who is behind already goes on in his turns, or a flood of datagrams would leave no time for them.
+  // A feed that is behind already goes on in turns. Else a flood of datagrams would leave no time for the turns of
+  // clients.
   if (!is_behind) proceed_feed(core, work_in_turn);
 }
 

@@ -11,7 +11,7 @@
 namespace geminga::participant {
 namespace {
 
-/// The rest of an answer would be about classes that are none any more.
+/// Ends the answers under way: what is left of them would be about classes of the former ontology.
 void end_answers(Core& core) {
   for (const auto& [stream, session] : core.sessions) {
     if (!session->answering) continue;

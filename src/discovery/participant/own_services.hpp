@@ -8,7 +8,7 @@
 
 namespace geminga::participant {
 
-/// What a consumer on our host is told when a publication states no address, and the other way round.
+/// The address of a service that states none, as it is told to peers on the same host.
 inline constexpr const char* local_address = "127.0.0.1";
 
 /// Enters a statement that is in force, or its change, into the registry; it is announced at the end of the event.
@@ -17,8 +17,8 @@ void enter(Core& core, const Session& session, std::uint32_t number, const State
            matching::Matcher::Telling telling = matching::Matcher::Telling::all);
 void withdraw_publication(Core& core, const Session& session, std::uint32_t number, matching::Reason reason);
 void withdraw_subscription(Core& core, const Session& session, std::uint32_t number, matching::Reason reason);
-/// Takes a statement that is in force out of it until the ontology is there: the peer is told that what it was told of
-/// is gone, and keeps its request.
+/// Puts a statement out of force until the ontology is there. The peer is told that everything it was told of is gone,
+/// and keeps its request.
 void suspend(Core& core, Session& session, std::uint32_t number, const StatedPublication& stated);
 void suspend(Core& core, Session& session, std::uint32_t number, const StatedSubscription& stated);
 /// Withdraws one, and all that is known of it here.
@@ -30,16 +30,16 @@ void forget_subscription(Core& core, Session& session, std::uint32_t number);
 inline constexpr std::size_t max_pairs_at_once = 1024;
 /// Whether all services of the peer may change at once.
 [[nodiscard]] bool is_small(const Core& core, const Session& session);
-/// Everything of one peer at once, so that nothing that is about to go takes another's place.
+/// Withdraws all services of a peer at once, so that none that is about to go is chosen in place of one that has gone.
 void withdraw_all(Core& core, Session& session);
-/// One of the peer's services, which must have one: for a peer that is not small.
+/// Withdraws one service of a peer that is not small; there must be one.
 void withdraw_one(Core& core, Session& session);
 /// Enters the next service of a peer under its new name; there must be one.
 void rename_one(Core& core, Session& session);
 /// Another identifier takes the place of the one that was held: all that our peers have stated leaves under the former
 /// and returns under this one, request by request, in turns (neighbour_feed.hpp).
 void change_identifier(Core& core, ParticipantId held);
-/// One request: its peer is told that all it knows of it is gone, and then what there is.
+/// Enters one request again: its peer is told that all it was told of for this request is gone, and then what there is.
 void return_one(Core& core, Session& session, std::uint32_t number);
 /// Resolves the names of one statement by the ontology in force. What it does not know is withdrawn and told to its
 /// peer; what an earlier one did not know comes back.

@@ -33,7 +33,7 @@ class Participant {
   Participant& operator=(const Participant&) = delete;
 
   /// Begins to claim an identifier (paper section 3.5.1). Once, before any other event. Clients may connect at once;
-  /// their statements wait until the identifier is claimed, and then handled in their order.
+  /// their statements wait until the identifier is claimed, and are then handled in their order.
   void start();
   /// Withdraws everything, says goodbye on the air and closes the clients. The goodbye is repeated for a few hundredths
   /// of a second against loss: feed on_timer() until is_stopped().

@@ -12,8 +12,8 @@
 
 namespace geminga::participant {
 
-/// A list of keys that is gone through piece by piece. What changes meanwhile about a key that is still in it needs no
-/// event of its own: its turn will come, and it is told then as it is then. About every other key events go on.
+/// A list of keys that is gone through piece by piece. A change of a key that still waits in the list needs no event of
+/// its own: when its turn comes, it is told as it is at that time. Changes of all other keys are told by events.
 class Picture {
  public:
   [[nodiscard]] bool has_begun() const { return has_begun_; }

@@ -33,8 +33,9 @@ Refusal handle(Core& core, Session& session, std::uint32_t id, const gcnp::Reque
 
 namespace {
 
-/// Takes one service back from the peer that has the most, if that leaves it no less than the one that asks gets: what
-/// was free a peer may have, but nobody's share. False where nobody has so much more.
+/// Takes one service back from the peer that has the most, if that peer then still has at least as many as the one that
+/// asks will have. So a peer may use room that is free, and no peer is kept from its fair share. False where no peer
+/// has so many more.
 bool take_back_one(Core& core, const Session& asking) {
   const auto most = std::ranges::max_element(core.sessions, {}, [](const auto& entry) {
     // What is on its way out goes first.

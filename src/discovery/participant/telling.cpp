@@ -96,8 +96,8 @@ void say(Core& core, Session& session, std::uint32_t number, const News& news,
   if (entry != nullptr) last = {news, entry, line.substr(line.find(' '))};
 }
 
-/// Says it in the word that fits what the peer knows: of what it knows there is no `add`, of what it does not know no
-/// `del`.
+/// Chooses the word that fits what the peer knows: no `add` for what it knows already, no `del` for what it does not
+/// know.
 template <typename Entry>
 void tell(Core& core, Session& session, std::uint32_t number, News news, const std::shared_ptr<const Entry>& entry,
           Said& said) {

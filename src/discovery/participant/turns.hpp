@@ -8,7 +8,8 @@ namespace geminga::participant {
 
 /// Whether something of the client waits to be handled: lines, the rest of an answer, what it is to be told.
 [[nodiscard]] bool has_business(Session& session);
-/// Whether some of that can be done now: the client has an identifier behind it and room for what it is told.
+/// Whether some of that can be done now: it does not wait for an ontology, and there is room for what the client is
+/// told.
 [[nodiscard]] bool has_work(Core& core, Session& session);
 /// The same of anybody: then another turn is due at once.
 [[nodiscard]] bool is_turn_due(Core& core);

@@ -1,8 +1,8 @@
 // What inverses make of a link: further links between the same two, and what the end of it learns of its beginning.
 //
-// Legend as in index.hpp. R(x,y) says S(y,x) where S is told to be an inverse of R or of something above it. So what x
-// is in may put y into `S some D`, through words of S that go back along links: the automaton of S with inverses says
-// which (Horrocks, Kutz, Sattler: The Even More Irresistible SROIQ, 2006).
+// Legend as in indexed_ontology.hpp. R(x,y) says S(y,x) where S is told to be an inverse of R or of something above it.
+// So what x is in may put y into `S some D`, through words of S that go back along links: the automaton of S with
+// inverses says which (Horrocks, Kutz, Sattler: The Even More Irresistible SROIQ, 2006).
 #ifndef GEMINGA_REASONING_EL_INVERSE_ROLES_HPP
 #define GEMINGA_REASONING_EL_INVERSE_ROLES_HPP
 

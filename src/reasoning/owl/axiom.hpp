@@ -1,6 +1,6 @@
 // The vocabulary of axioms: the terms and axioms of the OWL 2 structural specification as numbers and small kinds.
 //
-// How a reader uses it (the builder is Ontology in el/source.hpp):
+// How a reader uses it (the builder is Ontology in reasoning/owl/source.hpp):
 //
 //   Ontology source;
 //   const FileId file = source.add_file("soccer.ttl", "https://geminga.example/soccer");
@@ -13,9 +13,9 @@
 //   source.add_prefix("soccer", "https://geminga.example/soccer#");
 //   source.leave_out("swrl:Imp", file, 30);                       // what no axiom kind can express
 //   if (auto problem = source.problem()) ...                      // a limit was exceeded: refuse the ontology
-//   auto classification = classify(source, {});               // el/classify.hpp
-//   std::vector<std::byte> bytes = compile(source, *classification);   // el/compile.hpp
-//   auto ontology = Ontology::from_bytes(std::move(bytes));            // el/ontology.hpp
+//   auto classification = classify(source, {});               // reasoning/el/classify.hpp
+//   std::vector<std::byte> bytes = compile(source, *classification);   // reasoning/compiled/compile.hpp
+//   auto ontology = Ontology::from_bytes(std::move(bytes));            // reasoning/compiled/ontology.hpp
 //
 // The arguments of every term and axiom stand in the order of the OWL 2 functional-style syntax. A reader hands over
 // everything that has a kind here, whether the reasoner can use it or not: what is used is the reasoner's business,

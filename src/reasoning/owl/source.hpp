@@ -1,5 +1,5 @@
 // What readers fill and the reasoner consumes: terms, axioms with file and line, labels, prefixes, files, left-outs.
-// See el/axiom.hpp for an example.
+// See reasoning/owl/axiom.hpp for an example.
 #ifndef GEMINGA_REASONING_OWL_SOURCE_HPP
 #define GEMINGA_REASONING_OWL_SOURCE_HPP
 

@@ -13,7 +13,7 @@
 
 namespace geminga::reasoner {
 
-/// In the syntax of el/written.hpp, in one source; the conclusion is its second file.
+/// In the syntax of support/written.hpp, in one source; the conclusion is its second file.
 struct Argued {
   Argued(std::string_view premise_text, std::string_view conclusion_text) {
     owl::write_into(source, premise_text, "premise.ofn");

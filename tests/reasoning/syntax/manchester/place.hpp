@@ -13,7 +13,7 @@
 
 namespace geminga::manchester {
 
-/// An ontology in the syntax of el/written.hpp with everything that reads and classifies expressions over it.
+/// An ontology in the syntax of support/written.hpp with everything that reads and classifies expressions over it.
 class Asked {
  public:
   explicit Asked(std::string_view ontology, const placement::ExpressionLimits& limits = {});
