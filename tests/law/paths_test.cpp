@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,15 @@ std::vector<std::string> paths_from_root(const std::string& line) {
     const char next = at->suffix().length() == 0 ? ' ' : *at->suffix().first;
     if (next != '*') found.push_back((*at)[2]);  // tests/law/*: a pattern
   }
+  return found;
+}
+
+/// The headers, sources and documents that a line names, with or without folders: budget.hpp, base/budget.hpp.
+std::vector<std::string> file_names(const std::string& line) {
+  static const std::regex name(R"((^|[^\w/.\-*])([\w\-]+(/[\w\-]+)*\.(hpp|cpp|md|proto|fbs))\b)");
+  std::vector<std::string> found;
+  for (auto at = std::sregex_iterator(line.begin(), line.end(), name); at != std::sregex_iterator(); ++at)
+    found.push_back((*at)[2]);
   return found;
 }
 
@@ -80,6 +90,37 @@ TEST(Paths, OfDocumentsExist) {
   }
 }
 
+/// Every path of the project, and each end of it that begins behind a slash.
+std::set<std::string> ends_of_paths() {
+  std::set<std::string> ends;
+  const auto add = [&](const fs::path& path) {
+    const std::string text = fs::relative(path, root).generic_string();
+    ends.insert(text);
+    for (auto slash = text.find('/'); slash != std::string::npos; slash = text.find('/', slash + 1))
+      ends.insert(text.substr(slash + 1));
+  };
+  for (const auto& entry : fs::directory_iterator(root)) add(entry.path());
+  for (const char* folder : {"src", "include", "tools", "tests"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) add(entry.path());
+  }
+  return ends;
+}
+
+TEST(Paths, OfFilesInCommentsAreKnown) {
+  const std::set<std::string> ends = ends_of_paths();
+  for (const char* folder : {"src", "include", "tools"}) {
+    for (const SourceFile& file : source_files(folder)) {
+      for (std::size_t at = 0; at < file.lines.size(); ++at) {
+        const auto comment = file.lines[at].find("//");
+        if (comment == std::string::npos) continue;
+        for (const std::string& name : file_names(file.lines[at].substr(comment))) {
+          EXPECT_TRUE(ends.contains(name)) << file.path << ':' << at + 1 << ": there is no " << name;
+        }
+      }
+    }
+  }
+}
+
 TEST(Paths, OfCommentsExist) {
   for (const char* folder : {"src", "include", "tools"}) {
     for (const SourceFile& file : source_files(folder)) {
@@ -98,6 +139,8 @@ TEST(Paths, AreFoundInALine) {
   EXPECT_THAT(paths_from_root("see `tools/bench reasoner`, src/base/ and tests/law/paths_test.cpp."),
               ElementsAre("tools/bench", "src/base", "tests/law/paths_test.cpp"));
   EXPECT_THAT(paths_from_root("/usr/src/linux, my-tests/x, src/**/*.md, http://a/tools/b"), IsEmpty());
+  EXPECT_THAT(file_names("as base/budget.hpp says, and ANNOUNCEMENT.md; *_test.cpp"),
+              ElementsAre("base/budget.hpp", "ANNOUNCEMENT.md"));
   EXPECT_THAT(links("[a](b/c.md#d), [e](https://f/g), [h](#i)"), ElementsAre("b/c.md"));
 }
 
