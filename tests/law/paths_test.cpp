@@ -71,25 +71,6 @@ std::vector<fs::path> documents() {
   return found;
 }
 
-TEST(Paths, OfDocumentsExist) {
-  for (const fs::path& document : documents()) {
-    std::ifstream file(document);
-    std::size_t number = 0;
-    for (std::string line; std::getline(file, line);) {
-      ++number;
-      for (const std::string& path : paths_from_root(line)) {
-        // In a link it may be relative to the document.
-        EXPECT_TRUE(is_there(root / path) || is_there(document.parent_path() / path))
-            << document.string() << ':' << number << ": there is no " << path;
-      }
-      for (const std::string& target : links(line)) {
-        EXPECT_TRUE(fs::exists(document.parent_path() / target))
-            << document.string() << ':' << number << ": the link leads nowhere: " << target;
-      }
-    }
-  }
-}
-
 /// Every path of the project, and each end of it that begins behind a slash.
 std::set<std::string> ends_of_paths() {
   std::set<std::string> ends;
@@ -100,10 +81,33 @@ std::set<std::string> ends_of_paths() {
       ends.insert(text.substr(slash + 1));
   };
   for (const auto& entry : fs::directory_iterator(root)) add(entry.path());
-  for (const char* folder : {"src", "include", "tools", "tests"}) {
+  for (const char* folder : {"src", "include", "tools", "tests", "ontology", "examples"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) add(entry.path());
   }
   return ends;
+}
+
+TEST(Paths, OfDocumentsExist) {
+  const std::set<std::string> ends = ends_of_paths();
+  for (const fs::path& document : documents()) {
+    std::ifstream file(document);
+    std::size_t number = 0;
+    for (std::string line; std::getline(file, line);) {
+      ++number;
+      for (const std::string& path : paths_from_root(line)) {
+        // In a link it may be relative to the document.
+        EXPECT_TRUE(is_there(root / path) || is_there(document.parent_path() / path))
+            << document.string() << ':' << number << ": there is no " << path;
+      }
+      for (const std::string& name : file_names(line)) {
+        EXPECT_TRUE(ends.contains(name)) << document.string() << ':' << number << ": there is no " << name;
+      }
+      for (const std::string& target : links(line)) {
+        EXPECT_TRUE(fs::exists(document.parent_path() / target))
+            << document.string() << ':' << number << ": the link leads nowhere: " << target;
+      }
+    }
+  }
 }
 
 TEST(Paths, OfFilesInCommentsAreKnown) {
