@@ -1,4 +1,5 @@
-// How nodes come to be, what is above them, and how they hear of each other; the rules are in inheritance_rules.cpp.
+// How nodes come to be, what is above them, and how they hear of each other; what rules conclude is in
+// inheritance_rules.cpp.
 #include "reasoning/el/inheritance.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// The closure as its users see it, and how conclusions travel between contexts; the rules are in saturation_rules.cpp.
+// The closure as its users see it, and how conclusions travel between contexts; what rules conclude is in
+// saturation_rules.cpp.
 #include "reasoning/el/saturation.hpp"
 
 #include <algorithm>

@@ -93,7 +93,7 @@ class SaturationWorker : private Rules<SaturationWorker> {
   void add_forward(std::uint32_t from, Link link);
   void start(std::uint32_t context, std::span<const ExprId> atoms);
 
-  // Contexts of several atoms (saturation_functional.cpp).
+  // Contexts of several atoms (saturation_together.cpp).
   std::uint32_t require_together(const std::vector<ExprId>& atoms);
   [[nodiscard]] std::vector<ExprId> members_of(std::uint32_t context) const;
 
