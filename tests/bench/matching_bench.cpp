@@ -110,7 +110,7 @@ void tell(benchmark::State& state) {
     matcher.put(entry);
     matcher.remove_publication(entry.key, Reason::withdrawn);
     const auto events = matcher.take_events();
-    if (events.size() != 2 * answers) state.SkipWithError("not told to all");
+    if (events.size() != std::size_t{2} * answers) state.SkipWithError("not told to all");
   }
 }
 

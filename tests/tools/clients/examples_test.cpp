@@ -122,6 +122,9 @@ class Examples : public testing::Test {
   void expect_to_work(std::string example) {
     example = replaced(example, "127.0.0.1:4718", "127.0.0.1:" + std::to_string(bench_.lab().gcnp_port(0)));
     example = replaced(example, "/usr/local/share/geminga/ontology", "ontology");
+#ifdef __SANITIZE_THREAD__
+    example = replaced(example, " --memory-limit 512", "");  // its own tables take more
+#endif
     example = replaced(example, "--format svg", "--format dot");  // svg needs a program that may not be installed
     const bool goes_on = example.starts_with("geminga-publish") || example.contains("--watch");
     if (!goes_on) {
