@@ -30,6 +30,16 @@ if(GEMINGA_BUILD_FUZZERS)
   target_link_options(geminga_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
+# geminga_united(TARGET): several files of the product are compiled as one, since most of the time of each is reading the same headers.
+# The preset dev compiles each by itself, so that a missing #include is found there, and tools/dev/lint uses it.
+function(geminga_united target)
+  if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    # It asks whether a type of an unnamed namespace stands in a header, which is what a united file looks like to it.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  endif()
+endfunction()
+
 # geminga_module(NAME SOURCES file... [DEPENDS module...] [LINK external-target...])
 # Makes the static library geminga_NAME from src/NAME, or from NAME where that is tools/shell. `#include "other/..."` needs `other` in DEPENDS; the public face
 # <geminga/...> is open to all.
@@ -41,6 +51,7 @@ function(geminga_module name)
                                               $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:geminga_flags>)
+  geminga_united(${target})
   target_link_libraries(${target} PUBLIC ${arg_LINK})
   foreach(module IN LISTS arg_DEPENDS)
     string(REPLACE "/" "_" module ${module})

@@ -101,7 +101,7 @@ class Writer {
     const auto classes = names(hierarchy, node, false);
     const auto individuals = names(hierarchy, node, true);
     write_equal(classes, words.equal);
-    write_equal(individuals, std::string(graph::owl_namespace) + "sameAs");
+    write_equal(individuals, std::string(syntax::owl_namespace) + "sameAs");
     const auto type_all = [&](std::string_view type) {
       if (type == owl::owl_thing) return;
       for (const std::string_view individual : individuals) link(individual, graph::rdf_type, type);
@@ -150,7 +150,7 @@ std::expected<Knowledge, NoKnowledge> learn_types(rdf::Loaded loaded, Progress& 
 void add_inferred(const Knowledge& knowledge, bool as_closure, graph::Graph& graph) {
   const owl::Ontology& source = knowledge.loaded.source;
   const taxonomy::Classification& classification = knowledge.classification;
-  const std::string owl(graph::owl_namespace);
+  const std::string owl(syntax::owl_namespace);
   Writer writer(as_closure, graph);
   writer.write(class_hierarchy(source, classification),
                {std::string(graph::rdfs_sub_class_of), owl + "equivalentClass"});
@@ -167,8 +167,8 @@ void add_declarations(const Knowledge& knowledge, graph::Graph& graph) {
   std::set<std::string, std::less<>> of_data;
   for (const owl::NameId name : knowledge.classification.data_properties.properties) of_data.emplace(source.name(name));
   std::set<std::pair<std::string, owl::TermKind>> declared;
-  const std::string same = std::string(graph::owl_namespace) + "sameAs";
-  const std::string equal_property = std::string(graph::owl_namespace) + "equivalentProperty";
+  const std::string same = std::string(syntax::owl_namespace) + "sameAs";
+  const std::string equal_property = std::string(syntax::owl_namespace) + "equivalentProperty";
   graph.for_each([&](const Node& subject, const Node& predicate, const Node& object) {
     const bool is_fact = predicate.text == graph::rdf_type;
     for (const Node* node : {&subject, &object}) {
@@ -176,7 +176,7 @@ void add_declarations(const Knowledge& knowledge, graph::Graph& graph) {
       if (predicate.text == same || (is_fact && node == &subject)) kind = owl::TermKind::individual;
       if (predicate.text == graph::rdfs_sub_property_of || predicate.text == equal_property)
         kind = of_data.contains(node->text) ? owl::TermKind::data_property : owl::TermKind::object_property;
-      if (!node->text.starts_with(graph::owl_namespace)) declared.emplace(node->text, kind);
+      if (!node->text.starts_with(syntax::owl_namespace)) declared.emplace(node->text, kind);
     }
   });
   for (const auto& [name, kind] : declared) graph.add(iri(name), iri(graph::rdf_type), graph::type_of_entity(kind));

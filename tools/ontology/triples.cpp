@@ -31,7 +31,7 @@ class Header {
   std::string first_;
   std::set<std::string> others_;
   std::set<std::string> missing_;
-  std::string imports_ = std::string(graph::owl_namespace) + "imports";
+  std::string imports_ = std::string(syntax::owl_namespace) + "imports";
 };
 
 /// What files without triples say, their annotations, and imports that nobody answered.

@@ -52,11 +52,11 @@ struct Said {
   SaidOf<registry::SubscriptionEntry>& of(const registry::SubscriptionEntry*) { return subscription; }
 };
 
-void describe(const Core& core, const registry::PublicationEntry& entry, ServiceEvent& told) {
+void fill(const Core& core, const registry::PublicationEntry& entry, ServiceEvent& told) {
   told.publication = named(core.vocabulary(), entry.publication);
 }
 
-void describe(const Core& core, const registry::SubscriptionEntry& entry, ConsumerEvent& told) {
+void fill(const Core& core, const registry::SubscriptionEntry& entry, ConsumerEvent& told) {
   told.subscribed = named(core.vocabulary(), entry.subscription);
 }
 
@@ -89,7 +89,7 @@ void say(Core& core, Session& session, std::uint32_t number, const News& news,
     told.participant_name = entry->participant_name;
     told.degree = news.match.degree;
     told.distance = news.match.distance;
-    describe(core, *entry, told);
+    fill(core, *entry, told);
   }
   std::string line = gcnp::to_line(gcnp::to_statement(number, told));
   session.say(line);

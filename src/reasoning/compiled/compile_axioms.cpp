@@ -9,8 +9,6 @@
 namespace geminga::compiled {
 namespace {
 
-constexpr std::uint32_t none = base::NumberTable::none;
-
 /// The numbers of names: those of classes are the classes, behind them come the others, ascending; the first of these
 /// is the empty one, which expressions have.
 std::vector<std::uint32_t> number_names(const CompilerInput& input, form::AxiomsT& out) {

@@ -13,8 +13,6 @@
 namespace geminga::compiled {
 namespace {
 
-constexpr std::uint32_t none = base::NumberTable::none;
-
 /// Prefixes that explanations use, where the files do not give these words another meaning.
 constexpr std::pair<std::string_view, std::string_view> usual_prefixes[] = {
     {"owl", "http://www.w3.org/2002/07/owl#"},

@@ -19,6 +19,9 @@ namespace geminga::compiled {
 /// except where hardly anything is a tree.
 inline constexpr std::size_t max_list_items = std::size_t{1} << 26;
 
+/// No class, no term.
+inline constexpr std::uint32_t none = base::NumberTable::none;
+
 /// What all sections are written from.
 struct CompilerInput {
   const owl::Ontology& source;

@@ -2,7 +2,6 @@
 #include "reasoning/compiled/entity_names.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "base/edit_distance.hpp"
 #include "base/text.hpp"
@@ -15,14 +14,6 @@ namespace {
 
 constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
 constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
-
-/// Prefixes that mean the same everywhere, where the ontology gives them no other meaning.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> usual_prefixes{{
-    {"owl", "http://www.w3.org/2002/07/owl#"},
-    {"rdf", "http://www.w3.org/1999/02/22-rdf-syntax-ns#"},
-    {"rdfs", "http://www.w3.org/2000/01/rdf-schema#"},
-    {"xsd", xsd},
-}};
 
 bool is_of_owl(owl::TermKind kind, std::string_view iri) {
   switch (kind) {
@@ -77,11 +68,6 @@ EntityNames::EntityNames(const Ontology& ontology) : ontology_(ontology) {
   for (const auto& [kind, iri] : entities_) local_names_.emplace_back(kind, end_of_iri(iri), iri);
   std::ranges::sort(local_names_);
   prefixes_ = prefixes_of(view);
-  for (const auto& usual : usual_prefixes) {
-    const auto is_same = [&](const auto& prefix) { return prefix.first == usual.first; };
-    if (std::ranges::none_of(prefixes_, is_same)) prefixes_.push_back(usual);
-  }
-  std::ranges::sort(prefixes_);
 }
 
 bool EntityNames::has(owl::TermKind kind, std::string_view iri) const {

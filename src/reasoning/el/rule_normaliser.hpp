@@ -140,6 +140,8 @@ class RuleNormaliser {
   owl::Construct use_all_values(const Property& property, owl::TermId filler, ExprId expr);
   owl::Construct use_at_least(std::uint32_t count, const Property& property, const owl::Term& term);
   owl::Construct use_at_most(std::uint32_t limit, const Property& property, const owl::Term& term, ExprId expr);
+  /// min R C is given as min R T where it is not qualified.
+  [[nodiscard]] static bool is_qualified(const owl::Term& term) { return term.arguments.size() == 2; }
   owl::Construct use_negative_filler(const owl::Term& term);
   owl::Construct use_positive_filler(const owl::Term& term);
   ExprId negative_some(const Property& property, ExprId filler);

@@ -9,9 +9,6 @@ owl::Construct both(owl::Construct first, owl::Construct second) {
   return first != owl::Construct::none ? first : second;
 }
 
-/// min R C is given as min R T where it is not qualified.
-bool is_qualified(const owl::Term& term) { return term.arguments.size() == 2; }
-
 }  // namespace
 
 ExprId RuleNormaliser::negative_some(const Property& property, ExprId filler) {

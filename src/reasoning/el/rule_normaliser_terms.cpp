@@ -16,9 +16,6 @@ bool is_in_owl(std::string_view iri, std::string_view local) {
   return iri.size() == owl.size() + local.size() && iri.starts_with(owl) && iri.ends_with(local);
 }
 
-/// min R C is given as min R T where it is not qualified.
-bool is_qualified(const owl::Term& term) { return term.arguments.size() == 2; }
-
 }  // namespace
 
 RuleNormaliser::RuleNormaliser(const owl::Ontology& source, IndexedOntology& index)

@@ -18,7 +18,7 @@ namespace {
 /// the memory of a small one (a clause is about 150 octets), and ends at a bound that nothing known comes near.
 constexpr std::size_t always_derived = 400'000;
 constexpr std::size_t derived_per_axiom = 100;
-constexpr std::size_t max_derived_clauses = 5'000'000;
+constexpr std::size_t max_clauses_of_classes = 5'000'000;
 /// What a clause may cost of a budget at most, vain attempts included: half of it is kept for models.
 constexpr std::size_t steps_per_clause = 100;
 
@@ -93,7 +93,7 @@ class Deepening {
       wanted.push_back(*found);
       classes.push_back(of);
     }
-    std::size_t most = std::min(max_derived_clauses, always_derived + derived_per_axiom * source_.axiom_count());
+    std::size_t most = std::min(max_clauses_of_classes, always_derived + derived_per_axiom * source_.axiom_count());
     if (options_.budget != nullptr) most = std::min<std::size_t>(most, options_.budget->left() / 2 / steps_per_clause);
     const consequence::Closure closure = consequence::saturate(
         source_, clauses, wanted,

@@ -10,7 +10,7 @@
 namespace geminga::reasoner {
 namespace {
 
-constexpr std::size_t max_derived_clauses = 2'000'000;
+constexpr std::size_t max_clauses_of_the_world = 2'000'000;
 
 }  // namespace
 
@@ -26,8 +26,8 @@ Answer is_consistent(const owl::Ontology& source, base::Budget* budget) {
   hypertableau::Tableau tableau(source, *clauses, {.budget = budget});
   Answer answer = tableau.is_consistent();
   if (answer.verdict == Verdict::unknown) {
-    const consequence::Closure closure =
-        consequence::saturate(source, *clauses, {}, {.threads = 1, .clauses = max_derived_clauses, .budget = budget});
+    const consequence::Closure closure = consequence::saturate(
+        source, *clauses, {}, {.threads = 1, .clauses = max_clauses_of_the_world, .budget = budget});
     if (!closure.is_consistent) return {Verdict::no, {}};
     if (closure.gaps.empty()) answer = {Verdict::yes, {}};
   }

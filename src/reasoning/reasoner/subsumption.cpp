@@ -11,7 +11,7 @@
 namespace geminga::reasoner {
 namespace {
 
-constexpr std::size_t max_derived_clauses = 500'000;
+constexpr std::size_t max_clauses_of_a_question = 500'000;
 constexpr std::uint32_t max_levels = 500;  // as SourceLimits::nesting, of expressions that are in no axiom
 
 bool is_subsumed_in_el(const owl::Ontology& source, std::optional<std::span<const std::uint32_t>> axioms,
@@ -27,7 +27,7 @@ bool is_subsumed_in_el(const owl::Ontology& source, std::optional<std::span<cons
 bool is_derived(const owl::Ontology& source, const clauses::ClauseSet& clauses, owl::TermId super,
                 base::Budget* budget) {
   const consequence::Closure closure = consequence::saturate(
-      source, clauses, clauses.queries, {.threads = 1, .clauses = max_derived_clauses, .budget = budget});
+      source, clauses, clauses.queries, {.threads = 1, .clauses = max_clauses_of_a_question, .budget = budget});
   if (!closure.is_consistent) return true;
   return std::ranges::any_of(closure.subsumers.front(), [&](clauses::ConceptId above) {
     const clauses::Concept& found = clauses.concepts[clauses::number(above)];

@@ -14,6 +14,9 @@
 
 namespace geminga::clauses {
 
+constexpr Literal positive(owl::TermId term) { return {term, false, Part::whole}; }
+constexpr Literal negative(owl::TermId term) { return {term, true, Part::whole}; }
+
 /// What is written depends on the contents of the axioms only: they are taken in the order of their hashes.
 class Clausifier {
  public:

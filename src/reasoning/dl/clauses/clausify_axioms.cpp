@@ -11,8 +11,6 @@ using owl::TermKind;
 
 namespace {
 
-constexpr Literal positive(TermId term) { return {term, false, Part::whole}; }
-constexpr Literal negative(TermId term) { return {term, true, Part::whole}; }
 constexpr Atom atom_of(ConceptId id) { return {AtomKind::concept_of, centre, centre, number(id)}; }
 
 /// As many classes are disjoint by a clause for each pair; of more, which would take the square of their number, so

@@ -11,11 +11,7 @@ using owl::AxiomKind;
 using owl::TermId;
 using owl::TermKind;
 
-namespace {
-
-constexpr Literal positive(TermId term) { return {term, false, Part::whole}; }
-
-}  // namespace
+namespace {}  // namespace
 
 void Clausifier::collect_roles(const Ordered& axiom, std::vector<owl::RoleInclusion>& inclusions,
                                std::vector<owl::RoleChain>& chains) {

@@ -8,10 +8,6 @@ namespace {
 using clauses::AtomKind;
 using clauses::number;
 
-[[nodiscard]] bool is_role_atom(const RuleAtom& atom) {
-  return atom.kind == LiteralKind::outgoing || atom.kind == LiteralKind::incoming;
-}
-
 /// Exchanges the centre and neighbour 1.
 void recentre(std::vector<RuleAtom>& atoms) {
   for (RuleAtom& atom : atoms) {

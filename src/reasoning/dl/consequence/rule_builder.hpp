@@ -29,6 +29,10 @@ struct RuleAtom {
   friend auto operator<=>(const RuleAtom&, const RuleAtom&) = default;
 };
 
+[[nodiscard]] inline bool is_role_atom(const RuleAtom& atom) {
+  return atom.kind == LiteralKind::outgoing || atom.kind == LiteralKind::incoming;
+}
+
 /// A clause of the ontology whose body speaks of the centre and of roles to its neighbours.
 struct Rule {
   std::vector<RuleAtom> body;

@@ -5,10 +5,6 @@
 namespace geminga::consequence {
 namespace {
 
-[[nodiscard]] bool is_role_atom(const RuleAtom& atom) {
-  return atom.kind == LiteralKind::outgoing || atom.kind == LiteralKind::incoming;
-}
-
 /// R(x,y) -> S(x,y) and the like.
 [[nodiscard]] bool is_inclusion(const Rule& rule) {
   return rule.body.size() == 1 && rule.head.size() == 1 && is_role_atom(rule.body[0]) && is_role_atom(rule.head[0]) &&

@@ -20,7 +20,7 @@ std::span<const std::uint32_t> Annotations::about(Annotation::Of of, std::uint32
 
 Node AxiomTriples::reify(const Triple& triple, std::string_view type) {
   const Node made = fresh();
-  const std::string owl(owl_namespace);
+  const std::string owl(syntax::owl_namespace);
   link(made, rdf_type, owl_word(type));
   link(made, owl + "annotatedSource", triple.subject);
   link(made, owl + "annotatedProperty", triple.predicate);

@@ -8,13 +8,8 @@ namespace {
 
 using owl::TermKind;
 
-constexpr std::string_view rdf = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
-constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
-
-std::string owl(std::string_view word) { return std::string(owl_namespace).append(word); }
-
 Node typed(std::string text, std::string_view datatype) {
-  return {Node::Kind::literal, std::move(text), std::string(xsd).append(datatype), {}};
+  return {Node::Kind::literal, std::move(text), std::string(syntax::xsd_namespace).append(datatype), {}};
 }
 
 bool is_of_data(TermKind kind) {
@@ -57,14 +52,14 @@ Node AxiomTriples::cardinality(const owl::Term& term) {
 
 Node AxiomTriples::facets(const owl::Term& term) {
   const Node made = described("Datatype", "onDatatype", node(term.arguments[0]));
-  Node rest = iri(std::string(rdf) + "nil");
+  Node rest = iri(std::string(syntax::rdf_namespace) + "nil");
   for (std::size_t place = term.arguments.size(); place-- > 1;) {
     const owl::Term facet = source_.term(term.arguments[place]);
     const Node holder = fresh();
     const Node item = fresh();
     link(holder, source_.name(facet.name), node(facet.arguments[0]));
-    link(item, std::string(rdf) + "first", holder);
-    link(item, std::string(rdf) + "rest", rest);
+    link(item, std::string(syntax::rdf_namespace) + "first", holder);
+    link(item, std::string(syntax::rdf_namespace) + "rest", rest);
     rest = item;
   }
   link(made, owl("withRestrictions"), rest);

@@ -6,11 +6,6 @@ namespace {
 using owl::AxiomKind;
 using owl::TermKind;
 
-constexpr std::string_view rdf = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
-constexpr std::string_view rdfs = "http://www.w3.org/2000/01/rdf-schema#";
-
-std::string owl(std::string_view word) { return std::string(owl_namespace).append(word); }
-
 /// The predicate of an axiom that is one triple of its two arguments.
 std::string predicate_of(AxiomKind kind) {
   switch (kind) {
@@ -22,10 +17,10 @@ std::string predicate_of(AxiomKind kind) {
       return owl("inverseOf");
     case AxiomKind::object_property_domain:
     case AxiomKind::data_property_domain:
-      return std::string(rdfs) + "domain";
+      return std::string(syntax::rdfs_namespace) + "domain";
     case AxiomKind::object_property_range:
     case AxiomKind::data_property_range:
-      return std::string(rdfs) + "range";
+      return std::string(syntax::rdfs_namespace) + "range";
     default:
       return owl("equivalentClass");  // of a datatype and its definition
   }
@@ -66,7 +61,7 @@ Node type_of_entity(TermKind kind) {
     case TermKind::annotation_property:
       return owl_word("AnnotationProperty");
     case TermKind::datatype:
-      return iri(std::string(rdfs) + "Datatype");
+      return iri(std::string(syntax::rdfs_namespace) + "Datatype");
     default:
       return owl_word("NamedIndividual");
   }
@@ -163,11 +158,11 @@ void AxiomTriples::sub_property(Terms terms) {
 }
 
 Node AxiomTriples::list(Terms terms) {
-  Node rest = iri(std::string(rdf) + "nil");
+  Node rest = iri(std::string(syntax::rdf_namespace) + "nil");
   for (std::size_t place = terms.size(); place-- > 0;) {
     const Node item = fresh();
-    link(item, std::string(rdf) + "first", node(terms[place]));
-    link(item, std::string(rdf) + "rest", rest);
+    link(item, std::string(syntax::rdf_namespace) + "first", node(terms[place]));
+    link(item, std::string(syntax::rdf_namespace) + "rest", rest);
     rest = item;
   }
   return rest;

@@ -15,6 +15,7 @@
 #include "reasoning/owl/annotation.hpp"
 #include "reasoning/owl/source.hpp"
 #include "reasoning/syntax/graph/node.hpp"
+#include "reasoning/syntax/vocabulary.hpp"
 
 namespace geminga::graph {
 
@@ -94,7 +95,8 @@ inline constexpr std::string_view rdf_type = "http://www.w3.org/1999/02/22-rdf-s
 inline constexpr std::string_view rdfs_label = "http://www.w3.org/2000/01/rdf-schema#label";
 inline constexpr std::string_view rdfs_sub_class_of = "http://www.w3.org/2000/01/rdf-schema#subClassOf";
 inline constexpr std::string_view rdfs_sub_property_of = "http://www.w3.org/2000/01/rdf-schema#subPropertyOf";
-inline constexpr std::string_view owl_namespace = "http://www.w3.org/2002/07/owl#";
+/// A word of OWL as an IRI.
+[[nodiscard]] inline std::string owl(std::string_view word) { return std::string(syntax::owl_namespace).append(word); }
 
 /// `owl:Class` and its like, which declare an entity of this kind.
 [[nodiscard]] Node type_of_entity(owl::TermKind kind);

@@ -4,10 +4,10 @@
 #include <string>
 #include <utility>
 
+#include "reasoning/syntax/vocabulary.hpp"
+
 namespace geminga::graph {
 namespace {
-
-constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
 
 bool are_digits(std::string_view text) {
   return std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
@@ -69,8 +69,8 @@ std::optional<std::string> safe_form(std::string_view text, std::string_view dat
 
 std::optional<Node> turtle_number(const Node& literal) {
   const std::string_view datatype = literal.datatype;
-  if (literal.kind != Node::Kind::literal || !datatype.starts_with(xsd)) return std::nullopt;
-  const std::string_view word = datatype.substr(xsd.size());
+  if (literal.kind != Node::Kind::literal || !datatype.starts_with(syntax::xsd_namespace)) return std::nullopt;
+  const std::string_view word = datatype.substr(syntax::xsd_namespace.size());
   if (word != "integer" && word != "decimal" && word != "double" && word != "boolean") return std::nullopt;
   auto form = safe_form(trimmed(literal.text), word);
   if (form && *form == literal.text) return std::nullopt;

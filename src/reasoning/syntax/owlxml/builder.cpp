@@ -14,7 +14,6 @@ using functional::Form;
 
 constexpr std::string_view owl = "http://www.w3.org/2002/07/owl#";
 constexpr std::string_view xml = "http://www.w3.org/XML/1998/namespace";
-constexpr std::string_view blanks = " \t\r\n";
 
 /// The attributes of the syntax. Which of them an element needs is asked where it is read.
 constexpr std::array<std::string_view, 9> known_attributes{

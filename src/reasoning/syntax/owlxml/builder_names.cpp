@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::string_view plain_literal = "http://www.w3.org/1999/02/22-rdf-syntax-ns#PlainLiteral";
 constexpr std::string_view not_in_iris = " <>\"{}|\\^`";
-constexpr std::string_view blanks = " \t\r\n";
 
 /// A scheme and a colon (RFC 3986, section 3.1).
 bool is_absolute(std::string_view iri) {
