@@ -43,7 +43,7 @@ std::string in_quotes(const fs::path& path) {
 }
 
 std::string name_of(const xmlNode* node) {
-  const std::string iri = attribute(node, "IRI");
+  std::string iri = attribute(node, "IRI");
   if (iri == owl::owl_thing || attribute(node, "abbreviatedIRI") == "owl:Thing") return "Thing";
   if (iri == owl::owl_nothing || attribute(node, "abbreviatedIRI") == "owl:Nothing") return "Nothing";
   return iri;

@@ -27,14 +27,14 @@ void expect_agreement(const owl::Ontology& source) {
 
 TEST(CoveringTree, IsUnderstoodByModelsAsByTheTableau) {
   for (const Covering covering : coverings) {
-    for (const std::size_t width : {2, 3, 5}) expect_agreement(covering_tree(covering, 20, width));
+    for (const std::size_t width : {2U, 3U, 5U}) expect_agreement(covering_tree(covering, 20, width));
   }
 }
 
 TEST(CoveringTree, HasTheSubsumptionsOfATreeHoweverLargeItIs) {
   constexpr std::size_t classes = 2000;
   for (const Covering covering : coverings) {
-    for (const std::size_t width : {2, 10}) {
+    for (const std::size_t width : {2U, 10U}) {
       const Opinion found = of_the_reasoner(covering_tree(covering, classes, width));
       std::size_t expected = 0;
       for (std::size_t at = 1; at < classes; ++at) {

@@ -17,7 +17,6 @@ namespace geminga::env {
 namespace {
 
 namespace net = boost::asio;
-using net::ip::tcp;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;

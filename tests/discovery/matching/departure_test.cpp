@@ -9,7 +9,6 @@ namespace geminga::matching {
 namespace {
 
 using testing::ElementsAre;
-using testing::UnorderedElementsAre;
 
 const Identity ball = TextIdentity{"ball"};
 

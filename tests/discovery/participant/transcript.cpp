@@ -180,7 +180,7 @@ void Transcript::set_limit(sim::Host& host, const std::string& name, std::size_t
   *known.at(name) = value;
 }
 
-void Transcript::say(const std::string& client, std::string text, bool is_raw) {
+void Transcript::say(const std::string& client, const std::string& text, bool is_raw) {
   if (is_raw) {
     clients_.at(client)->send_bytes(unescaped(text));
   } else {

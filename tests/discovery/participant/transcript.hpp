@@ -22,7 +22,7 @@ class Transcript {
  private:
   void line(std::string_view line);
   void direct(std::string_view words);
-  void say(const std::string& client, std::string text, bool is_raw);
+  void say(const std::string& client, const std::string& text, bool is_raw);
   void expect(const std::string& client, std::string_view pattern);
   void expect_nothing_more();
   void run(base::Duration duration);
