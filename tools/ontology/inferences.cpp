@@ -7,6 +7,7 @@
 
 #include "closure.hpp"
 #include "reasoning/syntax/graph/axiom_triples.hpp"
+#include "reasoning/syntax/vocabulary.hpp"
 
 namespace geminga::ontology {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "output.hpp"
 #include "reasoning/syntax/graph/axiom_triples.hpp"
+#include "reasoning/syntax/vocabulary.hpp"
 
 namespace geminga::ontology {
 namespace {

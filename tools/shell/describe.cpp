@@ -37,11 +37,11 @@ std::string details(const Event& event, const Service& service) {
   return line;
 }
 
+}  // namespace
+
 std::string peer_word(const ServiceKey& key) {
   return to_string(key.participant) + '/' + std::to_string(std::to_underlying(key.peer));
 }
-
-}  // namespace
 
 std::string who(std::string_view peer_word, std::string_view peer_name, std::string_view participant_name) {
   const auto slash = peer_word.find('/');

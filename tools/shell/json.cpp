@@ -13,6 +13,7 @@
 #include <string>
 #include <utility>
 
+#include "shell/describe.hpp"
 #include "shell/terminal.hpp"
 #include "shell/timestamp.hpp"
 
@@ -38,7 +39,7 @@ constexpr auto words_of_status =
     std::to_array<std::string_view>({"version", "state", "participant", "name", "group", "ontology"});
 
 /// The number that the whole text is in decimal, or nothing.
-std::optional<json::value> number(std::string_view text) {
+std::optional<json::value> as_number(std::string_view text) {
   const auto is_whole = [&](const std::from_chars_result& read) {
     return read.ec == std::errc() && read.ptr == text.data() + text.size();
   };
@@ -58,7 +59,7 @@ bool is_measure(std::string_view key, std::string_view kind) {
 
 json::value typed(std::string_view key, std::string_view text, std::string_view kind) {
   if (is_measure(key, kind)) {
-    if (auto value = number(text)) return *value;
+    if (auto value = as_number(text)) return *value;
   }
   if (contains(flag_keys, key) && (text == "0" || text == "1")) return text == "1";
   if (!contains(list_keys, key)) return json::string(text);
@@ -87,10 +88,6 @@ void append_identity(json::object& object, const NamedIdentity& identity) {
     object["concept"] = names.concept_name;
     if (!names.representation_name.empty()) object["representation"] = names.representation_name;
   }
-}
-
-std::string peer_word(const ServiceKey& key) {
-  return to_string(key.participant) + '/' + std::to_string(std::to_underlying(key.peer));
 }
 
 /// What both kinds of events have; `role` is what the other side is: provider or consumer.
