@@ -298,11 +298,11 @@ TEST(Classify, FollowsAChainOfAHundredThousandClasses) {
   owl::Ontology source;
   const owl::FileId file = source.add_file("chain");
   source.add_prefix("t", "https://t.example/#");
-  constexpr int length = 100'000;
+  constexpr std::size_t length = 100'000;
   std::vector<owl::TermId> classes;
-  for (int at = 0; at < length; ++at)
+  for (std::size_t at = 0; at < length; ++at)
     classes.push_back(source.named_class("https://t.example/#C" + std::to_string(at)));
-  for (int at = 0; at + 1 < length; ++at)
+  for (std::size_t at = 0; at + 1 < length; ++at)
     source.add(owl::AxiomKind::sub_class_of, {classes[at], classes[at + 1]}, file, 1);
   const compiled::Ontology ontology = owl::loaded(source);
   const taxonomy::ClassNumber first = owl::named(ontology, "C0");
@@ -316,11 +316,11 @@ TEST(Classify, FollowsACycleOfAHundredThousandClasses) {
   owl::Ontology source;
   const owl::FileId file = source.add_file("cycle");
   source.add_prefix("t", "https://t.example/#");
-  constexpr int length = 100'000;
+  constexpr std::size_t length = 100'000;
   std::vector<owl::TermId> classes;
-  for (int at = 0; at < length; ++at)
+  for (std::size_t at = 0; at < length; ++at)
     classes.push_back(source.named_class("https://t.example/#C" + std::to_string(at)));
-  for (int at = 0; at < length; ++at) {
+  for (std::size_t at = 0; at < length; ++at) {
     source.add(owl::AxiomKind::sub_class_of, {classes[at], classes[(at + 1) % length]}, file, 1);
   }
   const compiled::Ontology ontology = owl::loaded(source);
@@ -331,12 +331,12 @@ TEST(Classify, FollowsAChainOfLinksOfFiftyThousand) {
   owl::Ontology source;
   const owl::FileId file = source.add_file("links");
   source.add_prefix("t", "https://t.example/#");
-  constexpr int length = 50'000;
+  constexpr std::size_t length = 50'000;
   std::vector<owl::TermId> classes;
   const owl::TermId role = source.object_property("https://t.example/#r");
-  for (int at = 0; at < length; ++at)
+  for (std::size_t at = 0; at < length; ++at)
     classes.push_back(source.named_class("https://t.example/#C" + std::to_string(at)));
-  for (int at = 0; at + 1 < length; ++at) {
+  for (std::size_t at = 0; at + 1 < length; ++at) {
     source.add(owl::AxiomKind::sub_class_of,
                {classes[at], source.term(owl::TermKind::object_some_values_from, {role, classes[at + 1]})}, file, 1);
   }

@@ -12,7 +12,6 @@ namespace {
 using compiled::Ontology;
 using owl::loaded;
 using owl::named;
-using owl::robots;
 using testing::ElementsAre;
 using testing::IsEmpty;
 

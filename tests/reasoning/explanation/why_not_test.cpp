@@ -14,10 +14,7 @@ namespace {
 using compiled::Ontology;
 using owl::loaded;
 using owl::named;
-using testing::Contains;
 using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 std::vector<std::string> lines_for(std::string_view axioms, std::string_view sub, std::string_view super) {
   const Ontology ontology = loaded(axioms);
