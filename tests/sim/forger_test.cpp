@@ -46,7 +46,7 @@ struct Field {
   [[nodiscard]] Host& host(std::size_t index) { return *world.hosts().at(index); }
   [[nodiscard]] Module& module(std::size_t index) { return *team.modules().at(index); }
 
-  void forge(announcement::Announcement lie) {
+  void forge(const announcement::Announcement& lie) {
     for (const announcement::Datagram& datagram : announcement::encode(lie)) {
       world.transmit(*forger, forger->ports().front().index,
                      std::string_view(reinterpret_cast<const char*>(datagram.data()), datagram.size()));

@@ -7,7 +7,6 @@
 namespace geminga::syntax {
 namespace {
 
-using testing::HasSubstr;
 
 TEST(Syntax, IsDecidedByTheNameOfTurtleAndTriplesAndByTheContentOfOthers) {
   const std::string_view turtle = "# a comment\n@prefix : <http://e/> .";

@@ -11,7 +11,6 @@
 namespace geminga::rdf {
 namespace {
 
-using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 

@@ -45,7 +45,7 @@ TEST(Pieces, AreInvisibleInEveryCase) {
     if (entry.path().extension() == ".axioms") continue;
     const std::vector files{entry.path().string()};
     const auto whole = everything(files, {}, 1);
-    for (const std::size_t bytes : {1, 200}) {
+    for (const std::size_t bytes : {1U, 200U}) {
       for (const unsigned threads : {1U, 2U, 3U})
         EXPECT_EQ(everything(files, in_pieces_of(bytes), threads), whole) << entry.path() << " in pieces of " << bytes;
     }
@@ -81,7 +81,7 @@ TEST(Pieces, OfXmlKeepWhatTheRootDeclares) {
   const auto whole = everything(files, {}, 1);
   EXPECT_THAT(whole, testing::Contains("SubClassOf(:x#A9 :x#A4) in line 53"));
   EXPECT_EQ(whole.back(), "164 triples");
-  for (const std::size_t bytes : {1, 100, 1000, 5000}) {
+  for (const std::size_t bytes : {1U, 100U, 1000U, 5000U}) {
     for (const unsigned threads : {1U, 2U, 5U})
       EXPECT_EQ(everything(files, in_pieces_of(bytes), threads), whole) << bytes << " bytes, " << threads << " threads";
   }
@@ -100,7 +100,7 @@ TEST(Pieces, OfTurtleKeepDirectivesAndLines) {
        {std::pair{"a.ttl", ""}, {"late.ttl", "@prefix : <http://f/> . :a rdfs:subClassOf :b .\n"}}) {
     const std::vector files{scratch.write(name, text + extra)};
     const auto whole = everything(files, {}, 1);
-    for (const std::size_t bytes : {1, 300}) {
+    for (const std::size_t bytes : {1U, 300U}) {
       for (const unsigned threads : {1U, 4U}) EXPECT_EQ(everything(files, in_pieces_of(bytes), threads), whole) << name;
     }
   }
