@@ -139,7 +139,8 @@ class Reference {
   bool link(std::size_t from, TermId role, std::size_t to) { return links_.insert({from, role, to}).second; }
 
   bool add_self(std::size_t to, TermId role) {
-    bool changed = selfs_.insert({to, role}).second | link(to, role, to);
+    bool changed = selfs_.insert({to, role}).second;
+    changed |= link(to, role, to);
     for (const TermId range : ranges_of(role)) changed |= add(to, range);
     return changed;
   }
