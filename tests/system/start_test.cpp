@@ -17,13 +17,9 @@
 namespace geminga::system {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::AllOf;
-using testing::Contains;
-using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Not;
 using testing::StartsWith;
 
 TEST(Start, AnswersOverIpv6) {
@@ -115,7 +111,7 @@ TEST(Start, ServesTheOntologyItWasGiven) {
 
 TEST(Start, TakesPrefixesFromItsConfiguration) {
   const Folder folder;
-  const std::string zoo = folder.write("zoo.ttl", animals);
+  folder.write("zoo.ttl", animals);
   const std::string file =
       folder.write("geminga.toml", "ontology = \"zoo.ttl\"\n[prefixes]\npet = \"http://zoo.example/#\"\n");
   Lab lab(1);

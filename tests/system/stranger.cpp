@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
+#include <system_error>
 
 namespace geminga::system {
 namespace {
@@ -31,7 +33,7 @@ Stranger::Stranger(const Lab& lab, std::size_t host, const std::string& source)
     socket_ = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
     ::setsockopt(socket_, IPPROTO_IP, IP_MULTICAST_IF, &interface, sizeof interface);
     sockaddr_in own = endpoint(source.empty() ? lab.address_of(host) : source, 0);
-    ::bind(socket_, plain(own), sizeof own);
+    if (::bind(socket_, plain(own), sizeof own) != 0) throw std::system_error(errno, std::generic_category(), "bind");
     socklen_t size = sizeof own;
     ::getsockname(socket_, reinterpret_cast<sockaddr*>(&own), &size);
     own_port_ = own.sin_port;
@@ -39,7 +41,8 @@ Stranger::Stranger(const Lab& lab, std::size_t host, const std::string& source)
     ear_ = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
     const int on = 1;
     ::setsockopt(ear_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
-    ::bind(ear_, plain(group_), sizeof group_);
+    if (::bind(ear_, plain(group_), sizeof group_) != 0)
+      throw std::system_error(errno, std::generic_category(), "bind");
     interface.imr_multiaddr = group_.sin_addr;
     ::setsockopt(ear_, IPPROTO_IP, IP_ADD_MEMBERSHIP, &interface, sizeof interface);
   });

@@ -16,7 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::AnyOf;
-using testing::HasSubstr;
 using testing::Not;
 using testing::SizeIs;
 

@@ -14,7 +14,6 @@ namespace {
 
 using testing::EndsWith;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::StartsWith;
 
 const std::vector<std::string> programs{"geminga-query", "geminga-publish", "geminga-subscribe"};
