@@ -142,11 +142,11 @@ TEST(Convert, WritesAnnotationsOfAxiomsAndOfAnnotations) {
           ":B ; :n ?blank ; :m 5 . ?y a owl:Annotation ; owl:annotatedSource ?x ; owl:annotatedProperty :n ; "
           "owl:annotatedTarget ?blank ; :n \"deep\" . ?blank a :A",
       axiom + "?some ; :n \"of some\" . :A rdfs:subClassOf ?some . ?some owl:someValuesFrom :B",
-      "?x a owl:Axiom ; owl:annotatedSource :A ; owl:annotatedProperty rdfs:label ; owl:annotatedTarget \"an A\"@en ; "
-      ":n \"of label\"",
+      ("?x a owl:Axiom ; owl:annotatedSource :A ; owl:annotatedProperty rdfs:label ; owl:annotatedTarget \"an A\"@en ; "
+       ":n \"of label\""),
       "?all a owl:AllDisjointClasses ; :n \"of three\"",
-      "?x owl:annotatedSource :E ; owl:annotatedTarget :F ; :n \"of pairs\" . ?y owl:annotatedSource :F ; "
-      "owl:annotatedTarget :G ; :n \"of pairs\"",
+      ("?x owl:annotatedSource :E ; owl:annotatedTarget :F ; :n \"of pairs\" . ?y owl:annotatedSource :F ; "
+       "owl:annotatedTarget :G ; :n \"of pairs\""),
       "?x owl:annotatedSource ?i ; owl:annotatedProperty rdf:type ; :n \"of fact\" . ?i a :A",
       "?x a owl:NegativePropertyAssertion ; :n \"of negative\"",
       "?x owl:annotatedSource :i ; owl:annotatedProperty :d ; :n \"of damaged\" . :i :d ?five",

@@ -5,12 +5,11 @@
 #include <spawn.h>
 #include <stdlib.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <fstream>
 #include <sstream>
-
-extern char** environ;
 
 namespace geminga::ontology {
 namespace {
