@@ -121,8 +121,8 @@ std::string names_as_text(const NameFindings& names, bool shows_all) {
     for (const DoubtfulName& name : found) {
       const std::string what = name.kind == "word" ? "" : "  (" + std::string(name.kind) + ')';
       const std::string meant = compiled::did_you_mean(name.similar);
-      std::string line = base::printable(name.name, 400) + what + meant;
-      line.append("   [").append(place(name.file, name.line)).append("]");
+      std::string line = base::printable(name.name, 400);
+      line.append(what).append(meant).append("   [").append(place(name.file, name.line)).append("]");
       lines.push_back(std::move(line));
     }
     return lines;
