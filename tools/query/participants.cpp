@@ -24,7 +24,7 @@ shell::Table table_of_participants(const std::vector<Record>& records) {
     std::string loss(record["loss"]);
     if (!loss.empty()) {
       const double share = std::strtod(loss.c_str(), nullptr);
-      loss = std::to_string(static_cast<int>(share * 100 + 0.5)) + " %";
+      loss = std::to_string(std::lround(share * 100)) + " %";
     }
     shown.add({std::string(record["id"]), std::string(record["name"]), std::string(record["addresses"]),
                shell::duration_words(record["heard"]), shell::duration_words(record["interval"]), loss,
