@@ -113,8 +113,7 @@ class Classifier {
     for (const auto& [sub, super] : told_) index_.add_told(sub, super);
     // Where another engine has to do everything again, universals are left to it.
     const bool is_more = normaliser_.open().is_more;
-    const RuleNormaliser::Unused late =
-        normaliser_.finish(is_more ? RuleNormaliser::Universals::left_out : RuleNormaliser::Universals::used);
+    const UnusedAxioms late = normaliser_.finish(is_more ? Universals::left_out : Universals::used);
     may_settle_ = !result_.unused.empty() && late.empty() && !is_more;
     for (const auto& [axiom, construct] : late) result_.unused.push_back({axiom, to_string(construct)});
     sort_unused();

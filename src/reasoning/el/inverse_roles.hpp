@@ -66,7 +66,7 @@ void visit_taught(const IndexedOntology& index, std::span<const Learning> all, s
 class InverseRoles {
  public:
   /// Requires that inclusions and chains between inverses have been told between the roles themselves
-  /// (RuleNormaliser::mirror_roles).
+  /// (RoleChains::mirror).
   InverseRoles(const IndexedOntology& index, std::span<const InverseInclusion> inverses);
 
   [[nodiscard]] std::span<const ImpliedRole> implied(RoleId role) const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/owl/construct.hpp"
 
 namespace geminga::el {
 
@@ -39,6 +40,12 @@ struct OpenParts {
   std::vector<OpenCount> at_least;
   bool is_mirrored = true;  ///< chains of inverses are told of the properties themselves
   bool is_more = false;     ///< something is not used that stands in none of these
+
+  /// Notes that the construct, if there is one, is not used and has no form above. Returns it.
+  owl::Construct beyond(owl::Construct construct) {
+    is_more = is_more || construct != owl::Construct::none;
+    return construct;
+  }
 };
 
 }  // namespace geminga::el

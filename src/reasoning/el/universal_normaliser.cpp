@@ -1,16 +1,9 @@
-// Universals right of "SubClassOf", and the ranges that OWL 2 EL does not allow. Legend as in indexed_ontology.hpp.
-//
-// A range of R is a universal of everything, T < R only C. As long as the last property of each chain below R has the
-// range, too (OWL 2 profiles, section 2.2.6), it is enough that the fillers of existentials are in it (Baader, Brandt,
-// Lutz: Pushing the EL Envelope Further, 2008). Elsewhere what comes last in a chain is in C only where the rest of the
-// chain comes before it, so that C has to travel: along the automaton of R, whose states are atoms (Horrocks, Kutz,
-// Sattler: The Even More Irresistible SROIQ, 2006, section 4). Universals of properties with chains travel the same
-// way.
+// Universals as rules: one for a simple role, and else one for each move of the role's automaton.
+#include "reasoning/el/universal_normaliser.hpp"
+
 #include <algorithm>
 #include <map>
-#include <optional>
-
-#include "reasoning/el/rule_normaliser.hpp"
+#include <variant>
 
 namespace geminga::el {
 namespace {
@@ -44,8 +37,15 @@ RoleId label_of(const owl::Automaton::Move& move) { return RoleId{static_cast<st
 
 }  // namespace
 
+void UniversalNormaliser::add_universal(ExprId restricting, const Property& property, ExprId filler) {
+  pending_.note(UniversalUse{universals_.size()});
+  universals_.push_back({restricting, property, filler});
+}
+
+void UniversalNormaliser::add_range(RoleId role, ExprId range) { ranges_.push_back({pending_.axiom(), role, range}); }
+
 // Each range whose property has a chain below it of which the last property has it not.
-std::vector<std::size_t> RuleNormaliser::find_ranges_over_chains(const Roles& closed) const {
+std::vector<std::size_t> UniversalNormaliser::find_ranges_over_chains(const Roles& closed) const {
   std::vector<std::size_t> found;
   for (std::size_t at = 0; at < ranges_.size(); ++at) {
     const Range& range = ranges_[at];
@@ -60,17 +60,14 @@ std::vector<std::size_t> RuleNormaliser::find_ranges_over_chains(const Roles& cl
   return found;
 }
 
-void RuleNormaliser::add_universals(Universals universals, Unused& unused) {
-  if (index_.roles().chains().empty() && universals_.empty()) return;
-  Roles closed = index_.roles();
-  if (!closed.close_hierarchy(max_role_pairs)) return;  // the index will not close either, and that is reported
-  find_not_simple(closed, unused);
+void UniversalNormaliser::finish(const Roles& closed, std::span<const owl::RoleChain> chains, Universals universals,
+                                 UnusedAxioms& unused) {
   const std::vector<std::size_t> over_chains = find_ranges_over_chains(closed);
   if (over_chains.empty() && universals_.empty()) return;
   std::vector<owl::RoleInclusion> inclusions;
   for (const auto& [sub, super] : closed.told_supers()) inclusions.push_back({role_of(RoleId{sub}), role_of(super)});
-  const owl::RoleBox box(closed.count(), inclusions, chains_, max_automaton_states);
-  const std::vector<bool> is_partial = find_partial(closed, box, chains_);
+  const owl::RoleBox box(closed.count(), inclusions, chains, max_automaton_states);
+  const std::vector<bool> is_partial = find_partial(closed, box, chains);
   const auto can_use = [&](RoleId role) {
     return universals == Universals::used && !is_partial[static_cast<std::size_t>(role)];
   };
@@ -80,26 +77,25 @@ void RuleNormaliser::add_universals(Universals universals, Unused& unused) {
     const Range& range = ranges_[at];
     const bool is_used = can_use(range.role);
     if (is_used) ranges_of[range.role].push_back(range.range);
-    (is_used ? uses_of_universals_ : unused).emplace_back(range.axiom, owl::Construct::range_over_chain);
+    (is_used ? uses_ : unused).emplace_back(range.axiom, owl::Construct::range_over_chain);
   }
-  for (const auto& [role, ranges] : ranges_of) add_range_over_chains(role, ranges, box);
+  for (const auto& [role, ranges] : ranges_of) make_range_over_chains(role, ranges, box);
   for (const Universal& universal : universals_) {
-    if (can_use(universal.property.role))
-      add_universal(universal.restricting, universal.property, universal.filler, box);
+    if (can_use(universal.property.role)) make_universal(universal, box);
   }
-  for (const PendingUse& later : pending_uses_) {
-    const auto* use = std::get_if<UniversalUse>(&later.use);
+  for (const PendingUse& pending : pending_.all()) {
+    const auto* use = std::get_if<UniversalUse>(&pending.what);
     if (use == nullptr) continue;
     const bool is_used = can_use(universals_[use->universal].property.role);
-    (is_used ? uses_of_universals_ : unused).emplace_back(later.axiom, owl::Construct::all_values_from);
+    (is_used ? uses_ : unused).emplace_back(pending.axiom, owl::Construct::all_values_from);
   }
-  std::ranges::sort(uses_of_universals_);
+  std::ranges::sort(uses_);
 }
 
 //  Q < R only C  is  Q < S only Q'  for each move S of the automaton of R from its first state to Q', the same for its
 //  other states, and Q'' < C for the final ones
-void RuleNormaliser::add_universal(ExprId restricting, const Property& property, ExprId filler,
-                                   const owl::RoleBox& box) {
+void UniversalNormaliser::make_universal(const Universal& universal, const owl::RoleBox& box) {
+  const auto& [restricting, property, filler] = universal;
   const owl::Role role = role_of(property.role);
   if (property.is_data || box.is_simple(role)) {
     // What is said of values must not be said of what else is in a class of the same atom.
@@ -120,7 +116,7 @@ void RuleNormaliser::add_universal(ExprId restricting, const Property& property,
 }
 
 //  T < R only C  is the same with T as the first state, of which Q < S only Q' is the range Q' of S
-void RuleNormaliser::add_range_over_chains(RoleId role, std::span<const ExprId> ranges, const owl::RoleBox& box) {
+void UniversalNormaliser::make_range_over_chains(RoleId role, std::span<const ExprId> ranges, const owl::RoleBox& box) {
   const owl::Automaton& automaton = box.automaton(box.canonical(role_of(role)));
   std::vector<ExprId> states(automaton.state_count(), top_expr);
   for (owl::Automaton::State state = 0; state < automaton.state_count(); ++state) {

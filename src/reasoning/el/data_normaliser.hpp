@@ -1,0 +1,64 @@
+// Literals and datatypes as atoms. Legend as in indexed_ontology.hpp; u v are literals.
+#ifndef GEMINGA_REASONING_EL_DATA_NORMALISER_HPP
+#define GEMINGA_REASONING_EL_DATA_NORMALISER_HPP
+
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/el/pending_uses.hpp"
+#include "reasoning/owl/datatypes.hpp"
+#include "reasoning/owl/source.hpp"
+
+namespace geminga::el {
+
+/// Makes the atoms of literals and datatypes, and tells in the end which are within and which exclude each other.
+class DataNormaliser {
+ public:
+  DataNormaliser(const owl::Ontology& source, IndexedOntology& index, PendingUses& pending)
+      : source_(source), index_(index), pending_(pending) {}
+
+  ExprId make_datatype(const owl::Term& term);
+  /// To be called once for each literal. Literals with the same value are one atom.
+  ExprId make_literal(owl::TermId id, const owl::Term& term);
+
+  /// The literal, which has its atom, stands in an axiom.
+  void note_literal(owl::TermId id);
+  /// The same, where the axiom asks for what has the literal as a value.
+  void note_wanted_literal(owl::TermId id);
+  /// The axiom says that values are in the datatype.
+  void note_datatype(const owl::Term& term);
+
+  /// To be called once, after the last literal and datatype.
+  void relate();
+  /// Adds the axioms of which literals or datatypes are not used in full.
+  void find_unused(UnusedAxioms& unused) const;
+
+ private:
+  struct Literal {
+    owl::DataFamily family{};
+    bool is_exact = true;
+  };
+  using FamilyAtoms = std::array<ExprId, owl::data_family_count>;
+
+  void relate_datatypes(FamilyAtoms& families);
+  void relate_values(FamilyAtoms& families);
+  void put_under_family(ExprId expr, owl::DataFamily family, FamilyAtoms& families);
+  void exclude(ExprId one, ExprId other);
+
+  const owl::Ontology& source_;
+  IndexedOntology& index_;
+  PendingUses& pending_;
+  std::vector<std::pair<owl::Datatype, ExprId>> datatypes_;  ///< those that are known
+  std::vector<std::pair<owl::DataValue, ExprId>> values_;
+  std::map<std::pair<owl::DataFamily, std::string>, ExprId> expr_of_value_;
+  std::map<owl::TermId, Literal> literals_;  ///< those whose datatype is known
+  std::array<bool, owl::data_family_count> is_wanted_{};
+};
+
+}  // namespace geminga::el
+
+#endif

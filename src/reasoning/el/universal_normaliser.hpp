@@ -1,0 +1,68 @@
+// Universals right of SubClassOf, and the ranges that OWL 2 EL does not allow. Legend as in indexed_ontology.hpp.
+//
+// A range of R is a universal of everything, T < R only C. As long as the last property of each chain below R has the
+// range, too (OWL 2 profiles, section 2.2.6), it is enough that the fillers of existentials are in it (Baader, Brandt,
+// Lutz: Pushing the EL Envelope Further, 2008). Elsewhere what comes last in a chain is in C only where the rest of the
+// chain comes before it. So C has to travel along the automaton of R, whose states are atoms (Horrocks, Kutz, Sattler:
+// The Even More Irresistible SROIQ, 2006, section 4). Universals of properties with chains travel the same way.
+#ifndef GEMINGA_REASONING_EL_UNIVERSAL_NORMALISER_HPP
+#define GEMINGA_REASONING_EL_UNIVERSAL_NORMALISER_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/el/pending_uses.hpp"
+#include "reasoning/el/property_roles.hpp"
+#include "reasoning/owl/role_box.hpp"
+
+namespace geminga::el {
+
+/// Whether the index may hold universals, for whoever has rules for them.
+enum class Universals : std::uint8_t { left_out, used };
+
+/// Collects universals and ranges, and makes rules of them when all chains are known.
+class UniversalNormaliser {
+ public:
+  UniversalNormaliser(IndexedOntology& index, PendingUses& pending) : index_(index), pending_(pending) {}
+
+  /// What is in `restricting` has only successors by the property, which is no inverse, in the filler.
+  void add_universal(ExprId restricting, const Property& property, ExprId filler);
+  /// The current axiom says that successors by the role are in the range.
+  void add_range(RoleId role, ExprId range);
+  [[nodiscard]] bool has_universals() const { return !universals_.empty(); }
+
+  /// To be called once, after the last axiom, with the roles, whose hierarchy is closed, and with the chains as they
+  /// were told. Adds the axioms whose universals are not used.
+  void finish(const Roles& closed, std::span<const owl::RoleChain> chains, Universals universals, UnusedAxioms& unused);
+  /// After finish(): the axioms of which a part is used by a universal rule, ascending.
+  [[nodiscard]] const UnusedAxioms& uses() const { return uses_; }
+
+ private:
+  struct Range {
+    std::uint32_t axiom = 0;
+    RoleId role{};
+    ExprId range{};
+  };
+  struct Universal {
+    ExprId restricting{};
+    Property property;
+    ExprId filler{};
+  };
+
+  [[nodiscard]] std::vector<std::size_t> find_ranges_over_chains(const Roles& closed) const;
+  void make_universal(const Universal& universal, const owl::RoleBox& box);
+  void make_range_over_chains(RoleId role, std::span<const ExprId> ranges, const owl::RoleBox& box);
+
+  IndexedOntology& index_;
+  PendingUses& pending_;
+  std::vector<Range> ranges_;
+  std::vector<Universal> universals_;
+  UnusedAxioms uses_;
+};
+
+}  // namespace geminga::el
+
+#endif
