@@ -18,6 +18,12 @@ namespace geminga::rdf {
 enum class NodeId : std::uint32_t {};
 
 [[nodiscard]] constexpr NodeId node_of(syntax::Word word) { return static_cast<NodeId>(word); }
+/// None for a node that is no word of the vocabulary.
+[[nodiscard]] constexpr syntax::Word word_of(NodeId node) {
+  return static_cast<std::uint32_t>(node) < static_cast<std::uint32_t>(syntax::Word::count)
+             ? static_cast<syntax::Word>(node)
+             : syntax::Word::none;
+}
 
 enum class NodeKind : std::uint8_t { iri, blank, literal };
 

@@ -220,7 +220,7 @@ class Loading {
     loaded_.undeclared_predicates = undeclared_predicates(graph_);
     std::vector<owl::FileId> files;
     for (std::uint32_t number = 0; number < paths_.size(); ++number) files.push_back(owl::FileId{number});
-    Mapping(graph_, loaded_.source, std::move(files)).run();
+    map_to_axioms(graph_, loaded_.source, std::move(files));
     for (const Waiting& waiting : waiting_) {
       if (auto error = read_other(waiting.number, loaded_.syntaxes[waiting.number], waiting.bytes.view()))
         return std::unexpected(std::move(*error));
