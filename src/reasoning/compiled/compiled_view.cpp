@@ -48,12 +48,11 @@ std::expected<const Root*, CompiledError> root_of(const Container& file, Section
 
 }  // namespace
 
-std::expected<taxonomy::ClassifiedView, CompiledError> view_taxonomy(const Container& file) {
+std::expected<TaxonomySection, CompiledError> view_taxonomy(const Container& file) {
   const auto found = root_of<form::Taxonomy>(file, Section::taxonomy);
   if (!found) return std::unexpected(found.error());
   const form::Taxonomy& root = **found;
   taxonomy::ClassifiedView view;
-  view.root = &root;
   view.digest = root.digest();
   view.is_consistent = root.is_consistent();
   view.class_text = text(root.class_text());
@@ -71,7 +70,7 @@ std::expected<taxonomy::ClassifiedView, CompiledError> view_taxonomy(const Conta
   Checker check(file.file());
   check_taxonomy(view, check);
   if (check.failed()) return std::unexpected(check.error());
-  return view;
+  return TaxonomySection{&root, view};
 }
 
 std::expected<LabelsView, CompiledError> view_labels(const Container& file, const taxonomy::ClassifiedView& taxonomy) {
@@ -88,12 +87,12 @@ std::expected<LabelsView, CompiledError> view_labels(const Container& file, cons
 }
 
 std::expected<taxonomy::ClassifiedView, CompiledError> view_axioms(const Container& file,
-                                                                   const taxonomy::ClassifiedView& taxonomy) {
+                                                                   const TaxonomySection& taxonomy) {
   if (auto whole = file.verify(Section::axioms); !whole) return std::unexpected(whole.error());
   const auto found = root_of<form::Axioms>(file, Section::axioms);
   if (!found) return std::unexpected(found.error());
   const form::Axioms& root = **found;
-  taxonomy::ClassifiedView view = taxonomy;
+  taxonomy::ClassifiedView view = taxonomy.view;
   view.term_text = text(root.text());
   view.name_end = numbers(root.name_end());
   view.term_kind = octets(root.term_kind());
@@ -119,35 +118,41 @@ std::expected<taxonomy::ClassifiedView, CompiledError> view_axioms(const Contain
   return view;
 }
 
-std::vector<owl::LoadedFile> files_of(const taxonomy::ClassifiedView& view) {
+std::vector<owl::LoadedFile> files_of(const TaxonomySection& taxonomy) {
   std::vector<owl::LoadedFile> files;
-  for (const form::File* file : *view.root->files())
+  for (const form::File* file : *taxonomy.root->files())
     files.push_back({file->path()->str(), file->ontology_iri()->str(), {file->size(), file->hash()}});
   return files;
 }
 
-std::vector<owl::LeftOut> left_out_of(const taxonomy::ClassifiedView& view) {
+std::vector<owl::LeftOut> left_out_of(const TaxonomySection& taxonomy) {
   std::vector<owl::LeftOut> left_out;
-  for (const form::LeftOut* left : *view.root->left_out()) {
+  for (const form::LeftOut* left : *taxonomy.root->left_out()) {
     left_out.push_back({left->construct()->str(), left->count(), {}, left->file(), left->line()});
   }
   return left_out;
 }
 
-std::vector<std::string> gaps_of(const taxonomy::ClassifiedView& view) {
+std::vector<std::string> gaps_of(const TaxonomySection& taxonomy) {
   std::vector<std::string> gaps;
-  for (const flatbuffers::String* gap : *view.root->gaps()) gaps.push_back(gap->str());
+  for (const flatbuffers::String* gap : *taxonomy.root->gaps()) gaps.push_back(gap->str());
   return gaps;
 }
 
-std::vector<std::pair<std::string_view, std::string_view>> prefixes_of(const taxonomy::ClassifiedView& view) {
+std::vector<std::pair<std::string_view, std::string_view>> prefixes_of(const TaxonomySection& taxonomy) {
   std::vector<std::pair<std::string_view, std::string_view>> prefixes;
-  for (const form::Prefix* prefix : *view.root->prefixes())
+  for (const form::Prefix* prefix : *taxonomy.root->prefixes())
     prefixes.emplace_back(prefix->prefix()->string_view(), prefix->iri()->string_view());
   std::ranges::sort(prefixes);
   return prefixes;
 }
 
-std::uint32_t counted_axioms(const taxonomy::ClassifiedView& view) { return view.root->axioms(); }
+std::span<const std::uint64_t> signatures_of(const TaxonomySection& taxonomy) {
+  const auto* const signatures = taxonomy.root->signatures();
+  if (signatures == nullptr) return {};
+  return {reinterpret_cast<const std::uint64_t*>(signatures->Data()), signatures->size()};
+}
+
+std::uint32_t counted_axioms(const TaxonomySection& taxonomy) { return taxonomy.root->axioms(); }
 
 }  // namespace geminga::compiled

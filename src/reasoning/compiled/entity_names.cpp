@@ -67,7 +67,6 @@ EntityNames::EntityNames(const Ontology& ontology) : ontology_(ontology) {
   entities_.erase(std::unique(entities_.begin(), entities_.end()), entities_.end());
   for (const auto& [kind, iri] : entities_) local_names_.emplace_back(kind, end_of_iri(iri), iri);
   std::ranges::sort(local_names_);
-  prefixes_ = prefixes_of(view);
 }
 
 bool EntityNames::has(owl::TermKind kind, std::string_view iri) const {
@@ -82,8 +81,9 @@ std::vector<std::string> EntityNames::candidates(owl::TermKind kind, std::string
   const std::size_t colon = name.find(':');
   const std::string_view word = colon == std::string_view::npos ? std::string_view() : name.substr(0, colon);
   const std::string_view local = colon == std::string_view::npos ? name : name.substr(colon + 1);
-  for (auto prefix = std::ranges::lower_bound(prefixes_, word, {}, [](const auto& pair) { return pair.first; });
-       prefix != prefixes_.end() && prefix->first == word; ++prefix) {
+  for (auto prefix =
+           std::ranges::lower_bound(ontology_.prefixes(), word, {}, [](const auto& pair) { return pair.first; });
+       prefix != ontology_.prefixes().end() && prefix->first == word; ++prefix) {
     add(std::string(prefix->second) + std::string(local));
   }
   if (found.empty() && colon != std::string_view::npos) add(std::string(name));

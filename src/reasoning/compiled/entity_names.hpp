@@ -37,7 +37,6 @@ class EntityNames final : public owl::Names {
   const Ontology& ontology_;
   std::vector<Entity> entities_;                                                            ///< kind, IRI; sorted
   std::vector<std::tuple<owl::TermKind, std::string_view, std::string_view>> local_names_;  ///< kind, local name, IRI
-  std::vector<std::pair<std::string_view, std::string_view>> prefixes_;                     ///< sorted
 };
 
 /// What follows the last `#` or `/` of an IRI.

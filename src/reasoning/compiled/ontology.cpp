@@ -22,7 +22,7 @@ struct Ontology::Mapped {
   std::vector<std::byte> bytes;
   std::string folder;  ///< what paths of files are relative to
   Container file;
-  taxonomy::ClassifiedView taxonomy;
+  TaxonomySection taxonomy;
   std::vector<std::pair<std::string_view, std::string_view>> prefixes;  ///< sorted
 
   // What is verified when it is asked for first.
@@ -36,10 +36,10 @@ struct Ontology::Mapped {
   [[nodiscard]] std::expected<std::unique_ptr<const Mapped>, CompiledError> static finish(
       std::unique_ptr<Mapped> mapped, std::span<const std::byte> all);
   [[nodiscard]] std::uint32_t node(taxonomy::ClassNumber number) const {
-    return taxonomy.representative[static_cast<std::size_t>(number)];
+    return taxonomy.view.representative[static_cast<std::size_t>(number)];
   }
   [[nodiscard]] bool is_unsatisfiable(std::uint32_t node) const {
-    return node == taxonomy.representative[taxonomy.nothing];
+    return node == taxonomy.view.representative[taxonomy.view.nothing];
   }
   [[nodiscard]] const LabelsView& need_labels() const;
   [[nodiscard]] const taxonomy::ClassifiedView& need_axioms() const;
@@ -100,7 +100,7 @@ std::expected<std::unique_ptr<const Ontology::Mapped>, CompiledError> Ontology::
 
 const LabelsView& Ontology::Mapped::need_labels() const {
   std::call_once(labels_once, [this] {
-    if (auto found = view_labels(file, taxonomy)) {
+    if (auto found = view_labels(file, taxonomy.view)) {
       labels = *found;
     } else {
       labels_error = std::move(found.error());
@@ -114,7 +114,7 @@ const taxonomy::ClassifiedView& Ontology::Mapped::need_axioms() const {
     if (auto found = view_axioms(file, taxonomy)) {
       whole = *found;
     } else {
-      whole = taxonomy;
+      whole = taxonomy.view;
       axioms_error = std::move(found.error());
     }
   });
@@ -122,9 +122,10 @@ const taxonomy::ClassifiedView& Ontology::Mapped::need_axioms() const {
 }
 
 std::optional<std::uint32_t> Ontology::Mapped::find_class(std::string_view iri) const {
-  const std::uint32_t count = taxonomy.class_count();
-  const std::uint32_t at = lower_bound(count, iri, [&](std::uint32_t number) { return taxonomy.class_iri(number); });
-  if (at == count || taxonomy.class_iri(at) != iri) return std::nullopt;
+  const std::uint32_t count = taxonomy.view.class_count();
+  const std::uint32_t at =
+      lower_bound(count, iri, [&](std::uint32_t number) { return taxonomy.view.class_iri(number); });
+  if (at == count || taxonomy.view.class_iri(at) != iri) return std::nullopt;
   return at;
 }
 
@@ -145,7 +146,7 @@ std::vector<std::uint32_t> Ontology::Mapped::walk_up(std::uint32_t node) const {
   while (!layer.empty()) {
     std::vector<std::uint32_t> next;
     for (const std::uint32_t at : layer) {
-      const auto parents = taxonomy.parents_of(at);
+      const auto parents = taxonomy.view.parents_of(at);
       next.insert(next.end(), parents.begin(), parents.end());
     }
     std::ranges::sort(next);
@@ -162,8 +163,8 @@ std::vector<std::uint32_t> Ontology::Mapped::walk_up(std::uint32_t node) const {
 
 void Ontology::Mapped::add_members(std::uint32_t node, std::vector<taxonomy::ClassNumber>& classes) const {
   classes.push_back(taxonomy::ClassNumber{node});
-  for (auto member = std::ranges::lower_bound(taxonomy.members, taxonomy::EquivalentMember{node, 0});
-       member != taxonomy.members.end() && member->node == node; ++member) {
+  for (auto member = std::ranges::lower_bound(taxonomy.view.members, taxonomy::EquivalentMember{node, 0});
+       member != taxonomy.view.members.end() && member->node == node; ++member) {
     classes.push_back(taxonomy::ClassNumber{member->other});
   }
 }
@@ -190,7 +191,9 @@ std::expected<Ontology, CompiledError> Ontology::from_bytes(std::vector<std::byt
 }
 
 Ontology::Ontology(std::unique_ptr<const Mapped> mapped)
-    : mapped_(std::move(mapped)), reach_(mapped_->taxonomy.reach.data()), further_(mapped_->taxonomy.further.data()) {}
+    : mapped_(std::move(mapped)),
+      reach_(mapped_->taxonomy.view.reach.data()),
+      further_(mapped_->taxonomy.view.further.data()) {}
 Ontology::Ontology(Ontology&&) noexcept = default;
 Ontology& Ontology::operator=(Ontology&&) noexcept = default;
 Ontology::~Ontology() = default;
@@ -212,11 +215,13 @@ std::expected<void, CompiledError> Ontology::check_whole() const {
   return check_axioms();
 }
 
-std::uint64_t Ontology::digest() const { return mapped_->taxonomy.digest; }
-std::uint32_t Ontology::class_count() const { return mapped_->taxonomy.class_count(); }
+std::uint64_t Ontology::digest() const { return mapped_->taxonomy.view.digest; }
+std::uint32_t Ontology::class_count() const { return mapped_->taxonomy.view.class_count(); }
 std::vector<std::string> Ontology::gaps() const { return gaps_of(mapped_->taxonomy); }
 std::size_t Ontology::axiom_count() const { return counted_axioms(mapped_->taxonomy); }
-bool Ontology::is_consistent() const { return mapped_->taxonomy.is_consistent; }
+std::span<const std::pair<std::string_view, std::string_view>> Ontology::prefixes() const { return mapped_->prefixes; }
+std::span<const std::uint64_t> Ontology::signatures() const { return signatures_of(mapped_->taxonomy); }
+bool Ontology::is_consistent() const { return mapped_->taxonomy.view.is_consistent; }
 
 std::vector<owl::LoadedFile> Ontology::files() const {
   std::vector<owl::LoadedFile> files = files_of(mapped_->taxonomy);
@@ -296,7 +301,7 @@ std::expected<taxonomy::ClassNumber, NameError> Ontology::find(std::string_view 
 }
 
 std::string_view Ontology::iri(taxonomy::ClassNumber number) const {
-  return mapped_->taxonomy.class_iri(static_cast<std::uint32_t>(number));
+  return mapped_->taxonomy.view.class_iri(static_cast<std::uint32_t>(number));
 }
 
 std::string_view Ontology::label(taxonomy::ClassNumber number) const {
@@ -324,7 +329,8 @@ std::optional<std::uint32_t> Ontology::distance(taxonomy::ClassNumber sub, taxon
   for (std::uint32_t distance = 1;; ++distance) {
     std::vector<std::uint32_t> next;
     for (const std::uint32_t node : layer) {
-      const auto neighbours = is_down ? mapped_->taxonomy.children_of(node) : mapped_->taxonomy.parents_of(node);
+      const auto neighbours =
+          is_down ? mapped_->taxonomy.view.children_of(node) : mapped_->taxonomy.view.parents_of(node);
       if (is_down && neighbours.empty()) return distance;
       for (const std::uint32_t neighbour : neighbours) {
         if (neighbour == to) return distance;
@@ -351,14 +357,14 @@ std::vector<taxonomy::ClassNumber> Ontology::subsumers(taxonomy::ClassNumber num
 }
 
 std::vector<taxonomy::ClassNumber> Ontology::parents(taxonomy::ClassNumber number) const {
-  return to_classes(mapped_->taxonomy.parents_of(mapped_->node(number)));
+  return to_classes(mapped_->taxonomy.view.parents_of(mapped_->node(number)));
 }
 
 std::vector<taxonomy::ClassNumber> Ontology::children(taxonomy::ClassNumber number) const {
-  return to_classes(mapped_->taxonomy.children_of(mapped_->node(number)));
+  return to_classes(mapped_->taxonomy.view.children_of(mapped_->node(number)));
 }
 
-const taxonomy::ClassifiedView& Ontology::view() const { return mapped_->taxonomy; }
+const taxonomy::ClassifiedView& Ontology::view() const { return mapped_->taxonomy.view; }
 const taxonomy::ClassifiedView& Ontology::axioms() const { return mapped_->need_axioms(); }
 modules::ModuleIndex Ontology::module_index() const { return modules::ModuleIndex(axioms()); }
 

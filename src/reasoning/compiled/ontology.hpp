@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reasoning/compiled/compiled_error.hpp"
@@ -73,6 +74,8 @@ class Ontology {
   [[nodiscard]] std::vector<std::string> gaps() const;
   /// Axioms, each counted once, without declarations.
   [[nodiscard]] std::size_t axiom_count() const;
+  /// Pairs of a word without its colon and an IRI, ascending.
+  [[nodiscard]] std::span<const std::pair<std::string_view, std::string_view>> prefixes() const;
   /// False: some individual cannot exist, and every class is below every other.
   [[nodiscard]] bool is_consistent() const;
 
@@ -112,6 +115,8 @@ class Ontology {
   [[nodiscard]] std::vector<taxonomy::ClassNumber> parents(taxonomy::ClassNumber number) const;
   [[nodiscard]] std::vector<taxonomy::ClassNumber> children(taxonomy::ClassNumber number) const;
 
+  /// Two of each class, of its local name and of its label (similar.hpp); empty where the form has none.
+  [[nodiscard]] std::span<const std::uint64_t> signatures() const;
   /// The taxonomy as numbers. It has no terms and no axioms.
   [[nodiscard]] const taxonomy::ClassifiedView& view() const;
   /// The taxonomy with terms and axioms, for who reasons over them; without them where check_axioms() fails.

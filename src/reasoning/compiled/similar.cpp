@@ -5,12 +5,11 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "base/edit_distance.hpp"
 #include "base/text.hpp"
-#include "compiled_generated.h"
-#include "reasoning/compiled/compiled_view.hpp"
 
 namespace geminga::compiled {
 namespace {
@@ -28,8 +27,8 @@ std::vector<std::uint32_t> candidates_of(const Ontology& ontology, std::string_v
                                          std::size_t most) {
   const std::uint32_t count = ontology.class_count();
   std::vector<std::uint32_t> candidates;
-  const auto* const signatures = ontology.view().root->signatures();
-  if (count <= most || signatures == nullptr || signatures->size() != 2 * std::size_t{count}) {
+  const std::span<const std::uint64_t> signatures = ontology.signatures();
+  if (count <= most || signatures.size() != 2 * std::size_t{count}) {
     for (std::uint32_t of = 0; of < std::min<std::size_t>(count, most); ++of) candidates.push_back(of);
     return candidates;
   }
@@ -38,8 +37,8 @@ std::vector<std::uint32_t> candidates_of(const Ontology& ontology, std::string_v
   std::vector<std::uint8_t> distances(count);
   std::array<std::size_t, 65> at_distance{};
   for (std::uint32_t of = 0; of < count; ++of) {
-    const std::uint64_t label = signatures->Get(2 * of + 1);
-    int distance = std::popcount(by_name ^ signatures->Get(2 * of));
+    const std::uint64_t label = signatures[2 * of + 1];
+    int distance = std::popcount(by_name ^ signatures[2 * of]);
     if (label != 0) distance = std::min(distance, std::popcount(by_label ^ label));
     distances[of] = static_cast<std::uint8_t>(distance);
     ++at_distance[static_cast<std::size_t>(distance)];

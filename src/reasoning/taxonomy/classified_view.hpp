@@ -12,10 +12,6 @@
 #include "reasoning/taxonomy/interval.hpp"
 #include "reasoning/taxonomy/reach.hpp"
 
-namespace geminga::compiled::form {
-struct Taxonomy;
-}
-
 namespace geminga::taxonomy {
 
 /// A class that is equivalent to a smaller one, its representative.
@@ -32,7 +28,6 @@ struct ClassifiedView {
   /// No name, no term.
   static constexpr std::uint32_t none = 0xffffffff;
 
-  const compiled::form::Taxonomy* root = nullptr;  ///< for the strings of files, left-outs, gaps and prefixes
   std::uint64_t digest = 0;
   bool is_consistent = true;
   std::string_view class_text;

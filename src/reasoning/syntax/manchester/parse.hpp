@@ -1,6 +1,6 @@
 // From a class expression in the Manchester syntax of OWL 2 to a term of the reasoner. The grammar is in MANCHESTER.md.
 //
-//   const el::EntityNames names(ontology);
+//   const compiled::EntityNames names(ontology);
 //   const auto expression = manchester::parse("Sensor and (observes some Ball)", names);
 //   if (!expression) return refuse(to_string(expression.error()));  // "column 13: no object property is 'observs'"
 //   const auto place = classifier.classify(expression->source, expression->term);
