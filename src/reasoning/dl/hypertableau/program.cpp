@@ -85,7 +85,7 @@ bool Program::take_disjointness(const Clause& clause) {
 namespace {
 
 /// What a clause says about one neighbour.
-struct Neighbour {
+struct NeighbourAtoms {
   std::vector<Atom> body;  ///< first and second with the neighbour as 1
   std::vector<Atom> head;
 };
@@ -103,10 +103,10 @@ bool is_role(AtomKind kind) { return kind == AtomKind::role || kind == AtomKind:
 bool Program::take_bound(const Clause& clause) {
   //   guard(x), R(x,y1), B(y1), ..., R(x,yn+1), B(yn+1) -> alternatives(x) or y1=y2 or y1=y3 or ...
   // is  guard -> alternatives or <= n R.B.
-  std::vector<Neighbour> neighbours;
+  std::vector<NeighbourAtoms> neighbours;
   ConditionalBound rest;
   std::size_t equalities = 0;
-  const auto neighbour = [&](Variable at) -> Neighbour& {
+  const auto neighbour = [&](Variable at) -> NeighbourAtoms& {
     if (neighbours.size() < at) neighbours.resize(at);
     return neighbours[at - 1];
   };
@@ -130,9 +130,9 @@ bool Program::take_bound(const Clause& clause) {
   }
   const std::size_t count = neighbours.size();
   if (count < 2 || equalities != count * (count - 1) / 2) return false;
-  const Neighbour& first = neighbours.front();
+  const NeighbourAtoms& first = neighbours.front();
   const bool are_alike = std::ranges::all_of(
-      neighbours, [&](const Neighbour& one) { return one.body == first.body && one.head == first.head; });
+      neighbours, [&](const NeighbourAtoms& one) { return one.body == first.body && one.head == first.head; });
   if (!are_alike || first.body.size() > 2 || first.head.size() > 1) return false;
   const auto role = std::ranges::find_if(first.body, [](const Atom& atom) { return is_role(atom.kind); });
   if (role == first.body.end() || role->first == role->second) return false;

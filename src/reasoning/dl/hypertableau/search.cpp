@@ -1,73 +1,165 @@
 // The order of the search, branching and going back.
 #include "reasoning/dl/hypertableau/search.hpp"
 
-#include <algorithm>
 #include <utility>
+
+#include "reasoning/dl/hypertableau/written_model.hpp"
 
 namespace geminga::hypertableau {
 
-Tableau::Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const Limits& limits)
-    : source_(source), set_(set), limits_(limits), budget_(limits.budget), program_(set), values_(source, set) {
-  variables_.assign(256, 0);
+using clauses::number;
+
+namespace {
+
+/// As many choices may be wrong before the search begins again with what it has learnt.
+constexpr std::size_t first_patience = 64;
+
+}  // namespace
+
+Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const Limits& limits)
+    : set_(set),
+      program_(set),
+      effort_(limits, graph_),
+      facts_(source, set, program_, graph_, sets_, effort_),
+      neighbours_(program_, graph_, sets_, effort_, facts_),
+      disjunctions_(set, program_, graph_, sets_, effort_, facts_, neighbours_, records_),
+      bounds_(program_, graph_, sets_, facts_, neighbours_, disjunctions_),
+      blocking_(program_, graph_, effort_),
+      expansion_(source, set, program_, graph_, sets_, effort_, facts_, neighbours_, blocking_),
+      derivation_(set, program_, graph_, sets_, effort_, facts_, disjunctions_, bounds_, expansion_),
+      keys_(source, set, graph_, sets_, facts_) {}
+
+void Search::begin(bool is_about_world) {
+  effort_.begin(is_about_world);
+  records_.begin_question();
+  wrong_guesses_ = 0;
+  patience_ = first_patience;
 }
 
-void Tableau::Search::clash(DependencySet dependency) {
-  if (has_clash_) return;
-  has_clash_ = true;
-  clash_ = dependency;
+Outcome Search::find_world() {
+  begin(true);
+  load_facts();
+  return run();
 }
 
-bool Tableau::Search::is_over_limit() {
-  if (graph_.node_count() - (base_ ? base_->mark.nodes : 0) > limits_.nodes) {
-    reason_ = "more than " + std::to_string(limits_.nodes) + " nodes were needed";
-  } else if (graph_.facts().size() - (base_ ? base_->mark.facts : 0) > limits_.facts) {
-    reason_ = "more than " + std::to_string(limits_.facts) + " facts were needed";
-  } else if (const std::size_t most = limits_.steps + (has_question_ ? 0 : limits_.world_steps); steps_ > most) {
-    reason_ = "more than " + std::to_string(most) + " steps were needed";
-  } else if (const std::size_t told = std::exchange(told_, steps_); !budget_.spend(steps_ - told)) {
-    reason_ = limits_.budget->reason().value_or("");
-  } else {
-    return false;
+void Search::load_individuals() {
+  // There is at least one thing.
+  if (set_.individuals.empty()) {
+    const NodeId node = facts_.add_node(NodeKind::root, none, no_dependency);
+    if (!program_.needs_thing()) facts_.add_fact(FactKind::concept_of, number(clauses::thing), node, 0, no_dependency);
   }
-  return true;
+  for (std::size_t at = 0; at < set_.individuals.size(); ++at) facts_.add_individual();
+  for (std::uint32_t at = 0; at < set_.concepts.size(); ++at) {
+    const clauses::Concept& entry = set_.concepts[at];
+    if (entry.kind != clauses::ConceptKind::nominal) continue;
+    const NodeId node = facts_.individuals()[number(entry.individual)];
+    facts_.add_fact(FactKind::concept_of, at, node, 0, no_dependency);
+  }
 }
 
-Tableau::Search::Outcome Tableau::Search::run() {
+void Search::load_facts() {
+  load_individuals();
+  const auto node_of = [&](clauses::IndividualId individual) { return facts_.individuals()[number(individual)]; };
+  for (const clauses::ConceptFact& fact : set_.concept_facts) {
+    facts_.add_fact(FactKind::concept_of, number(fact.of), node_of(fact.individual), 0, no_dependency);
+  }
+  for (const clauses::RoleFact& fact : set_.role_facts) {
+    facts_.add_fact(FactKind::role, number(fact.property), node_of(fact.first), node_of(fact.second), no_dependency);
+  }
+  for (const clauses::DataFact& fact : set_.data_facts) {
+    const NodeId value = facts_.constant(fact.value);
+    facts_.add_fact(FactKind::data_role, number(fact.property), node_of(fact.individual), value, no_dependency);
+  }
+  for (const clauses::Equality& equality : set_.equalities) {
+    const NodeId first = node_of(equality.first);
+    const NodeId second = node_of(equality.second);
+    if (equality.is_negated) {
+      facts_.add_unequal(first, second, no_dependency);
+    } else {
+      facts_.add_merge(first, second, no_dependency);
+    }
+  }
+}
+
+Outcome Search::find_instance(std::vector<clauses::ConceptId> together) {
+  question_ = std::move(together);
+  has_question_ = true;
+  begin(false);
+  ask();
+  return run();
+}
+
+void Search::ask() {
+  question_mark_ = graph_.mark().facts;
+  question_node_ = facts_.add_node(NodeKind::root, none, no_dependency);
+  if (!program_.needs_thing() && question_.empty()) {
+    // So that cutting it off is seen.
+    facts_.add_fact(FactKind::concept_of, number(clauses::thing), question_node_, 0, no_dependency);
+  }
+  for (const clauses::ConceptId id : question_) {
+    facts_.add_fact(FactKind::concept_of, number(id), question_node_, 0, no_dependency);
+  }
+}
+
+/// Where going back has cut the question off.
+void Search::ask_again() {
+  if (has_question_ && graph_.mark().facts <= question_mark_) ask();
+}
+
+Model Search::model() {
+  return write_model(graph_, sets_, set_.concepts.size(), has_question_ ? question_node_ : none,
+                     base_ ? base_->mark : Mark{});
+}
+
+void Search::keep() {
+  base_ = state();
+  base_branches_ = branches_.size();
+  effort_.set_base(base_->mark);
+}
+
+void Search::end_question(Outcome outcome) {
+  has_question_ = false;
+  facts_.forget_clash();
+  if (!base_) return;
+  const bool has_values = graph_.value_count() > 0;
+  if (outcome == Outcome::model && !program_.has_nominals() && !has_values) {
+    keep();
+  } else {
+    branches_.resize(base_branches_);
+    restore(*base_);
+  }
+}
+
+Outcome Search::run() {
   while (true) {
-    if (has_clash_) {
+    if (facts_.has_clash()) {
       if (!go_back()) return Outcome::no_model;
       continue;
     }
-    if (is_over_limit()) return Outcome::unknown;
-    if (!saturate() || expand_functional() || choose() || expand()) continue;
-    check_keys();
-    if (has_clash_ || !merges_.empty()) continue;
+    if (effort_.is_over_limit()) return Outcome::unknown;
+    if (!saturate() || expansion_.expand_functional() || choose() || expand()) continue;
+    keys_.check();
+    if (facts_.has_clash() || facts_.has_merges()) continue;
     // A model with values of which not all is known is none.
-    unknown_value_.clear();
-    check_values();
-    if (has_clash_) continue;
-    if (reason_.empty()) reason_ = unknown_value_;
-    return reason_.empty() ? Outcome::model : Outcome::unknown;
+    std::string unknown_value = facts_.check_values();
+    if (facts_.has_clash()) continue;
+    if (effort_.reason().empty()) effort_.set_reason(std::move(unknown_value));
+    return effort_.reason().empty() ? Outcome::model : Outcome::unknown;
   }
 }
 
 /// Whether no clash came.
-bool Tableau::Search::saturate() {
-  while (!has_clash_) {
-    if (!merges_.empty()) {
-      // In the order in which they came; new ones come behind.
-      for (std::size_t at = 0; at < merges_.size() && !has_clash_; ++at) merge(Merge(merges_[at]));
-      merges_.clear();
-    } else if (processed_ < graph_.facts().size()) {
-      process(processed_++);
-      if (is_over_limit()) return true;
-    } else if (!suspects_.empty()) {
-      const Suspect suspect = suspects_.back();
-      suspects_.pop_back();
-      check(suspect);
-    } else if (values_changed_) {
-      values_changed_ = false;
-      check_values();
+bool Search::saturate() {
+  while (!facts_.has_clash()) {
+    if (facts_.has_merges()) {
+      facts_.merge_all();
+    } else if (derivation_.has_next()) {
+      derivation_.process_next();
+      if (effort_.is_over_limit()) return true;
+    } else if (bounds_.has_suspects()) {
+      bounds_.check_last();
+    } else if (facts_.take_values_changed()) {
+      facts_.check_values();
     } else {
       return true;
     }
@@ -75,110 +167,123 @@ bool Tableau::Search::saturate() {
   return false;
 }
 
-void Tableau::Search::branch(std::vector<Choice> alternatives, DependencySet dependency, Suspect suspect) {
+/// Whether something was done: a branch, a fact without alternatives, or a clash.
+bool Search::choose() {
+  switch (disjunctions_.find_next()) {
+    case Disjunctions::Next::nothing:
+      return choose_for_bound();
+    case Disjunctions::Next::asserted:
+      return true;
+    case Disjunctions::Next::choice:
+      branch(disjunctions_.next());
+      return true;
+  }
+  return false;
+}
+
+bool Search::choose_for_bound() {
+  while (const std::optional<Bounds::Demand> demand = bounds_.next_demand()) {
+    if (std::optional<Decision> decision = bounds_.enforce(*demand)) branch(std::move(*decision));
+    if (facts_.has_clash() || facts_.has_merges() || derivation_.has_next()) return true;
+  }
+  return false;
+}
+
+bool Search::expand() {
+  // Without nominals nothing reaches into the models of earlier questions, where what is not done is blocked.
+  const std::size_t first = base_ && !program_.has_nominals() ? base_->expansion.existentials : 0;
+  return expansion_.expand(first, branches_.size() > base_branches_);
+}
+
+void Search::note(const Suspect& suspect) {
+  if (suspect.node != none) bounds_.note(suspect);
+}
+
+void Search::branch(Decision decision) {
   const auto number = static_cast<std::uint32_t>(branches_.size());
-  order_by_promise(alternatives);
-  const Choice first = alternatives.front();
-  ++record_of(first).tries;
-  branches_.push_back({state(), std::move(alternatives), 0, dependency, no_dependency, suspect});
-  apply(first, unite(dependency, sets_.single(number)));
-  if (suspect.node != none) suspects_.push_back(suspect);
+  records_.order_by_promise(decision.alternatives);
+  const Choice first = decision.alternatives.front();
+  const DependencySet dependency = decision.dependency;
+  const Suspect suspect = decision.suspect;
+  records_.note_try(first);
+  branches_.push_back({state(), std::move(decision)});
+  facts_.apply(first, unite(dependency, sets_.single(number)));
+  note(suspect);
 }
 
 /// Takes the next alternative of the branch that is to blame. False: there is none, and no model.
-bool Tableau::Search::go_back() {
-  if (clash_ == no_dependency) return false;
-  const std::uint32_t number = sets_.last(clash_);
+bool Search::go_back() {
+  const DependencySet clash = facts_.clash_dependency();
+  if (clash == no_dependency) return false;
+  const std::uint32_t number = sets_.last(clash);
   branches_.resize(number + 1);
   Branch& branch = branches_.back();
+  const Decision& decision = branch.decision;
   restore(branch.state);
-  branch.failed = unite(branch.failed, sets_.without_last(clash_));
-  has_clash_ = false;
-  if (number < base_branches_) {
-    base_.reset();
-    base_branches_ = 0;
-  }
-  has_failed_ = true;
-  ++record_of(branch.alternatives[branch.next]).failures;
+  branch.failed = unite(branch.failed, sets_.without_last(clash));
+  facts_.forget_clash();
+  if (number < base_branches_) forget_base();
+  records_.note_failure(decision.alternatives[branch.next]);
   // A guess that fails now and then among many that hold is no reason.
   if (++wrong_guesses_ > patience_ + branches_.size() - base_branches_ && number > base_branches_) {
     begin_again();
     return true;
   }
-  const Choice choice = branch.alternatives[++branch.next];
-  ++record_of(choice).tries;
-  const Suspect suspect = branch.suspect;
-  if (branch.next + 1 < branch.alternatives.size()) {
-    apply(choice, unite(branch.dependency, sets_.single(number)));
+  const Choice choice = decision.alternatives[++branch.next];
+  records_.note_try(choice);
+  const Suspect suspect = decision.suspect;
+  if (branch.next + 1 < decision.alternatives.size()) {
+    facts_.apply(choice, unite(decision.dependency, sets_.single(number)));
   } else {
     // The last one does not depend on the choice, but on what made the others fail.
-    const DependencySet dependency = unite(branch.dependency, branch.failed);
+    const DependencySet dependency = unite(decision.dependency, branch.failed);
     branches_.pop_back();
-    apply(choice, dependency);
+    facts_.apply(choice, dependency);
   }
-  if (suspect.node != none) suspects_.push_back(suspect);
-  if (has_question_ && graph_.mark().facts <= question_mark_) ask();
+  note(suspect);
+  ask_again();
   return true;
 }
 
 /// What was guessed first was guessed without knowing what fails, and is wrong more often than what is guessed now: all
 /// guesses of this question are taken back. Each time the search goes on for longer, so that it ends.
-void Tableau::Search::begin_again() {
+void Search::begin_again() {
   patience_ *= 2;
   wrong_guesses_ = 0;
   const Branch first = std::move(branches_[base_branches_]);
   branches_.resize(base_branches_);
   restore(first.state);
-  if (first.suspect.node != none) suspects_.push_back(first.suspect);
-  if (has_question_ && graph_.mark().facts <= question_mark_) ask();
+  note(first.decision.suspect);
+  ask_again();
 }
 
-void Tableau::Search::check_values() {
-  if (graph_.value_count() == 0) return;
-  constexpr std::size_t values_a_step = 4;  // all of them are looked at again
-  steps_ += graph_.value_count() / values_a_step;
-  if (const auto dependency = values_.clash(graph_, sets_, unknown_value_)) clash(*dependency);
+Search::State Search::state() const {
+  return {graph_.mark(),         facts_.state(),  derivation_.state(),
+          disjunctions_.state(), bounds_.state(), expansion_.state()};
 }
 
-Tableau::Search::State Tableau::Search::state() const {
-  return {graph_.mark(),    processed_,   disjunctions_.size(),      next_disjunction_,
-          demands_.size(),  next_demand_, choices_.size(),           existentials_.size(),
-          next_functional_, done_.size(), done_disjunctions_.size(), introduced_.size()};
-}
-
-void Tableau::Search::restore(const State& state) {
+void Search::restore(const State& state) {
   graph_.cut(state.mark);
-  processed_ = state.processed;
-  while (done_disjunctions_.size() > state.done_disjunctions) {
-    disjunctions_[done_disjunctions_.back()].is_done = false;
-    done_disjunctions_.pop_back();
-  }
-  disjunctions_.resize(state.disjunctions);
-  next_disjunction_ = state.next_disjunction;
-  demands_.resize(state.demands);
-  next_demand_ = state.next_demand;
-  choices_.resize(state.choices);
-  while (done_.size() > state.done) {
-    existentials_[done_.back()].is_done = false;
-    done_.pop_back();
-  }
-  existentials_.resize(state.existentials);
-  next_functional_ = state.next_functional;
-  introduced_.resize(state.introduced);
-  merges_.clear();
-  suspects_.clear();
-  values_changed_ = false;
+  facts_.restore(state.assertions);
+  derivation_.restore(state.processed);
+  disjunctions_.restore(state.disjunctions);
+  bounds_.restore(state.bounds);
+  expansion_.restore(state.expansion);
 }
 
-void Tableau::Search::reset() {
+void Search::forget_base() {
+  base_.reset();
+  base_branches_ = 0;
+  effort_.set_base({});
+}
+
+void Search::reset() {
   restore({});
   branches_.clear();
   sets_.clear();
-  base_.reset();
-  base_branches_ = 0;
-  has_clash_ = false;
+  forget_base();
+  facts_.clear();
   records_.clear();
-  individuals_.clear();
 }
 
 }  // namespace geminga::hypertableau

@@ -1,21 +1,21 @@
-// The face of the search.
+// The face of the engine.
 #include "reasoning/dl/hypertableau/tableau.hpp"
 
-#include "reasoning/dl/hypertableau/search.hpp"
+#include "reasoning/dl/hypertableau/questions.hpp"
 
 namespace geminga::hypertableau {
 
 Tableau::Tableau(const owl::Ontology& source, const clauses::ClauseSet& clauses, const Limits& limits)
-    : search_(std::make_unique<Search>(source, clauses, limits)) {}
+    : questions_(std::make_unique<Questions>(source, clauses, limits)) {}
 
 Tableau::~Tableau() = default;
 
-Answer Tableau::is_consistent() { return search_->is_consistent(); }
+Answer Tableau::is_consistent() { return questions_->is_consistent(); }
 
 Answer Tableau::is_satisfiable(std::vector<clauses::ConceptId> together) {
-  return search_->is_satisfiable(std::move(together));
+  return questions_->is_satisfiable(std::move(together));
 }
 
-const Model& Tableau::model() const { return search_->model(); }
+const Model& Tableau::model() const { return questions_->model(); }
 
 }  // namespace geminga::hypertableau

@@ -44,6 +44,8 @@ struct Model {
   std::vector<clauses::ConceptId> certain;
 };
 
+class Questions;
+
 /// Asks about one ClauseSet, which must outlive it. Not thread-safe; many may share the set.
 class Tableau {
  public:
@@ -61,8 +63,7 @@ class Tableau {
   [[nodiscard]] const Model& model() const;
 
  private:
-  class Search;
-  std::unique_ptr<Search> search_;
+  std::unique_ptr<Questions> questions_;
 };
 
 }  // namespace geminga::hypertableau

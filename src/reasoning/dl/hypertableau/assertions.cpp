@@ -1,0 +1,240 @@
+// Facts, and merging: two nodes are one.
+//
+//   ~-rule:  x = y: all that holds of the one holds of the other; what was under it in the tree goes, as its at-least
+//            restrictions make it anew.
+//   clash:   x = y and x != y
+#include "reasoning/dl/hypertableau/assertions.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace geminga::hypertableau {
+
+using clauses::number;
+
+Assertions::Assertions(const owl::Ontology& source, const clauses::ClauseSet& set, const Program& program, Graph& graph,
+                       DependencySets& sets, Effort& effort)
+    : program_(program), graph_(graph), sets_(sets), effort_(effort), values_(source, set) {}
+
+void Assertions::clash(DependencySet dependency) {
+  if (has_clash_) return;
+  has_clash_ = true;
+  clash_ = dependency;
+}
+
+void Assertions::restore(std::size_t state) {
+  introduced_.resize(state);
+  merges_.clear();
+  have_values_changed_ = false;
+}
+
+void Assertions::clear() {
+  has_clash_ = false;
+  individuals_.clear();
+}
+
+NodeId Assertions::add_node(NodeKind kind, NodeId parent, DependencySet dependency) {
+  const NodeId id = graph_.add_node(kind, parent);
+  if (program_.needs_thing()) add_fact(FactKind::concept_of, number(clauses::thing), id, 0, dependency);
+  return id;
+}
+
+NodeId Assertions::constant(owl::TermId literal) {
+  const owl::TermId chosen = values_.representative(literal);
+  const auto [found, is_new] = constants_.try_emplace(chosen, none);
+  const NodeId known = found->second;
+  const bool is_there = known < graph_.node_count() && graph_.node(known).kind == NodeKind::constant &&
+                        graph_.node(known).literal == static_cast<std::uint32_t>(chosen);
+  if (is_there) return known;
+  found->second = graph_.add_node(NodeKind::constant, none);
+  graph_.set_literal(found->second, static_cast<std::uint32_t>(chosen));
+  return found->second;
+}
+
+NodeId Assertions::introduced(NodeId node, std::uint32_t bound, std::uint32_t number) {
+  for (const Introduced& one : introduced_) {
+    if (one.node == node && one.bound == bound && one.number == number) return one.root;
+  }
+  const NodeId root = add_node(NodeKind::root, none, no_dependency);
+  introduced_.push_back({node, bound, number, root});
+  return root;
+}
+
+void Assertions::add_fact(FactKind kind, std::uint32_t predicate, NodeId a, NodeId b, DependencySet dependency) {
+  if (kind == FactKind::concept_of && predicate == number(clauses::nothing)) {
+    clash(dependency);
+    return;
+  }
+  if (graph_.find(kind, predicate, a, b) != none) return;
+  graph_.add({kind, predicate, a, b, dependency});
+  effort_.count_step();
+  have_values_changed_ = have_values_changed_ || kind == FactKind::data_role || kind == FactKind::data_range;
+}
+
+void Assertions::add_unequal(NodeId a, NodeId b, DependencySet dependency) {
+  if (a == b) {
+    clash(dependency);
+    return;
+  }
+  add_fact(FactKind::unequal, 0, std::min(a, b), std::max(a, b), dependency);
+  if (graph_.node(a).kind == NodeKind::value || graph_.node(a).kind == NodeKind::constant) have_values_changed_ = true;
+}
+
+bool Assertions::holds(const Choice& choice) {
+  switch (choice.kind) {
+    case ChoiceKind::concept_of:
+      return choice.predicate == number(clauses::thing) ||
+             graph_.find(FactKind::concept_of, choice.predicate, choice.a) != none;
+    case ChoiceKind::role:
+      return graph_.find(FactKind::role, choice.predicate, choice.a, choice.b) != none;
+    case ChoiceKind::data_role:
+      return graph_.find(FactKind::data_role, choice.predicate, choice.a, choice.b) != none;
+    case ChoiceKind::equal:
+      return choice.a == choice.b;
+    case ChoiceKind::at_least:
+      return graph_.find(FactKind::at_least, choice.predicate, choice.a) != none;
+    case ChoiceKind::data_at_least:
+      return graph_.find(FactKind::data_at_least, choice.predicate, choice.a) != none;
+    case ChoiceKind::at_most:
+      return program_.is_global(choice.predicate) || graph_.find(FactKind::at_most, choice.predicate, choice.a) != none;
+    case ChoiceKind::data_range:
+      return choice.predicate == 0 || graph_.find(FactKind::data_range, choice.predicate, choice.a) != none ||
+             is_constant_in(choice.a, choice.predicate) == true;
+    case ChoiceKind::introduce:
+      return false;
+  }
+  return false;
+}
+
+bool Assertions::is_impossible(const Choice& choice) {
+  if (choice.kind == ChoiceKind::concept_of) return choice.predicate == number(clauses::nothing);
+  if (choice.kind != ChoiceKind::data_range) return false;
+  return choice.predicate == 1 || is_constant_in(choice.a, choice.predicate) == false;
+}
+
+std::optional<bool> Assertions::is_constant_in(NodeId node, std::uint32_t range) {
+  if (graph_.node(node).kind != NodeKind::constant) return std::nullopt;
+  return values_.is_in(owl::TermId{graph_.node(node).literal}, range);
+}
+
+void Assertions::apply(Choice choice, DependencySet dependency) {
+  choice.a = graph_.current(choice.a, sets_, dependency);
+  choice.b = graph_.current(choice.b, sets_, dependency);
+  if (!graph_.is_active(choice.a) || !graph_.is_active(choice.b)) return;
+  switch (choice.kind) {
+    case ChoiceKind::concept_of:
+      if (choice.predicate != number(clauses::thing)) {
+        add_fact(FactKind::concept_of, choice.predicate, choice.a, 0, dependency);
+      }
+      return;
+    case ChoiceKind::role:
+      add_fact(FactKind::role, choice.predicate, choice.a, choice.b, dependency);
+      return;
+    case ChoiceKind::data_role:
+      add_fact(FactKind::data_role, choice.predicate, choice.a, choice.b, dependency);
+      return;
+    case ChoiceKind::equal:
+      merges_.push_back({choice.a, choice.b, dependency});
+      return;
+    case ChoiceKind::at_least:
+      add_fact(FactKind::at_least, choice.predicate, choice.a, 0, dependency);
+      return;
+    case ChoiceKind::data_at_least:
+      add_fact(FactKind::data_at_least, choice.predicate, choice.a, 0, dependency);
+      return;
+    case ChoiceKind::at_most:
+      add_fact(FactKind::at_most, choice.predicate, choice.a, 0, dependency);
+      return;
+    case ChoiceKind::data_range:
+      if (is_impossible(choice)) {
+        clash(dependency);
+      } else if (!holds(choice)) {
+        add_fact(FactKind::data_range, choice.predicate, choice.a, 0, dependency);
+      }
+      return;
+    case ChoiceKind::introduce:
+      merges_.push_back({choice.a, introduced(choice.b, choice.bound, choice.predicate), dependency});
+      return;
+  }
+}
+
+void Assertions::merge_all() {
+  // In the order in which they came; new ones come behind.
+  for (std::size_t at = 0; at < merges_.size() && !has_clash_; ++at) merge(Merge(merges_[at]));
+  merges_.clear();
+}
+
+// Whether `node` stays and `other` goes. Roots stay, and what is higher in the tree; then what was there first.
+bool Assertions::is_kept(NodeId node, NodeId other) const {
+  const auto rank = [this](NodeId id) {
+    const Node& one = graph_.node(id);
+    const bool is_fixed = one.kind == NodeKind::root || one.kind == NodeKind::constant;
+    return std::tuple(!is_fixed, one.depth, id);
+  };
+  return rank(node) < rank(other);
+}
+
+void Assertions::merge(const Merge& merge) {
+  DependencySet dependency = merge.dependency;
+  NodeId to = graph_.current(merge.a, sets_, dependency);
+  NodeId from = graph_.current(merge.b, sets_, dependency);
+  if (to == from || !graph_.is_active(to) || !graph_.is_active(from)) return;
+  if (!is_kept(to, from)) std::swap(to, from);
+  const FactId differ = graph_.find(FactKind::unequal, 0, std::min(to, from), std::max(to, from));
+  if (differ != none) {
+    clash(unite(dependency, graph_.fact(differ).dependency));
+    return;
+  }
+  if (graph_.node(to).kind == NodeKind::constant && graph_.node(from).kind == NodeKind::constant) {
+    const owl::TermId first{graph_.node(to).literal};
+    const owl::TermId second{graph_.node(from).literal};
+    if (values_.are_different(first, second)) {
+      clash(dependency);
+      return;
+    }
+    effort_.set_reason("values whose equality is not known");
+  }
+  graph_.merge(from, to, dependency);
+  copy_facts(from, to, dependency);
+  if (graph_.node(to).kind == NodeKind::constant || graph_.node(to).kind == NodeKind::value)
+    have_values_changed_ = true;
+}
+
+void Assertions::copy_facts(NodeId from, NodeId to, DependencySet dependency) {
+  std::vector<FactId> ids;
+  for (FactId id = graph_.node(from).labels; id != none; id = graph_.fact(id).next_a) ids.push_back(id);
+  for (FactId id = graph_.node(from).out; id != none; id = graph_.fact(id).next_a) ids.push_back(id);
+  for (FactId id = graph_.node(from).in; id != none; id = graph_.fact(id).next_b) ids.push_back(id);
+  for (FactId id = graph_.node(from).others; id != none; id = graph_.next_other(id, from)) ids.push_back(id);
+  std::ranges::sort(ids);  // a self-loop is in two lists, and its copy is found there
+  for (const FactId id : ids) {
+    const Fact fact = graph_.fact(id);
+    const bool has_second =
+        fact.kind == FactKind::role || fact.kind == FactKind::data_role || fact.kind == FactKind::unequal;
+    const NodeId a = fact.a == from ? to : fact.a;
+    const NodeId b = has_second && fact.b == from ? to : fact.b;
+    if (!graph_.is_active(a) || (has_second && !graph_.is_active(b))) continue;
+    const DependencySet both = unite(fact.dependency, dependency);
+    if (fact.kind == FactKind::unequal) {
+      add_unequal(a, b, both);
+      continue;
+    }
+    if (fact.kind == FactKind::data_range) {
+      apply({ChoiceKind::data_range, fact.predicate, a, a}, both);
+      continue;
+    }
+    add_fact(fact.kind, fact.predicate, a, b, both);
+  }
+}
+
+std::string Assertions::check_values() {
+  std::string unknown;
+  if (graph_.value_count() == 0) return unknown;
+  constexpr std::size_t values_a_step = 4;  // all of them are looked at again
+  effort_.count_steps(graph_.value_count() / values_a_step);
+  if (const auto dependency = values_.clash(graph_, sets_, unknown)) clash(*dependency);
+  return unknown;
+}
+
+}  // namespace geminga::hypertableau

@@ -1,0 +1,110 @@
+// What is said of the nodes of the model under construction.
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_ASSERTIONS_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_ASSERTIONS_HPP
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "reasoning/dl/hypertableau/choice.hpp"
+#include "reasoning/dl/hypertableau/dependency.hpp"
+#include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/program.hpp"
+#include "reasoning/dl/hypertableau/value_check.hpp"
+
+namespace geminga::hypertableau {
+
+/// Writes nodes and facts into the graph. What cannot be written is a clash, and nodes that are equal wait to be
+/// merged.
+class Assertions {
+ public:
+  Assertions(const owl::Ontology& source, const clauses::ClauseSet& set, const Program& program, Graph& graph,
+             DependencySets& sets, Effort& effort);
+
+  // Nodes.
+  NodeId add_node(NodeKind kind, NodeId parent, DependencySet dependency);
+  NodeId add_value(NodeId parent) { return graph_.add_node(NodeKind::value, parent); }
+  /// The node of the next individual of the set.
+  void add_individual() { individuals_.push_back(add_node(NodeKind::root, none, no_dependency)); }
+  /// By individual, as they were added: other nodes may stand for them since (Graph::current()).
+  [[nodiscard]] std::span<const NodeId> individuals() const { return individuals_; }
+  /// The node of the value of a literal.
+  NodeId constant(owl::TermId literal);
+
+  // Facts. What is there keeps its first dependency set.
+  void add_fact(FactKind kind, std::uint32_t predicate, NodeId a, NodeId b, DependencySet dependency);
+  void add_unequal(NodeId a, NodeId b, DependencySet dependency);
+  /// Makes a choice true.
+  void apply(Choice choice, DependencySet dependency);
+  [[nodiscard]] bool holds(const Choice& choice);
+  /// Whether the choice can hold nowhere.
+  [[nodiscard]] bool is_impossible(const Choice& choice);
+
+  // Clashes. The first one counts.
+  void clash(DependencySet dependency);
+  [[nodiscard]] bool has_clash() const { return has_clash_; }
+  [[nodiscard]] DependencySet clash_dependency() const { return clash_; }
+  void forget_clash() { has_clash_ = false; }
+
+  // Merges.
+  void add_merge(NodeId a, NodeId b, DependencySet dependency) { merges_.push_back({a, b, dependency}); }
+  [[nodiscard]] bool has_merges() const { return !merges_.empty(); }
+  /// Merges what waits, and what comes to it, until there is a clash.
+  void merge_all();
+  /// The individual of this number of those that the bound allows the node (NI-rule, bounds.hpp).
+  NodeId introduced(NodeId node, std::uint32_t bound, std::uint32_t number);
+
+  // Values.
+  /// Whether facts of values came since the last call.
+  [[nodiscard]] bool take_values_changed() { return std::exchange(have_values_changed_, false); }
+  /// A clash where the values cannot all exist. Returns why this could not be found out, or nothing.
+  std::string check_values();
+
+  /// How much there is beside the graph; to be restored together with the graph.
+  [[nodiscard]] std::size_t state() const { return introduced_.size(); }
+  void restore(std::size_t state);
+  /// Forgets the individuals, too.
+  void clear();
+
+ private:
+  struct Merge {
+    NodeId a = 0;
+    NodeId b = 0;
+    DependencySet dependency = no_dependency;
+  };
+  struct Introduced {
+    NodeId node = 0;
+    std::uint32_t bound = 0;
+    std::uint32_t number = 0;
+    NodeId root = 0;
+  };
+
+  DependencySet unite(DependencySet first, DependencySet second) { return sets_.unite(first, second); }
+  [[nodiscard]] std::optional<bool> is_constant_in(NodeId node, std::uint32_t range);
+  void merge(const Merge& merge);
+  [[nodiscard]] bool is_kept(NodeId node, NodeId other) const;
+  void copy_facts(NodeId from, NodeId to, DependencySet dependency);
+
+  const Program& program_;
+  Graph& graph_;
+  DependencySets& sets_;
+  Effort& effort_;
+  ValueCheck values_;
+  bool has_clash_ = false;
+  DependencySet clash_ = no_dependency;
+  bool have_values_changed_ = false;
+  std::vector<Merge> merges_;
+  std::vector<Introduced> introduced_;
+  std::vector<NodeId> individuals_;
+  /// Of literals; an entry counts where the node is still there.
+  std::unordered_map<owl::TermId, NodeId> constants_;
+};
+
+}  // namespace geminga::hypertableau
+
+#endif

@@ -1,0 +1,54 @@
+// Which nodes need not be expanded, as another one that is like them has been.
+//
+//   x is blocked by an older y that is not, if both are in the same concepts and so are their parents, with the same
+//   edges between (pairwise anywhere blocking); where no clause looks back along an edge, the node alone is compared.
+//   What is under a blocked node is blocked.
+//
+// The nodes of the models of earlier questions block, too: see Search::keep().
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_BLOCKING_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_BLOCKING_HPP
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "reasoning/dl/hypertableau/blockers.hpp"
+#include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/program.hpp"
+
+namespace geminga::hypertableau {
+
+/// Marks the blocked nodes of the graph, and remembers who blocks them, so that only what changed is looked at again.
+class Blocking {
+ public:
+  Blocking(const Program& program, Graph& graph, Effort& effort) : program_(program), graph_(graph), effort_(effort) {}
+
+  /// Marks all nodes as they are blocked. How many were looked at.
+  std::size_t update();
+
+ private:
+  /// Who blocked a node, and the versions of what was compared.
+  struct BlockedBy {
+    NodeId blocker = none;
+    std::array<std::uint64_t, 4> versions{};
+    friend bool operator==(const BlockedBy&, const BlockedBy&) = default;
+  };
+
+  [[nodiscard]] bool may_block_as_root(const Node& node) const;
+  [[nodiscard]] std::uint64_t key_of(const Node& node) const;
+  [[nodiscard]] bool is_still_blocked(NodeId node) const;
+  [[nodiscard]] BlockedBy compared(NodeId node, NodeId blocker) const;
+  [[nodiscard]] bool blocks(NodeId blocker, NodeId node) const;
+  [[nodiscard]] bool has_same_edges(NodeId node, NodeId other) const;
+
+  const Program& program_;
+  Graph& graph_;
+  Effort& effort_;
+  Blockers blockers_;
+  std::vector<BlockedBy> blocked_by_;  ///< by node, as of the last look
+};
+
+}  // namespace geminga::hypertableau
+
+#endif

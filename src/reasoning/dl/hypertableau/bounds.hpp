@@ -1,0 +1,88 @@
+// Number restrictions: when there are too many neighbours, and the NI rule.
+//
+//   <=-rule:  <= n R.B(x), R(x,y1), B(y1), ..., R(x,yn+1), B(yn+1): two of the y are equal.
+//   NI-rule:  <= n R.B(x), R(x,y), B(y), x a root, y in the tree of something else: y is one of n roots of x, R and B,
+//             or else trees that are repeated without end would give x more neighbours than it may have.
+// After Motik, Shearer, Horrocks 2009, sections 3.2.3 and 4.2.
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_BOUNDS_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_BOUNDS_HPP
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "reasoning/dl/hypertableau/assertions.hpp"
+#include "reasoning/dl/hypertableau/choice.hpp"
+#include "reasoning/dl/hypertableau/dependency.hpp"
+#include "reasoning/dl/hypertableau/disjunctions.hpp"
+#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/neighbours.hpp"
+#include "reasoning/dl/hypertableau/program.hpp"
+
+namespace geminga::hypertableau {
+
+/// Looks at bounds that may be exceeded, and keeps those that only a choice can enforce.
+class Bounds {
+ public:
+  Bounds(const Program& program, const Graph& graph, DependencySets& sets, Assertions& facts, Neighbours& neighbours,
+         Disjunctions& disjunctions)
+      : program_(program),
+        graph_(graph),
+        sets_(sets),
+        facts_(facts),
+        neighbours_(neighbours),
+        disjunctions_(disjunctions) {}
+
+  // What was asserted may exceed a bound, which is to be looked at.
+  void note(const Suspect& suspect) { suspects_.push_back(suspect); }
+  void note_role(std::uint32_t property, NodeId from, NodeId to, bool is_data);
+  void note_loop(std::uint32_t property, NodeId node);
+  void note_concept(std::uint32_t id, NodeId node);
+
+  [[nodiscard]] bool has_suspects() const { return !suspects_.empty(); }
+  /// Looks at the last of them, and asserts what is certain.
+  void check_last();
+
+  /// A bound that demands a choice, and what it depends on that this node has it.
+  struct Demand {
+    Suspect suspect;
+    DependencySet dependency = no_dependency;
+  };
+  /// The next one whose node is still there.
+  [[nodiscard]] std::optional<Demand> next_demand();
+  /// The choice that the bound demands. What leaves no choice is asserted at once.
+  [[nodiscard]] std::optional<Decision> enforce(const Demand& demand);
+
+  /// Of the demands. No suspect must be left.
+  struct State {
+    std::size_t demands = 0;
+    std::size_t next = 0;
+  };
+  [[nodiscard]] State state() const { return {demands_.size(), next_demand_}; }
+  void restore(const State& state);
+
+ private:
+  void check_conditional(const Suspect& suspect);
+  bool introduce(const Suspect& suspect, std::span<const Neighbour> neighbours, DependencySet dependency);
+  [[nodiscard]] bool is_foreign(NodeId neighbour, NodeId of) const;
+  void add_unless(const Bound& bound, NodeId node, std::vector<Choice>& alternatives);
+  void add_introductions(const Suspect& suspect, NodeId foreign, std::vector<Choice>& alternatives);
+  void add_equalities(const Bound& bound, std::span<const Neighbour> neighbours, std::vector<Choice>& alternatives,
+                      DependencySet& reasons);
+  [[nodiscard]] DependencySet unite(DependencySet first, DependencySet second) { return sets_.unite(first, second); }
+
+  const Program& program_;
+  const Graph& graph_;
+  DependencySets& sets_;
+  Assertions& facts_;
+  Neighbours& neighbours_;
+  Disjunctions& disjunctions_;
+  std::vector<Suspect> suspects_;
+  std::vector<Suspect> demands_;
+  std::size_t next_demand_ = 0;
+};
+
+}  // namespace geminga::hypertableau
+
+#endif

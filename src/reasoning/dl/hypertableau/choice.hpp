@@ -1,0 +1,52 @@
+// What may be made true, alone or as one of several alternatives.
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_CHOICE_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_CHOICE_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "reasoning/dl/hypertableau/dependency.hpp"
+#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/program.hpp"
+
+namespace geminga::hypertableau {
+
+/// One thing that may be made true.
+enum class ChoiceKind : std::uint8_t {
+  concept_of,
+  role,
+  data_role,
+  equal,
+  at_least,
+  at_most,
+  data_range,
+  data_at_least,
+  introduce,  ///< NI rule: a is the individual number `predicate` of those that bound `bound` allows b
+};
+struct Choice {
+  ChoiceKind kind = ChoiceKind::concept_of;
+  std::uint32_t predicate = 0;
+  NodeId a = 0;
+  NodeId b = 0;
+  std::uint32_t bound = 0;
+};
+
+/// What the head atom of a clause says of the nodes of its variables.
+[[nodiscard]] Choice choice_of(const Program& program, const clauses::Atom& atom, NodeId a, NodeId b);
+
+/// A bound that a node may exceed.
+struct Suspect {
+  NodeId node = none;
+  std::uint32_t bound = none;
+};
+
+/// Two or more alternatives, one of which must hold.
+struct Decision {
+  std::vector<Choice> alternatives;
+  DependencySet dependency = no_dependency;
+  Suspect suspect;  ///< to be looked at again whatever is chosen
+};
+
+}  // namespace geminga::hypertableau
+
+#endif

@@ -1,0 +1,50 @@
+// The order in which alternatives are tried.
+#include "reasoning/dl/hypertableau/choice_records.hpp"
+
+#include <algorithm>
+
+namespace geminga::hypertableau {
+namespace {
+
+/// What a choice brings with it: a bound that holds brings nothing, new nodes bring much, and what is made equal is
+/// seldom meant to be.
+int burden(ChoiceKind kind) {
+  switch (kind) {
+    case ChoiceKind::at_most:
+      return 0;
+    case ChoiceKind::concept_of:
+    case ChoiceKind::role:
+    case ChoiceKind::data_role:
+    case ChoiceKind::data_range:
+      return 1;
+    case ChoiceKind::at_least:
+    case ChoiceKind::data_at_least:
+      return 2;
+    case ChoiceKind::equal:
+    case ChoiceKind::introduce:
+      return 3;
+  }
+  return 3;
+}
+
+}  // namespace
+
+std::uint64_t ChoiceRecords::failures_of(std::span<const Choice> alternatives) {
+  std::uint64_t failures = 0;
+  for (const Choice& choice : alternatives) failures += of(choice).failures;
+  return failures;
+}
+
+// By the share of the tries that failed as Laplace estimates it, so that one failure among many successes does not turn
+// the choice for all nodes; then by what they bring.
+void ChoiceRecords::order_by_promise(std::vector<Choice>& alternatives) {
+  std::ranges::stable_sort(alternatives, [this](const Choice& one, const Choice& other) {
+    const Record first = of(one);
+    const Record second = of(other);
+    const std::uint64_t risk = (first.failures + 1) * (second.tries + 2);
+    const std::uint64_t other_risk = (second.failures + 1) * (first.tries + 2);
+    return risk != other_risk ? risk < other_risk : burden(one.kind) < burden(other.kind);
+  });
+}
+
+}  // namespace geminga::hypertableau

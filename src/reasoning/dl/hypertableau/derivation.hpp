@@ -1,0 +1,65 @@
+// Clauses and facts.
+//
+//   Hyp-rule:  B1, ..., Bm -> H1 or ... or Hn, and facts that match the body: one of the heads holds. With no head the
+//   branch is closed, with one it is a fact, with more it is a choice.
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_DERIVATION_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_DERIVATION_HPP
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "reasoning/dl/hypertableau/assertions.hpp"
+#include "reasoning/dl/hypertableau/bounds.hpp"
+#include "reasoning/dl/hypertableau/dependency.hpp"
+#include "reasoning/dl/hypertableau/disjunctions.hpp"
+#include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/expansion.hpp"
+#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/program.hpp"
+
+namespace geminga::hypertableau {
+
+/// Looks at facts in the order in which they came, and matches the clauses with each. A clause is matched when the last
+/// of its body atoms is, so each match is found once.
+class Derivation {
+ public:
+  Derivation(const clauses::ClauseSet& set, const Program& program, const Graph& graph, DependencySets& sets,
+             Effort& effort, Assertions& facts, Disjunctions& disjunctions, Bounds& bounds, Expansion& expansion);
+
+  [[nodiscard]] bool has_next() const { return processed_ < graph_.facts().size(); }
+  /// Derives what follows from the next fact and those before it.
+  void process_next() { process(processed_++); }
+
+  /// How many facts have been processed.
+  [[nodiscard]] FactId state() const { return processed_; }
+  void restore(FactId state) { processed_ = state; }
+
+ private:
+  void process(FactId id);
+  void process_concept(const Fact& fact, FactId id);
+  void process_role(const Fact& fact, FactId id);
+  void process_at_least(const Fact& fact, FactId id);
+  void keep_apart(const Fact& fact);
+  void fire(const Plan& plan, FactId id);
+  void match(const Plan& plan, std::span<const Step> steps, FactId limit, DependencySet dependency);
+  void match_each(const Plan& plan, std::span<const Step> steps, FactId limit, DependencySet dependency);
+  void conclude(const Plan& plan, DependencySet dependency);
+  [[nodiscard]] DependencySet unite(DependencySet first, DependencySet second) { return sets_.unite(first, second); }
+
+  const clauses::ClauseSet& set_;
+  const Program& program_;
+  const Graph& graph_;
+  DependencySets& sets_;
+  Effort& effort_;
+  Assertions& facts_;
+  Disjunctions& disjunctions_;
+  Bounds& bounds_;
+  Expansion& expansion_;
+  FactId processed_ = 0;
+  std::vector<NodeId> variables_;  ///< of the clause that is matched
+};
+
+}  // namespace geminga::hypertableau
+
+#endif

@@ -1,0 +1,185 @@
+// Which ways of a disjunction are left.
+#include "reasoning/dl/hypertableau/disjunctions.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace geminga::hypertableau {
+
+using clauses::number;
+
+namespace {
+
+/// As many open disjunctions are compared before one is taken: few as long as every guess was right, as in most models.
+constexpr std::size_t few_compared = 16;
+constexpr std::size_t max_compared = 256;
+
+}  // namespace
+
+void Disjunctions::restore(const State& state) {
+  while (done_.size() > state.done) {
+    disjunctions_[done_.back()].is_done = false;
+    done_.pop_back();
+  }
+  disjunctions_.resize(state.disjunctions);
+  next_ = state.next;
+  choices_.resize(state.choices);
+}
+
+void Disjunctions::add(std::vector<Choice>& alternatives, DependencySet dependency) {
+  std::erase_if(alternatives, [this](const Choice& choice) { return facts_.is_impossible(choice); });
+  if (alternatives.empty()) {
+    facts_.clash(dependency);
+  } else if (alternatives.size() == 1) {
+    facts_.apply(alternatives.front(), dependency);
+  } else {
+    const auto begin = static_cast<std::uint32_t>(choices_.size());
+    effort_.count_step();
+    choices_.insert(choices_.end(), alternatives.begin(), alternatives.end());
+    disjunctions_.push_back({begin, static_cast<std::uint32_t>(choices_.size()), dependency});
+  }
+}
+
+Disjunctions::Next Disjunctions::find_next() {
+  const std::size_t most = records_.has_failed() ? max_compared : few_compared;
+  std::size_t compared = 0;
+  for (std::size_t at = next_; at < disjunctions_.size() && compared < most; ++at) {
+    if (!disjunctions_[at].is_done) {
+      open(disjunctions_[at], one_);
+      if (one_.is_done) note_done(at);
+    }
+    if (disjunctions_[at].is_done) {
+      if (at == next_) ++next_;
+      continue;
+    }
+    if (one_.alternatives.empty()) {
+      facts_.clash(one_.dependency);
+      return Next::asserted;
+    }
+    if (one_.alternatives.size() == 1) {
+      facts_.apply(one_.alternatives.front(), one_.dependency);
+      return Next::asserted;
+    }
+    one_.failures = records_.has_failed() ? records_.failures_of(one_.alternatives) : 0;
+    if (compared++ == 0 || one_.is_before(best_)) std::swap(one_, best_);
+  }
+  return compared == 0 ? Next::nothing : Next::choice;
+}
+
+// What holds goes on holding as long as this branch is.
+void Disjunctions::note_done(std::size_t disjunction) {
+  disjunctions_[disjunction].is_done = true;
+  done_.push_back(static_cast<std::uint32_t>(disjunction));
+}
+
+// The fewest ways for each failure that is known of them: one that fails in all of many ways says what is wrong sooner
+// than many that have two (dom/wdeg: Boussemart, Hemery, Lecoutre, Sais: Boosting systematic search by weighting
+// constraints, 2004).
+bool Disjunctions::Open::is_before(const Open& other) const {
+  return alternatives.size() * (1 + other.failures) < other.alternatives.size() * (1 + failures);
+}
+
+void Disjunctions::open(const Disjunction& disjunction, Open& result) {
+  result.alternatives.clear();
+  result.dependency = disjunction.dependency;
+  for (std::uint32_t at = disjunction.begin; at < disjunction.end; ++at) {
+    effort_.count_look();
+    Choice choice = choices_[at];
+    choice.a = graph_.current(choice.a, sets_, result.dependency);
+    choice.b = graph_.current(choice.b, sets_, result.dependency);
+    result.is_done =
+        !graph_.is_active(choice.a) || !graph_.is_active(choice.b) || facts_.holds(choice) || derive(choice);
+    if (result.is_done) return;
+    if (!is_excluded(choice, result.dependency)) result.alternatives.push_back(choice);
+  }
+}
+
+bool Disjunctions::is_excluded(const Choice& choice, DependencySet& dependency) {
+  if (facts_.is_impossible(choice)) return true;
+  if (choice.kind == ChoiceKind::equal) {
+    const auto [a, b] = std::minmax(choice.a, choice.b);
+    const FactId differ = graph_.find(FactKind::unequal, 0, a, b);
+    if (differ != none) dependency = unite(dependency, graph_.fact(differ).dependency);
+    return differ != none;
+  }
+  if (choice.kind == ChoiceKind::concept_of) return is_excluded(choice.predicate, choice.a, dependency);
+  if (choice.kind == ChoiceKind::at_most)
+    return neighbours_.exceeds(program_.bound(choice.predicate), neighbours_.counted({choice.a, choice.predicate}),
+                               dependency);
+  const bool is_data = choice.kind == ChoiceKind::data_at_least;
+  if (choice.kind != ChoiceKind::at_least && !is_data) return false;
+  const auto implied = is_data ? program_.domains().of_data_at_least(choice.predicate)
+                               : program_.domains().of_at_least(choice.predicate);
+  if (std::ranges::any_of(implied, [&](std::uint32_t of) { return is_excluded(of, choice.a, dependency); }))
+    return true;
+  return !is_data && is_excluded_by_neighbour(choice, dependency);
+}
+
+// Where a property has at most one value, the neighbour that is there would have to be in the filler.
+bool Disjunctions::is_excluded_by_neighbour(const Choice& choice, DependencySet& dependency) {
+  const clauses::AtLeast& at_least = set_.at_leasts[choice.predicate];
+  const auto neighbour = neighbours_.only(at_least.role, choice.a);
+  DependencySet reasons = neighbour ? neighbour->dependency : no_dependency;
+  if (!neighbour || !is_excluded(number(at_least.filler), neighbour->node, reasons)) return false;
+  dependency = unite(dependency, reasons);
+  return true;
+}
+
+// Derives what a choice says where it follows from what is there: an at-least that a neighbour satisfies.
+bool Disjunctions::derive(const Choice& choice) {
+  if (choice.kind != ChoiceKind::at_least || set_.at_leasts[choice.predicate].count > 1) return false;
+  const clauses::AtLeast& at_least = set_.at_leasts[choice.predicate];
+  const bool is_inverse = at_least.role.is_inverse;
+  for (FactId id = is_inverse ? graph_.node(choice.a).in : graph_.node(choice.a).out; id != none;
+       id = is_inverse ? graph_.fact(id).next_b : graph_.fact(id).next_a) {
+    effort_.count_look();
+    const Fact& edge = graph_.fact(id);
+    const NodeId node = is_inverse ? edge.a : edge.b;
+    if (edge.kind != FactKind::role || edge.predicate != number(at_least.role.property) || !graph_.is_active(node))
+      continue;
+    DependencySet dependency = edge.dependency;
+    if (at_least.filler != clauses::thing) {
+      const FactId filler = graph_.find(FactKind::concept_of, number(at_least.filler), node);
+      if (filler == none) continue;
+      dependency = unite(dependency, graph_.fact(filler).dependency);
+    }
+    facts_.add_fact(FactKind::at_least, choice.predicate, choice.a, 0, dependency);
+    return true;
+  }
+  return false;
+}
+
+// Whether a bound that the concept brings is exceeded already.
+bool Disjunctions::is_excluded_by_bound(std::uint32_t id, NodeId node, DependencySet& dependency) {
+  const auto is_brought = [id](const ConditionalBound& rule) {
+    return rule.alternatives.empty() && rule.guard.size() == 1 &&
+           rule.guard.front().kind == clauses::AtomKind::concept_of && rule.guard.front().predicate == id;
+  };
+  return std::ranges::any_of(program_.bounds_of_guard(id), [&](std::uint32_t bound) {
+    return std::ranges::any_of(program_.conditional(bound), is_brought) &&
+           neighbours_.exceeds(program_.bound(bound), neighbours_.counted({node, bound}), dependency);
+  });
+}
+
+bool Disjunctions::is_excluded(std::uint32_t id, NodeId node, DependencySet& dependency) {
+  if (is_excluded_by_bound(id, node, dependency)) return true;
+  const auto excluders = program_.disjoint_concepts(id);
+  if (excluders.size() <= graph_.node(node).label_count) {
+    for (const std::uint32_t other : excluders) {
+      const FactId fact = graph_.find(FactKind::concept_of, other, node);
+      if (fact == none) continue;
+      dependency = unite(dependency, graph_.fact(fact).dependency);
+      return true;
+    }
+    return false;
+  }
+  for (FactId fact = graph_.node(node).labels; fact != none; fact = graph_.fact(fact).next_a) {
+    if (!std::ranges::binary_search(excluders, graph_.fact(fact).predicate)) continue;
+    dependency = unite(dependency, graph_.fact(fact).dependency);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace geminga::hypertableau

@@ -1,0 +1,98 @@
+// Alternatives of which one must hold, and which of them are decided next.
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_DISJUNCTIONS_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_DISJUNCTIONS_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "reasoning/dl/hypertableau/assertions.hpp"
+#include "reasoning/dl/hypertableau/choice.hpp"
+#include "reasoning/dl/hypertableau/choice_records.hpp"
+#include "reasoning/dl/hypertableau/dependency.hpp"
+#include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/neighbours.hpp"
+#include "reasoning/dl/hypertableau/program.hpp"
+
+namespace geminga::hypertableau {
+
+/// Keeps the disjunctions that were derived, and finds the one to be decided next: one that has no way left is a clash,
+/// one that has one way left is no choice, and of the others that with the fewest ways.
+class Disjunctions {
+ public:
+  Disjunctions(const clauses::ClauseSet& set, const Program& program, const Graph& graph, DependencySets& sets,
+               Effort& effort, Assertions& facts, Neighbours& neighbours, ChoiceRecords& records)
+      : set_(set),
+        program_(program),
+        graph_(graph),
+        sets_(sets),
+        effort_(effort),
+        facts_(facts),
+        neighbours_(neighbours),
+        records_(records) {}
+
+  /// One of them holds. Removes those that cannot. What leaves no choice is asserted at once.
+  void add(std::vector<Choice>& alternatives, DependencySet dependency);
+
+  /// What find_next() came to: all is decided, something was asserted, or there is a choice.
+  enum class Next : std::uint8_t { nothing, asserted, choice };
+  [[nodiscard]] Next find_next();
+  /// After Next::choice.
+  [[nodiscard]] Decision next() const { return {best_.alternatives, best_.dependency, {}}; }
+
+  /// Sizes of the stacks.
+  struct State {
+    std::size_t disjunctions = 0;
+    std::size_t next = 0;
+    std::size_t choices = 0;
+    std::size_t done = 0;
+  };
+  [[nodiscard]] State state() const { return {disjunctions_.size(), next_, choices_.size(), done_.size()}; }
+  void restore(const State& state);
+
+ private:
+  /// A range of choices_.
+  struct Disjunction {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+    DependencySet dependency = no_dependency;
+    bool is_done = false;  ///< one holds, or what it is about is gone: as long as this branch is
+  };
+  /// What is left of one as things stand.
+  struct Open {
+    bool is_done = false;  ///< one holds, or what it is about is gone
+    std::vector<Choice> alternatives;
+    DependencySet dependency = no_dependency;  ///< of the disjunction and of what excludes the others
+    std::uint64_t failures = 0;                ///< of its alternatives, as far as they are known
+    [[nodiscard]] bool is_before(const Open& other) const;
+  };
+
+  void open(const Disjunction& disjunction, Open& result);
+  void note_done(std::size_t disjunction);
+  bool derive(const Choice& choice);
+  // Whether what holds excludes the choice, or the concept of the node; unites the reasons into `dependency`.
+  bool is_excluded(const Choice& choice, DependencySet& dependency);
+  bool is_excluded(std::uint32_t id, NodeId node, DependencySet& dependency);
+  bool is_excluded_by_bound(std::uint32_t id, NodeId node, DependencySet& dependency);
+  bool is_excluded_by_neighbour(const Choice& choice, DependencySet& dependency);
+  [[nodiscard]] DependencySet unite(DependencySet first, DependencySet second) { return sets_.unite(first, second); }
+
+  const clauses::ClauseSet& set_;
+  const Program& program_;
+  const Graph& graph_;
+  DependencySets& sets_;
+  Effort& effort_;
+  Assertions& facts_;
+  Neighbours& neighbours_;
+  ChoiceRecords& records_;
+  std::vector<Choice> choices_;
+  std::vector<Disjunction> disjunctions_;
+  std::size_t next_ = 0;             ///< all before are done
+  std::vector<std::uint32_t> done_;  ///< disjunctions, in the order in which they were
+  Open one_;                         ///< room of find_next()
+  Open best_;
+};
+
+}  // namespace geminga::hypertableau
+
+#endif

@@ -1,0 +1,57 @@
+// What a question costs.
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_EFFORT_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_EFFORT_HPP
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "base/budget.hpp"
+#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/tableau.hpp"
+
+namespace geminga::hypertableau {
+
+/// Counts the work for one question against its limits, and keeps why the question cannot be answered.
+class Effort {
+ public:
+  Effort(const Limits& limits, const Graph& graph) : limits_(limits), budget_(limits.budget), graph_(graph) {}
+
+  /// The work for another question begins: whether the ontology has a model, or one that is put onto such a model.
+  void begin(bool is_about_world) {
+    most_steps_ = limits_.steps + (is_about_world ? limits_.world_steps : 0);
+    steps_ = told_ = 0;
+    reason_.clear();
+  }
+  /// Nodes and facts below this mark are of models that are kept, and count no more.
+  void set_base(const Mark& base) { base_ = base; }
+
+  void count_step() { ++steps_; }
+  void count_steps(std::size_t steps) { steps_ += steps; }
+  /// Counts what was looked at in vain: so many looks take the time that a fact takes.
+  void count_look() {
+    constexpr std::size_t looks_a_step = 16;
+    if (++looked_ % looks_a_step == 0) ++steps_;
+  }
+  /// Whether a limit is passed; if so, that is the reason.
+  bool is_over_limit();
+
+  void set_reason(std::string reason) { reason_ = std::move(reason); }
+  /// Empty as long as nothing is in the way of an answer.
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+
+ private:
+  Limits limits_;
+  base::BudgetUse budget_;
+  const Graph& graph_;
+  Mark base_;
+  std::size_t most_steps_ = 0;
+  std::size_t steps_ = 0;
+  std::size_t looked_ = 0;  ///< what is less than a step
+  std::size_t told_ = 0;    ///< steps that the budget knows of
+  std::string reason_;
+};
+
+}  // namespace geminga::hypertableau
+
+#endif

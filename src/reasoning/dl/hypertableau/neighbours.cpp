@@ -1,0 +1,87 @@
+// Bounds and the neighbours that are there.
+#include "reasoning/dl/hypertableau/neighbours.hpp"
+
+#include <algorithm>
+
+namespace geminga::hypertableau {
+
+using clauses::number;
+
+bool Neighbours::is_bound(const Suspect& suspect, DependencySet& dependency) const {
+  dependency = no_dependency;
+  if (program_.is_global(suspect.bound)) return true;
+  const FactId fact = graph_.find(FactKind::at_most, suspect.bound, suspect.node);
+  if (fact != none) dependency = graph_.fact(fact).dependency;
+  return fact != none;
+}
+
+// Whether a neighbour is counted, and because of what.
+bool Neighbours::counts(const Bound& bound, NodeId node, DependencySet& dependency) {
+  if (bound.filler != no_predicate) {
+    const FactId filler = graph_.find(FactKind::concept_of, bound.filler, node);
+    if (filler == none) return false;
+    dependency = unite(dependency, graph_.fact(filler).dependency);
+  }
+  if (bound.unless == no_predicate) return true;
+  const ChoiceKind kind = bound.is_data ? ChoiceKind::data_range : ChoiceKind::concept_of;
+  return !facts_.holds({kind, bound.unless, node, node});
+}
+
+std::vector<Neighbour> Neighbours::counted(const Suspect& suspect) {
+  const Bound& bound = program_.bound(suspect.bound);
+  const FactKind kind = bound.is_data ? FactKind::data_role : FactKind::role;
+  std::vector<Neighbour> neighbours;
+  for (FactId id = bound.is_inverse ? graph_.node(suspect.node).in : graph_.node(suspect.node).out; id != none;
+       id = bound.is_inverse ? graph_.fact(id).next_b : graph_.fact(id).next_a) {
+    const Fact& fact = graph_.fact(id);
+    const NodeId node = bound.is_inverse ? fact.a : fact.b;
+    if (fact.kind != kind || fact.predicate != bound.property || !graph_.is_active(node)) continue;
+    DependencySet dependency = fact.dependency;
+    if (counts(bound, node, dependency)) neighbours.push_back({node, dependency});
+  }
+  std::ranges::sort(neighbours, {}, &Neighbour::node);
+  return neighbours;
+}
+
+bool Neighbours::exceeds(const Bound& bound, std::span<const Neighbour> neighbours, DependencySet& dependency) {
+  if (bound.unless != no_predicate || neighbours.size() <= bound.count) return false;
+  std::vector<NodeId> taken;
+  DependencySet reasons = dependency;
+  for (const Neighbour& one : neighbours) {
+    DependencySet with_this = unite(reasons, one.dependency);
+    const bool differs = std::ranges::all_of(taken, [&](NodeId other) {
+      effort_.count_look();
+      const auto [a, b] = std::minmax(one.node, other);
+      const FactId fact = graph_.find(FactKind::unequal, 0, a, b);
+      if (fact != none) with_this = unite(with_this, graph_.fact(fact).dependency);
+      return fact != none;
+    });
+    if (!differs) continue;
+    reasons = with_this;
+    taken.push_back(one.node);
+    if (taken.size() <= bound.count) continue;
+    dependency = reasons;
+    return true;
+  }
+  return false;
+}
+
+bool Neighbours::is_functional(clauses::Role role, NodeId node) const {
+  return std::ranges::any_of(program_.bounds_of_role(number(role.property)), [&](std::uint32_t id) {
+    DependencySet dependency = no_dependency;
+    return is_of_functional(program_.bound(id), role) && is_bound({node, id}, dependency);
+  });
+}
+
+std::optional<Neighbour> Neighbours::only(clauses::Role role, NodeId node) {
+  for (const std::uint32_t id : program_.bounds_of_role(number(role.property))) {
+    DependencySet dependency = no_dependency;
+    if (!is_of_functional(program_.bound(id), role) || !is_bound({node, id}, dependency)) continue;
+    const std::vector<Neighbour> neighbours = counted({node, id});
+    if (neighbours.empty()) return std::nullopt;
+    return Neighbour{neighbours[0].node, unite(dependency, neighbours[0].dependency)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace geminga::hypertableau

@@ -1,0 +1,60 @@
+// Which neighbours of a node a bound counts.
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_NEIGHBOURS_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_NEIGHBOURS_HPP
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "reasoning/dl/hypertableau/assertions.hpp"
+#include "reasoning/dl/hypertableau/choice.hpp"
+#include "reasoning/dl/hypertableau/dependency.hpp"
+#include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/program.hpp"
+
+namespace geminga::hypertableau {
+
+struct Neighbour {
+  NodeId node = 0;
+  DependencySet dependency = no_dependency;  ///< why it is one
+};
+
+/// Answers what bounds say of the neighbours that are there. It changes nothing.
+class Neighbours {
+ public:
+  Neighbours(const Program& program, const Graph& graph, DependencySets& sets, Effort& effort, Assertions& facts)
+      : program_(program), graph_(graph), sets_(sets), effort_(effort), facts_(facts) {}
+
+  /// Whether the bound holds of the node; sets `dependency` to why.
+  [[nodiscard]] bool is_bound(const Suspect& suspect, DependencySet& dependency) const;
+  /// The neighbours that the bound counts, ascending.
+  [[nodiscard]] std::vector<Neighbour> counted(const Suspect& suspect);
+  /// Whether more of them than the bound allows are known to differ from each other; if so, unites the reasons into
+  /// `dependency`. Each that differs from all that were taken is taken; other sets are not looked at.
+  [[nodiscard]] bool exceeds(const Bound& bound, std::span<const Neighbour> neighbours, DependencySet& dependency);
+
+  /// Whether the node may have one neighbour by the role at most.
+  [[nodiscard]] bool is_functional(clauses::Role role, NodeId node) const;
+  /// The neighbour that is there where there may be at most one.
+  [[nodiscard]] std::optional<Neighbour> only(clauses::Role role, NodeId node);
+
+ private:
+  [[nodiscard]] bool counts(const Bound& bound, NodeId node, DependencySet& dependency);
+  /// Whether the bound says no more than that the role is functional.
+  [[nodiscard]] static bool is_of_functional(const Bound& bound, clauses::Role role) {
+    const bool is_plain = bound.filler == no_predicate && bound.unless == no_predicate && bound.count == 1;
+    return is_plain && bound.is_inverse == role.is_inverse;
+  }
+  [[nodiscard]] DependencySet unite(DependencySet first, DependencySet second) { return sets_.unite(first, second); }
+
+  const Program& program_;
+  const Graph& graph_;
+  DependencySets& sets_;
+  Effort& effort_;
+  Assertions& facts_;
+};
+
+}  // namespace geminga::hypertableau
+
+#endif

@@ -1,0 +1,22 @@
+// What a model tells.
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_WRITTEN_MODEL_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_WRITTEN_MODEL_HPP
+
+#include <cstddef>
+
+#include "reasoning/dl/hypertableau/dependency.hpp"
+#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/tableau.hpp"
+
+namespace geminga::hypertableau {
+
+/// The labels of the model that is in the graph, of concepts below `concept_count`.
+///
+/// `asked` is the instance that was asked for, as it was made, or none. What is older than `before` was written with an
+/// earlier model, and is left out where it is as it was.
+[[nodiscard]] Model write_model(const Graph& graph, DependencySets& sets, std::size_t concept_count, NodeId asked,
+                                const Mark& before);
+
+}  // namespace geminga::hypertableau
+
+#endif
