@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "reasoning/dl/hypertableau/told_facts.hpp"
 #include "reasoning/dl/hypertableau/written_model.hpp"
 
 namespace geminga::hypertableau {
@@ -38,47 +39,8 @@ void Search::begin(bool is_about_world) {
 
 Outcome Search::find_world() {
   begin(true);
-  load_facts();
+  assert_told_facts(set_, program_, facts_);
   return run();
-}
-
-void Search::load_individuals() {
-  // There is at least one thing.
-  if (set_.individuals.empty()) {
-    const NodeId node = facts_.add_node(NodeKind::root, none, no_dependency);
-    if (!program_.needs_thing()) facts_.add_fact(FactKind::concept_of, number(clauses::thing), node, 0, no_dependency);
-  }
-  for (std::size_t at = 0; at < set_.individuals.size(); ++at) facts_.add_individual();
-  for (std::uint32_t at = 0; at < set_.concepts.size(); ++at) {
-    const clauses::Concept& entry = set_.concepts[at];
-    if (entry.kind != clauses::ConceptKind::nominal) continue;
-    const NodeId node = facts_.individuals()[number(entry.individual)];
-    facts_.add_fact(FactKind::concept_of, at, node, 0, no_dependency);
-  }
-}
-
-void Search::load_facts() {
-  load_individuals();
-  const auto node_of = [&](clauses::IndividualId individual) { return facts_.individuals()[number(individual)]; };
-  for (const clauses::ConceptFact& fact : set_.concept_facts) {
-    facts_.add_fact(FactKind::concept_of, number(fact.of), node_of(fact.individual), 0, no_dependency);
-  }
-  for (const clauses::RoleFact& fact : set_.role_facts) {
-    facts_.add_fact(FactKind::role, number(fact.property), node_of(fact.first), node_of(fact.second), no_dependency);
-  }
-  for (const clauses::DataFact& fact : set_.data_facts) {
-    const NodeId value = facts_.constant(fact.value);
-    facts_.add_fact(FactKind::data_role, number(fact.property), node_of(fact.individual), value, no_dependency);
-  }
-  for (const clauses::Equality& equality : set_.equalities) {
-    const NodeId first = node_of(equality.first);
-    const NodeId second = node_of(equality.second);
-    if (equality.is_negated) {
-      facts_.add_unequal(first, second, no_dependency);
-    } else {
-      facts_.add_merge(first, second, no_dependency);
-    }
-  }
 }
 
 Outcome Search::find_instance(std::vector<clauses::ConceptId> together) {

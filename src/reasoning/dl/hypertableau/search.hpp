@@ -39,26 +39,26 @@ class Search {
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
 
-  /// Forgets all, the base too.
+  /// Forgets everything, the base too.
   void reset();
   /// Requires reset(). Looks for a model of the facts of the set.
   Outcome find_world();
   /// Looks for a model in which one thing is in all of these concepts, beside what the base holds.
   Outcome find_instance(std::vector<clauses::ConceptId> together);
-  /// Of the question that was answered last, if it was with a model. To be called before end_question().
+  /// What the model tells that the last question found. To be called before end_question().
   [[nodiscard]] Model model();
-  /// Of Outcome::unknown, in a line for a user.
+  /// Why the last outcome is unknown, in a line for a user.
   [[nodiscard]] const std::string& reason() const { return effort_.reason(); }
 
   /// Makes what there is the base onto which questions are put.
   ///
-  /// Questions that come are put beside it, and its nodes block theirs. Nothing leads from one model to another, so
-  /// that nothing in a kept model changes.
+  /// Questions that come are put beside it, and its nodes block theirs. Where there are no nominals, nothing leads from
+  /// one model to another, so that nothing in a kept model changes.
   void keep();
   [[nodiscard]] bool has_base() const { return base_.has_value(); }
   [[nodiscard]] std::size_t base_node_count() const { return base_ ? base_->mark.nodes : 0; }
-  /// After find_instance(): takes the question back, or keeps its model. Values, which models would share, are not
-  /// kept.
+  /// To be called after find_instance(): keeps the model, or takes the question back. Models with values are not kept,
+  /// as models would share values.
   void end_question(Outcome outcome);
 
   [[nodiscard]] bool has_nominals() const { return program_.has_nominals(); }
@@ -82,8 +82,6 @@ class Search {
 
   Outcome run();
   void begin(bool is_about_world);
-  void load_individuals();
-  void load_facts();
   void ask();
   void ask_again();
   bool saturate();
