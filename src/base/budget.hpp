@@ -57,7 +57,6 @@ class BudgetUse {
     waiting_ += steps;
     return waiting_ < batch ? !budget_->is_spent() : settle();
   }
-  [[nodiscard]] const Budget* budget() const { return budget_; }
 
  private:
   static constexpr std::uint64_t batch = 1024;

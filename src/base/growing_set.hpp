@@ -42,10 +42,6 @@ class GrowingSet {
   [[nodiscard]] std::size_t size() const { return items_.size(); }
   [[nodiscard]] Key operator[](std::size_t index) const { return items_[index]; }
   [[nodiscard]] const std::vector<Key>& items() const { return items_; }
-  void clear() {
-    items_ = {};
-    slots_ = {};
-  }
 
  private:
   static constexpr std::size_t max_scanned = 12;

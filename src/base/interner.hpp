@@ -47,8 +47,6 @@ class NumberTable {
     insert(hash, number);
   }
 
-  [[nodiscard]] std::size_t size() const { return size_; }
-
  private:
   struct Slot {
     std::uint32_t hash = 0;

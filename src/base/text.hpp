@@ -1,4 +1,4 @@
-// Strict reading of small texts: numbers, UTF-8, hexadecimal.
+// Small texts: numbers, UTF-8, hexadecimal, what is cut off or made fit to be shown.
 #ifndef GEMINGA_BASE_TEXT_HPP
 #define GEMINGA_BASE_TEXT_HPP
 
@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -32,6 +33,18 @@ template <std::integral Number>
 
 /// Exactly `digits` lower-case hexadecimal digits of `number`.
 [[nodiscard]] std::string to_hex(std::uint64_t number, int digits);
+
+/// A to Z become a to z, and nothing else changes.
+[[nodiscard]] std::string in_lower_case(std::string_view text);
+
+/// Without spaces, tabs and line ends at either end.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// Without the byte order mark that some editors begin UTF-8 with.
+[[nodiscard]] std::string_view without_mark(std::string_view bytes);
+
+/// The words with `separator` between them.
+[[nodiscard]] std::string joined(std::span<const std::string> words, std::string_view separator);
 
 /// A text from outside, made fit to be shown in one line: bad UTF-8 is replaced, control characters become `?`, and
 /// what is over `max_bytes` is cut at a character and ends in `...`.

@@ -1,6 +1,7 @@
 // The languages of Graphviz and Mermaid.
 #include <cctype>
 
+#include "base/text.hpp"
 #include "draw_picture.hpp"
 
 namespace geminga::ontology {
@@ -93,11 +94,7 @@ std::string list_label(const Box& box) {
 /// Beside the label. The whole name is the tooltip of a name that was broken, so that it can be searched for.
 std::string dot_attributes(const Box& box, bool is_broken) {
   std::string attributes;
-  if (is_broken) {
-    std::string whole;
-    for (const std::string& name : box.names) whole += (whole.empty() ? "" : " = ") + name;
-    attributes += ", tooltip=\"" + escaped(whole) + '"';
-  }
+  if (is_broken) attributes += ", tooltip=\"" + escaped(base::joined(box.names, " = ")) + '"';
   switch (box.kind) {
     case BoxKind::one:
       break;

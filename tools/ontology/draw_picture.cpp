@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 
+#include "base/sorted.hpp"
+#include "base/text.hpp"
 #include "closure.hpp"
 
 namespace geminga::ontology {
@@ -141,8 +143,7 @@ class Artist {
         const ClassNumber drawn_as = is_empty(*parent) ? *parent : node(*parent);
         box.parents.push_back(id_of(drawn_as));
       }
-      std::ranges::sort(box.parents);
-      box.parents.erase(std::unique(box.parents.begin(), box.parents.end()), box.parents.end());
+      base::sort_unique(box.parents);
       if (root && *root == number) is_below_root[number] = true;
       boxes.push_back(std::move(box));
     }
@@ -217,8 +218,7 @@ Picture with_lists_of_leaves(Picture picture) {
       listed.push_back(std::move(box));
       continue;
     }
-    std::string name;
-    for (const std::string& one : box.names) name += (name.empty() ? "" : " = ") + one;
+    const std::string name = base::joined(box.names, " = ");
     for (const std::string& parent : box.parents) {
       const auto [place, is_new] = lists.try_emplace(parent, listed.size());
       if (is_new) listed.push_back({"leaves_" + parent, BoxKind::leaves, {}, 0, {parent}});

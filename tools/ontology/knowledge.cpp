@@ -140,9 +140,7 @@ std::vector<std::string> gaps_of(const Knowledge& knowledge) {
 
 Exit exit_of(const Knowledge& knowledge, Exit exit) {
   if (!knowledge.classification.is_cut_off) return exit;
-  std::string words;
-  for (const std::string& gap : knowledge.classification.gaps) words += (words.empty() ? "" : ", ") + gap;
-  return say_error(words + ", and what is settled by then counts: " +
+  return say_error(base::joined(knowledge.classification.gaps, ", ") + ", and what is settled by then counts: " +
                        describe_undecided(knowledge).value_or("everything is decided") + ": raise the limit",
                    Exit::timed_out);
 }

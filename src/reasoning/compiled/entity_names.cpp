@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/edit_distance.hpp"
+#include "base/sorted.hpp"
 #include "base/text.hpp"
 #include "reasoning/compiled/compiled_view.hpp"
 #include "reasoning/compiled/similar.hpp"
@@ -63,8 +64,7 @@ EntityNames::EntityNames(const Ontology& ontology) : ontology_(ontology) {
   for (std::uint32_t number = 0; number < view.class_count(); ++number) {
     entities_.emplace_back(owl::TermKind::named_class, view.class_iri(number));
   }
-  std::ranges::sort(entities_);
-  entities_.erase(std::unique(entities_.begin(), entities_.end()), entities_.end());
+  base::sort_unique(entities_);
   for (const auto& [kind, iri] : entities_) local_names_.emplace_back(kind, end_of_iri(iri), iri);
   std::ranges::sort(local_names_);
 }
@@ -145,8 +145,7 @@ std::expected<std::string, std::string> EntityNames::find(owl::TermKind kind, st
     found = candidates(kind, name);
     if (found.empty()) found = with_local_name(kind, name);
   }
-  std::ranges::sort(found);
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  base::sort_unique(found);
   if (found.size() == 1) return std::move(found.front());
   if (found.empty())
     return std::unexpected("no " + std::string(word_of(kind)) + " is '" + shown + "'" +

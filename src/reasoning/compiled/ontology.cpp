@@ -5,6 +5,7 @@
 #include <mutex>
 #include <utility>
 
+#include "base/sorted.hpp"
 #include "base/text.hpp"
 #include "reasoning/compiled/compiled_view.hpp"
 #include "reasoning/compiled/container.hpp"
@@ -135,8 +136,7 @@ std::vector<std::uint32_t> Ontology::Mapped::find_label(std::string_view label) 
   if (at == all.count() || all.label(at) != label) return {};
   const auto found = taxonomy::ClassifiedView::row(all.class_begin, all.classes, at);
   std::vector<std::uint32_t> classes(found.begin(), found.end());
-  std::ranges::sort(classes);
-  classes.erase(std::unique(classes.begin(), classes.end()), classes.end());
+  base::sort_unique(classes);
   return classes;
 }
 
@@ -149,8 +149,7 @@ std::vector<std::uint32_t> Ontology::Mapped::walk_up(std::uint32_t node) const {
       const auto parents = taxonomy.view.parents_of(at);
       next.insert(next.end(), parents.begin(), parents.end());
     }
-    std::ranges::sort(next);
-    next.erase(std::unique(next.begin(), next.end()), next.end());
+    base::sort_unique(next);
     std::erase_if(next, [&](std::uint32_t at) { return std::ranges::binary_search(above, at); });
     std::vector<std::uint32_t> both;
     both.reserve(above.size() + next.size());
@@ -277,8 +276,7 @@ std::expected<taxonomy::ClassNumber, NameError> Ontology::find(std::string_view 
     if (const auto number = mapped_->find_class(name); number && found.empty()) found.push_back(*number);
   }
   if (found.empty()) found = mapped_->find_label(name);
-  std::ranges::sort(found);
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  base::sort_unique(found);
   if (found.size() == 1) return taxonomy::ClassNumber{found.front()};
   if (found.size() > 1) {
     std::vector<std::string> names;
@@ -338,8 +336,7 @@ std::optional<std::uint32_t> Ontology::distance(taxonomy::ClassNumber sub, taxon
         if (is_down || is_subsumed(taxonomy::ClassNumber{neighbour}, super)) next.push_back(neighbour);
       }
     }
-    std::ranges::sort(next);
-    next.erase(std::unique(next.begin(), next.end()), next.end());
+    base::sort_unique(next);
     if (next.empty() || distance > class_count()) return std::nullopt;
     layer = std::move(next);
   }

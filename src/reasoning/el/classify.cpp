@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "base/sorted.hpp"
 #include "reasoning/el/finished.hpp"
 #include "reasoning/el/indexed_ontology.hpp"
 #include "reasoning/el/inheritance.hpp"
@@ -129,8 +130,7 @@ class Classifier {
         asked_.push_back(index_.frontier(expr).front());
       }
     }
-    std::ranges::sort(asked_);
-    asked_.erase(std::unique(asked_.begin(), asked_.end()), asked_.end());
+    base::sort_unique(asked_);
   }
 
   [[nodiscard]] std::unique_ptr<Saturation> saturate() const {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 
+#include "base/sorted.hpp"
+
 namespace geminga::el {
 Copies::Copies(const IndexedOntology& index, const Saturation& saturation, const InverseRoles& roles, Growing growing,
                const CopyLimits& limits)
@@ -214,8 +216,7 @@ void Copies::teach_new_successors() {
   }
   for (auto& [context, exprs] : grown_at) {
     for (const std::uint32_t expr : saturation_.contexts()[context].subsumers.items()) exprs.push_back(expr);
-    std::ranges::sort(exprs);
-    exprs.erase(std::ranges::unique(exprs).begin(), exprs.end());
+    base::sort_unique(exprs);
   }
   std::vector<ExprId> fillers;
   for (std::size_t at = 0; at < new_links_.size() && !is_over_limit_; ++at) {
@@ -250,8 +251,7 @@ void Copies::meet_at(std::span<const std::uint32_t> copies) {
   for (const std::uint32_t copy : copies) {
     for (const ExprId expr : grown(copy)) met.push_back(number(expr));
   }
-  std::ranges::sort(met);
-  met.erase(std::ranges::unique(met).begin(), met.end());
+  base::sort_unique(met);
   for (const std::uint32_t copy : copies) {
     spend(grown(copy).size());
     const auto meets = [&](const ConjunctionRule& rule) {
@@ -339,8 +339,7 @@ Copies::Derived Copies::derived() const {
       });
     }
   }
-  std::ranges::sort(result);
-  result.erase(std::ranges::unique(result).begin(), result.end());
+  base::sort_unique(result);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "base/components.hpp"
+#include "base/sorted.hpp"
 
 namespace geminga::el {
 namespace {
@@ -51,8 +52,7 @@ ExprId IndexedOntology::conjunction(std::vector<ExprId> parts) {
   }
   std::erase(parts, top_expr);
   if (parts.empty()) return top_expr;
-  std::ranges::sort(parts);
-  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  base::sort_unique(parts);
   if (parts.front() == bottom_expr) return bottom_expr;
   ExprId result = parts.front();
   for (std::size_t at = 1; at < parts.size(); ++at) {

@@ -80,7 +80,6 @@ class Inheritance {
   bool run(unsigned threads = 1);
 
   [[nodiscard]] bool is_consistent() const { return !shared_.is_inconsistent; }
-  [[nodiscard]] bool is_over_limit() const { return shared_.is_over_limit; }
   /// Whether run() ended because the budget was spent.
   [[nodiscard]] bool is_cut_off() const { return shared_.is_cut_off; }
   /// The node of an atom, or no_node where nobody asked for it.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/sorted.hpp"
+
 namespace geminga::el {
 namespace {
 
@@ -11,11 +13,6 @@ constexpr std::size_t max_pairs = std::size_t{1} << 22;  // of roles that are as
 
 owl::Role role_of(RoleId role, bool is_inverse) {
   return {owl::PropertyId{static_cast<std::uint32_t>(role)}, is_inverse};
-}
-
-void sort_unique(std::vector<owl::Role>& roles) {
-  std::ranges::sort(roles);
-  roles.erase(std::ranges::unique(roles).begin(), roles.end());
 }
 
 /// The states of which every move is one of the beginning, too: what they end is a word of its own, or nothing is left.
@@ -94,8 +91,8 @@ InverseRoles::InverseRoles(const IndexedOntology& index, std::span<const Inverse
     };
     for (const RoleId super : roles.supers(RoleId{link})) add(super, false);
     for (const ImpliedRole& implied : implied_[link]) add(implied.role, implied.is_backward);
-    sort_unique(forward_[link]);
-    sort_unique(backward_[link]);
+    base::sort_unique(forward_[link]);
+    base::sort_unique(backward_[link]);
   }
   std::vector<bool> is_recognised(roles.count(), false);
   for (std::uint32_t id = 0; id < index.size(); ++id) {
@@ -180,8 +177,7 @@ void InverseRoles::learn(RoleId link, RoleId heard, const owl::Automaton& automa
       }
     }
   }
-  std::ranges::sort(ranges_[at]);
-  ranges_[at].erase(std::ranges::unique(ranges_[at]).begin(), ranges_[at].end());
+  base::sort_unique(ranges_[at]);
   if (!is_existential) return;
   tells_end_[at] = tells_end_[at] || found.filler || found.further;
   if (found.filler || found.further || found.recognises || found.carries || found.is_partial || found.enters_part)

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/sorted.hpp"
+
 namespace geminga::el {
 namespace {
 
@@ -100,8 +102,7 @@ bool Roles::close_chains(std::size_t max_pairs) {
         is_second_[number(second)] = true;
       }
     }
-    std::ranges::sort(row);
-    row.erase(std::ranges::unique(row).begin(), row.end());
+    base::sort_unique(row);
     for (const std::uint64_t entry : row) {
       pairs.push_back(
           {first, {RoleId{static_cast<std::uint32_t>(entry >> 32)}, RoleId{static_cast<std::uint32_t>(entry)}}});

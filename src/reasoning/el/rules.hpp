@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "base/sorted.hpp"
 #include "reasoning/el/context.hpp"
 #include "reasoning/el/indexed_ontology.hpp"
 
@@ -248,8 +249,7 @@ class Rules {
     const std::size_t known = together.size();
     for (const auto member : closure().members_of(link.context)) together.push_back(member);
     closure().count_work(together.size());
-    std::ranges::sort(together);
-    together.erase(std::unique(together.begin(), together.end()), together.end());
+    base::sort_unique(together);
     if (together.size() == known && !is_new_role) return;
     // To ask for a context may move those that there are, and the groups with them.
     const std::vector<RoleId> roles = group->roles;

@@ -5,6 +5,7 @@
 // says less.
 #include <algorithm>
 
+#include "base/sorted.hpp"
 #include "reasoning/el/saturation_worker.hpp"
 
 namespace geminga::el {
@@ -24,8 +25,7 @@ std::uint32_t SaturationWorker::successor_of(std::uint32_t context, const LinkRu
   }
   if (together.empty()) return require(link.root);
   if (link.root != index_.representative(top_expr)) together.push_back(link.root);
-  std::ranges::sort(together);
-  together.erase(std::unique(together.begin(), together.end()), together.end());
+  base::sort_unique(together);
   return require_together(together);
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/assert.hpp"
+#include "base/sorted.hpp"
 
 namespace geminga::el {
 
@@ -78,8 +79,7 @@ ExprId TermExpressions::union_of(std::span<const ExprId> parts) {
     if (part == top_expr) return top_expr;
     if (part != bottom_expr) key.push_back(number(part));
   }
-  std::ranges::sort(key);
-  key.erase(std::unique(key.begin(), key.end()), key.end());
+  base::sort_unique(key);
   if (key.empty()) return bottom_expr;
   if (key.size() == 1) return ExprId{key.front()};
   return opaque_.find(owl::TermKind::object_union_of, 0, std::move(key));

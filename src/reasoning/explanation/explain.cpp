@@ -77,11 +77,4 @@ std::optional<std::vector<ExplainedAxiom>> explain(const compiled::Ontology& ont
   return explainer.explained(*found);
 }
 
-std::optional<std::vector<ExplainedAxiom>> explain_inconsistency(const compiled::Ontology& ontology) {
-  const auto thing = ontology.find_iri(owl::owl_thing);
-  const auto nothing = ontology.find_iri(owl::owl_nothing);
-  if (ontology.is_consistent() || !thing || !nothing) return std::nullopt;
-  return explain(ontology, *thing, *nothing);
-}
-
 }  // namespace geminga::explanation

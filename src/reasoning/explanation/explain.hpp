@@ -53,9 +53,6 @@ class Explainer {
                                                                  taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
                                                                  Patience patience = Patience::of_a_person);
 
-/// Why the ontology contradicts itself; nothing where it does not.
-[[nodiscard]] std::optional<std::vector<ExplainedAxiom>> explain_inconsistency(const compiled::Ontology& ontology);
-
 }  // namespace geminga::explanation
 
 #endif

@@ -22,18 +22,6 @@ Bounds bounds(Patience patience) {
   return {{.nodes = 5'000, .steps = 100'000}, 10'000, 3};
 }
 
-/// Whether the consequences of the one query hold `super`, or the query can have no instance.
-bool is_derived(const owl::Ontology& source, const clauses::ClauseSet& clauses, owl::TermId super,
-                std::size_t max_clauses) {
-  const consequence::Closure closure =
-      consequence::saturate(source, clauses, clauses.queries, {.threads = 1, .clauses = max_clauses});
-  if (!closure.is_consistent) return true;
-  return std::ranges::any_of(closure.subsumers.front(), [&](clauses::ConceptId above) {
-    const clauses::Concept& found = clauses.concepts[clauses::number(above)];
-    return above == clauses::nothing || (found.kind == clauses::ConceptKind::named && found.term == super);
-  });
-}
-
 }  // namespace
 
 el::Entailed Oracle::find_by_rules(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super) {
@@ -57,7 +45,7 @@ bool Oracle::holds(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::
       tableau.is_satisfiable({clauses->queries.front(), clauses->complements.front()});
   if (exception.verdict == hypertableau::Verdict::no) return true;
   if (exception.verdict == hypertableau::Verdict::unknown) {
-    if (is_derived(source_, *clauses, super, limits.derived_clauses)) return true;
+    if (consequence::derives(source_, *clauses, super, {.clauses = limits.derived_clauses})) return true;
     ++undecided_;
   }
   return false;

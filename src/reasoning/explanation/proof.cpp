@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/sorted.hpp"
 #include "reasoning/explanation/proof_lemmas.hpp"
 
 namespace geminga::explanation {
@@ -101,8 +102,7 @@ class Writer {
         premises.numbers.push_back(write(step));
       }
     }
-    std::ranges::sort(premises.numbers);
-    premises.numbers.erase(std::unique(premises.numbers.begin(), premises.numbers.end()), premises.numbers.end());
+    base::sort_unique(premises.numbers);
     return premises;
   }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/sorted.hpp"
+
 namespace geminga::explanation {
 
 using owl::Axiom;
@@ -180,8 +182,7 @@ void ProofSearch::add(TermId sub, TermId super, ProofRule rule, std::vector<std:
   if (find(sub, super) != nullptr || conclusions_.size() >= max_conclusions) return;
   if (source_.depth(super) > max_depth) return;
   const auto number = static_cast<std::uint32_t>(conclusions_.size());
-  std::ranges::sort(axioms);
-  axioms.erase(std::unique(axioms.begin(), axioms.end()), axioms.end());
+  base::sort_unique(axioms);
   conclusions_.push_back({sub, super, rule, std::move(steps), std::move(axioms)});
   known_.emplace(std::pair(sub, super), number);
   about_[sub].push_back(number);

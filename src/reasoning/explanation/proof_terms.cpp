@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/sorted.hpp"
+
 namespace geminga::explanation {
 namespace {
 
@@ -55,8 +57,7 @@ TermId ProofTerms::conjunction(const std::vector<TermId>& parts) {
       flat.push_back(part);
     }
   }
-  std::ranges::sort(flat);
-  flat.erase(std::unique(flat.begin(), flat.end()), flat.end());
+  base::sort_unique(flat);
   if (flat.empty()) return owl::thing_term;
   return flat.size() == 1 ? flat.front() : source_.term(TermKind::object_intersection_of, flat);
 }
@@ -119,8 +120,7 @@ TermId ProofTerms::normalise(TermId id) {
       std::vector<TermId> parts;
       for (const TermId part : arguments) parts.push_back(normal(part));
       if (term.kind == TermKind::object_intersection_of) return conjunction(parts);
-      std::ranges::sort(parts);
-      parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+      base::sort_unique(parts);
       if (parts.empty()) return owl::nothing_term;
       return parts.size() == 1 ? parts.front() : source_.term(term.kind, parts);
     }

@@ -3,17 +3,13 @@
 
 #include <algorithm>
 
+#include "base/sorted.hpp"
+
 namespace geminga::owl {
 namespace {
 
 /// Larger automata are not looked through for superfluous moves: the search grows with the cube of the states.
 constexpr std::size_t max_simulated_states = 300;
-
-void sort_unique(auto& items) {
-  std::ranges::sort(items);
-  const auto repeated = std::ranges::unique(items);
-  items.erase(repeated.begin(), repeated.end());
-}
 
 }  // namespace
 
@@ -22,7 +18,7 @@ class Automaton::Inclusions {
  public:
   Inclusions(const std::vector<Move>& moves, const Includes& includes) : asked_(includes) {
     for (const Move& move : moves) labels_.push_back(move.label);
-    sort_unique(labels_);
+    base::sort_unique(labels_);
     for (const Move& move : moves) {
       const auto place = std::ranges::lower_bound(labels_, move.label);
       label_of_.push_back(static_cast<std::size_t>(place - labels_.begin()));
@@ -97,7 +93,7 @@ Automaton Automaton::reduced(const Includes& includes) const {
       if (begins[move.from]) result.moves_.push_back({begin, move.label, to});
     }
   }
-  sort_unique(result.moves_);
+  base::sort_unique(result.moves_);
   result.trim();
   if (result.states_ <= max_simulated_states) result.drop_superfluous(includes);
   result.trim();
@@ -148,7 +144,7 @@ void Automaton::drop_superfluous(const Includes& includes) {
     }
   }
   for (Move& move : moves_) move = {one[move.from], move.label, one[move.to]};
-  sort_unique(moves_);
+  base::sort_unique(moves_);
   drop_smaller(Inclusions(moves_, includes), [&](State p, State q) { return at(p, q) != 0; });
 }
 

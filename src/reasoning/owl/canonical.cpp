@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/sorted.hpp"
+
 namespace geminga::owl {
 namespace {
 
@@ -180,8 +182,7 @@ std::uint64_t digest(const Ontology& source) {
     for (const TermId argument : term.arguments) is_used[static_cast<std::size_t>(argument)] = true;
     if (term.kind == TermKind::named_class) contents.push_back(hashes.of(TermId{id}));
   }
-  std::ranges::sort(contents);
-  contents.erase(std::unique(contents.begin(), contents.end()), contents.end());
+  base::sort_unique(contents);
   std::vector<std::uint64_t> words;
   words.reserve(contents.size() * 2);
   for (const auto& [high, low] : contents) {

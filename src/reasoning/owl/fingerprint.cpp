@@ -7,8 +7,8 @@
 #include <xxhash.h>
 
 #include <cerrno>
-#include <cstring>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace geminga::owl {
@@ -35,7 +35,7 @@ class Reading {
   [[nodiscard]] std::uint64_t size() const { return size_; }
 
   /// Nothing where reading fails on the way.
-  [[nodiscard]] std::expected<Fingerprint, int> finish() {
+  [[nodiscard]] std::optional<Fingerprint> finish() {
     struct Free {
       void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
     };
@@ -46,7 +46,7 @@ class Reading {
     for (;;) {
       const ::ssize_t got = ::read(descriptor_, piece.data(), piece.size());
       if (got < 0 && errno == EINTR) continue;
-      if (got < 0) return std::unexpected(errno);
+      if (got < 0) return std::nullopt;
       if (got == 0) break;
       XXH3_64bits_update(state.get(), piece.data(), static_cast<std::size_t>(got));
       result.size += static_cast<std::uint64_t>(got);
@@ -65,14 +65,6 @@ class Reading {
 
 Fingerprint fingerprint_of(std::string_view octets) {
   return {octets.size(), XXH3_64bits(octets.data(), octets.size())};
-}
-
-std::expected<Fingerprint, std::string> fingerprint_of_file(const std::string& path) {
-  Reading file(path);
-  if (!file.is_regular()) return std::unexpected(path + ": is not a file that can be read");
-  auto result = file.finish();
-  if (!result) return std::unexpected(path + ": cannot be read: " + std::strerror(result.error()));
-  return *result;
 }
 
 bool has_changed(const std::string& path, const Fingerprint& known) {

@@ -3,7 +3,6 @@
 #define GEMINGA_REASONING_OWL_FINGERPRINT_HPP
 
 #include <cstdint>
-#include <expected>
 #include <string>
 #include <string_view>
 
@@ -20,11 +19,8 @@ struct Fingerprint {
 
 [[nodiscard]] Fingerprint fingerprint_of(std::string_view octets);
 
-/// Of a regular file, read in pieces. The error is one line that names the file.
-[[nodiscard]] std::expected<Fingerprint, std::string> fingerprint_of_file(const std::string& path);
-
-/// Whether the file is there and holds something else than it did. A file that is gone or cannot be read is not known
-/// to have changed. Reads the file only where its size is the same.
+/// Whether the file is there and holds something else than it did. What is gone, is no regular file or cannot be read
+/// is not known to have changed. Reads the file, in pieces, only where its size is the same.
 [[nodiscard]] bool has_changed(const std::string& path, const Fingerprint& known);
 
 }  // namespace geminga::owl

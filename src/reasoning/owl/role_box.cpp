@@ -4,6 +4,8 @@
 #include <optional>
 #include <tuple>
 
+#include "base/sorted.hpp"
+
 namespace geminga::owl {
 
 RoleBox::RoleBox(std::size_t property_count, std::span<const RoleInclusion> inclusions,
@@ -13,9 +15,7 @@ RoleBox::RoleBox(std::size_t property_count, std::span<const RoleInclusion> incl
   keep_regular_chains(chains);
   find_composites();
   build_automata(max_states);
-  std::ranges::sort(left_out_);
-  const auto repeated = std::ranges::unique(left_out_);
-  left_out_.erase(repeated.begin(), repeated.end());
+  base::sort_unique(left_out_);
 }
 
 void RoleBox::find_equivalents(std::span<const RoleInclusion> inclusions) {
@@ -45,9 +45,7 @@ void RoleBox::find_equivalents(std::span<const RoleInclusion> inclusions) {
   }
   for (auto* lists : {&supers_, &subs_}) {
     for (auto& list : *lists) {
-      std::ranges::sort(list);
-      const auto repeated = std::ranges::unique(list);
-      list.erase(repeated.begin(), repeated.end());
+      base::sort_unique(list);
     }
   }
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/sorted.hpp"
+
 namespace geminga::placement {
 namespace {
 
@@ -56,8 +58,7 @@ std::vector<taxonomy::ClassNumber> subsumers(const ExpressionPlace& place, const
     const std::vector<taxonomy::ClassNumber> above = ontology.subsumers(parent);
     classes.insert(classes.end(), above.begin(), above.end());
   }
-  std::ranges::sort(classes);
-  classes.erase(std::unique(classes.begin(), classes.end()), classes.end());
+  base::sort_unique(classes);
   return classes;
 }
 

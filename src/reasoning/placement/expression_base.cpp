@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/sorted.hpp"
 #include "reasoning/owl/construct.hpp"
 #include "reasoning/owl/literal_value.hpp"
 
@@ -140,8 +141,7 @@ std::optional<ExpressionError> ExpressionBase::saturate() {
     if (has_expression(source_.kind(owl::TermId{id}))) exprs_[id] = normaliser_->expression(owl::TermId{id});
   }
   for (const auto& [axiom, construct] : normaliser_->finish()) note(construct);
-  std::ranges::sort(unused);
-  unused.erase(std::unique(unused.begin(), unused.end()), unused.end());
+  base::sort_unique(unused);
   gaps_ = std::move(unused);
   index_.keep_link_targets();
   if (!index_.finish(max_pairs)) return ExpressionError{"the ontology is too large for class expressions"};
@@ -168,11 +168,10 @@ std::optional<ExpressionError> ExpressionBase::saturate() {
 void ExpressionBase::find_classes() {
   std::vector<std::pair<std::uint32_t, taxonomy::ClassNumber>> pairs;
   for (std::uint32_t number_of_class = 0; number_of_class < view_.class_count(); ++number_of_class) {
+    if (view_.representative[number_of_class] != number_of_class) continue;
     const auto term = find_term(owl::TermKind::named_class, view_.class_iri(number_of_class), 0, {});
-    class_exprs_.push_back(term ? expr(*term) : el::top_expr);  // add_taxonomy() has named each
-    if (view_.representative[number_of_class] == number_of_class) {
-      pairs.emplace_back(number(class_exprs_.back()), taxonomy::ClassNumber{number_of_class});
-    }
+    const el::ExprId class_expr = term ? expr(*term) : el::top_expr;  // add_taxonomy() has named each
+    pairs.emplace_back(number(class_expr), taxonomy::ClassNumber{number_of_class});
   }
   classes_of_ = base::Rows<taxonomy::ClassNumber>(index_.size(), pairs);
 }
@@ -262,8 +261,7 @@ std::vector<std::uint32_t> ExpressionBase::contexts_below(el::ExprId atom) const
     return found;
   }
   found.insert(found.end(), unsatisfiable_.begin(), unsatisfiable_.end());
-  std::ranges::sort(found);
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  base::sort_unique(found);
   return found;
 }
 

@@ -102,10 +102,6 @@ class ExpressionBase {
   [[nodiscard]] std::span<const taxonomy::ClassNumber> classes_of(el::ExprId atom) const {
     return classes_of_[number(atom)];
   }
-  /// The expression of a class's node.
-  [[nodiscard]] el::ExprId expr_of(taxonomy::ClassNumber node) const {
-    return class_exprs_[static_cast<std::size_t>(node)];
-  }
   /// The contexts below an atom, ascending, those without instances included.
   [[nodiscard]] std::vector<std::uint32_t> contexts_below(el::ExprId atom) const;
   /// Contexts without instances, ascending.
@@ -138,7 +134,6 @@ class ExpressionBase {
   base::NumberTable term_table_;
   std::vector<std::pair<owl::TermId, owl::TermId>> properties_;  ///< a property, and `property some everything`
   std::vector<el::ExprId> exprs_;                                ///< by term; of a property its role
-  std::vector<el::ExprId> class_exprs_;                          ///< by class
   base::Rows<taxonomy::ClassNumber> classes_of_;                 ///< by atom
   base::Rows<std::uint32_t> down_;  ///< by atom: atoms right below, and contexts behind the number of expressions
   std::vector<std::uint32_t> unsatisfiable_;

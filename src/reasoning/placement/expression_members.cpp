@@ -5,15 +5,11 @@
 #include <iterator>
 #include <ranges>
 
+#include "base/sorted.hpp"
 #include "reasoning/placement/expression_meeting.hpp"
 
 namespace geminga::placement {
 namespace {
-
-void sort_unique(Contexts& contexts) {
-  std::ranges::sort(contexts);
-  contexts.erase(std::unique(contexts.begin(), contexts.end()), contexts.end());
-}
 
 Contexts common(const Contexts& one, const Contexts& other) {
   Contexts both;
@@ -42,7 +38,7 @@ const Contexts& ExpressionMembers::of(ShapeId id) {
   if (known != known_.end()) return known->second;
   Contexts found = find(id);
   add_unsatisfiable(found);
-  sort_unique(found);
+  base::sort_unique(found);
   return known_.emplace(id, std::move(found)).first->second;
 }
 

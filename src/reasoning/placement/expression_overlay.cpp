@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/sorted.hpp"
+
 namespace geminga::placement {
 
 ExpressionOverlay::ExpressionOverlay(const ExpressionBase& base, const ShapeReader& shapes)
@@ -61,8 +63,7 @@ std::uint32_t ExpressionOverlay::context_of_atom(el::ExprId atom) {
 }
 
 std::uint32_t ExpressionOverlay::context_of(Seeds seeds) {
-  std::ranges::sort(seeds);
-  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
+  base::sort_unique(seeds);
   const std::uint32_t top = number(index_.representative(el::top_expr));
   if (seeds.size() > 1) std::erase(seeds, top);
   if (seeds.empty()) seeds.push_back(top);

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/sorted.hpp"
+
 namespace geminga::reasoner {
 
 using owl::AxiomKind;
@@ -40,8 +42,7 @@ class Group {
       if (!take(fact)) return std::unexpected(problem_);
     }
     if (variables_.empty()) return std::move(result_);
-    std::ranges::sort(edges_);
-    edges_.erase(std::ranges::unique(edges_).begin(), edges_.end());
+    base::sort_unique(edges_);
     if (edges_.size() + 1 != variables_.size()) return std::unexpected("anonymous individuals form a cycle");
     return finish();
   }

@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "base/sorted.hpp"
 #include "reasoning/dl/clauses/clausify.hpp"
 #include "reasoning/dl/consequence/closure.hpp"
 #include "reasoning/reasoner/completion.hpp"
@@ -126,8 +127,7 @@ class Deepening {
       result_.gaps.clear();
     } else {
       std::ranges::move(completion.gaps, std::back_inserter(result_.gaps));
-      std::ranges::sort(result_.gaps);
-      result_.gaps.erase(std::ranges::unique(result_.gaps).begin(), result_.gaps.end());
+      base::sort_unique(result_.gaps);
     }
   }
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "base/sorted.hpp"
 #include "reasoning/dl/clauses/clausify.hpp"
 #include "reasoning/dl/hypertableau/tableau.hpp"
 #include "reasoning/reasoner/named_concepts.hpp"
@@ -117,8 +118,7 @@ class Completing {
   void learn(const hypertableau::Model& model, const NamedConcepts& concepts) {
     std::vector<Numbers> labels;
     for (const auto& label : model.labels) labels.push_back(classes_of(label, concepts));
-    std::ranges::sort(labels);
-    labels.erase(std::ranges::unique(labels).begin(), labels.end());
+    base::sort_unique(labels);
     for (const Numbers& label : labels) learn(label);
   }
   void learn(const Numbers& label) {
@@ -151,8 +151,7 @@ class Completing {
       const auto named = concepts.class_of(concept_id);
       if (named && representative(*named) != top_) classes.push_back(representative(*named));
     }
-    std::ranges::sort(classes);
-    classes.erase(std::ranges::unique(classes).begin(), classes.end());
+    base::sort_unique(classes);
     return classes;
   }
 

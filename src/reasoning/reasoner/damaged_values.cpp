@@ -9,6 +9,7 @@
 #include <ranges>
 #include <utility>
 
+#include "base/sorted.hpp"
 #include "base/text.hpp"
 #include "reasoning/owl/literal_value.hpp"
 
@@ -197,8 +198,7 @@ class Values {
       fill(*at, next == points.end() ? 2 * most : *next);
     }
     if (points.empty()) fill(0, most);
-    std::ranges::sort(found);
-    found.erase(std::ranges::unique(found).begin(), found.end());
+    base::sort_unique(found);
     return found;
   }
 

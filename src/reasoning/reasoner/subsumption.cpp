@@ -23,18 +23,6 @@ bool is_subsumed_in_el(const owl::Ontology& source, std::optional<std::span<cons
   return el::entails(source, all, sub, super);
 }
 
-/// The consequences of one concept. It says yes or nothing: where it has gaps it cannot say no.
-bool is_derived(const owl::Ontology& source, const clauses::ClauseSet& clauses, owl::TermId super,
-                base::Budget* budget) {
-  const consequence::Closure closure = consequence::saturate(
-      source, clauses, clauses.queries, {.threads = 1, .clauses = max_clauses_of_a_question, .budget = budget});
-  if (!closure.is_consistent) return true;
-  return std::ranges::any_of(closure.subsumers.front(), [&](clauses::ConceptId above) {
-    const clauses::Concept& found = clauses.concepts[clauses::number(above)];
-    return above == clauses::nothing || (found.kind == clauses::ConceptKind::named && found.term == super);
-  });
-}
-
 }  // namespace
 
 Answer entails(const owl::Ontology& source, std::optional<std::span<const std::uint32_t>> axioms, owl::TermId sub,
@@ -57,7 +45,8 @@ Answer entails(const owl::Ontology& source, std::optional<std::span<const std::u
     case Verdict::unknown:
       break;
   }
-  if (is_derived(source, *clauses, super, budget)) return {Verdict::yes, {}};
+  if (consequence::derives(source, *clauses, super, {.clauses = max_clauses_of_a_question, .budget = budget}))
+    return {Verdict::yes, {}};
   return counterexample;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/components.hpp"
+#include "base/sorted.hpp"
 #include "reasoning/taxonomy/reduction.hpp"
 
 namespace geminga::reasoner {
@@ -83,8 +84,7 @@ std::vector<std::vector<std::uint32_t>> find_ancestors(const taxonomy::Classific
       const auto& above = ancestors[number(parent)];
       own.insert(own.end(), above.begin(), above.end());
     }
-    std::ranges::sort(own);
-    own.erase(std::ranges::unique(own).begin(), own.end());
+    base::sort_unique(own);
   }
   return ancestors;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/text.hpp"
 #include "reasoning/syntax/inflate.hpp"
 #include "reasoning/syntax/vocabulary.hpp"
 
@@ -90,7 +91,7 @@ Content look_at_xml(std::string_view text) {
 Content look(std::string_view content) {
   if (is_gzip(content)) return Content::packed;
   if (is_wide(content)) return Content::wide;
-  const std::string_view text = without_comments(without_mark(content));
+  const std::string_view text = without_comments(base::without_mark(content));
   if (text.empty()) return Content::empty;
   if (text.starts_with("<?xml") || starts_ignoring_case(text, "<!doctype") || text.starts_with("<!--") ||
       is_xml_tag(text))
@@ -106,11 +107,6 @@ Content look(std::string_view content) {
 }
 
 }  // namespace
-
-std::string_view without_mark(std::string_view content) {
-  if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);
-  return content;
-}
 
 std::string_view to_string(Syntax syntax) {
   switch (syntax) {

@@ -26,9 +26,6 @@ enum class Syntax : std::uint8_t {
 /// Whether a name of an undeclared property says less than all other files do about it.
 [[nodiscard]] constexpr bool is_read_last(Syntax syntax) { return syntax == Syntax::manchester; }
 
-/// Text without the byte order mark that some editors begin UTF-8 with.
-[[nodiscard]] std::string_view without_mark(std::string_view content);
-
 /// The syntax of a file, or why it cannot be read, as the words behind "FILE: ". A name that ends in .ttl or .nt says
 /// what the file is; .owl, .rdf and .xml are used for several syntaxes, and the content decides. The syntaxes of OWL 2
 /// are known by their content whatever the name; .ofn, .fss, .omn and .owx can be nothing else. A .gz behind the name

@@ -47,17 +47,20 @@ class Fingerprints : public testing::Test {
 
 TEST_F(Fingerprints, OfAFileAreThoseOfItsOctets) {
   const std::string large(1'000'000, 'x');
-  EXPECT_EQ(*fingerprint_of_file(write("large", large)), fingerprint_of(large));
-  EXPECT_EQ(*fingerprint_of_file(write("empty", "")), fingerprint_of(""));
+  EXPECT_FALSE(has_changed(write("large", large), fingerprint_of(large)));
+  EXPECT_TRUE(has_changed(path("large"), fingerprint_of(std::string(1'000'000, 'y'))));
+  EXPECT_FALSE(has_changed(write("empty", ""), fingerprint_of("")));
+  EXPECT_TRUE(has_changed(path("empty"), fingerprint_of("x")));
   EXPECT_TRUE(fingerprint_of("").is_known());
   EXPECT_FALSE(Fingerprint{}.is_known());
 }
 
 TEST_F(Fingerprints, AreNotTakenOfWhatIsNoFile) {
-  EXPECT_FALSE(fingerprint_of_file(path("nothing")));
-  EXPECT_FALSE(fingerprint_of_file(testing::TempDir()));
+  const Fingerprint known = fingerprint_of("something");
+  EXPECT_FALSE(has_changed(path("nothing"), known));
+  EXPECT_FALSE(has_changed(testing::TempDir(), known));
   ASSERT_EQ(::mkfifo(path("fifo").c_str(), 0600), 0);
-  EXPECT_FALSE(fingerprint_of_file(path("fifo")));
+  EXPECT_FALSE(has_changed(path("fifo"), known));
 }
 
 TEST_F(Fingerprints, SayThatASourceHasChanged) {

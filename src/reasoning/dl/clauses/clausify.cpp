@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/sorted.hpp"
 #include "reasoning/dl/clauses/clausifier.hpp"
 
 namespace geminga::clauses {
@@ -109,9 +110,7 @@ void Clausifier::run(std::optional<std::span<const std::uint32_t>> axioms, std::
   ask(complements, true, set_.complements);
   translator_->define_names();
   if (translator_->is_full()) problem_ = "the axioms need more than " + std::to_string(limits_.clauses) + " clauses";
-  std::ranges::sort(set_.clauses);
-  const auto repeated = std::ranges::unique(set_.clauses);
-  set_.clauses.erase(repeated.begin(), repeated.end());
+  base::sort_unique(set_.clauses);
   std::ranges::sort(set_.unused, {}, &Unused::axiom);
 }
 

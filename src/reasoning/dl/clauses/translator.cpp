@@ -5,6 +5,8 @@
 #include <ranges>
 #include <utility>
 
+#include "base/sorted.hpp"
+
 namespace geminga::clauses {
 namespace {
 
@@ -254,13 +256,8 @@ void Translator::finish(Draft draft) {
 }
 
 void Translator::add_clause(Clause clause) {
-  const auto sort_unique = [](std::vector<Atom>& atoms) {
-    std::ranges::sort(atoms);
-    const auto repeated = std::ranges::unique(atoms);
-    atoms.erase(repeated.begin(), repeated.end());
-  };
-  sort_unique(clause.body);
-  sort_unique(clause.head);
+  base::sort_unique(clause.body);
+  base::sort_unique(clause.head);
   const bool is_tautology = std::ranges::any_of(clause.head, [&](const Atom& atom) {
     return std::ranges::binary_search(clause.body, atom) ||
            (atom.kind == AtomKind::concept_of && atom.predicate == number(thing));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/sorted.hpp"
 #include "reasoning/dl/consequence/saturation.hpp"
 #include "reasoning/dl/consequence/settled.hpp"
 
@@ -24,8 +25,7 @@ using clauses::number;
     if (literal.term() != x_term || literal.kind() != LiteralKind::unary) return;
     if (literal.predicate() < vocabulary.query_count) found.push_back(vocabulary.query_concepts[literal.predicate()]);
   });
-  std::ranges::sort(found);
-  found.erase(std::ranges::unique(found).begin(), found.end());
+  base::sort_unique(found);
   return found;
 }
 
@@ -63,8 +63,7 @@ Closure saturate(const owl::Ontology& source, const clauses::ClauseSet& clauses,
     closure.gaps.push_back(spent ? *spent : "more than " + most);
   }
   if (saturation.has_cut_context() && !saturation.is_contradictory()) closure.gaps.emplace_back(alternative_gap);
-  std::ranges::sort(closure.gaps);
-  closure.gaps.erase(std::ranges::unique(closure.gaps).begin(), closure.gaps.end());
+  base::sort_unique(closure.gaps);
   closure.contexts = saturation.context_count();
   closure.derived = saturation.clause_count();
   closure.is_consistent = !saturation.is_contradictory();
@@ -83,6 +82,16 @@ Closure saturate(const owl::Ontology& source, const clauses::ClauseSet& clauses,
                                !context.store.has_alternatives());
   }
   return closure;
+}
+
+bool derives(const owl::Ontology& source, const clauses::ClauseSet& clauses, owl::TermId super,
+             const Options& options) {
+  const Closure closure = saturate(source, clauses, clauses.queries, options);
+  if (!closure.is_consistent) return true;
+  return std::ranges::any_of(closure.subsumers.front(), [&](ConceptId above) {
+    const clauses::Concept& found = clauses.concepts[clauses::number(above)];
+    return above == clauses::nothing || (found.kind == clauses::ConceptKind::named && found.term == super);
+  });
 }
 
 }  // namespace geminga::consequence

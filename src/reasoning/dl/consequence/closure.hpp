@@ -65,6 +65,11 @@ struct Closure {
 [[nodiscard]] Closure saturate(const owl::Ontology& source, const clauses::ClauseSet& clauses,
                                std::span<const clauses::ConceptId> wanted, const Options& options = {});
 
+/// Whether `super` follows for the one concept that the clauses have a query of, which it also does where that can have
+/// no instance. A yes is certain; a no is none where the closure has gaps.
+[[nodiscard]] bool derives(const owl::Ontology& source, const clauses::ClauseSet& clauses, owl::TermId super,
+                           const Options& options);
+
 }  // namespace geminga::consequence
 
 #endif

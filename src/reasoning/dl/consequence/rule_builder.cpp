@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/sorted.hpp"
+
 namespace geminga::consequence {
 namespace {
 
@@ -60,8 +62,7 @@ RuleSet RuleBuilder::run() {
   for (const clauses::Clause& clause : clauses_.clauses) add_clause(clause);
   if (with_facts_) add_facts();
   add_values();
-  std::ranges::sort(result_.rules);
-  result_.rules.erase(std::ranges::unique(result_.rules).begin(), result_.rules.end());
+  base::sort_unique(result_.rules);
   find_gaps();
   return std::move(result_);
 }
@@ -317,11 +318,9 @@ void RuleBuilder::shorten(Atoms& body) {
 }
 
 void RuleBuilder::add_rule(Atoms body, Atoms head) {
-  std::ranges::sort(body);
-  body.erase(std::ranges::unique(body).begin(), body.end());
+  base::sort_unique(body);
   shorten(body);
-  std::ranges::sort(head);
-  head.erase(std::ranges::unique(head).begin(), head.end());
+  base::sort_unique(head);
   // Neighbours are numbered without holes, so that a rule's variables are what its neighbours say.
   std::vector<std::uint8_t> renamed(256, 0);
   std::uint8_t count = 0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/sorted.hpp"
+
 namespace geminga::consequence {
 namespace {
 
@@ -138,14 +140,12 @@ void Rules::expand_heads() {
   for (Rule& rule : rule_set_.rules) {
     for (auto& head : expanded(rule.head)) {
       Rule made = rule;
-      std::ranges::sort(head);
-      head.erase(std::ranges::unique(head).begin(), head.end());
+      base::sort_unique(head);
       made.head = std::move(head);
       rules.push_back(std::move(made));
     }
   }
-  std::ranges::sort(rules);
-  rules.erase(std::ranges::unique(rules).begin(), rules.end());
+  base::sort_unique(rules);
   rule_set_.rules = std::move(rules);
   for (Expansion& expansion : rule_set_.expansions) {
     std::vector<RuleAtom> atoms;
@@ -153,8 +153,7 @@ void Rules::expand_heads() {
       if (!is_used(atom)) continue;
       for (const auto& made : expanded({atom})) atoms.push_back(made[0]);
     }
-    std::ranges::sort(atoms);
-    atoms.erase(std::ranges::unique(atoms).begin(), atoms.end());
+    base::sort_unique(atoms);
     expansion.atoms = std::move(atoms);
   }
 }

@@ -30,7 +30,6 @@ class Rules {
   explicit Rules(RuleSet rule_set);
 
   [[nodiscard]] const Rule& rule(std::uint32_t index) const { return rule_set_.rules[index]; }
-  [[nodiscard]] std::size_t rule_count() const { return rule_set_.rules.size(); }
   /// A < L for one literal L over x.
   [[nodiscard]] std::span<const Literal> told(std::uint32_t predicate) const { return told_[predicate]; }
   /// All other rules with A(x), with R(x, y) or, where `is_incoming`, R(y, x), and with R(x, x) in their bodies.

@@ -4,6 +4,7 @@
 #include <functional>
 #include <mutex>
 
+#include "base/sorted.hpp"
 #include "reasoning/dl/consequence/saturation.hpp"
 
 namespace geminga::consequence {
@@ -281,8 +282,7 @@ void Worker::add(std::vector<Literal>& body, std::vector<Literal>& head) {
   Context& self = *context_;
   if (!simplify_head(head)) return;
   std::erase_if(body, [&](Literal literal) { return self.store.has(literal, ClauseStore::unit); });
-  std::ranges::sort(body);
-  body.erase(std::ranges::unique(body).begin(), body.end());
+  base::sort_unique(body);
   if (body.empty() && head.empty()) {
     is_false_derived_ = true;
   } else if (body.empty() && head.size() == 1) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "base/sorted.hpp"
+
 namespace geminga::hypertableau {
 
 using clauses::Atom;
@@ -258,9 +260,7 @@ void Program::find_excluded(std::uint32_t id, const std::vector<std::vector<std:
       if (seen.insert(super).second) open.push_back(super);
     }
   }
-  std::ranges::sort(result);
-  const auto repeated = std::ranges::unique(result);
-  result.erase(repeated.begin(), repeated.end());
+  base::sort_unique(result);
 }
 
 void Program::note_inverses(const Clause& clause) {

@@ -41,12 +41,6 @@ bool is_language(std::string_view tag) {
   }
 }
 
-std::string in_lower_case(std::string_view tag) {
-  std::string lower(tag);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
-  return lower;
-}
-
 }  // namespace
 
 std::expected<std::string, std::string> Parser::expand(const Token& token) const {
@@ -140,7 +134,7 @@ owl::TermId Parser::literal_of(const Token& text, std::string_view datatype, std
                 "a language tag that is none: @" + base::printable(language, 60));
   last_text_ = text.value;
   // Tags that differ in case are one (RFC 5646, section 2.1.1).
-  last_language_ = in_lower_case(language);
+  last_language_ = base::in_lower_case(language);
   std::string& kind = last_datatype_;
   kind = datatype;
   // "text@en"^^rdf:PlainLiteral is "text"@en, and "text@"^^rdf:PlainLiteral is "text" (OWL 2, section 5.7).
@@ -148,7 +142,7 @@ owl::TermId Parser::literal_of(const Token& text, std::string_view datatype, std
     kind.clear();
     const std::size_t at = last_text_.rfind('@');
     if (at != std::string::npos) {
-      last_language_ = in_lower_case(std::string_view(last_text_).substr(at + 1));
+      last_language_ = base::in_lower_case(std::string_view(last_text_).substr(at + 1));
       last_text_.resize(at);
     }
   }

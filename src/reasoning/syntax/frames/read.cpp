@@ -10,12 +10,6 @@
 namespace geminga::frames {
 namespace {
 
-/// Some editors begin UTF-8 with a byte order mark.
-std::string_view without_mark(std::string_view bytes) {
-  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
-  return bytes;
-}
-
 /// The first line that no reader of texts should see.
 std::optional<ReadError> check_text(std::string_view bytes) {
   const bool has_nul = bytes.find('\0') != std::string_view::npos;
@@ -34,7 +28,7 @@ std::optional<ReadError> check_text(std::string_view bytes) {
 }  // namespace
 
 void look_ahead(std::string_view bytes, Declared& declared, const Limits& limits) {
-  bytes = without_mark(bytes);
+  bytes = base::without_mark(bytes);
   if (bytes.size() > limits.file_bytes || check_text(bytes)) return;
   owl::Ontology unused;
   const owl::FileId file = unused.add_file("");
@@ -51,7 +45,7 @@ std::expected<Document, ReadError> read(std::string_view bytes, owl::FileId file
   };
   if (bytes.size() > limits.file_bytes)
     return refuse({{}, 0, "larger than " + std::to_string(limits.file_bytes) + " bytes: split it"});
-  bytes = without_mark(bytes);
+  bytes = base::without_mark(bytes);
   if (auto error = check_text(bytes)) return refuse(std::move(*error));
   auto document = Parser(bytes, file, source, declared, limits, annotations).run();
   if (!document) return refuse(std::move(document.error()));

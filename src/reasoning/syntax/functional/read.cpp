@@ -9,12 +9,6 @@
 namespace geminga::functional {
 namespace {
 
-/// Some editors begin UTF-8 with a byte order mark.
-std::string_view without_mark(std::string_view bytes) {
-  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
-  return bytes;
-}
-
 std::string_view without_blanks(std::string_view text) {
   for (;;) {
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
@@ -30,7 +24,7 @@ std::string_view without_blanks(std::string_view text) {
 }  // namespace
 
 bool is_functional(std::string_view bytes) {
-  const std::string_view text = without_blanks(without_mark(bytes));
+  const std::string_view text = without_blanks(base::without_mark(bytes));
   for (const std::string_view word : {"Prefix", "Ontology"}) {
     if (text.starts_with(word) && without_blanks(text.substr(word.size())).starts_with('(')) return true;
   }
@@ -45,7 +39,7 @@ std::expected<Document, ReadError> read(std::string_view bytes, owl::FileId file
   };
   if (bytes.size() > limits.file_bytes)
     return refuse({0, "larger than " + std::to_string(limits.file_bytes) + " bytes: split it"});
-  bytes = without_mark(bytes);
+  bytes = base::without_mark(bytes);
   if (auto problem = check_text(bytes)) return refuse(std::move(*problem));
   auto document = Parser(bytes, file, source, limits, annotations).run();
   if (!document) return refuse(std::move(document.error()));

@@ -123,7 +123,7 @@ std::optional<syntax::LoadError> Graph::add_file(const std::string& path, std::s
     raptor_parser_set_option(parser, RAPTOR_OPTION_LOAD_EXTERNAL_ENTITIES, nullptr, 0);
     is_read = raptor_parser_parse_start(parser, base) == 0;
   }
-  const std::string_view bytes = syntax::without_mark(text->bytes.view());
+  const std::string_view bytes = base::without_mark(text->bytes.view());
   for (std::size_t at = 0; at < bytes.size() && is_read; at += chunk_bytes) {
     const std::string_view chunk = bytes.substr(at, chunk_bytes);
     is_read =

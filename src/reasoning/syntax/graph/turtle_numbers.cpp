@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/text.hpp"
 #include "reasoning/syntax/vocabulary.hpp"
 
 namespace geminga::graph {
@@ -42,13 +43,6 @@ std::optional<Parts> parts_of(std::string_view text) {
   return parts;
 }
 
-/// XSD allows white space around it.
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
-  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-  return text.substr(0, text.find_last_not_of(blanks) + 1);
-}
-
 std::optional<std::string> safe_form(std::string_view text, std::string_view datatype) {
   if (datatype == "boolean") {
     if (text == "true" || text == "1") return "true";
@@ -72,7 +66,7 @@ std::optional<Node> turtle_number(const Node& literal) {
   if (literal.kind != Node::Kind::literal || !datatype.starts_with(syntax::xsd_namespace)) return std::nullopt;
   const std::string_view word = datatype.substr(syntax::xsd_namespace.size());
   if (word != "integer" && word != "decimal" && word != "double" && word != "boolean") return std::nullopt;
-  auto form = safe_form(trimmed(literal.text), word);
+  auto form = safe_form(base::trimmed(literal.text), word);
   if (form && *form == literal.text) return std::nullopt;
   Node written = literal;
   if (form) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/sorted.hpp"
 #include "reasoning/owl/print.hpp"
 
 namespace geminga::manchester {
@@ -57,8 +58,7 @@ class Normaliser {
   void sort(std::vector<TermId>& terms, std::size_t from) const {
     std::vector<std::pair<std::string, TermId>> texts;
     for (const TermId id : std::span(terms).subspan(from)) texts.emplace_back(text_in_full(to_, id), id);
-    std::ranges::sort(texts);
-    texts.erase(std::unique(texts.begin(), texts.end()), texts.end());
+    base::sort_unique(texts);
     terms.resize(from);
     for (const auto& [text, id] : texts) terms.push_back(id);
   }

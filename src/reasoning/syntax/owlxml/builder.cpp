@@ -19,12 +19,6 @@ constexpr std::string_view xml = "http://www.w3.org/XML/1998/namespace";
 constexpr std::array<std::string_view, 9> known_attributes{
     "IRI", "abbreviatedIRI", "cardinality", "datatypeIRI", "facet", "name", "nodeID", "ontologyIRI", "versionIRI"};
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
-  const std::size_t end = text.find_last_not_of(blanks);
-  return end == std::string_view::npos ? std::string_view() : text.substr(begin, end + 1 - begin);
-}
-
 std::string_view value_of(std::span<const Attribute> attributes, std::string_view name, std::string_view space = {}) {
   for (const Attribute& attribute : attributes) {
     if (attribute.name == name && attribute.space == space) return attribute.value;
@@ -187,7 +181,7 @@ Listener::Refusal Builder::text(std::string_view part) {
   }
   const bool is_passed_over = open != nullptr && open->role == Role::left_out;
   if (is_passed_over || part.find_first_not_of(blanks) == std::string_view::npos) return std::nullopt;
-  return "text that stands in no <Literal>: " + base::printable(trimmed(part), 60);
+  return "text that stands in no <Literal>: " + base::printable(base::trimmed(part), 60);
 }
 
 Listener::Refusal Builder::end() {
@@ -242,7 +236,7 @@ Listener::Refusal Builder::end() {
 
 Listener::Refusal Builder::end_import(const Open& open) {
   std::string iri;
-  if (auto refusal = full_iri(trimmed(text_), iri)) return refusal;
+  if (auto refusal = full_iri(base::trimmed(text_), iri)) return refusal;
   if (!imported_.insert(iri).second) return std::nullopt;
   if (document_.imports.size() >= limits_.imports) return "more than " + std::to_string(limits_.imports) + " imports";
   document_.imports.push_back({std::move(iri), open.line});

@@ -22,12 +22,6 @@ bool is_absolute(std::string_view iri) {
   });
 }
 
-std::string in_lower_case(std::string_view tag) {
-  std::string lower(tag);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
-  return lower;
-}
-
 }  // namespace
 
 Listener::Refusal Builder::check_iri(std::string_view iri) const {
@@ -98,14 +92,14 @@ Listener::Refusal Builder::blank(const Open& open, std::span<const Attribute> at
 
 Listener::Refusal Builder::end_literal(const Open& open) {
   if (operands_.size() != open.first) return "an element within <Literal>";
-  std::string language = in_lower_case(literal_language_);
+  std::string language = base::in_lower_case(literal_language_);
   // "text@en"^^rdf:PlainLiteral is "text"@en, and "text@"^^rdf:PlainLiteral is "text" (OWL 2, section 5.7). OWL tools
   // write the datatype beside the language, too.
   if (literal_datatype_ == plain_literal) {
     literal_datatype_.clear();
     const std::size_t at = language.empty() ? text_.rfind('@') : std::string::npos;
     if (at != std::string::npos) {
-      language = in_lower_case(std::string_view(text_).substr(at + 1));
+      language = base::in_lower_case(std::string_view(text_).substr(at + 1));
       text_.resize(at);
     }
   }

@@ -44,12 +44,6 @@ std::string base_iri(const std::string& path) {
   return iri;
 }
 
-std::string in_lower_case(std::string_view iri) {
-  std::string lower(iri);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
-  return lower;
-}
-
 /// Ontology headers: what the files call themselves, and what they import.
 class Headers {
  public:
@@ -94,10 +88,10 @@ class Headers {
                                                      owl::Ontology& source) const {
     std::vector<UnresolvedImport> missing;
     std::set<std::string> own_in_lower_case;
-    for (const std::string& own : own_) own_in_lower_case.insert(in_lower_case(own));
+    for (const std::string& own : own_) own_in_lower_case.insert(base::in_lower_case(own));
     for (const Import& import : imports_) {
       // SOMA-HOME imports .../SOMA-ALL.owl, whose name is .../SOMA-All.owl: a file system may not care, nor do we.
-      if (is_known(import.iri) || own_in_lower_case.contains(in_lower_case(import.iri))) continue;
+      if (is_known(import.iri) || own_in_lower_case.contains(base::in_lower_case(import.iri))) continue;
       missing.push_back({import.iri, paths[import.file], import.line});
       source.leave_out("owl:imports <" + import.iri + ">", owl::FileId{static_cast<std::uint32_t>(import.file)},
                        import.line);

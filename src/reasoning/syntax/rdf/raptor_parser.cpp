@@ -269,10 +269,10 @@ void RaptorParser::World::parse_piece(std::size_t number) {
   const bool is_last = number + 1 == parts.size();
   const std::size_t end = is_last ? view.size() : parts[number + 1].begin;
   const std::size_t preamble = file->pieces.preamble();
-  if (number > 0 && !parse(syntax::without_mark(view.substr(0, preamble)), false)) return;
+  if (number > 0 && !parse(base::without_mark(view.substr(0, preamble)), false)) return;
   // What the other pieces need, too, stays.
   std::size_t released = std::max(piece.begin, preamble);
-  std::size_t at = number == 0 ? view.size() - syntax::without_mark(view).size() : piece.begin;
+  std::size_t at = number == 0 ? view.size() - base::without_mark(view).size() : piece.begin;
   while (at < end) {
     const std::size_t next = std::min(at + chunk_bytes, end);
     if (!parse(view.substr(at, next - at), false)) return;

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "base/text.hpp"
 #include "reasoning/syntax/rdf/doctype.hpp"
 #include "reasoning/syntax/rdf/pieces.hpp"
 #include "reasoning/syntax/rdf/scan.hpp"
@@ -217,7 +218,7 @@ std::optional<ScanProblem> scan_xml(std::string_view bytes, const syntax::Limits
   const bool is_latin1 = std::ranges::any_of(latin1_names, is_named);
   if (!encoding.empty() && !is_latin1 && std::ranges::none_of(utf8_names, is_named))
     return ScanProblem{1, "is in an encoding that is not read: convert it to UTF-8"};
-  if (is_latin1 && syntax::without_mark(bytes).size() != bytes.size())
+  if (is_latin1 && base::without_mark(bytes).size() != bytes.size())
     return ScanProblem{1, "begins as UTF-8 and declares ISO-8859-1: correct its declaration"};
   if (auto problem = scan_text(bytes, !is_latin1)) return problem;
   return XmlScan(bytes, limits, pieces).run();

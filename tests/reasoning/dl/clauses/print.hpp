@@ -1,6 +1,6 @@
-// Clauses as a person reads them, for tests and proofs.
-#ifndef GEMINGA_REASONING_DL_CLAUSES_PRINT_HPP
-#define GEMINGA_REASONING_DL_CLAUSES_PRINT_HPP
+// Clauses as a person reads them.
+#ifndef GEMINGA_TESTS_REASONING_DL_CLAUSES_PRINT_HPP
+#define GEMINGA_TESTS_REASONING_DL_CLAUSES_PRINT_HPP
 
 #include <string>
 
