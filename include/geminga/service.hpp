@@ -47,6 +47,8 @@ struct ServiceKey {
 [[nodiscard]] std::string to_string(ParticipantId id);
 /// "1a2b3c4d/1/42"
 [[nodiscard]] std::string to_string(const ServiceKey& key);
+/// Whose service it is: "1a2b3c4d/1".
+[[nodiscard]] std::string peer_word(const ServiceKey& key);
 /// The participant of eight hexadecimal digits, or nothing.
 [[nodiscard]] std::optional<ParticipantId> participant_id(std::string_view text);
 /// The key of a text as to_string() writes it, or nothing.

@@ -45,12 +45,6 @@ Lines missing_files(const std::vector<std::string>& paths) {
   return lines;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 std::string decimal(double number) {
   char digits[32];
   const auto [end, error] = std::to_chars(std::begin(digits), std::end(digits), number, std::chars_format::fixed, 3);
@@ -301,14 +295,14 @@ class Daemon::State final : private env::EventSink {
     for (const env::Interface& interface : env_.interfaces()) {
       words.push_back(interface.name + (interface.addresses.empty() ? "" : " " + interface.addresses.front()));
     }
-    return words.empty() ? "none: nobody can be heard" : joined(words);
+    return words.empty() ? "none: nobody can be heard" : base::joined(words, ", ");
   }
 
   [[nodiscard]] std::string ready_words() const {
     std::vector<std::string> addresses;
     for (const GcnpAddress& address : configuration_.gcnp) addresses.push_back(env::to_string(address.endpoint));
     if (!configuration_.gcnp_socket.empty()) addresses.push_back(base::printable(configuration_.gcnp_socket));
-    return "ready: gcnp " + joined(addresses) + "; interfaces " + interface_words() + "; ontology " +
+    return "ready: gcnp " + base::joined(addresses, ", ") + "; interfaces " + interface_words() + "; ontology " +
            (loader_.is_loading() ? "is being loaded" : digest_of(vocabulary_));
   }
 

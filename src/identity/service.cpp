@@ -45,9 +45,10 @@ std::optional<Degree> degree(std::string_view word) { return value_of<Degree>(de
 
 std::string to_string(ParticipantId id) { return base::to_hex(std::to_underlying(id), 8); }
 
-std::string to_string(const ServiceKey& key) {
-  return to_string(key.participant) + '/' + std::to_string(std::to_underlying(key.peer)) + '/' +
-         std::to_string(key.number);
+std::string to_string(const ServiceKey& key) { return peer_word(key) + '/' + std::to_string(key.number); }
+
+std::string peer_word(const ServiceKey& key) {
+  return to_string(key.participant) + '/' + std::to_string(std::to_underlying(key.peer));
 }
 
 std::optional<ParticipantId> participant_id(std::string_view text) {

@@ -39,10 +39,6 @@ std::string details(const Event& event, const Service& service) {
 
 }  // namespace
 
-std::string peer_word(const ServiceKey& key) {
-  return to_string(key.participant) + '/' + std::to_string(std::to_underlying(key.peer));
-}
-
 std::string who(std::string_view peer_word, std::string_view peer_name, std::string_view participant_name) {
   const auto slash = peer_word.find('/');
   const std::string_view id = peer_word.substr(0, slash);

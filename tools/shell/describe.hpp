@@ -12,9 +12,6 @@
 
 namespace geminga::shell {
 
-/// "0x1a2b/3": whose service it is.
-[[nodiscard]] std::string peer_word(const ServiceKey& key);
-
 /// `vision@robot2`; without a peer's name `3@robot2`, from the word PARTICIPANT/PEER; without a participant's name its
 /// id.
 [[nodiscard]] std::string who(std::string_view peer_word, std::string_view peer_name,

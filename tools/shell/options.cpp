@@ -6,21 +6,12 @@
 #include <cstdint>
 #include <iostream>
 
+#include "base/text.hpp"
 #include "shell/report.hpp"
 #include "shell/terminal.hpp"
 
 namespace geminga::shell {
 namespace {
-
-/// A 32-bit number in decimal or behind 0x.
-std::optional<std::uint32_t> number(std::string_view text) {
-  const bool is_hex = text.starts_with("0x") || text.starts_with("0X");
-  if (is_hex) text.remove_prefix(2);
-  std::uint32_t value = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value, is_hex ? 16 : 10);
-  if (text.empty() || read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 /// What is wrong with a --timeout; empty: nothing. (CLI::Range would let NaN pass.)
 std::string complaint_about_seconds(const std::string& text) {
@@ -95,7 +86,7 @@ std::optional<NamedIdentity> IdentityOptions::identity(const std::string& concep
     throw CLI::ValidationError("--representation", "belongs to a concept: name the concept, too");
   }
   if (id) {
-    const auto value = number(*id);
+    const auto value = base::parse_id32(*id);
     if (!value) throw CLI::ValidationError("--id", "must be a number from 0 to 4294967295, decimal or 0x");
     return NumericIdentity{*value};
   }

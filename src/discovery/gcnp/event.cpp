@@ -97,8 +97,4 @@ void append_attributes(std::vector<Parameter>& parameters, const Attributes& att
   for (const auto& [name, value] : attributes) append(parameters, shown_key(name), value);
 }
 
-std::string peer_word(const ServiceKey& key) {
-  return to_string(key.participant) + '/' + std::to_string(std::to_underlying(key.peer));
-}
-
 }  // namespace geminga::gcnp

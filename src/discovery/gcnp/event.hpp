@@ -38,9 +38,6 @@ void append_identity(std::vector<Parameter>& parameters, const NamedIdentity& id
 /// Appends the attributes as the daemon shows them (shown_key()), sorted by name.
 void append_attributes(std::vector<Parameter>& parameters, const Attributes& attributes);
 
-/// `PARTICIPANT/PEER`, as in `provider=` and `consumer=`.
-[[nodiscard]] std::string peer_word(const ServiceKey& key);
-
 }  // namespace geminga::gcnp
 
 #endif

@@ -1,6 +1,7 @@
 // From a request to its statement, as a client sends it. What has its default is left out.
 #include <utility>
 
+#include "base/text.hpp"
 #include "discovery/gcnp/attribute.hpp"
 #include "discovery/gcnp/event.hpp"
 #include "discovery/gcnp/parameters.hpp"
@@ -154,11 +155,7 @@ Statement to_statement(std::uint32_t id, const Request& request) {
   return statement;
 }
 
-std::string protocol_list(const std::vector<std::string>& protocols) {
-  std::string list;
-  for (const auto& protocol : protocols) list += (list.empty() ? "" : ",") + protocol;
-  return list;
-}
+std::string protocol_list(const std::vector<std::string>& protocols) { return base::joined(protocols, ","); }
 
 std::string provider_list(const std::vector<ProviderFilter>& providers) {
   std::string list;

@@ -110,7 +110,6 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
     }
   }
 
-  [[nodiscard]] std::size_t connection_count() const { return connections_.size(); }
   [[nodiscard]] bool is_writing() const {
     return std::ranges::any_of(connections_, [](const auto& entry) { return entry.second->waiting() > 0; });
   }
@@ -304,7 +303,6 @@ std::size_t Streams::unsent(StreamId stream) const { return state_->unsent(strea
 void Streams::want(StreamId stream, bool is_wanted) { state_->want(stream, is_wanted); }
 void Streams::close(StreamId stream) { state_->close(stream); }
 void Streams::flush() { state_->flush(); }
-std::size_t Streams::connection_count() const { return state_->connection_count(); }
 bool Streams::is_writing() const { return state_->is_writing(); }
 
 }  // namespace geminga::env

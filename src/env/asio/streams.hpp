@@ -64,7 +64,6 @@ class Streams {
   /// Hands what was queued to the kernel. To be called at the end of every event.
   void flush();
 
-  [[nodiscard]] std::size_t connection_count() const;
   /// Whether some client has not been given all its bytes yet.
   [[nodiscard]] bool is_writing() const;
 

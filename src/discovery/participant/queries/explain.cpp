@@ -23,7 +23,7 @@ std::expected<vocabulary::ClassNumber, Error> find(const Core& core, std::string
 void append_reason(Line& line, const Core& core, const vocabulary::Explanation& explanation) {
   std::vector<std::string> common;
   for (const auto number : explanation.common) common.push_back(core.vocabulary().short_name(number));
-  append(line, "common", joined(common));
+  append(line, "common", base::joined(common, ","));
   std::string text;
   for (const std::string& one : explanation.missing) {
     if (text.size() + one.size() > max_reason_bytes) break;

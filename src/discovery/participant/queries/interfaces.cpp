@@ -1,4 +1,5 @@
 // `query interfaces` and `query peers`: what a participant speaks over, and with whom on its host.
+#include "base/text.hpp"
 #include "discovery/participant/queries/lines.hpp"
 
 namespace geminga::participant {
@@ -10,7 +11,7 @@ Answered answer(Core& core, const gcnp::QueryInterfaces&) {
     Line line;
     append(line, "name", interface.name);
     append_flag(line, "loopback", interface.is_loopback);
-    append_known(line, "addresses", joined(interface.addresses));
+    append_known(line, "addresses", base::joined(interface.addresses, ","));
     append(line, "sent", counters.sent);
     append(line, "received", counters.received);
     answer.lines.push_back(std::move(line));

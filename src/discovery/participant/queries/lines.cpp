@@ -56,20 +56,6 @@ std::string decimal(double number) {
                  std::chrono::microseconds(500));
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
-  return text;
-}
-
-std::string joined(const std::vector<ProviderFilter>& filters) {
-  std::vector<std::string> words;
-  for (const ProviderFilter& filter : filters) {
-    words.push_back(filter.peer.empty() ? filter.participant : filter.participant + "/" + filter.peer);
-  }
-  return joined(words);
-}
-
 void append_channel(Line& line, const Publication& publication) {
   append(line, "mode", std::string(to_string(publication.mode)));
   append_known(line, "address", publication.address);

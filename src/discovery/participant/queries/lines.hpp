@@ -31,10 +31,6 @@ inline void append_known(Line& line, std::string_view key, const std::string& va
 [[nodiscard]] std::string seconds(base::Duration duration);
 /// Three decimals.
 [[nodiscard]] std::string decimal(double number);
-/// "a,b"
-[[nodiscard]] std::string joined(const std::vector<std::string>& words);
-/// As `provider=` of a statement.
-[[nodiscard]] std::string joined(const std::vector<ProviderFilter>& filters);
 
 /// How long ago an entry was last heard; 0 for one of our own.
 template <typename Entry>

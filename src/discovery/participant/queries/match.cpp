@@ -1,10 +1,10 @@
 // `query match`: the publications that meet an identity, best first.
 #include <algorithm>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include "discovery/gcnp/event.hpp"
+#include "discovery/matching/arbitration.hpp"
 #include "discovery/matching/request.hpp"
 #include "discovery/participant/identities.hpp"
 #include "discovery/participant/naming.hpp"
@@ -17,23 +17,10 @@ namespace {
 /// which can be interrupted.
 constexpr std::size_t max_candidates = 256;
 
-/// One that meets the request, with what it ranks by; it may be gone when it is told.
-struct Found {
-  std::int32_t priority = 0;
-  matching::Match match;
-  ServiceKey key;
-};
-
-/// The order of arbitration (matching/matcher.hpp), without an incumbent.
-bool is_better(const Found& a, const Found& b) {
-  const auto rank = [](const Found& one) { return std::tuple(-std::int64_t{one.priority}, one.match, one.key); };
-  return rank(a) < rank(b);
-}
-
 Line line_of(const Core& core, const registry::PublicationEntry& entry, const matching::Match& match) {
   Line line;
   append(line, "service", to_string(entry.key));
-  append(line, "provider", gcnp::peer_word(entry.key));
+  append(line, "provider", peer_word(entry.key));
   append_known(line, "name", entry.peer_name);
   gcnp::append_identity(line, named(core.vocabulary(), entry.publication.identity));
   append(line, "degree", std::string(to_string(match.degree)));
@@ -60,7 +47,7 @@ class Ranking {
   bool operator()(Core& core, Piece& piece) {
     if (!is_ranked_ && !look(core, piece)) return false;
     while (next_ < found_.size() && !piece.is_full()) {
-      const Found& one = found_[next_++];
+      const matching::Rank& one = found_[next_++];
       if (const auto* entry = core.matcher.find_publication(one.key)) piece.tell(line_of(core, *entry, one.match));
     }
     return next_ == found_.size();
@@ -82,7 +69,7 @@ class Ranking {
     } else if (!core.matcher.walk_publications(last_, judge_one)) {
       return false;
     }
-    std::ranges::sort(found_, is_better);
+    std::ranges::sort(found_, matching::BestFirst{});
     if (limit_ != 0 && found_.size() > limit_) found_.resize(limit_);
     is_ranked_ = true;
     return true;
@@ -105,7 +92,7 @@ class Ranking {
   std::uint32_t limit_;
   std::optional<std::vector<ServiceKey>> candidates_;
   std::optional<ServiceKey> last_;
-  std::vector<Found> found_;
+  std::vector<matching::Rank> found_;  ///< each meets the request; it may be gone when it is told
   bool is_ranked_ = false;
   std::size_t next_ = 0;
 };

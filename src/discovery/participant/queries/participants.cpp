@@ -1,6 +1,7 @@
 // `query participants`: everybody who is known, ourselves among them.
 #include <algorithm>
 
+#include "base/text.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 
@@ -14,7 +15,7 @@ std::string addresses_of(const membership::Neighbour& neighbour) {
       if (std::ranges::find(addresses, address) == addresses.end()) addresses.push_back(address);
     }
   }
-  return joined(addresses);
+  return base::joined(addresses, ",");
 }
 
 Line ourselves(const Core& core) {
@@ -31,7 +32,7 @@ Line ourselves(const Core& core) {
   Line line;
   append(line, "id", to_string(core.id));
   append(line, "name", core.name());
-  append_known(line, "addresses", joined(addresses));
+  append_known(line, "addresses", base::joined(addresses, ","));
   append(line, "heard", "0.000");
   append(line, "interval", seconds(core.settings.interval));
   append(line, "loss", "0.000");

@@ -12,7 +12,7 @@ namespace {
 Line line_of(const Core& core, const registry::PublicationEntry& entry) {
   Line line;
   append(line, "service", to_string(entry.key));
-  append(line, "provider", gcnp::peer_word(entry.key));
+  append(line, "provider", peer_word(entry.key));
   append_known(line, "name", entry.peer_name);
   append_known(line, "participant_name", entry.participant_name);
   gcnp::append_identity(line, named(core.vocabulary(), entry.publication.identity));

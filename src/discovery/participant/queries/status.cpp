@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/text.hpp"
 #include "discovery/announcement/codec.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
@@ -15,7 +16,7 @@ std::string users(const Core& core) {
   for (const Session* session : core.peers()) ++counts[session->user.empty() ? "tcp" : session->user];
   std::vector<std::string> words;
   for (const auto& [user, count] : counts) words.push_back(user + ":" + std::to_string(count));
-  return joined(words);
+  return base::joined(words, ",");
 }
 
 void append_counters(Line& line, const Counters& counters) {

@@ -3,6 +3,7 @@
 
 #include "base/text.hpp"
 #include "discovery/gcnp/event.hpp"
+#include "discovery/gcnp/parameters.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 
@@ -82,15 +83,15 @@ Line check_provider(const Core& core, const registry::SubscriptionEntry& request
   one.subscription.providers = request.subscription.providers;
   const bool is_ok = core.matcher.why(one, offer).has_value();
   return check("provider", is_ok,
-               gcnp::peer_word(offer.key) + (is_ok ? " is accepted by " : " is none of ") +
-                   joined(request.subscription.providers));
+               peer_word(offer.key) + (is_ok ? " is accepted by " : " is none of ") +
+                   gcnp::provider_list(request.subscription.providers));
 }
 
 Line check_protocol(const Subscription& asked, const Publication& offered) {
   if (asked.protocols.empty()) return check("protocol", true, "any protocol is accepted");
   const bool is_ok = std::ranges::find(asked.protocols, offered.protocol) != asked.protocols.end();
   return check("protocol", is_ok,
-               offered.protocol + (is_ok ? " is accepted by " : " is none of ") + joined(asked.protocols));
+               offered.protocol + (is_ok ? " is accepted by " : " is none of ") + gcnp::protocol_list(asked.protocols));
 }
 
 Line check_where(const Core& core, const registry::SubscriptionEntry& request,
