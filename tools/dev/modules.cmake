@@ -41,8 +41,8 @@ function(geminga_united target)
 endfunction()
 
 # geminga_module(NAME SOURCES file... [DEPENDS module...] [LINK external-target...])
-# Makes the static library geminga_NAME from src/NAME, or from NAME where that is tools/shell. `#include "other/..."` needs `other` in DEPENDS; the public face
-# <geminga/...> is open to all.
+# Makes the static library geminga_NAME from src/NAME, or from NAME where that is tools/shell. `#include "other/..."` needs `other` in
+# DEPENDS; the public face <geminga/...> is open to all.
 function(geminga_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;LINK")
   string(REPLACE "/" "_" target "geminga_${name}")

@@ -10,12 +10,10 @@ json::object former(const json::object& before, const json::object& now) {
   json::object changed;
   for (const auto& [key, value] : before) {
     const json::value* other = now.if_contains(key);
-    if (other == nullptr) {
-      changed[key] = value;
-    } else if (value.is_object() && other->is_object()) {
+    if (other != nullptr && value.is_object() && other->is_object()) {
       auto inner = former(value.as_object(), other->as_object());
       if (!inner.empty()) changed[key] = std::move(inner);
-    } else if (value != *other) {
+    } else if (other == nullptr || value != *other) {
       changed[key] = value;
     }
   }
