@@ -22,7 +22,7 @@ Arena::~Arena() {
 }
 
 void* Arena::new_piece(std::size_t bytes) {
-  // The place in the list first: where either has no memory, nothing is left that nobody gives back.
+  // The place in the list is made first, so that nothing leaks where memory runs out for either.
   pieces_.push_back({nullptr, 0});
   void* piece = nullptr;
   try {

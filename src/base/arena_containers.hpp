@@ -98,7 +98,7 @@ class ArenaSet {
   [[nodiscard]] std::uint32_t size() const { return items_.size(); }
   [[nodiscard]] Key operator[](std::size_t at) const { return items_[at]; }
   [[nodiscard]] std::span<const Key> items() const { return {items_.begin(), items_.end()}; }
-  /// Where nothing will be looked for any more, or hardly.
+  /// For when nothing, or hardly anything, will be looked up any more.
   void forget_table(Arena& arena) {
     if (slots_ != nullptr) arena.release(slots_, slot_count() * sizeof(Key));
     slots_ = nullptr;

@@ -12,7 +12,7 @@ bool Budget::spend(std::uint64_t steps) {
   }
   if (!is_over_) return true;
   std::uint64_t next = next_question_.load(std::memory_order_relaxed);
-  // One of those who come past the mark asks.
+  // One of the threads that pass the mark asks.
   if (spent < next || !next_question_.compare_exchange_strong(next, spent + between_)) return true;
   if (!is_over_()) return true;
   end_.compare_exchange_strong(open, End::time);

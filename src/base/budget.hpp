@@ -25,8 +25,8 @@ class Budget {
   Budget(const Budget&) = delete;
   Budget& operator=(const Budget&) = delete;
 
-  /// Takes steps that were done. False from the moment on when there are no more, or time is over: then everybody ends
-  /// soon, and keeps what is certain.
+  /// Counts steps that were done. False once there are none left, or time is over: then every worker ends soon, and
+  /// keeps what is certain.
   bool spend(std::uint64_t steps);
   [[nodiscard]] bool is_spent() const { return end_.load(std::memory_order_relaxed) != End::open; }
   [[nodiscard]] std::uint64_t spent() const { return spent_.load(std::memory_order_relaxed); }

@@ -103,7 +103,7 @@ std::expected<std::size_t, std::string> PrivateFile::copy_from(int from, std::si
     if (count < 0 && errno == EINTR) continue;
     if (count < 0 && (errno == ENOSPC || errno == EDQUOT || errno == EIO || errno == EFBIG))
       return std::unexpected(reason());
-    // Other file systems, older kernels and the files of /proc have other reasons, and some say 0.
+    // Between file systems, on older kernels and for files of /proc it fails for other reasons, or gives 0.
     is_by_hand = count <= 0;
   }
   return static_cast<std::size_t>(at);

@@ -1,4 +1,4 @@
-// Rows of different lengths in one flat array: what a vector of vectors is for those who count bytes.
+// Rows of different lengths in one flat array: a vector of vectors that costs less memory.
 #ifndef GEMINGA_BASE_ROWS_HPP
 #define GEMINGA_BASE_ROWS_HPP
 

@@ -13,12 +13,12 @@ namespace geminga::daemon {
 
 namespace net = boost::asio;
 
-/// From the thread to the event loop, for as long as somebody waits there.
+/// How the thread reaches the event loop, as long as somebody waits there.
 struct Background::Way {
   std::mutex mutex;
   net::io_context* context = nullptr;  ///< null once nobody waits; guarded by the mutex
   Background* owner = nullptr;         ///< of the event loop alone
-  /// The loop does not end for want of work while the thread is at work. Of the event loop alone.
+  /// Keeps the loop from ending while the thread works; used by the event loop alone
   std::optional<net::executor_work_guard<net::io_context::executor_type>> guard;
 
   static void bring(const std::shared_ptr<Way>& way, std::uint64_t number, After after) {
@@ -56,7 +56,7 @@ void Background::set_to_work() {
   try {
     std::thread(all).detach();
   } catch (const std::system_error&) {
-    all();  // The host has no thread left. That all wait this once is better than work that is never done.
+    all();  // The host has no thread left. Better that all wait this once than that the work is never done.
   }
 }
 

@@ -53,7 +53,7 @@ class Undumpable {
   int before_;
 };
 
-/// Shuts itself in before it is the program, and the program may only make that narrower.
+/// Closes the cage before it becomes the program, which may only make the cage narrower.
 void close_cage() {
   cage::Freedom freedom;
   freedom.may_become = true;

@@ -146,7 +146,7 @@ class Daemon::State final : private env::EventSink {
     if (must_reload_) reload();
   }
 
-  /// Puts in force what was loaded. What could not be loaded changes nothing but what is said about it.
+  /// Puts in force what was loaded. A load that failed is reported and changes nothing else.
   void take(Loaded loaded) {
     if (is_stopping_) return;
     if (participant_ == nullptr) return take_first(std::move(loaded));
@@ -155,7 +155,7 @@ class Daemon::State final : private env::EventSink {
                                                        : "serving without an ontology: mend it and send SIGHUP");
       env_.event([&] { participant_->ontology_failed(loaded.error()); });
     } else if (loaded->ontology != nullptr && participant_->uses_expressions()) {
-      // The one in force goes on until this one is ready for what is asked for: nobody loses a match for that time.
+      // The one in force stays until this one can place expressions, so that nobody loses a match meanwhile.
       is_next_in_preparation_ = true;
       preparation_.start(vocabulary::Vocabulary(std::move(loaded->ontology)), [this](vocabulary::Vocabulary prepared) {
         if (is_stopping_) return;

@@ -35,7 +35,7 @@ spdlog::level::level_enum severity(base::LogLevel level) {
 class Sink final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
  public:
   [[nodiscard]] bool is_written() const { return is_written_; }
-  /// Of a line of which the beginning is out.
+  /// Writes the rest of a line whose beginning is written already.
   bool write_rest() { return writer_.finish_begun(); }
 
  private:

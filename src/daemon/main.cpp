@@ -43,7 +43,8 @@ std::expected<Configuration, Errors> configure(const Layer& flags, const Layer& 
   return geminga::daemon::resolve({&flags, &environment, &file}, host_name());
 }
 
-/// Standard input, output and error are open from now on. A socket that took one of their numbers would get our words.
+/// Opens standard input, output and error where they are closed: a socket with one of their numbers would get our
+/// messages.
 void hold_standard_descriptors() {
   while (true) {
     const int descriptor = ::open("/dev/null", O_RDWR);

@@ -73,7 +73,7 @@ Loaded map(const std::string& path, const std::string& shown) {
   return loaded;
 }
 
-/// A compiled ontology that the user keeps: one that its sources have outgrown would match by what is no longer said.
+/// A compiled ontology that the user keeps. One that is older than its sources would match by what they no longer say.
 /// At a start matching is not kept waiting for what only explanations need. Where another ontology is in force, a
 /// damaged one must not take its place, and there is time to look at all of it.
 Loaded map_current(const std::string& path, bool is_first) {

@@ -83,15 +83,15 @@ class Team {
     wake_all();
   }
 
-  /// Who was idle counts as busy before others see that the work queue is empty: so where all are idle, nothing is
-  /// left.
+  /// A thread that was idle counts as busy before others see the work queue empty, so that where all are idle nothing
+  /// is left.
   bool take(std::size_t me, std::size_t from, bool was_idle) {
     if (work_queues_[from].is_empty.load()) return false;
     const std::scoped_lock lock(work_queues_[from].mutex);
     std::vector<std::uint32_t>& work_queue = work_queues_[from].contexts;
     if (work_queue.empty()) return false;
     if (was_idle) --idle_;
-    // From another's work queue a half, so that a third has something to take, too.
+    // From another's work queue only half is taken, so that a third thread finds something, too.
     const std::size_t count = me == from ? work_queue.size() : (work_queue.size() + 1) / 2;
     const auto first = work_queue.end() - static_cast<std::ptrdiff_t>(count);
     workers_[me]->queue().assign(first, work_queue.end());
@@ -118,7 +118,7 @@ class Team {
       }
       if (is_done()) return false;
       if (idle_.load() == workers_.size()) {
-        // Nobody does anything, and nobody will but who is let in here.
+        // All are idle. The one that gets the lock begins the next round.
         const std::scoped_lock lock(rounds_);
         if (idle_.load() != workers_.size()) continue;
         if (!workers_[me]->begin_round()) return false;
@@ -127,7 +127,7 @@ class Team {
         wake_all();
         return true;
       }
-      // Who comes too late for a round finds nothing, and is idle as before.
+      // A thread that comes too late for a round finds nothing, and is idle as before.
       if (const std::uint32_t round = round_.load(); round != seen_round_[me]) {
         seen_round_[me] = round;
         --idle_;

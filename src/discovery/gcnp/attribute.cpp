@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 1> prefix_word{attribute_prefix.substr(0, attribute_prefix.size() - 1)};
 
-/// Whether the word is meant to begin with `attr.` and does not quite.
+/// Whether the word begins with a mistyped `attr.`.
 bool has_mistyped_prefix(std::string_view word) {
   const auto dot = word.find('.');
   return dot != std::string_view::npos && gcnp::mistyped_key(word.substr(0, dot), prefix_word).has_value();

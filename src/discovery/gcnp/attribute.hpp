@@ -1,4 +1,4 @@
-// Attributes beside keys: how each is written, and which key a mistyped word is a slip of.
+// Attributes beside keys: how each is written, and which key a mistyped word was meant to be.
 #ifndef GEMINGA_DISCOVERY_GCNP_ATTRIBUTE_HPP
 #define GEMINGA_DISCOVERY_GCNP_ATTRIBUTE_HPP
 
@@ -11,8 +11,8 @@
 
 namespace geminga::gcnp {
 
-/// The key of which `word` is one slip, a letter wrong, missing, too many, of the other case, or swapped; the first
-/// where there are several.
+/// The key from which `word` differs by one slip: a letter that is wrong, missing, too many, of the other case, or
+/// swapped. The first where there are several.
 [[nodiscard]] std::optional<std::string_view> mistyped_key(std::string_view word,
                                                            std::span<const std::string_view> keys);
 

@@ -256,7 +256,7 @@ void KeyReader::refuse_without_effect() {
 }
 
 std::optional<std::string> KeyReader::attribute(std::string_view key) {
-  // The keys of this very statement first: of several that a word may be a slip of, the likely one is among them.
+  // The keys of this very statement come first: where a word may be a slip of several, the likely one is among them.
   const bool is_told = key.starts_with(attribute_prefix) || is_reserved(key);
   if (const auto meant = is_told ? std::nullopt : mistyped_key(key, asked_)) {
     fail(ErrorCode::malformed, base::printable(key, 64) + " is no key: did you mean " + std::string(*meant) +

@@ -26,7 +26,7 @@ class LineReader {
 
   explicit LineReader(std::size_t max_bytes = max_line_bytes) : max_bytes_(max_bytes) {}
 
-  /// Takes the next bytes of the stream. Lines that next() has not given yet stay to be given.
+  /// Takes the next bytes of the stream. Lines that next() has not given yet remain.
   void feed(std::string_view bytes);
   /// The next line, or nothing until more is fed. An empty line is a line.
   [[nodiscard]] std::optional<Line> next();

@@ -38,10 +38,11 @@ FilingPlan FilingPlan::of_subscription(const Classes& classes, Degree weakest, c
   return {classes.concept_class, weakest >= Degree::broader, edition};
 }
 
-void add_standing(const registry::Subscriptions& subscriptions, const Identity& offered, const Classes& classes,
-                  const Edition& edition, std::vector<const registry::StoredSubscription*>& standing) {
-  const auto add_all = [&standing](auto filed) {
-    for (const auto& one : filed) standing.push_back(one.stored);
+void add_subscriptions_for(const registry::Subscriptions& subscriptions, const Identity& offered,
+                           const Classes& classes, const Edition& edition,
+                           std::vector<const registry::StoredSubscription*>& found) {
+  const auto add_all = [&found](auto filed) {
+    for (const auto& one : filed) found.push_back(one.stored);
   };
   const auto* semantic = std::get_if<SemanticIdentity>(&offered);
   if (semantic != nullptr) {

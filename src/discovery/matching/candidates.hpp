@@ -106,8 +106,9 @@ void visit_publications(const registry::Publications& publications, const Identi
 
 /// Appends the subscriptions of one edition that an offer with these classes may meet, and those that it may meet
 /// whatever the classes, in no order and perhaps more than once.
-void add_standing(const registry::Subscriptions& subscriptions, const Identity& offered, const Classes& classes,
-                  const Edition& edition, std::vector<const registry::StoredSubscription*>& standing);
+void add_subscriptions_for(const registry::Subscriptions& subscriptions, const Identity& offered,
+                           const Classes& classes, const Edition& edition,
+                           std::vector<const registry::StoredSubscription*>& found);
 
 /// Sorts by key and drops what is there twice.
 void order_by_key(std::vector<const registry::StoredSubscription*>& subscriptions);

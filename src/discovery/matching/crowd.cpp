@@ -1,4 +1,4 @@
-// A publication of our own that more consumers of other hosts ask for than it can be told of.
+// Bounds how many consumers of other hosts a publication of our own is told of.
 #include "discovery/matching/state.hpp"
 
 namespace geminga::matching {
@@ -23,7 +23,7 @@ void Matcher::State::relieve() {
     }
     at = crowded_.erase(at);
     if (stored == nullptr) continue;
-    for (const auto* subscription : standing(*stored)) {
+    for (const auto* subscription : subscriptions_for(*stored)) {
       judge(*subscription, *stored);
       settle(*subscription);
     }

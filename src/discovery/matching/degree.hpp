@@ -30,7 +30,7 @@ struct Match {
 struct Classes {
   std::optional<vocabulary::ClassNumber> concept_class;
   std::optional<vocabulary::ClassNumber> representation_class;
-  /// Where the expression stands that is asked for instead of a concept; null where there is none or it is not known.
+  /// The place of the expression that is asked for instead of a concept; null: there is none, or it is not known.
   std::shared_ptr<const vocabulary::Place> place{};
 };
 
@@ -60,8 +60,8 @@ using Placing = std::function<std::shared_ptr<const vocabulary::Place>(
 [[nodiscard]] bool is_number_of(const Identity& number, const Identity& named);
 
 /// The degree of the whole identity, however weak; the caller compares it with what the subscription allows. Identities
-/// of different kinds never match, but for a number and the concept whose 32-bit identity it is: exactly. Numbers and
-/// texts match only when they are equal.
+/// of different kinds never match, with one exception: a number matches exactly the concept whose 32-bit identity it
+/// is. Numbers and texts match only when they are equal.
 [[nodiscard]] std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
                                                       const Identity& requested, const Classes& requested_classes,
                                                       const vocabulary::Vocabulary& vocabulary);

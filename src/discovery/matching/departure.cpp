@@ -1,4 +1,4 @@
-// All of a participant goes: in steps, of which each is about one subscription or one publication.
+// Removes everything of a participant, in steps that are each about one subscription or one publication.
 #include <algorithm>
 #include <utility>
 

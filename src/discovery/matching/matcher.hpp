@@ -16,7 +16,7 @@
 #include "discovery/matching/degree.hpp"
 #include "discovery/matching/event.hpp"
 #include "discovery/matching/standing.hpp"
-#include "discovery/matching/where.hpp"  // check_where() is part of this seam
+#include "discovery/matching/where.hpp"  // for check_where()
 #include "discovery/registry/entry.hpp"
 #include "geminga/service.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
@@ -67,26 +67,26 @@ class Matcher {
   bool remove_subscription(const ServiceKey& key, Reason reason);
   /// Removes all of a peer.
   void remove_peer(ParticipantId participant, PeerId peer, Reason reason);
-  /// Begins to remove all of a participant, which depart_next() does in steps; everything else may go on between them,
-  /// but that nothing with such a key may be put or removed until it is over. From here on none of it meets anything;
-  /// what was told of it is told off step by step, all that one subscription loses at once.
+  /// Begins to remove everything of a participant, which depart_next() does in steps. Between the steps everything else
+  /// may go on, except that no entry of this participant may be put or removed. From here on none of them meets
+  /// anything; the events of that come step by step, those of one subscription together.
   void begin_departure(ParticipantId participant, Reason reason);
   /// False: no departure was left to do.
   [[nodiscard]] bool depart_next();
   [[nodiscard]] bool is_departing() const;
-  /// The vocabulary in force: what is asked of the matcher is answered by it.
+  /// The vocabulary in force, by which all questions to the matcher are answered.
   [[nodiscard]] const vocabulary::Vocabulary& vocabulary() const;
-  /// Begins to put another vocabulary in the place of the one in force. That is work over the whole registry, and is
-  /// done in steps between which everything else may go on:
+  /// Begins to put another vocabulary in the place of the one in force. That is work over the whole registry. It is
+  /// done in steps, and between them everything else may go on:
   ///
   ///     matcher.begin_vocabulary(next);
   ///     while (matcher.file_next()) {}     // what is offered is filed by it, too; nothing else changes
   ///     matcher.put_in_force();            // at once: vocabulary() is the next one
   ///     while (matcher.rematch_next()) {}  // one subscription after the other, by key, is judged by it
   ///
-  /// No change may be under way: another begins when rematch_next() has given false, and the former one is let go then.
-  /// A subscription is judged by one vocabulary at any time, by the former until its step, and its events are those of
-  /// that step: what stays matched gets none. A step costs what putting one publication or subscription does.
+  /// A change may begin only when the last one is over: when rematch_next() has given false, the former vocabulary is
+  /// released. A subscription is judged by one vocabulary at any time, by the former one until its step. Its events
+  /// come in that step; what stays matched gets none. A step costs as much as putting one publication or subscription.
   void begin_vocabulary(vocabulary::Vocabulary next);
   /// False: everything is filed, and put_in_force() is due.
   [[nodiscard]] bool file_next();
@@ -118,7 +118,7 @@ class Matcher {
   [[nodiscard]] std::expected<Match, std::string> why(const registry::SubscriptionEntry& request,
                                                       const registry::PublicationEntry& offer) const;
   /// How a publication stands in the arbitration of a subscription, both known here; nothing where they do not match.
-  /// While an ontology changes this is the subscription's step.
+  /// While the vocabulary changes, this is also the subscription's step.
   [[nodiscard]] std::optional<Standing> standing(const ServiceKey& subscription, const ServiceKey& publication);
   /// Those behind `after`, or all, in ascending order of key, until `visit` gives false. Whether all were visited.
   using VisitPublication = std::function<bool(const registry::PublicationEntry&)>;
@@ -135,7 +135,7 @@ class Matcher {
   [[nodiscard]] std::optional<Match> given(const ServiceKey& subscription, const ServiceKey& publication) const;
   /// How many pairs were judged since the start: what matching has cost.
   [[nodiscard]] std::uint64_t judged() const;
-  /// How many places in the index were given or taken since the start, and what was looked at for that.
+  /// Entries that were filed, unfiled or passed in the index since the start: what filing has cost.
   [[nodiscard]] std::uint64_t filed() const;
   [[nodiscard]] const registry::PublicationEntry* find_publication(const ServiceKey& key) const;
   [[nodiscard]] const registry::SubscriptionEntry* find_subscription(const ServiceKey& key) const;

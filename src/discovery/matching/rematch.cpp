@@ -11,10 +11,10 @@ namespace {
 using registry::StoredPublication;
 using registry::StoredSubscription;
 
-/// Entries that one step of a walk passes at most before it comes to one that there is something to do for.
+/// How many entries one step of a walk may pass while it looks for one that needs work.
 constexpr std::size_t entries_in_step = 64;
 
-/// The first entry behind `at`, which it becomes; null: there is none.
+/// The first entry behind `at`, and moves `at` there; null where there is none.
 template <typename Table>
 auto next_after(const Table& table, std::optional<ServiceKey>& at) {
   const typename Table::StoredEntry* found = nullptr;
@@ -135,12 +135,12 @@ bool Matcher::State::place_next() {
   return true;
 }
 
-std::vector<const StoredSubscription*> Matcher::State::standing(const StoredPublication& publication) const {
+std::vector<const StoredSubscription*> Matcher::State::subscriptions_for(const StoredPublication& publication) const {
   std::vector<const StoredSubscription*> found;
   const Identity& offered = publication.entry.publication.identity;
-  add_standing(subscriptions_, offered, classes(publication, in_force_), in_force_, found);
+  add_subscriptions_for(subscriptions_, offered, classes(publication, in_force_), in_force_, found);
   if (stage_ == Stage::rematching) {
-    add_standing(subscriptions_, offered, classes(publication, other_), other_, found);
+    add_subscriptions_for(subscriptions_, offered, classes(publication, other_), other_, found);
   }
   order_by_key(found);
   return found;

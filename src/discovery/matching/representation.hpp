@@ -1,4 +1,4 @@
-// Which representations a consumer can do with, and what that does to the degree of the whole identity.
+// Which representations suit a consumer, and how they change the degree of the whole identity.
 #ifndef GEMINGA_DISCOVERY_MATCHING_REPRESENTATION_HPP
 #define GEMINGA_DISCOVERY_MATCHING_REPRESENTATION_HPP
 

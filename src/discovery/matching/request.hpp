@@ -1,4 +1,4 @@
-// A subscription made ready to be held against many publications, and the judgement on one pair.
+// A subscription made ready to be compared with many publications, and the judgement on one pair.
 #ifndef GEMINGA_DISCOVERY_MATCHING_REQUEST_HPP
 #define GEMINGA_DISCOVERY_MATCHING_REQUEST_HPP
 

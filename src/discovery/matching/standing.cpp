@@ -13,7 +13,7 @@ using registry::StoredSubscription;
 
 std::optional<Standing> Matcher::State::standing(const StoredSubscription& subscription,
                                                  const StoredPublication& publication) {
-  // Its turn in the change to another vocabulary is now, so that the choice and the ranking speak of the same.
+  // While the vocabulary changes: its step is taken now, so that choice and ranking are by the same vocabulary.
   if (edition_of(subscription).generation != in_force_.generation) rematch(subscription);
   const auto ranked = match(subscription.entry.subscription, of_subscription_[subscription.slot].request);
   const auto at = std::ranges::find(ranked, &publication.entry, &Ranked::publication);

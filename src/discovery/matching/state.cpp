@@ -100,7 +100,7 @@ void Matcher::State::put(PublicationEntry entry) {
     const auto further = review(number_before, nullptr);
     anew.insert(anew.end(), further.begin(), further.end());
   }
-  auto concerned = standing(stored);
+  auto concerned = subscriptions_for(stored);
   for (const auto& [slot, rank] : of(stored).considered_by) concerned.push_back(of_subscription_[slot].stored);
   order_by_key(concerned);
   for (const auto* subscription : concerned) {
@@ -299,7 +299,8 @@ bool Matcher::State::is_served(const SubscriptionEntry& subscription) const {
 
 bool Matcher::State::is_used(const PublicationEntry& publication) const {
   const StoredPublication* stored = publications_.find(publication.key);
-  return stored != nullptr && std::ranges::any_of(standing(*stored), [&](const StoredSubscription* subscription) {
+  return stored != nullptr &&
+         std::ranges::any_of(subscriptions_for(*stored), [&](const StoredSubscription* subscription) {
            return meets(*subscription, *stored).has_value();
          });
 }

@@ -32,8 +32,8 @@ inline constexpr std::uint32_t max_counted_providers = 16;
 /// and more services may be announced than a host has memory for pairs.
 inline constexpr std::uint32_t max_given = 1024;
 
-/// Consumers of other hosts without a limit that a publication of our own is told of. One more waits until half of them
-/// have gone: so the walk through all that ask for it is made once for many departures.
+/// Consumers of other hosts without a limit that a publication of our own is told of. A further one waits until half of
+/// them have gone, so that the walk through all who ask for it is made once for many departures.
 inline constexpr std::size_t max_consumers = 1024;
 
 /// A publication that meets a request.
@@ -140,7 +140,7 @@ class Matcher::State {
   [[nodiscard]] bool is_known_by_both() const { return stage_ == Stage::filing || stage_ == Stage::rematching; }
   /// Looks up what is offered in a vocabulary, and files it by that.
   void file(const registry::StoredPublication& stored, const Edition& edition);
-  /// For somebody who comes back before his departure is over.
+  /// Ends all departures at once, because somebody comes back before his is over.
   void finish_departures() {
     while (depart_next()) {
     }
@@ -152,7 +152,7 @@ class Matcher::State {
   [[nodiscard]] bool unfile_next();
   [[nodiscard]] bool place_next();
   /// The subscriptions that an offer may meet, each once, in ascending order of key.
-  [[nodiscard]] std::vector<const registry::StoredSubscription*> standing(
+  [[nodiscard]] std::vector<const registry::StoredSubscription*> subscriptions_for(
       const registry::StoredPublication& publication) const;
   [[nodiscard]] std::optional<Match> meets(const registry::StoredSubscription& subscription,
                                            const registry::StoredPublication& publication) const;
@@ -200,8 +200,8 @@ class Matcher::State {
 
   Edition other_;  ///< while filing the next one, then the former one
   Stage stage_ = Stage::none;
-  std::optional<ServiceKey> at_;  ///< the entry that the change was at last; nothing: it begins
-  /// The walk to the subscriptions that have no place: the one that it was at last.
+  std::optional<ServiceKey> at_;  ///< the last entry that the change has dealt with; nothing: none yet
+  /// The walk over the subscriptions whose expressions have no place, by the last one that it passed.
   struct PlaceWalk {
     std::optional<ServiceKey> at;
     bool must_repeat;
@@ -241,7 +241,7 @@ class Matcher::State {
   Request replaced_request_;
   registry::Generation replaced_generation_ = registry::Generation::even;  ///< of the edition of replaced_request_
   bool replaced_was_clashing_ = false;                    ///< whether its number was that of two concepts
-  const registry::StoredSubscription* untold_ = nullptr;  ///< the one whose consumer is told by nobody here
+  const registry::StoredSubscription* untold_ = nullptr;  ///< its own consumer gets no events (Telling::providers)
 };
 
 }  // namespace geminga::matching

@@ -27,7 +27,7 @@ const Kind* identity_as(const PublicationEntry& publication) {
   return std::get_if<Kind>(&publication.publication.identity);
 }
 
-/// Reads one field; what is no text already is written into the room.
+/// Reads one field. A field that is no text is written into `room`, which the value then borrows.
 using Reader = Value (*)(const PublicationEntry&, std::string& room);
 
 /// The fields of a service, in the order of WHERE.md.

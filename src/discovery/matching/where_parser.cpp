@@ -112,7 +112,7 @@ WhereParser::Result WhereParser::unary(std::size_t depth) {
     const std::size_t first = parsed_.nodes.size();
     Result negated = unary(*level);
     if (negated && parsed_.nodes.back().kind == Node::Kind::negation) {
-      parsed_.nodes.pop_back();  // twice is not at all, and so a run of signs from the air costs no memory
+      parsed_.nodes.pop_back();  // two negations cancel out, so that a run of them from the air costs no memory
       return negated;
     }
     return negated ? add(Node{.kind = Node::Kind::negation, .operands = 1}, first) : negated;

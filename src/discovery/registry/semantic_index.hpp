@@ -18,7 +18,7 @@ namespace geminga::registry {
 template <typename Entry>
 class SemanticIndex {
  public:
-  /// Nothing must be filed.
+  /// Requires that nothing is filed.
   void set_class_count(std::size_t count) {
     for (const auto& buckets : classes_) {
       GEMINGA_ASSERT(!buckets || (buckets->own.is_empty() && buckets->below.is_empty()));

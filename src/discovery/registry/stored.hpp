@@ -58,9 +58,9 @@ struct Stored {
   mutable const Name<Entry>* concept_name = nullptr;
 };
 
-/// Entries that share something, in no order that means anything. A caller that shows or decides by them sorts first.
-/// A lone entry is kept within, because most identities have one provider and a look-up should not pay for more. Must
-/// not be moved while an entry is filed in it.
+/// Entries that share something, in no order that means anything. A caller that shows or decides by them sorts first. A
+/// single entry needs no allocation, because most identities have one provider and a look-up should not pay for more.
+/// Must not be moved while an entry is filed in it.
 template <typename Entry>
 class Bucket {
  public:

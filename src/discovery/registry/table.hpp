@@ -29,7 +29,7 @@ struct Filing {
   /// More classes that it is filed under, none of them `own`, none twice: of a subscription for an expression those
   /// right below it.
   std::span<const ClassIndex> further_own{};
-  /// By whose classes.
+  /// Whose classes these are.
   Generation generation = Generation::even;
 };
 

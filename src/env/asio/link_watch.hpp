@@ -11,9 +11,9 @@
 namespace geminga::env {
 
 /// Between two looks without a reported change. Shorter: a change that the kernel did not report is seen sooner.
-/// Longer: less processor time. Reports are reliable on every kernel we know; this is the belt beside the braces.
+/// Longer: less processor time. Reports are reliable on every kernel we know; this is a safeguard.
 inline constexpr std::chrono::seconds link_scan_period{2};
-/// Between two looks when reports rain: an interface that comes up causes half a dozen.
+/// Between two looks when many reports come: an interface that comes up causes half a dozen.
 inline constexpr std::chrono::milliseconds link_scan_pause{20};
 
 /// Listens to rtnetlink(7) and a timer.

@@ -80,7 +80,7 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
   [[nodiscard]] std::size_t unsent(StreamId stream) const {
     const auto found = connections_.find(stream);
     if (found == connections_.end() || !found->second->is_open) return 0;
-    // Whoever hears now that something waits may be waiting for it to have gone, even if the end of this event sends
+    // Who learns now that something waits may wait for on_stream_drained(), even if the end of this event sends all of
     // it.
     if (found->second->waiting() > 0) found->second->is_behind = true;
     return found->second->waiting();
@@ -131,7 +131,7 @@ class Streams::State : public std::enable_shared_from_this<Streams::State> {
     proceed(connection);
   }
 
-  /// One that is closed already and only takes its last words has no claim to the room that a new one needs.
+  /// A connection that is closed already and only takes its last lines gives way to a new one.
   bool drop_oldest_closed() {
     const auto found = std::ranges::find_if(connections_, [](const auto& entry) { return !entry.second->is_open; });
     if (found == connections_.end()) return false;

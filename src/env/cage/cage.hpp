@@ -14,13 +14,13 @@ inline constexpr bool is_sanitized = true;
 inline constexpr bool is_sanitized = false;
 #endif
 
-/// What is left. Everything else is forbidden by not being here: a list of what is dangerous is never whole.
+/// What is still allowed. Everything else is forbidden, because no list of dangers would ever be complete.
 struct Freedom {
   /// May become another program, which is then in this cage and may only make it narrower.
   bool may_become = false;
   /// What may be opened for reading, folders with all below them; what does not exist is passed over. Landlock.
   std::vector<std::string> readable;
-  /// Nothing restricts reading: for who does not know yet what its program needs to begin.
+  /// Nothing: reading is not restricted, for a process that does not know yet what its program needs to start.
   bool may_read_all = false;
   /// Folders in which files may be written, renamed and removed. Where Landlock is missing, any file may then.
   std::vector<std::string> writable_folders;

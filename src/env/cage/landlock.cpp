@@ -85,7 +85,7 @@ bool restrict_paths(const Freedom& freedom) {
   if (freedom.may_read_all) ruleset.handled_fs &= ~(execute | read_file | read_dir);
   if (version >= 4) ruleset.handled_net = bit(2) - 1;  // bind and connect
   if (version >= 6) ruleset.scoped = bit(2) - 1;       // abstract sockets and signals
-  // A kernel takes no longer a structure than it knows.
+  // A kernel refuses a structure that is longer than the one that it knows.
   const std::size_t size = version >= 6 ? 24 : version >= 4 ? 16 : 8;
   Rules rules(ruleset, size);
   if (is_sanitized) rules.allow("/proc", read_file | read_dir);

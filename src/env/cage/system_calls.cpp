@@ -89,7 +89,7 @@ void allow_threads(Filter& filter) {
       CLONE_NEWNS | CLONE_NEWUTS | CLONE_NEWIPC | CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNET | CLONE_NEWCGROUP;
   filter.allow(SCMP_SYS(clone), masked(0, CLONE_THREAD | CLONE_VM | namespaces, CLONE_THREAD | CLONE_VM));
   filter.hide(SCMP_SYS(clone3));
-  // What looks for leaks shares our memory and is nobody's child.
+  // The tracer that looks for leaks shares our memory, and is not traced itself.
   constexpr std::uint64_t tracer = CLONE_VM | CLONE_UNTRACED;
   if (is_sanitized) filter.allow(SCMP_SYS(clone), masked(0, tracer | namespaces, tracer));
 }

@@ -1,4 +1,4 @@
-// An answer to a query that is told piece by piece, so that neither its time nor its size is anybody else's.
+// An answer to a query that is told piece by piece, so that a long one neither delays nor crowds out anybody else.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_ANSWERING_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_ANSWERING_HPP
 
@@ -27,7 +27,7 @@ class Piece {
   void tell(Line line);
   /// Counts one entry that was looked at, told of or not.
   void look_at_one();
-  /// Whether it is enough for now.
+  /// Whether this piece has done its share of work.
   [[nodiscard]] bool is_full() const;
   [[nodiscard]] std::size_t told() const { return told_; }
   [[nodiscard]] std::size_t looked_at() const { return looked_at_; }

@@ -41,7 +41,7 @@ template <typename Entry>
 /// `mode address port protocol priority`, as in events.
 void append_channel(Line& line, const Publication& publication);
 
-/// What a FILTER leaves over, with its names resolved by the vocabulary that is in force when it is made.
+/// Decides what passes a FILTER. Names are resolved by the vocabulary that is in force when it is made.
 class Sieve {
  public:
   [[nodiscard]] static std::expected<Sieve, Error> make(Core& core, const gcnp::ListFilter& filter);

@@ -13,8 +13,8 @@
 namespace geminga::participant {
 namespace {
 
-/// Fewer publications than this that the index gives are looked at alone; else the whole registry is gone through,
-/// which can be interrupted.
+/// Up to so many candidates that the index gives are looked at alone. Where there are more, the whole registry is
+/// walked, which can be interrupted.
 constexpr std::size_t max_candidates = 256;
 
 Line line_of(const Core& core, const registry::PublicationEntry& entry, const matching::Match& match) {

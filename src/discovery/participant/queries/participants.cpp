@@ -63,7 +63,7 @@ Line line_of(const Core& core, const membership::Neighbour& neighbour) {
 Answered answer(Core& core, const gcnp::QueryParticipants&) {
   Answer answer{.kind = "participants", .lines = {ourselves(core)}, .end = {}};
   core.neighbours.for_each([&](const membership::Neighbour& one) { answer.lines.push_back(line_of(core, one)); });
-  // The identifier is written with as many digits for everybody, so that its order is that of the text.
+  // All identifiers have the same number of digits, so that they are in the order of their texts.
   std::ranges::sort(answer.lines, {}, [](const Line& line) { return *line.front().value; });
   return answer;
 }

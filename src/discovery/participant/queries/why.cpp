@@ -10,7 +10,7 @@
 namespace geminga::participant {
 namespace {
 
-/// Of the words that say what is missing.
+/// Octets of the words that say what is missing.
 constexpr std::size_t max_nearest_bytes = 2000;
 
 Line check(std::string_view what, bool is_ok, std::string text) {
