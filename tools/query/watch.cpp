@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 3> restless{"age", "heard", "loss"};
 
 using Known = std::map<std::string, Record, std::less<>>;
 
-/// The record as an object without what is restless.
+/// The record as an object without these.
 boost::json::object steady(const Record& record) {
   auto object = shell::to_json(record);
   for (const auto key : restless) object.erase(key);

@@ -13,6 +13,7 @@
 #include <string>
 #include <utility>
 
+#include "base/text.hpp"
 #include "shell/describe.hpp"
 #include "shell/terminal.hpp"
 #include "shell/timestamp.hpp"
@@ -40,15 +41,12 @@ constexpr auto words_of_status =
 
 /// The number that the whole text is in decimal, or nothing.
 std::optional<json::value> as_number(std::string_view text) {
-  const auto is_whole = [&](const std::from_chars_result& read) {
-    return read.ec == std::errc() && read.ptr == text.data() + text.size();
-  };
-  std::int64_t integer = 0;
-  if (is_whole(std::from_chars(text.data(), text.data() + text.size(), integer))) return json::value(integer);
-  double real = 0;
+  if (const auto integer = base::parse_number<std::int64_t>(text)) return json::value(*integer);
   if (text.find_first_not_of("0123456789.-") != std::string_view::npos) return std::nullopt;
-  if (is_whole(std::from_chars(text.data(), text.data() + text.size(), real))) return json::value(real);
-  return std::nullopt;
+  double real = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), real);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return json::value(real);
 }
 
 bool is_measure(std::string_view key, std::string_view kind) {

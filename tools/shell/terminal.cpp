@@ -4,11 +4,11 @@
 #include <unistd.h>
 #include <utf8.h>
 
-#include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdlib>
 #include <iterator>
+
+#include "base/text.hpp"
 
 namespace geminga::shell {
 namespace {
@@ -25,19 +25,15 @@ constexpr std::size_t most_columns = 10'000;
 std::size_t columns_of_the_environment() {
   const char* variable = std::getenv("COLUMNS");
   const std::string_view text = variable == nullptr ? "" : variable;
-  std::size_t columns = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), columns);
-  const bool is_number = !text.empty() && read.ec == std::errc() && read.ptr == text.data() + text.size();
-  return is_number && columns <= most_columns ? columns : 0;
+  const std::size_t columns = base::parse_number<std::size_t>(text).value_or(0);
+  return columns <= most_columns ? columns : 0;
 }
 
 /// Whether the user's locale has UTF-8 by its name; where none is named it is taken to, as terminals do.
 bool locale_has_utf8() {
   for (const char* variable : {"LC_ALL", "LC_CTYPE", "LANG"}) {
     if (!is_set(variable)) continue;
-    std::string name(std::getenv(variable));
-    std::ranges::transform(name, name.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    const std::string name = base::in_lower_case(std::getenv(variable));
     return name.contains("utf-8") || name.contains("utf8");
   }
   return true;
