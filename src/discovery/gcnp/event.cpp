@@ -32,7 +32,7 @@ namespace {
 template <typename Event>
 void append_match(std::vector<Parameter>& parameters, const Event& event, ChannelMode mode) {
   append(parameters, "degree", std::string(to_string(event.degree)));
-  append(parameters, "distance", std::to_string(event.distance));
+  append(parameters, "distance", event.distance);
   append(parameters, "mode", std::string(to_string(mode)));
 }
 
@@ -52,9 +52,9 @@ Statement to_statement(std::uint32_t request, const ServiceEvent& event) {
   append_identity(parameters, publication.identity);
   append_match(parameters, event, publication.mode);
   append_stated(parameters, "address", publication.address);
-  append(parameters, "port", std::to_string(publication.port));
+  append(parameters, "port", publication.port);
   append(parameters, "protocol", publication.protocol);
-  append(parameters, "priority", std::to_string(publication.priority));
+  append(parameters, "priority", publication.priority);
   append_stated(parameters, "participant_name", event.participant_name);
   append_attributes(parameters, publication.attributes);
   return statement;
@@ -74,8 +74,8 @@ Statement to_statement(std::uint32_t request, const ConsumerEvent& event) {
   append_identity(parameters, subscribed.identity);
   append_match(parameters, event, subscribed.mode);
   append_stated(parameters, "address", subscribed.address);
-  if (subscribed.port != 0) append(parameters, "port", std::to_string(subscribed.port));
-  append(parameters, "priority", std::to_string(subscribed.priority));
+  if (subscribed.port != 0) append(parameters, "port", subscribed.port);
+  append(parameters, "priority", subscribed.priority);
   append_stated(parameters, "participant_name", event.participant_name);
   append_attributes(parameters, subscribed.attributes);
   return statement;
@@ -83,7 +83,7 @@ Statement to_statement(std::uint32_t request, const ConsumerEvent& event) {
 
 void append_identity(std::vector<Parameter>& parameters, const NamedIdentity& identity) {
   if (const auto* number = std::get_if<NumericIdentity>(&identity)) {
-    append(parameters, "id", std::to_string(number->number));
+    append(parameters, "id", number->number);
   } else if (const auto* name = std::get_if<TextIdentity>(&identity)) {
     append(parameters, "text", name->text);
   } else {

@@ -2,6 +2,7 @@
 #ifndef GEMINGA_DISCOVERY_GCNP_PARAMETERS_HPP
 #define GEMINGA_DISCOVERY_GCNP_PARAMETERS_HPP
 
+#include <concepts>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +15,10 @@ namespace geminga::gcnp {
 
 inline void append(std::vector<Parameter>& parameters, std::string_view key, std::string value) {
   parameters.push_back({std::string(key), std::move(value)});
+}
+template <std::integral Number>
+void append(std::vector<Parameter>& parameters, std::string_view key, Number value) {
+  append(parameters, key, std::to_string(value));
 }
 
 /// Appends the parameter unless its value is empty.

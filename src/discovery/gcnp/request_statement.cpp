@@ -14,7 +14,7 @@ using Parameters = std::vector<Parameter>;
 
 void append_change(Parameters& parameters, const IdentityChange& change) {
   if (const auto* number = std::get_if<NumericIdentity>(&change)) {
-    append(parameters, "id", std::to_string(number->number));
+    append(parameters, "id", number->number);
   } else if (const auto* name = std::get_if<TextIdentity>(&change)) {
     append(parameters, "text", name->text);
   } else {
@@ -41,8 +41,8 @@ void append_common_change(Parameters& parameters, const Change& change) {
   if (change.identity) append_change(parameters, *change.identity);
   if (change.mode) append(parameters, "mode", std::string(to_string(*change.mode)));
   if (change.address) append(parameters, "address", *change.address);
-  if (change.port) append(parameters, "port", std::to_string(*change.port));
-  if (change.priority) append(parameters, "priority", std::to_string(*change.priority));
+  if (change.port) append(parameters, "port", *change.port);
+  if (change.priority) append(parameters, "priority", *change.priority);
 }
 
 struct Writer {
@@ -66,10 +66,10 @@ struct Writer {
     const NamedPublication& publication = create.publication;
     append(parameters, "mode", std::string(to_string(publication.mode)));
     append_identity(parameters, publication.identity);
-    append(parameters, "port", std::to_string(publication.port));
+    append(parameters, "port", publication.port);
     append_stated(parameters, "address", publication.address);
     if (publication.protocol != "udp") append(parameters, "protocol", publication.protocol);
-    if (publication.priority != 0) append(parameters, "priority", std::to_string(publication.priority));
+    if (publication.priority != 0) append(parameters, "priority", publication.priority);
     append_own_attributes(parameters, publication.attributes);
   }
   void operator()(const PubModify& change) const {
@@ -91,9 +91,9 @@ struct Writer {
     append_stated(parameters, "provider", provider_list(subscription.providers));
     append_stated(parameters, "where", subscription.where);
     append_stated(parameters, "protocol", protocol_list(subscription.protocols));
-    if (subscription.limit) append(parameters, "limit", std::to_string(*subscription.limit));
-    if (subscription.priority != 0) append(parameters, "priority", std::to_string(subscription.priority));
-    if (subscription.port != 0) append(parameters, "port", std::to_string(subscription.port));
+    if (subscription.limit) append(parameters, "limit", *subscription.limit);
+    if (subscription.priority != 0) append(parameters, "priority", subscription.priority);
+    if (subscription.port != 0) append(parameters, "port", subscription.port);
     append_stated(parameters, "address", subscription.address);
     append_own_attributes(parameters, subscription.attributes);
   }
@@ -104,7 +104,7 @@ struct Writer {
     if (change.providers) append(parameters, "provider", provider_list(*change.providers));
     if (change.where) append(parameters, "where", *change.where);
     if (change.protocols) append(parameters, "protocol", protocol_list(*change.protocols));
-    if (change.limit) append(parameters, "limit", std::to_string(*change.limit));
+    if (change.limit) append(parameters, "limit", *change.limit);
     append_own_attributes(parameters, change.attributes);
   }
   void operator()(const SubRemove&) const { begin("sub", "remove"); }
@@ -128,7 +128,7 @@ struct Writer {
     if (query.mode) append(parameters, "mode", std::string(to_string(*query.mode)));
     append_stated(parameters, "provider", provider_list(query.providers));
     append_stated(parameters, "where", query.where);
-    if (query.limit != 0) append(parameters, "limit", std::to_string(query.limit));
+    if (query.limit != 0) append(parameters, "limit", query.limit);
   }
   void operator()(const QueryExplain& query) const {
     auto& parameters = begin("query", "explain");

@@ -47,7 +47,7 @@ Answered answer(Core& core, const gcnp::QueryExplain& query) {
   for (const auto& axiom : explanation->axioms) {
     Line line;
     append(line, "axiom", axiom.text);
-    append_known(line, "file", base::printable(axiom.file, 4096));
+    append_stated(line, "file", base::printable(axiom.file, 4096));
     if (axiom.line != 0) append(line, "line", axiom.line);
     answer.lines.push_back(std::move(line));
   }

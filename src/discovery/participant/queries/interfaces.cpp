@@ -11,7 +11,7 @@ Answered answer(Core& core, const gcnp::QueryInterfaces&) {
     Line line;
     append(line, "name", interface.name);
     append_flag(line, "loopback", interface.is_loopback);
-    append_known(line, "addresses", base::joined(interface.addresses, ","));
+    append_stated(line, "addresses", base::joined(interface.addresses, ","));
     append(line, "sent", counters.sent);
     append(line, "received", counters.received);
     answer.lines.push_back(std::move(line));
@@ -25,7 +25,7 @@ Answered answer(Core& core, const gcnp::QueryPeers&) {
     Line line;
     append(line, "peer", static_cast<std::uint32_t>(session->peer()));
     append(line, "name", session->name);
-    append_known(line, "user", session->user);
+    append_stated(line, "user", session->user);
     append(line, "publications", session->publications.size());
     append(line, "subscriptions", session->subscriptions.size());
     append(line, "statements", session->statements);

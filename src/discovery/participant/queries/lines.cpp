@@ -58,7 +58,7 @@ std::string decimal(double number) {
 
 void append_channel(Line& line, const Publication& publication) {
   append(line, "mode", std::string(to_string(publication.mode)));
-  append_known(line, "address", publication.address);
+  append_stated(line, "address", publication.address);
   append(line, "port", publication.port);
   append(line, "protocol", publication.protocol);
   append(line, "priority", publication.priority);

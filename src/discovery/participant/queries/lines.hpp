@@ -2,7 +2,6 @@
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_LINES_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_LINES_HPP
 
-#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,22 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "discovery/gcnp/parameters.hpp"
 #include "discovery/participant/queries/queries.hpp"
 
 namespace geminga::participant {
 
-inline void append(Line& line, std::string_view key, std::string value) {
-  line.push_back({.key = std::string(key), .value = std::move(value)});
-}
-template <std::integral Number>
-void append(Line& line, std::string_view key, Number value) {
-  append(line, key, std::to_string(value));
-}
 inline void append_flag(Line& line, std::string_view key, bool value) { append(line, key, value ? "1" : "0"); }
-/// Left out where it is empty: unknown.
-inline void append_known(Line& line, std::string_view key, const std::string& value) {
-  if (!value.empty()) append(line, key, value);
-}
 
 /// Seconds with three decimals; what is negative counts as 0.
 [[nodiscard]] std::string seconds(base::Duration duration);

@@ -21,13 +21,13 @@ Line line_of(const Core& core, const registry::PublicationEntry& entry, const ma
   Line line;
   append(line, "service", to_string(entry.key));
   append(line, "provider", peer_word(entry.key));
-  append_known(line, "name", entry.peer_name);
+  append_stated(line, "name", entry.peer_name);
   gcnp::append_identity(line, named(core.vocabulary(), entry.publication.identity));
   append(line, "degree", std::string(to_string(match.degree)));
   append(line, "distance", match.distance);
   append_channel(line, entry.publication);
   append(line, "age", age(core, entry));
-  append_known(line, "participant_name", entry.participant_name);
+  append_stated(line, "participant_name", entry.participant_name);
   gcnp::append_attributes(line, entry.publication.attributes);
   return line;
 }

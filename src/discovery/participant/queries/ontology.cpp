@@ -27,14 +27,14 @@ Answered answer(Core& core, const gcnp::QueryOntology&) {
     for (const auto& file : files) {
       Line line;
       append(line, "file", base::printable(file.path, 4096));
-      append_known(line, "iri", file.ontology_iri);
+      append_stated(line, "iri", file.ontology_iri);
       answer.lines.push_back(std::move(line));
     }
     for (const auto& one : left_out) {
       Line line;
       append(line, "left_out", one.construct);
       append(line, "count", one.count);
-      append_known(line, "first", base::printable(one.first, 4096));
+      append_stated(line, "first", base::printable(one.first, 4096));
       answer.lines.push_back(std::move(line));
     }
     for (const std::string& gap : gaps) {

@@ -32,7 +32,7 @@ Line ourselves(const Core& core) {
   Line line;
   append(line, "id", to_string(core.id));
   append(line, "name", core.name());
-  append_known(line, "addresses", base::joined(addresses, ","));
+  append_stated(line, "addresses", base::joined(addresses, ","));
   append(line, "heard", "0.000");
   append(line, "interval", seconds(core.settings.interval));
   append(line, "loss", "0.000");
@@ -47,7 +47,7 @@ Line line_of(const Core& core, const membership::Neighbour& neighbour) {
   Line line;
   append(line, "id", to_string(neighbour.id));
   append(line, "name", neighbour.name.empty() ? to_string(neighbour.id) : neighbour.name);
-  append_known(line, "addresses", addresses_of(neighbour));
+  append_stated(line, "addresses", addresses_of(neighbour));
   append(line, "heard", seconds(core.env.now() - neighbour.heard));
   append(line, "interval", seconds(neighbour.interval));
   append(line, "loss", decimal(neighbour.loss));

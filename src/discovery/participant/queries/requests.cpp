@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "discovery/gcnp/event.hpp"
-#include "discovery/gcnp/parameters.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 
@@ -15,21 +14,21 @@ Line line_of(const Core& core, const registry::SubscriptionEntry& entry) {
   Line line;
   append(line, "subscription", to_string(entry.key));
   append(line, "consumer", peer_word(entry.key));
-  append_known(line, "name", entry.peer_name);
-  append_known(line, "participant_name", entry.participant_name);
+  append_stated(line, "name", entry.peer_name);
+  append_stated(line, "participant_name", entry.participant_name);
   gcnp::append_identity(line, named(core.vocabulary(), subscription.identity));
   append(line, "match", std::string(to_string(subscription.weakest)));
   append(line, "mode", std::string(to_string(subscription.mode)));
-  append_known(line, "provider", gcnp::provider_list(subscription.providers));
-  append_known(line, "where", subscription.where);
+  append_stated(line, "provider", gcnp::provider_list(subscription.providers));
+  append_stated(line, "where", subscription.where);
   append(line, "limit", subscription.limit);
-  append_known(line, "address", subscription.address);
+  append_stated(line, "address", subscription.address);
   if (subscription.port != 0) append(line, "port", subscription.port);
   append(line, "priority", subscription.priority);
   append(line, "age", age(core, entry));
   append_flag(line, "local", entry.is_local);
   append_flag(line, "served", core.matcher.is_served(entry));
-  append_known(line, "protocol", gcnp::protocol_list(subscription.protocols));
+  append_stated(line, "protocol", gcnp::protocol_list(subscription.protocols));
   gcnp::append_attributes(line, subscription.attributes);
   return line;
 }

@@ -13,8 +13,8 @@ Line line_of(const Core& core, const registry::PublicationEntry& entry) {
   Line line;
   append(line, "service", to_string(entry.key));
   append(line, "provider", peer_word(entry.key));
-  append_known(line, "name", entry.peer_name);
-  append_known(line, "participant_name", entry.participant_name);
+  append_stated(line, "name", entry.peer_name);
+  append_stated(line, "participant_name", entry.participant_name);
   gcnp::append_identity(line, named(core.vocabulary(), entry.publication.identity));
   append_channel(line, entry.publication);
   append(line, "age", age(core, entry));

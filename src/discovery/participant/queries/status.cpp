@@ -96,7 +96,7 @@ Answered answer(Core& core, const gcnp::QueryStatus&) {
   if (core.neighbours.refused_services() != 0) append(line, "refused_services", core.neighbours.refused_services());
   append(line, "clients_closed", core.counters.clients_closed);
   append(line, "lags", core.counters.lags);
-  append_known(line, "users", users(core));
+  append_stated(line, "users", users(core));
   if (core.status_source) {
     for (gcnp::Parameter& parameter : core.status_source()) line.push_back(std::move(parameter));
   }

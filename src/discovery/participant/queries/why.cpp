@@ -3,7 +3,6 @@
 
 #include "base/text.hpp"
 #include "discovery/gcnp/event.hpp"
-#include "discovery/gcnp/parameters.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 
