@@ -13,9 +13,10 @@
 namespace geminga::shell {
 namespace {
 
-bool is_set(const char* name) {
+/// What a variable of the environment holds; nothing where it is not set.
+std::string_view variable(const char* name) {
   const char* value = std::getenv(name);
-  return value != nullptr && *value != '\0';
+  return value == nullptr ? std::string_view() : value;
 }
 
 /// A terminal beyond this is a mistake of COLUMNS; it would only cost memory for spaces.
@@ -23,18 +24,15 @@ constexpr std::size_t most_columns = 10'000;
 
 /// The number in COLUMNS, or 0 where it is none that makes sense.
 std::size_t columns_of_the_environment() {
-  const char* variable = std::getenv("COLUMNS");
-  const std::string_view text = variable == nullptr ? "" : variable;
-  const std::size_t columns = base::parse_number<std::size_t>(text).value_or(0);
+  const std::size_t columns = base::parse_number<std::size_t>(variable("COLUMNS")).value_or(0);
   return columns <= most_columns ? columns : 0;
 }
 
 /// Whether the user's locale has UTF-8 by its name; where none is named it is taken to, as terminals do.
 bool locale_has_utf8() {
-  for (const char* variable : {"LC_ALL", "LC_CTYPE", "LANG"}) {
-    if (!is_set(variable)) continue;
-    const std::string name = base::in_lower_case(std::getenv(variable));
-    return name.contains("utf-8") || name.contains("utf8");
+  for (const char* category : {"LC_ALL", "LC_CTYPE", "LANG"}) {
+    const std::string name = base::in_lower_case(variable(category));
+    if (!name.empty()) return name.contains("utf-8") || name.contains("utf8");
   }
   return true;
 }
@@ -67,7 +65,7 @@ Terminal Terminal::of_standard_output() {
   terminal.is_terminal = isatty(STDOUT_FILENO) == 1;
   if (!terminal.is_terminal) return terminal;
   const char* kind = std::getenv("TERM");
-  terminal.has_colour = !is_set("NO_COLOR") && kind != nullptr && std::string_view(kind) != "dumb";
+  terminal.has_colour = variable("NO_COLOR").empty() && kind != nullptr && std::string_view(kind) != "dumb";
   terminal.has_utf8 = locale_has_utf8();
   winsize size{};
   terminal.columns = columns_of_the_environment();
