@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/sorted.hpp"
+
 namespace geminga::hypertableau {
 namespace {
 
@@ -38,8 +40,7 @@ std::vector<NodeId> find_changed(const Graph& graph, const Mark& before) {
     const Fact& fact = graph.fact(id);
     if (fact.kind == FactKind::concept_of && fact.a < before.nodes) changed.push_back(fact.a);
   }
-  std::ranges::sort(changed);
-  changed.erase(std::ranges::unique(changed).begin(), changed.end());
+  base::sort_unique(changed);
   return changed;
 }
 
