@@ -39,8 +39,8 @@ struct Learning {
   bool is_partial = false;   ///< y may tell x of a part of a word, which no expression stands for
 };
 
-/// Calls with each expression that the end of a link learns, of whose beginning these are the subsumers and, among
-/// them, those with existential rules.
+/// Calls `visit` with each expression that the end of a link learns. `subsumers` are those of the beginning of the
+/// link, and `fillers` those of them that have existential rules.
 template <typename Visit>
 void visit_taught(const IndexedOntology& index, std::span<const Learning> all, std::span<const ExprId> fillers,
                   std::span<const std::uint32_t> subsumers, Visit&& visit) {

@@ -38,8 +38,8 @@ struct OpenParts {
   std::vector<OpenUnion> unions;
   std::vector<OpenCount> at_most;
   std::vector<OpenCount> at_least;
-  bool is_mirrored = true;  ///< chains of inverses are told of the properties themselves
-  bool is_more = false;     ///< something is not used that stands in none of these
+  bool is_mirrored = true;  ///< what inverses say of chains has been told of the properties themselves
+  bool is_more = false;     ///< something else is not used, which has no form above
 
   /// Notes that the construct, if there is one, is not used and has no form above. Returns it.
   owl::Construct beyond(owl::Construct construct) {
