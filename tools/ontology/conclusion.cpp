@@ -30,12 +30,13 @@ std::expected<std::set<std::string>, NoKnowledge> files_of(const std::string& ar
 
 }  // namespace
 
-std::optional<std::string> find_unread(const owl::Ontology& source, const std::vector<bool>& files, bool with_damaged) {
+std::optional<std::string> find_unread(const owl::Ontology& source, const std::vector<bool>& files,
+                                       bool with_ill_typed) {
   for (const owl::Ontology::Omission& omission : source.omissions()) {
     const auto file = static_cast<std::size_t>(omission.file);
     if (!files.empty() && !files[file]) continue;
     const std::string_view construct = source.name(omission.construct);
-    if (construct.starts_with(import_words) || (!with_damaged && construct == owl::damaged_literal)) continue;
+    if (construct.starts_with(import_words) || (!with_ill_typed && construct == owl::ill_typed_literal)) continue;
     std::string text = std::string(construct) + " is not understood: " + source.files()[file].path;
     if (omission.line != 0) text += ':' + std::to_string(omission.line);
     return text;
@@ -70,8 +71,8 @@ std::expected<Argument, NoKnowledge> load_argument(const std::string& premise, c
     if (in_premise[file]) argument.premise.push_back(axiom);
     if (in_conclusion[file]) argument.conclusion.push_back(axiom);
   }
-  for (std::size_t axiom = 0; axiom < source.damaged_count(); ++axiom) {
-    if (in_premise[static_cast<std::size_t>(source.damaged(axiom).file)]) argument.damaged.push_back(axiom);
+  for (std::size_t axiom = 0; axiom < source.ill_typed_count(); ++axiom) {
+    if (in_premise[static_cast<std::size_t>(source.ill_typed(axiom).file)]) argument.ill_typed.push_back(axiom);
   }
   argument.unread_premise = find_unread(source, in_premise, false);
   argument.unread_conclusion = find_unread(source, in_conclusion, true);

@@ -18,9 +18,9 @@ struct Argument {
   rdf::Loaded loaded;
   std::vector<std::uint32_t> premise;     ///< axioms
   std::vector<std::uint32_t> conclusion;  ///< axioms
-  std::vector<std::size_t> damaged;       ///< axioms of the premise that hold a damaged literal
+  std::vector<std::size_t> ill_typed;     ///< axioms of the premise that hold an ill-typed literal
   /// What was read and means nothing to a reasoner, in one line; nothing: all was understood. Of the premise without
-  /// what is damaged.
+  /// what is ill-typed.
   std::optional<std::string> unread_premise;
   std::optional<std::string> unread_conclusion;
 };
@@ -29,9 +29,10 @@ struct Argument {
                                                                  const std::string& conclusion, Progress& progress);
 
 /// The first thing that the reader left out of these files, imports apart: those are decided without. `files[f]` says
-/// whether file f is meant; empty: all are. What is left out for a damaged literal counts only where it is asked for.
+/// whether file f is meant; empty: all are. What is left out for an ill-typed literal counts only where it is asked
+/// for.
 [[nodiscard]] std::optional<std::string> find_unread(const owl::Ontology& source, const std::vector<bool>& files,
-                                                     bool with_damaged);
+                                                     bool with_ill_typed);
 
 /// On standard error, for every import that no given file answers, that it was decided without.
 void say_unresolved(const rdf::Loaded& loaded);

@@ -5,7 +5,7 @@
 
 #include "command.hpp"
 #include "conclusion.hpp"
-#include "reasoning/reasoner/damaged.hpp"
+#include "reasoning/reasoner/ill_typed.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {
@@ -40,7 +40,7 @@ Exit consistent(const ConsistentRequest& request, const WorkLimits& limits) {
   if (!loaded) return say_failure(loaded.error().text, request.as_json);
   progress.show("deciding", 0, loaded->source.axiom_count() > 10'000);
   base::Budget budget = budget_of(limits);
-  Answer answer = reasoner::is_consistent_as_meant(loaded->source, &budget);
+  Answer answer = reasoner::is_consistent_repaired(loaded->source, &budget);
   // What was not understood can only make a contradiction, never undo one.
   if (answer.verdict == Verdict::yes) {
     if (auto unread = find_unread(loaded->source, {}, false)) answer = {Verdict::unknown, std::move(*unread)};

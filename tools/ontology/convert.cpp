@@ -20,12 +20,12 @@ struct ConvertRequest {
   bool merges = false;
 };
 
-/// What was read and cannot be written: triples are written as they stand, and what is damaged as it was read.
+/// What was read and cannot be written: triples are written as they stand, and what is ill-typed as it was read.
 void say_lost(const rdf::Loaded& loaded) {
   for (const owl::Ontology::Omission& lost : loaded.source.omissions()) {
     const auto file = static_cast<std::size_t>(lost.file);
     const std::string_view construct = loaded.source.name(lost.construct);
-    if (syntax::has_triples(loaded.syntaxes[file]) || construct == owl::damaged_literal ||
+    if (syntax::has_triples(loaded.syntaxes[file]) || construct == owl::ill_typed_literal ||
         construct.starts_with("owl:imports "))
       continue;
     say_error(base::printable(loaded.source.files()[file].path, 4096) + ':' + std::to_string(lost.line) + ": " +
@@ -49,7 +49,7 @@ Exit convert(const ConvertRequest& request) {
                      " files, and convert writes one: geminga-ontology merge makes one of many");
   graph::Graph graph;
   if (const auto problem = add_asserted(*loaded, graph)) return say_error(*problem);
-  graph.settle();
+  graph.sort();
   const auto text = graph.write(*format, prefixes_of(loaded->source));
   if (!text) return say_error(text.error());
   say_lost(*loaded);

@@ -6,7 +6,7 @@
 #include "command.hpp"
 #include "conclusion.hpp"
 #include "reasoning/owl/print.hpp"
-#include "reasoning/reasoner/damaged.hpp"
+#include "reasoning/reasoner/ill_typed.hpp"
 #include "words.hpp"
 
 namespace geminga::ontology {
@@ -43,7 +43,8 @@ Answer join(const std::vector<Finding>& findings, const Argument& argument) {
 
 std::vector<Finding> decide(Argument& argument, base::Budget& budget) {
   owl::Ontology& source = argument.loaded.source;
-  const auto answers = reasoner::entails_each(source, argument.premise, argument.conclusion, argument.damaged, &budget);
+  const auto answers =
+      reasoner::entails_each(source, argument.premise, argument.conclusion, argument.ill_typed, &budget);
   const auto short_name = short_names(source);
   std::vector<Finding> findings;
   for (std::size_t at = 0; at < answers.size(); ++at) {

@@ -50,12 +50,12 @@ Exit infer(const InferRequest& request, const WorkLimits& limits) {
   graph::Graph& graph = request.only_inferred ? alone : asserted;
   add_inferred(*knowledge, request.as_closure, graph);
   if (graph.problem()) return say_error(*graph.problem());
-  graph.settle();
+  graph.sort();
   if (request.only_inferred) {
-    asserted.settle();
+    asserted.sort();
     alone.remove(asserted);
     add_declarations(*knowledge, alone);
-    alone.settle();
+    alone.sort();
   }
   const auto text = graph.write(*format, prefixes_of(knowledge->loaded.source));
   if (!text) return say_error(text.error());

@@ -68,7 +68,7 @@ Exit fill(const std::vector<std::string>& files, const QueryRequest& request, ba
   }
   progress.clear();
   if (asked.graph.problem()) return say_failure(*asked.graph.problem(), request.as_json);
-  asked.graph.settle();
+  asked.graph.sort();
   asked.short_name = short_names(knowledge->loaded.source);
   return Exit::yes;
 }

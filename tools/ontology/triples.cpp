@@ -54,9 +54,9 @@ class OtherFiles {
     using Of = owl::Annotation::Of;
     for (std::uint32_t number = 0; number < source.axiom_count() && !graph_.problem(); ++number)
       add(source.axiom(number), Of::axiom, number);
-    // What is damaged is written as it was read.
-    for (std::uint32_t number = 0; number < source.damaged_count() && !graph_.problem(); ++number)
-      add(source.damaged(number), Of::damaged, number);
+    // What is ill-typed is written as it was read.
+    for (std::uint32_t number = 0; number < source.ill_typed_count() && !graph_.problem(); ++number)
+      add(source.ill_typed(number), Of::ill_typed, number);
     add_headers();
     for (std::uint32_t number = 0; number < annotations_.size() && !graph_.problem(); ++number) {
       const owl::Annotation& annotation = annotations_.at(number);

@@ -9,10 +9,10 @@
 namespace geminga::compiled {
 namespace {
 
-/// What the parts of a section take beside their arrays is far below it.
+/// Far more than the parts of a section take beside its arrays.
 constexpr std::size_t spare_bytes = std::size_t{1} << 20;
 
-/// Whether all of it can be addressed, as far as sizes are known before.
+/// Whether all of it can be addressed, as far as sizes are known in advance.
 bool fits(const CompilerInput& input, const CompileOptions& options) {
   const auto& [source, classification, hashes, order] = input;
   std::size_t bytes = classification.class_count() * 80 + classification.parents.size() * 8;

@@ -13,20 +13,20 @@
 
 namespace geminga::compiled {
 
-/// How the line of the gaps begins that says what they leave open.
+/// How the line among the gaps begins that says which classes are undecided.
 inline constexpr std::string_view undecided_words = "undecided: ";
 
-/// What the source and its classification do not say.
+/// What to write beside the source and its classification.
 struct CompileOptions {
-  /// Why something may be missing although its axioms were used, one line each, as they are to be kept.
+  /// Why something may be missing although its axioms were used, one line each.
   std::span<const std::string> gaps;
-  /// The folder of the file that is written, of folder_of(); paths of sources are relative to it. Empty: they stay as
-  /// they are.
+  /// The folder of the file that is written, as folder_of() gives it. Paths of sources become relative to it. Empty:
+  /// they stay as they are.
   std::string folder;
 };
 
-/// The bytes of the compiled form. Equal for the same axioms, labels, prefixes, files and options, whatever their
-/// order. Empty where they would be more than max_compiled_bytes; Ontology refuses that.
+/// The octets of the compiled form. They are equal for the same axioms, labels, prefixes, files and options, whatever
+/// their order. Empty if they would be more than max_compiled_bytes; Ontology refuses that.
 [[nodiscard]] std::vector<std::byte> compile(const owl::Ontology& source,
                                              const taxonomy::Classification& classification,
                                              const CompileOptions& options = {});

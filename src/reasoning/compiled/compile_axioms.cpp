@@ -1,4 +1,4 @@
-// Terms and axioms in canonical order, and what explanations find them by.
+// Writes terms and axioms in canonical order, and the tables by which explanations find them.
 #include <algorithm>
 #include <map>
 
@@ -9,8 +9,8 @@
 namespace geminga::compiled {
 namespace {
 
-/// The numbers of names: those of classes are the classes, behind them come the others, ascending; the first of these
-/// is the empty one, which expressions have.
+/// Numbers names. Classes come first, with the numbers of the classes; then all other names, ascending. The first of
+/// those is the empty name, which expressions have.
 std::vector<std::uint32_t> number_names(const CompilerInput& input, form::AxiomsT& out) {
   const owl::Ontology& source = input.source;
   std::vector<std::uint32_t> number_of(source.name_count(), none);
@@ -68,7 +68,7 @@ void write_statements(const CompilerInput& input, form::AxiomsT& out) {
   }
 }
 
-/// What may have more to say than was understood, at the first place where it stands.
+/// Writes the axioms that were not used in full, with the first place where each stands.
 void write_unused(const CompilerInput& input, const form::TaxonomyT& taxonomy, form::AxiomsT& out) {
   std::map<std::string_view, std::uint32_t> groups;
   for (std::uint32_t group = 0; group < taxonomy.left_out.size(); ++group) {
@@ -91,7 +91,7 @@ void write_unused(const CompilerInput& input, const form::TaxonomyT& taxonomy, f
   }
 }
 
-/// Of what has been written, without the tables of modules.
+/// A view of what has been written so far, without the tables of modules.
 taxonomy::ClassifiedView view_of(const form::TaxonomyT& taxonomy, const form::AxiomsT& axioms) {
   taxonomy::ClassifiedView view;
   view.class_text = {reinterpret_cast<const char*>(taxonomy.class_text.data()), taxonomy.class_text.size()};

@@ -13,7 +13,7 @@
 namespace geminga::compiled {
 namespace {
 
-/// Prefixes that explanations use, where the files do not give these words another meaning.
+/// Prefixes that explanations use, unless the files give these words another meaning.
 constexpr std::pair<std::string_view, std::string_view> usual_prefixes[] = {
     {"owl", "http://www.w3.org/2002/07/owl#"},
     {"rdf", "http://www.w3.org/1999/02/22-rdf-syntax-ns#"},
@@ -52,7 +52,7 @@ struct Label {
   std::string_view language;
 };
 
-/// Those of classes, by text, then class, then language; each once.
+/// The labels of classes by text, then class, then language; each once.
 std::vector<Label> labels_of_classes(const CompilerInput& input) {
   const owl::Ontology& source = input.source;
   std::vector<std::uint32_t> class_of_name(source.name_count(), none);
@@ -71,7 +71,7 @@ std::vector<Label> labels_of_classes(const CompilerInput& input) {
   return labels;
 }
 
-/// English first, then what has no language, then the rest.
+/// English labels come first, then those without a language, then the rest.
 auto preference(const Label& label) {
   const int rank = label.language == "en" ? 0 : label.language.starts_with("en") ? 1 : label.language.empty() ? 2 : 3;
   return std::tuple(rank, label.language, label.text);
@@ -138,7 +138,7 @@ void write_classes(const CompilerInput& input, form::TaxonomyT& out) {
     out.child_begin.push_back(static_cast<std::uint32_t>(out.children.size()));
     const std::uint32_t node = out.representative[number];
     const taxonomy::Interval own = index.own(node);
-    // Equivalents have the intervals of their representative, which is the smallest of them.
+    // Equivalent classes have the intervals of their representative, which is the smallest of them.
     if (node != number) {
       out.reach.push_back(out.reach[node]);
       continue;

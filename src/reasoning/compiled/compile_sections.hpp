@@ -1,4 +1,4 @@
-// The sections of the compiled form, each written by a function of its own; compile.cpp puts them together.
+// The sections of the compiled form, each written by its own function. compile.cpp puts them together.
 #ifndef GEMINGA_REASONING_COMPILED_COMPILE_SECTIONS_HPP
 #define GEMINGA_REASONING_COMPILED_COMPILE_SECTIONS_HPP
 
@@ -15,8 +15,8 @@
 
 namespace geminga::compiled {
 
-/// Most items of the lists whose length is not known before: intervals, and axioms that wait for names. Both are few
-/// except where hardly anything is a tree.
+/// The most items of a list whose length is not known in advance: intervals, and axioms that wait for names. Both lists
+/// are short unless the taxonomy is far from a tree.
 inline constexpr std::size_t max_list_items = std::size_t{1} << 26;
 
 /// No class, no term.
@@ -30,15 +30,15 @@ struct CompilerInput {
   const owl::CanonicalOrder& order;
 };
 
-/// Files, left-outs, gaps and prefixes.
+/// Writes files, left-outs, gaps and prefixes.
 void write_sources(const CompilerInput& input, const CompileOptions& options, form::TaxonomyT& out);
-/// Classes, taxonomy and index of intervals.
+/// Writes classes, taxonomy and the index of intervals.
 void write_classes(const CompilerInput& input, form::TaxonomyT& out);
 void write_labels(const CompilerInput& input, form::LabelsT& out);
-/// By which names that are like another are found. Classes and labels have been written.
+/// Writes the signatures by which similar names are found. Classes and labels must have been written.
 void write_signatures(const form::LabelsT& labels, form::TaxonomyT& out);
-/// Names, terms, axioms and what modules are found by. The taxonomy has been written. False where there would be more
-/// than max_list_items, or more files than sixteen bits can count.
+/// Writes names, terms, axioms and the tables of modules. The taxonomy must have been written. False if there would be
+/// more than max_list_items, or more files than sixteen bits can count.
 [[nodiscard]] bool write_axioms(const CompilerInput& input, const form::TaxonomyT& taxonomy, form::AxiomsT& out);
 
 }  // namespace geminga::compiled

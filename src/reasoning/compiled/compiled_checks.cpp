@@ -1,4 +1,4 @@
-// The checks of the sections, array by array.
+// Checks the sections, array by array.
 #include "reasoning/compiled/compiled_checks.hpp"
 
 #include <vector>
@@ -25,7 +25,7 @@ class Kinds {
   std::uint64_t bits_ = 0;
 };
 
-/// Answers is_well_formed(). What most terms and axioms are is answered without going through their grammar.
+/// Answers is_well_formed(), for the most frequent forms without going through their grammar.
 class Grammar {
  public:
   /// `kind_of` gives the kind of an argument as a number.
@@ -78,12 +78,13 @@ void check_words(const taxonomy::ClassifiedView& view, Checker& check) {
   }
 }
 
-/// An argument comes before what it is in, so nothing is part of itself; and no deeper than readers allow.
+/// The arguments of a term must stand before it, so that no term is part of itself, and nest no deeper than readers
+/// allow.
 void check_forms(const taxonomy::ClassifiedView& view, Checker& check) {
   constexpr std::uint32_t kind_bits = 6;
   constexpr std::uint32_t kind_mask = (1U << kind_bits) - 1;
   static_assert(owl::term_kind_count <= kind_mask && owl::SourceLimits{}.nesting < (1U << (16 - kind_bits)));
-  // Kind and depth side by side: an argument is one miss of the cache, not two.
+  // Kind and depth stand side by side, so that an argument costs one cache miss and not two.
   std::vector<std::uint16_t> shapes(view.term_kind.size());
   const auto kind_of = [&](std::uint32_t term) { return shapes[term] & kind_mask; };
   Grammar grammar;

@@ -1,4 +1,5 @@
-// What must be right in a compiled ontology so that reading it needs no further checks: nothing in it is trusted.
+// Checks everything that must be right in a compiled ontology, so that reading it needs no further checks. Nothing in
+// the file is trusted.
 #ifndef GEMINGA_REASONING_COMPILED_COMPILED_CHECKS_HPP
 #define GEMINGA_REASONING_COMPILED_COMPILED_CHECKS_HPP
 
@@ -15,8 +16,8 @@
 
 namespace geminga::compiled {
 
-/// Notes the first thing that is wrong, and where in the file it stands. Passes over arrays have no branches, so that
-/// compilers use vectors; only what has failed is looked at again, for the offset.
+/// Notes the first error and its offset in the file. Passes over arrays have no branches, so that compilers can use
+/// vectors. Only an array with an error is looked at again, for the offset.
 class Checker {
  public:
   explicit Checker(std::span<const std::byte> file) : file_(file) {}
@@ -24,7 +25,7 @@ class Checker {
   void expect(bool condition, std::string_view what) {
     if (!condition && problem_.empty()) problem_ = what;
   }
-  /// The same of an array: where it begins is said.
+  /// The same for an array: the error names the offset where it begins.
   template <typename Number>
   void expect(bool condition, std::string_view what, std::span<const Number> array, std::size_t at = 0) {
     if (condition || failed()) return;
@@ -32,7 +33,7 @@ class Checker {
     offset_ = static_cast<std::size_t>(reinterpret_cast<const std::byte*>(array.data() + at) - file_.data());
   }
 
-  /// That all numbers are below `end`.
+  /// Expects all numbers to be below `end`.
   template <typename Number>
   void in_range(std::span<const Number> numbers, std::size_t end, std::string_view what) {
     const auto is_wrong = [&](Number number) { return number >= end; };
@@ -42,7 +43,7 @@ class Checker {
     for (const Number number : numbers) wrong |= static_cast<std::uint32_t>(number >= bound);
     if (wrong != 0) locate(numbers, is_wrong, what);
   }
-  /// The same where a number may be none.
+  /// The same for numbers that may also be none.
   void in_range_or_none(taxonomy::ClassifiedView::Numbers numbers, std::size_t end, std::string_view what) {
     const auto is_wrong = [&](std::uint32_t number) {
       return number >= end && number != taxonomy::ClassifiedView::none;
@@ -51,14 +52,14 @@ class Checker {
     for (const std::uint32_t number : numbers) wrong |= static_cast<std::uint32_t>(is_wrong(number));
     if (wrong != 0) locate(numbers, is_wrong, what);
   }
-  /// Row borders: one more than rows, from 0 to the number of items, never down.
+  /// Expects the borders of rows: one more than there are rows, from 0 to the number of items, never descending.
   void borders(taxonomy::ClassifiedView::Numbers begin, std::size_t rows, std::size_t items, std::string_view what) {
     expect(begin.size() == rows + 1, what, begin);
     if (failed()) return;
     expect(begin.front() == 0, what, begin);
     ends(begin.subspan(1), items, what);
   }
-  /// Ends of pieces: never down, the last at the number of items.
+  /// Expects the ends of pieces: never descending, the last one the number of items.
   void ends(taxonomy::ClassifiedView::Numbers ends, std::size_t items, std::string_view what) {
     expect((ends.empty() ? 0 : ends.back()) == items, what, ends);
     std::uint32_t wrong = 0;
@@ -69,7 +70,7 @@ class Checker {
   }
 
   [[nodiscard]] bool failed() const { return !problem_.empty(); }
-  /// One line.
+  /// The error in one line.
   [[nodiscard]] CompiledError error() const {
     return {"the compiled ontology is damaged: " + problem_ +
             (offset_ ? " at offset " + std::to_string(*offset_) : std::string()) +
@@ -90,8 +91,8 @@ class Checker {
 
 void check_taxonomy(const taxonomy::ClassifiedView& view, Checker& check);
 void check_labels(const LabelsView& labels, const taxonomy::ClassifiedView& taxonomy, Checker& check);
-/// Of a view with taxonomy and axioms, the first of which was checked. `files` and `groups` are how many there are of
-/// files and left-outs.
+/// Checks the axioms of a view whose taxonomy has been checked. `files` and `groups` are the numbers of files and
+/// left-outs.
 void check_axioms(const taxonomy::ClassifiedView& view, std::size_t files, std::size_t groups, Checker& check);
 
 }  // namespace geminga::compiled

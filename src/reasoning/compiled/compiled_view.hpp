@@ -29,7 +29,7 @@ struct TaxonomySection {
   taxonomy::ClassifiedView view;
 };
 
-/// What people call classes. Labels ascend; of each the classes that have it, and of each class the label to show.
+/// What people call classes. Labels ascend. Each label has its classes, and each class the label to show.
 struct LabelsView {
   std::string_view text;
   taxonomy::ClassifiedView::Numbers end;
@@ -43,23 +43,24 @@ struct LabelsView {
   }
 };
 
-/// The taxonomy of a file whose first section is whole: FlatBuffer, and every number in it. Linear in that section.
+/// Views the taxonomy of a file whose first section is whole, after checking the FlatBuffer and every number in it.
+/// Linear in the section.
 [[nodiscard]] std::expected<TaxonomySection, CompiledError> view_taxonomy(const Container& file);
-/// The labels; their section is verified first. Linear in it.
+/// Views the labels, after verifying their section. Linear in it.
 [[nodiscard]] std::expected<LabelsView, CompiledError> view_labels(const Container& file,
                                                                    const taxonomy::ClassifiedView& taxonomy);
-/// The taxonomy with terms and axioms; their section is verified first. Linear in it.
+/// Views the taxonomy with terms and axioms, after verifying their section. Linear in it.
 [[nodiscard]] std::expected<taxonomy::ClassifiedView, CompiledError> view_axioms(const Container& file,
                                                                                  const TaxonomySection& taxonomy);
 
 [[nodiscard]] std::vector<owl::LoadedFile> files_of(const TaxonomySection& taxonomy);
 [[nodiscard]] std::vector<owl::LeftOut> left_out_of(const TaxonomySection& taxonomy);
 [[nodiscard]] std::vector<std::string> gaps_of(const TaxonomySection& taxonomy);
-/// Pairs of a word without its colon and an IRI, ascending.
+/// Pairs of a prefix without its colon and an IRI, ascending.
 [[nodiscard]] std::vector<std::pair<std::string_view, std::string_view>> prefixes_of(const TaxonomySection& taxonomy);
-/// Two of each class, of its local name and of its label (similar.hpp); empty where the file has none.
+/// Two for each class, of its local name and of its label (similar.hpp). Empty if the file has none.
 [[nodiscard]] std::span<const std::uint64_t> signatures_of(const TaxonomySection& taxonomy);
-/// Axioms, each once, without declarations.
+/// The number of different axioms, without declarations.
 [[nodiscard]] std::uint32_t counted_axioms(const TaxonomySection& taxonomy);
 
 }  // namespace geminga::compiled

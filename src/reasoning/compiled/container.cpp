@@ -1,7 +1,7 @@
-// Reading and writing of the frame. Numbers are little-endian.
+// Reads and writes the frame. Numbers are little-endian.
 #include "reasoning/compiled/container.hpp"
 
-// The library takes the widest vectors that the processor has, which halves the time of a start.
+// The library uses the widest vectors of the processor, which halves the time of a start.
 #if defined(__x86_64__)
 #include <xxh_x86dispatch.h>
 #else
@@ -40,8 +40,8 @@ Number get(std::span<const std::byte> bytes, std::size_t at) {
   return number;
 }
 
-/// The seed of the first section is the header with its own checksum left out, so that the first section vouches for
-/// the header, and the header for the others.
+/// The seed of the first section's checksum is the header without that checksum. So the first section's checksum covers
+/// the header, and the header holds those of the others.
 std::uint64_t checksum(std::span<const std::byte> header, std::size_t section, std::span<const std::byte> content) {
   std::uint64_t seed = content.size();
   if (section == 0) {
@@ -90,7 +90,7 @@ std::vector<std::byte> wrap(const std::array<std::span<const std::uint8_t>, sect
   return bytes;
 }
 
-// The first comes last: its checksum covers those of the others.
+// The first section comes last, because its checksum covers those of the others.
 void seal(std::span<std::byte> file) {
   std::size_t end = file.size();
   for (std::size_t at = section_count; at-- > 0;) {

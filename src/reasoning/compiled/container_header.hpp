@@ -11,8 +11,8 @@
 
 namespace geminga::compiled {
 
-/// Whether a file of `size` octets that begins so can be one. `beginning` is the whole header, or all of a shorter
-/// file. Refuses what has another magic, version or size.
+/// Whether a file of `size` octets that begins with `beginning` can be a compiled ontology. `beginning` is the whole
+/// header, or all of a shorter file. Refuses another magic, version or size.
 [[nodiscard]] std::expected<void, CompiledError> check_header(std::span<const std::byte> beginning, std::uint64_t size);
 
 }  // namespace geminga::compiled

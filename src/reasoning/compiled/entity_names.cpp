@@ -104,7 +104,7 @@ std::vector<std::string> EntityNames::similar_to(owl::TermKind kind, std::string
   if (kind == owl::TermKind::named_class) return find_similar(ontology_, name, {.classes = max_compared_classes});
   const std::string_view local = local_name(name);
   const std::size_t slips = base::tolerated_slips(local);
-  // Where there are too many, those that stand nearest by the alphabet.
+  // If there are too many, the nearest in the alphabet are taken.
   const auto all =
       std::ranges::equal_range(local_names_, kind, {}, [](const auto& entry) { return std::get<0>(entry); });
   const auto place = std::ranges::lower_bound(all, local, {}, [](const auto& entry) { return std::get<1>(entry); });
@@ -134,7 +134,7 @@ std::expected<std::string, std::string> EntityNames::find(owl::TermKind kind, st
   }
   std::vector<std::string> found;
   if (kind == owl::TermKind::named_class) {
-    // Labels, too, and the words of its errors are those of names that stand alone.
+    // This looks at labels, too, and gives the same errors as for names outside of expressions.
     const auto number = ontology_.find(name);
     if (number) return std::string(ontology_.iri(*number));
     if (number.error().kind == NameError::Kind::ambiguous) return std::unexpected(number.error().text);

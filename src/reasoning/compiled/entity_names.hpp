@@ -16,15 +16,15 @@
 
 namespace geminga::compiled {
 
-/// Resolves the names of one ontology, which must outlive it. Built once an ontology; linear in its names.
+/// Resolves the names of one ontology, which must outlive it. Built once for an ontology; linear in its names.
 class EntityNames final : public owl::Names {
  public:
   explicit EntityNames(const Ontology& ontology);
 
-  /// Beside what Names promises: of classes a label, or, where nothing else fits, a local name, which is what follows
-  /// the last `#` or `/` of an IRI. Each must be unambiguous.
+  /// In addition to what Names promises, a class is found by its label and, if nothing else fits, any entity by its
+  /// local name, which is what follows the last `#` or `/` of its IRI. Each must be unambiguous.
   [[nodiscard]] std::expected<std::string, std::string> find(owl::TermKind kind, std::string_view name) const override;
-  /// Whether the ontology has an entity of this kind and full IRI, or OWL itself has.
+  /// Whether the ontology, or OWL itself, has an entity of this kind and full IRI.
   [[nodiscard]] bool has(owl::TermKind kind, std::string_view iri) const;
 
  private:

@@ -1,4 +1,4 @@
-// Copies, then maps the copy.
+// Copies the file, then maps the copy.
 #include "reasoning/compiled/mapped_file.hpp"
 
 #include <fcntl.h>
@@ -19,7 +19,8 @@
 namespace geminga::compiled {
 namespace {
 
-/// Where a copy may lie on a disk: first where the original is, because there it may share its blocks.
+/// The folders of a disk where the copy may lie. The original's comes first, because there the copy may share its
+/// blocks.
 std::vector<std::string> folders_for(const std::string& path) {
   const std::string folder = std::filesystem::path(path).parent_path().string();
   std::vector<std::string> folders{folder.empty() ? "." : folder};
@@ -45,7 +46,7 @@ std::expected<std::size_t, std::string> size_of(int descriptor, const MappedFile
   return size;
 }
 
-/// The copy, as long as the original is said to be.
+/// Copies as many octets as the original is said to have.
 std::expected<base::PrivateFile, std::string> copy(int descriptor, std::size_t size, const std::string& path) {
   auto copy = base::PrivateFile::on_disk(folders_for(path), size);
   if (!copy) copy = base::PrivateFile::in_memory();
@@ -61,7 +62,7 @@ std::expected<base::PrivateFile, std::string> copy(int descriptor, std::size_t s
 std::expected<MappedFile, std::string> MappedFile::copy_of(const std::string& path, const Look& look) {
   const auto refuse = [&](const std::string& why) { return std::unexpected(path + ": " + why); };
   struct stat status{};
-  // Asked by name first: opening a device can have effects of its own.
+  // The name is asked first: opening a device can have effects of its own.
   if (::stat(path.c_str(), &status) != 0) return refuse("cannot be opened: " + std::string(std::strerror(errno)));
   if (!S_ISREG(status.st_mode)) return refuse("is not a regular file");
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);

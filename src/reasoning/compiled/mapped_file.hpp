@@ -12,18 +12,18 @@
 namespace geminga::compiled {
 
 /// Maps a private copy of a regular file. A mapping of the file itself would change under its reader, and end the
-/// process, whenever somebody writes into the file or cuts it short (`cp new.geminga in-use.geminga` does both). What
-/// the copy holds never changes once it is made; a file that is changed while it is copied gives some mixture of both,
-/// which its checksums tell.
+/// process, whenever somebody writes into the file or cuts it short; `cp new.geminga in-use.geminga` does both. The
+/// copy never changes once it is made. If the file changes while it is copied, the copy is a mixture, and its checksums
+/// tell.
 class MappedFile {
  public:
-  /// Looks at the beginning of a file and at its size, and gives a line about what is wrong, before all is copied.
+  /// Looks at the beginning and the size of a file before all of it is copied, and returns a line about what is wrong.
   using Look = std::function<std::expected<void, std::string>(std::span<const std::byte>, std::uint64_t)>;
   static constexpr std::size_t beginning_bytes = 64;
 
-  /// Copies the file at `path`. On a disk the copy has no name, and costs no memory but for what is looked at. It lies
-  /// beside the file, else in TMPDIR, /var/tmp or /tmp, whichever is the first on a local disk with room; in memory
-  /// where none is. The error is one line that names the file. Cost: linear in the file, but for file systems that
+  /// Copies the file at `path`. On a disk the copy has no name, and only the pages that are read take memory. It lies
+  /// beside the file, or else in TMPDIR, /var/tmp or /tmp, whichever is the first on a local disk with room. If none
+  /// is, it lies in memory. The error is one line that names the file. Linear in the file, except on file systems that
   /// share blocks.
   [[nodiscard]] static std::expected<MappedFile, std::string> copy_of(const std::string& path, const Look& look);
   /// Whether a copy of this file would lie in memory.

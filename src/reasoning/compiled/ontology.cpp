@@ -26,7 +26,7 @@ struct Ontology::Mapped {
   TaxonomySection taxonomy;
   std::vector<std::pair<std::string_view, std::string_view>> prefixes;  ///< sorted
 
-  // What is verified when it is asked for first.
+  // Verified when it is first asked for.
   mutable std::once_flag labels_once;
   mutable LabelsView labels;
   mutable std::optional<CompiledError> labels_error;
@@ -69,7 +69,7 @@ std::expected<void, std::string> looks_compiled(std::span<const std::byte> begin
   return {};
 }
 
-/// The first of `count` pieces, which ascend, that is not before `wanted`.
+/// The first of `count` ascending pieces that is not less than `wanted`.
 template <typename Piece>
 std::uint32_t lower_bound(std::uint32_t count, std::string_view wanted, Piece&& piece) {
   std::uint32_t first = 0;
@@ -261,7 +261,7 @@ std::expected<taxonomy::ClassNumber, NameError> Ontology::find(std::string_view 
     if (const auto found = find_iri(name.substr(1, name.size() - 2))) return *found;
     return name_error(Kind::unknown, "no class has the IRI " + shown);
   }
-  // Whatever fits is looked for, so that a name with two meanings is said to have them.
+  // All meanings are looked for, so that an ambiguous name is reported as such.
   std::vector<std::uint32_t> found;
   bool has_known_prefix = false;
   const std::size_t colon = name.find(':');
@@ -321,7 +321,7 @@ std::optional<std::uint32_t> Ontology::distance(taxonomy::ClassNumber sub, taxon
   const std::uint32_t from = mapped_->node(sub);
   const std::uint32_t to = mapped_->node(super);
   if (from == to) return 0;
-  // What is unsatisfiable lies below every leaf: the way is sought from above.
+  // An unsatisfiable class lies below every leaf, so its path is searched from above.
   const bool is_down = mapped_->is_unsatisfiable(from);
   std::vector<std::uint32_t> layer = {is_down ? to : from};
   for (std::uint32_t distance = 1;; ++distance) {
@@ -332,7 +332,7 @@ std::optional<std::uint32_t> Ontology::distance(taxonomy::ClassNumber sub, taxon
       if (is_down && neighbours.empty()) return distance;
       for (const std::uint32_t neighbour : neighbours) {
         if (neighbour == to) return distance;
-        // Only what is still below the goal can lead to it.
+        // Only classes below the goal can lead to it.
         if (is_down || is_subsumed(taxonomy::ClassNumber{neighbour}, super)) next.push_back(neighbour);
       }
     }

@@ -38,25 +38,25 @@ struct NameError {
 /// An immutable classified ontology over a compiled form. Movable, not copyable; safe to read from many threads.
 /// Every string_view and span points into the compiled form and lives as long as the ontology.
 ///
-/// The form has sections. What matching needs is verified when it is mapped; labels and axioms when they are asked for
-/// first, so that a start does not wait for them. Where one of these is damaged there are no labels or no axioms, and
-/// check_labels() and check_axioms() say why.
+/// The form has sections. What matching needs is verified when the file is mapped; labels and axioms when they are
+/// first asked for, so that a start does not wait for them. If one of these sections is damaged there are no labels or
+/// no axioms, and check_labels() and check_axioms() say why.
 class Ontology {
  public:
-  /// Maps a compiled file, checks its version, and the checksum and every number of its taxonomy. Cost: linear in that
-  /// section, no parsing. files() are then where they are seen from here: paths in the form are relative to its folder.
+  /// Maps a compiled file after checking its version, and the checksum and every number of its taxonomy. Linear in that
+  /// section; nothing is parsed. Paths in the form are relative to its folder; files() gives them as seen from here.
   [[nodiscard]] static std::expected<Ontology, CompiledError> map(const std::string& path);
-  /// The same over bytes in memory. Paths of files are as they stand in them.
+  /// The same for octets in memory. Paths of files stay as they are.
   [[nodiscard]] static std::expected<Ontology, CompiledError> from_bytes(std::vector<std::byte> bytes);
 
   Ontology(Ontology&&) noexcept;
   Ontology& operator=(Ontology&&) noexcept;
   ~Ontology();
 
-  /// Whether labels and axioms are as they were written: verified now, unless they were before. Linear in them.
+  /// Whether labels and axioms are as they were written. They are verified by the first call. Linear in them.
   [[nodiscard]] std::expected<void, CompiledError> check_labels() const;
   [[nodiscard]] std::expected<void, CompiledError> check_axioms() const;
-  /// Both, for who must know at once.
+  /// Checks both.
   [[nodiscard]] std::expected<void, CompiledError> check_whole() const;
 
   /// A digest of the axioms and names: equal on every host that loaded the same ontologies, whatever their order or
@@ -64,70 +64,71 @@ class Ontology {
   [[nodiscard]] std::uint64_t digest() const;
   [[nodiscard]] std::uint32_t class_count() const;
   [[nodiscard]] std::vector<owl::LoadedFile> files() const;
-  /// One line for a user where a file that this was compiled from has changed since: "soma.owl has changed since this
-  /// was compiled: compile it again". Files that are gone are not asked for. Reads the files, so that a copy or a
-  /// checkout of the same content is no change.
+  /// One line for a user if a file that this was compiled from has changed since: "soma.owl has changed since this was
+  /// compiled: compile it again". Files that are gone do not count. Reads the files, so that a copy or a checkout of
+  /// the same content is no change.
   [[nodiscard]] std::optional<std::string> stale_source() const;
   [[nodiscard]] std::vector<owl::LeftOut> left_out() const;
-  /// Why something may be missing although its axioms were used, one line each. Where this and left_out() are empty,
-  /// the taxonomy is complete.
+  /// Why something may be missing although its axioms were used, one line each. If this and left_out() are empty, the
+  /// taxonomy is complete.
   [[nodiscard]] std::vector<std::string> gaps() const;
-  /// Axioms, each counted once, without declarations.
+  /// The number of different axioms, without declarations.
   [[nodiscard]] std::size_t axiom_count() const;
-  /// Pairs of a word without its colon and an IRI, ascending.
+  /// Pairs of a prefix without its colon and an IRI, ascending.
   [[nodiscard]] std::span<const std::pair<std::string_view, std::string_view>> prefixes() const;
-  /// False: some individual cannot exist, and every class is below every other.
+  /// False if some individual cannot exist; then every class is below every other.
   [[nodiscard]] bool is_consistent() const;
 
-  /// Resolves `prefix:Name`, `<IRI>`, a bare IRI, or a label where it is unambiguous. Labels are asked for where the
-  /// name is nothing else.
+  /// Resolves `prefix:Name`, `<IRI>`, a bare IRI, or an unambiguous label. The labels are read only if the name is
+  /// nothing else.
   [[nodiscard]] std::expected<taxonomy::ClassNumber, NameError> find(std::string_view name) const;
   [[nodiscard]] std::optional<taxonomy::ClassNumber> find_iri(std::string_view iri) const;
 
   [[nodiscard]] std::string_view iri(taxonomy::ClassNumber number) const;
-  /// The label, or an empty view. Asks for the labels.
+  /// The label, or an empty view. Reads the labels.
   [[nodiscard]] std::string_view label(taxonomy::ClassNumber number) const;
-  /// `prefix:Name` where a prefix of the ontology fits, else `<IRI>`.
+  /// `prefix:Name` if a prefix of the ontology fits, else `<IRI>`.
   [[nodiscard]] std::string short_name(taxonomy::ClassNumber number) const;
-  /// The same for any IRI, known as a class or not.
+  /// The same for any IRI, whether it is that of a class or not.
   [[nodiscard]] std::string short_name(std::string_view iri) const;
 
-  /// False where the class is subsumed by owl:Nothing.
+  /// False if the class is subsumed by owl:Nothing.
   [[nodiscard]] bool is_satisfiable(taxonomy::ClassNumber number) const;
   /// Whether every instance of `sub` is one of `super`. Reflexive. O(1) to O(log n).
   [[nodiscard]] bool is_subsumed(taxonomy::ClassNumber sub, taxonomy::ClassNumber super) const {
     const std::uint32_t rank = reach_[static_cast<std::size_t>(sub)].first;
     const taxonomy::Reach& above = reach_[static_cast<std::size_t>(super)];
-    // One comparison, since numbers below the first wrap around to large ones.
+    // One comparison: ranks below the first wrap around to large numbers.
     const bool is_in_own = rank - above.first <= (above.extent & ~taxonomy::Reach::flag);
-    const bool is_settled = is_in_own || ((rank | above.extent) & taxonomy::Reach::flag) == 0;
-    return is_settled ? is_in_own : is_in_further(rank, above);
+    const bool is_certain = is_in_own || ((rank | above.extent) & taxonomy::Reach::flag) == 0;
+    return is_certain ? is_in_own : is_in_further(rank, above);
   }
   [[nodiscard]] bool is_equivalent(taxonomy::ClassNumber a, taxonomy::ClassNumber b) const {
     return is_subsumed(a, b) && is_subsumed(b, a);
   }
-  /// Edges of the shortest way up the taxonomy from `sub` to `super`: 0 for equivalents; nothing where not subsumed.
+  /// The number of edges of the shortest path up from `sub` to `super`: 0 for equivalent classes, nothing if `sub` is
+  /// not subsumed.
   [[nodiscard]] std::optional<std::uint32_t> distance(taxonomy::ClassNumber sub, taxonomy::ClassNumber super) const;
-  /// Every named class that subsumes this one, itself, its equivalents and owl:Thing included, ascending by number.
+  /// Every named class that subsumes this one, including itself, its equivalents and owl:Thing, ascending by number.
   [[nodiscard]] std::vector<taxonomy::ClassNumber> subsumers(taxonomy::ClassNumber number) const;
-  /// Direct superclasses and subclasses in the reduced taxonomy, one representative a node of equivalents, ascending.
-  /// Unsatisfiable classes have neither, and are the children of none.
+  /// The direct superclasses and subclasses in the reduced taxonomy: one representative of each node, ascending.
+  /// Unsatisfiable classes have none, and are children of none.
   [[nodiscard]] std::vector<taxonomy::ClassNumber> parents(taxonomy::ClassNumber number) const;
   [[nodiscard]] std::vector<taxonomy::ClassNumber> children(taxonomy::ClassNumber number) const;
 
-  /// Two of each class, of its local name and of its label (similar.hpp); empty where the form has none.
+  /// Two for each class, of its local name and of its label (similar.hpp). Empty if the form has none.
   [[nodiscard]] std::span<const std::uint64_t> signatures() const;
-  /// The taxonomy as numbers. It has no terms and no axioms.
+  /// The taxonomy as numbers, without terms and axioms.
   [[nodiscard]] const taxonomy::ClassifiedView& view() const;
-  /// The taxonomy with terms and axioms, for who reasons over them; without them where check_axioms() fails.
+  /// The taxonomy with terms and axioms, for reasoning over them. Without them if check_axioms() fails.
   [[nodiscard]] const taxonomy::ClassifiedView& axioms() const;
-  /// From names to axioms(). Cheap: it is part of the compiled form.
+  /// Leads from names to axioms(). Cheap: it is part of the compiled form.
   [[nodiscard]] modules::ModuleIndex module_index() const;
 
  private:
   struct Mapped;
   explicit Ontology(std::unique_ptr<const Mapped> mapped);
-  /// What can have no instance is below everything.
+  /// Whether a rank lies in the further intervals. An unsatisfiable class lies below everything.
   [[nodiscard]] bool is_in_further(std::uint32_t rank, const taxonomy::Reach& above) const {
     return (rank & taxonomy::Reach::flag) != 0 ||
            taxonomy::contains_rank({further_ + above.further_begin, further_ + above.further_end}, rank);

@@ -19,10 +19,10 @@ std::string_view without_brackets(std::string_view name) {
   return name;
 }
 
-/// What one slip changes of a signature at most: two letters that are swapped take part in three pairs.
+/// The most bits of a signature that one typing error changes: two swapped letters take part in three pairs.
 constexpr std::size_t bits_per_slip = 6;
 
-/// The classes to be compared, ascending: those whose signatures differ the least from those of the name.
+/// The classes to compare, ascending: those whose signatures differ least from those of the name.
 std::vector<std::uint32_t> candidates_of(const Ontology& ontology, std::string_view name, std::size_t slips,
                                          std::size_t most) {
   const std::uint32_t count = ontology.class_count();
@@ -43,7 +43,7 @@ std::vector<std::uint32_t> candidates_of(const Ontology& ontology, std::string_v
     distances[of] = static_cast<std::uint8_t>(distance);
     ++at_distance[static_cast<std::size_t>(distance)];
   }
-  // All up to a distance, and of the next one as many as there is room for.
+  // All classes up to some distance, and as many of the next distance as there is room for.
   std::size_t whole = 0;
   std::size_t room = most;
   const std::size_t beyond = std::min<std::size_t>(slips * bits_per_slip + 1, at_distance.size());

@@ -1,4 +1,4 @@
-// Module, then the first axioms of it that are enough, then the minimal set, then an order in which one reads it.
+// Extracts a module, then a sufficient prefix of it, then a minimal set, then the order in which one reads it.
 #include "reasoning/explanation/explain.hpp"
 
 #include <array>
@@ -6,8 +6,8 @@
 namespace geminga::explanation {
 namespace {
 
-/// An engine that gives up on a small set where it answered for a larger one is not monotone; then the larger one is
-/// kept, so that what is shown always entails.
+/// The minimal subset, or the whole set if an engine gives up on the subset although it answered for the set. So what
+/// is shown always entails the conclusion.
 AxiomSet minimal_of(const AxiomSet& enough, const Holds& holds) {
   AxiomSet minimal = find_minimal(enough, holds);
   return minimal.size() == enough.size() || holds(minimal) ? minimal : enough;
@@ -39,7 +39,7 @@ std::optional<AxiomSet> Explainer::find_one_of(const AxiomSet& candidates) {
     case el::Entailed::no:
       return std::nullopt;
     case el::Entailed::yes: {
-      // Minimal for the rules; whether the other engines need even less is asked of few axioms only.
+      // It is minimal for the rules. Whether the other engines need even less is asked only of few axioms.
       const auto enough = find_sufficient_prefix(candidates, follows_by_rules);
       return minimal_of(minimal_of(*enough, follows_by_rules), holds);
     }
@@ -52,7 +52,7 @@ std::optional<AxiomSet> Explainer::find_one_of(const AxiomSet& candidates) {
 }
 
 AllSets Explainer::find_all(const ExplanationLimits& limits, std::size_t max_work) {
-  // A first one decides whether the module is enough.
+  // The first set decides whether the module is enough.
   if (!find_one()) return {};
   const std::size_t end = oracle_.work() + max_work;
   return find_all_minimal(

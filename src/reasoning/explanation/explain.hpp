@@ -1,8 +1,7 @@
 // Why one class is below another: minimal sets of axioms that entail it, whichever engine derived it.
 //
-// A set is minimal where none of its axioms can be left out (a justification; Kalyanpur, Parsia, Horridge, Sirin 2007).
-// That a class can have no instance is its being below owl:Nothing; that the ontology contradicts itself is owl:Thing's
-// being below owl:Nothing.
+// A set is minimal if none of its axioms can be left out (a justification; Kalyanpur, Parsia, Horridge, Sirin 2007). A
+// class is unsatisfiable if it is below owl:Nothing. The ontology is inconsistent if owl:Thing is below owl:Nothing.
 #ifndef GEMINGA_REASONING_EXPLANATION_EXPLAIN_HPP
 #define GEMINGA_REASONING_EXPLANATION_EXPLAIN_HPP
 
@@ -17,15 +16,15 @@
 
 namespace geminga::explanation {
 
-/// One question to one ontology, which it borrows. Not thread-safe; several may ask one ontology at once.
+/// One question about one ontology, which it borrows. Not thread-safe, but several explainers may share an ontology.
 class Explainer {
  public:
   Explainer(const compiled::Ontology& ontology, taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
             Patience patience = Patience::of_a_person);
 
-  /// One minimal set, as numbers of the module, ascending. Nothing where no engine finds that it is entailed.
+  /// One minimal set, as numbers of the module, ascending. Nothing if no engine finds that it is entailed.
   [[nodiscard]] std::optional<AxiomSet> find_one();
-  /// The same, of these axioms of the module only (a set whose order is that in which they are tried).
+  /// The same, from these axioms of the module only. They are tried in this order.
   [[nodiscard]] std::optional<AxiomSet> find_one_of(const AxiomSet& candidates);
 
   /// All minimal sets up to limits. Work is counted in axioms asked about, so that the answer is the same everywhere.
@@ -36,7 +35,7 @@ class Explainer {
   [[nodiscard]] Oracle& oracle() { return oracle_; }
   [[nodiscard]] owl::TermId sub() const { return sub_; }
   [[nodiscard]] owl::TermId super() const { return super_; }
-  /// In readable syntax, in the order of the argument.
+  /// The axioms in readable syntax, in the order of the argument.
   [[nodiscard]] std::vector<ExplainedAxiom> explained(const AxiomSet& axioms) const;
 
  private:
@@ -46,8 +45,8 @@ class Explainer {
   owl::TermId super_;
 };
 
-/// A minimal set of axioms that entails `sub` SubClassOf `super`, in the order of the argument. Empty: it is so in
-/// every ontology. Nothing: it is not entailed, or (rarely) no engine finds it again within its limits; is_subsumed()
+/// A minimal set of axioms that entails `sub` SubClassOf `super`, in the order of the argument. Empty if it holds in
+/// every ontology. Nothing if it is not entailed or, rarely, no engine finds it again within its limits; is_subsumed()
 /// of the ontology tells which.
 [[nodiscard]] std::optional<std::vector<ExplainedAxiom>> explain(const compiled::Ontology& ontology,
                                                                  taxonomy::ClassNumber sub, taxonomy::ClassNumber super,

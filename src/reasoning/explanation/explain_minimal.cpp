@@ -6,7 +6,8 @@
 namespace geminga::explanation {
 namespace {
 
-/// What of `candidates` is needed beside `given`. `has_grown`: given changed since holds(given) was last found false.
+/// The axioms of `candidates` that are needed beside `given`. `has_grown`: `given` has changed since holds(given) was
+/// last found to be false.
 AxiomSet find_needed(AxiomSet given, bool has_grown, const AxiomSet& candidates, const Holds& holds) {
   if (has_grown && holds(given)) return {};
   if (candidates.size() == 1) return candidates;

@@ -12,15 +12,15 @@ namespace geminga::explanation {
 
 /// Numbers of axioms of one source.
 using AxiomSet = std::vector<std::uint32_t>;
-/// Whether something holds for these axioms. Monotone: what holds for some axioms holds for more.
+/// Whether something holds for these axioms. Monotone: it holds for every larger set, too.
 using Holds = std::function<bool(std::span<const std::uint32_t>)>;
 
-/// A minimal subset of `candidates` for which `holds` is true, ascending. It must hold for all of them. It is asked
+/// A minimal subset of `candidates` for which `holds` is true, ascending. It must be true for all of them. It is asked
 /// O(k log(n / k)) times for a subset of k among n (QuickXplain, Junker 2004).
 [[nodiscard]] AxiomSet find_minimal(const AxiomSet& candidates, const Holds& holds);
 
-/// The first candidates, as many as are needed, up to a factor of two; nothing where it does not hold for all of them.
-/// Where what is near stands first, this leaves little to look through, and no question is larger than it must be.
+/// The shortest sufficient prefix of the candidates, up to a factor of two. Nothing if it does not hold for all of
+/// them. If near axioms come first, few remain, and no question is larger than necessary.
 [[nodiscard]] std::optional<AxiomSet> find_sufficient_prefix(const AxiomSet& candidates, const Holds& holds);
 
 }  // namespace geminga::explanation

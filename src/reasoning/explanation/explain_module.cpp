@@ -27,7 +27,7 @@ std::vector<TermId> entities_in(const Ontology& source, std::span<const TermId> 
   return entities;
 }
 
-/// What an axiom is about: an individual of a fact, else its first argument.
+/// What an axiom is about: the individual of a fact, else its first argument.
 TermId subject_of(const Axiom& axiom) {
   const bool is_fact = axiom.kind >= AxiomKind::class_assertion && axiom.arguments.size() > 1;
   return axiom.arguments[is_fact ? 1 : 0];

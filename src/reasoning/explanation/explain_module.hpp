@@ -1,4 +1,4 @@
-// Axioms of a compiled ontology as a source of their own, to be printed, reasoned with and added to.
+// Axioms of a compiled ontology as a source of their own, to print, reason with and extend.
 #ifndef GEMINGA_REASONING_EXPLANATION_EXPLAIN_MODULE_HPP
 #define GEMINGA_REASONING_EXPLANATION_EXPLAIN_MODULE_HPP
 
@@ -20,34 +20,35 @@ struct ExplainedAxiom {
   std::uint32_t line = 0;  ///< 0: unknown
 };
 
-/// The axioms that can matter for what is said of some classes. Borrows the ontology.
+/// The axioms that can matter for some classes. Borrows the ontology.
 class Module {
  public:
-  /// What can matter for subsumptions of these classes, and for what else these terms of the compiled form say.
+  /// The axioms that can matter for subsumptions of these classes, and for other conclusions about these terms of the
+  /// compiled form.
   Module(const compiled::Ontology& ontology, std::span<const taxonomy::ClassNumber> classes,
          std::span<const std::uint32_t> more_terms = {});
 
-  /// The axioms are those of the module and nothing else, in the order in which the walk from the classes reached them.
+  /// Its axioms are those of the module, in the order in which the walk from the classes reached them.
   [[nodiscard]] const owl::Ontology& source() const { return source_; }
-  /// May be added to: questions, names for expressions. What is added has numbers from axiom_count() on.
+  /// Questions and names for expressions may be added. Axioms that are added have numbers from axiom_count() on.
   [[nodiscard]] owl::Ontology& source() { return source_; }
   [[nodiscard]] std::uint32_t axiom_count() const { return axiom_count_; }
-  /// All of them.
+  /// The numbers of all axioms of the module.
   [[nodiscard]] AxiomSet all() const;
-  /// To be called before anything is added. Brings in the other axioms of the ontology: a module is enough for what
-  /// follows, but the rules of an engine are not always all of OWL, and may find with more axioms what they do not find
-  /// with enough.
+  /// Adds the other axioms of the ontology. To be called before anything else is added. A module is enough for what
+  /// follows, but the rules of an engine may be incomplete, and may find something with more axioms that they do not
+  /// find with the module.
   void add_rest();
 
   [[nodiscard]] const compiled::Ontology& ontology() const { return ontology_; }
   [[nodiscard]] owl::TermId term(taxonomy::ClassNumber number);
-  /// The same term as the compiled form has it, in the module's source. Recursion is bounded by the nesting of terms.
+  /// Copies a term of the compiled form into the module's source. Recursion is bounded by the nesting of terms.
   owl::TermId copy_term(std::uint32_t term);
   [[nodiscard]] ExplainedAxiom explained(std::uint32_t axiom) const;
-  /// An axiom by its number in the compiled form, of the module or not.
+  /// An axiom by its number in the compiled form, whether it is in the module or not.
   [[nodiscard]] ExplainedAxiom explained_original(std::uint32_t axiom);
   [[nodiscard]] std::string print(owl::TermId term) const;
-  /// Axioms in an order in which each speaks, where possible, of what was spoken of before, beginning with `first`.
+  /// Orders axioms so that each, if possible, mentions something that an earlier one mentions, beginning with `first`.
   [[nodiscard]] AxiomSet in_order_of_argument(AxiomSet axioms, owl::TermId first) const;
 
  private:

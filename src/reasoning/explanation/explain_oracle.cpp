@@ -1,4 +1,4 @@
-// The rules of EL first, then a model that would be an exception, then the consequences of clauses.
+// Asks the rules of EL first, then for a model that refutes, then for the consequences of clauses.
 #include "reasoning/explanation/explain_oracle.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace geminga::explanation {
 namespace {
 
-/// Of one question. An explanation asks tens of them, most about a handful of axioms.
+/// The bounds of one question. An explanation asks tens of them, most about a handful of axioms.
 struct Bounds {
   hypertableau::Limits model;
   std::size_t derived_clauses = 0;

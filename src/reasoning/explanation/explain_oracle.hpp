@@ -11,7 +11,7 @@
 
 namespace geminga::explanation {
 
-/// How much may be asked of the engines beyond the rules of EL. The bounds count work, so that the answer is the same
+/// How much the engines beyond the rules of EL may do. The bounds count work, so that the answer is the same
 /// everywhere.
 enum class Patience : std::uint8_t {
   of_a_person,  ///< who asked a program on a command line
@@ -25,14 +25,14 @@ class Oracle {
   explicit Oracle(const owl::Ontology& source, Patience patience = Patience::of_a_person)
       : source_(source), patience_(patience) {}
 
-  /// As far as the rules of EL carry; they are so much cheaper than the rest that they are always asked first.
+  /// By the rules of EL alone. They are so much cheaper than the rest that they are always asked first.
   [[nodiscard]] el::Entailed find_by_rules(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super);
-  /// With every engine. What cannot be decided within an engine's limits counts as not entailed.
+  /// By every engine. What an engine cannot decide within its limits counts as not entailed.
   [[nodiscard]] bool holds(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super);
 
-  /// Axioms that were asked about, over all questions: the same everywhere for the same questions.
+  /// The number of axioms that were asked about in all questions. The same everywhere for the same questions.
   [[nodiscard]] std::size_t work() const { return work_; }
-  /// Questions that were left undecided.
+  /// The number of questions that stayed undecided.
   [[nodiscard]] std::size_t undecided_count() const { return undecided_; }
 
  private:

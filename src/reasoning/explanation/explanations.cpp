@@ -1,4 +1,4 @@
-// The tree, breadth first, with labels used again and paths cut.
+// Builds the tree breadth first, reuses labels and cuts paths.
 #include "reasoning/explanation/explanations.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace geminga::explanation {
 namespace {
 
-/// Whether all of an ascending list is in another.
+/// Whether all of one ascending list is in the other.
 bool is_part(const AxiomSet& part, const AxiomSet& whole) { return std::ranges::includes(whole, part); }
 
 bool is_disjoint(const AxiomSet& one, const AxiomSet& other) {
@@ -25,7 +25,7 @@ class Tree {
     AllSets result;
     push({});
     while (!open_.empty()) {
-      // One more than wanted is looked for, to know whether there are others.
+      // One set more than wanted is looked for, to know whether there are others.
       const bool is_over = sets_.size() > limits_.sets;
       if (is_over) sets_.pop_back();
       if (is_over || seen_.size() > limits_.nodes || (!sets_.empty() && is_spent_())) {
@@ -43,7 +43,7 @@ class Tree {
 
  private:
   void push(AxiomSet removed) {
-    // Where less was taken away and nothing was left, nothing is left here; and no node is looked at twice.
+    // If nothing was left when less was taken away, nothing is left here. No node is visited twice.
     if (std::ranges::any_of(closed_, [&](const AxiomSet& less) { return is_part(less, removed); })) return;
     if (seen_.insert(removed).second) open_.push_back(std::move(removed));
   }

@@ -1,8 +1,8 @@
-// A minimal set of axioms as an argument: numbered steps, each from axioms and earlier steps by a rule with a name.
+// A minimal set of axioms as an argument: numbered steps, each from axioms and earlier steps by a named rule.
 //
-// What the rules of proof_search.hpp do not reach is bridged by lemmas: inclusions between class expressions of the set
-// that an engine finds to follow from some of the axioms. Such a step says so, and names the axioms. The goal itself is
-// such a step at worst.
+// Lemmas bridge what the rules of proof_search.hpp do not reach: inclusions between class expressions of the set that
+// an engine derives from some of the axioms. Such a step says so, and names the axioms. At worst the goal itself is
+// such a step.
 #ifndef GEMINGA_REASONING_EXPLANATION_PROOF_HPP
 #define GEMINGA_REASONING_EXPLANATION_PROOF_HPP
 
@@ -15,7 +15,7 @@
 
 namespace geminga::explanation {
 
-/// One step. Its number is that of the axioms before it, the steps before it, and 1.
+/// One step. Its number is one more than the number of axioms and of earlier steps.
 struct ProofStep {
   std::string text;  ///< the conclusion in readable syntax
   ProofRule rule = ProofRule::subclass;
@@ -29,7 +29,7 @@ struct Proof {
   std::vector<ProofStep> steps;  ///< the last one is what was asked; none where an axiom says it as it is
 };
 
-/// The argument for a set that Explainer found. Adds terms and questions to the explainer's module.
+/// The argument for a set that the explainer found. Adds terms and questions to the explainer's module.
 [[nodiscard]] Proof prove(Explainer& explainer, const AxiomSet& axioms);
 
 }  // namespace geminga::explanation

@@ -1,4 +1,4 @@
-// The questions, and the order in which they are asked.
+// The questions about lemmas, and their order.
 #include "reasoning/explanation/proof_lemmas.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ using owl::AxiomKind;
 using owl::TermId;
 using owl::TermKind;
 
-// Questions to engines for one proof; each is about a few axioms.
+// The most questions to engines for one proof. Each is about a few axioms.
 constexpr std::size_t max_questions = 400;
 
 }  // namespace
@@ -24,7 +24,7 @@ TermId ProofLemmas::fresh() {
   return module_.source().named_class(iri);
 }
 
-/// A class N with N < C and nothing else: N < D follows exactly if C < D does.
+/// A class N with N < C and no other axiom: N < D follows exactly if C < D does.
 ProofLemmas::Named ProofLemmas::name_below(TermId expression) {
   if (module_.source().kind(expression) == TermKind::named_class) return {expression, std::nullopt};
   Named& named = below_[expression];
@@ -35,7 +35,7 @@ ProofLemmas::Named ProofLemmas::name_below(TermId expression) {
   return named;
 }
 
-/// A class N with C < N and nothing else: D < N follows exactly if D < C does.
+/// A class N with C < N and no other axiom: D < N follows exactly if D < C does.
 ProofLemmas::Named ProofLemmas::name_above(TermId expression) {
   if (module_.source().kind(expression) == TermKind::named_class) return {expression, std::nullopt};
   Named& named = above_[expression];
@@ -65,7 +65,7 @@ std::optional<AxiomSet> ProofLemmas::find(const AxiomSet& axioms, TermId sub, Te
 
 std::uint32_t ProofLemmas::bridge(ProofSearch& search, const AxiomSet& axioms, TermId sub, TermId super) {
   std::size_t questions = 0;
-  // Contexts and expressions grow while lemmas are used; those that come are asked about, too.
+  // Lemmas add contexts and expressions, which are asked about, too.
   for (std::size_t at = 0; at < search.contexts().size() && questions < max_questions; ++at) {
     for (std::size_t of = 0; of < search.expressions().size() && questions < max_questions; ++of) {
       const TermId context = search.contexts()[at];
@@ -74,7 +74,7 @@ std::uint32_t ProofLemmas::bridge(ProofSearch& search, const AxiomSet& axioms, T
       if (search.is_known(context, wanted)) continue;
       ++questions;
       const auto lemma = find(axioms, context, wanted);
-      // What needs all the axioms is no easier to see than the goal.
+      // A lemma that needs all axioms is no easier to see than the goal.
       if (!lemma || lemma->size() == axioms.size()) continue;
       search.assume(context, wanted, *lemma);
       if (const auto goal = search.run()) return *goal;

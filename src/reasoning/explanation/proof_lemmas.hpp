@@ -1,5 +1,5 @@
-// Inclusions that an engine finds between class expressions of a small set of axioms, for where the rules of a proof
-// end.
+// Inclusions between class expressions that an engine derives from a small set of axioms, for where the rules of a
+// proof end.
 #ifndef GEMINGA_REASONING_EXPLANATION_PROOF_LEMMAS_HPP
 #define GEMINGA_REASONING_EXPLANATION_PROOF_LEMMAS_HPP
 
@@ -13,17 +13,17 @@
 
 namespace geminga::explanation {
 
-/// Asks about class expressions, for which it names new classes in the module's source.
+/// Asks about class expressions, and adds new names for them to the module's source.
 class ProofLemmas {
  public:
   ProofLemmas(Module& module, Oracle& oracle) : module_(module), oracle_(oracle) {}
 
   /// Whether these axioms entail sub SubClassOf super, two class expressions.
   [[nodiscard]] bool holds(const AxiomSet& axioms, owl::TermId sub, owl::TermId super);
-  /// The fewest of these axioms that entail it, or nothing where all of them do not.
+  /// The fewest of these axioms that entail it. Nothing if all of them do not.
   [[nodiscard]] std::optional<AxiomSet> find(const AxiomSet& axioms, owl::TermId sub, owl::TermId super);
 
-  /// Gives the search one lemma after the other, until it reaches its goal; the goal itself at last.
+  /// Gives the search one lemma after the other until it reaches its goal. The last lemma is the goal itself.
   std::uint32_t bridge(ProofSearch& search, const AxiomSet& axioms, owl::TermId sub, owl::TermId super);
 
  private:

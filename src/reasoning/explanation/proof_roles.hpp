@@ -1,4 +1,4 @@
-// What some axioms say of properties, with the axioms that say it.
+// What some axioms say about properties, and the axioms that say it.
 #ifndef GEMINGA_REASONING_EXPLANATION_PROOF_ROLES_HPP
 #define GEMINGA_REASONING_EXPLANATION_PROOF_ROLES_HPP
 
@@ -14,7 +14,7 @@
 
 namespace geminga::explanation {
 
-/// A property expression, and the axioms by which another is below it; none where it is that other itself.
+/// A property expression, and the axioms by which another one is below it. No axioms if it is that one itself.
 struct RoleAbove {
   owl::TermId role{};
   AxiomSet axioms;
@@ -25,21 +25,21 @@ struct RoleChain {
   owl::TermId super{};
   std::uint32_t axiom = 0;
 };
-/// What holds of a property: its range, that it is functional. A domain is the range of the inverse.
+/// What holds of a property: that it has a range, or is functional. A domain is a range of the inverse.
 struct RoleFeature {
   owl::TermId role{};
   owl::TermId range{};  ///< owl:Thing where it is not about a range
   std::uint32_t axiom = 0;
 };
 
-/// Object properties and their inverses, and data properties. For few axioms: everything is a list.
+/// Object properties with their inverses, and data properties. Everything is a list, because the axioms are few.
 class ProofRoles {
  public:
   ProofRoles(owl::Ontology& source, ProofTerms& terms, std::span<const std::uint32_t> axioms);
 
-  /// Everything above a property expression, itself first, each by the fewest axioms.
+  /// Everything above a property expression, each by the fewest axioms. The expression itself comes first.
   [[nodiscard]] const std::vector<RoleAbove>& above(owl::TermId role);
-  /// The axioms by which `sub` is below `super`; nothing where it is not.
+  /// The axioms by which `sub` is below `super`. Nothing if it is not.
   [[nodiscard]] const AxiomSet* find(owl::TermId sub, owl::TermId super);
   [[nodiscard]] const std::vector<RoleChain>& chains() const { return chains_; }
   [[nodiscard]] const std::vector<RoleFeature>& ranges() const { return ranges_; }

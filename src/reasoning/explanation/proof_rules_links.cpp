@@ -79,7 +79,7 @@ void ProofSearch::apply_existentials(TermId context, const Link& link) {
   }
 }
 
-/// The successor by a link is in `more`, too.
+/// Adds to the filler of a link that the successor is in `more`, too.
 void ProofSearch::refine(TermId context, const Link& link, TermId more, ProofRule rule,
                          std::vector<std::uint32_t> steps, AxiomSet axioms) {
   if (find(link.filler, more) != nullptr || !is_of_objects(kind(link.filler))) return;
@@ -233,7 +233,7 @@ void ProofSearch::apply_chains(TermId context) {
   }
 }
 
-// Recursion is bounded by the length of the chain, which an axiom of few gives.
+// Recursion is bounded by the length of the chain, which an axiom of the small set gives.
 void ProofSearch::follow_chain(const RoleChain& chain, std::size_t at, TermId from, TermId to,
                                std::vector<std::uint32_t>& steps, AxiomSet& axioms) {
   if (at == chain.links.size()) {

@@ -1,4 +1,4 @@
-// What the axioms give, what is known, and rounds of rules until the goal is reached.
+// Reads the axioms, keeps what is known, and applies rounds of rules until the goal is reached.
 #include "reasoning/explanation/proof_search.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using owl::TermKind;
 
 namespace {
 
-// A proof for people has tens of steps; these bounds are far beyond, and end what generates terms without end.
+// A proof for people has tens of steps. These bounds are far beyond, and end the generation of ever new terms.
 constexpr std::size_t max_contexts = 120;
 constexpr std::size_t max_conclusions = 4'000;
 constexpr std::uint32_t max_depth = 24;  ///< of expressions that rules make
@@ -87,7 +87,7 @@ void ProofSearch::tell(TermId sub, TermId super, std::uint32_t axiom) {
   told_.push_back(told);
 }
 
-/// Takes note of an expression and its parts. Recursion is bounded by the nesting of terms.
+/// Notes an expression and its parts. Recursion is bounded by the nesting of terms.
 void ProofSearch::look_into(TermId expression) {
   if (std::ranges::find(expressions_, expression) != expressions_.end()) return;
   if (!owl::is_class_expression(kind(expression))) return;

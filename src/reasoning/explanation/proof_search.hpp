@@ -1,9 +1,9 @@
-// Derives a subsumption from few axioms by rules that one can follow, and remembers from what each step came.
+// Derives a subsumption from few axioms by rules that a reader can follow, and remembers the premises of each step.
 //
-// The rules are those of EL and the simplest of what is beyond it: universal restrictions, inverses, functional
-// properties, unions by cases. They need not be complete: what they do not reach is bridged by lemmas (proof.hpp). Each
-// conclusion is an inclusion of class expressions in the form of ProofTerms; the axioms are a minimal set, so nothing
-// here needs to be fast for many.
+// The rules are those of EL and the simplest ones beyond it: universal restrictions, inverses, functional properties,
+// unions by cases. They need not be complete, because lemmas bridge what they do not reach (proof.hpp). Each conclusion
+// is an inclusion of class expressions in the form of ProofTerms. The axioms are a minimal set, so nothing here needs
+// to be fast for many axioms.
 //
 // Legend: C D E F class expressions, R S T property expressions, a an individual, R <* S "R is S or below it by told
 // inclusions"; premises stand above the line, the conclusion below, side conditions in brackets.
@@ -47,7 +47,7 @@ enum class ProofRule : std::uint8_t {
   contradiction,  ///< C < owl:Nothing: C < D; a is in owl:Nothing: C < D
   together,       ///< the axioms entail it, as an engine says that shows no steps
 };
-/// "the existential rule", "the domain", "cases": what stands behind "by".
+/// The words behind "by": "the existential rule", "the domain", "cases".
 [[nodiscard]] std::string_view to_string(ProofRule rule);
 
 /// A conclusion and its premises: earlier conclusions by number, and axioms.
@@ -59,20 +59,21 @@ struct Conclusion {
   AxiomSet axioms;
 };
 
-/// Searches forward from the goal's sub class until the goal is there, nothing is left to derive, or a limit is
+/// Searches forward from the goal's subclass until the goal is derived, nothing is left to derive, or a limit is
 /// reached.
 class ProofSearch {
  public:
   /// Adds terms to the source. Only the given axioms are used.
   ProofSearch(owl::Ontology& source, const AxiomSet& axioms, owl::TermId sub, owl::TermId super);
 
-  /// The number of the goal's conclusion, where it was reached. May be called again after assume().
+  /// The number of the goal's conclusion, if it was reached. May be called again after assume().
   [[nodiscard]] std::optional<std::uint32_t> run();
-  /// Takes as given what these axioms entail together.
+  /// Adds a conclusion that these axioms entail together.
   void assume(owl::TermId sub, owl::TermId super, AxiomSet axioms);
 
   [[nodiscard]] const std::vector<Conclusion>& conclusions() const { return conclusions_; }
-  /// What the search looks at: the goal's sub class, fillers, individuals, cases; and all class expressions of axioms.
+  /// The class expressions that the search draws conclusions about: the goal's subclass, fillers, individuals and
+  /// cases; and all class expressions of the axioms.
   [[nodiscard]] const std::vector<owl::TermId>& contexts() const { return contexts_; }
   [[nodiscard]] const std::vector<owl::TermId>& expressions() const { return expressions_; }
   [[nodiscard]] bool is_known(owl::TermId sub, owl::TermId super) const { return find(sub, super) != nullptr; }
@@ -91,14 +92,14 @@ class ProofSearch {
     owl::TermId filler{};
   };
 
-  // proof_search.cpp: what is given, and what is known.
+  // proof_search.cpp: the axioms, and what is known.
   void use(std::uint32_t axiom);
   void tell(owl::TermId sub, owl::TermId super, std::uint32_t axiom);
   void look_into(owl::TermId expression);
   void open(owl::TermId context);
   void add(owl::TermId sub, owl::TermId super, ProofRule rule, std::vector<std::uint32_t> steps, AxiomSet axioms = {});
   [[nodiscard]] const std::uint32_t* find(owl::TermId sub, owl::TermId super) const;
-  /// The conclusions about a context, by number; a copy, for it grows.
+  /// The conclusions about a context, by number. A copy, because the list grows.
   [[nodiscard]] std::vector<std::uint32_t> about(owl::TermId context) const;
   [[nodiscard]] std::vector<owl::TermId> arguments(owl::TermId term) const;
   [[nodiscard]] owl::TermKind kind(owl::TermId term) const { return source_.kind(term); }
@@ -106,7 +107,7 @@ class ProofSearch {
   [[nodiscard]] std::vector<Link> links(owl::TermId context);
   void conclude_goal();
 
-  // proof_rules.cpp: what needs no successor.
+  // proof_rules.cpp: rules without successors.
   void apply(owl::TermId context);
   void apply_told(owl::TermId context);
   void apply_parts(owl::TermId context);
@@ -114,7 +115,7 @@ class ProofSearch {
   void apply_cases(owl::TermId context);
   void apply_selfs(owl::TermId context);
 
-  // proof_rules_links.cpp: what follows along links.
+  // proof_rules_links.cpp: rules along links.
   void apply_links(owl::TermId context);
   void apply_existentials(owl::TermId context, const Link& link);
   void apply_ranges(owl::TermId context, const Link& link);

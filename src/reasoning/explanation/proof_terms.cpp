@@ -1,4 +1,4 @@
-// To the normal form and back to what one writes.
+// Turns terms into the normal form and back into what people write.
 #include "reasoning/explanation/proof_terms.hpp"
 
 #include <algorithm>
@@ -88,7 +88,7 @@ TermId ProofTerms::normal(TermId id) {
 }
 
 TermId ProofTerms::normalise(TermId id) {
-  // A copy, for the source grows.
+  // A copy, because the source grows.
   const Term view = source_.term(id);
   const std::vector<TermId> arguments = copied(view.arguments);
   const Term term{view.kind, view.name, view.number, arguments};

@@ -1,4 +1,4 @@
-// The class expressions of a proof: few forms, so that few rules are enough, and words for what is concluded.
+// The class expressions of a proof: few forms, so that few rules suffice, and readable text for conclusions.
 #ifndef GEMINGA_REASONING_EXPLANATION_PROOF_TERMS_HPP
 #define GEMINGA_REASONING_EXPLANATION_PROOF_TERMS_HPP
 
@@ -11,23 +11,23 @@
 
 namespace geminga::explanation {
 
-/// Makes terms in a source, in a form in which equal meanings are more often equal terms: an individual is the class of
-/// itself alone, `value` and `min 1` are `some`, `exactly` is `min and max`, every restriction has a filler,
+/// Makes terms in a normal form, in which terms of equal meaning are more often equal: an individual is the class of
+/// itself alone, `value` and `min 1` are `some`, `exactly` is `min and max`, every restriction has a filler, and
 /// conjunctions are flat and sorted. Recursion is bounded by the nesting of terms.
 class ProofTerms {
  public:
   explicit ProofTerms(owl::Ontology& source) : source_(source) {}
 
-  /// The same class expression or data range in that form.
+  /// The normal form of a class expression or data range.
   [[nodiscard]] owl::TermId normal(owl::TermId term);
-  /// The class of one individual; of a literal: the data range.
+  /// The class of one individual, or the data range of one literal.
   [[nodiscard]] owl::TermId singleton(owl::TermId individual);
   [[nodiscard]] owl::TermId some(owl::TermId role, owl::TermId filler);
   [[nodiscard]] owl::TermId conjunction(const std::vector<owl::TermId>& parts);
-  /// Of a property expression; the inverse of an inverse is the property.
+  /// The inverse of a property expression. The inverse of an inverse is the property.
   [[nodiscard]] owl::TermId inverse(owl::TermId role);
 
-  /// "A SubClassOf B", "a Type B", "a r b": as one would write it as an axiom. The terms are in normal form.
+  /// "A SubClassOf B", "a Type B", "a r b": the axiom as people write it. The terms are in normal form.
   [[nodiscard]] std::string readable(owl::TermId sub, owl::TermId super, const owl::ShortName& short_name);
 
  private:
@@ -40,7 +40,7 @@ class ProofTerms {
   [[nodiscard]] owl::TermId normalise(owl::TermId term);
 
   owl::Ontology& source_;
-  // Terms share their parts: each is turned once.
+  // Terms share their parts, so each is converted once.
   std::map<owl::TermId, owl::TermId> normal_;
   std::map<owl::TermId, owl::TermId> written_;
 };

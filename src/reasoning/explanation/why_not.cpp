@@ -1,4 +1,4 @@
-// Common superclasses from the taxonomy, requirements from the axioms about the broader class.
+// Finds common superclasses in the taxonomy, and requirements in the axioms about the broader class.
 #include "reasoning/explanation/why_not.hpp"
 
 #include <algorithm>
@@ -23,7 +23,8 @@ std::vector<ClassNumber> most_specific_common(const compiled::Ontology& ontology
   const std::vector<ClassNumber> other = ontology.subsumers(super);
   std::vector<ClassNumber> common;
   std::ranges::set_intersection(one, other, std::back_inserter(common));
-  // What is above something in common is in common, so what is the parent of another is not the most specific.
+  // Superclasses of a common superclass are common, too. So the parents of a common superclass are not the most
+  // specific ones.
   std::vector<ClassNumber> above;
   for (const ClassNumber number : common) {
     for (const ClassNumber parent : ontology.parents(number)) above.push_back(parent);
@@ -39,14 +40,14 @@ std::vector<ClassNumber> most_specific_common(const compiled::Ontology& ontology
   return lowest;
 }
 
-/// An axiom of the compiled form that says what a class is, and the side of it that is not the class.
+/// An axiom of the compiled form that says what a class is, and the side of the axiom that is not the class.
 struct Found {
   std::uint32_t axiom = 0;
   std::uint32_t side = 0;
   bool is_sufficient = false;
 };
 
-/// Definitions first, then inclusions of expressions in the class, then what the class is told to be below.
+/// Definitions first, then expressions that are included in the class, then expressions that include it.
 std::vector<Found> find_axioms(const taxonomy::ClassifiedView& view, std::uint32_t term) {
   std::vector<Found> definitions;
   std::vector<Found> inclusions;
@@ -70,7 +71,7 @@ std::vector<Found> find_axioms(const taxonomy::ClassifiedView& view, std::uint32
   return definitions;
 }
 
-/// Asks the engines what of a requirement is met.
+/// Asks the engines which part of a requirement is met.
 class Judge {
  public:
   Judge(Module& module, TermId sub, Patience patience)
@@ -98,7 +99,7 @@ class Judge {
     return {term.arguments.begin(), term.arguments.end()};
   }
 
-  /// A set of axioms by which nothing can be in both.
+  /// Axioms by which the two classes are disjoint.
   std::optional<AxiomSet> find_exclusion(TermId super) {
     const TermId both = module_.source().term(TermKind::object_intersection_of, {sub_, super});
     return engines_.find(module_.all(), both, owl::nothing_term);

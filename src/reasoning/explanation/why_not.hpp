@@ -23,26 +23,26 @@ struct Requirement {
 /// One axiom that says what the broader class is.
 struct Way {
   ExplainedAxiom axiom;
-  /// Whoever meets all requirements is in the class. False: they are necessary, and to meet them is not enough.
+  /// Whether everything that meets all requirements is in the class. If not, they are necessary and not sufficient.
   bool is_sufficient = false;
   std::vector<Requirement> requirements;
   [[nodiscard]] std::size_t missing_count() const;
 };
 
 struct WhyNot {
-  /// The most specific classes that are above both, one of each node of equivalents; owl:Thing where there is no other.
+  /// The most specific classes above both, one for each node. owl:Thing if there is no other.
   std::vector<taxonomy::ClassNumber> common;
-  /// Sufficient ones first, of these the nearest first: the one of which least is missing.
+  /// Sufficient ones first, and of these the nearest first, of which least is missing.
   std::vector<Way> ways;
   bool has_more_ways = false;  ///< than are listed
-  /// Nothing can be in both classes, and these axioms say so.
+  /// The two classes are disjoint, and these axioms say so.
   bool is_excluded = false;
   std::vector<ExplainedAxiom> exclusion;
-  /// Axioms were left out when the ontology was loaded: with them it might follow after all.
+  /// Axioms were left out when the ontology was loaded. With them it might follow.
   bool may_be_incomplete = false;
 };
 
-/// Requires that `sub` is not below `super`. Cost: a pass over the kinds of all axioms, and a question to the engines
+/// Requires that `sub` is not below `super`. Costs a pass over the kinds of all axioms, and a question to the engines
 /// for each requirement.
 [[nodiscard]] WhyNot why_not(const compiled::Ontology& ontology, taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
                              Patience patience = Patience::of_a_person);
@@ -51,7 +51,7 @@ struct WhyNot {
 [[nodiscard]] std::vector<std::string> describe(const compiled::Ontology& ontology, taxonomy::ClassNumber sub,
                                                 taxonomy::ClassNumber super, const WhyNot& why_not);
 
-/// The same in one line of few words: what is nearest, and what the nearest sufficient axiom asks for beyond that.
+/// The same in one short line: what is nearest, and what the nearest sufficient axiom requires beyond that.
 [[nodiscard]] std::string describe_briefly(const compiled::Ontology& ontology, taxonomy::ClassNumber sub,
                                            taxonomy::ClassNumber super, const WhyNot& why_not);
 

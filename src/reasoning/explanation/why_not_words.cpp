@@ -1,4 +1,4 @@
-// "Why not" in lines for a person, and in few words.
+// Describes "why not" in lines for a person, and in one short line.
 #include <algorithm>
 
 #include "reasoning/explanation/why_not.hpp"

@@ -1,4 +1,4 @@
-// The walk: a name that comes into the signature wakes the axioms that wait for it.
+// The walk: a name that enters the signature brings in the axioms that wait for it.
 #include "reasoning/modules/module.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ class Walk {
   }
 
  private:
-  /// Takes a term's names into the signature. Recursion is bounded by the nesting of terms.
+  /// Adds the names in a term to the signature. Recursion is bounded by the nesting of terms.
   void enter(std::uint32_t term) {
     if (is_in_signature_[term]) return;
     is_in_signature_[term] = true;

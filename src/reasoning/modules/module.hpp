@@ -1,4 +1,4 @@
-// The axioms that can matter for a question: a module by bottom locality, found by walking from name to name.
+// The axioms that can matter for a question: a module by bottom locality, found by walking from names to axioms.
 #ifndef GEMINGA_REASONING_MODULES_MODULE_HPP
 #define GEMINGA_REASONING_MODULES_MODULE_HPP
 
@@ -13,8 +13,8 @@
 
 namespace geminga::modules {
 
-/// From each name to the axioms that wait for it; see module_locality.hpp. It is part of the compiled form, so that
-/// making one costs nothing. The view, which must have axioms to be of use, must outlive it.
+/// Leads from each name to the axioms that wait for it; see module_locality.hpp. It is part of the compiled form, so
+/// that making one costs nothing. The view must have axioms, and must outlive it.
 class ModuleIndex {
  public:
   explicit ModuleIndex(const taxonomy::ClassifiedView& view);
@@ -23,11 +23,11 @@ class ModuleIndex {
   [[nodiscard]] const BuiltIn& built_in() const { return built_in_; }
   /// How often a term is an argument.
   [[nodiscard]] std::span<const std::uint32_t> uses() const { return view_->uses; }
-  /// Axioms to be looked at when this entity comes into the signature.
+  /// The axioms to test when this entity enters the signature.
   [[nodiscard]] std::span<const std::uint32_t> axioms_of(std::uint32_t entity) const {
     return view_->axioms_waiting_for(entity);
   }
-  /// Axioms that say something whatever the signature is: facts, and what is said of everything.
+  /// Axioms that are local for no signature: facts, and what is said of everything.
   [[nodiscard]] std::span<const std::uint32_t> unconditional() const { return view_->unconditional; }
   /// The term of a class; nothing where no axiom uses it.
   [[nodiscard]] std::optional<std::uint32_t> term_of(taxonomy::ClassNumber number) const;
@@ -50,10 +50,10 @@ struct ModuleTables {
 /// Makes the tables of a view that has everything but them. A pass over its axioms.
 [[nodiscard]] ModuleTables make_module_tables(const taxonomy::ClassifiedView& view);
 
-/// Numbers of axioms that hold every minimal set that entails anything about these classes and terms; that one of the
-/// classes is below any named class, too. They come in the order in which the walk reaches them, so that what is near
-/// stands first. Declarations are never among them. Cost: that of what is reached, beside one bit for each term and
-/// axiom of the ontology.
+/// The numbers of axioms that include every minimal set that entails anything about these classes and terms, also that
+/// one of these classes is below any named class. Their order is that in which the walk reaches them, so that near
+/// axioms come first. Declarations are not among them. The cost is that of what is reached, and one bit for each term
+/// and axiom of the ontology.
 [[nodiscard]] std::vector<std::uint32_t> extract_module(const ModuleIndex& index,
                                                         std::span<const taxonomy::ClassNumber> classes,
                                                         std::span<const std::uint32_t> more_terms = {});

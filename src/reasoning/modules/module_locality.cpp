@@ -1,5 +1,6 @@
-// Locality kind by kind. A test returns not_local where the thing is certain in the signature as it is, waiting with
-// the names that it waits for on top of the stack, and always (with none) where it can never be.
+// Locality, one kind of term or axiom at a time. A test returns not_local if what it asks holds whatever the names
+// outside the signature mean. It returns waiting if a name must enter the signature first, and leaves such names on top
+// of the stack. It returns always if that can never happen, and leaves none.
 #include "reasoning/modules/module_locality.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ std::uint64_t LocalityTest::cost(std::size_t first, std::size_t last) const {
   return sum;
 }
 
-/// Of two sets of names, each enough to wait for, the one that comes up more rarely stays.
+/// Keeps one of two sets of names, each of which is enough to wait for: the one whose names are used less often.
 Locality LocalityTest::keep_better(std::size_t start, std::size_t middle) {
   const auto at = [&](std::size_t position) { return names_.begin() + static_cast<std::ptrdiff_t>(position); };
   if (cost(middle, names_.size()) < cost(start, middle)) {
@@ -66,7 +67,7 @@ Locality LocalityTest::all(Numbers terms, Test&& test) {
   return result;
 }
 
-/// That at least two of them are so.
+/// Whether at least two of them pass the test.
 template <typename Test>
 Locality LocalityTest::two(Numbers terms, Test&& test) {
   const std::size_t start = names_.size();
@@ -91,7 +92,7 @@ Locality LocalityTest::two(Numbers terms, Test&& test) {
     names_.resize(start);
     return Locality::always;
   }
-  // Where none is so yet, the first of the two is one of any all but one.
+  // If none passes yet, the first of the two is among any choice of all but one.
   if (certain == 0) {
     names_.erase(names_.begin() + static_cast<std::ptrdiff_t>(dear),
                  names_.begin() + static_cast<std::ptrdiff_t>(dear_end));

@@ -1,9 +1,9 @@
-// What keeps an axiom from mattering: the names that a module would have to hold before the axiom says something.
+// Why an axiom does not matter yet: the names that must enter a module's signature before the axiom says something.
 //
-// An axiom is local with respect to a signature S where it holds once every name outside S is empty (bottom locality;
-// Cuenca Grau, Horrocks, Kazakov, Sattler: Modular Reuse of Ontologies, 2008). Instead of asking "is it local" of every
-// axiom after each growth of S, one asks "what is it waiting for": a set of names of which at least one must come into
-// S before the axiom can cease to be local.
+// An axiom is local with respect to a signature S if it holds as soon as every name outside S is empty (bottom
+// locality; Cuenca Grau, Horrocks, Kazakov, Sattler: Modular Reuse of Ontologies, 2008). Testing every axiom again
+// after each growth of S would be slow. Instead a test tells what the axiom waits for: a set of names of which at least
+// one must enter S before the axiom can cease to be local.
 #ifndef GEMINGA_REASONING_MODULES_MODULE_LOCALITY_HPP
 #define GEMINGA_REASONING_MODULES_MODULE_LOCALITY_HPP
 
@@ -15,7 +15,7 @@
 
 namespace geminga::modules {
 
-/// Terms with a meaning of their own, or ClassifiedView::none where no axiom uses them.
+/// The terms with a fixed meaning, or ClassifiedView::none if no axiom uses them.
 struct BuiltIn {
   std::uint32_t thing = taxonomy::ClassifiedView::none;
   std::uint32_t nothing = taxonomy::ClassifiedView::none;
@@ -26,7 +26,7 @@ struct BuiltIn {
 };
 inline constexpr std::size_t built_in_count = 6;
 
-/// Whether a module's signature is made of such terms.
+/// Whether terms of this kind make up a module's signature.
 [[nodiscard]] constexpr bool is_entity(owl::TermKind kind) {
   return kind <= owl::TermKind::anonymous_individual && kind != owl::TermKind::datatype;
 }
@@ -38,21 +38,21 @@ enum class Locality : std::uint8_t {
   always,     ///< it never says anything
 };
 
-/// Terms of one axiom, each as often as it occurs, that are looked at before it counts as not local, which is always
-/// allowed: terms may share their parts, so that a few lines of a file can mean 2^60 of them.
+/// How many terms of one axiom are looked at, each as often as it occurs. Beyond it the axiom counts as not local,
+/// which is always sound. Terms may share their parts, so that a few lines of a file can mean 2^60 of them.
 inline constexpr std::uint32_t max_terms_looked_at = 10'000;
 
-/// Looks at axioms against a signature that somebody else keeps. Recursion is bounded by the nesting of terms.
+/// Tests axioms against a signature that the caller keeps. Recursion is bounded by the nesting of terms.
 class LocalityTest {
  public:
-  /// `is_in_signature` and `uses` have an entry for each term; of several names to wait for those with few uses are
-  /// taken. All must outlive the test.
+  /// `is_in_signature` and `uses` have an entry for each term. Among several names to wait for, those with few uses are
+  /// chosen. All must outlive the test.
   LocalityTest(const taxonomy::ClassifiedView& view, const BuiltIn& built_in, const std::vector<bool>& is_in_signature,
                std::span<const std::uint32_t> uses)
       : view_(view), built_in_(built_in), is_in_signature_(is_in_signature), uses_(uses) {}
 
   [[nodiscard]] Locality of(std::uint32_t axiom);
-  /// What the axiom asked about last waits for, until of() is called again.
+  /// What the axiom that of() tested last waits for. Valid until of() is called again.
   [[nodiscard]] std::span<const std::uint32_t> names() const { return names_; }
 
  private:
@@ -70,7 +70,7 @@ class LocalityTest {
   [[nodiscard]] std::uint64_t cost(std::size_t first, std::size_t last) const;
   Locality wait_for(std::uint32_t entity);
 
-  // Until when is it certain that ... ? "not_local" stands for "it is so".
+  // Each test asks whether something is certain. Here not_local means that it is.
   Locality not_empty_role(std::uint32_t term);
   Locality not_empty(std::uint32_t term);
   Locality not_everything(std::uint32_t term);

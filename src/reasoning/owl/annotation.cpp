@@ -30,14 +30,14 @@ void AnnotationStack::add(Annotation annotation, std::size_t level) {
   kept_->push_back(std::move(annotation));
 }
 
-void AnnotationStack::settle(const Ontology& source, std::size_t axioms_before, std::size_t damaged_before) {
+void AnnotationStack::attach(const Ontology& source, std::size_t axioms_before, std::size_t ill_typed_before) {
   if (kept_ == nullptr || kept_->size() == begin_) return;
   const bool is_axiom = source.axiom_count() > axioms_before;
-  if (!is_axiom && source.damaged_count() == damaged_before) return drop();
+  if (!is_axiom && source.ill_typed_count() == ill_typed_before) return drop();
   if (waiting_.size() < 2) return;
   for (const std::uint32_t own : waiting_[1]) {
-    (*kept_)[own].of = is_axiom ? Annotation::Of::axiom : Annotation::Of::damaged;
-    (*kept_)[own].number = static_cast<std::uint32_t>(is_axiom ? axioms_before : damaged_before);
+    (*kept_)[own].of = is_axiom ? Annotation::Of::axiom : Annotation::Of::ill_typed;
+    (*kept_)[own].number = static_cast<std::uint32_t>(is_axiom ? axioms_before : ill_typed_before);
   }
   waiting_.clear();
   begin_ = kept_->size();

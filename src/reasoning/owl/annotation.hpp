@@ -1,5 +1,5 @@
-// What is said about a name or an axiom beside the axioms: it means nothing to the reasoner, and is kept for those who
-// write it again.
+// Annotations: what is said about a name or an axiom beside the axioms. They mean nothing to the reasoner. They are
+// kept for programs that write an ontology again.
 #ifndef GEMINGA_REASONING_OWL_ANNOTATION_HPP
 #define GEMINGA_REASONING_OWL_ANNOTATION_HPP
 
@@ -14,14 +14,14 @@
 
 namespace geminga::owl {
 
-/// An annotation by an IRI, a literal or an anonymous individual.
+/// One annotation. Its value is an IRI, a literal or an anonymous individual.
 struct Annotation {
   /// What it is about.
   enum class Of : std::uint8_t {
     name,        ///< an entity or an anonymous individual: what says it is an axiom
     ontology,    ///< the one in the file `number`
     axiom,       ///< axiom `number` of the source
-    damaged,     ///< damaged axiom `number` of the source
+    ill_typed,   ///< ill-typed axiom `number` of the source
     annotation,  ///< annotation `number` of the list in which this one is
   };
   Of of = Of::name;
@@ -34,7 +34,7 @@ struct Annotation {
   std::string language;  ///< of literals, in lower case
 };
 
-/// One of a name, whose value is still to be told.
+/// An annotation of a name. The caller fills in the value.
 [[nodiscard]] inline Annotation annotation_of(std::string subject, std::string property) {
   Annotation annotation;
   annotation.subject = std::move(subject);
@@ -42,26 +42,29 @@ struct Annotation {
   return annotation;
 }
 
-/// SubAnnotationPropertyOf and its like say with a property what others say with an annotation (mapping to RDF, table
-/// 1): rdfs:subPropertyOf, rdfs:domain or rdfs:range for a word of the functional-style syntax.
+/// The property that an axiom about annotation properties stands for in RDF (mapping to RDF, table 1):
+/// rdfs:subPropertyOf, rdfs:domain or rdfs:range. `word` is its word in the functional-style syntax, such as
+/// SubAnnotationPropertyOf.
 [[nodiscard]] std::string property_of_annotation_axiom(std::string_view word);
 
-/// Puts annotations into a list as a reader comes upon them: those of something before it, which may be annotated
-/// itself.
+/// Collects annotations in the order in which a reader meets them. They stand before what they are about, and may be
+/// annotated themselves.
 class AnnotationStack {
  public:
-  /// nullptr: nobody wants them, and nothing is kept.
+  /// With nullptr nothing is kept.
   explicit AnnotationStack(std::vector<Annotation>* kept) : kept_(kept) {}
   [[nodiscard]] bool is_wanted() const { return kept_ != nullptr; }
 
-  /// From here on until settle() or drop() all belong to one axiom, or to nothing.
+  /// What is added from here on until attach() or drop() is about one axiom, or about nothing.
   void begin();
-  /// `level` is how many annotations this one stands in, and itself; those of the level below that were added before
-  /// it are its own. With level 0 those of level 1 are, as of an axiom that is an annotation.
+  /// Adds an annotation that stands `level` deep: 1 is that of an axiom, 2 an annotation of such an annotation.
+  /// Annotations of the level below that were added just before it are its own. An axiom that is itself an annotation
+  /// has level 0.
   void add(Annotation annotation, std::size_t level);
-  /// Those of level 1 are about an axiom, which has been added to the source unless that has as many axioms as before.
-  void settle(const Ontology& source, std::size_t axioms_before, std::size_t damaged_before);
-  /// They are about nothing that is kept.
+  /// Attaches the annotations of level 1 to the axiom that has just been added to the source. They are dropped if none
+  /// has been added: the source then has as many axioms as before.
+  void attach(const Ontology& source, std::size_t axioms_before, std::size_t ill_typed_before);
+  /// Drops them: they are about nothing that is kept.
   void drop();
 
  private:

@@ -1,4 +1,4 @@
-// Closing over empty moves, and the reduction by simulation.
+// Closes over empty moves and reduces by simulation.
 #include "reasoning/owl/automaton.hpp"
 
 #include <algorithm>
@@ -8,12 +8,12 @@
 namespace geminga::owl {
 namespace {
 
-/// Larger automata are not looked through for superfluous moves: the search grows with the cube of the states.
+/// Automata with more states are not searched for superfluous moves: the search grows with the cube of the states.
 constexpr std::size_t max_simulated_states = 300;
 
 }  // namespace
 
-/// Which labels of some moves include which; each pair is asked about once.
+/// Which labels of moves include which. Each pair is asked about once.
 class Automaton::Inclusions {
  public:
   Inclusions(const std::vector<Move>& moves, const Includes& includes) : asked_(includes) {
@@ -84,7 +84,7 @@ Automaton Automaton::reduced(const Includes& includes) const {
   for (const State state : closures[begin]) {
     if (state == end) result.final_[begin] = true;
   }
-  // What is reachable from the beginning without a letter begins there, too.
+  // A state that is reached from the first state without a letter is a first state, too.
   std::vector<bool> begins(states_, false);
   for (const State state : closures[begin]) begins[state] = true;
   for (const Move& move : moves_) {
@@ -101,8 +101,9 @@ Automaton Automaton::reduced(const Includes& includes) const {
 }
 
 void Automaton::drop_superfluous(const Includes& includes) {
-  // A state p is simulated by q if q ends words where p does, and for every move of p one of q by a role that includes
-  // the label leads to a state that simulates the target. The greatest such relation, by refinement.
+  // State q simulates state p if two things hold: q is final where p is, and each move of p has a move of q whose label
+  // includes that of the first and whose target simulates its target. The greatest such relation is found by
+  // refinement.
   const Inclusions labels(moves_, includes);
   std::vector<std::uint8_t> simulates(states_ * std::size_t{states_});  // [p, q]: q simulates p
   const auto at = [&](State p, State q) -> std::uint8_t& { return simulates[p * std::size_t{states_} + q]; };
@@ -132,7 +133,7 @@ void Automaton::drop_superfluous(const Includes& includes) {
       }
     }
   }
-  // States that simulate each other are one; then a move is superfluous beside a greater one.
+  // States that simulate each other become one. A move is superfluous if another one is greater.
   std::vector<State> one(states_);
   for (State state = 0; state < states_; ++state) {
     one[state] = state;

@@ -12,7 +12,7 @@
 
 namespace geminga::owl {
 
-/// State 0 is where words begin and, until without_empty_moves(), state 1 is where they end.
+/// Words begin in state 0. They end in state 1, or, after reduced(), in the states of is_final().
 class Automaton {
  public:
   using State = std::uint32_t;
@@ -33,8 +33,8 @@ class Automaton {
 
   /// Whether `second` holds wherever `first` does.
   using Includes = std::function<bool(Role first, Role second)>;
-  /// The same language without empty moves, states that lead nowhere, and moves that others make superfluous. Words
-  /// end in the states of is_final().
+  /// The automaton of the same language without empty moves, without states that lead nowhere, and without moves that
+  /// others make superfluous.
   [[nodiscard]] Automaton reduced(const Includes& includes) const;
 
   [[nodiscard]] State state_count() const { return states_; }

@@ -1,4 +1,4 @@
-// Content hashes, bottom up, and sorting by them.
+// Hashes contents from the arguments upwards and sorts by these hashes.
 #include "reasoning/owl/canonical.hpp"
 
 #include <xxhash.h>
@@ -173,7 +173,7 @@ std::uint64_t digest(const Ontology& source) {
   for (std::uint32_t number = 0; number < source.axiom_count(); ++number) {
     const Axiom axiom = source.axiom(number);
     for (const TermId argument : axiom.arguments) is_used[static_cast<std::size_t>(argument)] = true;
-    // Whether an entity is declared does not change what follows; that it is there does.
+    // A declaration does not change what follows from the axioms. That the entity is there does.
     if (axiom.kind != AxiomKind::declaration) contents.push_back(hashes.of(axiom));
   }
   for (std::uint32_t id = static_cast<std::uint32_t>(source.term_count()); id-- > 0;) {

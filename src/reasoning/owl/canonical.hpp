@@ -11,11 +11,11 @@
 
 namespace geminga::owl {
 
-/// Labels of blank nodes differ between files and readers: a digest must not see them, an order must.
+/// How blank nodes count. Their labels differ between files and readers: a digest must not see them, an order must.
 enum class BlankNodes { by_label, all_alike };
 
-/// Hashes of what terms and axioms say: equal for equal content in any source. Members of sets, as the operands of an
-/// intersection, count in any order.
+/// Hashes of what terms and axioms say. Equal content has equal hashes, whatever the source. The members of a set, such
+/// as the operands of an intersection, may stand in any order.
 class ContentHashes {
  public:
   explicit ContentHashes(const Ontology& source, BlankNodes blank_nodes = BlankNodes::by_label);
@@ -31,12 +31,12 @@ class ContentHashes {
   std::vector<Hash> terms_;
 };
 
-/// From which argument on the arguments are a set; their number where they are none.
+/// The first argument that belongs to a set; the number of arguments if there is no set.
 [[nodiscard]] std::size_t set_begin(TermKind kind, std::size_t count);
 [[nodiscard]] std::size_t set_begin(AxiomKind kind, std::size_t count);
 
-/// A source in canonical order: files by path; terms that an axiom uses, arguments before what they are in; axioms,
-/// each once, at the first place where it stands.
+/// A source in canonical order: files by path; the terms that axioms use, each behind its arguments; each axiom once,
+/// at the first place where it stands.
 struct CanonicalOrder {
   struct CanonicalAxiom {
     std::uint32_t axiom = 0;  ///< in the source

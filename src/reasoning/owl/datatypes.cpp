@@ -19,8 +19,8 @@ constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
 constexpr std::string_view rdf = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
 constexpr std::string_view owl = "http://www.w3.org/2002/07/owl#";
 
-/// How much of a family a datatype is. Numbers: what the digits may be, and bounds as decimal integers ("": none).
-/// Texts: position in the chain of ever smaller types.
+/// How much of a family a datatype holds. Of numbers: which digits are allowed, and bounds as decimal integers ("":
+/// none). Of texts: the position in the chain of ever smaller types.
 enum class Shape : std::uint8_t { whole_family, rational, decimal, integer, text_chain, time_with_zone };
 
 struct Row {
@@ -51,8 +51,8 @@ constexpr std::array rows = {
     Row{xsd, "unsignedInt", number, Shape::integer, "0", "4294967295"},
     Row{xsd, "unsignedShort", number, Shape::integer, "0", "65535"},
     Row{xsd, "unsignedByte", number, Shape::integer, "0", "255"},
-    // The chain: plain literals may have a language, strings have none, and each further one is a part of the one
-    // before.
+    // The chain of texts: plain literals may have a language, strings have none, and each further type is part of the
+    // one before it.
     Row{rdf, "PlainLiteral", text, Shape::text_chain, "", "", 0},
     Row{xsd, "string", text, Shape::text_chain, "", "", 1},
     Row{xsd, "normalizedString", text, Shape::text_chain, "", "", 2},
@@ -86,7 +86,7 @@ bool is_less(std::string_view a, std::string_view b) {
 bool is_at_least(std::string_view number, std::string_view low) { return low.empty() || !is_less(number, low); }
 bool is_at_most(std::string_view number, std::string_view high) { return high.empty() || !is_less(high, number); }
 
-/// White space as XML Schema collapses it.
+/// The text with its white space collapsed as XML Schema says.
 std::string collapsed(std::string_view text) {
   std::string result;
   for (const char character : text) {
@@ -126,7 +126,7 @@ std::optional<std::string> canonical_decimal(std::string_view text, bool may_hav
   return is_negative && result != "0" ? "-" + result : result;
 }
 
-/// What is too large or too small for the type is rounded as IEEE 754 has it: to infinity or to zero (XSD 1.1 part 2,
+/// A number that is too large or too small for the type is rounded to infinity or zero (IEEE 754; XSD 1.1 part 2,
 /// floatingPointRound). std::from_chars() says only that it does not fit.
 template <typename Float>
 Float rounded(const std::string& text) {
@@ -184,7 +184,7 @@ std::uint8_t chain_of(std::string_view text) {
 }
 
 std::optional<std::string> canonical_text(const Row& row, std::string_view lexical, std::string_view language) {
-  // A text is "s" and itself, or "l", its language, a NUL and itself.
+  // The canonical form of a text is "s" and the text, or "l", the language, a NUL and the text.
   std::string lower(language);
   if (row.chain == 0 && language.empty()) {
     const std::size_t at = lexical.rfind('@');
@@ -213,8 +213,8 @@ std::optional<std::string> canonical_hex(std::string_view text) {
   return upper.size() % 2 == 0 ? std::optional(upper) : std::nullopt;
 }
 
-/// Groups of four, the last one with bits that say nothing only where '=' stands for their octets (RFC 3548, section
-/// 3).
+/// Base64 consists of groups of four characters. Only where '=' ends the last group may it have bits that are not used
+/// (RFC 3548, section 3).
 std::optional<std::string> canonical_base64(std::string packed) {
   static constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::erase(packed, ' ');
@@ -360,7 +360,7 @@ bool DataValue::is_in(owl::Datatype type) const {
     return canonical.find('.') == std::string::npos && is_at_least(canonical, row.low) &&
            is_at_most(canonical, row.high);
   }
-  // What is left is a time with a zone.
+  // What remains is a time, which has a zone or none.
   return canonical.ends_with('Z') || canonical.rfind(':') > canonical.find('T') + 6;
 }
 

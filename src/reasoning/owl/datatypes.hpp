@@ -1,5 +1,5 @@
-// The datatypes of OWL 2 and the values of literals: which value is in which type, which types hold which, which
-// differ.
+// The datatypes of OWL 2 and the values of literals: which type holds which value, which type is part of which, which
+// have no value in common.
 #ifndef GEMINGA_REASONING_OWL_DATATYPES_HPP
 #define GEMINGA_REASONING_OWL_DATATYPES_HPP
 
@@ -14,7 +14,7 @@ namespace geminga::owl {
 enum class DataFamily : std::uint8_t { number, text, double_, float_, boolean, hex, base64, uri, time, xml };
 inline constexpr std::size_t data_family_count = 10;
 
-/// A datatype of OWL 2's map, or nothing for others, about which nothing is known.
+/// A datatype of OWL 2. Of other datatypes nothing is known.
 class Datatype {
  public:
   [[nodiscard]] static std::optional<Datatype> find(std::string_view iri);
@@ -24,7 +24,7 @@ class Datatype {
   [[nodiscard]] bool is_within(Datatype other) const;
   /// Whether they have no value in common. Exact.
   [[nodiscard]] bool is_disjoint(Datatype other) const;
-  /// Whether it has finitely many values, which OWL 2 EL excludes: it is then the union of its literals.
+  /// Whether it has finitely many values. OWL 2 EL excludes such types, because they are unions of their literals.
   [[nodiscard]] bool is_finite() const;
 
   friend bool operator==(Datatype, Datatype) = default;
@@ -46,7 +46,7 @@ struct DataValue {
   /// Nothing for an unknown datatype; `is_ill_formed` says that the lexical form is not of its datatype.
   [[nodiscard]] static std::optional<DataValue> read(std::string_view lexical, std::string_view datatype_iri,
                                                      std::string_view language, bool& is_ill_formed);
-  /// True is certain; false is where the value is exact.
+  /// Exact where the value is exact. Otherwise true is certain and false is not.
   [[nodiscard]] bool is_in(Datatype type) const;
 };
 

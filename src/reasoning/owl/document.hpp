@@ -1,4 +1,4 @@
-// What the readers of OWL's own syntaxes give beside the axioms that they hand to the source, and how they refuse.
+// What a reader of OWL's own syntaxes returns beside the axioms that it adds to the source, and how it refuses a file.
 #ifndef GEMINGA_REASONING_OWL_DOCUMENT_HPP
 #define GEMINGA_REASONING_OWL_DOCUMENT_HPP
 
@@ -14,7 +14,8 @@ struct Import {
   std::uint32_t line = 0;
 };
 
-/// A prefix as the file declares it; those that every file knows (owl, rdf, rdfs, xsd) only where it declares them.
+/// A prefix that the file declares. The prefixes that every file knows (owl, rdf, rdfs, xsd) are listed only if it
+/// declares them.
 struct DeclaredPrefix {
   std::string prefix;  ///< without the colon; empty: the default one
   std::string iri;
@@ -31,7 +32,7 @@ struct Document {
   std::uint64_t vacuous = 0;      ///< axioms that say nothing, like EquivalentClasses(:A)
 };
 
-/// One refused file. Its text is one line of UTF-8.
+/// A file that was refused. `text` is one line of UTF-8.
 struct ReadError {
   std::string file;
   std::uint32_t line = 0;  ///< 0: the file as a whole

@@ -34,7 +34,7 @@ class Reading {
   [[nodiscard]] bool is_regular() const { return is_regular_; }
   [[nodiscard]] std::uint64_t size() const { return size_; }
 
-  /// Nothing where reading fails on the way.
+  /// Nothing if reading fails before the end.
   [[nodiscard]] std::optional<Fingerprint> finish() {
     struct Free {
       void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }

@@ -1,4 +1,4 @@
-// What a file held when it was read: enough to know later that it has changed.
+// The size and hash of a file's content: enough to know later that it has changed.
 #ifndef GEMINGA_REASONING_OWL_FINGERPRINT_HPP
 #define GEMINGA_REASONING_OWL_FINGERPRINT_HPP
 
@@ -8,8 +8,8 @@
 
 namespace geminga::owl {
 
-/// Size and XXH3-64 of a file's octets; not its time, which a copy or a checkout changes, and which would make the
-/// compiled forms of equal files differ. Both 0: not known.
+/// Size and XXH3-64 of a file's octets; both are 0 if they are not known. The time of the file is not part of it: a
+/// copy or a checkout changes it, and compiled forms of equal files would differ.
 struct Fingerprint {
   std::uint64_t size = 0;
   std::uint64_t hash = 0;
@@ -19,8 +19,8 @@ struct Fingerprint {
 
 [[nodiscard]] Fingerprint fingerprint_of(std::string_view octets);
 
-/// Whether the file is there and holds something else than it did. What is gone, is no regular file or cannot be read
-/// is not known to have changed. Reads the file, in pieces, only where its size is the same.
+/// Whether the file is there and has other content than it had. False for what is gone, is no regular file or cannot be
+/// read. Reads the file, in pieces, only if its size is the same.
 [[nodiscard]] bool has_changed(const std::string& path, const Fingerprint& known);
 
 }  // namespace geminga::owl

@@ -1,4 +1,4 @@
-// What of an ontology was not used, and where it stands.
+// What was left out of an ontology, and where it stands.
 #ifndef GEMINGA_REASONING_OWL_LEFT_OUT_HPP
 #define GEMINGA_REASONING_OWL_LEFT_OUT_HPP
 
@@ -12,7 +12,7 @@ struct LeftOut {
   std::string construct;
   std::uint32_t count = 0;
   std::string first;  ///< file:line of the first
-  /// The same as a place in files(); past the end where it is not known.
+  /// The place as a number of files(). Past the end if it is not known.
   std::uint32_t file = 0xffffffff;
   std::uint32_t line = 0;
 };

@@ -9,7 +9,7 @@
 
 namespace geminga::owl {
 
-/// Nothing where the datatype is not known. Literals of axioms are of their datatypes (Ontology::literal()).
+/// Nothing if the datatype is not known. Every literal of an axiom is of its datatype (Ontology::literal()).
 [[nodiscard]] std::optional<DataValue> value_of(const Ontology& source, const Term& literal);
 
 }  // namespace geminga::owl

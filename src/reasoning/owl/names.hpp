@@ -15,7 +15,7 @@ class Names {
  public:
   virtual ~Names() = default;
   /// The full IRI of an entity of this kind, or one line that says why there is none. `name` is `<IRI>`, a bare IRI,
-  /// `prefix:Name`, or whatever else the ontology gives a meaning.
+  /// `prefix:Name`, or any other name that the ontology knows.
   [[nodiscard]] virtual std::expected<std::string, std::string> find(TermKind kind, std::string_view name) const = 0;
 };
 

@@ -7,7 +7,7 @@
 namespace geminga::owl {
 namespace {
 
-/// Facets have words of their own in the Manchester syntax.
+/// The words of the Manchester syntax for facets.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 9> facets{{
     {"http://www.w3.org/2001/XMLSchema#maxInclusive", "<="},
     {"http://www.w3.org/2001/XMLSchema#maxExclusive", "<"},
@@ -103,7 +103,7 @@ std::string Printer::term(TermId id) {
   ++printed_;
   if (is_cut()) return "...";
   const auto restriction = [&](std::string_view word) {
-    // One after the other, as what comes first is printed where there is not room for all.
+    // Part by part: if there is not room for everything, the beginning is printed.
     std::string text = nested(arguments[0]).append(" ").append(word).append(" ");
     return text += nested(arguments[1]);
   };
@@ -251,7 +251,7 @@ std::string shorten(std::string_view iri, std::span<const std::pair<std::string_
                            (at + 1 < prefixes.size() && prefixes[at + 1].first == prefix.first);
     if (is_shared || prefix.second.empty() || !iri.starts_with(prefix.second)) continue;
     if (!is_plain_local_name(iri.substr(prefix.second.size()))) continue;
-    // A named prefix reads better than the empty one, which every file uses for something else.
+    // A named prefix is preferred to the empty one, which means something else in every file.
     const bool is_better = best == nullptr || prefix.second.size() > best->second.size() ||
                            (prefix.second.size() == best->second.size() && best->first.empty());
     if (is_better) best = &prefix;

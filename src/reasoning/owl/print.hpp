@@ -31,8 +31,8 @@ enum class PrintStyle : std::uint8_t {
 /// "soccer:SharedBallInfo SubClassOf soccer:BallInfo".
 [[nodiscard]] std::string print(const Ontology& source, const Axiom& axiom, const ShortName& short_name);
 
-/// `prefix:local` by the longest of the given prefix IRIs after which a plain local name is left, else `<iri>`. A
-/// prefix that is given for two IRIs is not used. `prefixes` are (word, IRI), sorted.
+/// `prefix:local` by the longest prefix IRI that leaves a plain local name, else `<iri>`. A prefix with two IRIs is not
+/// used. `prefixes` are pairs of a word and an IRI, sorted.
 [[nodiscard]] std::string shorten(std::string_view iri,
                                   std::span<const std::pair<std::string_view, std::string_view>> prefixes);
 

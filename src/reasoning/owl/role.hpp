@@ -1,4 +1,4 @@
-// An object property as property axioms and clauses name it: a number, and whether it is read backwards.
+// An object property as property axioms and clauses name it: a number, and whether it is inverted.
 #ifndef GEMINGA_REASONING_OWL_ROLE_HPP
 #define GEMINGA_REASONING_OWL_ROLE_HPP
 

@@ -1,4 +1,4 @@
-// Equivalence, regularity and the building of automata.
+// Finds equivalent roles, checks regularity and builds the automata.
 #include "reasoning/owl/role_box.hpp"
 
 #include <optional>
@@ -67,7 +67,8 @@ base::Components RoleBox::components_of_families(std::span<const RoleChain> chai
 }
 
 void RoleBox::keep_regular_chains(std::span<const RoleChain> chains) {
-  // A family must be above every other family in the chains that imply it: that relation has no cycle.
+  // The chains are regular if the families of roles have an order in which the family of each chain's super-role is
+  // above those of its links. So this relation must have no cycle.
   const base::Components all = components_of_families(chains);
   for (const RoleChain& chain : chains) {
     RoleChain kept = chain;
@@ -122,7 +123,8 @@ void RoleBox::build_automata(std::size_t max_states) {
       if (is_simple(role) || automata_.contains(role)) continue;
       Automaton automaton = build(role, max_states);
       if (automaton.state_count() > max_states) {
-        // Without these chains the role has only its own edges: less is derived, and what is left out is said.
+        // Without its irregular chains a role has only its own edges. Less is derived, and the chains are reported as
+        // left out.
         for (const RoleChain& chain : chains_) {
           if (chain.super == role) left_out_.push_back(chain.axiom);
         }
@@ -155,7 +157,7 @@ std::vector<bool> RoleBox::supers_of(Role role) const {
 Automaton RoleBox::build(Role role, std::size_t max_states) const {
   Automaton automaton;
   automaton.add_move(Automaton::begin, role, Automaton::end);
-  // Edges of simple sub-properties are edges of the role by their own clauses; paths of others are not.
+  // Clauses make the edges of simple sub-properties edges of this role. The paths of the others are added here.
   for (const std::uint32_t sub : subs_[index(role)]) {
     if (!is_composite_[sub] || automaton.state_count() > max_states) continue;
     automaton.add_copy(Automaton::begin, automata_.at(role_at(sub)), Automaton::end);

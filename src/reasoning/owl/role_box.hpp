@@ -1,5 +1,5 @@
-// What the property axioms say together: which roles are equivalent, which are simple, and the automaton of each that
-// is not.
+// The property axioms as a whole: which roles are equivalent, which are simple, and the automaton of each role that is
+// not.
 //
 // A role is simple if no chain and no transitivity implies it. A role R that is not has a regular language of words
 // S1 ... Sn with S1 o ... o Sn SubPropertyOf R, if the chains are regular (Horrocks, Kutz, Sattler: The Even More
@@ -38,7 +38,7 @@ class RoleBox {
   RoleBox(std::size_t property_count, std::span<const RoleInclusion> inclusions, std::span<const RoleChain> chains,
           std::size_t max_states);
 
-  /// One role of each set of equivalent ones; clauses hold only these.
+  /// The representative of a set of equivalent roles. Clauses hold only representatives.
   [[nodiscard]] Role canonical(Role role) const { return canonical_[index(role)]; }
   [[nodiscard]] bool is_symmetric(Role role) const { return canonical(role) == canonical(inverse(role)); }
   [[nodiscard]] bool is_simple(Role role) const { return !is_composite_[index(canonical(role))]; }
@@ -54,7 +54,7 @@ class RoleBox {
   [[nodiscard]] static Role role_at(std::size_t index) {
     return {PropertyId{static_cast<std::uint32_t>(index >> 1)}, (index & 1) != 0};
   }
-  /// The smaller of a canonical role and that of its inverse: both have automata that mirror each other.
+  /// The smaller number of a canonical role and its inverse. The automata of the two mirror each other.
   [[nodiscard]] std::size_t family(Role role) const {
     return std::min(index(canonical(role)), index(canonical(inverse(role))));
   }

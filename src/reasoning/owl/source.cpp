@@ -17,8 +17,9 @@ namespace {
 constexpr std::string_view xsd_string = "http://www.w3.org/2001/XMLSchema#string";
 constexpr std::string_view rdf_lang_string = "http://www.w3.org/1999/02/22-rdf-syntax-ns#langString";
 
-/// What all names may take together: this, and as much for each different one. Published names are 20 to 100 octets
-/// long, texts of facts some hundreds, so that only what is there to fill the memory is refused.
+/// The octets that all names together may take: this many, and as many again for each different name as names usually
+/// have. Published names are 20 to 100 octets long, and texts of facts some hundreds, so that only what is made to fill
+/// the memory is refused.
 constexpr std::size_t always_named = std::size_t{16} << 20U;
 constexpr std::size_t named_per_name = 256;
 constexpr std::size_t named_per_literal = 4096;
@@ -34,7 +35,7 @@ std::uint64_t hash_of_term(TermKind kind, NameId name, std::uint32_t number, std
 }  // namespace
 
 Ontology::Ontology(const SourceLimits& limits) : limits_(limits) {
-  // These are always there, whatever the limits: the empty name, and the first two terms.
+  // The empty name and the first two terms are always there, whatever the limits.
   intern("", 0);
   intern_term(TermKind::named_class, intern(owl_thing, owl_thing.size()), 0, {});
   intern_term(TermKind::named_class, intern(owl_nothing, owl_nothing.size()), 0, {});
@@ -138,7 +139,7 @@ bool Ontology::is_of_its_datatype(std::string_view lexical, std::span<const Term
 
 TermId Ontology::entity(TermKind kind, std::string_view name) {
   const NameId id = intern(name, limits_.name_bytes);
-  // Most names are of one entity, which is found without a second search.
+  // Most names belong to one entity, which is found without a second search.
   std::uint32_t& known = entity_of_name_[static_cast<std::size_t>(id)];
   if (known != base::NumberTable::none && terms_[known].kind == kind) return TermId{known};
   const TermId found = intern_term(kind, id, 0, {});
@@ -193,15 +194,15 @@ void Ontology::add(AxiomKind kind, std::span<const TermId> arguments, FileId fil
     leave_out("nesting over " + std::to_string(limits_.nesting) + " levels", file, line);
     return;
   }
-  const bool is_damaged = form == Form::ill_typed;
-  if (is_damaged) leave_out(damaged_literal, file, line);
-  if (axioms_.size() + damaged_.size() >= limits_.axioms ||
+  const bool is_ill_typed = form == Form::ill_typed;
+  if (is_ill_typed) leave_out(ill_typed_literal, file, line);
+  if (axioms_.size() + ill_typed_.size() >= limits_.axioms ||
       axiom_arguments_.size() + arguments.size() > limits_.arguments) {
     fail("the ontology has more than " + std::to_string(limits_.axioms) + " axioms or " +
          std::to_string(limits_.arguments) + " arguments");
     return;
   }
-  (is_damaged ? damaged_ : axioms_)
+  (is_ill_typed ? ill_typed_ : axioms_)
       .push_back({kind, static_cast<std::uint32_t>(axiom_arguments_.size()),
                   static_cast<std::uint32_t>(arguments.size()), file, line});
   axiom_arguments_.insert(axiom_arguments_.end(), arguments.begin(), arguments.end());
@@ -225,7 +226,7 @@ void Ontology::set_content(FileId file, const Fingerprint& content) {
 }
 
 void Ontology::add_label(std::string_view entity_iri, std::string_view text, std::string_view language) {
-  // A label too long to be typed as a name is of no use as one.
+  // A label that is too long to be typed is of no use as a name.
   if (text.empty() || text.size() > limits_.name_bytes || problem_) return;
   labels_.push_back(
       {intern(entity_iri, limits_.name_bytes), intern(text, limits_.name_bytes), intern(language, limits_.name_bytes)});
@@ -241,7 +242,7 @@ void Ontology::add_prefix(std::string_view prefix, std::string_view iri) {
 void Ontology::leave_out(std::string_view construct, FileId file, std::uint32_t line, std::uint32_t count) {
   if (problem_) return;
   const NameId name = intern(construct.substr(0, limits_.name_bytes), limits_.name_bytes);
-  // Kept one record a construct and file, so that a hostile file cannot make this list long by repetition.
+  // One record for each construct and file, so that a hostile file cannot make this list long by repetition.
   for (Omission& known : omissions_) {
     if (known.construct == name && known.file == file) {
       known.count += count;

@@ -1,5 +1,5 @@
-// What readers fill and the reasoner consumes: terms, axioms with file and line, labels, prefixes, files, left-outs.
-// See reasoning/owl/axiom.hpp for an example.
+// An ontology as readers fill it and the reasoner reads it: terms, axioms with file and line, labels, prefixes, files,
+// and what was left out. See reasoning/owl/axiom.hpp for an example.
 #ifndef GEMINGA_REASONING_OWL_SOURCE_HPP
 #define GEMINGA_REASONING_OWL_SOURCE_HPP
 
@@ -36,7 +36,7 @@ inline constexpr TermId thing_term{0};
 inline constexpr TermId nothing_term{1};
 
 /// What an axiom with a literal that is not of its datatype is left out as.
-inline constexpr std::string_view damaged_literal = "a literal that is not of its datatype";
+inline constexpr std::string_view ill_typed_literal = "a literal that is not of its datatype";
 
 /// An ontology as it was read, in no particular order. Only appended to; ids stay valid. Not thread-safe.
 class Ontology {
@@ -59,13 +59,13 @@ class Ontology {
 
   explicit Ontology(const SourceLimits& limits = {});
 
-  /// Files are numbered in the order in which they are added. `ontology_iri` may be given later, when it has been read.
+  /// Files are numbered in the order in which they are added. `ontology_iri` may be set later.
   FileId add_file(std::string_view path, std::string_view ontology_iri = {});
   void set_ontology_iri(FileId file, std::string_view ontology_iri);
-  /// What the file held when it was read; a compiled form can then be told from one of other content.
+  /// Sets the fingerprint of what the file held when it was read. It tells whether a compiled form is out of date.
   void set_content(FileId file, const Fingerprint& content);
 
-  // Entities. They are not declared by that: a class of no axiom is not in the ontology.
+  // Entities. These calls do not declare them: a class that no axiom names is not in the ontology.
   TermId named_class(std::string_view iri) { return entity(TermKind::named_class, iri); }
   TermId object_property(std::string_view iri) { return entity(TermKind::object_property, iri); }
   TermId data_property(std::string_view iri) { return entity(TermKind::data_property, iri); }
@@ -74,41 +74,42 @@ class Ontology {
   TermId individual(std::string_view iri) { return entity(TermKind::individual, iri); }
   /// `label` must be unique to the blank node among all files.
   TermId anonymous_individual(std::string_view label) { return entity(TermKind::anonymous_individual, label); }
-  /// Any kind that is a bare name.
+  /// A term of any kind that consists of a name.
   TermId entity(TermKind kind, std::string_view name);
-  /// A literal. One whose lexical form is not of its datatype is no term of OWL 2 (Structural Specification, section
-  /// 4): an axiom that holds it is left out and named. An empty datatype means xsd:string, or rdf:langString where
-  /// there is a language.
+  /// A literal. An ill-typed literal, whose lexical form is not of its datatype, is no term of OWL 2 (Structural
+  /// Specification, section 4): an axiom that holds one is left out and named. An empty datatype means xsd:string, or
+  /// rdf:langString if there is a language.
   TermId literal(std::string_view lexical, std::string_view datatype_iri, std::string_view language = {});
   TermId facet(std::string_view facet_iri, TermId value);
-  /// Any kind of term as another source or a compiled ontology holds it.
+  /// A term of any kind, with the parts that another source or a compiled ontology has for it.
   TermId copy(TermKind kind, std::string_view name, std::uint32_t number, std::span<const TermId> arguments);
-  /// A term of another source with all that is in it.
+  /// Copies a term of another source, with everything in it.
   TermId copy(const Ontology& from, TermId id);
-  /// A property, class or data range expression. Its arguments must be terms of this source, and as many and of such
-  /// kinds as the kind's comment says; see is_well_formed(). `number` is for cardinalities only.
+  /// A property, class or data range expression. Its arguments must be terms of this source, and of the number and
+  /// kinds that the comment of its kind gives; see is_well_formed(). `number` is that of a cardinality.
   TermId term(TermKind kind, std::span<const TermId> arguments, std::uint32_t number = 0);
   TermId term(TermKind kind, std::initializer_list<TermId> arguments, std::uint32_t number = 0) {
     return term(kind, std::span<const TermId>(arguments.begin(), arguments.size()), number);
   }
 
-  /// Adds an axiom. One whose arguments are not as its kind wants them (a literal for a class) is left out and named.
+  /// Adds an axiom. If its arguments are not of the kinds that it needs (a literal for a class), it is left out and
+  /// named.
   void add(AxiomKind kind, std::span<const TermId> arguments, FileId file, std::uint32_t line);
   void add(AxiomKind kind, std::initializer_list<TermId> arguments, FileId file, std::uint32_t line) {
     add(kind, std::span<const TermId>(arguments.begin(), arguments.size()), file, line);
   }
   void add_label(std::string_view entity_iri, std::string_view text, std::string_view language = {});
   void add_prefix(std::string_view prefix, std::string_view iri);
-  /// Says that something was read that no axiom can express. `construct` is a short name like "swrl:Imp".
+  /// Notes something that was read and that no axiom can express. `construct` is a short name like "swrl:Imp".
   void leave_out(std::string_view construct, FileId file, std::uint32_t line, std::uint32_t count = 1);
 
-  /// Why this ontology must be refused (a limit was exceeded), in one line; nothing where it is whole.
+  /// Why this ontology must be refused: one line that names the limit. Nothing if no limit was exceeded.
   [[nodiscard]] const std::optional<std::string>& problem() const { return problem_; }
 
   [[nodiscard]] std::string_view name(NameId id) const;
   [[nodiscard]] std::optional<NameId> find_name(std::string_view name) const;
   [[nodiscard]] Term term(TermId id) const;
-  /// Whether every literal in it is of its datatype.
+  /// Whether no literal in it is ill-typed.
   [[nodiscard]] bool is_well_typed(TermId id) const {
     return terms_[static_cast<std::size_t>(id)].form != Form::ill_typed;
   }
@@ -121,16 +122,16 @@ class Ontology {
   [[nodiscard]] std::size_t term_count() const { return terms_.size(); }
   [[nodiscard]] std::size_t axiom_count() const { return axioms_.size(); }
   [[nodiscard]] Axiom axiom(std::size_t index) const { return axiom_of(axioms_[index]); }
-  /// The axioms that were left out because a literal in them is not of its datatype, and are whole but for that.
-  [[nodiscard]] std::size_t damaged_count() const { return damaged_.size(); }
-  [[nodiscard]] Axiom damaged(std::size_t index) const { return axiom_of(damaged_[index]); }
+  /// Axioms that were left out only because a literal in them is ill-typed.
+  [[nodiscard]] std::size_t ill_typed_count() const { return ill_typed_.size(); }
+  [[nodiscard]] Axiom ill_typed(std::size_t index) const { return axiom_of(ill_typed_[index]); }
   [[nodiscard]] std::span<const Label> labels() const { return labels_; }
   [[nodiscard]] std::span<const Prefix> prefixes() const { return prefixes_; }
   [[nodiscard]] std::span<const LoadedFile> files() const { return files_; }
   [[nodiscard]] std::span<const Omission> omissions() const { return omissions_; }
 
  private:
-  /// The worst of a term and its arguments.
+  /// The worst form among a term and its arguments.
   enum class Form : std::uint8_t { good, ill_typed, malformed };
   struct TermRecord {
     TermKind kind;
@@ -169,7 +170,7 @@ class Ontology {
   std::vector<TermKind> kinds_;  ///< room for kinds_of()
   base::NumberTable term_table_;
   std::vector<AxiomRecord> axioms_;
-  std::vector<AxiomRecord> damaged_;
+  std::vector<AxiomRecord> ill_typed_;
   std::vector<TermId> axiom_arguments_;
   std::vector<Label> labels_;
   std::vector<Prefix> prefixes_;
@@ -177,17 +178,18 @@ class Ontology {
   std::vector<Omission> omissions_;
 };
 
-/// These terms and all that are in them, each once: in a tree of them a part can stand 2^60 times.
+/// These terms and everything in them, each once. Written out as a tree, one part can occur 2^60 times.
 [[nodiscard]] std::vector<TermId> terms_in(const Ontology& source, std::span<const TermId> roots);
 
-/// Whether a kind of term may stand where a class expression, property expression, data range or individual is wanted.
+/// Whether a term of this kind may stand where a class expression, property expression, data range or individual is
+/// needed.
 [[nodiscard]] bool is_class_expression(TermKind kind);
 [[nodiscard]] bool is_object_property_expression(TermKind kind);
 [[nodiscard]] bool is_data_range(TermKind kind);
 [[nodiscard]] bool is_individual(TermKind kind);
 
-/// Whether a term or axiom of this kind may have arguments of these kinds. Readers need not ask: term() refuses nothing
-/// but marks what is not well-formed, and add() leaves out an axiom that holds such a term.
+/// Whether a term or axiom of this kind may have arguments of these kinds. Readers need not ask: term() marks what is
+/// not well-formed, and add() leaves out an axiom that holds such a term.
 [[nodiscard]] bool is_well_formed(TermKind kind, std::span<const TermKind> arguments);
 [[nodiscard]] bool is_well_formed(AxiomKind kind, std::span<const TermKind> arguments);
 

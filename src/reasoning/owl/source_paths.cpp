@@ -1,4 +1,4 @@
-// Paths without the folder that somebody happens to be in.
+// Paths that do not depend on the current folder.
 #include "reasoning/owl/source_paths.hpp"
 
 #include <filesystem>
@@ -9,8 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Absolute, without `.` and `..`. Links stay as they are named, except where a `..` behind one leads elsewhere than it
-/// reads.
+/// Absolute, without `.` and `..`. Links are kept, unless a `..` behind a link leads elsewhere than the text says.
 fs::path plain(const fs::path& path) {
   std::error_code error;
   const fs::path whole = fs::absolute(path, error);

@@ -9,10 +9,10 @@ namespace {
 
 bool is_digit(char character) { return character >= '0' && character <= '9'; }
 
-/// Of two digits.
+/// The number that two digits write.
 int two_digits(std::string_view text) { return (text[0] - '0') * 10 + (text[1] - '0'); }
 
-/// Whether the text has digits and signs where the pattern has them; 0 stands for any digit.
+/// Whether the text has the pattern's signs, and a digit wherever the pattern has 0.
 bool is_like(std::string_view text, std::string_view pattern) {
   return text.size() == pattern.size() && std::ranges::equal(text, pattern, [](char given, char wanted) {
            return wanted == '0' ? is_digit(given) : given == wanted;
@@ -25,7 +25,7 @@ bool is_year(std::string_view year) {
   return year.size() >= 4 && std::ranges::all_of(year, is_digit) && (year.size() == 4 || year[0] != '0');
 }
 
-/// Proleptic Gregorian. The last four digits tell, as 10000 years are 25 times 400.
+/// In the proleptic Gregorian calendar. The last four digits suffice, because 10000 is a multiple of 400.
 bool is_leap(std::string_view year) {
   const std::string_view last = year.substr(year.size() - 4);
   const int number = two_digits(last) * 100 + two_digits(last.substr(2));
@@ -38,7 +38,7 @@ bool is_day(std::string_view year, int month, int day) {
   return day <= days[static_cast<std::size_t>(month - 1)] + (month == 2 && is_leap(year) ? 1 : 0);
 }
 
-/// "Z" / ("+" / "-") hh:mm, up to 14:00; nothing is no zone.
+/// "Z" / ("+" / "-") hh:mm, up to 14:00. An empty text is no zone.
 bool is_zone(std::string_view zone) {
   if (zone.empty() || zone == "Z") return true;
   if (!is_like(zone, "+00:00") && !is_like(zone, "-00:00")) return false;

@@ -8,8 +8,9 @@
 
 namespace geminga::owl {
 
-/// The form with Z for a zero offset and without zeros that say nothing; nothing where it is no time that there is, as
-/// 2000-02-30T00:00:00. `is_exact` is false where another form is the same time: 24:00:00 is the next day's 00:00:00.
+/// The canonical form: Z for a zero offset, no superfluous zeros. Nothing for a time that does not exist, such as
+/// 2000-02-30T00:00:00. `is_exact` is false if another form denotes the same time: 24:00:00 is 00:00:00 of the next
+/// day.
 [[nodiscard]] std::optional<std::string> canonical_time(std::string_view text, bool& is_exact);
 
 }  // namespace geminga::owl

@@ -1,4 +1,4 @@
-// Questions to a place, answered by the taxonomy around it.
+// Answers questions about a place from the taxonomy around it.
 #include "reasoning/placement/expression.hpp"
 
 #include <algorithm>

@@ -12,35 +12,36 @@
 namespace geminga::placement {
 
 /// The place of an expression in the taxonomy of one ontology. Classes are representatives of their nodes, ascending.
-/// Everything said here follows from the ontology; where `gaps` is empty, everything that follows is said.
+/// Everything here follows from the ontology. If `gaps` is empty, nothing is missing.
 struct ExpressionPlace {
   bool is_satisfiable = true;  ///< false: nothing can be an instance of it; then the lists are empty
-  /// The node of the classes that it is equivalent to. `parents` and `children` are those of that node then.
+  /// The node of the classes that it is equivalent to, if any. Then `parents` and `children` are those of that node.
   std::optional<taxonomy::ClassNumber> equivalent;
   std::vector<taxonomy::ClassNumber> parents;   ///< right above it; owl:Thing where nothing else is
   std::vector<taxonomy::ClassNumber> children;  ///< right below it, satisfiable ones
-  /// Why something may be missing: short words, sorted, each once. Of what is equivalent to a class nothing is.
+  /// Why something may be missing: short words, sorted, each once. Nothing is missing for an expression that is
+  /// equivalent to a class.
   std::vector<std::string> gaps;
   friend bool operator==(const ExpressionPlace&, const ExpressionPlace&) = default;
 };
 
-/// Whether every instance of the expression is one of the class, as far as its place says. An expression without
-/// instances is below every class.
+/// Whether the place says that every instance of the expression is one of the class. An expression without instances is
+/// below every class.
 [[nodiscard]] bool is_below(const ExpressionPlace& place, taxonomy::ClassNumber super,
                             const compiled::Ontology& ontology);
-/// Whether every instance of the class is one of the expression, as far as its place says.
+/// Whether the place says that every instance of the class is one of the expression.
 [[nodiscard]] bool is_above(const ExpressionPlace& place, taxonomy::ClassNumber sub,
                             const compiled::Ontology& ontology);
 
-/// Edges between them were the expression a class of the taxonomy, by the shortest way: 0 for an equivalent class, 1
-/// for a parent, 1 more for each edge beyond. Nothing where the class is not above (below) it.
+/// The number of edges between them on the shortest path, as if the expression were a class of the taxonomy: 0 for an
+/// equivalent class, 1 for a parent, and 1 more for each further edge. Nothing if the class is not above (below) it.
 [[nodiscard]] std::optional<std::uint32_t> distance_up(const ExpressionPlace& place, taxonomy::ClassNumber super,
                                                        const compiled::Ontology& ontology);
 [[nodiscard]] std::optional<std::uint32_t> distance_down(const ExpressionPlace& place, taxonomy::ClassNumber sub,
                                                          const compiled::Ontology& ontology);
 
-/// Every class above it, owl:Thing and its equivalents included, ascending by number. All of them where it has no
-/// instances.
+/// Every class above it, including owl:Thing and its equivalents, ascending by number. If the expression has no
+/// instances, these are all classes.
 [[nodiscard]] std::vector<taxonomy::ClassNumber> subsumers(const ExpressionPlace& place,
                                                            const compiled::Ontology& ontology);
 

@@ -1,4 +1,4 @@
-// Builds the base: the axioms and the taxonomy through the rules once, then tables from above to below.
+// Builds the base: saturates the axioms and the taxonomy once, then makes tables that lead downwards.
 #include "reasoning/placement/expression_base.hpp"
 
 #include <xxhash.h>
@@ -46,7 +46,7 @@ std::expected<std::unique_ptr<const ExpressionBase>, ExpressionError> Expression
   return base;
 }
 
-// Arguments stand before what they are in, so one pass copies all terms.
+// The arguments of a term stand before it, so that one pass copies all terms.
 void ExpressionBase::copy_axioms() {
   const owl::FileId file = source_.add_file("");
   std::vector<owl::TermId> terms;
@@ -146,7 +146,7 @@ std::optional<ExpressionError> ExpressionBase::saturate() {
   index_.keep_link_targets();
   if (!index_.finish(max_pairs)) return ExpressionError{"the ontology is too large for class expressions"};
   for (const auto& [property, some] : properties_) {
-    // `bottom property some everything` is an existential, too, and told to be empty.
+    // `bottom property some everything` is an existential, too, and an axiom says that it is empty.
     exprs_[static_cast<std::size_t>(property)] = el::ExprId{index_.expr(exprs_[static_cast<std::size_t>(some)]).first};
   }
   for (std::uint32_t id = 0; id < exprs_.size(); ++id) {
@@ -186,7 +186,7 @@ void ExpressionBase::find_edges_down() {
   for (std::uint32_t at = 0; at < context_count(); ++at) {
     const el::Context& here = context(at);
     if (here.is_unsatisfiable) unsatisfiable_.push_back(at);
-    // What is derived for an atom's context holds for the atom, and with it for all atoms below.
+    // What is derived for an atom's context holds for the atom and for all atoms below it.
     const bool is_of_one = together_of(at).empty();
     const std::uint32_t sub = is_of_one ? number(here.root) : size + at;
     for (const el::ExprId above : derived_of(at)) edges.emplace_back(number(above), sub);
@@ -197,7 +197,7 @@ void ExpressionBase::find_edges_down() {
   down_.sort_unique();
 }
 
-// Backwards from what is below an individual and may be empty.
+// Walks backwards from the contexts that are below an individual and may be empty.
 void ExpressionBase::find_conditional() {
   is_conditional_.assign(context_count(), false);
   if (!index_.has_nominals()) return;
@@ -254,7 +254,7 @@ std::vector<std::uint32_t> ExpressionBase::contexts_below(el::ExprId atom) const
       }
     }
   }
-  // What owl:Thing is below is above everything, of which no edge tells.
+  // What subsumes owl:Thing is above everything, but no edge says so.
   if (seen[number(index_.representative(el::top_expr))]) {
     found.resize(context_count());
     for (std::uint32_t at = 0; at < found.size(); ++at) found[at] = at;

@@ -1,7 +1,7 @@
-// An ontology saturated once, and then only read, by the classification of any number of expressions.
+// An ontology that is saturated once and then only read, to classify any number of expressions.
 //
-// The taxonomy of the compiled form goes in beside the axioms: it may come from an engine that sees more than the rules
-// of saturation.hpp, and what it says of named classes must hold for what is built of them, too.
+// The taxonomy of the compiled form is added to the axioms. It may come from an engine that derives more than the rules
+// of saturation.hpp, and what it says of named classes must hold for expressions over them, too.
 #ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_BASE_HPP
 #define GEMINGA_REASONING_PLACEMENT_EXPRESSION_BASE_HPP
 
@@ -27,13 +27,14 @@
 
 namespace geminga::placement {
 
-/// How large an ontology may be for expressions to be classified in it. Beyond these there is an error instead of a
-/// base, since the base is built while others wait.
+/// How large an ontology may be for expressions to be classified in it. Beyond these limits there is an error and no
+/// base, because others wait while the base is built.
 struct ExpressionLimits {
   std::size_t axioms = 200'000;
   std::size_t conclusions = 20'000'000;  ///< of the base
   std::size_t work = 200'000;            ///< conclusions for one expression; over it the answer has a gap
-  /// Axioms that are classified anew for one expression where individuals decide; over it the answer has a gap.
+  /// The most axioms that are classified again for one expression if individuals matter. Beyond it the answer has a
+  /// gap.
   std::size_t scratch_axioms = 20'000;
   std::size_t parts = 64;  ///< alternatives that one expression is taken apart into at its unions
 };
@@ -43,9 +44,9 @@ struct ExpressionError {
   std::string text;
 };
 
-/// What the rules derived, with the tables that answer questions from below. Neither copied nor moved.
+/// What the rules derived, and the tables that lead downwards. Neither copied nor moved.
 class ExpressionBase {
-  /// Whatever a context keeps its members in.
+  /// The set of a context, whatever container it is in.
   template <typename Members>
   [[nodiscard]] static auto as_span(const Members& members) {
     if constexpr (requires { members.items(); }) {
@@ -66,11 +67,11 @@ class ExpressionBase {
   [[nodiscard]] const ExpressionLimits& limits() const { return limits_; }
   [[nodiscard]] const taxonomy::ClassifiedView& view() const { return view_; }
   [[nodiscard]] const el::IndexedOntology& index() const { return index_; }
-  /// The axioms with the taxonomy, each edge an axiom.
+  /// The axioms, and an axiom for each edge of the taxonomy.
   [[nodiscard]] const owl::Ontology& source() const { return source_; }
   [[nodiscard]] std::size_t context_count() const { return saturation_->contexts().size(); }
   [[nodiscard]] const el::Context& context(std::uint32_t number) const { return saturation_->contexts()[number]; }
-  /// What a context holds; spans live as long as the base.
+  /// The subsumers of a context. Spans live as long as the base.
   [[nodiscard]] auto subsumers_of(std::uint32_t number) const { return as_span(context(number).subsumers); }
   [[nodiscard]] auto backward_of(std::uint32_t number) const { return as_span(context(number).backward); }
   [[nodiscard]] auto forward_of(std::uint32_t number) const { return as_span(context(number).forward); }
@@ -78,35 +79,35 @@ class ExpressionBase {
   [[nodiscard]] auto propagating_of(std::uint32_t number) const { return as_span(context(number).propagating); }
   [[nodiscard]] auto derived_of(std::uint32_t number) const { return as_span(context(number).derived); }
   [[nodiscard]] auto selfs_of(std::uint32_t number) const { return as_span(context(number).selfs); }
-  /// The atoms that it is of together; none where it is of its root alone.
+  /// The atoms whose conjunction the context is of. Empty if it is of its root alone.
   [[nodiscard]] auto together_of(std::uint32_t number) const { return as_span(context(number).together); }
   [[nodiscard]] const el::Context* find(el::ExprId root) const { return saturation_->find(root); }
   [[nodiscard]] std::uint32_t number_of(el::ExprId root) const { return saturation_->number_of(root); }
   /// The constructs of axioms that the rules do not use in full.
   [[nodiscard]] const std::vector<std::string>& gaps() const { return gaps_; }
 
-  /// What a term of the query is here; nothing for what the ontology does not say anything about.
+  /// The term of the base that is equal to one of the query. Nothing if no axiom of the ontology uses it.
   [[nodiscard]] std::optional<owl::TermId> find_term(owl::TermKind kind, std::string_view name, std::uint32_t number,
                                                      std::span<const owl::TermId> arguments) const;
   /// The representative of a term of source(): a class expression, individual, literal or data range.
   [[nodiscard]] el::ExprId expr(owl::TermId term) const { return exprs_[static_cast<std::size_t>(term)]; }
   /// The role of a property of source().
   [[nodiscard]] el::RoleId role(owl::TermId property) const { return el::RoleId{number(expr(property))}; }
-  /// The atom of a value, whatever literal it was written as.
+  /// The atom of a value, whichever literal it was written as.
   [[nodiscard]] std::optional<el::ExprId> find_value(const owl::DataValue& value) const;
-  /// The datatypes of OWL 2's map that the ontology names, and its literals.
+  /// The datatypes of OWL 2 that the ontology names, and its literals.
   [[nodiscard]] std::span<const std::pair<owl::Datatype, el::ExprId>> datatypes() const { return datatypes_; }
   [[nodiscard]] std::span<const std::pair<owl::DataValue, el::ExprId>> values() const { return values_; }
 
-  /// The classes of an atom, representatives of nodes, ascending.
+  /// The classes of an atom: representatives of nodes, ascending.
   [[nodiscard]] std::span<const taxonomy::ClassNumber> classes_of(el::ExprId atom) const {
     return classes_of_[number(atom)];
   }
-  /// The contexts below an atom, ascending, those without instances included.
+  /// The contexts below an atom, ascending, including those without instances.
   [[nodiscard]] std::vector<std::uint32_t> contexts_below(el::ExprId atom) const;
   /// Contexts without instances, ascending.
   [[nodiscard]] const std::vector<std::uint32_t>& unsatisfiable() const { return unsatisfiable_; }
-  /// Whether more may follow for a context, where it has an instance, than it says: it leads to an individual.
+  /// Whether more may follow for a context if it has an instance: it leads to an individual.
   [[nodiscard]] bool is_conditional(std::uint32_t context) const { return is_conditional_[context]; }
   [[nodiscard]] bool has_conditional() const { return has_conditional_; }
 

@@ -1,4 +1,4 @@
-// Both directions of one expression, and its place between them.
+// Finds what is above and what is below one expression, and its place between them.
 #include "reasoning/placement/expression_classifier.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class Question {
   ExpressionPlace place(owl::TermId expression) {
     const ShapeId shape = shapes_.read(expression);
     const std::vector<std::uint32_t> alternatives = saturate(shape);
-    // Where individuals decide, a world is needed in which the expression has an instance.
+    // If individuals matter, the expression must be classified where it has an instance.
     if (overlay_.is_conditional() || base_.has_conditional()) {
       if (auto exact = place_by_scratch(base_, query_, expression)) return std::move(*exact);
       shapes_.add_gap("individuals");
@@ -40,7 +40,7 @@ class Question {
     }
     if (place.is_satisfiable) {
       fill(place, above, classes_below(shape));
-      // What is equivalent to a class is where that is.
+      // An expression that is equivalent to a class has the place of that class.
       if (!place.equivalent) {
         note_gaps();
         place.gaps = gaps();
@@ -65,7 +65,7 @@ class Question {
   [[nodiscard]] std::vector<std::string> gaps() const { return {shapes_.gaps().begin(), shapes_.gaps().end()}; }
 
  private:
-  /// The contexts of the alternatives of a shape, after the rules and the complements have had their say.
+  /// The contexts of a shape's alternatives after all rules, including those of complements.
   std::vector<std::uint32_t> saturate(ShapeId shape) {
     std::vector<std::uint32_t> alternatives;
     for (const ShapeId alternative : shapes_.alternatives_of(shape)) {
@@ -118,7 +118,7 @@ class Question {
     return marks;
   }
 
-  /// The lowest of those above, which reach up to owl:Thing, and the highest of those below.
+  /// Takes the lowest classes above, which reach up to owl:Thing, and the highest classes below.
   void fill(ExpressionPlace& place, const Marks& above, const Marks& below) const {
     const taxonomy::ClassifiedView& view = base_.view();
     for (std::uint32_t number = 0; number < view.class_count() && !place.equivalent; ++number) {
@@ -147,7 +147,7 @@ class Question {
     for (const std::uint32_t child : view.children_of(node)) place.children.push_back(taxonomy::ClassNumber{child});
   }
 
-  /// What shapes assert without its being used in full.
+  /// Notes what shapes say and the rules do not use in full.
   void note_gaps() {
     for (const std::string& gap : base_.gaps()) shapes_.add_gap(gap);
     const bool has_universals =
@@ -158,11 +158,11 @@ class Question {
     for (ShapeId id = 0; id < shapes_.count(); ++id) {
       const Shape shape = shapes_.shape(id);
       if (shape.kind == ShapeKind::at_most) shapes_.add_gap("a maximum cardinality in the expression");
-      //  not (C and not D) is C -> D, which is more than that something must not hold
+      // not (C and not D) is C -> D, which says more than that something must not hold.
       if (shape.kind == ShapeKind::negation && shapes_.has_negation(shape.parts[0])) {
         shapes_.add_gap("a complement inside of a complement");
       }
-      //  C < D or not E where C and E < D, which no part tells
+      // C < D or not E holds if C and E < D. No operand tells that.
       const bool has_complement =
           shape.kind == ShapeKind::any_of &&
           std::ranges::any_of(shape.parts, [&](ShapeId part) { return shapes_.has_negation(part); });

@@ -1,8 +1,9 @@
-// Classification of class expressions on arrival, one by one, without a change to what is loaded.
+// Classifies class expressions on arrival, one by one, without a change to what is loaded.
 //
-// Above an expression is what the rules derive for a context of its own, laid over the base (expression_overlay.hpp);
-// below it are the contexts of the base that are in it (expression_members.hpp). So an expression costs what it leads
-// to and what is below it, not what the ontology holds, and leaves nothing behind.
+// Above an expression is what the rules derive for a context of its own, which is laid over the base
+// (expression_overlay.hpp). Below it are the contexts of the base that are in it (expression_members.hpp). So the cost
+// of an expression depends on what it leads to and what is below it, not on the size of the ontology, and nothing is
+// left behind.
 #ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_CLASSIFIER_HPP
 #define GEMINGA_REASONING_PLACEMENT_EXPRESSION_CLASSIFIER_HPP
 
@@ -18,14 +19,14 @@ namespace geminga::placement {
 /// Answers questions about expressions over one ontology, which must outlive it. Movable; may be shared by threads.
 class ExpressionClassifier {
  public:
-  /// Saturates the ontology: what its classification costs, and the memory of that. An error where it is over a limit
-  /// or inconsistent.
+  /// Saturates the ontology, which takes the time and memory of its classification. An error if it is over a limit or
+  /// inconsistent.
   [[nodiscard]] static std::expected<ExpressionClassifier, ExpressionError> build(const compiled::Ontology& ontology,
                                                                                   const ExpressionLimits& limits = {});
 
-  /// The place of a class expression of `query`, whose names are those of the ontology. Sound always. Complete, which
-  /// is where the place has no gaps, for ontologies in OWL 2 EL with functional properties, and expressions of these
-  /// with unions, and complements outside of restrictions and unions.
+  /// The place of a class expression of `query`, whose names are those of the ontology. Always sound. Complete if the
+  /// place has no gaps, as for ontologies in OWL 2 EL with functional properties, and expressions of these with unions,
+  /// and with complements outside of restrictions and unions.
   [[nodiscard]] ExpressionPlace classify(const owl::Ontology& query, owl::TermId expression) const;
   /// Whether every instance of one expression is an instance of the other. `gaps` says why a no may be wrong.
   struct Subsumption {
@@ -34,7 +35,7 @@ class ExpressionClassifier {
   };
   [[nodiscard]] Subsumption is_subsumed(const owl::Ontology& query, owl::TermId sub, owl::TermId super) const;
 
-  /// Contexts of the base. The same after any number of questions.
+  /// The number of contexts of the base. No question changes it.
   [[nodiscard]] std::size_t context_count() const { return base_->context_count(); }
 
  private:

@@ -63,7 +63,8 @@ bool MeetingPoint::are_selfs_same(const Side& one, const Side& other) const {
   return one.selfs.size() == other.selfs.size() && std::ranges::all_of(one.selfs, is_in(other.selfs));
 }
 
-/// Whether the other context, whose subsumers are marked, has with it what neither has alone.
+/// Whether the two contexts together have a conjunction that neither has alone. The other context's subsumers are
+/// marked.
 bool MeetingPoint::has_new_conjunction(std::uint32_t subsumer, std::uint32_t other) const {
   const auto is_new = [&](const el::ConjunctionRule& rule) {
     const std::uint32_t partner = number(rule.partner);

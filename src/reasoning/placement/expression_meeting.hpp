@@ -1,10 +1,10 @@
-// Whether what is in two saturated contexts at once can exist: told from what both hold, where that is enough.
+// Whether something can be in two saturated contexts at once: decided from what both hold, if that is enough.
 //
-// Rules with one premise, and those whose premises both stand in one of the contexts, have fired there. What is in both
-// has more conclusions only by rules with a premise from each: of conjunctions, of disjointness, of functional
-// properties, of properties to itself, and of individuals. Where no such rule can fire, what holds in one or the other
-// is all that holds, and it is possible. So most complements are told without a context of their own
-// (expression_members.cpp): on SOMA 0.2 ms, not 14.
+// Rules with one premise, and rules whose premises are both in one of the contexts, have fired there. What is in both
+// contexts has more conclusions only by rules with a premise from each: conjunctions, disjointness, functional
+// properties, reflexive restrictions (Self), and individuals. If no such rule can fire, it has the conclusions of both
+// and no more, and it is possible. So most complements need no context of their own (expression_members.cpp): on SOMA
+// 0.2 ms instead of 14.
 #ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_MEETING_HPP
 #define GEMINGA_REASONING_PLACEMENT_EXPRESSION_MEETING_HPP
 
@@ -23,13 +23,13 @@ enum class Meeting : std::uint8_t {
   unknown,     ///< the rules must be applied to what is in both
 };
 
-/// One context, of the base or of an overlay, that meets others.
+/// One context, of the base or of an overlay, to be compared with others.
 class MeetingPoint {
  public:
-  /// The context must be saturated and possible. The overlay must outlive this and make no more contexts meanwhile.
+  /// The context must be saturated and satisfiable. The overlay must outlive this and make no more contexts meanwhile.
   MeetingPoint(const ExpressionOverlay& overlay, std::uint32_t context);
 
-  /// What comes of it together with a context of the base that is possible.
+  /// Compares it with a satisfiable context of the base.
   [[nodiscard]] Meeting with(std::uint32_t other);
 
  private:

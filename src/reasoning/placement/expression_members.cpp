@@ -17,10 +17,10 @@ Contexts common(const Contexts& one, const Contexts& other) {
   return both;
 }
 
-/// Looking at so many subsumers is as much work as a conclusion.
+/// Looking at this many subsumers takes as long as one conclusion.
 constexpr std::size_t looked_at_per_conclusion = 16;
 
-/// Each alternative in a context of its own; none where that takes too much work or one of them is impossible.
+/// Makes a context for each alternative. None if that takes too much work or an alternative is impossible.
 std::vector<MeetingPoint> points_of(std::span<const ShapeId> alternatives, ExpressionOverlay& alone) {
   std::vector<MeetingPoint> points;
   std::vector<std::uint32_t> contexts;
@@ -113,7 +113,7 @@ Contexts ExpressionMembers::find(ShapeId id) {
   return found;
 }
 
-//  [C and D] = [C] and [D];  complements last, since each of them is tested context by context
+// [C and D] = [C] and [D]. Complements come last, because each is tested context by context.
 Contexts ExpressionMembers::in_all(const Shape& shape) {
   Contexts found;
   bool is_first = true;
@@ -153,7 +153,7 @@ Contexts ExpressionMembers::in_some(const Shape& shape) {
   return found;
 }
 
-//  all are in R only C where C is above the range of R; what else is in it the rules cannot tell
+// Everything is in R only C if C is above the range of R. The rules cannot tell what else is.
 Contexts ExpressionMembers::in_only(const Shape& shape) {
   const el::ExprId range = base_.index().representative(base_.index().range_of(shape.role));
   const el::Context* context = base_.find(range);
@@ -178,7 +178,7 @@ Contexts ExpressionMembers::with_self(const Shape& shape) {
   return found;
 }
 
-/// Those that matter, the highest first: what is above another has no more subsumers.
+/// The candidates that matter, the highest first: a context above another has no more subsumers than that.
 Contexts ExpressionMembers::to_be_tested(const Contexts& candidates) const {
   std::vector<std::pair<std::size_t, std::uint32_t>> ordered;
   const bool are_classes_enough = wanted_ == Wanted::named_classes && !is_inside_some_;
@@ -194,7 +194,7 @@ Contexts ExpressionMembers::to_be_tested(const Contexts& candidates) const {
   return contexts;
 }
 
-//  C is in [not D] where C and D is below F;  then so is what is below C
+// C is in [not D] if C and D is below F. Then what is below C is, too.
 Contexts ExpressionMembers::disjoint_from(ShapeId shape, const Contexts& candidates) {
   if (is_inside_some_) shapes_.add_gap("a complement inside of a restriction");
   const std::vector<ShapeId> alternatives = shapes_.alternatives_of(shape);

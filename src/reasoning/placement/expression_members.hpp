@@ -1,7 +1,8 @@
-// Which contexts are below an expression: its structure evaluated from the inside outwards over what was derived.
+// The contexts that are below an expression, found by evaluating its structure from the inside outwards.
 //
-// A saturated base is a canonical model: a context is below an EL expression exactly if it is in it there, and, what is
-// derived being Horn, below a union exactly if below one part (Baader, Brandt, Lutz 2005).
+// A saturated base is a canonical model: a context is below an EL expression exactly if it is an instance of it there.
+// Since everything derived is Horn, it is below a union exactly if it is below one of the parts (Baader, Brandt, Lutz
+// 2005).
 #ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_MEMBERS_HPP
 #define GEMINGA_REASONING_PLACEMENT_EXPRESSION_MEMBERS_HPP
 
@@ -14,7 +15,7 @@
 
 namespace geminga::placement {
 
-/// Contexts of a base and of an overlay whose rules have all fired, ascending.
+/// Contexts of a base and of an overlay that are saturated, ascending.
 using Contexts = std::vector<std::uint32_t>;
 
 class ExpressionMembers {
@@ -23,7 +24,7 @@ class ExpressionMembers {
     every_context,
     named_classes,  ///< of() may leave out contexts that are of no class of the ontology
   };
-  /// `shapes` takes the gaps that are met.
+  /// Gaps go to `shapes`.
   ExpressionMembers(const ExpressionOverlay& overlay, ShapeReader& shapes, Wanted wanted)
       : overlay_(overlay), base_(overlay.base()), shapes_(shapes), wanted_(wanted) {}
 
@@ -37,7 +38,7 @@ class ExpressionMembers {
   [[nodiscard]] Contexts in_some(const Shape& shape);
   [[nodiscard]] Contexts in_only(const Shape& shape);
   [[nodiscard]] Contexts with_self(const Shape& shape);
-  /// Those of `candidates` that have nothing in common with a shape.
+  /// The candidates that are disjoint from a shape.
   [[nodiscard]] Contexts disjoint_from(ShapeId shape, const Contexts& candidates);
   [[nodiscard]] Contexts to_be_tested(const Contexts& candidates) const;
   void add_unsatisfiable(Contexts& contexts) const;

@@ -1,4 +1,4 @@
-// Contexts over a base, and the rules of el/rules.hpp by the premise that is new.
+// Contexts over a base, and the rules of el/rules.hpp for each premise that may be new.
 #include "reasoning/placement/expression_overlay.hpp"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ void ExpressionOverlay::enqueue(std::uint32_t context) {
 }
 
 void ExpressionOverlay::process(std::uint32_t context) {
-  // The vector of contexts grows while rules are applied: each turn looks its context up again.
+  // The vector of contexts grows while rules are applied, so each turn looks its context up again.
   while (work_ <= base_.limits().work && !own(context).is_unsatisfiable) {
     OverlayContext& self = own(context);
     if (self.subsumers_done < self.subsumers.size()) {
@@ -193,7 +193,7 @@ void ExpressionOverlay::process_link(std::uint32_t context, el::Link link) {
   if (is_unsatisfiable(link.context)) return add_bottom(context);
   if (!is_own(link.context) && base_.is_conditional(link.context)) is_conditional_ = true;
 
-  // The first premise of propagate() is new; then the first of compose(), then its second.
+  // The new premise is the first of propagate(), then the first of compose(), then its second.
   for (const el::ExprId filler : propagating_of(link.context)) propagate({link.role, context}, filler);
   if (!index_.roles().compositions(link.role).empty()) {
     const std::vector<el::Link> next(forward_of(link.context).begin(), forward_of(link.context).end());
@@ -245,7 +245,7 @@ std::vector<el::ExprId> ExpressionOverlay::atoms_above(std::uint32_t context) co
   for (std::size_t at = 0; at < found.size(); ++at) {
     const el::ExprId atom = found[at];
     for (const el::ExprId above : index_.told_atoms(atom)) reach(above);
-    // What an atom without rules derives stands in its own context where it has one.
+    // What an atom without rules derives stands in its own context, if it has one.
     if (base_.find(atom) != nullptr) {
       for (const el::ExprId above : base_.derived_of(base_.number_of(atom))) reach(above);
     }

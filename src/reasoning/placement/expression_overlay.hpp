@@ -1,8 +1,8 @@
 // The contexts of one expression, laid over a base that never changes.
 //
-// A new context links into the base, whose contexts are saturated already, so that every conclusion about it is drawn
-// when the link is made; nothing is ever added to the base. The rules are those of el/rules.hpp. The legend is in
-// el/saturation.hpp, and X stands for a context of the overlay.
+// A new context links into the base. The contexts there are saturated, so that every conclusion is drawn when the link
+// is made, and nothing is added to the base. The rules are those of el/rules.hpp and the legend that of
+// el/saturation.hpp. X stands for a context of the overlay.
 #ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_OVERLAY_HPP
 #define GEMINGA_REASONING_PLACEMENT_EXPRESSION_OVERLAY_HPP
 
@@ -18,7 +18,8 @@
 
 namespace geminga::placement {
 
-/// What a context of the overlay is of: atoms of the base, and shapes behind the number of its expressions. Ascending.
+/// What a context of the overlay is of: atoms of the base, and shapes, whose numbers follow those of the base's
+/// expressions. Ascending.
 using Seeds = std::vector<std::uint32_t>;
 
 struct OverlayContext {
@@ -43,26 +44,26 @@ class ExpressionOverlay : private el::Rules<ExpressionOverlay> {
  public:
   ExpressionOverlay(const ExpressionBase& base, const ShapeReader& shapes);
 
-  /// The context of these shapes together; it may be one of the base. Its conclusions are drawn by run().
+  /// The context of the conjunction of these shapes, which may be one of the base. run() draws its conclusions.
   std::uint32_t require(std::span<const ShapeId> together);
-  /// The context of what another one is of, which may be one of another overlay, and of a shape.
+  /// The context of another context's seeds, which may be in another overlay, and of a shape.
   std::uint32_t require_with(Seeds seeds, ShapeId shape);
   [[nodiscard]] Seeds seeds_of(std::uint32_t context) const;
-  /// Applies the rules until none is left to fire. False, and what was derived is right all the same, over the limit.
+  /// Applies the rules until none can fire. False if the limit was reached; what was derived is right all the same.
   bool run();
-  /// Says that a context can have no instance; run() carries it on.
+  /// Makes a context unsatisfiable. run() draws the conclusions.
   void add_bottom(std::uint32_t context);
 
   [[nodiscard]] const ExpressionBase& base() const { return base_; }
-  /// Contexts of the base come first.
+  /// The number of contexts. Those of the base come first.
   [[nodiscard]] std::uint32_t context_count() const { return base_count_ + static_cast<std::uint32_t>(own_.size()); }
   [[nodiscard]] std::span<const OverlayContext> own() const { return own_; }
   [[nodiscard]] std::uint32_t base_count() const { return base_count_; }
   [[nodiscard]] bool is_unsatisfiable(std::uint32_t context) const;
-  /// Whether something here may say more in a world where it has an instance.
+  /// Whether something here may follow only if a context has an instance.
   [[nodiscard]] bool is_conditional() const { return is_conditional_; }
   [[nodiscard]] std::size_t work() const { return work_; }
-  /// Everything that is an atom and above a context: representatives, ascending.
+  /// All atoms above a context: representatives, ascending.
   [[nodiscard]] std::vector<el::ExprId> atoms_above(std::uint32_t context) const;
 
  private:
@@ -83,7 +84,7 @@ class ExpressionOverlay : private el::Rules<ExpressionOverlay> {
   void process_link(std::uint32_t context, el::Link link);
   void apply_universal(std::uint32_t context, ShapeId universal, el::Link link);
 
-  // What the rules ask of a closure (el/rules.hpp), of contexts of the overlay.
+  // What the rules ask of a closure (el/rules.hpp), for contexts of the overlay.
   static constexpr bool inherits = false;
   void add_subsumer(std::uint32_t context, el::ExprId subsumer);
   void add_atom(std::uint32_t context, el::ExprId atom);
@@ -103,10 +104,10 @@ class ExpressionOverlay : private el::Rules<ExpressionOverlay> {
   [[nodiscard]] const auto& selfs(std::uint32_t context) { return own(context).selfs; }
   [[nodiscard]] std::uint32_t selfs_done(std::uint32_t context) { return own(context).selfs_done; }
   [[nodiscard]] const auto& forward(std::uint32_t context) { return own(context).forward; }
-  /// To meet the links that are still to be processed does no harm.
+  /// Meeting links that are not processed yet does no harm.
   [[nodiscard]] std::size_t forward_done(std::uint32_t context) { return own(context).forward.size(); }
   [[nodiscard]] std::vector<el::FunctionalGroup>& groups(std::uint32_t context) { return own(context).groups; }
-  /// The limit of an overlay is of conclusions.
+  /// An overlay is limited by conclusions, not by premises.
   void count_work(std::size_t /*premises*/) {}
 
   const ExpressionBase& base_;

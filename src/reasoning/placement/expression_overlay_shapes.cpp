@@ -1,5 +1,5 @@
-// What shapes assert, R Self, and functional properties; the legend is in el/saturation.hpp, X stands for a context of
-// the overlay.
+// What shapes assert, reflexive restrictions, and functional properties. The legend is in el/saturation.hpp; X stands
+// for a context of the overlay.
 #include <algorithm>
 
 #include "reasoning/placement/expression_overlay.hpp"

@@ -1,4 +1,4 @@
-// A copy of the axioms, one more, and the classification of all of them.
+// Copies the axioms, adds one, and classifies all of them.
 #include "reasoning/placement/expression_scratch.hpp"
 
 #include <algorithm>
@@ -9,10 +9,10 @@
 namespace geminga::placement {
 namespace {
 
-/// No file can hold it: an IRI has no space.
+/// No file can contain it, because an IRI has no space.
 constexpr std::string_view query_name = "the expression";
 
-/// The nodes of a view for the classes of a classification; none for the expression's own.
+/// The nodes of a view for the classes of a classification. The expression's own class has none.
 std::vector<std::optional<taxonomy::ClassNumber>> nodes_of(const taxonomy::ClassifiedView& view,
                                                            const owl::Ontology& source,
                                                            const taxonomy::Classification& classification) {

@@ -1,7 +1,7 @@
-// The slow and exact way to the place of an expression: the whole ontology classified once more, with a name for it.
+// The slow and exact way to the place of an expression: the whole ontology is classified again, with a name for it.
 //
-// Needed where individuals decide: what follows for an expression then holds in worlds where it has an instance, and
-// such an instance may be an individual of which the base knows less (nominals.hpp).
+// It is needed if individuals matter. What follows for an expression then depends on its having an instance, and this
+// instance may be an individual of which the base knows less (nominals.hpp).
 #ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_SCRATCH_HPP
 #define GEMINGA_REASONING_PLACEMENT_EXPRESSION_SCRATCH_HPP
 
@@ -13,8 +13,8 @@
 
 namespace geminga::placement {
 
-/// Classifies the axioms of the base with a class that is equivalent to the expression. Nothing where they are more
-/// than ExpressionLimits::scratch_axioms.
+/// Classifies the axioms of the base with a class that is equivalent to the expression. Nothing if there are more
+/// axioms than ExpressionLimits::scratch_axioms.
 [[nodiscard]] std::optional<ExpressionPlace> place_by_scratch(const ExpressionBase& base, const owl::Ontology& query,
                                                               owl::TermId expression);
 

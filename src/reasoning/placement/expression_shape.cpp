@@ -99,7 +99,7 @@ ShapeId ShapeReader::all_of(const std::vector<ShapeId>& parts) {
   return add({.kind = ShapeKind::all_of, .parts = std::move(kept)});
 }
 
-//  not C or not D is not (C and D), which is looked for more exactly
+// not C or not D is not (C and D), which is evaluated more exactly.
 ShapeId ShapeReader::any_of(const std::vector<ShapeId>& parts) {
   std::vector<ShapeId> kept;
   for (const ShapeId part : parts) {
@@ -137,7 +137,7 @@ ShapeId ShapeReader::at_most(owl::TermId term, std::uint32_t count, ShapeId part
   const ShapeId all = atom(base_.index().representative(el::top_expr));
   if (is(part, el::bottom_expr)) return all;
   if (count > 0) {
-    //  all are in R max n C where R is functional, n > 0
+    // Everything is in R max n C if R is functional and n > 0.
     const auto role = role_of(query_.term(term).arguments[0]);
     const auto is_functional = [&](el::RoleId super) { return base_.index().is_functional(super); };
     if (role && std::ranges::any_of(base_.index().roles().supers(*role), is_functional)) return all;
@@ -278,7 +278,7 @@ std::vector<ShapeId> ShapeReader::alternatives_of(ShapeId id) {
       products = std::move(longer);
     }
     if (products.size() == 1) {
-      // Nothing was taken apart at this level; below it something may have been.
+      // This level had no union. A level below may have had one.
       return products.front() == shape.parts ? std::vector<ShapeId>{id}
                                              : std::vector<ShapeId>{all_of(products.front())};
     }

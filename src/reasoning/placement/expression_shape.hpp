@@ -1,8 +1,8 @@
-// A class expression in the words of a base: what the overlay asserts and what is looked for below.
+// A class expression in terms of a base: what the overlay asserts and what is looked for below.
 //
-// Complements stand where they were written or further inside; two of them cancel. Unions are taken apart by
-// alternatives_of(): everywhere but inside a complement or a universal restriction, an expression is the union of its
-// alternatives, which have none.
+// Complements stand where they were written or further inside, and two of them cancel. alternatives_of() splits unions:
+// unless one is inside a complement or a universal restriction, an expression is the union of its alternatives, which
+// have no unions.
 #ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_SHAPE_HPP
 #define GEMINGA_REASONING_PLACEMENT_EXPRESSION_SHAPE_HPP
 
@@ -35,7 +35,7 @@ using ShapeId = std::uint32_t;
 
 struct Shape {
   ShapeKind kind = ShapeKind::opaque;
-  /// Of an atom: itself. Of others: the name of the very same expression in the ontology, or T where there is none.
+  /// For an atom: itself. For others: the name of the same expression in the ontology, or T if there is none.
   el::ExprId atom = el::top_expr;
   el::RoleId role{};
   std::uint32_t count = 0;
@@ -44,19 +44,19 @@ struct Shape {
   std::vector<el::ExprId> below{};  ///< of a value: literals and datatypes of the base that are in it
 };
 
-/// Reads terms of a query's source. Everything it could not express exactly is named in gaps().
+/// Reads terms of a query's source. gaps() names everything that it could not express exactly.
 class ShapeReader {
  public:
   ShapeReader(const ExpressionBase& base, const owl::Ontology& query) : base_(base), query_(query) {}
 
   /// The shape of a class expression. Its nesting is bounded by that of terms.
   [[nodiscard]] ShapeId read(owl::TermId term);
-  /// The shapes without unions whose union the expression is. One that would be taken apart into more than the limit
+  /// The shapes without unions whose union the expression is. If there would be more than the limit, the expression
   /// stays as it is, with a gap.
   [[nodiscard]] std::vector<ShapeId> alternatives_of(ShapeId id);
 
   [[nodiscard]] const Shape& shape(ShapeId id) const { return shapes_[id]; }
-  /// Whether it is a complement or one is somewhere in it.
+  /// Whether it is or contains a complement.
   [[nodiscard]] bool has_negation(ShapeId id) const;
   [[nodiscard]] std::size_t count() const { return shapes_.size(); }
   void add_gap(std::string_view words) { gaps_.emplace(words); }

@@ -1,4 +1,4 @@
-// From facts to a tree of anonymous individuals, and from its leaves up to one expression.
+// Builds a tree of anonymous individuals from facts, then one expression, from the leaves up.
 #include "reasoning/reasoner/anonymous.hpp"
 
 #include <algorithm>
@@ -24,14 +24,14 @@ bool is_anonymous(const owl::Ontology& source, TermId term) {
   return source.kind(term) == TermKind::anonymous_individual;
 }
 
-/// Those that stand anywhere in some terms, each once.
+/// The anonymous individuals in some terms, each once.
 std::vector<TermId> anonymous_in(const owl::Ontology& source, std::span<const TermId> terms) {
   std::vector<TermId> found = owl::terms_in(source, terms);
   std::erase_if(found, [&](TermId term) { return !is_anonymous(source, term); });
   return found;
 }
 
-/// What is known of one group, and the steps that make one expression of it.
+/// One group of facts, and the steps that make one expression of it.
 class Group {
  public:
   explicit Group(Excerpt& excerpt) : source_(excerpt.source) {}
@@ -60,7 +60,7 @@ class Group {
     return false;
   }
 
-  /// Puts one individual for those that are said to be the same.
+  /// Replaces individuals that facts say are the same by one of them.
   bool identify(std::vector<Statement>& facts) {
     std::map<TermId, TermId> is_same;
     const auto find = [&](TermId individual) {
@@ -174,7 +174,7 @@ class Group {
     return source_.term(TermKind::object_inverse_of, {property});
   }
 
-  /// Level by level from the root, then back: children are expressions before their parents are.
+  /// Goes down level by level from the root, then back, so that children become expressions before their parents do.
   std::expected<RolledUp, std::string> finish() {
     struct Visit {
       TermId variable;

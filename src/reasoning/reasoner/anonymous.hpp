@@ -1,4 +1,4 @@
-// Anonymous individuals of a conclusion: "there is something such that", rolled up into one class expression.
+// Anonymous individuals of a conclusion ("there is something such that"), rolled up into one class expression.
 #ifndef GEMINGA_REASONING_REASONER_ANONYMOUS_HPP
 #define GEMINGA_REASONING_REASONER_ANONYMOUS_HPP
 
@@ -14,20 +14,21 @@ namespace geminga::reasoner {
 
 /// What facts about anonymous individuals say together.
 struct RolledUp {
-  /// An individual with a name that is in the expression; nothing: something is.
+  /// A named individual that must be in the expression. None: the expression must have some instance.
   std::optional<owl::TermId> individual;
   owl::TermId expression{};
-  /// Facts that speak of named individuals only, once names were put in for blank nodes that are the same.
+  /// Facts that are about named individuals only, after blank nodes were replaced by names that are the same.
   std::vector<Statement> plain;
   bool has_expression = false;
 };
 
-/// Rolls up facts that hang together by their anonymous individuals, all of them terms of the excerpt (Horrocks,
-/// Tessaris: Querying the Semantic Web: a formal approach, 2002). What is no tree of at most 400 levels has no such
-/// expression; then the error says so in one line.
+/// Rolls up facts that share anonymous individuals; all are terms of the excerpt (Horrocks, Tessaris: Querying the
+/// Semantic Web: a formal approach, 2002). Only a tree of at most 400 levels has such an expression. Otherwise the
+/// error says why in one line.
 [[nodiscard]] std::expected<RolledUp, std::string> roll_up(Excerpt& excerpt, std::vector<Statement> facts);
 
-/// The groups of facts that hang together: the numbers of those with anonymous individuals, each group ascending.
+/// Groups facts that share anonymous individuals. Each group is ascending numbers of facts; facts without anonymous
+/// individuals are in none.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> find_groups(const owl::Ontology& source,
                                                                   std::span<const std::uint32_t> axioms);
 

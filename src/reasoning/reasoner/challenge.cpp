@@ -1,4 +1,4 @@
-// Classes and object properties: no nominals are needed, so that every engine can answer.
+// Axioms about classes and object properties. Their challenges need no nominals, so that every engine can answer.
 //
 // Legend: C D E class expressions, r s object properties, N M classes of no other axiom, G the class that a challenge
 // asks about, C < D "C SubClassOf D", F owl:Nothing. A challenge "in C and not in D" is G < C and (G and D) < F.
@@ -80,7 +80,7 @@ void Challenger::for_pairs(Refutation& into, const Terms& members, const std::fu
   }
 }
 
-/// C or D < E holds if C < E and D < E do, and each of these is easier.
+/// C or D < E holds if C < E and D < E do. Each of these is easier.
 void Challenger::subsume(Refutation& into, TermId sub, TermId super) {
   const owl::Term term = excerpt_.source.term(sub);
   if (term.kind != TermKind::object_union_of) {
@@ -148,7 +148,7 @@ void Challenger::reach_two(Refutation& into, TermId property) {
   into.all.push_back(challenge({some(property, one), some(property, other)}, {}, begin));
 }
 
-/// Irreflexive(r): nothing is in (s Self), where s < r. A new property is simple, as Self wants it.
+/// Irreflexive(r): nothing is in (s Self), where s < r. The new property s is simple, as Self requires.
 void Challenger::reach_itself(Refutation& into, TermId property) {
   const std::size_t begin = next();
   const TermId below = excerpt_.fresh(TermKind::object_property);

@@ -1,9 +1,9 @@
 // What would refute an axiom: situations of which none is possible exactly if the axiom follows.
 //
-// Every kind of axiom becomes the question whether something can be: `C SubClassOf D` follows if nothing can be in C
-// and not in D. Classes and properties that nothing else speaks of stand for "any": `r SubPropertyOf s` follows if
-// nothing can be in (r some N) and not in (s some N) for a new N (Horrocks, Patel-Schneider: Reducing OWL entailment to
-// description logic satisfiability, 2004).
+// Every kind of axiom becomes the question whether something can exist. `C SubClassOf D` follows if nothing can be in C
+// and not in D. Classes and properties that no other axiom mentions stand for any class or property: `r SubPropertyOf
+// s` follows if nothing can be in (r some N) and not in (s some N) for a new N (Horrocks, Patel-Schneider: Reducing OWL
+// entailment to description logic satisfiability, 2004).
 #ifndef GEMINGA_REASONING_REASONER_CHALLENGE_HPP
 #define GEMINGA_REASONING_REASONER_CHALLENGE_HPP
 
@@ -18,8 +18,8 @@
 
 namespace geminga::reasoner {
 
-/// One situation. It is possible if the class can have an instance; or, where there is no class, if the axioms of the
-/// excerpt together with the statements have a model.
+/// One situation. If it has a class, it is possible if the class can have an instance. Otherwise it is possible if the
+/// axioms of the excerpt and the statements together have a model.
 struct Challenge {
   std::optional<owl::TermId> of;
   std::vector<Statement> statements;
@@ -28,30 +28,30 @@ struct Challenge {
   std::size_t last_axiom = 0;
 };
 
-/// The axiom follows if none of `all` is possible, and does not where one is.
+/// The axiom follows if no situation of `all` is possible, and does not follow if one is.
 struct Refutation {
   std::vector<Challenge> all;
-  /// Not empty: why `all` says nothing, in one line. Then only a witness tells: the axiom does not follow where one of
-  /// them is possible.
+  /// If not empty: why `all` decides nothing, in one line. Then only witnesses can decide: the axiom does not follow if
+  /// one of them is possible.
   std::string undecided;
   std::vector<Challenge> witnesses;
 };
 
-/// Pairs that the members of one axiom are taken in, as in DisjointClasses; an axiom with more is undecided.
+/// The most pairs of members of one axiom, such as DisjointClasses. An axiom with more is undecided.
 inline constexpr std::size_t max_pairs_of_members = 100'000;
 
-/// Turns axioms into challenges, and adds what describes them to the excerpt. What is added entails nothing about the
-/// other terms of the excerpt that did not follow before.
+/// Turns axioms into challenges, and adds the axioms that describe them to the excerpt. These entail nothing new about
+/// the other terms of the excerpt.
 class Challenger {
  public:
   using Terms = std::vector<owl::TermId>;
 
   explicit Challenger(Excerpt& excerpt);
 
-  /// The arguments are terms of the excerpt. Anonymous individuals are taken for names: see reasoner/anonymous.hpp for
-  /// those that stand for "some".
+  /// The arguments are terms of the excerpt. Anonymous individuals count as names; reasoner/anonymous.hpp treats those
+  /// that stand for "some".
   [[nodiscard]] Refutation refute(owl::AxiomKind kind, const Terms& terms);
-  /// That a class expression can have an instance at all, anywhere.
+  /// The refutation of "this class expression has no instance in any model".
   [[nodiscard]] Refutation refute_emptiness_everywhere(owl::TermId expression);
 
  private:
@@ -74,7 +74,7 @@ class Challenger {
   static void for_pairs(Refutation& into, const Terms& members,
                         const std::function<void(owl::TermId, owl::TermId)>& use);
 
-  /// That something is in all of `in` and in none of `not_in`. `first` is the first axiom that describes it.
+  /// Something that is in all of `in` and in none of `not_in`. `first` is the first axiom that describes it.
   [[nodiscard]] Challenge challenge(const Terms& in, const Terms& not_in, std::size_t first);
   [[nodiscard]] Challenge challenge(const Terms& in, const Terms& not_in = {}) { return challenge(in, not_in, next()); }
   [[nodiscard]] std::size_t next() const { return excerpt_.source.axiom_count(); }

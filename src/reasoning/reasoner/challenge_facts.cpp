@@ -1,4 +1,4 @@
-// Data properties, datatypes, keys and facts.
+// Axioms about data properties, datatypes, keys and facts.
 //
 // Legend: U V W data properties, D E data ranges, a b individuals, r an object property, C a class expression, G the
 // class that a challenge asks about, T owl:Thing, F owl:Nothing; see challenge.cpp.
@@ -81,8 +81,8 @@ void Challenger::define_datatype(Refutation& into, TermId datatype, TermId range
   differ(range, datatype);
 }
 
-/// Two named individuals that agree and differ. Which values they agree on no axiom can leave open, so that data
-/// properties are only tried out.
+/// Two named individuals that agree on the values of a key and differ. No axiom can leave open which values these are,
+/// so data properties only give witnesses.
 void Challenger::identify_by_key(Refutation& into, const Terms& terms) {
   owl::Ontology& source = excerpt_.source;
   const TermId one = excerpt_.fresh(TermKind::individual);
@@ -122,7 +122,7 @@ void Challenger::identify_by_key(Refutation& into, const Terms& terms) {
 TermId Challenger::one_of(TermId individual) { return excerpt_.source.term(TermKind::object_one_of, {individual}); }
 
 /// C(a): nothing is in {a} and not in C. r(a b): nothing is in {a} and not in (r value b). a = b: nothing is in {a} and
-/// not in {b}. What is denied is turned round.
+/// not in {b}. For a negative fact it is the reverse.
 void Challenger::refute_fact(Refutation& into, AxiomKind kind, const Terms& terms) {
   owl::Ontology& source = excerpt_.source;
   const auto value = [&] {

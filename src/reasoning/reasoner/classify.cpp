@@ -1,4 +1,4 @@
-// Classification: the fast engine, then the one that knows more, then models for what both leave open.
+// Classification: first the fastest engine, then the one that derives more, then models for what both leave open.
 #include <algorithm>
 #include <iterator>
 #include <new>
@@ -15,12 +15,13 @@
 namespace geminga::reasoner {
 namespace {
 
-/// What the clauses may have as consequences. It grows with what is written, so that a small file that means much takes
-/// the memory of a small one (a clause is about 150 octets), and ends at a bound that nothing known comes near.
+/// How many clauses may be derived. The limit grows with the number of clauses that are written, so that a small file
+/// that means much takes the memory of a small file (a clause takes about 150 octets), and has a bound that no known
+/// ontology comes near.
 constexpr std::size_t always_derived = 400'000;
 constexpr std::size_t derived_per_axiom = 100;
 constexpr std::size_t max_clauses_of_classes = 5'000'000;
-/// What a clause may cost of a budget at most, vain attempts included: half of it is kept for models.
+/// The most steps of the budget that a clause may take, vain attempts included. Half of the budget is kept for models.
 constexpr std::size_t steps_per_clause = 100;
 
 void leave_all_undecided(Classified& result) {
@@ -34,12 +35,13 @@ void leave_all_undecided(Classified& result) {
   }
 }
 
-/// Most classes have a model within these; where some have none, more is derived by cases before the search goes on.
+/// Most classes have a model within these limits. If some have none, more is derived by cases before the search goes
+/// on.
 constexpr CompletionLimits quick_models{.unanswered = 3, .question = {.nodes = 20'000, .steps = 50'000}};
 constexpr std::uint64_t more_alternatives = 25;
 constexpr std::uint64_t most_alternatives = 1'000'000;
 
-/// Adds what the clauses have as consequences.
+/// Adds what follows from the clauses.
 class Deepening {
  public:
   Deepening(const owl::Ontology& source, const Options& options, Classified& result)
@@ -68,7 +70,7 @@ class Deepening {
       }
     }
     if (is_open && !is_finished()) search(*clauses, {});
-    settle(clauses->unused);
+    note_unused(clauses->unused);
   }
 
  private:
@@ -131,7 +133,7 @@ class Deepening {
     }
   }
 
-  /// The representatives are those of the taxonomy that was completed.
+  /// The classes are representatives of the taxonomy that was completed.
   void note_undecided(const Completion& completion) {
     std::vector<bool> is_open(result_.class_count(), false);
     for (const std::uint32_t of : completion.open) is_open[of] = true;
@@ -143,15 +145,15 @@ class Deepening {
     }
   }
 
-  /// What models have settled need not be derived again.
+  /// Classes that models have completed need not be derived again.
   void settle_all_but(const std::vector<taxonomy::ClassNumber>& open) {
     is_settled_.assign(result_.class_count(), true);
     for (const taxonomy::ClassNumber of : open) is_settled_[static_cast<std::size_t>(of)] = false;
   }
 
-  /// Where the clauses were exhausted only what is not in them can be missing. Otherwise everything that the fast
-  /// engine could not use may have more to say, too.
-  void settle(const std::vector<clauses::Unused>& unused) {
+  /// If all consequences of the clauses were derived, only axioms without clauses can have more consequences. Otherwise
+  /// every axiom that the fastest engine does not use in full can.
+  void note_unused(const std::vector<clauses::Unused>& unused) {
     if (!result_.is_consistent) {
       result_.unused.clear();
       result_.gaps.clear();
@@ -195,7 +197,7 @@ std::expected<Classified, el::ClassifyError> classify(const owl::Ontology& sourc
     return result;
   }
   if (result.unused.empty()) return result;
-  // What the engines beyond EL need more memory for than there is remains as EL has found it.
+  // If memory does not suffice for the engines beyond EL, the result is that of EL.
   Classified deepened = result;
   try {
     Deepening(source, options, deepened).run();

@@ -1,4 +1,4 @@
-// First a model for every class, then the pairs that all models leave open.
+// Looks for a model of every class first, then asks about the pairs that all models leave open.
 #include "reasoning/reasoner/completion.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ void insert(Numbers& sorted, std::uint32_t added) {
   if (place == sorted.end() || *place != added) sorted.insert(place, added);
 }
 
-/// What a fact may cost in the one model of all facts, and one of the many inequalities of individuals.
+/// The most steps for a fact in the one model of all facts, and for one of the many inequalities of individuals.
 constexpr std::size_t steps_a_fact = 500;
 constexpr std::size_t steps_an_inequality = 4;
 
@@ -87,7 +87,7 @@ class Completing {
     return std::move(result_);
   }
 
-  /// False where no more questions are allowed, and none about this class.
+  /// False if no more questions may be asked, or none about this class.
   bool may_ask(std::uint32_t of, double done) {
     if (options_.progress) options_.progress("looking for models", done);
     const auto spent = options_.budget == nullptr ? std::nullopt : options_.budget->reason();
@@ -103,7 +103,7 @@ class Completing {
     return false;
   }
 
-  /// The answer to a question about a class, or about everything.
+  /// Notes the answer to a question about a class, or about the whole ontology.
   Verdict note(const Answer& answer, std::optional<std::uint32_t> of) {
     ++questions_;
     if (answer.verdict == Verdict::unknown) {
@@ -114,7 +114,7 @@ class Completing {
     return answer.verdict;
   }
 
-  /// Every instance in a model bounds what is above the classes that it is in.
+  /// Every instance in a model bounds the subsumers of the classes that it is in.
   void learn(const hypertableau::Model& model, const NamedConcepts& concepts) {
     std::vector<Numbers> labels;
     for (const auto& label : model.labels) labels.push_back(classes_of(label, concepts));
@@ -126,7 +126,7 @@ class Completing {
     for (const std::uint32_t of : label) narrow(of, label, known_[of].size() + 1);
   }
 
-  /// Derivation has shown for each of these what a model with an instance of it looks like.
+  /// For each of these classes derivation has shown the label of an instance in a model.
   void learn_plain() {
     for (std::uint32_t of = 0; of < known_.size(); ++of) {
       if (!given_.is_plain[of] || !is_asked(of)) continue;
@@ -136,7 +136,8 @@ class Completing {
     }
   }
 
-  /// Where not all that may be above it is known to be: `closed` many are, itself included.
+  /// Bounds the possible subsumers of a class by a label, unless no more than the `closed` known ones, itself included,
+  /// are possible.
   void narrow(std::uint32_t of, const Numbers& label, std::size_t closed) {
     if (!possible_[of]) {
       possible_[of] = label;
@@ -179,7 +180,7 @@ class Completing {
     result_.found.emplace_back(of, static_cast<std::uint32_t>(classification_.nothing));
   }
 
-  /// Classes with the most above them first: their models are those of all above, too.
+  /// The classes with the most subsumers first: their models are models of all their subsumers, too.
   [[nodiscard]] Numbers lowest_first() const {
     Numbers order;
     for (std::uint32_t of = 0; of < known_.size(); ++of) {
@@ -207,7 +208,8 @@ class Completing {
       const double done = 0.5 * static_cast<double>(at) / static_cast<double>(order.size());
       if (!find_model(order[at], tableau, concepts, done)) return;
       if (!is_empty_[order[at]]) continue;
-      // It is often empty because of what is above it, and then its brothers are, too: the highest first.
+      // A class is often empty because a subsumer is. Then its siblings are empty, too, so the highest class is asked
+      // first.
       Numbers above = known_[order[at]];
       std::ranges::stable_sort(above, {}, [&](std::uint32_t of) { return known_[of].size(); });
       for (std::size_t next = 0; next < above.size() && (next == 0 || !is_empty_[above[next - 1]]); ++next) {
@@ -216,12 +218,13 @@ class Completing {
     }
   }
 
-  /// Whether it is known what is above the class, or that nothing can be in it.
+  /// Whether all subsumers of the class are known, or that it is empty.
   [[nodiscard]] bool is_closed(std::uint32_t of) const {
     return is_empty_[of] || (possible_[of] && possible_[of]->size() <= known_[of].size() + 1);
   }
 
-  /// Asks for a model with an instance of the class where other models have not said all. False: no more may be asked.
+  /// Looks for a model with an instance of the class, unless other models have answered everything. False: no more may
+  /// be asked.
   bool find_model(std::uint32_t of, hypertableau::Tableau& tableau, const NamedConcepts& concepts, double done) {
     if (!is_asked(of) || is_closed(of) || has_model_[of]) return true;
     if (std::ranges::any_of(known_[of], [&](std::uint32_t above) { return is_empty_[above]; })) {
@@ -229,7 +232,7 @@ class Completing {
       return true;
     }
     const auto asked = concepts.concept_of(of);
-    // What no clause speaks of has nothing above it.
+    // A class that no clause mentions has no other subsumers.
     if (!asked) possible_[of] = known_[of];
     if (!asked) return true;
     if (!may_ask(of, done)) return false;
@@ -251,14 +254,14 @@ class Completing {
       if (above == of || is_empty_[above] || contains(known_[of], above)) continue;
       if (!contains(known_[top_], above)) open.push_back(above);
     }
-    // The most specific first: with it goes all above it.
+    // The most specific first: a yes answers all of its subsumers.
     std::ranges::stable_sort(open,
                              [&](std::uint32_t a, std::uint32_t b) { return known_[a].size() > known_[b].size(); });
     return open;
   }
 
   void ask_pairs() {
-    // What is above a class need not be asked again of what is below it.
+    // The subsumers of a class need not be asked again for the classes below it.
     Numbers order = lowest_first();
     order.push_back(top_);
     std::ranges::reverse(order);

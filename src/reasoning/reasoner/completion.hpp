@@ -1,8 +1,8 @@
-// Completes a taxonomy by models: what no model refutes and no engine derived is asked, pair by pair.
+// Completes a taxonomy by models: each pair that no model refutes and no engine derived is asked.
 //
-// A model that has an instance of A shows that A can have one, and that nothing is above A but what holds of that
-// instance. So most classes are settled by the models of others, and what is left are few questions (Glimm, Horrocks,
-// Motik, Shearer, Stoilos: A novel approach to ontology classification, 2012).
+// A model with an instance of A shows that A is satisfiable, and that its subsumers are among the classes of that
+// instance. So the models of some classes answer most questions about others, and few questions remain (Glimm,
+// Horrocks, Motik, Shearer, Stoilos: A novel approach to ontology classification, 2012).
 #ifndef GEMINGA_REASONING_REASONER_COMPLETION_HPP
 #define GEMINGA_REASONING_REASONER_COMPLETION_HPP
 
@@ -18,7 +18,7 @@
 
 namespace geminga::reasoner {
 
-/// Counted, so that the same ontology has the same taxonomy everywhere.
+/// Limits are counted steps, so that the same ontology has the same taxonomy everywhere.
 struct CompletionLimits {
   std::size_t classes = 50'000;     ///< of an ontology; beyond it no model is looked for
   std::size_t questions = 100'000;  ///< to the tableau, of all kinds
@@ -30,23 +30,24 @@ struct Completion {
   bool is_consistent = true;
   Subsumptions found;             ///< all of them follow
   std::vector<std::string> gaps;  ///< why something may still be missing: sorted, each once; empty: nothing is
-  /// Representatives above which something may still be missing, ascending; nothing where there is no gap.
+  /// Representatives that may have further subsumers, ascending. Empty if there is no gap.
   std::vector<std::uint32_t> open;
   bool is_consistency_open = false;
   std::optional<std::uint32_t> held_up_by;  ///< the first class of which a question was left open
 };
 
-/// A taxonomy that may lack something.
+/// A taxonomy that may be incomplete.
 struct Incomplete {
   const taxonomy::Classification& classification;
   const clauses::ClauseSet& clauses;  ///< of the source
-  /// By class: nothing is missing above it, if the source is consistent.
+  /// By class: all its subsumers are known, if the source is consistent.
   const std::vector<bool>& is_settled;
-  /// By class: some model, if there is one, has an instance that is in this class, in those above it and in no other.
+  /// By class: if the source has a model, some model has an instance that is in this class and its subsumers and in no
+  /// other class.
   const std::vector<bool>& is_plain;
 };
 
-/// Looks for what follows from the source beyond the taxonomy given.
+/// Finds the subsumptions that follow from the source and are not in the taxonomy.
 [[nodiscard]] Completion complete(const owl::Ontology& source, const Incomplete& known, const Options& options,
                                   const CompletionLimits& limits = {});
 

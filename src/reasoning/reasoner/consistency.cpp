@@ -1,4 +1,4 @@
-// Whether there can be a world at all.
+// Whether an ontology has a model.
 #include <optional>
 #include <utility>
 

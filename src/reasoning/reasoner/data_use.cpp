@@ -40,7 +40,7 @@ void DataUses::relate(const std::vector<TermId>& properties) {
   }
 }
 
-/// A literal in a facet is part of the facet, and the datatype of a literal is no range.
+/// A literal in a facet belongs to the facet, and the datatype of a literal is not a range.
 void DataUses::add_range(TermId range, DataUse& use) {
   std::vector<TermId> open{range};
   std::set<TermId> seen;
@@ -123,7 +123,7 @@ DataUse DataUses::of(const owl::Axiom& axiom) const {
       if (seen.insert(next).second) open.push_back(next);
     }
   }
-  // A user's datatype is what its definition says; one of its parts may be another.
+  // A datatype of the user is what its definition says, and its parts may be other such datatypes.
   std::set<TermId> defined;
   for (bool is_growing = true; is_growing;) {
     is_growing = false;

@@ -1,4 +1,4 @@
-// What the values of data properties are compared with: the ranges, literals and numbers that stand beside them.
+// What the values of data properties are compared with: ranges, literals and cardinalities of the same properties.
 #ifndef GEMINGA_REASONING_REASONER_DATA_USE_HPP
 #define GEMINGA_REASONING_REASONER_DATA_USE_HPP
 
@@ -10,26 +10,26 @@
 
 namespace geminga::reasoner {
 
-/// Of one property, or of several that axioms relate: what could tell one of their values from another.
+/// The uses of one property, or of several that axioms relate: everything that can distinguish their values.
 struct DataUse {
   std::set<owl::TermId> datatypes;  ///< named ones that are ranges or parts of ranges
   std::set<owl::TermId> literals;   ///< in enumerations, hasValue, facts that are denied or asked for
   std::set<owl::TermId> facets;
-  /// Literals of the facts of the premise, by property.
+  /// Literals in facts of the premise, by property.
   std::map<owl::TermId, std::set<owl::TermId>> facts;
   bool is_counted = false;  ///< numbers, functionality, disjointness or a key: whether values are equal matters
   bool is_key = false;
 };
 
-/// Gathers the uses of all data properties, axiom by axiom; then answers.
+/// Collects the uses of all data properties, axiom by axiom, and then answers.
 class DataUses {
  public:
   explicit DataUses(const owl::Ontology& source) : source_(source) {}
 
-  /// `is_told`: a fact in it holds; otherwise it is asked for.
+  /// `is_told`: facts in it hold. Otherwise they are asked for.
   void add(const owl::Axiom& axiom, bool is_told);
 
-  /// The use of the properties that an axiom speaks of, of all that axioms relate to them, and of those that share a
+  /// The use of the properties in an axiom, of all properties that axioms relate to them, and of those that share a
   /// user's datatype with them. Requires that every axiom was added.
   [[nodiscard]] DataUse of(const owl::Axiom& axiom) const;
 

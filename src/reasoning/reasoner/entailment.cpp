@@ -1,4 +1,5 @@
-// Conclusions: told ones at once, those about anonymous individuals rolled up, all others refuted or not.
+// Conclusions: told ones follow at once, those about anonymous individuals are rolled up, all others are refuted or
+// follow.
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -18,7 +19,7 @@ using owl::TermId;
 
 using Content = std::pair<AxiomKind, std::vector<TermId>>;
 
-/// An axiom with the members of sets in one order, so that equal ones are equal.
+/// An axiom with the members of sets in one order, so that equal axioms are equal values.
 Content content_of(const owl::Axiom& axiom) {
   std::vector<TermId> arguments(axiom.arguments.begin(), axiom.arguments.end());
   const auto members = arguments.begin() + static_cast<std::ptrdiff_t>(owl::set_begin(axiom.kind, arguments.size()));
@@ -26,7 +27,7 @@ Content content_of(const owl::Axiom& axiom) {
   return {axiom.kind, std::move(arguments)};
 }
 
-/// Some conclusions that stand or fall together, and where their challenges are.
+/// Conclusions that have one answer together, and where their challenges are.
 struct Part {
   std::vector<std::size_t> conclusions;  ///< their positions
   std::size_t first = 0;                 ///< challenges of which none may be possible: [first, witnesses)
@@ -48,10 +49,10 @@ class Entailment {
         challenger_(excerpt_) {}
 
   std::vector<Answer> run() {
-    settle_told();
+    answer_told();
     add_groups();
     for (std::size_t at = 0; at < conclusion_.size(); ++at) {
-      if (!is_settled_[at]) add_axiom(at);
+      if (!is_answered_[at]) add_axiom(at);
     }
     const std::vector<Answer> possible = are_possible(excerpt_, challenges_, budget_);
     for (const Part& part : parts_) {
@@ -63,7 +64,7 @@ class Entailment {
   }
 
  private:
-  /// Of parts of one conclusion: each must follow.
+  /// Joins the answers of the parts of one conclusion: each must follow.
   static void join(Answer& all, const Answer& part) {
     const auto rank = [](const Answer& answer) {
       return answer.verdict == Verdict::no ? 2 : answer.verdict == Verdict::unknown ? 1 : 0;
@@ -71,7 +72,7 @@ class Entailment {
     if (rank(part) > rank(all)) all = part;
   }
 
-  /// What cannot be reduced follows all the same where everything does.
+  /// Everything follows from a contradiction, also what cannot be reduced.
   void follow_from_contradiction() {
     const auto is_unknown = [](const Answer& answer) { return answer.verdict == Verdict::unknown; };
     if (std::ranges::none_of(answers_, is_unknown)) return;
@@ -79,14 +80,14 @@ class Entailment {
     for (Answer& answer : answers_) answer = {Verdict::yes, {}};
   }
 
-  /// Declarations say nothing; what the premise says in the same words follows.
-  void settle_told() {
-    is_settled_.assign(conclusion_.size(), false);
+  /// Declarations say nothing, and what the premise says in the same words follows.
+  void answer_told() {
+    is_answered_.assign(conclusion_.size(), false);
     std::map<Content, std::vector<std::size_t>> wanted;
     for (std::size_t at = 0; at < conclusion_.size(); ++at) {
       const owl::Axiom axiom = source_.axiom(conclusion_[at]);
       if (axiom.kind == AxiomKind::declaration) {
-        is_settled_[at] = true;
+        is_answered_[at] = true;
       } else {
         wanted[content_of(axiom)].push_back(at);
       }
@@ -94,7 +95,7 @@ class Entailment {
     for (const std::uint32_t number : premise_) {
       const auto found = wanted.find(content_of(source_.axiom(number)));
       if (found == wanted.end()) continue;
-      for (const std::size_t at : found->second) is_settled_[at] = true;
+      for (const std::size_t at : found->second) is_answered_[at] = true;
     }
   }
 
@@ -102,7 +103,7 @@ class Entailment {
     std::vector<std::uint32_t> open;
     std::map<std::uint32_t, std::size_t> position;
     for (std::size_t at = 0; at < conclusion_.size(); ++at) {
-      if (is_settled_[at]) continue;
+      if (is_answered_[at]) continue;
       open.push_back(conclusion_[at]);
       position.emplace(conclusion_[at], at);
     }
@@ -114,7 +115,7 @@ class Entailment {
         Statement& fact = facts.emplace_back(axiom.kind, std::vector<TermId>{});
         for (const TermId argument : axiom.arguments) fact.arguments.push_back(excerpt_.term(argument));
         part.conclusions.push_back(position.at(number));
-        is_settled_[part.conclusions.back()] = true;
+        is_answered_[part.conclusions.back()] = true;
       }
       add_group(std::move(part), std::move(facts));
     }
@@ -173,7 +174,7 @@ class Entailment {
   std::span<const std::uint32_t> conclusion_;
   base::Budget* budget_;
   std::vector<Answer> answers_;
-  std::vector<bool> is_settled_;
+  std::vector<bool> is_answered_;
   Excerpt excerpt_;
   Challenger challenger_;
   std::vector<Part> parts_;

@@ -1,4 +1,4 @@
-// Copies terms bottom up, each once.
+// Copies terms, each once, arguments first.
 #include "reasoning/reasoner/excerpt.hpp"
 
 #include <limits>
@@ -24,7 +24,7 @@ Excerpt::Excerpt(const owl::Ontology& from, std::span<const std::uint32_t> axiom
   copied = source.axiom_count();
 }
 
-// Terms of axioms nest at most as deep as SourceLimits::nesting says, so the recursion is bounded.
+// Terms of axioms nest at most as deep as SourceLimits::nesting, so the recursion is bounded.
 owl::TermId Excerpt::term(owl::TermId original) {
   const auto at = static_cast<std::size_t>(original);
   if (numbers_[at] != none) return owl::TermId{numbers_[at]};

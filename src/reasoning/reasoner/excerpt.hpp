@@ -1,4 +1,4 @@
-// Some axioms of a source as a source of their own, to which questions may be added.
+// Some axioms of a source, copied to a source of their own to which questions may be added.
 #ifndef GEMINGA_REASONING_REASONER_EXCERPT_HPP
 #define GEMINGA_REASONING_REASONER_EXCERPT_HPP
 
@@ -18,19 +18,19 @@ struct Statement {
   std::vector<owl::TermId> arguments;
 };
 
-/// A copy of some axioms, in their order, and names that they do not use. Its source may be added to.
+/// A copy of some axioms, in their order, and names that they do not use. Axioms may be added.
 class Excerpt {
  public:
-  /// Axioms whose terms nest deeper than a source allows are no axioms of any source, so none is lost.
+  /// No axiom is lost: a source has none whose terms nest too deep.
   Excerpt(const owl::Ontology& from, std::span<const std::uint32_t> axioms);
 
   owl::Ontology source;
-  /// How many axioms were copied: what is added has this number or a greater one.
+  /// The number of axioms that were copied. Axioms that are added have this number or a greater one.
   std::size_t copied = 0;
 
-  /// The same term in the excerpt. Requires that it nests no deeper than axioms do.
+  /// The copy of a term. Requires that it nests no deeper than axioms may.
   owl::TermId term(owl::TermId original);
-  /// An entity that neither source knows.
+  /// A new entity that neither source knows.
   owl::TermId fresh(owl::TermKind kind);
   void add(owl::AxiomKind kind, std::span<const owl::TermId> arguments);
   void add(const Statement& statement) { add(statement.kind, statement.arguments); }

@@ -1,4 +1,4 @@
-// They meet in the names of the source.
+// Matches them by the names of the source.
 #include "reasoning/reasoner/named_concepts.hpp"
 
 namespace geminga::reasoner {

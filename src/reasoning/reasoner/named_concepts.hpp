@@ -1,4 +1,4 @@
-// The classes of a classification and the concepts of its clauses: who is who.
+// Which class of a classification is which concept of its clauses.
 #ifndef GEMINGA_REASONING_REASONER_NAMED_CONCEPTS_HPP
 #define GEMINGA_REASONING_REASONER_NAMED_CONCEPTS_HPP
 
@@ -13,7 +13,7 @@
 
 namespace geminga::reasoner {
 
-/// Two tables. Classes are numbers of the classification; some have no concept, as no clause speaks of them.
+/// Two tables. Classes are numbers of the classification. A class that no clause mentions has no concept.
 class NamedConcepts {
  public:
   NamedConcepts(const owl::Ontology& source, const taxonomy::Classification& classification,

@@ -1,4 +1,4 @@
-// Each engine takes the questions that those before it have left open.
+// Each engine is asked the questions that the ones before it have left open.
 #include "reasoning/reasoner/possibility.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace geminga::reasoner {
 namespace {
 
-/// Most questions are settled within the first number; the second is for those that the tableau leaves open, too.
+/// Most questions are answered within the first limit. The second is for those that the tableau leaves open, too.
 constexpr consequence::Options few_derived{.clauses = 200'000, .alternatives = 200};
 constexpr consequence::Options many_derived{.clauses = 2'000'000};
 
@@ -46,15 +46,15 @@ class Decision {
     return false;
   }
 
-  void settle(std::size_t at, Verdict verdict) { answers_[at] = {verdict, {}}; }
+  void answer(std::size_t at, Verdict verdict) { answers_[at] = {verdict, {}}; }
 
-  /// Nothing is possible in a world that is not.
-  void settle_all_impossible() {
+  /// If the ontology has no model, no situation is possible.
+  void answer_all_impossible() {
     for (Answer& answer : answers_) answer = {Verdict::no, {}};
   }
 
-  /// The first axiom of those given that is of the premise or describes the challenge: what was not used of it may
-  /// matter. Axioms that describe other challenges never do.
+  /// The first of the given axioms that belongs to the premise or describes the challenge: what was not used of it may
+  /// matter. Axioms that describe other challenges do not.
   template <typename UnusedAxioms>
   static const typename UnusedAxioms::value_type* find_unused(const UnusedAxioms& unused, std::size_t premise,
                                                               const Challenge& asked) {
@@ -67,7 +67,7 @@ class Decision {
   void ask_el() {
     const auto found = el::classify(excerpt_.source, {.budget = budget_});
     if (!found) return;
-    if (!found->is_consistent) return settle_all_impossible();
+    if (!found->is_consistent) return answer_all_impossible();
     const taxonomy::ClassNumber empty = found->representative[static_cast<std::size_t>(found->nothing)];
     const auto name = [&](owl::NameId id) { return excerpt_.source.name(id); };
     for (std::size_t at = 0; at < challenges_.size(); ++at) {
@@ -76,9 +76,9 @@ class Decision {
           std::ranges::lower_bound(found->classes, excerpt_.source.name_of(*challenges_[at].of), {}, name);
       const auto number = static_cast<std::size_t>(place - found->classes.begin());
       if (found->representative[number] == empty) {
-        settle(at, Verdict::no);
+        answer(at, Verdict::no);
       } else if (!found->is_cut_off && find_unused(found->unused, excerpt_.copied, challenges_[at]) == nullptr) {
-        settle(at, Verdict::yes);
+        answer(at, Verdict::yes);
       }
     }
   }
@@ -101,23 +101,23 @@ class Decision {
     if (is_open()) (void)ask_consequence(*clauses, asked, many_derived);
   }
 
-  /// False where everything is settled at once. Reasons that are known already stay.
+  /// False if everything is answered at once. Reasons that are known already stay.
   bool ask_consequence(const clauses::ClauseSet& clauses, const std::vector<std::size_t>& asked,
                        consequence::Options limits) {
     limits.budget = budget_;
     const consequence::Closure closure = consequence::saturate(excerpt_.source, clauses, clauses.queries, limits);
     if (!closure.is_consistent) {
-      settle_all_impossible();
+      answer_all_impossible();
       return false;
     }
     for (std::size_t query = 0; query < asked.size(); ++query) {
       if (!is_open(asked[query])) continue;
       const auto& above = closure.subsumers[query];
       if (std::ranges::find(above, clauses::nothing) != above.end()) {
-        settle(asked[query], Verdict::no);
+        answer(asked[query], Verdict::no);
       } else if (closure.gaps.empty() &&
                  find_unused(clauses.unused, excerpt_.copied, challenges_[asked[query]]) == nullptr) {
-        settle(asked[query], Verdict::yes);
+        answer(asked[query], Verdict::yes);
       }
     }
     return true;

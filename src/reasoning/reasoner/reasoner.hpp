@@ -1,8 +1,8 @@
-// The reasoner as its users see it: classifies, decides and completes with whichever engine the question needs.
+// The reasoner as its users see it: it classifies, decides and completes with the engine that a question needs.
 //
-// el saturates what is EL (and functional properties) and is the fastest; consequence derives what follows with
-// inverses, universals, unions and cardinalities; tableau builds models, which shows what does not follow. Every answer
-// is sound. It is complete where el used all, or where consequence has no gap, or where a model was found for every
+// el saturates OWL 2 EL with functional properties and is the fastest. consequence derives what follows with inverses,
+// universals, unions and cardinalities. hypertableau builds models, which show what does not follow. Every answer is
+// sound. It is complete if el used every axiom in full, if consequence has no gap, or if a model was found for every
 // subsumption that was not derived.
 #ifndef GEMINGA_REASONING_REASONER_REASONER_HPP
 #define GEMINGA_REASONING_REASONER_REASONER_HPP
@@ -28,50 +28,51 @@ using hypertableau::Verdict;
 
 struct Options {
   unsigned threads = 1;
-  /// Conclusions by cases that are derived for one class before it is left to models. Deriving wins where there are
-  /// few, as in SOMA; beyond, a model settles in a few steps what takes every combination to derive.
+  /// How many conclusions by cases are derived for one class before models are built. Deriving is faster if there are
+  /// few, as in SOMA. With more, a model takes few steps, and deriving takes every combination.
   std::uint32_t alternatives = 200;
-  /// What all engines may cost together; nothing: only each engine's own limits hold. Borrowed. Where it is spent, what
-  /// is certain by then is the result.
+  /// What all engines together may spend. Without it each engine has its own limits only. Borrowed. When it is spent,
+  /// what is certain by then is the result.
   base::Budget* budget = nullptr;
-  /// Called now and then with what is being done and how far it is, in [0, 1]; on the caller's thread.
+  /// Called from time to time on the caller's thread, with what is being done and how far it is, in [0, 1].
   std::function<void(std::string_view phase, double done)> progress{};
 };
 
-/// What the searches of a classification leave open. What may be missing because axioms were not used is not in it.
+/// What the searches of a classification leave open. What may be missing because of axioms that were not used is not
+/// part of it.
 struct Undecided {
-  /// Classes above which something may be missing, their being empty included: ascending.
+  /// Classes that may have further subsumers or be unsatisfiable, ascending.
   std::vector<taxonomy::ClassNumber> classes;
   bool consistency = false;  ///< whether the ontology has a model; where it has none, everything follows
-  /// The class that the engines worked on when their limit came, or the first that was too hard for them.
+  /// The class that the engines worked on when a limit was reached, or the first that was too hard.
   std::optional<taxonomy::ClassNumber> held_up_by;
 };
 
-/// The taxonomy as the engines together know it. It is cut off where the budget was spent.
+/// The taxonomy that the engines together derive. It is cut off if the budget was spent.
 struct Classified : taxonomy::Classification {
-  /// Why something may be missing although its axioms were used, one line each: sorted, without doubles. Where this and
+  /// Why something may be missing although its axioms were used, one line each: sorted, without doubles. If this and
   /// `unused` are empty, the taxonomy is proven complete.
   std::vector<std::string> gaps;
   Undecided undecided;  ///< nothing where `gaps` is empty
 };
 
-/// Classifies with all engines. `unused` of the result lists what may have more to say than was understood, axiom by
-/// axiom; it is empty where the taxonomy is proven complete. An ontology that is EL costs what el::classify() costs.
+/// Classifies with all engines. `unused` of the result lists the axioms that may have further consequences. It is empty
+/// if the taxonomy is proven complete. An EL ontology costs what el::classify() costs.
 [[nodiscard]] std::expected<Classified, el::ClassifyError> classify(const owl::Ontology& source,
                                                                     const Options& options = {});
 
-/// Whether the axioms of the source have a model. What the reader left out is not looked at.
-/// Work is taken from the budget, if there is one; where that is spent the answer may be unknown.
+/// Whether the axioms of the source have a model. What the reader left out does not count. Work is taken from the
+/// budget, if there is one; when it is spent the answer may be unknown.
 [[nodiscard]] Answer is_consistent(const owl::Ontology& source, base::Budget* budget = nullptr);
 
-/// Whether these axioms (numbers in the source; nothing: all) entail that every instance of class expression `sub` is
-/// one of `super`. Both are terms of the source.
+/// Whether these axioms (numbers in the source; nothing: all) entail that every instance of the class expression `sub`
+/// is one of `super`. Both are terms of the source.
 [[nodiscard]] Answer entails(const owl::Ontology& source, std::optional<std::span<const std::uint32_t>> axioms,
                              owl::TermId sub, owl::TermId super, base::Budget* budget = nullptr);
 
-/// Of each of the axioms `conclusion`, whether it follows from the axioms `premise`; both are numbers in the source.
-/// Every kind of axiom may stand on either side. Anonymous individuals of the conclusion mean "something"; facts that
-/// share one stand or fall together. Everything follows from a contradiction.
+/// Whether each of the axioms `conclusion` follows from the axioms `premise`. Both are numbers in the source. Every
+/// kind of axiom may stand on either side. Anonymous individuals of the conclusion mean "something", and facts that
+/// share one have one answer. Everything follows from a contradiction.
 [[nodiscard]] std::vector<Answer> entails_each(const owl::Ontology& source, std::span<const std::uint32_t> premise,
                                                std::span<const std::uint32_t> conclusion,
                                                base::Budget* budget = nullptr);

@@ -1,4 +1,4 @@
-// One subsumption from some axioms: the question behind explanations, asked often and of few axioms.
+// One subsumption from some axioms: the question behind explanations, which is asked often and about few axioms.
 #include <algorithm>
 #include <numeric>
 

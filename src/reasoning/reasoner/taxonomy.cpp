@@ -1,4 +1,4 @@
-// Old edges and new ones go through el's reduction together.
+// Reduces old and new edges together.
 #include "reasoning/reasoner/taxonomy.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ void reduce(taxonomy::Classification& classification, taxonomy::Inclusions&& gra
   classification.is_consistent = reduced.is_consistent;
 }
 
-/// The taxonomy as it is: a node a class.
+/// The taxonomy as a graph with a node for each class.
 taxonomy::Inclusions graph_of(const taxonomy::Classification& classification) {
   const auto count = static_cast<std::uint32_t>(classification.class_count());
   taxonomy::Inclusions graph;
@@ -70,7 +70,7 @@ void contradict(taxonomy::Classification& classification, const owl::Ontology& s
 std::vector<std::vector<std::uint32_t>> find_ancestors(const taxonomy::Classification& classification) {
   const auto count = static_cast<std::uint32_t>(classification.class_count());
   const std::uint32_t top = number(classification.representative[number(classification.thing)]);
-  // Without cycles each component is one class, and those above come first.
+  // There are no cycles, so each component is one class, and superclasses come first.
   const base::Components components = base::find_components(
       count, [&](std::uint32_t at) { return classification.parents_of(taxonomy::ClassNumber{at}); });
   std::vector<std::uint32_t> order(count);

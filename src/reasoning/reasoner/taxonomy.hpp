@@ -1,4 +1,4 @@
-// A taxonomy that learns of subsumptions which another engine has found.
+// Extends a taxonomy by subsumptions that another engine has found.
 #ifndef GEMINGA_REASONING_REASONER_TAXONOMY_HPP
 #define GEMINGA_REASONING_REASONER_TAXONOMY_HPP
 
@@ -11,15 +11,15 @@
 
 namespace geminga::reasoner {
 
-/// Subsumptions between classes, by their numbers in one classification: sub, super. Below owl:Nothing is what can have
-/// no instance.
+/// Subsumptions between classes, by their numbers in one classification: sub, super. Unsatisfiable classes are below
+/// owl:Nothing.
 using Subsumptions = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// Adds what is not in the taxonomy yet and reduces it again. Numbers of classes stay. Linear in classes and
-/// subsumptions but for sorting.
+/// Adds the subsumptions that are new, and reduces the taxonomy again. Classes keep their numbers. Linear in classes
+/// and subsumptions, except for sorting.
 void extend(taxonomy::Classification& classification, const Subsumptions& more);
 
-/// Says that nothing can be: one node of all classes, and of all properties.
+/// Makes the taxonomy that of an inconsistent ontology: one node of all classes, and one of all properties.
 void contradict(taxonomy::Classification& classification, const owl::Ontology& source);
 
 /// The strict superclasses of each representative, as representatives without owl:Thing's, ascending.

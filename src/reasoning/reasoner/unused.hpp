@@ -1,4 +1,4 @@
-// Words for what could not be used.
+// Describes axioms that could not be used.
 #ifndef GEMINGA_REASONING_REASONER_UNUSED_HPP
 #define GEMINGA_REASONING_REASONER_UNUSED_HPP
 

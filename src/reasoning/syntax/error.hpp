@@ -1,4 +1,4 @@
-// Why a file was refused: the file, the line where there is one, and what is wrong.
+// Why a file was refused: the file, the line if there is one, and what is wrong.
 #ifndef GEMINGA_REASONING_SYNTAX_ERROR_HPP
 #define GEMINGA_REASONING_SYNTAX_ERROR_HPP
 
@@ -7,7 +7,7 @@
 
 namespace geminga::syntax {
 
-/// One refused file. Its text is one line of UTF-8 that ends in what to do where that is not plain.
+/// A file that was refused. The text is one line of UTF-8, which ends in what to do unless that is plain.
 struct LoadError {
   std::string file;
   std::uint32_t line = 0;  ///< 0: the file as a whole

@@ -12,7 +12,7 @@
 
 namespace geminga::syntax {
 
-/// The bytes of one file in memory of their own, given back to the kernel piece by piece as they are used up.
+/// The octets of one file in memory of their own, which goes back to the kernel piece by piece as they are used.
 class FileBytes {
  public:
   FileBytes() = default;
@@ -24,15 +24,15 @@ class FileBytes {
   [[nodiscard]] static std::expected<FileBytes, LoadError> read(const std::string& path, const Limits& limits);
 
   [[nodiscard]] std::string_view view() const { return {data_, size_}; }
-  /// What stands between two places will not be read again: its memory is released as far as it is whole pages, and
-  /// reads as zero. Gives the end of what was released. Several threads may release what only they read.
+  /// Says that what is between two places will not be read again. Whole pages of it are released and then read as zero.
+  /// Returns the end of what was released. Several threads may release what only they read.
   std::size_t release(std::size_t begin, std::size_t end);
 
-  /// Room for so many bytes behind those that are there; what was there may move. nullptr: there is no memory.
+  /// Room for this many octets behind the content, which may move. nullptr if there is no memory.
   [[nodiscard]] char* room_for(std::size_t count);
-  /// The first `count` bytes of that room belong to the file from now on, and are these.
+  /// Adds the first `count` octets of that room to the file, and returns them.
   std::string_view take_room(std::size_t count);
-  /// No more will come.
+  /// Says that nothing more will be added.
   void give_back_room();
 
  private:

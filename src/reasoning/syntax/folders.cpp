@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 9> extensions{".ttl", ".nt",  ".rdf", ".owl", ".xml",
                                                      ".owx", ".omn", ".ofn", ".fss"};
-/// What is looked at of a file whose name ends in .xml, as those of many programs do.
+/// How much of a file is looked at whose name ends in .xml, because many programs use this ending.
 constexpr std::size_t begin_bytes = std::size_t{1} << 16;
 
 LoadError unreadable(const std::string& file, std::string text) {
@@ -64,7 +64,7 @@ class Walk {
   }
 
  private:
-  /// Calls itself once a level, which is bounded.
+  /// Calls itself once for each level, of which there are few.
   std::optional<LoadError> enter(const fs::path& folder, std::size_t level) {
     if (level > limits_.folder_levels)
       return unreadable(folder.string(), "is more than " + std::to_string(limits_.folder_levels) +
@@ -91,7 +91,7 @@ class Walk {
     std::error_code error;
     const bool is_link = fs::is_symlink(path, error);
     if (fs::is_directory(path, error)) {
-      // A link may lead round in circles, and what is inside of the folder is found without it.
+      // A link may lead in circles. What is inside the folder is found without it.
       if (!is_link) return enter(path, level + 1);
       listing_.skipped.push_back(path.string());
       return std::nullopt;

@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view suffix = ".gz";
 constexpr std::string_view magic = "\x1f\x8b\x08";
 constexpr std::size_t step_bytes = std::size_t{1} << 20;  ///< given to zlib, and looked at, at a time
-/// What texts usually come to, in multiples of what they are packed.
+/// How many times its packed size a text usually has.
 constexpr std::size_t usual_growth = 8;
 
 /// zlib's stream, which ends with its reader.
@@ -54,7 +54,7 @@ class Inflating {
     const std::size_t offered = std::min(view.size() - place_, step_bytes);
     char* room = bytes.room_for(step_bytes);
     if (room == nullptr) return refuse("memory is short");
-    // zlib takes what it reads as not constant and leaves it as it is.
+    // zlib does not declare its input as constant, but does not change it.
     stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(view.data() + place_));
     stream_.avail_in = static_cast<uInt>(offered);
     stream_.next_out = reinterpret_cast<Bytef*>(room);

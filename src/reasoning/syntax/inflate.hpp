@@ -1,4 +1,4 @@
-// Files that gzip made smaller: how they are known, and what they are called without it.
+// Files packed by gzip: how they are recognised, and their names without .gz.
 #ifndef GEMINGA_REASONING_SYNTAX_INFLATE_HPP
 #define GEMINGA_REASONING_SYNTAX_INFLATE_HPP
 
@@ -16,9 +16,9 @@ namespace geminga::syntax {
 /// "pizza.owl" of "pizza.owl.gz"; any other name as it is.
 [[nodiscard]] std::string_view name_without_gz(std::string_view path);
 
-/// What a gzip file holds, in memory of its own that grows with it. One that would grow beyond the limits costs no more
-/// than these before it is refused; an error names the octet of the compressed file. The packed bytes are released as
-/// they are used up.
+/// Unpacks a gzip file into memory that grows with it. A file that would grow beyond the limits takes no more than
+/// these before it is refused. An error names the octet of the packed file. The packed octets are released as they are
+/// used.
 [[nodiscard]] std::expected<FileBytes, LoadError> inflate(const std::string& path, FileBytes& packed,
                                                           const Limits& limits);
 

@@ -1,4 +1,4 @@
-// The most that a file of triples may hold. Each limit is there because a parser behind it can be made to suffer.
+// The most that a file of triples may hold. Each limit protects a parser from what it reads too slowly.
 #ifndef GEMINGA_REASONING_SYNTAX_LIMITS_HPP
 #define GEMINGA_REASONING_SYNTAX_LIMITS_HPP
 
@@ -7,22 +7,22 @@
 
 namespace geminga::syntax {
 
-/// What is beyond any of these refuses the file that goes beyond it, by name and line, before or while Redland reads
-/// it.
+/// A file that exceeds one of these is refused, with the limit and the line, before or while Redland reads it.
 struct Limits {
   std::size_t files = 10'000;
-  /// What a folder holds, its ontologies or not, and all folders below it.
+  /// The entries of a folder and all folders below it, whatever they are.
   std::size_t folder_entries = 100'000;
-  /// Folders in each other below the one that is named.
+  /// Levels of folders below the one that is named.
   std::size_t folder_levels = 64;
   std::size_t file_bytes = std::size_t{1} << 30;
-  /// A packed file may unpack to so many times its size, or to `inflated_free_bytes` where that is more, and never to
-  /// more than file_bytes. Ontologies come to 5 to 60 times, a bomb to 1000.
+  /// How many times its size a packed file may unpack to, or to `inflated_free_bytes` if that is more; never to more
+  /// than file_bytes. Ontologies grow 5 to 60 times, a bomb 1000 times.
   std::size_t inflated_growth = 200;
   std::size_t inflated_free_bytes = std::size_t{1} << 20;
-  /// No limit: of a larger file, a text that is too long is found before the rest of the file is in memory.
+  /// Not a limit: in a file larger than this, a text that is too long is found before the rest of the file is in
+  /// memory.
   std::size_t watched_bytes = std::size_t{8} << 20;
-  /// No limit, but where large files are cut to be read by several threads; smaller ones are read whole.
+  /// Not a limit: the size of the pieces in which several threads read a large file. Smaller files are read whole.
   std::size_t piece_bytes = std::size_t{2} << 20;
   std::size_t triples = 100'000'000;  ///< of all files together
   /// Of one text: raptor's N-Triples reader is quadratic in it.

@@ -30,7 +30,8 @@ void LongText::note_blank(bool is_blank) {
   blank_bytes_ = is_blank ? blank_bytes_ + 1 : 0;
 }
 
-/// A name ends at what no syntax has in one; that some do not either does not matter.
+/// A name ends at a character that no syntax allows in names. Some syntaxes allow even fewer, which does not matter
+/// here.
 void LongText::note_name(bool is_name) { name_bytes_ = is_name ? name_bytes_ + 1 : 0; }
 
 void LongText::step(char c) {
@@ -38,7 +39,7 @@ void LongText::step(char c) {
   switch (within_) {
     case Within::nothing:
       note_name(ends_of_names.find(c) == std::string_view::npos);
-      // A mark that is part of a name, as in ex:O\'Brien; no name has a quotation mark in it.
+      // An escaped mark belongs to a name, as in ex:O\'Brien. No name contains a quotation mark.
       if (is_escaped_ && c != '"') {
         is_escaped_ = false;
         return;
@@ -86,7 +87,7 @@ void LongText::step(char c) {
   }
 }
 
-/// Markup inside a text, as CDATA is, ends its count.
+/// Markup inside a text, such as CDATA, ends its count.
 void LongText::step_xml(char c) {
   last_ = last_ << 8U | static_cast<unsigned char>(c);
   constexpr std::uint32_t opened = '<' << 24U | '!' << 16U | '-' << 8U | '-';

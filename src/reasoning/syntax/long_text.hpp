@@ -1,5 +1,5 @@
-// Finds a text, a name or a stretch of nothing that is too long while its file is read, so that a refused file is not
-// in memory as a whole first.
+// Finds a text, a name or white space that is too long while its file is read, so that a refused file is not in memory
+// as a whole first.
 #ifndef GEMINGA_REASONING_SYNTAX_LONG_TEXT_HPP
 #define GEMINGA_REASONING_SYNTAX_LONG_TEXT_HPP
 
@@ -20,16 +20,16 @@ struct LongTextLimits {
   std::size_t xml_comment = std::size_t{8} << 20U;  ///< libxml2 keeps one as a whole
 };
 
-/// Goes over a file in stretches. It knows where texts begin and end and nothing else: what it lets pass is scanned by
-/// the reader of its syntax, with the exact limits.
+/// Goes over a file in stretches. It knows only where texts begin and end. The reader of the syntax scans what it lets
+/// pass, with the exact limits.
 class LongText {
  public:
   enum class Kind : std::uint8_t { text, blank, name, xml_comment };
 
-  /// A text are the octets between two ends of tags, of XML, or in one pair of quotation marks, of other syntaxes.
+  /// In XML a text is what is between two tags. In other syntaxes it is what is in one pair of quotation marks.
   LongText(Syntax syntax, const LongTextLimits& limits) : is_xml_(is_xml(syntax)), limits_(limits) {}
 
-  /// The line in which something begins that is too long; nothing so far.
+  /// The line in which something begins that is too long. Nothing if none was found so far.
   [[nodiscard]] std::optional<std::uint32_t> look_at(std::string_view stretch);
   /// Of what was found.
   [[nodiscard]] Kind kind() const { return kind_; }

@@ -1,4 +1,4 @@
-// Where a file is large, refuses a text that is beyond its limit before the rest of the file is in memory.
+// Refuses a large file with a text beyond its limit before the rest of the file is in memory.
 #ifndef GEMINGA_REASONING_SYNTAX_LONG_TEXT_WATCH_HPP
 #define GEMINGA_REASONING_SYNTAX_LONG_TEXT_WATCH_HPP
 
@@ -14,14 +14,14 @@
 
 namespace geminga::syntax {
 
-/// Goes with the reading of one file. Path and limits must outlive it.
+/// Watches the reading of one file. Path and limits must outlive it.
 class LongTextWatch {
  public:
-  /// `size` is what the file is expected to hold: a small one is not watched.
+  /// `size` is how large the file is expected to be. A small one is not watched.
   LongTextWatch(const std::string& path, std::size_t size, const Limits& limits)
       : path_(path), limits_(limits), is_needed_(size > limits.watched_bytes) {}
 
-  /// The next stretch of the file, the first of which tells its syntax; why the file is refused.
+  /// Takes the next stretch of the file; the first one tells its syntax. Returns why the file is refused, if it is.
   std::optional<LoadError> look_at(std::string_view stretch);
 
  private:

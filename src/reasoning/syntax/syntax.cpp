@@ -42,7 +42,7 @@ bool is_xml_tag(std::string_view text) {
          std::ranges::all_of(name, [](char c) { return c == ':' || is_name_byte(c); });
 }
 
-/// The tag of the first element behind declaration, comments and DOCTYPE, without its brackets; good enough to tell
+/// The tag of the first element behind declaration, comments and DOCTYPE, without its brackets. It suffices to tell
 /// what is no RDF/XML.
 std::string_view root_tag(std::string_view text) {
   std::size_t at = 0;
@@ -70,7 +70,7 @@ bool starts_ignoring_case(std::string_view text, std::string_view lower) {
                             [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
 }
 
-/// UTF-16 or UTF-32: a mark at the begin, or NULs between the octets of the first characters.
+/// UTF-16 or UTF-32: it begins with their mark, or has NULs between the octets of the first characters.
 bool is_wide(std::string_view content) {
   if (content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff")) return true;
   return std::ranges::count(content.substr(0, 4), '\0') >= 2;

@@ -23,16 +23,18 @@ enum class Syntax : std::uint8_t {
 [[nodiscard]] std::string_view to_string(Syntax syntax);
 [[nodiscard]] constexpr bool is_xml(Syntax syntax) { return syntax == Syntax::rdf_xml || syntax == Syntax::owl_xml; }
 [[nodiscard]] constexpr bool has_triples(Syntax syntax) { return syntax <= Syntax::n_triples; }
-/// Whether a name of an undeclared property says less than all other files do about it.
+/// Whether an undeclared property in this syntax is typed by what all other files say about it, so that it is read
+/// last.
 [[nodiscard]] constexpr bool is_read_last(Syntax syntax) { return syntax == Syntax::manchester; }
 
-/// The syntax of a file, or why it cannot be read, as the words behind "FILE: ". A name that ends in .ttl or .nt says
-/// what the file is; .owl, .rdf and .xml are used for several syntaxes, and the content decides. The syntaxes of OWL 2
-/// are known by their content whatever the name; .ofn, .fss, .omn and .owx can be nothing else. A .gz behind the name
-/// counts for nothing.
+/// The syntax of a file, or why it cannot be read, as the words behind "FILE: ". A name that ends in .ttl or .nt
+/// decides. The endings .owl, .rdf and .xml are used for several syntaxes, and the content decides. The syntaxes of OWL
+/// 2 are recognised by their content, whatever the name; .ofn, .fss, .omn and .owx can be nothing else. A .gz behind
+/// the name does not count.
 [[nodiscard]] std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::string_view content);
 
-/// Whether a file is XML by how it begins and names neither RDF's nor OWL's namespace there: some other program's.
+/// Whether a file begins as XML and names neither RDF's nor OWL's namespace there, so that it belongs to another
+/// program.
 [[nodiscard]] bool is_foreign_xml(std::string_view begin);
 
 }  // namespace geminga::syntax

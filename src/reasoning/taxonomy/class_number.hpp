@@ -6,8 +6,7 @@
 
 namespace geminga::taxonomy {
 
-/// The dense number of a named class in one ontology, [0, class_count). Numbers of different ontologies have nothing in
-/// common.
+/// The dense number of a named class in one ontology, [0, class_count). It means nothing in another ontology.
 enum class ClassNumber : std::uint32_t {};
 
 }  // namespace geminga::taxonomy

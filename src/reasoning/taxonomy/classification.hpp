@@ -49,8 +49,8 @@ struct Classification {
   bool is_consistent = true;        ///< false: an individual must be in owl:Nothing, and everything follows
   bool is_cut_off = false;          ///< the budget was spent: more may follow, of classes and of consistency
   std::vector<UnusedAxiom> unused;  ///< ascending by axiom
-  /// By class: nothing is missing above it, if the ontology is consistent. Empty: that is not known of any class,
-  /// unless all axioms are used and nothing was cut off.
+  /// By class: every subsumer of the class is known, if the ontology is consistent. Empty if this is known of no class;
+  /// then every class is complete if all axioms are used and nothing was cut off.
   std::vector<bool> is_settled;
   ClassifyCounts counts;
 

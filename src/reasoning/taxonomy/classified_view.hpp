@@ -21,8 +21,8 @@ struct EquivalentMember {
   friend auto operator<=>(const EquivalentMember&, const EquivalentMember&) = default;
 };
 
-/// Spans into bytes that somebody else owns. Whatever is read through them is in range. Two views of one ontology
-/// exist: one of its taxonomy, in which there are no terms and no axioms, and one of both.
+/// Spans into octets that somebody else owns. Every number in them is in range. There are two views of one ontology:
+/// that of its taxonomy, without terms and axioms, and that of both.
 struct ClassifiedView {
   using Numbers = std::span<const std::uint32_t>;
   /// No name, no term.

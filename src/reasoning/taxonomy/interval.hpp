@@ -16,8 +16,8 @@ struct Interval {
   friend auto operator<=>(const Interval&, const Interval&) = default;
 };
 
-/// Whether a rank lies in one of these ascending, disjoint intervals. O(log n). Nobody can foresee the halves that are
-/// taken, so they are chosen without a branch: that alone makes a question half as long.
+/// Whether a rank lies in one of these ascending, disjoint intervals. O(log n). The search has no branch on the
+/// comparison, which no processor can predict; that halves its time.
 [[nodiscard]] inline bool contains_rank(std::span<const Interval> intervals, std::uint32_t rank) {
   if (intervals.empty()) return false;
   const Interval* found = intervals.data();

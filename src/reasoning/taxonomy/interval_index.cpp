@@ -1,4 +1,4 @@
-// Numbering of the spanning tree and gathering of intervals, without recursion.
+// Numbers the spanning tree and gathers the intervals, without recursion.
 #include "reasoning/taxonomy/interval_index.hpp"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ void IntervalIndex::find_depths(const base::Rows<std::uint32_t>& parents, const 
 
 void IntervalIndex::number_tree(const base::Rows<std::uint32_t>& parents) {
   const auto count = static_cast<std::uint32_t>(parents.row_count());
-  // The deepest parent: no other parent lies below it, so that the edge is one of the reduced graph.
+  // The tree takes the deepest parent. No other parent lies below it, so this edge is one of the reduced graph.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> tree;
   std::vector<std::uint32_t> stack;
   for (std::uint32_t node = count; node-- > 0;) {
@@ -103,7 +103,7 @@ void IntervalIndex::gather(const base::Rows<std::uint32_t>& children) {
     further_begin_[node] = static_cast<std::uint32_t>(further_.size());
     for (const Interval interval : gathered) {
       const bool is_first = further_.size() == further_begin_[node];
-      // Intervals may touch, but not across the own one, which stands for itself.
+      // Intervals that touch are merged, but not across the node's own interval, which is kept by itself.
       if (!is_first && interval.first <= further_.back().last + 1 &&
           !(further_.back().last < own.first && interval.first > own.last)) {
         further_.back().last = std::max(further_.back().last, interval.last);

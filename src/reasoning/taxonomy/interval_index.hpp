@@ -1,7 +1,8 @@
-// "Is A under B" in a directed acyclic graph: preorder ranks of a spanning tree, and lists of intervals for the rest.
+// Answers "is A under B" in a directed acyclic graph, by preorder ranks of a spanning tree and lists of intervals.
 //
-// Every node has a rank, and what lies below it in the tree has the ranks behind it up to its end (Agrawal, Borgida,
-// Jagadish 1989). What lies below it by other edges is kept as further intervals of ranks, merged where they touch.
+// Every node has a rank. The nodes below it in the tree have the ranks from there to its end (Agrawal, Borgida,
+// Jagadish 1989). The ranks of the nodes that are below it by other edges are kept as further intervals, merged where
+// they touch.
 #ifndef GEMINGA_REASONING_TAXONOMY_INTERVAL_INDEX_HPP
 #define GEMINGA_REASONING_TAXONOMY_INTERVAL_INDEX_HPP
 
@@ -16,12 +17,12 @@ namespace geminga::taxonomy {
 
 class IntervalIndex {
  public:
-  /// `parents` are the edges up, without cycles; equal graphs give equal numbers. Linear in edges and intervals.
+  /// `parents` are the edges upwards, without cycles. Equal graphs give equal ranks. Linear in edges and intervals.
   explicit IntervalIndex(const base::Rows<std::uint32_t>& parents);
 
-  /// Reflexive. O(1) in the tree, O(log n) in the number of intervals beyond.
+  /// Reflexive. O(1) along the tree, otherwise O(log n) in the number of further intervals.
   [[nodiscard]] bool is_under(std::uint32_t sub, std::uint32_t super) const;
-  /// Edges of the longest way up.
+  /// The number of edges of the longest path upwards.
   [[nodiscard]] std::uint32_t depth(std::uint32_t node) const { return depth_[node]; }
   [[nodiscard]] Interval own(std::uint32_t node) const { return own_[node]; }
   /// Ascending, disjoint, outside the own interval.

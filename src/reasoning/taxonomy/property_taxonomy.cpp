@@ -12,10 +12,11 @@
 namespace geminga::taxonomy {
 namespace {
 
-/// Steps down from members of disjointness axioms, all together; beyond it no more empty properties are looked for.
+/// Steps down from members of disjointness axioms, in total. Beyond it the search for empty properties ends.
 constexpr std::size_t max_disjointness_steps = std::size_t{1} << 26;
 
-/// One run. A node is a property (2 * number) or its inverse (2 * number + 1); data properties leave the odd ones out.
+/// One classification of properties. A node is a property (2 * number) or its inverse (2 * number + 1). Data properties
+/// do not use the odd numbers.
 class PropertyGraph {
  public:
   PropertyGraph(const owl::Ontology& source, PropertyKind kind, bool is_consistent)
@@ -91,7 +92,7 @@ void PropertyGraph::find_properties() {
   std::vector<std::pair<std::string_view, std::uint32_t>> named;
   bool has_top = false;
   bool has_bottom = false;
-  // The arguments of a term have smaller numbers than it, so that one pass downwards finds all that is used.
+  // A term has a greater number than its arguments, so that one pass downwards finds everything that is used.
   for (auto id = static_cast<std::uint32_t>(source_.term_count()); id-- > 0;) {
     if (!is_used[id]) continue;
     const owl::Term term = source_.term(owl::TermId{id});
@@ -227,7 +228,7 @@ void PropertyGraph::spread_reflexivity() {
       if (--chains_[chain].waiting > 1) continue;
       shorten(chains_[chain]);
     }
-    // Edges that shorten() adds below what is reflexive already.
+    // Edges that shorten() adds below properties that are known to be reflexive.
   }
 }
 

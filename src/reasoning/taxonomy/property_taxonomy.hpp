@@ -1,9 +1,9 @@
-// The reduced hierarchy of the properties of an ontology: nodes of equivalents, and the direct super-properties of
-// each.
+// The reduced hierarchy of the properties of an ontology: nodes of equivalent properties, and the direct
+// super-properties of each.
 //
-// From the property axioms: inclusions, equivalents, inverses, symmetry, chains whose other links are reflexive, and
-// what is empty (under the bottom property, disjoint with itself, without any domain or range). What only class axioms
-// say of properties is not looked for.
+// It is derived from the property axioms: inclusions, equivalents, inverses, symmetry, chains of which all links but
+// one are reflexive, and emptiness (below the bottom property, disjoint with itself, without any domain or range). What
+// only class axioms imply about properties is not derived.
 #ifndef GEMINGA_REASONING_TAXONOMY_PROPERTY_TAXONOMY_HPP
 #define GEMINGA_REASONING_TAXONOMY_PROPERTY_TAXONOMY_HPP
 
@@ -19,17 +19,18 @@ namespace geminga::taxonomy {
 /// The dense number of a named property in one taxonomy.
 enum class PropertyNumber : std::uint32_t {};
 
-/// The named object properties, or the named data properties, that the axioms use. They are numbered in ascending order
-/// of their IRIs (octet by octet); the top and the bottom property are always among them.
+/// The named object properties, or the named data properties, that the axioms use, and the top and the bottom property.
+/// They are numbered in ascending order of their IRIs (octet by octet).
 struct PropertyTaxonomy {
   std::vector<owl::NameId> properties;  ///< the IRI of each
   PropertyNumber top{};
   PropertyNumber bottom{};
-  /// The smallest property that each is equivalent to; itself for most. Those of empty properties are equal to that of
-  /// the bottom property.
+  /// The smallest property that each is equivalent to, which is usually itself. For empty properties it is that of the
+  /// bottom property.
   std::vector<PropertyNumber> representative;
-  /// The direct super-properties of each representative, as representatives, ascending. Empty for others, for the top
-  /// property, and for the bottom property's (which lies below every leaf).
+  /// The direct super-properties of each representative, as representatives, ascending. Empty for properties that are
+  /// no representative, for the top property, and for the bottom property's representative, which lies below every
+  /// leaf.
   std::vector<std::uint32_t> parent_begin;
   std::vector<PropertyNumber> parents;
 
@@ -42,8 +43,8 @@ struct PropertyTaxonomy {
 
 enum class PropertyKind : std::uint8_t { object, data };
 
-/// Depends only on the set of axioms. An inconsistent ontology has one node; classify() knows of that, this does not
-/// unless the caller says so. Linear in axioms, but for a closure of the chains.
+/// The result depends only on the set of axioms. All properties of an inconsistent ontology are one node; the caller
+/// must say that it is inconsistent. Linear in axioms, except for the closure of the chains.
 [[nodiscard]] PropertyTaxonomy classify_properties(const owl::Ontology& source, PropertyKind kind,
                                                    bool is_consistent = true);
 

@@ -1,4 +1,4 @@
-// Where the subclasses of a class stand among the ranks of all classes.
+// Where the subclasses of a class stand in the ranks of all classes.
 #ifndef GEMINGA_REASONING_TAXONOMY_REACH_HPP
 #define GEMINGA_REASONING_TAXONOMY_REACH_HPP
 
@@ -6,8 +6,8 @@
 
 namespace geminga::taxonomy {
 
-/// What "is A under B" needs of a class, in one place: two of these and, for one in seven of the pairs that one asks
-/// about in large ontologies, a list of intervals are a question's misses of the cache.
+/// What "is A under B" needs to know of a class, side by side in memory. A question reads two of these. For one in
+/// seven of the pairs that are asked about in large ontologies it also reads a list of intervals.
 struct Reach {
   static constexpr std::uint32_t flag = std::uint32_t{1} << 31;
   std::uint32_t first = 0;   ///< its rank; flag alone where it can have no instance

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t none = base::NumberTable::none;
 
-/// The steps, and what they hand on.
+/// The steps of the reduction, and what one leaves to the next.
 class Reduction {
  public:
   explicit Reduction(Inclusions&& graph) : graph_(std::move(graph)) {}
@@ -46,7 +46,7 @@ class Reduction {
 };
 
 void Reduction::close_top() {
-  // What the top is below is equivalent to it.
+  // A node that the top is below is equivalent to the top.
   const base::Rows<std::uint32_t> up(graph_.node_count, graph_.edges);
   std::vector<bool> seen(graph_.node_count, false);
   std::vector<std::uint32_t> stack = {graph_.top};
@@ -69,7 +69,7 @@ void Reduction::find_nodes() {
   component_ = std::move(found.component);
   component_count_ = found.count;
 
-  // Supers have smaller components, so one pass in their order carries emptiness down.
+  // Components are numbered from the top, so that one pass in this order carries emptiness down.
   Edges members;
   members.reserve(component_.size());
   for (std::uint32_t id = 0; id < component_.size(); ++id) members.emplace_back(component_[id], id);
@@ -111,7 +111,7 @@ void Reduction::find_candidates() {
   const std::uint32_t top = result_.representative[graph_.top_entity];
   const std::uint32_t bottom = result_.representative[graph_.bottom_entity];
 
-  // Nodes without an entity stand between entities: what is above them is above those below them.
+  // A node without an entity stands between entities. What is above it is above the entities below it.
   std::vector<std::vector<std::uint32_t>> above_unnamed(component_count_);
   std::vector<std::uint32_t> seen_from(entity_count(), none);
   std::vector<std::uint32_t> gathered;

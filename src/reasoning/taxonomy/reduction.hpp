@@ -1,4 +1,4 @@
-// From inclusions between nodes to a reduced hierarchy of entities: nodes of equivalents, and the direct parents of
+// Reduces inclusions between nodes to a hierarchy of entities: nodes of equivalent entities, and the direct parents of
 // each.
 #ifndef GEMINGA_REASONING_TAXONOMY_REDUCTION_HPP
 #define GEMINGA_REASONING_TAXONOMY_REDUCTION_HPP
@@ -9,8 +9,8 @@
 
 namespace geminga::taxonomy {
 
-/// A graph whose ways up are all inclusions that hold. Some of its nodes are entities (classes, properties), others
-/// stand between them; more entities may share a node.
+/// A graph in which a path upwards is an inclusion. Some of its nodes are entities (classes, properties), others stand
+/// between them. Several entities may share a node.
 struct Inclusions {
   std::uint32_t node_count = 0;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< sub, super
@@ -22,7 +22,7 @@ struct Inclusions {
   bool is_consistent = true;  ///< false: every node is empty
 };
 
-/// As Classification says it of classes.
+/// The same as Classification has of classes.
 struct Reduced {
   std::vector<std::uint32_t> representative;
   std::vector<std::uint32_t> parent_begin;
@@ -30,8 +30,8 @@ struct Reduced {
   bool is_consistent = true;
 };
 
-/// Equal inclusions, in whatever order and with whatever repetitions, give equal results. Linear in nodes and edges but
-/// for the sorting of parents and the size of the interval index that tells direct ones.
+/// The same set of inclusions gives the same result, whatever the order and the repetitions. Linear in nodes and edges,
+/// except for sorting parents and for the interval index that finds the direct ones.
 [[nodiscard]] Reduced reduce(Inclusions&& inclusions);
 
 }  // namespace geminga::taxonomy

@@ -1,4 +1,4 @@
-// Asks reasoning/explanation with the patience of a daemon, which has others to serve on the same thread.
+// Asks reasoning/explanation within the limits of a daemon, which has others to serve on the same thread.
 #include "reasoning/explanation/explain.hpp"
 
 #include <utility>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr auto patience = explanation::Patience::of_a_daemon;
 
-/// Matching goes on without axioms; what they would explain is not made up.
+/// Without axioms matching goes on, and there are no explanations.
 std::expected<void, Error> check(const compiled::Ontology& ontology) {
   if (const auto axioms = ontology.check_axioms(); !axioms) {
     return std::unexpected(Error{ErrorCode::impossible, axioms.error().text});

@@ -1,4 +1,4 @@
-// Why one class of a vocabulary is below another, or what it lacks to be.
+// Why one class of a vocabulary is below another, or what it lacks.
 #ifndef GEMINGA_REASONING_VOCABULARY_EXPLANATION_HPP
 #define GEMINGA_REASONING_VOCABULARY_EXPLANATION_HPP
 
@@ -10,13 +10,13 @@
 
 namespace geminga::vocabulary {
 
-/// What Vocabulary::explain() gives.
+/// The result of Vocabulary::explain().
 struct Explanation {
   bool is_subsumed = false;
-  /// A minimal set that says so, in the order of the argument. Empty: it is so in every ontology, or (rarely) no engine
-  /// finds it again within its limits.
+  /// A minimal set of axioms that entails it, in the order of the argument. Empty if it holds in every ontology or if,
+  /// rarely, no engine finds it again within its limits.
   std::vector<explanation::ExplainedAxiom> axioms;
-  /// Where it is not subsumed: the most specific classes above both, and lines for a person that say what is nearest.
+  /// If it is not subsumed: the most specific classes above both, and lines for a person that say what is nearest.
   std::vector<taxonomy::ClassNumber> common;
   std::vector<std::string> missing;
 };

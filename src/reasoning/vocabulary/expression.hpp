@@ -11,13 +11,13 @@
 
 namespace geminga::vocabulary {
 
-/// The most octets that an expression may have, whoever wrote it.
+/// The most octets of an expression, whoever wrote it.
 inline constexpr std::size_t max_expression_bytes = manchester::Limits{}.text_bytes;
 
-/// What Vocabulary::read() gives (src/reasoning/syntax/manchester/MANCHESTER.md).
+/// The result of Vocabulary::read() (src/reasoning/syntax/manchester/MANCHESTER.md).
 class Expression {
  public:
-  /// Equal for expressions that differ in nothing but their writing; read() takes it.
+  /// Equal for expressions that differ only in their spelling. read() takes it.
   [[nodiscard]] std::string canonical() const;
 
  private:

@@ -1,4 +1,4 @@
-// Prepares a vocabulary for class expressions, and turns every way in which that is impossible into an error.
+// Prepares a vocabulary for class expressions, and turns every reason why that fails into an error.
 #include <new>
 #include <utility>
 
@@ -11,7 +11,7 @@
 
 namespace geminga::vocabulary {
 
-/// What expressions are read and placed with, or why they cannot be.
+/// What reads and places expressions, or why that is impossible.
 class ExpressionReader {
  public:
   struct Parts {

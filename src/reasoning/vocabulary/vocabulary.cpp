@@ -28,8 +28,8 @@ std::string Vocabulary::short_name(std::string_view iri) const {
   return is_loaded() ? ontology_->short_name(iri) : "<" + std::string(iri) + ">";
 }
 
-// The canonical text has angle brackets around IRIs, in comparisons behind a blank, and within quotes, of which a
-// backslash takes away the meaning.
+// In canonical text, angle brackets enclose IRIs. They also stand in comparisons, behind a blank, and within quotation
+// marks, where a backslash escapes the next character.
 std::string Vocabulary::short_expression(std::string_view canonical) const {
   std::string text;
   bool is_quoted = false;

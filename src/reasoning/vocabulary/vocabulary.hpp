@@ -27,22 +27,23 @@ class Expression;
 struct Explanation;
 class ExpressionReader;
 
-/// The team's ontology with its prefixes and, once it is prepared, what class expressions are placed with: one value,
-/// replaced as a whole and never changed. Copies are cheap and share what they know, which lives as long as one of
-/// them. Safe to read from many threads.
+/// The team's ontology with its prefixes. Once it is prepared, it also has what class expressions are placed with. It
+/// is one value, replaced as a whole and never changed. Copies are cheap and share their content, which lives as long
+/// as one of them. Safe to read from many threads.
 ///
-/// A vocabulary without an ontology knows no class. Numbers are of one ontology: whoever has one has it from a
-/// vocabulary of this ontology, so that what takes a number or a place needs no other sign that one is loaded.
+/// A vocabulary without an ontology knows no class. Class numbers and places belong to one ontology. A caller that has
+/// one got it from a vocabulary of that ontology, so functions that take one need no other check that an ontology is
+/// loaded.
 class Vocabulary {
  public:
   /// Without an ontology.
   Vocabulary() = default;
-  /// Null: without one.
+  /// Null: without an ontology.
   explicit Vocabulary(std::shared_ptr<const compiled::Ontology> ontology) : ontology_(std::move(ontology)) {}
   explicit Vocabulary(compiled::Ontology ontology);
 
   [[nodiscard]] bool is_loaded() const { return ontology_ != nullptr; }
-  /// Whether both are of one ontology, read once: numbers and places of the one are those of the other.
+  /// Whether both have the same ontology, read once: then numbers and places of one are valid in the other.
   [[nodiscard]] bool has_ontology_of(const Vocabulary& other) const { return ontology_ == other.ontology_; }
 
   // Names.
@@ -53,32 +54,34 @@ class Vocabulary {
   [[nodiscard]] std::optional<ClassNumber> find_iri(std::string_view iri) const {
     return is_loaded() ? ontology_->find_iri(iri) : std::nullopt;
   }
-  /// Whether a name is that of no class, and more than one name: a class expression, be it a wrong one.
+  /// Whether a text is meant as a class expression: it is not the name of a class, and more than one word. It may be
+  /// wrong all the same.
   [[nodiscard]] bool is_expression(std::string_view name) const;
   [[nodiscard]] std::string_view iri(ClassNumber number) const { return ontology_->iri(number); }
-  /// `prefix:Name` where a prefix fits, else `<IRI>`; of any IRI, known as a class or not.
+  /// `prefix:Name` if a prefix fits, else `<IRI>`, for any IRI, whether it is that of a class or not.
   [[nodiscard]] std::string short_name(ClassNumber number) const { return ontology_->short_name(number); }
   [[nodiscard]] std::string short_name(std::string_view iri) const;
   /// A canonical expression with short names.
   [[nodiscard]] std::string short_expression(std::string_view canonical) const;
 
-  // How classes stand to each other. All that is asked of the hot path: nothing here is virtual or allocates but what
-  // gives a vector.
+  // How classes relate. These are the questions of the hot path: none is virtual, and only those that return a vector
+  // allocate.
 
   [[nodiscard]] std::uint32_t class_count() const { return is_loaded() ? ontology_->class_count() : 0; }
-  /// False where nothing can be an instance of the class.
+  /// False if the class can have no instance.
   [[nodiscard]] bool is_satisfiable(ClassNumber number) const { return ontology_->is_satisfiable(number); }
   /// Whether every instance of `sub` is one of `super`. Reflexive. O(1) to O(log n).
   [[nodiscard]] bool is_subsumed(ClassNumber sub, ClassNumber super) const {
     return ontology_->is_subsumed(sub, super);
   }
-  /// Edges of the shortest way up from `sub` to `super`: 0 for equivalents; nothing where not subsumed.
+  /// The number of edges of the shortest path up from `sub` to `super`: 0 for equivalent classes, nothing if `sub` is
+  /// not subsumed.
   [[nodiscard]] std::optional<std::uint32_t> distance(ClassNumber sub, ClassNumber super) const {
     return ontology_->distance(sub, super);
   }
-  /// Every class that subsumes this one, itself included, ascending.
+  /// Every class that subsumes this one, including itself, ascending.
   [[nodiscard]] std::vector<ClassNumber> subsumers(ClassNumber number) const { return ontology_->subsumers(number); }
-  /// The same of an expression in its place (placement/expression.hpp).
+  /// The same for an expression by its place (placement/expression.hpp).
   [[nodiscard]] std::vector<ClassNumber> subsumers(const Place& place) const {
     return placement::subsumers(place, *ontology_);
   }
@@ -92,28 +95,29 @@ class Vocabulary {
     return placement::distance_down(place, sub, *ontology_);
   }
 
-  // Class expressions. They need the ontology saturated and its names looked up, which takes seconds for a large one.
+  // Class expressions. They need the saturated ontology and tables of its names, which take seconds to make for a large
+  // one.
 
-  /// The same ontology, prepared for expressions. It may run on any thread, beside others that read this. Where that is
-  /// impossible, for the ontology is over a limit or memory runs out, check_expressions() of the result says so.
-  /// Requires an ontology.
+  /// The same ontology, prepared for expressions. May run on any thread, while others read this. If it is impossible,
+  /// because the ontology is over a limit or memory runs out, check_expressions() of the result says so. Requires an
+  /// ontology.
   [[nodiscard]] Vocabulary with_expressions() const;
   [[nodiscard]] bool is_prepared() const { return reader_ != nullptr; }
-  /// Whether expressions can be read: 503 until the vocabulary is prepared, 422 where they are impossible in it.
+  /// Whether expressions can be read: 503 until the vocabulary is prepared, 422 if they are impossible in it.
   [[nodiscard]] std::expected<void, Error> check_expressions() const;
-  /// Reads a text of so many octets at most: 413 where it is over a limit, 422 where it cannot be read. Requires that
-  /// check_expressions() is content, as place() does.
+  /// Reads a text: 413 if it is over a limit, 422 if it cannot be read. Requires that check_expressions() has no error,
+  /// and so does place().
   [[nodiscard]] std::expected<Expression, Error> read(std::string_view text, std::size_t max_bytes) const;
-  /// Costs what the expression leads to and what is below it.
+  /// The cost depends on what the expression leads to and what is below it.
   [[nodiscard]] Place place(const Expression& expression) const;
 
-  // Why. These read the axioms, and search: they take milliseconds. 422 where the axioms are damaged.
+  // Why. These read the axioms and search, which takes milliseconds. 422 if the axioms are damaged.
 
   [[nodiscard]] std::expected<Explanation, Error> explain(ClassNumber sub, ClassNumber super) const;
-  /// Of a class that is not below the other, in one line of few words: what is nearest, and what is missing.
+  /// What a class lacks to be below another, in one short line: what is nearest, and what is missing.
   [[nodiscard]] std::expected<std::string, Error> why_not(ClassNumber sub, ClassNumber super) const;
 
-  // The ontology itself; of none there is nothing to say, and the digest is 0.
+  // The ontology itself. Without one the answers are empty, and the digest is 0.
 
   /// Equal on every host that loaded the same ontologies.
   [[nodiscard]] std::uint64_t digest() const { return is_loaded() ? ontology_->digest() : 0; }
@@ -121,7 +125,7 @@ class Vocabulary {
   [[nodiscard]] std::vector<owl::LeftOut> left_out() const;
   /// Why something may be missing although its axioms were used, one line each.
   [[nodiscard]] std::vector<std::string> gaps() const;
-  /// The one of them that says which classes nobody could decide about, without the words that it begins with.
+  /// The gap that says which classes are undecided, without the words that it begins with.
   [[nodiscard]] std::optional<std::string> undecided() const;
 
  private:
@@ -131,7 +135,8 @@ class Vocabulary {
   std::shared_ptr<const ExpressionReader> reader_;  ///< borrows the ontology; null: not prepared
 };
 
-/// Tells whether a vocabulary is still of the ontology that something was remembered of, without keeping that alive.
+/// Tells whether a vocabulary still has the ontology that something was remembered of, without keeping that ontology
+/// alive.
 class OntologyMark {
  public:
   OntologyMark() = default;

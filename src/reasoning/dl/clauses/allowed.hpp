@@ -1,4 +1,4 @@
-// What of an axiom OWL 2 DL forbids, or is beyond a limit, so that it has no clauses.
+// Finds what OWL 2 DL forbids in an axiom, or what is beyond a limit, so that the axiom has no clauses.
 #ifndef GEMINGA_REASONING_DL_CLAUSES_ALLOWED_HPP
 #define GEMINGA_REASONING_DL_CLAUSES_ALLOWED_HPP
 
@@ -18,14 +18,14 @@ inline constexpr std::string_view bottom_object_property = "http://www.w3.org/20
 inline constexpr std::string_view top_data_property = "http://www.w3.org/2002/07/owl#topDataProperty";
 inline constexpr std::string_view bottom_data_property = "http://www.w3.org/2002/07/owl#bottomDataProperty";
 
-/// Looks through expressions with their signs (OWL 2 structural specification, section 11.2). A minimum of a property
-/// that is not simple is allowed where it does not say at most of another: it is exact, as edges are paths.
+/// Looks through expressions with their signs (OWL 2 structural specification, section 11.2). A minimum cardinality of
+/// a property that is not simple is allowed if its complement does not occur: it is exact, because edges are paths.
 class Allowed {
  public:
   Allowed(Vocabulary& vocabulary, const owl::RoleBox& roles, std::uint32_t max_cardinality)
       : vocabulary_(vocabulary), roles_(roles), max_cardinality_(max_cardinality) {}
 
-  /// Why the literal has no clauses where it is asserted; empty: it has.
+  /// Why the literal has no clauses where it is asserted. Empty if it has.
   [[nodiscard]] std::string_view problem(Literal literal);
   [[nodiscard]] bool is_simple(owl::TermId property);
   [[nodiscard]] bool is_top_data(owl::TermId property) const;

@@ -23,7 +23,7 @@ namespace geminga::clauses {
 enum class ConceptId : std::uint32_t {};
 inline constexpr ConceptId thing{0};
 inline constexpr ConceptId nothing{1};
-/// Stands for the term of what has none in the source: an individual that only the translation needs.
+/// The term of an individual that only the translation needs, which has none in the source.
 inline constexpr owl::TermId no_term{0xffffffffU};
 using owl::PropertyId;
 using owl::Role;
@@ -56,8 +56,8 @@ enum class AtomKind : std::uint8_t {
   data_at_most,   ///< (<= n U.D)(x), an index of ClauseSet::data_at_mosts; the same
 };
 
-/// <= n R.B with n up to this is a clause with equalities: R(x,y1), B(y1), ..., R(x,yn+1), B(yn+1) -> y1=y2, y1=y3, ...
-/// Beyond, as these grow with the square of n, it is one atom.
+/// Up to this n, <= n R.B is a clause with equalities: R(x,y1), B(y1), ..., R(x,yn+1), B(yn+1) -> y1=y2, y1=y3, ...
+/// Their number grows with the square of n, so for greater n it is one atom.
 inline constexpr std::uint32_t inline_at_most = 4;
 
 struct Atom {
@@ -102,21 +102,21 @@ struct DataAtMost {
   friend auto operator<=>(const DataAtMost&, const DataAtMost&) = default;
 };
 
-/// Which values a DataRangeId stands for.
+/// The values that a DataRangeId stands for.
 struct DataRange {
-  /// A datatype, a data range expression, or a literal, which stands for the range that has only its value.
+  /// A datatype, a data range expression, or a literal, which stands for the range of its one value.
   owl::TermId term{};
   bool is_complement = false;  ///< every value that is not in it
   friend auto operator<=>(const DataRange&, const DataRange&) = default;
 };
-/// DatatypeDefinition(datatype range): where `datatype` stands in a term, `range` is meant.
+/// DatatypeDefinition(datatype range): in terms, `datatype` means `range`.
 struct DatatypeDefinition {
   owl::TermId datatype{};
   owl::TermId range{};
 };
 
-/// Named individuals in `of` that agree on a value of each of these properties are equal. Values of object properties
-/// count where they are named individuals, too.
+/// Named individuals in `of` that share a value of each of these properties are equal. Values of object properties
+/// count if they are named individuals, too.
 struct Key {
   ConceptId of{};
   std::vector<Role> roles;
@@ -135,7 +135,7 @@ struct Concept {
   IndividualId individual{};
 };
 
-/// The facts. Negative ones are clauses over nominals.
+/// The facts. Negative facts are clauses over nominals.
 struct ConceptFact {
   ConceptId of{};
   IndividualId individual{};
@@ -157,10 +157,10 @@ struct Equality {
   bool is_negated = false;  ///< they are different
 };
 
-/// An axiom of the source that is not, or not wholly, in the clauses.
+/// An axiom of the source that the clauses do not contain, or not in full.
 struct Unused {
   std::uint32_t axiom = 0;
-  std::string_view construct;  ///< the words of el::to_string(el::Construct), or others as short
+  std::string_view construct;  ///< the words of owl::to_string(owl::Construct), or others as short
 };
 
 /// The whole ontology. Tables are indexed by the numbers of the ids.

@@ -17,7 +17,7 @@ namespace geminga::clauses {
 constexpr Literal positive(owl::TermId term) { return {term, false, Part::whole}; }
 constexpr Literal negative(owl::TermId term) { return {term, true, Part::whole}; }
 
-/// What is written depends on the contents of the axioms only: they are taken in the order of their hashes.
+/// The clauses depend on the contents of the axioms only: axioms are taken in the order of their hashes.
 class Clausifier {
  public:
   Clausifier(const owl::Ontology& source, const ClausifyLimits& limits);
@@ -48,7 +48,7 @@ class Clausifier {
   void add_data_property_axiom(const Ordered& axiom);
   void add_fact(const Ordered& axiom);
   void add_inclusion(owl::TermId sub, owl::TermId super);
-  /// Unless a part of it is not allowed.
+  /// Adds the disjunction, unless a part of it is not allowed.
   void add_disjunction(std::vector<Literal> disjunction);
   void add_disjoint(std::span<const owl::TermId> members);
   void add_disjoint_pairs(std::span<const owl::TermId> members);

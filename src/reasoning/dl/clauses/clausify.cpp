@@ -1,4 +1,4 @@
-// The order of the translation: properties first, as everything else depends on their automata.
+// The order of the translation: properties first, because everything else depends on their automata.
 #include "reasoning/dl/clauses/clausify.hpp"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ using owl::TermKind;
 
 namespace {
 
-/// The limit of clauses grows with what is written, so that one axiom of a file of a hundred kilobytes, whose members
-/// are apart pair by pair, takes the memory of a small file.
+/// The limit of clauses grows with what is written. So one axiom in a small file, whose members are pairwise disjoint,
+/// takes the memory of a small file.
 constexpr std::size_t always_clauses = 1'000'000;
 constexpr std::size_t clauses_per_axiom = 100;
 
@@ -98,7 +98,7 @@ void Clausifier::run(std::optional<std::span<const std::uint32_t>> axioms, std::
     if (problem_) return;
     const std::string_view reason = problem_of(axiom);
     if (!reason.empty()) set_.unused.push_back({axiom.axiom, reason});
-    // Some of the inclusions in these may be used all the same.
+    // Some of the inclusions that these axioms consist of may be used all the same.
     const bool has_parts = axiom.kind == AxiomKind::equivalent_classes || axiom.kind == AxiomKind::disjoint_union ||
                            axiom.kind == AxiomKind::disjoint_classes;
     if (reason.empty() || has_parts) add(axiom);

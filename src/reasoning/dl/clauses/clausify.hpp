@@ -1,4 +1,4 @@
-// From the axioms of an Ontology to clauses: negation normal form, names for parts, automata for chains.
+// From the axioms of an ontology to clauses: negation normal form, names for parts, automata for chains.
 #ifndef GEMINGA_REASONING_DL_CLAUSES_CLAUSIFY_HPP
 #define GEMINGA_REASONING_DL_CLAUSES_CLAUSIFY_HPP
 
@@ -18,17 +18,16 @@ struct ClausifyLimits {
   std::uint32_t cardinality = 256;         ///< axioms with a greater number are left out and named
 };
 
-/// Why an ontology has no clauses (a limit). `text` is one line.
+/// Why an ontology has no clauses: a limit was exceeded. `text` is one line.
 struct ClausifyError {
   std::string text;
 };
 
-/// Translates the axioms with these numbers (nothing: all). Every construct of OWL 2 DL has a translation; what OWL 2
+/// Translates the axioms with these numbers (nothing: all). Every construct of OWL 2 DL has a translation. What OWL 2
 /// DL forbids (irregular chains, cardinalities of properties that are not simple) is left out and named in `unused`, so
-/// the clauses never say more than the axioms. `queries` are class expressions of the source: each gets a concept Q
-/// with Q SubClassOf expression, so that Q is satisfiable exactly if the expression is; each of `complements` one with
-/// Q SubClassOf not expression.
-/// Depends on the set of axioms, not on their order.
+/// the clauses never say more than the axioms. `queries` are class expressions of the source. Each gets a concept Q
+/// with Q SubClassOf expression, so that Q is satisfiable exactly if the expression is. Each of `complements` gets one
+/// with Q SubClassOf not expression. The result depends on the set of axioms, not on their order.
 [[nodiscard]] std::expected<ClauseSet, ClausifyError> clausify(const owl::Ontology& source,
                                                                std::optional<std::span<const std::uint32_t>> axioms,
                                                                std::span<const owl::TermId> queries,

@@ -1,4 +1,4 @@
-// Axioms about classes, facts, and which axioms have no clauses.
+// Axioms about classes, facts, and the axioms that have no clauses.
 #include <algorithm>
 
 #include "reasoning/dl/clauses/clausifier.hpp"
@@ -13,8 +13,8 @@ namespace {
 
 constexpr Atom atom_of(ConceptId id) { return {AtomKind::concept_of, centre, centre, number(id)}; }
 
-/// As many classes are disjoint by a clause for each pair; of more, which would take the square of their number, so
-/// many make a group each.
+/// Up to so many disjoint classes have a clause for each pair. If there are more, so many make a group each, because
+/// the number of pairs grows with the square.
 constexpr std::size_t max_paired = 64;
 constexpr std::size_t members_a_group = 16;
 
@@ -98,7 +98,7 @@ void Clausifier::add_class_axiom(const Ordered& axiom) {
       add_inclusion(arguments[0], arguments[1]);
       return;
     case AxiomKind::equivalent_classes:
-      // The first is a name where there is one.
+      // The first argument is a name, if one of them is.
       for (const TermId other : std::span(arguments).subspan(1)) {
         add_inclusion(arguments[0], other);
         add_inclusion(other, arguments[0]);
@@ -124,7 +124,7 @@ void Clausifier::add_class_axiom(const Ordered& axiom) {
 }
 
 //  A(x) -> G(x) for each A of a group G    A(x), B(x) -> false for A, B of one group    G(x), H(x) -> false
-//  instead of a clause for each pair, where there are many. Groups of which there are many are grouped again.
+// instead of a clause for each pair, if there are many. Many groups are grouped again.
 void Clausifier::add_disjoint(std::span<const TermId> members) {
   if (members.size() <= max_paired) return add_disjoint_pairs(members);
   std::vector<ConceptId> groups;

@@ -54,7 +54,7 @@ void Clausifier::build_roles() {
   std::vector<owl::RoleChain> chains;
   for (const Ordered& axiom : axioms_) collect_roles(axiom, inclusions, chains);
   if (top_role_) {
-    // Everything is connected by way of one individual, and thus with everything.
+    // Everything is connected with one individual, and thus with everything else.
     inclusions.push_back({inverse(*top_role_), *top_role_});
     chains.push_back({{*top_role_, *top_role_}, *top_role_, 0});
   }

@@ -1,7 +1,7 @@
 // Class expressions and their complements, one level of negation normal form at a time.
 //
-// The terms of a source cannot be added to while they are read, so a complement is a term and a sign, and what a sign
-// does to a term is worked out where it is needed: not (R some C) is R only (not C).
+// No term can be added to a source while it is read, so a complement is a term and a sign. What the sign does to the
+// term is worked out where it is needed: not (R some C) is R only (not C).
 #ifndef GEMINGA_REASONING_DL_CLAUSES_LITERAL_HPP
 #define GEMINGA_REASONING_DL_CLAUSES_LITERAL_HPP
 
@@ -13,10 +13,10 @@
 
 namespace geminga::clauses {
 
-/// ObjectExactCardinality is two expressions, which have no terms of their own.
+/// ObjectExactCardinality stands for two expressions, which have no terms of their own.
 enum class Part : std::uint8_t { whole, minimum, maximum };
 
-/// A class expression or its complement. An individual stands for the nominal that has it as only instance.
+/// A class expression or its complement. An individual stands for its nominal.
 struct Literal {
   owl::TermId term = owl::thing_term;
   bool is_negated = false;
@@ -62,7 +62,7 @@ struct Shape {
 /// `literal` must be of a well-formed class expression or an individual.
 [[nodiscard]] Shape shape_of(const owl::Ontology& source, Literal literal);
 
-/// Of a data range expression or literal: without its complements, and rdfs:Literal as no_term.
+/// The range of a data range expression or literal, without its complements. rdfs:Literal is no_term.
 [[nodiscard]] DataRange range_of(const owl::Ontology& source, owl::TermId term, bool is_complement);
 
 }  // namespace geminga::clauses

@@ -1,4 +1,4 @@
-// Where each shape of literal goes in a clause.
+// Puts each shape of literal into its place in a clause.
 #include "reasoning/dl/clauses/translator.hpp"
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 namespace geminga::clauses {
 namespace {
 
-/// As many clauses may come of the unions in one body before they are named.
+/// The most clauses that the unions in one body may become. Beyond it unions get names.
 constexpr std::size_t max_split = 16;
-/// As many neighbours may be in one clause, beside those of a number restriction.
+/// The most neighbours in one clause, beside those of a number restriction.
 constexpr std::size_t max_quantified = 2;
-/// Parts may be shared, so that what is written small is large when it is spread: beyond these numbers of clauses of
-/// one inclusion, and of literals of one clause, unions and conjunctions inside others get names.
+/// Parts may be shared, so that a small text is large when it is written out. Beyond these numbers of clauses of one
+/// inclusion, and of literals of one clause, nested unions and conjunctions get names.
 constexpr std::size_t max_copies = 4096;
 constexpr std::size_t max_spread = 4096;
 
@@ -32,7 +32,7 @@ void Translator::add(std::vector<Literal> disjunction) {
 void Translator::add(Draft draft) {
   spread(draft);
   if (draft.is_true) return;
-  // A body with more than one neighbour would be matched in all combinations: parts of it get names.
+  // A body with more than one neighbour would be matched in all combinations, so parts of it get names.
   std::vector<Literal> quantified = std::exchange(draft.quantified, {});
   const std::size_t count = quantified.size() + (draft.is_binary ? 1 : 0);
   if (count > 1) {
@@ -219,7 +219,8 @@ void Translator::put_name(Draft& draft, Placed placed) {
 
 void Translator::split(Draft draft) {
   if (draft.is_true) return;
-  // B -> (C and D) is two clauses, and so is (B or C) -> D. Beside other heads a conjunction is named.
+  // B -> (C and D) is two clauses, and so is (B or C) -> D. Beside other literals in the head a conjunction gets a
+  // name.
   std::size_t product = draft.copies;
   std::size_t positive = 0;
   for (const Placed& placed : draft.conjunctions) {

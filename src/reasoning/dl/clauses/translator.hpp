@@ -1,9 +1,8 @@
 // From disjunctions of literals to clauses: the structural transformation, with names only where a clause needs one.
 //
-// What stands on the left of an inclusion goes into the body where it can (Motik, Shearer, Horrocks 2009, section 4.1;
-// absorption comes of itself), so that Horn axioms give Horn clauses. A part that has no place in a clause is replaced
-// by a name Q: Q SubClassOf part where it stands in the head, part SubClassOf Q where it stands in the body. Equal
-// parts have one name.
+// The left side of an inclusion goes into the body if it can, so that Horn axioms give Horn clauses (Motik, Shearer,
+// Horrocks 2009, section 4.1; this includes absorption). A name Q replaces a part that has no place in a clause: Q
+// SubClassOf part if it stands in the head, part SubClassOf Q if it stands in the body. Equal parts have one name.
 #ifndef GEMINGA_REASONING_DL_CLAUSES_TRANSLATOR_HPP
 #define GEMINGA_REASONING_DL_CLAUSES_TRANSLATOR_HPP
 
@@ -26,7 +25,7 @@ struct Placed {
   Variable at = centre;
 };
 
-/// A clause that is being written: what it has so far, or one of the literals that wait.
+/// A clause that is being written: what it has so far, and the literals that wait.
 struct Draft {
   Clause clause;
   std::vector<Placed> waiting;
@@ -44,23 +43,23 @@ class Translator {
   Translator(Vocabulary& vocabulary, const owl::RoleBox& roles, ClauseSet& set, std::size_t max_clauses)
       : vocabulary_(vocabulary), source_(vocabulary.source()), roles_(roles), set_(set), max_clauses_(max_clauses) {}
 
-  /// Everything is in one of these.
+  /// Adds: everything is in one of these.
   void add(std::vector<Literal> disjunction);
-  /// The same beside the body and head of a clause.
+  /// Adds the literals of a clause whose body and head have begun.
   void add(Draft draft);
-  /// As it is, but for atoms that say nothing.
+  /// Adds a clause without its trivial atoms.
   void add_clause(Clause clause);
-  /// A concept below the literal: a name, or the atom itself.
+  /// A concept below the literal: a new name, or the literal's own concept.
   ConceptId below(Literal literal);
   /// A concept above the literal.
   ConceptId above(Literal literal);
-  /// Everything is in `literal` or has neighbours by the role in the filler only. A domain is this with an empty
-  /// filler, a range the domain of the inverse.
+  /// Adds: everything is in `literal`, or all its neighbours by the role are in the filler. A domain is the case of an
+  /// empty filler, and a range is the domain of the inverse.
   void add_every(Role role, Literal filler, Literal literal);
-  /// Defines the names that were given. To be called last.
+  /// Adds the definitions of the names. To be called last.
   void define_names();
 
-  /// R(x, y) of the canonical role, its arguments turned where it is an inverse.
+  /// R(x, y) of the canonical role. Its arguments are swapped for an inverse.
   [[nodiscard]] Atom role_atom(Role role, Variable from, Variable to) const;
   [[nodiscard]] Role role(owl::TermId property) { return roles_.canonical(vocabulary_.role(property)); }
   [[nodiscard]] bool is_full() const { return set_.clauses.size() > max_clauses_; }
@@ -82,11 +81,11 @@ class Translator {
   /// Q -> L, or L -> Q.
   static Draft clause_of(const Definition& definition);
   [[nodiscard]] Key key_of(Literal literal) const;
-  /// Whether it puts something into the head: else its complement is named, in the body.
+  /// Whether it puts something into the head. If not, its complement gets a name in the body.
   [[nodiscard]] bool is_positive(Literal literal);
   [[nodiscard]] bool is_positive_shape(const Shape& shape);
   Name& name_of(Literal literal);
-  /// Stands for the literal in a clause by its name.
+  /// Puts a name in place of the literal.
   void put_name(Draft& draft, Placed placed);
   void put_atom(Draft& draft, ConceptId of, Variable at, bool is_negated) const;
   void spread(Draft& draft);
@@ -98,7 +97,7 @@ class Translator {
   void place_data(Draft& draft, const Shape& shape);
   void split(Draft draft);
   void finish(Draft draft);
-  /// The concept of the first state of a role's automaton with `every role.filler`, and whether it goes into the head.
+  /// The concept of the first state of the automaton for `every role.filler`, and whether it goes into the head.
   std::pair<ConceptId, bool> path(Role role, Literal filler);
   void add_moves(const owl::Automaton& automaton, const std::vector<ConceptId>& states, Literal filler,
                  bool is_forward);

@@ -1,4 +1,4 @@
-// Names of parts and of the states of automata, and what defines them.
+// The names of parts and of the states of automata, and their definitions.
 #include <algorithm>
 #include <utility>
 
@@ -99,8 +99,8 @@ void Translator::add_every(Role role, Literal filler, Literal literal) {
 }
 
 std::pair<ConceptId, bool> Translator::path(Role role, Literal filler) {
-  // Forwards, where the filler goes into the head: Q is below  every R.F  and travels with the path to F. Backwards,
-  // where it goes into the body: Q is above  some R.G  with G = not F, and travels from G to where the path begins.
+  // Forwards, if the filler goes into the head: Q is below every R.F and travels along the path to F. Backwards, if it
+  // goes into the body: Q is above some R.G with G = not F, and travels from G to the beginning of the path.
   const bool is_forward = is_positive(filler);
   const Literal named = is_forward ? filler : complement(filler);
   const auto [found, is_new] = paths_.try_emplace({role, key_of(named), is_forward});
@@ -123,7 +123,7 @@ void Translator::add_moves(const owl::Automaton& automaton, const std::vector<Co
                            bool is_forward) {
   //   forwards:   Qp(x), S(x,y) -> Qq(y)      Qf -> F        where F is the filler
   //   backwards:  S(x,y), Qq(y) -> Qp(x)      G -> Qf        where G is its complement
-  // The name of a final state without further moves is the filler itself.
+  // A final state without further moves has no name: it is the filler itself.
   const auto leads_to_thing = [&](const owl::Automaton::Move& other) {
     return automaton.is_final(other.to) && states[other.to] == thing && !is_forward &&
            shape_of(source_, filler).kind == ShapeKind::falsity;

@@ -1,4 +1,4 @@
-// The predicates of a ClauseSet while it is made: each term gets one dense number, in the order of asking.
+// The predicates of a ClauseSet while it is made. Each term gets a dense number when it is first asked for.
 #ifndef GEMINGA_REASONING_DL_CLAUSES_VOCABULARY_HPP
 #define GEMINGA_REASONING_DL_CLAUSES_VOCABULARY_HPP
 
@@ -14,7 +14,7 @@
 
 namespace geminga::clauses {
 
-/// Fills the tables of `set`. Terms that differ only in the order of a set are one.
+/// Fills the tables of `set`. Terms that differ only in the order of a set are the same.
 class Vocabulary {
  public:
   Vocabulary(const owl::Ontology& source, const owl::ContentHashes& hashes, ClauseSet& set);
@@ -22,14 +22,14 @@ class Vocabulary {
   [[nodiscard]] const owl::Ontology& source() const { return source_; }
   [[nodiscard]] const owl::ContentHashes& hashes() const { return hashes_; }
 
-  /// Of a named class, or the nominal of an individual.
+  /// The concept of a named class, or the nominal of an individual.
   ConceptId concept_of(owl::TermId term);
   ConceptId nominal(IndividualId individual);
   ConceptId auxiliary(owl::TermId term);
   IndividualId individual(owl::TermId term);
-  /// One that no axiom names.
+  /// A new individual that no axiom names.
   IndividualId fresh_individual();
-  /// Of a property expression.
+  /// The role of a property expression.
   Role role(owl::TermId term);
   DataPropertyId data_property(owl::TermId term);
   DataRangeId data_range(const DataRange& range);

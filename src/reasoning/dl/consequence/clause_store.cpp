@@ -5,7 +5,8 @@
 namespace geminga::consequence {
 namespace {
 
-/// A bit for each literal, so that most sets are seen not to be part of another without looking at their members.
+/// A bit for each literal. Most sets that are not part of another are recognised by it, without a look at their
+/// members.
 [[nodiscard]] std::uint64_t signature_of(std::span<const Literal> literals) {
   std::uint64_t signature = 0;
   for (const Literal literal : literals) signature |= std::uint64_t{1} << (hash_of(literal) & 63);

@@ -1,8 +1,8 @@
-// The clauses of one context, found by their literals, without those that others make redundant.
+// The clauses of one context, indexed by their literals, without redundant clauses.
 //
-// Most clauses of real ontologies are facts: an empty body and one literal in the head. Such a unit is a bit in the
-// table of literals and nothing else. Other clauses are filed under their maximal literals (for the rules and to find
-// what makes a new clause redundant), and under all others (to find what a new clause makes redundant).
+// Most clauses of real ontologies have an empty body and one literal in the head. Such a unit is only a bit in the
+// table of literals. Other clauses are filed under their maximal literals, which the rules and the test for redundancy
+// look up, and under all others, which the search for clauses that a new clause makes redundant looks up.
 #ifndef GEMINGA_REASONING_DL_CONSEQUENCE_CLAUSE_STORE_HPP
 #define GEMINGA_REASONING_DL_CONSEQUENCE_CLAUSE_STORE_HPP
 
@@ -20,7 +20,7 @@ using ClauseNumber = std::uint32_t;
 
 class ClauseStore {
  public:
-  /// What is filed under a literal, or under what stands for one (in_body(), neighbours()).
+  /// What is filed under a literal, or under a key that stands for one (in_body(), neighbours()).
   struct Lists {
     Pooled<std::uint32_t> maximal;  ///< clauses with it as a maximal literal; of neighbours(): terms
     Pooled<std::uint32_t> others;   ///< clauses with it elsewhere in the head; of in_body(): in the body
@@ -30,22 +30,22 @@ class ClauseStore {
   [[nodiscard]] std::span<const Literal> body(ClauseNumber clause) const {
     return std::span(literals_).subspan(clauses_[clause].begin, clauses_[clause].body);
   }
-  /// Descending.
+  /// The head's literals, descending.
   [[nodiscard]] std::span<const Literal> head(ClauseNumber clause) const {
     return std::span(literals_).subspan(clauses_[clause].begin + clauses_[clause].body, clauses_[clause].head);
   }
   [[nodiscard]] bool is_live(ClauseNumber clause) const { return clauses_[clause].state != State::redundant; }
-  /// Whether it is there and has been processed.
+  /// Whether the clause is in the store and has been processed.
   [[nodiscard]] bool is_active(ClauseNumber clause) const { return clauses_[clause].state == State::active; }
   void activate(ClauseNumber clause) { clauses_[clause].state = State::active; }
 
-  /// A bit of a literal; `unit` is set by insert_unit(), others by their users.
+  /// The bits of a literal. insert_unit() sets `unit`, the callers set the others.
   enum Flag : std::uint32_t { unit = 1, active_unit = 2, listed = 4, assumed = 8, noted = 16 };
   [[nodiscard]] bool has(Literal literal, Flag flag) const {
     const Slot* const slot = find(literal);
     return slot != nullptr && (slot->flags & flag) != 0;
   }
-  /// False where it was set.
+  /// False if it was set already.
   bool set(Literal literal, Flag flag) {
     Slot& slot = slot_of(literal);
     if ((slot.flags & flag) != 0) return false;
@@ -53,7 +53,7 @@ class ClauseStore {
     return true;
   }
 
-  /// Calls `use` with each literal that is a unit, in no order.
+  /// Calls `use` with each literal that is a unit, in any order.
   template <typename Use>
   void for_each_unit(Use&& use) const {
     for (const Slot& slot : slots_) {
@@ -61,13 +61,13 @@ class ClauseStore {
     }
   }
 
-  /// nullptr where nothing is filed. Valid until something is filed under a literal for the first time.
+  /// nullptr if nothing is filed. Valid until something is filed under a new literal.
   [[nodiscard]] const Lists* lists(Literal literal) const {
     const Slot* const slot = find(literal);
     return slot == nullptr || slot->lists == 0 ? nullptr : &lists_[slot->lists - 1];
   }
   [[nodiscard]] Lists& lists_of(Literal literal);
-  /// What may have the literal as a maximal one: a unit that has been processed, or else some clauses.
+  /// Where a literal is maximal: in a processed unit, or else in some clauses.
   struct Found {
     bool is_unit = false;
     const Lists* lists = nullptr;
@@ -84,26 +84,26 @@ class ClauseStore {
     if (slot == nullptr) return false;
     return (slot->flags & active_unit) != 0 || (slot->lists != 0 && !lists_[slot->lists - 1].maximal.empty());
   }
-  /// A number of the user's under a key under which nothing else is filed; 0 at first.
+  /// A number that the caller keeps under a key under which nothing else is filed. 0 at first.
   [[nodiscard]] std::uint32_t& number_of(Literal key) { return slot_of(key).lists; }
   [[nodiscard]] std::uint32_t find_number(Literal key) const {
     const Slot* const slot = find(key);
     return slot == nullptr ? 0 : slot->lists;
   }
 
-  /// Adds  true -> literal  and drops what it makes redundant. False where it was there.
+  /// Adds true -> literal and drops the clauses that it makes redundant. False if it was there already.
   bool insert_unit(Literal literal);
-  /// Whether a clause that is not a unit is made redundant by one that is there. Head descending, body ascending.
+  /// Whether the store makes this clause, which is not a unit, redundant. The head is descending, the body ascending.
   [[nodiscard]] bool is_redundant(std::span<const Literal> body, std::span<const Literal> head) const;
-  /// Adds a clause that is not redundant and drops those that it makes redundant. The first `maximal` literals of the
-  /// head are maximal ones.
+  /// Adds a clause that is not redundant and drops the clauses that it makes redundant. The first `maximal` literals of
+  /// the head are the maximal ones.
   ClauseNumber insert(std::span<const Literal> body, std::span<const Literal> head, std::size_t maximal);
   /// Whether some clause has more than one literal in its head.
   [[nodiscard]] bool has_alternatives() const;
   /// Drops every clause with more than one literal in its head.
   void drop_alternatives();
   void clear();
-  /// How many clauses were compared with others since this was asked last.
+  /// The number of clauses that were compared since the last call.
   [[nodiscard]] std::size_t take_compared() { return std::exchange(compared_, 0); }
 
  private:

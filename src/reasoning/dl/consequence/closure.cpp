@@ -40,7 +40,7 @@ Closure saturate(const owl::Ontology& source, const clauses::ClauseSet& clauses,
   Saturation saturation(rules, wanted_predicates,
                         {.clauses = options.clauses, .alternatives = options.alternatives, .budget = options.budget});
   const ArenaUse use(saturation.arena());
-  // Something exists, and each individual does.
+  // There is some thing, and there is each individual.
   const auto exists = [&](ContextKey&& key) {
     saturation.post(saturation.context_for(std::move(key), 0), MessageKind::exists, nullptr, x_term, {}, {}, 0);
   };

@@ -1,4 +1,4 @@
-// From premises to conclusions: their bodies together, their heads without what was resolved, and what takes its place.
+// Builds conclusions from premises: their bodies together, and their heads with what replaces the resolved literals.
 #include "reasoning/dl/consequence/saturation.hpp"
 #include "reasoning/dl/consequence/worker.hpp"
 
@@ -58,7 +58,7 @@ void Worker::conclude(Premise premise, Literal instead) {
   end_conclusion(std::span(&instead, 1));
 }
 
-/// L with t for f(x), which is L's greatest term; the other term of an equality must not be t.
+/// L with t in place of f(x), which is L's greatest term. The other term of an equality must not be t.
 Literal Worker::replaced(Literal literal, Term by) const {
   switch (literal.kind()) {
     case LiteralKind::equal:

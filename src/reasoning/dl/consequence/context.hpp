@@ -1,6 +1,6 @@
-// One context: what is known about all things of which its core holds, and who its successors and predecessors are.
+// One context: what is known about all things of which its core holds, with its successors and predecessors.
 //
-// A context is worked by one thread at a time. Others only post messages into its mailbox.
+// One thread at a time works on a context. Others only post messages into its mailbox.
 #ifndef GEMINGA_REASONING_DL_CONSEQUENCE_CONTEXT_HPP
 #define GEMINGA_REASONING_DL_CONSEQUENCE_CONTEXT_HPP
 
@@ -13,7 +13,7 @@
 
 namespace geminga::consequence {
 
-/// A lock for a few instructions, one octet small: there is one in each context.
+/// A lock of one octet that is held for a few instructions. Each context has one.
 class SpinLock {
  public:
   void lock() {
@@ -30,7 +30,7 @@ class SpinLock {
 
 struct Context;
 
-/// What a context says to another.
+/// What a message between contexts says.
 enum class MessageKind : std::uint8_t {
   start,    ///< the context is new
   edge,     ///< the things f(x) of the sender are there; the body's literals may hold of them
@@ -48,7 +48,7 @@ struct Message {
   std::uint32_t head = 0;
 };
 
-/// What a context is found by. The private ones are for one function symbol, whose things are not certain to exist.
+/// The key of a context. Private contexts belong to one function symbol, whose things are not certain to exist.
 struct ContextKey {
   Pooled<Literal> core;  ///< ascending
   std::uint32_t function = std::numeric_limits<std::uint32_t>::max();
@@ -56,7 +56,7 @@ struct ContextKey {
   friend bool operator==(const ContextKey&, const ContextKey&) = default;
 };
 
-/// The things of `from` that are f(x) there are in this context, as far as the hypotheses hold of them.
+/// The things f(x) of the things x of `from` are in this context, as far as the hypotheses hold of them.
 struct Edge {
   Context* from = nullptr;
   Term f{};
@@ -64,7 +64,7 @@ struct Edge {
   Pooled<Literal> hypotheses;  ///< ascending
 };
 
-/// A successor f(x), as the context of x knows it. Literals are as the successor's context names them.
+/// A successor f(x) as the context of x knows it. Literals are in the names of the successor's context.
 struct Successor {
   Term f{};
   Term replaced_by{};            ///< where true -> f(x) = t is known; f itself where not
@@ -78,7 +78,7 @@ struct Successor {
   std::size_t told = 0;  ///< how many hypotheses the target has been told
 };
 
-/// A clause of a successor that waits for what is in its body; in the names of the context that has it.
+/// A clause of a successor that waits for its body to hold, in the names of the context that has it.
 struct ForeignClause {
   Pooled<Literal> body;
   Pooled<Literal> head;
@@ -87,7 +87,7 @@ struct ForeignClause {
 struct Context {
   std::uint32_t number = 0;
   ContextKey key;
-  /// Whether its units answer questions, see Rules::is_query().
+  /// Whether its units are asked for; see Rules::is_query().
   bool answers_queries = false;
   bool is_unsatisfiable = false;
   bool has_open = false;           ///< something open is in the head of a clause, see RuleSet::is_open

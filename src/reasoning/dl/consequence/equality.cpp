@@ -1,4 +1,4 @@
-// Equality by ordered paramodulation: the greater term is written as the smaller one.
+// Equality by ordered paramodulation: the smaller term replaces the greater one.
 #include <algorithm>
 
 #include "reasoning/dl/consequence/worker.hpp"
@@ -20,7 +20,7 @@ void Worker::paramodulate(Premise equation, Premise into) {
   add_side(equation);
   add_side(into);
   if (into.literal.kind() <= LiteralKind::different && into.literal.other() == by) {
-    // t = t is true; t is not t is false.
+    // t = t is true, and t is not t is false.
     if (into.literal.kind() == LiteralKind::different) end_conclusion({});
     return;
   }
@@ -35,7 +35,7 @@ void Worker::apply_equality(Premise premise) {
     if (literal == premise.literal) continue;
     for_each_premise(literal, [&](Premise into) { paramodulate(premise, into); });
   }
-  // The siblings of f(x), which differ from it, differ from t. One that is greater is rewritten on its own.
+  // The siblings of f(x) differ from it, and so from t. A sibling that is greater is rewritten by itself.
   for (std::uint32_t sibling = rules_.first_sibling(function_of(f)); sibling < function_of(f); ++sibling) {
     if (successor(sibling) != by) conclude(premise, equality(by, successor(sibling), true));
   }

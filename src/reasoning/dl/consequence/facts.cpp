@@ -1,4 +1,4 @@
-// Facts and values as rules, and what of an ontology the calculus cannot use fully.
+// Facts and values as rules, and the parts of an ontology that the calculus cannot use fully.
 #include <algorithm>
 
 #include "reasoning/dl/consequence/closure.hpp"
@@ -28,7 +28,7 @@ void RuleBuilder::gather_facts() {
 //  U(a,v)           becomes  {a} < some U.{v}
 //  a = b            becomes  {a} < {b}  and  {b} < {a}
 //  a is not b       becomes  {a} and {b} < F
-// Whatever is between two individuals is one successor, so that its roles meet.
+// Everything between two individuals is one successor, so that their roles meet there.
 void RuleBuilder::add_facts() {
   const auto nominal = [this](clauses::IndividualId individual) {
     return RuleAtom{LiteralKind::unary, 0, 0, result_.nominal_of[number(individual)]};
@@ -111,7 +111,7 @@ void RuleBuilder::find_gaps() {
   result_.is_open.assign(result_.predicate_count, false);
   for (const std::uint32_t range : unclear_) result_.is_open[range] = true;
   for (const std::uint32_t nominal : result_.nominal_of) result_.is_open[nominal] = true;
-  // A nominal matters beyond its own facts where a rule may say that something is it.
+  // A nominal matters beyond its own facts if a rule may conclude it.
   std::vector<bool> is_nominal(result_.predicate_count, false);
   for (const std::uint32_t nominal : result_.nominal_of) is_nominal[nominal] = true;
   const auto names_individual = [&](const clauses::Atom& atom) {

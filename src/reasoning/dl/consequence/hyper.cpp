@@ -1,4 +1,4 @@
-// Hyperresolution: a rule of the ontology fires where all atoms of its body are maximal in some clause.
+// Hyperresolution: a rule of the ontology fires if each atom of its body is maximal in some clause.
 //
 //  A1 and ... and An -> D in O    Gi -> Di v [Ai s] for each i
 //  ----------------------------------------------------------- Hyper [s(x) = x]
@@ -12,7 +12,7 @@
 namespace geminga::consequence {
 namespace {
 
-/// No term of a context: a variable that has none yet.
+/// No term of a context: the variable is not bound yet.
 constexpr Term unbound{0xffffffffU};
 
 }  // namespace
@@ -20,7 +20,7 @@ constexpr Term unbound{0xffffffffU};
 void Worker::hyper(Premise premise, const Occurrence& occurrence, Term neighbour) {
   const Rule& rule = rules_.rule(occurrence.rule);
   const std::uint8_t bound = rule.body[occurrence.atom].first;
-  // Most rules wait for something that is not there.
+  // Most rules have an atom in their body that nothing matches.
   for (std::size_t at = 0; at < rule.body.size(); ++at) {
     const std::uint8_t variable = rule.body[at].first;
     if (at == occurrence.atom) continue;
@@ -58,7 +58,7 @@ void Worker::count_attempts(std::size_t attempts) {
 void Worker::join(const Rule& rule) {
   count_attempt();
   if (is_stopped_) return;
-  // What can be looked up goes first; then neighbours are tried.
+  // Atoms that can be looked up come first, then neighbours are tried.
   std::size_t open = rule.body.size();
   for (std::size_t at = 0; at < rule.body.size(); ++at) {
     if (is_done_[at] != 0) continue;
@@ -142,7 +142,7 @@ void Worker::conclude_rule(const Rule& rule) {
 //  ----------------------------------------------------------------------
 //  G -> D v R(x, fi(x))   G -> D v B(fi(x))   for n functions f1 ... fn of its own
 //
-// That fi(x) and fj(x) are different is known to simplify_head() and apply_equality().
+// simplify_head() and apply_equality() know that fi(x) and fj(x) are different.
 void Worker::expand(Premise premise, const Expansion& expansion) {
   for (std::uint32_t i = 0; i < expansion.count; ++i) {
     const Term f = successor(expansion.first_function + i);

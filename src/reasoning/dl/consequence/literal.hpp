@@ -1,10 +1,10 @@
-// Terms and literals of context clauses, numbered so that comparing two numbers compares them in the context order.
+// Terms and literals of context clauses, as numbers whose order is the context order.
 //
-// A context speaks of one thing x, its predecessor y, and its successors f(x). The order of Bate et al. (section 4,
-// definition 3) wants: f(x) > x > y; a literal is above what is left when one of its terms is replaced by a smaller
-// one; and what may be passed to the predecessor, the literals over y and x alone, is below everything else. It is
-// total here, so that a head has one maximal literal - but for the query literals of contexts that answer questions,
-// see is_query() in rules.hpp.
+// A context is about one thing x, its predecessor y and its successors f(x). The order of Bate et al. (section 4,
+// definition 3) requires: f(x) > x > y; a literal is above the one in which a term is replaced by a smaller term; and
+// what may be passed to the predecessor, the literals over y and x alone, is below everything else. The order here is
+// total, so that a head has one maximal literal, except for the query literals of contexts that answer questions; see
+// is_query() in rules.hpp.
 //
 // Legend: x y f(x) g(x) as above, s t any of them, A B concepts (numbers of predicates), R S roles.
 #ifndef GEMINGA_REASONING_DL_CONSEQUENCE_LITERAL_HPP
@@ -35,8 +35,8 @@ enum class LiteralKind : std::uint8_t {
   reflexive,  ///< R(t, t)
 };
 
-/// Bits 40 to 63 hold the greatest term - but y's number for all that has no term beyond x and y, save A(x) and R(x, x)
-/// - bits 36 to 39 the kind, bits 0 to 31 the predicate or the smaller term.
+/// Bits 40 to 63 hold the greatest term, or y's number if the literal has no term beyond x and y, except for A(x) and
+/// R(x, x). Bits 36 to 39 hold the kind, bits 0 to 31 the predicate or the smaller term.
 struct Literal {
   std::uint64_t bits = 0;
   friend auto operator<=>(const Literal&, const Literal&) = default;
@@ -44,7 +44,7 @@ struct Literal {
   [[nodiscard]] constexpr Term term() const { return Term{static_cast<std::uint32_t>(bits >> 40)}; }
   [[nodiscard]] constexpr LiteralKind kind() const { return static_cast<LiteralKind>((bits >> 36) & 7); }
   [[nodiscard]] constexpr std::uint32_t predicate() const { return static_cast<std::uint32_t>(bits); }
-  /// Of equal and different: the smaller term.
+  /// The smaller term of an equality or inequality.
   [[nodiscard]] constexpr Term other() const { return Term{static_cast<std::uint32_t>(bits)}; }
 };
 
@@ -70,10 +70,11 @@ struct Literal {
   return make_literal(kind, s == x_term ? y_term : s, static_cast<std::uint32_t>(s == x_term ? x_term : t));
 }
 
-/// Whether a literal is over x and y alone, in a way that matters to the predecessor (Pr(O) in the paper).
+/// Whether a literal is over x and y alone, and matters to the predecessor (Pr(O) in the paper).
 [[nodiscard]] constexpr bool is_of_predecessor(Literal literal) { return literal.term() == y_term; }
 
-/// Keys of the store that are no literals: what must hold before anything else is compared. Their kinds are no
+/// Keys of the store that are no literals. They are checked before anything else is compared. No literal has their
+/// kinds.
 /// literal's.
 inline constexpr Literal no_literal{~std::uint64_t{0}};
 inline constexpr std::uint64_t edge_kind = 6;
@@ -85,7 +86,7 @@ inline constexpr std::uint64_t nominal_kind = 7;
 [[nodiscard]] constexpr Literal edge_key(Term f, std::uint32_t context) {
   return in_body(make_key(edge_kind, f, context));
 }
-/// Which term is known to be a nominal's one thing.
+/// The key under which the one term that is known to be in a nominal is kept.
 [[nodiscard]] constexpr Literal nominal_key(std::uint32_t predicate) {
   return in_body(make_key(nominal_kind, x_term, predicate));
 }
@@ -95,7 +96,7 @@ inline constexpr std::uint64_t nominal_kind = 7;
   return in_body(make_literal(kind, Term{(1U << 24) - 1}, role));
 }
 
-/// What a literal of a context about f(x), x is called in the context of that successor, where they are x and y.
+/// Renames a literal about f(x) and x for the context of that successor, where they are x and y.
 [[nodiscard]] constexpr Literal seen_by_successor(Literal literal) {
   switch (literal.kind()) {
     case LiteralKind::outgoing:
@@ -106,7 +107,7 @@ inline constexpr std::uint64_t nominal_kind = 7;
       return make_literal(literal.kind(), x_term, literal.predicate());
   }
 }
-/// What a literal of a successor's context is called in the context of which it is f(x): the other direction.
+/// Renames a literal of a successor's context for the context of which it is f(x).
 [[nodiscard]] constexpr Literal seen_by_predecessor(Literal literal, Term f) {
   switch (literal.kind()) {
     case LiteralKind::equal:

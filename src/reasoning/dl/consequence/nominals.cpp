@@ -1,6 +1,6 @@
-// Rules for nominals: sound ones that are cheap, and complete for facts without alternatives.
+// Rules for nominals. They are sound and cheap, and complete for facts without alternatives.
 //
-// A context exists where some thing is certain to be in it: that of an individual, the one with an empty core, and
+// A context exists if some thing is certain to be in it: the context of an individual, the one with an empty core, and
 // those of the certain successors of a context that exists. Legend: {a} the nominal of a, t s terms, a* the context of
 // {a}.
 #include <algorithm>
@@ -60,7 +60,7 @@ void Worker::tell_nominal_all(std::uint32_t nominal) {
 //  -----------------------------------------
 //  true -> A(x) in v
 //
-// What a* derives by itself v derives as well; what it was told is passed on.
+// What a* derives by itself v derives, too. What a* was told is passed on.
 void Worker::receive_fact(Literal fact) {
   if (context_->is_unsatisfiable || context_->store.has(fact, ClauseStore::unit)) return;
   units_.push_back(fact);
@@ -72,7 +72,7 @@ void Worker::receive_fact(Literal fact) {
 
 void Worker::receive_inheritor(Context* inheritor) {
   if (context_->is_unsatisfiable) {
-    // Nothing is {a}, and so nothing is in that context.
+    // Nothing is {a}, so nothing is in that context.
     return saturation_.post(*inheritor, MessageKind::clause, context_, x_term, {}, {}, number_);
   }
   context_->inheritors.push_back(inheritor);

@@ -1,8 +1,8 @@
-// The memory of contexts: blocks from the arena of the thread that asks, which go all at once.
+// The memory of contexts: blocks from the arena of the thread that asks. They are freed all at once.
 //
 // A closure makes many small vectors that grow. Each worker has an arena of its own, so that a block is taken without a
-// lock; it may be used, grown and given back by another worker, as all arenas of a saturation live as long as its
-// contexts. On SOMA this took a sixth from the instructions of a closure.
+// lock. Another worker may use, grow and give back the block, because all arenas of a saturation live as long as its
+// contexts.
 #ifndef GEMINGA_REASONING_DL_CONSEQUENCE_POOL_HPP
 #define GEMINGA_REASONING_DL_CONSEQUENCE_POOL_HPP
 
@@ -14,7 +14,7 @@
 
 namespace geminga::consequence {
 
-/// Makes an arena that of this thread, as long as it lives.
+/// Makes an arena the one of this thread for the object's life.
 class ArenaUse {
  public:
   explicit ArenaUse(base::Arena& arena) : before_(std::exchange(current(), &arena)) {}
@@ -31,8 +31,8 @@ class ArenaUse {
   base::Arena* before_;
 };
 
-/// Takes from the arena of the thread, which there must be. What is given back where there is none stays where it is:
-/// its arena goes soon.
+/// Takes memory from the thread's arena, which must be set. Memory that is given back without one is left to its arena,
+/// which is freed soon.
 template <typename Item>
 struct PoolAllocator {
   using value_type = Item;

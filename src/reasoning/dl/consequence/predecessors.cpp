@@ -1,10 +1,10 @@
-// What a context tells the contexts of which its things are successors.
+// What a context tells its predecessors.
 //
 //  <u, v, f>    A1 and ... and Am -> L1 v ... v Ln in v    Gi -> Di v [Ai s] in u for each i
 //  ---------------------------------------------------------------------------------------- Pred
 //  G1 and ... and Gm -> D1 v ... v Dm v L1 s v ... v Ln s in u    [s: x to f(x), y to x; all Li are in Pr]
 //
-// v sends the clause to each u that has said that all Ai may hold of its f(x), once; u resolves it with its own.
+// v sends the clause once to each u that has said that all Ai may hold of its f(x). u resolves it with its own clauses.
 #include <algorithm>
 #include <utility>
 
@@ -62,7 +62,7 @@ void Worker::tell_predecessors(ClauseNumber clause) {
   ClauseStore& store = context_->store;
   const auto body = store.body(clause);
   const auto head = store.head(clause);
-  // What merely says that what is so is so is of no use there.
+  // A tautology is of no use there.
   if (std::ranges::any_of(body, [&](Literal literal) { return std::ranges::find(head, literal) != head.end(); }))
     return;
   if (body.empty()) {

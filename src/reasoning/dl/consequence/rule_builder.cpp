@@ -34,7 +34,7 @@ void recentre(std::vector<RuleAtom>& atoms) {
   return greatest;
 }
 
-/// Whether every neighbour has the same one atom, and the head says that two of them are the same.
+/// Whether all neighbours have the same single atom, and the head says that two of them are equal.
 [[nodiscard]] bool is_symmetric(const Rule& rule) {
   if (rule.neighbours < 2 || rule.head.size() != rule.neighbours * (rule.neighbours - 1U) / 2) return false;
   std::size_t roles = 0;
@@ -252,7 +252,8 @@ void RuleBuilder::add(Atoms body, Atoms head) {
     if (is_role_atom(atom)) continue;
     (atom.first == 0 ? speaks_of_centre : speaks_of_neighbours) = true;
   }
-  // A range, R(x,y) -> B(y), is said at the neighbour, too: there its concepts are known already, most often B.
+  // A range, R(x,y) -> B(y), is also written at the neighbour, whose concepts are known there. Most often B is one of
+  // them.
   const bool is_range =
       last == 1 && !speaks_of_centre && !head.empty() && !mentions(head, 0) && std::ranges::none_of(head, is_role_atom);
   if (last == 1 && !speaks_of_centre && (speaks_of_neighbours || is_range)) {
@@ -294,7 +295,7 @@ std::uint32_t RuleBuilder::name_for(const Atoms& about_neighbour, bool is_role) 
   if (!is_new) return entry->second;
   entry->second = is_role ? result_.role_count++ : result_.predicate_count++;
   recentre(key);
-  // Seen from the neighbour, the old centre is variable 1.
+  // For the neighbour, the old centre is variable 1.
   const RuleAtom name = is_role ? RuleAtom{LiteralKind::incoming, 1, 0, entry->second}
                                 : RuleAtom{LiteralKind::unary, 1, 0, entry->second};
   const std::uint32_t made = entry->second;
@@ -321,7 +322,7 @@ void RuleBuilder::add_rule(Atoms body, Atoms head) {
   base::sort_unique(body);
   shorten(body);
   base::sort_unique(head);
-  // Neighbours are numbered without holes, so that a rule's variables are what its neighbours say.
+  // Neighbours are numbered without gaps, so that a rule has as many variables as its neighbours.
   std::vector<std::uint8_t> renamed(256, 0);
   std::uint8_t count = 0;
   const auto rename = [&](std::uint8_t& variable) {

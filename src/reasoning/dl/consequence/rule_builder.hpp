@@ -1,7 +1,7 @@
-// Brings clauses into the form of the calculus: bodies speak of the centre's concepts and of roles to its neighbours.
+// Brings clauses into the form of the calculus, in which a body has concepts of the centre and roles to its neighbours.
 //
-// What a body says about a neighbour must be said at the neighbour, as only its own context knows it (Bate et al.,
-// table 1). Three ways, the first that applies:
+// Only the neighbour's own context knows its concepts, so a body's atoms about a neighbour become a rule there (Bate et
+// al., table 1). There are three ways, and the first that applies is taken:
 //   B(y), R(x,y) -> H(x,y)          becomes  B(x), R(y,x) -> H(y,x)                    the neighbour is made the centre
 //   A(x), B(y), R(x,y) -> H(x)      becomes  B(x), R(y,x) -> P(y)   A(x), P(x) -> H(x)         P names "some R.B"
 //   A(x), B(y), R(x,y) -> H(x,y)    becomes  B(x), R(y,x) -> R'(y,x)   A(x), R'(x,y) -> H(x,y)  R' names "R into B"
@@ -33,7 +33,7 @@ struct RuleAtom {
   return atom.kind == LiteralKind::outgoing || atom.kind == LiteralKind::incoming;
 }
 
-/// A clause of the ontology whose body speaks of the centre and of roles to its neighbours.
+/// A clause of the ontology whose body has concepts of the centre and roles to its neighbours.
 struct Rule {
   std::vector<RuleAtom> body;
   std::vector<RuleAtom> head;
@@ -42,7 +42,7 @@ struct Rule {
   friend auto operator<=>(const Rule&, const Rule&) = default;
 };
 
-/// What a predicate "at least n R.B" puts there: f1(x) ... fn(x), all different, with R(x, fi(x)) and B(fi(x)).
+/// What a predicate "at least n R.B" creates: f1(x) ... fn(x), all different, with R(x, fi(x)) and B(fi(x)).
 struct Expansion {
   std::uint32_t first_function = 0;
   std::uint32_t count = 0;
@@ -50,9 +50,9 @@ struct Expansion {
   bool is_value = false;        ///< the successors are values
 };
 
-/// The predicates of the calculus. Unary ones are numbered: named classes and nominals (what is asked for), then all
-/// other concepts, then one for each "at least" and "at most", data ranges, and names that RuleBuilder makes. Data
-/// properties are roles like others, whose successors are values.
+/// The predicates of the calculus. Unary ones are numbered: first named classes and nominals, which may be asked for,
+/// then all other concepts, then one for each "at least" and "at most", data ranges, and names that RuleBuilder makes.
+/// Data properties are roles whose successors are values.
 struct RuleSet {
   std::vector<Rule> rules;
   std::uint32_t query_count = 0;  ///< predicates below it are what may be asked for
@@ -63,20 +63,20 @@ struct RuleSet {
   std::vector<std::uint32_t> nominal_of;           ///< of each IndividualId, the predicate {a}
   std::uint32_t first_marker = 0;                  ///< predicates from here on have an expansion, while there are any
   std::vector<Expansion> expansions;
-  /// By predicate: nominals, and ranges of values that are not understood. Only where one of these may hold of a thing
-  /// can nominal_gap and range_gap matter; see settled.hpp.
+  /// By predicate: nominals, and ranges of values that are not understood. nominal_gap and range_gap matter only if one
+  /// of these may hold of a thing; see settled.hpp.
   std::vector<bool> is_open;
   std::vector<std::string> gaps;
 };
 
-/// At-mosts beyond this are left out and named: their rules have so many variables.
+/// At-mosts with a greater number are left out and named, because their rules would have so many variables.
 inline constexpr std::uint32_t max_at_most = 64;
 
 class RuleBuilder {
  public:
-  /// `with_facts`: what is said of individuals becomes rules, too.
+  /// `with_facts`: facts about individuals become rules, too.
   RuleBuilder(const owl::Ontology& source, const clauses::ClauseSet& clauses, bool with_facts);
-  /// Makes rules of the clauses, and of those that facts stand for. To be called once.
+  /// Makes rules of the clauses and of the facts. To be called once.
   [[nodiscard]] RuleSet run();
 
  private:
@@ -93,7 +93,7 @@ class RuleBuilder {
   /// Replaces the centre's concepts in a long body by names for some of them.
   void shorten(Atoms& body);
   [[nodiscard]] std::uint32_t name_for(const Atoms& about_neighbour, bool is_role);
-  /// Appends what the atom is in this calculus; false: it is true where it stands in a body, false in a head.
+  /// Appends what the atom is in this calculus. False: the atom is true in a body or false in a head.
   [[nodiscard]] bool convert(const clauses::Atom& atom, bool is_head, Atoms& atoms, bool& is_redundant) const;
   [[nodiscard]] RuleAtom concept_atom(clauses::ConceptId of, std::uint8_t variable) const;
 
@@ -109,7 +109,7 @@ class RuleBuilder {
   RuleSet result_;
   std::vector<std::uint32_t> range_predicate_;        ///< of each DataRangeId, then of the values of data facts
   std::map<owl::TermId, std::uint32_t> fact_values_;  ///< the position among them
-  /// What is known between two individuals, about variable 1 as a neighbour of the first.
+  /// What is known between two individuals. Variable 1 is a neighbour of the first.
   std::map<std::pair<std::uint32_t, std::uint32_t>, Atoms> links_;
   std::uint32_t at_most_base_ = 0;
   std::uint32_t data_role_base_ = 0;

@@ -7,7 +7,7 @@
 namespace geminga::consequence {
 namespace {
 
-/// R(x,y) -> S(x,y) and the like.
+/// Whether it is a rule such as R(x,y) -> S(x,y).
 [[nodiscard]] bool is_inclusion(const Rule& rule) {
   return rule.body.size() == 1 && rule.head.size() == 1 && is_role_atom(rule.body[0]) && is_role_atom(rule.head[0]) &&
          rule.body[0].first == rule.head[0].first;

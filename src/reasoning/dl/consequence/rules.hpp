@@ -1,5 +1,4 @@
-// The ontology as the saturation reads it: rules without what cannot matter, found by each atom of their
-// bodies.
+// The rules that the saturation uses, indexed by the atoms of their bodies, without those that cannot matter.
 #ifndef GEMINGA_REASONING_DL_CONSEQUENCE_RULES_HPP
 #define GEMINGA_REASONING_DL_CONSEQUENCE_RULES_HPP
 
@@ -13,18 +12,18 @@
 
 namespace geminga::consequence {
 
-/// A place in a body.
+/// An atom in the body of a rule.
 struct Occurrence {
   std::uint32_t rule = 0;
   std::uint32_t atom = 0;
 };
 
-/// Read only once it is made; many threads may share it.
+/// Constant once it is made, so that threads can share it.
 ///
-/// Inclusions of roles are no rules. A rule with R(s,t) in its head stands for one with S(s,t) for each S with R below
-/// S that occurs in a body, because R(s,t) itself can do no more than that. And what occurs in no body can be true
-/// everywhere, so that a clause with it in its head says nothing (pure literals): such rules are dropped. What is open
-/// stays, as who asks where it may hold must see it.
+/// Role inclusions are not rules. A rule with R(s,t) in its head stands for one with S(s,t) for each super-role S of R
+/// that occurs in a body, because R(s,t) itself can do no more than that. A predicate that occurs in no body can be
+/// true everywhere, so that a clause with it in the head says nothing (a pure literal): such rules are dropped. Open
+/// predicates are kept, because the gaps depend on where they may hold.
 class Rules {
  public:
   explicit Rules(RuleSet rule_set);
@@ -32,7 +31,7 @@ class Rules {
   [[nodiscard]] const Rule& rule(std::uint32_t index) const { return rule_set_.rules[index]; }
   /// A < L for one literal L over x.
   [[nodiscard]] std::span<const Literal> told(std::uint32_t predicate) const { return told_[predicate]; }
-  /// All other rules with A(x), with R(x, y) or, where `is_incoming`, R(y, x), and with R(x, x) in their bodies.
+  /// All other rules whose body has A(x), R(x, y) or, if `is_incoming`, R(y, x), or R(x, x).
   [[nodiscard]] std::span<const Occurrence> with_unary(std::uint32_t predicate) const { return unary_[predicate]; }
   [[nodiscard]] std::span<const Occurrence> with_role(std::uint32_t role, bool is_incoming) const {
     return roles_[role * 2 + (is_incoming ? 1 : 0)];
@@ -41,7 +40,8 @@ class Rules {
   /// Rules with an empty body.
   [[nodiscard]] std::span<const std::uint32_t> always() const { return always_; }
 
-  /// Literals that may be passed to a successor (Su(O) in the paper), as that successor's context names them.
+  /// Whether a literal may be passed to a successor (Su(O) in the paper). It is in the names of the successor's
+  /// context.
   [[nodiscard]] bool is_trigger(Literal literal) const {
     switch (literal.kind()) {
       case LiteralKind::unary:
@@ -54,7 +54,7 @@ class Rules {
         return true;
     }
   }
-  /// What "at least" puts there; nullptr for predicates that are no such.
+  /// What an "at least" creates. nullptr for other predicates.
   [[nodiscard]] const Expansion* expansion(std::uint32_t predicate) const {
     const std::uint32_t index = predicate - rule_set_.first_marker;
     return index < rule_set_.expansions.size() ? &rule_set_.expansions[index] : nullptr;
@@ -66,7 +66,8 @@ class Rules {
   }
   /// Whether f(x) is a value.
   [[nodiscard]] bool is_value(std::uint32_t f) const { return rule_set_.expansions[marker_of_[f]].is_value; }
-  /// Literals B(x) with which a question may be answered. In contexts that do, none of them is above another.
+  /// Whether the literal is a B(x) that may be asked for. In contexts that answer questions none of these is above
+  /// another.
   [[nodiscard]] bool is_query(Literal literal) const {
     return literal.term() == x_term && literal.kind() == LiteralKind::unary &&
            literal.predicate() < rule_set_.query_count;
@@ -83,7 +84,7 @@ class Rules {
   [[nodiscard]] bool is_used(const RuleAtom& atom);
   void expand_heads();
   void index();
-  /// The roles above this one that occur in bodies, with whether they are turned round.
+  /// The super-roles of this role that occur in bodies, with whether they are inverted.
   [[nodiscard]] const std::vector<RuleAtom>& supers(std::uint32_t role);
   [[nodiscard]] std::vector<std::vector<RuleAtom>> expanded(const std::vector<RuleAtom>& head);
 

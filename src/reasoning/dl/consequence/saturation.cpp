@@ -115,7 +115,7 @@ void Saturation::work(unsigned worker) {
     if (is_abandoned_.load()) break;
     if (Context* const context = take(worker); context != nullptr) {
       works.work(*context);
-      // The count falls after what this context has scheduled was counted, so it is 0 only at the end.
+      // Contexts that this one has scheduled were counted before the count falls, so it is 0 only at the end.
       if (scheduled_.fetch_sub(1, std::memory_order_acq_rel) == 1) break;
       continue;
     }

@@ -1,8 +1,8 @@
-// The contexts of one closure and the threads that work them.
+// The contexts of one closure and the threads that work on them.
 //
-// A context that has messages is scheduled: it is in the stack of one worker, and whoever takes it out works it until
-// its mailbox is empty. No lock is held but that of a mailbox, of one stack or of one of the parts of the table of
-// contexts, and each for a few instructions only. The run ends when no context is scheduled.
+// A context with messages is scheduled: it is on the stack of one worker, and whoever takes it works on it until its
+// mailbox is empty. The only locks are those of a mailbox, of one stack, and of one part of the table of contexts. Each
+// is held for a few instructions. The run ends when no context is scheduled.
 #ifndef GEMINGA_REASONING_DL_CONSEQUENCE_SATURATION_HPP
 #define GEMINGA_REASONING_DL_CONSEQUENCE_SATURATION_HPP
 
@@ -30,13 +30,13 @@ struct SaturationLimits {
 
 class Saturation {
  public:
-  /// Each of `wanted` (predicates) answers queries.
+  /// The contexts of `wanted` (predicates) answer queries.
   Saturation(const Rules& rules, std::span<const std::uint32_t> wanted, const SaturationLimits& limits);
 
-  /// The context with this key; made where there is none.
+  /// The context with this key, which is made if there is none.
   [[nodiscard]] Context& context_for(ContextKey&& key, unsigned worker);
   [[nodiscard]] const Context* find(const ContextKey& key) const;
-  /// Calls `use` with each context, in no order. Not while it runs.
+  /// Calls `use` with each context, in any order. Not during run().
   template <typename Use>
   void for_each_context(Use&& use) const {
     for (const Part& part : parts_) {
@@ -45,28 +45,29 @@ class Saturation {
   }
   void post(Context& to, MessageKind kind, const Context* from, Term f, std::span<const Literal> body,
             std::span<const Literal> head, unsigned worker);
-  /// Where what is made before and after run() takes its memory from.
+  /// The arena for what is made before and after run().
   [[nodiscard]] base::Arena& arena() { return stacks_[0].arena; }
-  /// Works until nothing is left to do, or the bound is reached. What one thread throws ends the work of all and is
-  /// thrown here; nothing is to be asked then.
+  /// Works until nothing is left to do or the limit is reached. An exception of one thread ends the work of all and is
+  /// thrown here; then nothing may be asked.
   void run(unsigned threads);
 
-  /// Counts clauses; false: there were too many, all stop.
+  /// Counts clauses. False if there were too many: all threads stop.
   bool count(std::size_t clauses);
-  /// Counts attempts to match a body, most of which may give nothing new; false: there were too many, all stop.
+  /// Counts attempts to match a body, most of which give nothing new. False if there were too many: all threads stop.
   bool count_attempts(std::size_t attempts);
-  /// Messages that were taken out of a mailbox.
+  /// Counts messages that were taken out of a mailbox.
   void note_received(std::size_t messages) { waiting_.fetch_sub(messages, std::memory_order_relaxed); }
-  /// More messages waited at once than are allowed: all stop.
+  /// Whether too many messages waited at once: all threads stop.
   [[nodiscard]] bool is_flooded() const { return is_flooded_.load(std::memory_order_relaxed); }
   [[nodiscard]] std::size_t max_messages() const { return always_waiting + limits_.clauses; }
-  /// An individual cannot exist: nothing else matters.
+  /// An individual cannot exist, so everything follows.
   void contradict() {
     is_contradictory_.store(true, std::memory_order_relaxed);
     give_up();
   }
   [[nodiscard]] bool is_contradictory() const { return is_contradictory_.load(std::memory_order_relaxed); }
-  /// Of one context. Where many had more, it is likely that others have, too.
+  /// The most alternatives of one context. It is smaller once many contexts had more, because others probably have,
+  /// too.
   [[nodiscard]] std::uint32_t max_alternatives() const {
     return cut_contexts_.load(std::memory_order_relaxed) < many_cut_contexts
                ? limits_.alternatives
@@ -82,13 +83,13 @@ class Saturation {
 
  private:
   static constexpr std::size_t parts = 64;
-  /// As many attempts are worth a clause: what derives little must end, too.
+  /// This many attempts count as one clause, so that work that derives little ends, too.
   static constexpr std::size_t attempts_per_clause = 100;
   static constexpr std::size_t many_cut_contexts = 256;
   static constexpr std::uint32_t few_alternatives = 16;
-  /// Messages that may wait at once, beside as many as there may be clauses: each is of some forty octets.
+  /// The messages that may wait at once, in addition to as many as there may be clauses. Each has some forty octets.
   static constexpr std::size_t always_waiting = 1'000'000;
-  /// A clause that is filed takes about as long as so many attempts.
+  /// Filing a clause takes about as long as this many attempts.
   static constexpr std::size_t steps_per_clause = 8;
   struct Part {
     mutable SpinLock lock;

@@ -1,11 +1,12 @@
-// Which contexts no gap matters to, so that what is known of them is complete in a consistent ontology.
+// The contexts that no gap matters to, so that everything about them is known if the ontology is consistent.
 //
-// Let O be consistent, with a model I. Where nothing that is open (a nominal, a range of values that is not understood;
-// see RuleSet::is_open) stands in the head of any clause of the contexts that a context leads to, the calculus
-// builds from these contexts a model J of all rules in which nothing open holds of anything: the literals that hold in
-// J are literals of such heads (Bate et al., section 6). In J no thing is an individual, so that neither facts nor keys
-// speak of J, and each value has only ranges whose common values are known. As the body of a rule hangs together by its
-// roles, I and J beside each other are a model of O. So what does not hold in J does not follow from O.
+// Let O be consistent, with a model I. A predicate is open if it is a nominal or a range of values that is not
+// understood; see RuleSet::is_open. Take a context that leads only to contexts whose clauses have no open predicate in
+// their heads. From these the calculus builds a model J of all rules in which no open predicate holds of anything,
+// because the literals that hold in J occur in such heads (Bate et al., section 6). No thing of J is an individual, so
+// facts and keys do not concern J, and each value of J has only ranges whose common values are known. The atoms of a
+// rule's body are connected by roles, so I and J side by side are a model of O. Hence what does not hold in J does not
+// follow from O.
 #ifndef GEMINGA_REASONING_DL_CONSEQUENCE_SETTLED_HPP
 #define GEMINGA_REASONING_DL_CONSEQUENCE_SETTLED_HPP
 
@@ -19,8 +20,8 @@ namespace geminga::consequence {
 
 class Settled {
  public:
-  /// Of a saturation that has run. `gaps` are those of the closure: with one that is not about facts, keys, nominals or
-  /// ranges nothing is settled, as it may matter everywhere.
+  /// For a saturation that has run. `gaps` are those of the closure. If one of them is not about facts, keys, nominals
+  /// or ranges, it may matter everywhere, and no context is settled.
   Settled(const Saturation& saturation, std::span<const std::string> gaps);
 
   [[nodiscard]] bool is_settled(const Context& context) const { return !is_open_[context.number]; }

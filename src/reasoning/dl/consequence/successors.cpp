@@ -1,4 +1,4 @@
-// Which context each successor is in, and what it is told about it.
+// Chooses the context of each successor, and what that context is told.
 #include <algorithm>
 
 #include "reasoning/dl/consequence/saturation.hpp"
@@ -48,9 +48,10 @@ const Successor& Worker::note_about_successor(Premise premise) {
 //  <u, v, f> for a v with core(v) part of K1                            [K2: those with G -> D v [L f] in u]
 //  L -> L in v for each L of K2 that is not in core(v)
 //
-// K1's concepts make the core ("eager" in the paper): what certainly holds of a successor is a unit in its context, so
-// that a Horn ontology has units nearly everywhere. Its roles to x are no part of it: the same things as the successors
-// of different roles are one context, as in EL. A successor that is not certain to exist has a context of its function.
+// K1's concepts are the core ("eager" in the paper). So what certainly holds of a successor is a unit in its context,
+// and a Horn ontology has units nearly everywhere. The successor's roles to x are not in the core, so that equal
+// successors of different roles share one context, as in EL. A successor that is not certain to exist has a context of
+// its function.
 void Worker::apply_succ(Successor& successor) {
   if (successor.replaced_by != successor.f) {
     if (successor.target != nullptr) {

@@ -12,7 +12,7 @@ namespace {
 
 using owl::TermKind;
 
-/// A range as far as it is understood.
+/// A range, as far as it is understood.
 struct Understood {
   enum class Kind : std::uint8_t { everything, datatype, unknown_datatype, value, other } kind = Kind::other;
   bool is_complement = false;
@@ -75,7 +75,7 @@ using Kind = Understood::Kind;
 
 [[nodiscard]] bool is_empty(const Understood& range) { return range.kind == Kind::everything && range.is_complement; }
 
-/// Whether every value of `a` is one of `b`, leaving complements aside. False where that is not known.
+/// Whether every value of `a` is one of `b`, without regard to complements. False if that is not known.
 [[nodiscard]] bool is_within(const Understood& a, const Understood& b) {
   if (a.term == b.term || b.kind == Kind::everything) return true;
   if (a.kind == Kind::datatype && b.kind == Kind::datatype) return a.datatype->is_within(*b.datatype);
@@ -85,7 +85,7 @@ using Kind = Understood::Kind;
          a.value->canonical == b.value->canonical;
 }
 
-/// Whether they have no value in common. False where that is not known.
+/// Whether they have no value in common. False if that is not known.
 [[nodiscard]] bool are_disjoint(const Understood& a, const Understood& b) {
   if (a.kind == Kind::datatype && b.kind == Kind::datatype) return a.datatype->is_disjoint(*b.datatype);
   if (b.kind == Kind::value && a.kind == Kind::datatype) return are_disjoint(b, a);
@@ -96,22 +96,22 @@ using Kind = Understood::Kind;
   return a.value->is_exact && b.value->is_exact && a.value->canonical != b.value->canonical;
 }
 
-/// Whether more than pairs would have to be looked at, or one of them is not understood.
+/// Whether pairs do not tell everything about the two, or one of them is not understood.
 [[nodiscard]] bool may_hide_more(const Understood& a, const Understood& b) {
   if (is_empty(a) || is_empty(b) || a.kind == Kind::everything || b.kind == Kind::everything) return false;
   if (a.kind == Kind::unknown_datatype || b.kind == Kind::unknown_datatype) {
     return a.is_complement || b.is_complement || a.kind == Kind::value || b.kind == Kind::value;
   }
-  // Complements alone leave values; with a third range, the pairs with that one tell.
+  // Two complements always have values in common. With a third range, its pairs with them decide.
   if (a.is_complement && b.is_complement) return false;
   if (a.is_complement) return may_hide_more(b, a);
-  // Infinitely many values are left without some.
+  // Infinitely many values without some are still infinitely many.
   if (b.is_complement && b.kind == Kind::value && a.kind == Kind::datatype && !a.datatype->is_finite()) return false;
   const bool is_known = is_within(a, b) || are_disjoint(a, b);
   return b.is_complement ? !is_known : !is_known && !is_within(b, a);
 }
 
-/// Numbers the values of literals that are told apart with certainty.
+/// Numbers the values of literals that are certainly different.
 [[nodiscard]] std::vector<std::uint32_t> number_values(const std::vector<Understood>& ranges) {
   std::map<std::pair<owl::DataFamily, std::string>, std::uint32_t> values;
   std::vector<std::uint32_t> numbers(ranges.size(), 0);
@@ -127,7 +127,7 @@ using Kind = Understood::Kind;
 
 }  // namespace
 
-/// Ranges that taking apart may make; beyond, they stay whole, and are not understood.
+/// The most ranges that splitting may make. Beyond it ranges stay whole and are not understood.
 constexpr std::size_t max_ranges = 100'000;
 
 std::vector<RangeParts> take_apart(const owl::Ontology& source,
@@ -159,7 +159,7 @@ ValueConflicts conflicts_of(const owl::Ontology& source, std::span<const clauses
   const Reading reading(source, definitions);
   std::vector<Understood> understood;
   for (const clauses::DataRange& range : ranges) understood.push_back(reading.read(range));
-  // Their parts tell all.
+  // These ranges are known by their parts.
   for (const RangeParts& parts : apart) {
     understood[parts.range] = Understood();
     understood[parts.range].kind = Kind::everything;
@@ -167,7 +167,7 @@ ValueConflicts conflicts_of(const owl::Ontology& source, std::span<const clauses
   ValueConflicts result;
   result.value_number = number_values(understood);
   std::vector<bool> is_unknown(understood.size(), false);
-  // Numbered values are compared by their numbers, so that the rest, which is few, is what costs the square.
+  // Numbered values are compared by their numbers. Only the few other ranges are compared pair by pair.
   std::vector<std::size_t> others;
   std::map<owl::TermId, std::vector<std::size_t>> not_understood;
   for (std::size_t i = 0; i < understood.size(); ++i) {
@@ -178,7 +178,7 @@ ValueConflicts conflicts_of(const owl::Ontology& source, std::span<const clauses
     if (range.kind == Kind::value || (range.kind == Kind::datatype && range.datatype->is_finite())) {
       result.is_finite = true;
     }
-    // Of what is not understood nothing is known beside another, unless it is the complement of that.
+    // Nothing is known about a range that is not understood beside another one, except beside its own complement.
     if (range.kind == Kind::other) {
       std::vector<std::size_t>& same = not_understood[range.term];
       for (const std::size_t other : same) {
@@ -189,7 +189,7 @@ ValueConflicts conflicts_of(const owl::Ontology& source, std::span<const clauses
     }
     if (result.value_number[i] == 0) others.push_back(i);
   }
-  // Beside one that is not known at all no other need be unclear: it is enough that the one is.
+  // Marking the unknown ranges as unclear is enough; the others need not be marked because of them.
   result.is_unclear = is_unknown;
   for (std::size_t i = 0; i < understood.size(); ++i) {
     for (const std::size_t j : others) {

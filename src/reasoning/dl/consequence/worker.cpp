@@ -136,7 +136,7 @@ void Worker::activate(Premise premise) {
   ClauseStore& store = context_->store;
   if (is_successor(literal.term())) {
     if (is_replaced(literal.term())) {
-      // The equation came while this waited.
+      // The equation was derived while this waited.
       return paramodulate({no_clause, equality(literal.term(), successor_of(literal.term()).replaced_by, false)},
                           premise);
     }
@@ -178,7 +178,7 @@ void Worker::activate(Premise premise) {
       for (const Occurrence& found : rules_.with_reflexive(literal.predicate())) hyper(premise, found, x_term);
       break;
   }
-  // What is filed may grow when conclusions are, not before.
+  // Conclusions are filed afterwards, so the lists do not change here.
   if (const auto* const lists = store.lists(literal); lists != nullptr) {
     for (const std::uint32_t foreign : lists->waiting) resolve_foreign(foreign, premise);
   }
@@ -208,7 +208,7 @@ void Worker::become_unsatisfiable() {
 }
 
 void Worker::file_conclusions() {
-  // Units first: they make others redundant.
+  // Units first, because they make others redundant.
   for (const Literal unit : units_) add_unit(unit);
   units_.clear();
   std::size_t at = 0;
@@ -230,15 +230,16 @@ void Worker::file_conclusions() {
 //  ------------------- Ineq       ------------------ Elim [G' is part of G, D' of D]
 //  G -> D                         drop G -> D
 //
-// With Elim go its kin: true -> f(x) = t lets every other f(x) be written as t; siblings f(x) and g(x) are different,
-// and so are x and y (where they are not, the context is not needed: its things are written in another way).
+// Elim includes two more cases. With true -> f(x) = t every other f(x) is written as t. Siblings f(x) and g(x) are
+// different, and so are x and y. If x and y were equal, the context would not be needed, because its things are written
+// in another way.
 bool Worker::simplify_head(std::vector<Literal>& head) {
   std::size_t kept = 0;
   for (Literal literal : head) {
     while (is_successor(literal.term()) && is_replaced(literal.term())) {
       const Term by = successor_of(literal.term()).replaced_by;
       if (literal.kind() <= LiteralKind::different && literal.other() == by) {
-        // t = t is true, t is not t false.
+        // t = t is true, t is not t is false.
         if (literal.kind() == LiteralKind::equal) return false;
         literal = no_literal;
         break;
@@ -270,8 +271,8 @@ bool Worker::may_have_alternatives() {
   return !context_->is_cut;
 }
 
-// A context with many alternatives would derive every combination of them. It goes on without: what it derives from the
-// rest is sound, and what may be missing is the gap.
+// A context with many alternatives would derive every combination of them. It goes on without them. What it derives
+// from the rest is sound, and what may be missing is the gap.
 void Worker::cut() {
   context_->is_cut = true;
   context_->store.drop_alternatives();
@@ -304,7 +305,7 @@ void Worker::add(std::vector<Literal>& body, std::vector<Literal>& head) {
 
 void Worker::add_unit(Literal literal) {
   if (literal.kind() <= LiteralKind::different || (is_successor(literal.term()) && is_replaced(literal.term()))) {
-    // It may be simplified; few are of this kind.
+    // It may be simplified. There are few of this kind.
     std::vector<Literal> head{literal};
     if (!simplify_head(head)) return;
     if (head.empty()) {

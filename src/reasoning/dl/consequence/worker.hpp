@@ -1,11 +1,11 @@
-// Works one context at a time: takes a clause that is new and applies every rule to it and the clauses before it.
+// Works on one context at a time: takes a new clause and applies every rule to it and the processed clauses.
 //
-// The rules are those of Bate et al., table 2; each stands in logic notation beside its code. Legend: u v contexts,
-// G bodies (conjunctions), D heads (disjunctions), A an atom, L a literal, O the ontology's rules, f a function symbol;
-// G -> D v L with L in brackets, [L], says that L is maximal in that head; core(v) the core. Su and Pr are the literals
-// that are passed to successors and predecessors; <u, v, f> says that the things f(x) of u are in v.
+// The rules are those of Bate et al., table 2. Each stands in logic notation beside its code. Legend: u v contexts, G
+// bodies (conjunctions), D heads (disjunctions), A an atom, L a literal, O the ontology's rules, f a function symbol.
+// In G -> D v [L] the brackets say that L is maximal in that head; core(v) is the core. Su and Pr are the literals that
+// are passed to successors and predecessors. <u, v, f> says that the things f(x) of u are in v.
 //
-// Conclusions are collected while a rule looks through the store, and only then filed.
+// Conclusions are collected while a rule looks through the store, and filed afterwards.
 #ifndef GEMINGA_REASONING_DL_CONSEQUENCE_WORKER_HPP
 #define GEMINGA_REASONING_DL_CONSEQUENCE_WORKER_HPP
 
@@ -24,25 +24,25 @@ class Saturation;
 class Worker {
  public:
   Worker(Saturation& saturation, unsigned number);
-  /// Works the context until it has neither messages nor new clauses. It must be scheduled.
+  /// Works until the context has neither messages nor new clauses. The context must be scheduled.
   void work(Context& context);
 
  private:
   static constexpr std::size_t attempts_at_once = 4096;
-  /// Literals of conclusions that wait to be filed (64 MiB): more come of one step only where nothing can help.
+  /// Literals of conclusions that wait to be filed (64 MiB). A single step with more of them cannot end in time anyway.
   static constexpr std::size_t max_waiting_literals = std::size_t{1} << 24;
-  /// A clause counts once for as many literals as this, so that what is counted bounds the memory.
+  /// A clause counts once for each of so many literals, so that the count bounds the memory.
   static constexpr std::size_t literals_per_clause = 8;
-  /// So many clauses are compared with a new one in the time of an attempt.
+  /// Comparing a new clause with this many others takes as long as an attempt.
   static constexpr std::size_t compared_per_attempt = 8;
   static constexpr ClauseNumber no_clause = std::numeric_limits<ClauseNumber>::max();
-  /// The clause G -> D v [L], or where `clause` is no_clause, true -> L.
+  /// The clause G -> D v [L]. If `clause` is no_clause, it is true -> L.
   struct Premise {
     ClauseNumber clause = no_clause;
     Literal literal;
   };
 
-  // worker.cpp: the queue of one context, and what is redundant.
+  // worker.cpp: the queue of one context, and redundancy.
   void receive();
   void saturate_locally();
   void activate_unit(Literal literal);
@@ -51,25 +51,25 @@ class Worker {
   [[nodiscard]] std::size_t maximal_count(std::span<const Literal> head) const;
   void start();
   void become_unsatisfiable();
-  /// Files  body -> head  unless it is redundant. Both in any order; they are used as room.
+  /// Files body -> head unless it is redundant. Both may be in any order, and are used as working space.
   void add(std::vector<Literal>& body, std::vector<Literal>& head);
   void add_unit(Literal literal);
   void note_open(Literal literal) {
     if (literal.kind() == LiteralKind::unary && rules_.is_open(literal.predicate())) context_->has_open = true;
   }
-  /// Counts a conclusion with alternatives; false: the context keeps no more of these.
+  /// Counts a conclusion with alternatives. False: the context keeps no more of these.
   [[nodiscard]] bool may_have_alternatives();
   void cut();
   [[nodiscard]] bool simplify_head(std::vector<Literal>& head);
   void file_conclusions();
 
-  // conclusions.cpp: premises to conclusions.
+  // conclusions.cpp: from premises to conclusions.
   [[nodiscard]] std::span<const Literal> body_of(Premise premise) const;
   [[nodiscard]] std::span<const Literal> head_of(Premise premise) const;
   void begin_conclusion();
   void add_side(Premise premise);
   void end_conclusion(std::span<const Literal> head);
-  /// Calls `use` with each processed clause that has the literal as a maximal one.
+  /// Calls `use` with each processed clause in which the literal is maximal.
   template <typename Use>
   void for_each_premise(Literal literal, Use&& use) const {
     const ClauseStore& store = context_->store;
@@ -105,7 +105,7 @@ class Worker {
   // successors.cpp
   [[nodiscard]] Successor& successor_of(Term f);
   void mark_changed(Successor& successor);
-  /// The successor that the literal is about. Valid until there is a new one.
+  /// The successor that the literal is about. Valid until there is a new successor.
   const Successor& note_about_successor(Premise premise);
   void apply_succ(Successor& successor);
 
@@ -135,7 +135,7 @@ class Worker {
   Context* context_ = nullptr;
   std::size_t derived_ = 0;
 
-  // Room that is kept between calls.
+  // Working space that is kept between calls.
   Pooled<Message> messages_;
   Pooled<Literal> message_literals_;
   std::vector<Premise> premises_;

@@ -3,7 +3,7 @@
 namespace geminga::frames {
 namespace {
 
-/// Entities have the first numbers of all terms.
+/// Entities are the first kinds of terms.
 std::uint8_t bit_of(owl::TermKind kind) { return static_cast<std::uint8_t>(1U << static_cast<unsigned>(kind)); }
 
 }  // namespace

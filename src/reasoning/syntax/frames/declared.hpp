@@ -1,5 +1,5 @@
-// Which properties are of objects and which of data: Manchester syntax writes both alike, and what says so may stand
-// behind their first use or in another file.
+// Which properties are object and which are data properties. Manchester syntax writes both alike, and their
+// declarations may stand behind their first use or in another file.
 #ifndef GEMINGA_REASONING_SYNTAX_FRAMES_DECLARED_HPP
 #define GEMINGA_REASONING_SYNTAX_FRAMES_DECLARED_HPP
 
@@ -13,11 +13,11 @@
 
 namespace geminga::frames {
 
-/// The kinds under which IRIs are declared, or used in a syntax that tells them apart, in all files of a load.
+/// The kinds with which all files of a load declare IRIs, or use them in a syntax that distinguishes kinds.
 class Declared {
  public:
   void add(owl::TermKind kind, std::string_view iri);
-  /// What a source holds of properties and datatypes.
+  /// Adds the properties and datatypes of a source.
   void add(const owl::Ontology& source);
   [[nodiscard]] bool has(owl::TermKind kind, std::string_view iri) const;
 
@@ -26,7 +26,7 @@ class Declared {
     using is_transparent = void;
     std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
   };
-  /// A bit a kind of entity.
+  /// A bit for each kind of entity.
   std::unordered_map<std::string, std::uint8_t, TextHash, std::equal_to<>> kinds_;
 };
 

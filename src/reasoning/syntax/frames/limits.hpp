@@ -8,7 +8,7 @@
 
 namespace geminga::frames {
 
-/// What is beyond any of these refuses the file, with the line. What el::SourceLimits names holds as well.
+/// A file that exceeds one of these is refused, with the line. The limits of owl::SourceLimits hold as well.
 struct Limits {
   std::size_t file_bytes = std::size_t{1} << 30;
   /// Of one IRI, written out.

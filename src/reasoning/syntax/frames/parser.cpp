@@ -123,12 +123,12 @@ void Parser::frame() {
   parts_ = 0;
   if (word == "Import:") return import();
   if (word == "Annotations:") return own_annotations(of_ontology);
-  if (word == "Class:") return class_frame();
-  if (word == "ObjectProperty:") return object_property_frame();
-  if (word == "DataProperty:") return data_property_frame();
-  if (word == "AnnotationProperty:") return annotation_property_frame();
-  if (word == "Datatype:") return datatype_frame();
-  if (word == "Individual:") return individual_frame();
+  if (word == "Class:") return frame_of(Frame::of_class);
+  if (word == "ObjectProperty:") return frame_of(Frame::of_object_property);
+  if (word == "DataProperty:") return frame_of(Frame::of_data_property);
+  if (word == "AnnotationProperty:") return frame_of(Frame::of_annotation_property);
+  if (word == "Datatype:") return frame_of(Frame::of_datatype);
+  if (word == "Individual:") return frame_of(Frame::of_individual);
   if (word == "Rule:") return rule();
   misc(word);
 }

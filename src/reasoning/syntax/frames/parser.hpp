@@ -1,7 +1,7 @@
-// Recursive descent over one document: its head, frames, sections; class expressions are those of
-// src/reasoning/syntax/manchester.
+// Recursive descent over one document: its head, frames and sections. src/reasoning/syntax/manchester parses class
+// expressions.
 //
-// Every function below reads one piece of the grammar; once one has failed, nothing more is read, and all return.
+// Each function below reads one production. After the first error nothing more is read, and all functions return.
 #ifndef GEMINGA_REASONING_SYNTAX_FRAMES_PARSER_HPP
 #define GEMINGA_REASONING_SYNTAX_FRAMES_PARSER_HPP
 
@@ -31,7 +31,7 @@ class Parser final : private manchester::Parser {
          const Limits& limits, std::vector<owl::Annotation>* annotations = nullptr);
 
   [[nodiscard]] std::expected<Document, ReadError> run();
-  /// Reads prefixes, and the names of frames of properties and datatypes, up to the first problem.
+  /// Reads prefixes, and which frames are of properties and datatypes, up to the first problem.
   void look_ahead(Declared& declared);
 
  private:
@@ -42,35 +42,33 @@ class Parser final : private manchester::Parser {
   void frame();
   [[nodiscard]] bool is_section() const { return tokens_.token().kind == manchester::TokenKind::section; }
   [[nodiscard]] bool is_section(std::string_view word) const { return is_section() && tokens_.token().text == word; }
-  /// The line of an octet. Octets only grow from one call to the next but for those of problems.
+  /// The line of an octet. From call to call octets must not descend, except for problems.
   [[nodiscard]] std::uint32_t line_of(std::size_t octet);
   std::uint32_t line() { return line_of(tokens_.token().begin); }
 
   // parser_frames.cpp
-  void class_frame();
-  void object_property_frame();
-  void data_property_frame();
-  void annotation_property_frame();
-  void datatype_frame();
-  void individual_frame();
-  /// A section that consists of a list of members; false: it is none of this frame. `name` is the subject's.
-  bool list_section(Frame frame, Term subject, std::string_view name = {});
+  void frame_of(Frame frame);
+  Term subject_of(Frame frame);
+  /// A section that only this kind of frame has. False: it is none of these.
+  bool special_section(Frame frame, Term subject);
+  /// A section that is a list of members. False: this frame has no such section. `name` is the subject's.
+  bool list_section(Frame frame, Term subject, std::string_view name);
   void characteristics(Term subject, bool is_data);
   void disjoint_union(Term subject);
   void has_key(Term subject);
   void property_chain(Term subject);
   void facts(Term subject);
-  /// EquivalentClasses: and its like, outside of frames.
+  /// EquivalentClasses: and the other axioms outside of frames.
   void misc(std::string_view word);
   void rule();
-  /// Whether this is the begin of a text that never ends: to look behind it for others would be quadratic.
+  /// Whether a text begins here that never ends. Looking for other sections behind it would be quadratic.
   [[nodiscard]] bool is_endless_text() const {
     const manchester::Token& token = tokens_.token();
     return token.kind == manchester::TokenKind::bad && (token.text == "\"" || token.text == "'");
   }
   Term member(Member kind);
   Term object_property_expression();
-  /// A property, of which its declaration says whether it is one of objects.
+  /// A property, whose declaration says whether it is an object property.
   Term any_property();
   void add(owl::AxiomKind kind, std::span<const Term> arguments, std::uint32_t line);
   void declare(Term entity, std::uint32_t line);
@@ -80,11 +78,11 @@ class Parser final : private manchester::Parser {
   void annotations();
   /// The subject of annotations of the ontology; no blank node has this name.
   static constexpr std::string_view of_ontology = "_:ontology";
-  /// A frame's own annotations, or the ontology's; labels are kept where the subject is an IRI.
+  /// The annotations of a frame or of the ontology. Labels are kept if the subject is an IRI.
   void own_annotations(std::string_view subject);
   void annotation_list(std::string_view subject);
   void annotation(std::string_view subject);
-  /// `SubPropertyOf: Q` of an annotation property and its like.
+  /// `SubPropertyOf: Q` and the other sections of an annotation property.
   void annotation_axiom(std::string_view subject, std::string_view word, std::string object);
 
   // parser_names.cpp

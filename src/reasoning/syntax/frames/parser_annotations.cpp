@@ -1,4 +1,4 @@
-// Annotations: read to the letter, used for labels, and otherwise counted.
+// Annotations: checked in full, used for labels, and otherwise counted.
 #include <utility>
 
 #include "reasoning/syntax/frames/parser.hpp"
@@ -20,7 +20,7 @@ void Parser::annotations() {
   }
 }
 
-// The same as a section of its own. OWL tools write it without any, too.
+// The same as a section of its own. OWL tools also write it without any member.
 void Parser::own_annotations(std::string_view subject) {
   take();
   annotations_.begin();

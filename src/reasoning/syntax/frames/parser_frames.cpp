@@ -16,10 +16,10 @@ bool Parser::take_comma() { return take_symbol(","); }
 void Parser::add(AxiomKind kind, std::span<const Term> arguments, std::uint32_t line) {
   if (failed()) return;
   const std::size_t before = source_.axiom_count();
-  const std::size_t damaged = source_.damaged_count();
+  const std::size_t ill_typed = source_.ill_typed_count();
   source_.add(kind, arguments, file_, line);
   document_.axioms += source_.axiom_count() - before;
-  annotations_.settle(source_, before, damaged);
+  annotations_.attach(source_, before, ill_typed);
 }
 
 void Parser::declare(Term entity, std::uint32_t line) {
@@ -63,7 +63,7 @@ bool Parser::list_section(Frame frame, Term subject, std::string_view name) {
   const Section* section = find_section(frame, tokens_.token().text);
   if (section == nullptr) return false;
   take();
-  // OWL tools write a section without members where they have none.
+  // OWL tools write a section without members if they have none.
   if (is_section() && !is_section("Annotations:")) return true;
   if (tokens_.token().kind == TokenKind::end) return true;
   do {
@@ -87,113 +87,61 @@ bool Parser::list_section(Frame frame, Term subject, std::string_view name) {
   return true;
 }
 
-// classFrame = "Class:" description *section
-void Parser::class_frame() {
+// frame = WORD subject *section
+void Parser::frame_of(Frame frame) {
   take();
   const std::uint32_t line = this->line();
-  const Term subject = description();
+  const Term subject = subject_of(frame);
   if (failed()) return;
-  const bool is_named = source_.kind(subject) == TermKind::named_class;
-  if (is_named) declare(subject, line);
-  const std::string name(is_named ? source_.name_of(subject) : std::string_view());
+  const TermKind kind = source_.kind(subject);
+  if (kind <= TermKind::individual) declare(subject, line);
+  const std::string name(kind <= TermKind::anonymous_individual ? source_.name_of(subject) : std::string_view());
   while (!failed()) {
     if (is_section("Annotations:")) {
       own_annotations(name);
-    } else if (is_section("DisjointUnionOf:")) {
-      disjoint_union(subject);
-    } else if (is_section("HasKey:")) {
-      has_key(subject);
-    } else if (!list_section(Frame::of_class, subject)) {
+    } else if (!special_section(frame, subject) && !list_section(frame, subject, name)) {
       break;
     }
   }
 }
 
-// objectPropertyFrame = "ObjectProperty:" objectPropertyExpression *section
-void Parser::object_property_frame() {
-  take();
-  const std::uint32_t line = this->line();
-  const Term subject = object_property_expression();
-  if (failed()) return;
-  const bool is_named = source_.kind(subject) == TermKind::object_property;
-  if (is_named) declare(subject, line);
-  const std::string name(is_named ? source_.name_of(subject) : std::string_view());
-  while (!failed()) {
-    if (is_section("Annotations:")) {
-      own_annotations(name);
-    } else if (is_section("Characteristics:")) {
-      characteristics(subject, false);
-    } else if (is_section("SubPropertyChain:")) {
-      property_chain(subject);
-    } else if (!list_section(Frame::of_object_property, subject)) {
+owl::TermId Parser::subject_of(Frame frame) {
+  switch (frame) {
+    case Frame::of_class:
+      return description();
+    case Frame::of_object_property:
+      return object_property_expression();
+    case Frame::of_data_property:
+      return member(Member::data_property);
+    case Frame::of_datatype:
+      return is_name() ? entity(TermKind::datatype, take()) : expected("a datatype");
+    case Frame::of_individual:
+      return individual();
+    case Frame::of_annotation_property:
       break;
-    }
   }
-}
-
-void Parser::data_property_frame() {
-  take();
-  const std::uint32_t line = this->line();
-  const Term subject = member(Member::data_property);
-  declare(subject, line);
-  const std::string name(failed() ? std::string_view() : source_.name_of(subject));
-  while (!failed()) {
-    if (is_section("Annotations:")) {
-      own_annotations(name);
-    } else if (is_section("Characteristics:")) {
-      characteristics(subject, true);
-    } else if (!list_section(Frame::of_data_property, subject)) {
-      break;
-    }
-  }
-}
-
-void Parser::annotation_property_frame() {
-  take();
-  const std::uint32_t line = this->line();
   const std::string name = iri("the name of an annotation property");
-  if (failed()) return;
-  declare(source_.annotation_property(name), line);
-  while (!failed()) {
-    if (is_section("Annotations:")) {
-      own_annotations(name);
-    } else if (!list_section(Frame::of_annotation_property, owl::thing_term, name)) {
-      break;
-    }
-  }
+  return failed() ? owl::thing_term : source_.annotation_property(name);
 }
 
-void Parser::datatype_frame() {
-  take();
-  const std::uint32_t line = this->line();
-  const Term subject = is_name() ? entity(TermKind::datatype, take()) : expected("a datatype");
-  declare(subject, line);
-  const std::string name(failed() ? std::string_view() : source_.name_of(subject));
-  while (!failed()) {
-    if (is_section("Annotations:")) {
-      own_annotations(name);
-    } else if (!list_section(Frame::of_datatype, subject)) {
-      break;
-    }
+bool Parser::special_section(Frame frame, Term subject) {
+  const auto is_of = [&](Frame other, std::string_view word) { return frame == other && is_section(word); };
+  if (is_of(Frame::of_class, "DisjointUnionOf:")) {
+    disjoint_union(subject);
+  } else if (is_of(Frame::of_class, "HasKey:")) {
+    has_key(subject);
+  } else if (is_of(Frame::of_object_property, "Characteristics:")) {
+    characteristics(subject, false);
+  } else if (is_of(Frame::of_data_property, "Characteristics:")) {
+    characteristics(subject, true);
+  } else if (is_of(Frame::of_object_property, "SubPropertyChain:")) {
+    property_chain(subject);
+  } else if (is_of(Frame::of_individual, "Facts:")) {
+    facts(subject);
+  } else {
+    return false;
   }
-}
-
-void Parser::individual_frame() {
-  take();
-  const std::uint32_t line = this->line();
-  const Term subject = individual();
-  if (failed()) return;
-  if (source_.kind(subject) == TermKind::individual) declare(subject, line);
-  const std::string name(source_.name_of(subject));
-  while (!failed()) {
-    if (is_section("Annotations:")) {
-      own_annotations(name);
-    } else if (is_section("Facts:")) {
-      facts(subject);
-    } else if (!list_section(Frame::of_individual, subject)) {
-      break;
-    }
-  }
+  return true;
 }
 
 // "Characteristics:" annotations WORD *( "," annotations WORD )

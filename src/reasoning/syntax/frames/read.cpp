@@ -10,7 +10,7 @@
 namespace geminga::frames {
 namespace {
 
-/// The first line that no reader of texts should see.
+/// The first line with something that a reader of texts must not see.
 std::optional<ReadError> check_text(std::string_view bytes) {
   const bool has_nul = bytes.find('\0') != std::string_view::npos;
   if (!has_nul && base::is_valid_utf8(bytes)) return std::nullopt;

@@ -2,7 +2,7 @@
 //
 //   frames::Declared declared;
 //   frames::look_ahead(bytes, declared);                     // of every file, before the first is read
-//   const el::FileId file = source.add_file(path);
+//   const owl::FileId file = source.add_file(path);
 //   const auto document = frames::read(bytes, file, source, declared);
 //   if (!document) return refuse(document.error());          // "oeo.omn", 17, "expected a class, found ','"
 //
@@ -26,17 +26,17 @@ namespace geminga::frames {
 using owl::Document;
 using owl::ReadError;
 
-/// Notes the properties and datatypes that a file has frames of. What is wrong with the file is said by read(). Linear.
+/// Notes the properties and datatypes that a file has frames of. Errors of the file are left to read(). Linear.
 void look_ahead(std::string_view bytes, Declared& declared, const Limits& limits = {});
 
-/// Reads a whole file into the source. Sets the ontology IRI of `file` there, adds every axiom with its line, and the
-/// texts of rdfs:label and skos:prefLabel as labels. Declared prefixes are not added: which file's meaning of a prefix
-/// counts is settled among all files. A property that nobody declares is one of data where what stands behind it is a
-/// literal or a datatype, and otherwise one of objects.
+/// Reads a whole file into the source: sets the ontology IRI of `file`, adds every axiom with its line, and adds the
+/// texts of rdfs:label and skos:prefLabel as labels. Declared prefixes are not added, because the loader chooses among
+/// those of all files. An undeclared property is a data property if a literal or a datatype follows it, and otherwise
+/// an object property.
 ///
-/// The annotations of frames and of the ontology are put where they are wanted.
+/// Annotations of frames and of the ontology are kept if the caller wants them.
 ///
-/// On an error the source holds an unknown part of the file: the caller drops it. Linear in the file.
+/// After an error the source holds some part of the file, and the caller must drop it. Linear in the file.
 [[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, owl::FileId file, owl::Ontology& source,
                                                       const Declared& declared, const Limits& limits = {},
                                                       std::vector<owl::Annotation>* annotations = nullptr);

@@ -1,4 +1,4 @@
-// The words with a colon that begin what stands in a document: its head, frames, the sections of frames.
+// The words with a colon in a document: those that begin its head, frames, and the sections of frames.
 #ifndef GEMINGA_REASONING_SYNTAX_FRAMES_SECTIONS_HPP
 #define GEMINGA_REASONING_SYNTAX_FRAMES_SECTIONS_HPP
 
@@ -34,7 +34,7 @@ enum class Frame : std::uint8_t {
   of_individual,
 };
 
-/// A section whose every member makes one axiom of two arguments.
+/// A section in which each member makes one axiom of two arguments.
 struct Section {
   Frame frame = Frame::of_class;
   std::string_view word;
@@ -44,7 +44,7 @@ struct Section {
   bool is_subject_last = false;  ///< the frame's subject is the second argument
 };
 
-/// The section of a word in a frame, or nullptr where it is none of these simple ones.
+/// The section of a word in a frame. nullptr if it is not one of these simple sections.
 [[nodiscard]] const Section* find_section(Frame frame, std::string_view word);
 
 /// A characteristic of properties, `Transitive`; is_data: of data properties.

@@ -10,7 +10,7 @@
 
 namespace geminga::functional {
 
-/// A place in the grammar that a term can stand at.
+/// What a term can be an operand as.
 enum class Operand : std::uint8_t {
   none,
   named_class,
@@ -26,7 +26,7 @@ enum class Operand : std::uint8_t {
   facet,  ///< an IRI and a literal
 };
 
-/// What a word begins. Each has a function of its own in the parser, or is read by its operands.
+/// What a word begins. The parser reads it by a function of its own or by its operands.
 enum class Form : std::uint8_t {
   document,    ///< Prefix, Ontology: outside of the ontology's brackets
   import,      ///< Import
@@ -47,7 +47,7 @@ enum class Form : std::uint8_t {
 struct Production {
   std::string_view word;
   Form form = Form::axiom;
-  std::uint8_t kind = 0;           ///< of el::TermKind or el::AxiomKind
+  std::uint8_t kind = 0;           ///< of owl::TermKind or owl::AxiomKind
   Operand result = Operand::none;  ///< of expressions: what they may stand for
   bool is_counted = false;
   std::array<Operand, 3> first{};

@@ -100,10 +100,10 @@ void Parser::add(owl::AxiomKind kind, std::uint32_t line) {
     return annotations_.drop();
   }
   const std::size_t before = source_.axiom_count();
-  const std::size_t damaged = source_.damaged_count();
+  const std::size_t ill_typed = source_.ill_typed_count();
   source_.add(kind, terms_, file_, line);
   document_.axioms += source_.axiom_count() - before;
-  annotations_.settle(source_, before, damaged);
+  annotations_.attach(source_, before, ill_typed);
 }
 
 }  // namespace geminga::functional

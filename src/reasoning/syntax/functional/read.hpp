@@ -1,6 +1,6 @@
 // From the bytes of one file in the functional-style syntax of OWL 2 to the axioms of an Ontology.
 //
-//   const el::FileId file = source.add_file(path);
+//   const owl::FileId file = source.add_file(path);
 //   const auto document = functional::read(bytes, file, source);
 //   if (!document) return refuse(to_string(document.error()));    // "soma.owl:17: expected a class expression, found
 //   ')'" for (const auto& import : document->imports) ...              // the caller's business: none is fetched here
@@ -27,14 +27,12 @@ using owl::ReadError;
 /// `Ontology`, and a bracket follows. Looks no further.
 [[nodiscard]] bool is_functional(std::string_view bytes);
 
-/// Reads a whole file into the source. Sets the ontology IRI of `file` there, adds every axiom with its line, and the
-/// texts of rdfs:label and skos:prefLabel as labels. Declared prefixes are not added: which file's meaning of a prefix
-/// counts is settled among all files. What no axiom kind can express is left out there by name; annotations have no
-/// meaning for a reasoner, and are only counted.
+/// Reads a whole file into the source: sets the ontology IRI of `file`, adds every axiom with its line, and adds the
+/// texts of rdfs:label and skos:prefLabel as labels. Declared prefixes are not added, because the loader chooses among
+/// those of all files. What no axiom kind can express is left out by name. Annotations mean nothing to a reasoner: they
+/// are counted, and kept if the caller wants them.
 ///
-/// Annotations of names and of the ontology are put where they are wanted.
-///
-/// On an error the source holds an unknown part of the file: the caller drops it. Linear in the file.
+/// After an error the source holds some part of the file, and the caller must drop it. Linear in the file.
 [[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, owl::FileId file, owl::Ontology& source,
                                                       const Limits& limits = {},
                                                       std::vector<owl::Annotation>* annotations = nullptr);

@@ -1,4 +1,4 @@
-// Cuts functional-style syntax into its terminal symbols, one at a time, without copying any.
+// Cuts functional-style syntax into its terminal symbols, one at a time, without copying them.
 #ifndef GEMINGA_REASONING_SYNTAX_FUNCTIONAL_TOKENIZER_HPP
 #define GEMINGA_REASONING_SYNTAX_FUNCTIONAL_TOKENIZER_HPP
 
@@ -42,13 +42,13 @@ struct Problem {
   std::string text;
 };
 
-/// The first problem of a text that is to be tokenized: a NUL, or bytes that are no UTF-8.
+/// The first problem of a text before it is tokenized: a NUL, or octets that are not UTF-8.
 [[nodiscard]] std::optional<Problem> check_text(std::string_view bytes);
 
-/// Appends a text without the backslashes that escape its characters.
+/// Appends a text with its escapes resolved.
 void append_unescaped(std::string& to, std::string_view text);
 
-/// Walks over a text that check_text() has passed. White space and comments are skipped.
+/// Walks over a text that check_text() has accepted. White space and comments are skipped.
 class Tokenizer {
  public:
   /// Stands on the first token. Both arguments must outlive the tokenizer.
@@ -58,10 +58,10 @@ class Tokenizer {
   [[nodiscard]] bool is(TokenKind kind) const { return token_.kind == kind; }
   void advance();
 
-  /// The line, from 1, in which the current token begins. Every byte is counted once, however often this is called.
+  /// The line, from 1, in which the current token begins. Each octet is counted once, however often this is called.
   [[nodiscard]] std::uint32_t line();
 
-  /// Ends the tokens with a problem in the line of the current token. The first problem stays.
+  /// Ends the tokens with a problem in the line of the current token. The first problem is kept.
   void fail(std::string text);
   [[nodiscard]] const std::optional<Problem>& problem() const { return problem_; }
 

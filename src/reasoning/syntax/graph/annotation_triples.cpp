@@ -1,5 +1,6 @@
-// Annotations (mapping to RDF, section 2.3): what an axiom's own node says where it has one; for an axiom that is a
-// triple owl:Axiom, for an annotation owl:Annotation, with the triple's subject, predicate and object.
+// Annotations (mapping to RDF, section 2.3). They are triples of the axiom's own node, if it has one. For an axiom that
+// is one triple they are those of an owl:Axiom, and for an annotation those of an owl:Annotation, with the triple's
+// subject, predicate and object.
 #include "reasoning/syntax/graph/axiom_triples.hpp"
 
 namespace geminga::graph {
@@ -28,7 +29,7 @@ Node AxiomTriples::reify(const Triple& triple, std::string_view type) {
   return made;
 }
 
-/// Annotations are nested as deep as the readers let them be.
+/// The readers bound how deep annotations nest.
 void AxiomTriples::annotate(const Node& holder, const Annotations& annotations, std::span<const std::uint32_t> own,
                             std::string_view type) {
   for (const std::uint32_t number : own) {

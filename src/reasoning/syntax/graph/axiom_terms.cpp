@@ -1,4 +1,4 @@
-// Expressions, literals and names as nodes. An expression is nested a bounded number of levels (el::SourceLimits).
+// Expressions, literals and names as nodes. An expression is nested a bounded number of levels (owl::SourceLimits).
 #include <string>
 
 #include "reasoning/syntax/graph/axiom_triples.hpp"

@@ -26,7 +26,7 @@ class Annotations {
 
   [[nodiscard]] const owl::Annotation& at(std::uint32_t number) const { return all_[number]; }
   [[nodiscard]] std::size_t size() const { return all_.size(); }
-  /// Their numbers, ascending; of axioms and of annotations.
+  /// The numbers of the annotations of axioms and of annotations, ascending.
   [[nodiscard]] std::span<const std::uint32_t> about(owl::Annotation::Of of, std::uint32_t number) const;
 
  private:
@@ -40,18 +40,17 @@ class AxiomTriples {
   AxiomTriples(const owl::Ontology& source, TripleSink sink) : source_(source), sink_(std::move(sink)) {}
 
   void add(const owl::Axiom& axiom);
-  /// Says of the axiom that was added last what annotations say of it, and of them: all of `own`, which are numbers in
-  /// the list.
+  /// Writes annotations of the axiom that was added last, with their own annotations. `own` are numbers in the list.
   void annotate(const Annotations& annotations, std::span<const std::uint32_t> own);
-  /// An annotation of a name or of an ontology, and what annotations say of it.
+  /// Writes an annotation of a name or of an ontology, with its own annotations.
   void add(const Annotations& annotations, std::uint32_t number);
-  /// The node of the ontology in a file: its name, or a blank one.
+  /// The node of a file's ontology: its name, or a blank node.
   [[nodiscard]] Node ontology(owl::FileId file) const;
 
  private:
   using Terms = std::span<const owl::TermId>;
 
-  /// What an axiom is when it is one triple, or one of several that mean it together.
+  /// The form of an axiom that is one triple, or one of several triples that mean it together.
   struct Triple {
     Node subject;
     Node predicate;

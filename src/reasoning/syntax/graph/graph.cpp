@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t chunk_bytes = std::size_t{1} << 16;
 
-/// One file on its way into a graph.
+/// Adds one file to a graph.
 struct Reading {
   Graph::State& graph;
   std::string blank_prefix;
@@ -37,8 +37,8 @@ struct Reading {
     return graph.keeps(node_of(*statement.subject), node_of(*statement.predicate).text, node_of(*statement.object));
   }
 
-  /// Names of blank nodes, those that a file gives and those that raptor makes up. Raptor frees what it is given and
-  /// what it gets.
+  /// Renames blank nodes, both those of a file and those that raptor makes up. Raptor frees the name that it gives and
+  /// the one that it gets.
   static unsigned char* on_blank(void* data, unsigned char* given) {
     auto& self = *static_cast<Reading*>(data);
     const std::string label = self.blank_prefix + (given == nullptr ? 'g' + std::to_string(++self.generated)
@@ -51,11 +51,11 @@ struct Reading {
 };
 
 const char* parser_of(syntax::Syntax syntax) {
-  // N-Triples are Turtle, whose reader passes nothing over in silence.
+  // N-Triples are read as Turtle, whose reader skips nothing in silence.
   return syntax == syntax::Syntax::rdf_xml ? "rdfxml" : "turtle";
 }
 
-/// Takes every occurrence of a word out of a text; how many there were.
+/// Removes every occurrence of a word from a text, and returns how many there were.
 std::size_t take_out(std::string_view word, std::string& text) {
   std::size_t count = 0;
   std::size_t kept = 0;
@@ -140,7 +140,7 @@ std::optional<syntax::LoadError> Graph::add_file(const std::string& path, std::s
 
 const std::optional<std::string>& Graph::problem() const { return state_->problem; }
 
-void Graph::settle() { state_->statements.settle(); }
+void Graph::sort() { state_->statements.sort(); }
 
 void Graph::remove(const Graph& others) { state_->statements.remove(others.state_->statements); }
 

@@ -25,12 +25,12 @@
 
 namespace geminga::graph {
 
-/// What librdf writes, and our readers read.
+/// The syntaxes that librdf writes and our readers read.
 enum class Format : std::uint8_t { turtle, rdf_xml, n_triples };
 
-/// "turtle", "rdfxml", "ntriples"; nothing where it is none of these.
+/// "turtle", "rdfxml", "ntriples"; nothing for other names.
 [[nodiscard]] std::optional<Format> find_format(std::string_view name);
-/// By what a file's name ends in: .ttl, .nt; .rdf, .owl and .xml are RDF/XML.
+/// The format by the end of a file's name: .ttl, .nt; .rdf, .owl and .xml are RDF/XML.
 [[nodiscard]] std::optional<Format> format_of_file(std::string_view path);
 
 using Prefixes = std::vector<std::pair<std::string, std::string>>;  ///< without the colon; the IRI
@@ -42,24 +42,24 @@ class Graph {
   Graph& operator=(const Graph&) = delete;
   ~Graph();
 
-  /// From now on triples for which this says no are passed over.
+  /// From now on drops triples for which this returns false.
   void set_filter(std::function<bool(const Node& subject, std::string_view predicate, const Node& object)> keeps);
   void add(const Node& subject, const Node& predicate, const Node& object);
-  /// The triples of a file that rdf::load() has read, all of them, comments too. Its blank nodes are told apart from
-  /// those of other files by their number. Opens nothing else, whatever the file says.
+  /// Adds all triples of a file that rdf::load() has read, including comments. The file's number distinguishes its
+  /// blank nodes from those of other files. Opens nothing else, whatever the file says.
   [[nodiscard]] std::optional<syntax::LoadError> add_file(const std::string& path, std::size_t number);
 
-  /// Why it is not whole: a limit was exceeded, or memory is short; in one line.
+  /// Why the graph is incomplete, in one line: a limit was exceeded, or memory is short.
   [[nodiscard]] const std::optional<std::string>& problem() const;
 
-  /// Each triple once, in an order that depends on nothing but what they say. To be called before what follows.
-  void settle();
-  /// Takes out what another graph of the same settled kind has.
+  /// Sorts the triples by what they say and drops repeats. To be called before the functions below.
+  void sort();
+  /// Removes what another sorted graph has.
   void remove(const Graph& others);
   [[nodiscard]] std::size_t size() const;
-  /// In their order.
+  /// Calls the sink with each triple in their order.
   void for_each(const TripleSink& sink) const;
-  /// The whole of it in one text, or why there is none.
+  /// The whole graph as one text, or why that is impossible.
   [[nodiscard]] std::expected<std::string, std::string> write(Format format, const Prefixes& prefixes) const;
 
   struct State;

@@ -1,4 +1,4 @@
-// What a triple is made of, as plain texts.
+// The parts of a triple as plain texts.
 #ifndef GEMINGA_REASONING_SYNTAX_GRAPH_NODE_HPP
 #define GEMINGA_REASONING_SYNTAX_GRAPH_NODE_HPP
 
@@ -24,8 +24,8 @@ struct Node {
 [[nodiscard]] inline Node iri(std::string_view text) { return {Node::Kind::iri, std::string(text), {}, {}}; }
 [[nodiscard]] inline Node blank(std::string label) { return {Node::Kind::blank, std::move(label), {}, {}}; }
 
-/// A part of a blank node's label, as different as the text: letters and digits only. Redland's Turtle writer gives a
-/// node with any other character one label as a subject and another as an object.
+/// A part of a blank node's label that consists of letters and digits and differs where the text differs. Redland's
+/// Turtle writer gives a node with any other character two labels, one as a subject and one as an object.
 [[nodiscard]] inline std::string label_of(std::string_view text) {
   std::string label;
   for (const char c : text) {
@@ -35,7 +35,7 @@ struct Node {
   return label;
 }
 
-/// Takes the triples that something makes.
+/// Receives triples.
 using TripleSink = std::function<void(const Node& subject, const Node& predicate, const Node& object)>;
 
 }  // namespace geminga::graph

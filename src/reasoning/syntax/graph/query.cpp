@@ -22,7 +22,7 @@ using Owned = std::unique_ptr<T, Free>;
 
 constexpr const char* language = "sparql";
 
-/// Whether the query says itself what the prefix stands for.
+/// Whether the query itself declares the prefix.
 bool declares(std::string_view query, std::string_view prefix) {
   const std::string word = std::string(prefix) + ':';
   for (std::size_t at = query.find(word); at != std::string_view::npos; at = query.find(word, at + 1)) {
@@ -33,7 +33,7 @@ bool declares(std::string_view query, std::string_view prefix) {
   return false;
 }
 
-/// On one line, so that the lines of errors stay right.
+/// On one line, so that the lines in errors stay right.
 std::string with_prefixes(const std::string& query, const Prefixes& prefixes) {
   std::string text;
   for (const auto& [prefix, name] : prefixes) {
@@ -57,7 +57,7 @@ bool has_service(rasqal_graph_pattern* pattern) {
   }
 }
 
-/// Why a query is not asked; its variables. Rasqal reads it and is asked for nothing else.
+/// Why a query is refused, or its variables. Rasqal reads the query and does nothing else with it.
 std::optional<std::string> refusal_of(World& world, const std::string& query, std::vector<std::string>& variables) {
   const Owned<rasqal_query> read(rasqal_new_query(world.rasqal(), language, nullptr));
   if (read == nullptr) return "memory is short";
@@ -85,7 +85,7 @@ std::optional<std::string> refusal_of(World& world, const std::string& query, st
 
 void read_rows(librdf_query_results* results, std::size_t most, Answer& answer) {
   const int count = librdf_query_results_get_bindings_count(results);
-  // Of an answer without rows librdf does not know them.
+  // librdf does not know them for an answer without rows.
   if (count > 0) answer.variables.clear();
   for (int at = 0; at < count; ++at) answer.variables.emplace_back(librdf_query_results_get_binding_name(results, at));
   for (; librdf_query_results_finished(results) == 0; librdf_query_results_next(results)) {
@@ -113,7 +113,7 @@ std::optional<std::string> read_triples(World& world, librdf_query_results* resu
     }
     if (!made.add_copy(librdf_stream_get_object(stream.get()))) return "memory is short";
   }
-  made.settle();
+  made.sort();
   auto text = write(world, made, format, prefixes);
   if (!text) return text.error();
   answer.text = std::move(*text);

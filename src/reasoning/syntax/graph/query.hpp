@@ -12,7 +12,7 @@
 
 namespace geminga::graph {
 
-/// What a query gave; which of them depends on the query.
+/// The result of a query. The query decides which part of it is set.
 struct Answer {
   enum class Kind : std::uint8_t { rows, truth, triples } kind = Kind::rows;
   std::vector<std::string> variables;
@@ -22,9 +22,9 @@ struct Answer {
   std::string text;     ///< the triples of CONSTRUCT
 };
 
-/// Asks a settled graph. SELECT, ASK and CONSTRUCT are answered; what would fetch or change something (SERVICE, FROM,
-/// LOAD, INSERT and its like) is refused before anything is done. Prefixes that the query does not declare itself are
-/// those given. The time that it takes is limited by nobody but the process.
+/// Asks a sorted graph. SELECT, ASK and CONSTRUCT are answered. What would fetch or change something (SERVICE, FROM,
+/// LOAD, INSERT and others) is refused first. The given prefixes are used unless the query declares them. Only the
+/// process limits the time that it takes.
 [[nodiscard]] std::expected<Answer, std::string> ask(const Graph& graph, const std::string& query,
                                                      const Prefixes& prefixes, Format format = Format::turtle,
                                                      const Limits& limits = {});

@@ -112,7 +112,7 @@ bool Statements::make_turtle_of(const Statements& others, std::size_t& marked) {
   return true;
 }
 
-void Statements::settle() {
+void Statements::sort() {
   std::ranges::sort(all_, is_less);
   std::vector<raptor_statement*> once;
   for (raptor_statement* statement : all_) {

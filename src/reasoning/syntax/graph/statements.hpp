@@ -12,7 +12,7 @@
 
 namespace geminga::graph {
 
-/// Owns its statements. The world outlives it.
+/// Owns its statements. The world must outlive it.
 class Statements {
  public:
   explicit Statements(World& world) : world_(world) {}
@@ -20,20 +20,20 @@ class Statements {
   Statements& operator=(const Statements&) = delete;
   ~Statements();
 
-  /// False: memory is short, or Redland cannot hold it.
+  /// False if memory is short or Redland cannot hold the triple.
   [[nodiscard]] bool add(const Node& subject, const Node& predicate, const Node& object);
-  /// The same of a statement that stays its caller's.
+  /// The same for a statement that the caller keeps.
   [[nodiscard]] bool add_copy(const raptor_statement* statement);
-  /// Gives literals a form that Redland's Turtle writer writes right, and counts those that are marked for it. False:
-  /// memory is short.
+  /// Adds others, with literals in a form that Redland's Turtle writer writes correctly, and counts those that are
+  /// marked for it. False if memory is short.
   [[nodiscard]] bool make_turtle_of(const Statements& others, std::size_t& marked);
-  /// Each once, in an order that depends on nothing but what they say.
-  void settle();
-  /// Takes out what another one has; both are settled.
+  /// Sorts them by what they say and drops repeats.
+  void sort();
+  /// Removes what another one has. Both must be sorted.
   void remove(const Statements& others);
   [[nodiscard]] std::size_t size() const { return all_.size(); }
   void for_each(const TripleSink& sink) const;
-  /// Gives them out in their order; to be freed by librdf_free_stream() while they are there.
+  /// The statements in their order. librdf_free_stream() must free it while they exist.
   [[nodiscard]] librdf_stream* stream() const;
 
  private:

@@ -14,7 +14,7 @@ bool are_digits(std::string_view text) {
   return std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// A number cut into its parts; nothing where it is none.
+/// The parts of a number. Nothing if the text is no number.
 struct Parts {
   std::string sign, whole, fraction, exponent;
   bool has_point = false;

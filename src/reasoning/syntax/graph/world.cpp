@@ -14,7 +14,7 @@ World::World() {
   if (world_ == nullptr) return;
   librdf_world_set_logger(world_, this, on_message);
   librdf_world_open(world_);
-  // The libraries below would speak on standard error.
+  // The libraries below would write to standard error.
   raptor_world_set_log_handler(raptor(), this, on_parser_message);
   rasqal_world_set_log_handler(rasqal(), this, on_parser_message);
 }

@@ -1,4 +1,4 @@
-// librdf, opened once and shut in: it loads no plug-in, opens no file and no connection.
+// librdf, opened once and restricted: it loads no plug-in and opens no file and no connection.
 #ifndef GEMINGA_REASONING_SYNTAX_GRAPH_WORLD_HPP
 #define GEMINGA_REASONING_SYNTAX_GRAPH_WORLD_HPP
 
@@ -8,7 +8,7 @@
 
 namespace geminga::graph {
 
-/// librdf's world with what it said last. Only files of this folder include this one.
+/// librdf's world with its last message. Only files of this folder include this one.
 class World {
  public:
   World();
@@ -20,7 +20,7 @@ class World {
   [[nodiscard]] librdf_world* redland() const { return world_; }
   [[nodiscard]] raptor_world* raptor() const { return librdf_world_get_raptor(world_); }
   [[nodiscard]] rasqal_world* rasqal() const { return librdf_world_get_rasqal(world_); }
-  /// The first error since it was taken last, in one line; empty: none.
+  /// The first error since the last call, in one line. Empty if there was none.
   [[nodiscard]] std::string take_error();
 
  private:
@@ -32,7 +32,7 @@ class World {
   std::string error_;
 };
 
-/// A view of what Redland gives.
+/// A view of a text that Redland returns.
 [[nodiscard]] inline const unsigned char* octets(const std::string& text) {
   return reinterpret_cast<const unsigned char*>(text.c_str());
 }

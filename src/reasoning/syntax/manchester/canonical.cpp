@@ -25,7 +25,7 @@ bool is_set(TermKind kind) {
          kind == TermKind::data_intersection_of || kind == TermKind::data_union_of;
 }
 
-/// Copies a term into another source, arguments first. Its depth is bounded by that of terms.
+/// Copies a term into another source, arguments first. The nesting of terms bounds the recursion.
 class Normaliser {
  public:
   Normaliser(const owl::Ontology& from, owl::Ontology& to) : from_(from), to_(to) {}
@@ -35,7 +35,7 @@ class Normaliser {
     std::vector<TermId> arguments;
     for (const TermId argument : term.arguments) {
       const TermId copied = copy(argument);
-      // Members of a member of the same kind are members.
+      // A member of the same kind is replaced by its own members.
       if (is_set(term.kind) && to_.kind(copied) == term.kind) {
         const auto members = to_.term(copied).arguments;
         arguments.insert(arguments.end(), members.begin(), members.end());

@@ -1,4 +1,4 @@
-// Why a text is no class expression.
+// Why a text is not a class expression.
 #ifndef GEMINGA_REASONING_SYNTAX_MANCHESTER_ERROR_HPP
 #define GEMINGA_REASONING_SYNTAX_MANCHESTER_ERROR_HPP
 

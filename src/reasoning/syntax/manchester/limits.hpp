@@ -6,12 +6,12 @@
 
 namespace geminga::manchester {
 
-/// What is beyond any of these is refused with its column. MANCHESTER.md names the same numbers.
+/// An expression that exceeds one of these is refused with its column. MANCHESTER.md names the same numbers.
 struct Limits {
   std::size_t text_bytes = std::size_t{1} << 16;
   /// Levels of parentheses, `not` and restrictions: the reader descends once for each.
   std::size_t nesting = 100;
-  /// Names, literals and restrictions of one expression, each time that they stand there.
+  /// Names, literals and restrictions of one expression, each as often as it occurs.
   std::size_t parts = 4096;
 };
 

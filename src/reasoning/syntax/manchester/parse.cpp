@@ -1,4 +1,4 @@
-// The whole of one text.
+// Parses a whole text.
 #include "reasoning/syntax/manchester/parse.hpp"
 
 #include <utility>
@@ -10,7 +10,7 @@
 namespace geminga::manchester {
 namespace {
 
-/// An expression over an ontology that is loaded: its names are those of the ontology.
+/// The parser for an expression over a loaded ontology, which resolves the names.
 class ExpressionParser final : public Parser {
  public:
   ExpressionParser(std::string_view text, const owl::Names& names, const Limits& limits, owl::Ontology& source)

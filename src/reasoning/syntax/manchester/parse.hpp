@@ -17,7 +17,7 @@
 
 namespace geminga::manchester {
 
-/// One expression: a term of a source that holds nothing else. Its names are full IRIs.
+/// One expression: a term of a source of its own. Its names are full IRIs.
 struct Expression {
   owl::Ontology source;
   owl::TermId term{};
@@ -27,8 +27,8 @@ struct Expression {
 [[nodiscard]] std::expected<Expression, ParseError> parse(std::string_view text, const owl::Names& names,
                                                           const Limits& limits = {});
 
-/// Whether a text is more than one name: it holds a keyword, or a bracket or comma, outside of quotes and IRIs. What is
-/// no expression by this is better looked up as a name, whose error says more.
+/// Whether a text is more than one name: it has a keyword, a bracket or a comma outside of quotation marks and IRIs.
+/// Any other text is better looked up as a name, because that error says more.
 [[nodiscard]] bool is_compound(std::string_view text);
 
 }  // namespace geminga::manchester

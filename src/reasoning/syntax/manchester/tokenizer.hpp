@@ -36,7 +36,7 @@ struct Token {
 class Tokenizer {
  public:
   explicit Tokenizer(std::string_view text) : text_(text) { advance(); }
-  /// Of a document: these words begin frames and sections and are no names, and comments are passed over. The words are
+  /// For a document: these words begin frames and sections and are no names, and comments are skipped. The words are
   /// sorted and outlive the tokenizer.
   Tokenizer(std::string_view text, std::span<const std::string_view> sections)
       : text_(text), sections_(sections), is_document_(true) {
@@ -45,9 +45,10 @@ class Tokenizer {
 
   [[nodiscard]] const Token& token() const { return token_; }
   void advance();
-  /// Where a facet may stand `<` begins a comparison, elsewhere an IRI. Holds for the tokens that are read from now on.
+  /// Says whether a facet may stand here. Then `<` begins a comparison, otherwise an IRI. Holds for the tokens that
+  /// follow.
   void set_facets(bool are_facets) { are_facets_ = are_facets; }
-  /// The column, from 1 and in characters, of an octet.
+  /// The column of an octet, from 1, in characters.
   [[nodiscard]] std::size_t column_of(std::size_t octet) const;
 
  private:

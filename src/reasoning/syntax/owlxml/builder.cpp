@@ -15,7 +15,7 @@ using functional::Form;
 constexpr std::string_view owl = "http://www.w3.org/2002/07/owl#";
 constexpr std::string_view xml = "http://www.w3.org/XML/1998/namespace";
 
-/// The attributes of the syntax. Which of them an element needs is asked where it is read.
+/// The attributes of the syntax. The functions that read an element ask for those that it needs.
 constexpr std::array<std::string_view, 9> known_attributes{
     "IRI", "abbreviatedIRI", "cardinality", "datatypeIRI", "facet", "name", "nodeID", "ontologyIRI", "versionIRI"};
 
@@ -82,7 +82,7 @@ Listener::Refusal Builder::begin_ontology(std::span<const Attribute> attributes)
   if (!name.empty()) {
     if (auto refusal = full_iri(name, document_.ontology_iri)) return refusal;
     source_.set_ontology_iri(file_, document_.ontology_iri);
-    // Where no xml:base says otherwise; that of the file would be another on each host.
+    // The base if xml:base does not name one. The file's own IRI would differ from host to host.
     if (bases_.empty()) bases_.push_back(document_.ontology_iri);
   }
   const std::string_view version = value_of(attributes, "versionIRI");
@@ -189,7 +189,7 @@ Listener::Refusal Builder::end() {
   open_.pop_back();
   if (operands_.size() - open.first > limits_.operands)
     return "more than " + std::to_string(limits_.operands) + " operands";
-  // An entity and a blank node are operands themselves from their begin on.
+  // An entity and a blank node are operands from their start tag on.
   const bool is_leaf = open.role == Role::blank || form_of(open) == Form::entity;
   const bool is_empty = operands_.size() == open.first + (is_leaf ? 1 : 0);
   const bool must_be_empty = is_leaf || open.role == Role::prefix || form_of(open) == Form::import;
@@ -228,7 +228,7 @@ Listener::Refusal Builder::end() {
     default:
       break;
   }
-  // The base of the ontology was there before its own place was noted.
+  // The ontology's base was set before its own place was noted.
   if (open.role != Role::ontology) bases_.resize(std::min(bases_.size(), open.bases));
   text_.clear();
   return refusal;

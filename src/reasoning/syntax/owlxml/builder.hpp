@@ -1,6 +1,6 @@
-// From the elements of one file to axioms: each open element keeps its place on a stack of operands, and takes those
-// above it when it ends. What may stand in which element is the grammar of the functional syntax, whose words it
-// shares.
+// From the elements of one file to axioms. Each open element keeps its place on a stack of operands, and takes the
+// operands above it when it ends. The grammar of the functional syntax, which has the same words, says what may stand
+// in an element.
 #ifndef GEMINGA_REASONING_SYNTAX_OWLXML_BUILDER_HPP
 #define GEMINGA_REASONING_SYNTAX_OWLXML_BUILDER_HPP
 
@@ -39,7 +39,7 @@ class Builder final : public Listener {
   [[nodiscard]] Document take_document() { return std::move(document_); }
 
  private:
-  /// What an element is, where it is no word of the functional syntax or means something else there.
+  /// What an element is if it is no word of the functional syntax or means something else there.
   enum class Role : std::uint8_t { production, ontology, prefix, literal, facet, iri, short_iri, blank, left_out };
 
   /// An open element.
@@ -53,7 +53,7 @@ class Builder final : public Listener {
     std::size_t bases = 0;     ///< xml:base is that of so many
   };
 
-  /// Something that stood in an element that is still open.
+  /// An operand in an element that is still open.
   struct Operand {
     enum class Kind : std::uint8_t { term, iri, text, annotation } kind = Kind::term;
     owl::TermId term{};
@@ -66,7 +66,7 @@ class Builder final : public Listener {
   // builder.cpp: the document.
   Refusal begin_ontology(std::span<const Attribute> attributes);
   Refusal begin_prefix(std::span<const Attribute> attributes);
-  /// The form of its production; of an element that has none, that of no element at all.
+  /// The form of an element's production. An element without one has the form of no element.
   static functional::Form form_of(const Open& open) {
     return open.production == nullptr ? functional::Form::document : open.production->form;
   }

@@ -62,7 +62,7 @@ Listener::Refusal Builder::check_n_ary_data(const Open& open) {
   std::size_t place = open.first;
   while (place < operands_.size() && fits(Wanted::data_property, operands_[place])) ++place;
   if (place == open.first) return expected(functional::to_string(Wanted::data_property), open, place);
-  // No data range of OWL 2 has several values: such a class cannot be understood.
+  // No data range of OWL 2 has several values, so such a class is not understood.
   if (place > open.first + 1) obstacle_ = "owl:onProperties";
   if (place + 1 != operands_.size() || !fits(Wanted::data_range, operands_[place]))
     return expected(functional::to_string(Wanted::data_range), open, place);
@@ -95,7 +95,7 @@ Listener::Refusal Builder::end_expression(const Open& open) {
   std::vector<owl::TermId> arguments;
   for (std::size_t place = open.first; place < operands_.size(); ++place) arguments.push_back(operands_[place].term);
   operands_.resize(open.first);
-  // One operand where the grammar wants two is what it says by itself; OWL tools write such.
+  // OWL tools write one operand where the grammar requires two. It stands for itself.
   const bool is_list = production.repeated != Wanted::none && production.first.front() == Wanted::none &&
                        production.term() != TermKind::object_one_of && production.term() != TermKind::data_one_of;
   const owl::TermId term =
@@ -119,10 +119,10 @@ void Builder::add(owl::AxiomKind kind, const Open& open) {
   std::vector<owl::TermId> arguments;
   for (std::size_t place = open.first; place < operands_.size(); ++place) arguments.push_back(operands_[place].term);
   const std::size_t before = source_.axiom_count();
-  const std::size_t damaged = source_.damaged_count();
+  const std::size_t ill_typed = source_.ill_typed_count();
   source_.add(kind, arguments, file_, open.line);
   document_.axioms += source_.axiom_count() - before;
-  annotations_.settle(source_, before, damaged);
+  annotations_.attach(source_, before, ill_typed);
 }
 
 Listener::Refusal Builder::end_axiom(const Open& open) {
@@ -165,7 +165,7 @@ Listener::Refusal Builder::end_axiom(const Open& open) {
     default:
       refusal = check_operands(open);
       if (refusal) break;
-      // Of one operand where the grammar wants two, nothing is said; OWL tools write such.
+      // OWL tools write one operand where the grammar requires two. Such an axiom says nothing.
       if (production.repeated != Wanted::none && count < 2) {
         ++document_.vacuous;
         annotations_.drop();
@@ -187,7 +187,7 @@ void Builder::keep(owl::Annotation annotation, const Operand& value, std::size_t
   annotations_.add(std::move(annotation), level);
 }
 
-// A property, annotations of the annotation before or behind it, and a value.
+// A property, then a value, with annotations of the annotation before or behind them.
 Listener::Refusal Builder::end_annotation(const Open& open) {
   drop_annotations(open);
   const bool is_whole = operands_.size() == open.first + 2 && operands_[open.first].kind == Operand::Kind::iri;
@@ -201,7 +201,7 @@ Listener::Refusal Builder::end_annotation(const Open& open) {
   keep(std::move(read), operands_[open.first + 1], open_.size() - (is_in_axiom ? 1 : 0));
   operands_.resize(open.first);
   ++document_.annotations;
-  // Of the ontology it is no operand of anything.
+  // An annotation of the ontology is no operand.
   if (open_.size() > 1) operands_.push_back({Operand::Kind::annotation, {}, {}, {}, {}, {}});
   return std::nullopt;
 }

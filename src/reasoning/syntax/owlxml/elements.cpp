@@ -129,7 +129,7 @@ class Walk {
     walk.guarded([&] { return walk.listener_.text(view(part, size)); });
   }
 
-  /// Plain internal entities, as Protégé writes them for namespaces, are kept; nothing else is.
+  /// Keeps plain internal entities, as Protégé writes them for namespaces, and nothing else.
   static void entity(void* context, const xmlChar* name, int type, const xmlChar* public_id, const xmlChar* system_id,
                      xmlChar* content) {
     Walk& walk = of(context);

@@ -1,4 +1,4 @@
-// libxml2's events as calls with plain texts; the only file of this folder that it is named in is elements.cpp.
+// libxml2's events as calls with plain texts. In this folder only elements.cpp names libxml2.
 #ifndef GEMINGA_REASONING_SYNTAX_OWLXML_ELEMENTS_HPP
 #define GEMINGA_REASONING_SYNTAX_OWLXML_ELEMENTS_HPP
 
@@ -24,8 +24,8 @@ struct Problem {
   std::string text;
 };
 
-/// Is told what stands in a file, in its order. The views hold for the call. What gives a text refuses the file with
-/// it, and is told no more.
+/// Receives the content of a file in its order. Views are valid during the call. A call that returns a text refuses the
+/// file with it, and is the last one.
 class Listener {
  public:
   virtual ~Listener() = default;
@@ -36,7 +36,7 @@ class Listener {
   virtual Refusal end() = 0;
 };
 
-/// Walks over a file; what is wrong with it as XML, or what the listener gave.
+/// Walks over a file. Returns what is wrong with it as XML, or what the listener returned.
 [[nodiscard]] std::optional<Problem> walk(std::string_view bytes, const Limits& limits, Listener& listener);
 
 /// A relative IRI made whole.

@@ -6,14 +6,14 @@
 
 namespace geminga::owlxml {
 
-/// What is beyond any of these refuses the file, with the line. What el::SourceLimits names holds as well.
+/// A file that exceeds one of these is refused, with the line. The limits of owl::SourceLimits hold as well.
 struct Limits {
   std::size_t file_bytes = std::size_t{1} << 30;
   /// Of one IRI, written out.
   std::size_t iri_bytes = 8192;
   /// Of one text.
   std::size_t literal_bytes = std::size_t{1} << 20;
-  /// Elements in each other. libxml2 has a limit of its own, which is 256.
+  /// Nested elements. libxml2 has a limit of its own, which is 256.
   std::size_t nesting = 250;
   /// Of one expression or axiom.
   std::size_t operands = 1'000'000;

@@ -1,6 +1,6 @@
 // From the bytes of one file in OWL/XML to the axioms of an Ontology.
 //
-//   const el::FileId file = source.add_file(path);
+//   const owl::FileId file = source.add_file(path);
 //   const auto document = owlxml::read(bytes, file, source);
 //   if (!document) return refuse(document.error());     // "team.owx", 17, "expected a class expression, found
 //   <Literal>"
@@ -24,12 +24,12 @@ namespace geminga::owlxml {
 using owl::Document;
 using owl::ReadError;
 
-/// Reads a whole file into the source. Sets the ontology IRI of `file` there, adds every axiom with the line in which
-/// its element ends its start tag, and the texts of rdfs:label and skos:prefLabel as labels. Declared prefixes are not
-/// added: which file's meaning of a prefix counts is settled among all files. What no axiom kind can express is left
-/// out there by name. Annotations of names and of the ontology are put where they are wanted.
+/// Reads a whole file into the source: sets the ontology IRI of `file`, adds every axiom with the line in which its
+/// element's start tag ends, and adds the texts of rdfs:label and skos:prefLabel as labels. Declared prefixes are not
+/// added, because the loader chooses among those of all files. What no axiom kind can express is left out by name.
+/// Annotations are kept if the caller wants them.
 ///
-/// On an error the source holds an unknown part of the file: the caller drops it. Linear in the file.
+/// After an error the source holds some part of the file, and the caller must drop it. Linear in the file.
 [[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, owl::FileId file, owl::Ontology& source,
                                                       const Limits& limits = {},
                                                       std::vector<owl::Annotation>* annotations = nullptr);

@@ -109,7 +109,7 @@ void AxiomMapper::map_property_axiom(std::uint32_t number, owl::AxiomKind of_obj
                 {expressions_.data_property(triple.subject), expressions_.data_property(triple.object)});
     is_mapped = true;
   }
-  // About annotation properties nothing is said that a reasoner could use.
+  // A reasoner cannot use axioms about annotation properties.
   if (is_mapped || types_.is_annotation_property(triple.subject) || types_.is_annotation_property(triple.object))
     return;
   axioms_.leave_out(number,

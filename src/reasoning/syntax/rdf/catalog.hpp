@@ -22,8 +22,8 @@ struct CatalogEntry {
   std::string file;  ///< as it is written: relative to the catalogue, or a file: URL
 };
 
-/// The entries of a catalogue, in their order; at most `limits.files`. Everything else in it is passed over, and
-/// nothing that it names is opened.
+/// The entries of a catalogue in their order, at most `limits.files`. Everything else in it is ignored, and nothing
+/// that it names is opened.
 [[nodiscard]] std::expected<std::vector<CatalogEntry>, syntax::LoadError> read_catalog(const std::string& path,
                                                                                        std::string_view bytes,
                                                                                        const syntax::Limits& limits);

@@ -1,4 +1,4 @@
-// Reads the internal subset of a DOCTYPE (XML 1.0, section 2.8) as far as entities go, and refuses the rest.
+// Reads the internal subset of a DOCTYPE (XML 1.0, section 2.8) as far as it declares entities, and refuses the rest.
 #include "reasoning/syntax/rdf/doctype.hpp"
 
 #include <optional>
@@ -93,8 +93,8 @@ class SubsetReader {
     return true;
   }
 
-  /// The size of an entity, those that it refers to included. The depth is bounded by a limit of its own, because an
-  /// expansion of `entity_bytes` can be nested as deep as there are entities.
+  /// The size of an entity with those that it refers to. The depth has a limit of its own, because an expansion of
+  /// `entity_bytes` can be nested as deep as there are entities.
   std::size_t measure(std::string_view name, Entity& entity, std::size_t depth) {
     if (problem_ || entity.state == Entity::State::measured) return entity.bytes;
     if (entity.state == Entity::State::open || depth > max_depth) {

@@ -20,9 +20,9 @@ class Doctype {
   [[nodiscard]] static std::expected<Doctype, ScanProblem> read(std::string_view bytes, std::size_t place,
                                                                 const syntax::Limits& limits);
 
-  /// Behind the closing bracket.
+  /// The place behind the closing bracket.
   [[nodiscard]] std::size_t end() const { return end_; }
-  /// What a reference to this entity becomes, in bytes; 1 for one that is not declared here.
+  /// The size in octets of what a reference to this entity expands to; 1 for an entity that is not declared here.
   [[nodiscard]] std::size_t expanded_bytes(std::string_view name) const;
 
  private:

@@ -160,7 +160,8 @@ Mapped ExpressionMapper::quantifier(NodeId property, Word constraint, NodeId fil
   const bool is_data_filler = constraint == Word::owl_has_value
                                   ? graph_.is_literal(filler)
                                   : constraint != Word::owl_has_self && types_.is_data_range(filler);
-  // A property of both kinds is a different one in each; a property of one kind decides over its filler.
+  // A property of both kinds is a different property in each, and the filler decides. A property of one kind decides
+  // itself.
   const bool is_data_restriction =
       is_data_filler ? !types_.is_object_property_expression(property) || types_.is_data_property(property)
                      : types_.is_data_property_only(property);
@@ -222,7 +223,7 @@ Mapped ExpressionMapper::cardinality(NodeId property, Word constraint, NodeId nu
                                            : is_max ? Term::object_max_cardinality
                                                     : Term::object_exact_cardinality);
   const bool is_qualified = constraint >= Word::owl_min_qualified_cardinality;
-  // A draft of OWL 1.1 wrote it so. Whoever does means fewer than the restriction without it says.
+  // A draft of OWL 1.1 wrote qualified cardinalities so. Without the qualification the restriction would say more.
   if (!is_qualified && (on_class != NodeId{} || on_range != NodeId{}))
     return std::unexpected("owl:onClass or owl:onDataRange beside a cardinality that is not qualified");
   if (!is_qualified) return ontology_.term(kind, {*on}, *count);

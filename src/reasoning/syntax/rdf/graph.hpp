@@ -1,4 +1,4 @@
-// The triples of all files as numbers: what the reader collects and the mapping to axioms looks things up in.
+// The triples of all files as numbers. The reader adds them, and the mapping to axioms looks them up.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_GRAPH_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_GRAPH_HPP
 
@@ -55,10 +55,11 @@ class Graph {
   void add(const Triple& triple) { triples_.push_back(triple); }
   /// Adds all triples of another graph, as if they had been read here.
   void append(const Graph& other);
-  /// What is added from now on is of the next file; the first call begins file 0.
+  /// Says that the triples added from now on are of the next file. The first call begins file 0.
   void begin_file() { file_begins_.push_back(triples_.size()); }
 
-  /// Sorts by subject, predicate and object, and drops repeated triples but the first. Adding ends here.
+  /// Sorts by subject, predicate and object, and drops repeated triples except the first. Nothing may be added
+  /// afterwards.
   void index();
 
   [[nodiscard]] Node node(NodeId id) const;

@@ -36,13 +36,14 @@ struct PrefixConflict {
   std::vector<std::string> others;  ///< sorted
 };
 
-/// Reads files in syntaxes without triples. What they hold is put into the source, their ontology IRIs included.
+/// Reads files in syntaxes without triples into the source, with their ontology IRIs.
 class OtherReader {
  public:
   virtual ~OtherReader() = default;
-  /// Is shown every such file that is to be read last, before the first of them is: what one declares another may use.
+  /// Gets every such file that is read last before the first of them is read, because one may use what another
+  /// declares.
   virtual void look_ahead(syntax::Syntax syntax, std::string_view bytes) = 0;
-  /// Annotations are put behind those that are there, where it keeps them.
+  /// Appends annotations to those that are there, if it keeps annotations.
   [[nodiscard]] virtual std::expected<owl::Document, owl::ReadError> read(
       syntax::Syntax syntax, std::string_view bytes, owl::FileId file, owl::Ontology& source,
       std::vector<owl::Annotation>& annotations) = 0;
@@ -61,22 +62,22 @@ struct Loaded {
   std::vector<UsedName> undeclared_predicates;  ///< likewise
 };
 
-/// A file that was unpacked where it needed it, and scanned for what Redland must not see (scan.hpp).
+/// A file that was unpacked if necessary, and scanned for what Redland must not read (scan.hpp).
 struct TextFile {
   syntax::FileBytes bytes;
   syntax::Syntax syntax = syntax::Syntax::turtle;
   std::string base_iri;  ///< what its relative IRIs are relative to
 };
 
-/// For those who need a file's triples as they stand there and not what they mean.
+/// Reads the text of a file, for users of its triples who do not need its axioms.
 [[nodiscard]] std::expected<TextFile, syntax::LoadError> read_text(const std::string& path,
                                                                    const syntax::Limits& limits = {});
 
 /// Reads RDF/XML, Turtle and N-Triples files, packed by gzip or not, and every such file in the folders named and below
 /// them (folders.hpp). Opens nothing else, whatever the files say. The first file that is broken, hostile or beyond a
-/// limit refuses everything, with its line. The result does not depend on the order of triples; what is reported first
-/// depends on the order of files. A large file is parsed by as many threads as are given; the result does not depend on
-/// them. Files in the syntaxes of OWL 2 itself go to `other`, and are refused where there is none.
+/// limit refuses everything, with its line. The result does not depend on the order of triples; which error is reported
+/// depends on the order of files. Up to `threads` threads parse a large file; the result does not depend on them. Files
+/// in the syntaxes of OWL 2 go to `other`, and are refused without one.
 [[nodiscard]] std::expected<Loaded, syntax::LoadError> load(std::span<const std::string> arguments,
                                                             const syntax::Limits& limits = {},
                                                             OtherReader* other = nullptr, unsigned threads = 1);

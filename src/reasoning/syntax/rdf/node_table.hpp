@@ -1,5 +1,5 @@
-// Numbers of nodes found by content, made for millions of them: a slot holds half of the hash beside the number, so
-// that a search looks at no node but the one that it finds.
+// Finds the numbers of nodes by content, for millions of nodes. A slot holds half of the hash beside the number, so
+// that a search looks only at the node that it finds.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_NODE_TABLE_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_NODE_TABLE_HPP
 
@@ -16,8 +16,8 @@ class NodeTable {
  public:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-  /// The number among those filed under `hash` for which `is_equal(number)` holds; files `number` and gives none where
-  /// there is none.
+  /// The number filed under `hash` for which `is_equal(number)` holds. If there is none, files `number` and returns
+  /// none.
   template <typename IsEqual>
   std::uint32_t find_or_insert(std::uint64_t hash, std::uint32_t number, IsEqual&& is_equal) {
     if ((size_ + 1) * 4 > slots_.size() * 3) grow();
@@ -38,7 +38,7 @@ class NodeTable {
   };
 
   [[nodiscard]] std::size_t mask() const { return slots_.size() - 1; }
-  /// By the tag's own bits, so that growing needs nothing but the slots.
+  /// Uses the tag's own bits, so that growing needs only the slots.
   [[nodiscard]] std::size_t place_of(std::uint32_t tag) const { return tag & mask(); }
 
   void grow() {

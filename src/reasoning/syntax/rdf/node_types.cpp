@@ -73,7 +73,8 @@ void NodeTypes::add_declared(const Triple& triple, TripleReader& triples) {
     case Word::owl_symmetric_property:
     case Word::owl_asymmetric_property:
     case Word::owl_transitive_property:
-      // Of a data property OWL 2 DL has none of these: then the axiom is left out, and the property stays what it is.
+      // OWL 2 DL has none of these for data properties. Such an axiom is left out, and the property stays a data
+      // property.
       if (!graph_.has(node, node_of(Word::rdf_type), node_of(Word::owl_datatype_property)))
         add(node, type_object_property);
       break;
@@ -156,7 +157,8 @@ NodeTypes::Types NodeTypes::use_of_asserted(NodeId assertion) const {
 }
 
 NodeTypes::Types NodeTypes::use_of_restricted(NodeId restriction) {
-  // A restriction on several properties is none, but costs the square of the file where each looks at all of it.
+  // A restriction on several properties is no restriction. Looking at all of it for each property would cost the square
+  // of the file.
   const bool is_small = graph_.about(restriction).size() < 16;
   const auto key = static_cast<std::uint32_t>(restriction);
   if (const auto known = restricted_uses_.find(key); !is_small && known != restricted_uses_.end()) return known->second;

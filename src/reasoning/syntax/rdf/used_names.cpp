@@ -1,4 +1,4 @@
-// First the nodes that are wanted, then one pass over the triples for their places.
+// Finds the wanted nodes first, then their places by one pass over the triples.
 #include "reasoning/syntax/rdf/used_names.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr auto word_count = static_cast<std::uint32_t>(syntax::Word::count);
 
-/// Where each wanted node stands first among those that `nodes_of` gives of a triple.
+/// The first place of each wanted node among those that `nodes_of` returns for a triple.
 template <typename NodesOf>
 std::vector<UsedName> places(const Graph& graph, std::vector<bool> is_wanted, NodesOf&& nodes_of) {
   std::vector<UsedName> names;

@@ -11,7 +11,7 @@
 
 namespace geminga::rdf {
 
-/// So many names of either kind are noted; a file can make up as many as it likes.
+/// The most names of either kind that are noted. A file can make up as many as it likes.
 inline constexpr std::size_t max_used_names = 1000;
 
 /// A name and where it stands first.

@@ -16,7 +16,7 @@ const std::string a = "http://e/a";
 const std::string b = "http://e/b";
 
 std::string n_triples(Graph& graph) {
-  graph.settle();
+  graph.sort();
   return graph.write(Format::n_triples, {}).value_or("not written");
 }
 
@@ -41,8 +41,8 @@ TEST(Graph, TakesOutWhatAnotherHas) {
   all.add(iri(b), iri(rdf_type), iri(a));
   Graph known;
   known.add(iri(a), iri(rdf_type), iri(b));
-  all.settle();
-  known.settle();
+  all.sort();
+  known.sort();
   all.remove(known);
   EXPECT_EQ(n_triples(all), "<http://e/b> <http://www.w3.org/1999/02/22-rdf-syntax-ns#type> <http://e/a> .\n");
 }
@@ -92,7 +92,7 @@ TEST(Graph, WritesNumbersInTurtleThatKeepTheirDatatypes) {
   const auto written = [&](const std::string& text, const std::string& datatype) {
     Graph graph;
     graph.add(iri(a), iri(b), {Node::Kind::literal, text, xsd + datatype, {}});
-    graph.settle();
+    graph.sort();
     const auto turtle = graph.write(Format::turtle, {});
     if (!turtle) return turtle.error();
     const rdf::Scratch scratch;

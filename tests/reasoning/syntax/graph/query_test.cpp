@@ -21,7 +21,7 @@ class Query : public testing::Test {
       graph_.add(iri("http://e/" + name), iri(rdfs_sub_class_of), iri("http://e/d"));
       graph_.add(iri("http://e/" + name), iri(rdfs_label), {Node::Kind::literal, "the " + name, {}, "en"});
     }
-    graph_.settle();
+    graph_.sort();
   }
 
   [[nodiscard]] std::expected<Answer, std::string> ask(const std::string& query, const Limits& limits = {}) const {

@@ -61,7 +61,7 @@ TEST(RoundTrip, OfAxiomsThroughTriplesGivesTheSameAxioms) {
       AxiomTriples triples(source, [&](const Node& s, const Node& p, const Node& o) { graph.add(s, p, o); });
       for (std::size_t number = 0; number < source.axiom_count(); ++number) triples.add(source.axiom(number));
       ASSERT_EQ(graph.problem().value_or(""), "");
-      graph.settle();
+      graph.sort();
       for (const auto& [format, name] : formats) {
         const auto text = graph.write(format, {{"r", "http://random.example/"}});
         ASSERT_TRUE(text) << text.error();

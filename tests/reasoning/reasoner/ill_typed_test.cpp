@@ -1,5 +1,5 @@
-// What hangs on a damaged literal is undecided, and nothing else; a no is right whatever value was meant.
-#include "reasoning/reasoner/damaged.hpp"
+// What hangs on an ill-typed literal is undecided, and nothing else; a no is right whatever value was meant.
+#include "reasoning/reasoner/ill_typed.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,16 +10,16 @@
 
 #include "base/random.hpp"
 #include "reasoning/reasoner/argued.hpp"
-#include "reasoning/reasoner/readings.hpp"
+#include "reasoning/reasoner/repairs.hpp"
 
 namespace geminga::reasoner {
 namespace {
 
 using testing::HasSubstr;
 
-/// The axioms of the premise that are damaged: the conclusion of these tests has none.
-std::vector<std::size_t> damaged_of(const owl::Ontology& source) {
-  std::vector<std::size_t> numbers(source.damaged_count());
+/// The axioms of the premise that are ill-typed: the conclusion of these tests has none.
+std::vector<std::size_t> ill_typed_of(const owl::Ontology& source) {
+  std::vector<std::size_t> numbers(source.ill_typed_count());
   std::iota(numbers.begin(), numbers.end(), 0U);
   return numbers;
 }
@@ -29,7 +29,7 @@ std::string asked(std::string_view premise, std::string_view conclusion) {
   Argued argued(premise, conclusion);
   std::string text;
   for (const Answer& answer :
-       entails_each(argued.source, argued.premise, argued.conclusion, damaged_of(argued.source))) {
+       entails_each(argued.source, argued.premise, argued.conclusion, ill_typed_of(argued.source))) {
     if (!text.empty()) text += ' ';
     text += answer.verdict == Verdict::yes ? "yes" : answer.verdict == Verdict::no ? "no" : "open";
   }
@@ -57,7 +57,7 @@ TEST(DamagedLiteral, LeavesAllElseDecided) {
 
 TEST(DamagedLiteral, SaysWhereItIs) {
   Argued argued(person, "ClassAssertion(Person i:bob)");
-  const auto answers = entails_each(argued.source, argued.premise, argued.conclusion, damaged_of(argued.source));
+  const auto answers = entails_each(argued.source, argued.premise, argued.conclusion, ill_typed_of(argued.source));
   EXPECT_THAT(answers.at(0).reason, HasSubstr("a literal that is not of its datatype: premise.ofn:5"));
 }
 
@@ -101,13 +101,13 @@ TEST(DamagedLiteral, BeyondWhatCanBeToldApartLeavesEveryNoOpen) {
 }
 
 TEST(DamagedLiteral, HasAsManyReadingsAsTheLimitAllows) {
-  // A number is one of these or in one of the gaps between them: 2 n + 1 readings.
+  // A number is one of these or in one of the gaps between them: 2 n + 1 repairs.
   for (const auto& [points, expected] : {std::pair{30, "no"}, {31, "no"}, {32, "open"}}) {
     std::string premise = "DataPropertyAssertion(d:p i:a \"x\"^x:decimal)\n";
     for (int point = 0; point < points; ++point)
       premise += "SubClassOf(C" + std::to_string(point) + " DataHasValue(d:p \"" + std::to_string(10 * point) +
                  "\"^x:integer))\n";
-    static_assert(max_readings == 64);
+    static_assert(max_repairs == 64);
     EXPECT_EQ(asked(premise, "ClassAssertion(C0 i:a)"), expected) << points;
   }
 }
@@ -129,7 +129,7 @@ TEST(DamagedLiteral, LeavesConsistencyOpenOnlyWhereItMattersToIt) {
   const auto verdict = [](std::string_view text) {
     owl::Ontology source;
     owl::write_into(source, text, "written.ofn");
-    return is_consistent_as_meant(source).verdict;
+    return is_consistent_repaired(source).verdict;
   };
   EXPECT_EQ(verdict(person), Verdict::yes);
   EXPECT_EQ(verdict(std::string(person) + "SubClassOf(DataHasValue(d:age \"7\"^x:integer) Nothing)\n"),
@@ -206,9 +206,10 @@ TEST(DamagedLiteral, LetsNoBeNoWhateverValueWasMeant) {
       text.replace(text.find('?'), 1, literal);
       return text;
     };
-    Argued damaged(with("\"x\"^x:integer"), made.conclusion);
-    ASSERT_EQ(damaged.source.damaged_count(), 1U);
-    const auto found = entails_each(damaged.source, damaged.premise, damaged.conclusion, damaged_of(damaged.source));
+    Argued ill_typed(with("\"x\"^x:integer"), made.conclusion);
+    ASSERT_EQ(ill_typed.source.ill_typed_count(), 1U);
+    const auto found =
+        entails_each(ill_typed.source, ill_typed.premise, ill_typed.conclusion, ill_typed_of(ill_typed.source));
     for (int value = -2; value <= 5; ++value) {
       const auto meant = Argued(with('"' + std::to_string(value) + "\"^x:integer"), made.conclusion).answers();
       for (std::size_t at = 0; at < found.size(); ++at) {

@@ -1,4 +1,4 @@
-#include "reasoning/reasoner/damaged_values.hpp"
+#include "reasoning/reasoner/ill_typed_values.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ using owl::TermId;
 constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
 const std::string unknown_classes = "it is not known what tells its values apart";
 
-/// Numbers in ten-thousandths. Bounds and literals have three digits behind the point at most, so that there is room
+/// Numbers in ten-thousandths. Bounds and literals have at most three digits behind the point, so that there is room
 /// between any two.
 using Number = std::int64_t;
 constexpr Number one = 10'000;
@@ -56,7 +56,7 @@ std::string text_of(Number number) {
   return number < 0 ? '-' + text : text;
 }
 
-/// The values of one datatype, class by class.
+/// The values of one datatype, one equivalence class after the other.
 class Values {
  public:
   Values(owl::Ontology& source, Datatype type, std::string_view iri, std::size_t alike)
@@ -80,15 +80,15 @@ class Values {
       const auto other = Datatype::find(source_.name_of(id));
       if (!other) return false;
       if (type_.is_within(*other) || type_.is_disjoint(*other)) continue;
-      // The bounds of these are beyond `most`.
+      // The bounds of these types are beyond `most`.
       if (*other == xsd_type("long") || *other == xsd_type("unsignedLong")) return false;
       splitting_.push_back(*other);
     }
-    // Values that are no decimals are none of the candidates.
+    // Values that are no decimals are not among the candidates.
     return type_.family() != DataFamily::number || splitting_.empty() || type_.is_within(xsd_type("decimal"));
   }
 
-  /// Those that are values of the type.
+  /// Takes the literals that are values of the type.
   bool take_literals(const std::set<TermId>& literals, Literals& into) {
     for (const TermId id : literals) {
       if (!source_.is_well_typed(id)) continue;
@@ -106,7 +106,7 @@ class Values {
       const std::string_view iri = source_.name(facet.name);
       const bool is_bound =
           iri.starts_with(xsd) && std::ranges::find(bounding, iri.substr(xsd.size())) != bounding.end();
-      // Any other facet may be one of this family: a length, a pattern.
+      // Other facets of this family, such as a length or a pattern, are possible.
       if (!is_bound) return false;
       const auto value = owl::value_of(source_, source_.term(facet.arguments[0]));
       if (!value) return false;
@@ -125,7 +125,7 @@ class Values {
     return type.is_within(xsd_type("integer")) && type != xsd_type("integer");
   }
 
-  // Numbers: points that are told apart, and what is between two of them.
+  // For numbers: the points that distinguish values, and what lies between two of them.
   std::expected<std::vector<TermId>, std::string> numbers() {
     std::set<Number> points(bounds_.begin(), bounds_.end());
     std::set<Number> taken;
@@ -157,7 +157,7 @@ class Values {
     }
     std::vector<TermId> found;
     for (Class& its : classes | std::views::values) {
-      // A class that has no more values is the values that it has.
+      // If a class has no further values, it is represented by all values that it has.
       if (its.fresh.size() < alike_) {
         its.fresh.insert(its.fresh.end(), its.taken.begin(), its.taken.end());
       } else {
@@ -173,7 +173,7 @@ class Values {
     return std::string(xsd) + (is_whole(number) ? "integer" : "decimal");
   }
 
-  /// Where the derived types of xsd:integer begin and end; the wide ones are beyond `most`.
+  /// The bounds of the types derived from xsd:integer. Those of the wide types are beyond `most`.
   static void add_bounds_of_types(std::set<Number>& points) {
     for (const Number bound :
          {-2147483648LL, -32768LL, -128LL, 0LL, 127LL, 255LL, 32767LL, 65535LL, 2147483647LL, 4294967295LL}) {
@@ -181,14 +181,14 @@ class Values {
     }
   }
 
-  /// The points, and between them and around them some whole numbers, more than are taken, and some that are not.
+  /// The points, and between and around them more whole numbers than are taken, and some other numbers.
   [[nodiscard]] std::vector<Number> candidates(const std::set<Number>& points, std::size_t taken) const {
     std::vector<Number> found(points.begin(), points.end());
     const auto wanted = static_cast<Number>(alike_ + taken);
     const auto fill = [&](Number low, Number high) {
       const Number floor = low - (((low % one) + one) % one);
       for (Number step = 1; step <= wanted && floor + step * one < high; ++step) found.push_back(floor + step * one);
-      // What is taken has three digits behind the point, and these have four.
+      // The literals that are taken have three digits behind the point, and these have four.
       for (Number step = 1; step <= static_cast<Number>(alike_); ++step) found.push_back(low + step);
     };
     const Number first = points.empty() ? 0 : *points.begin();
@@ -202,7 +202,7 @@ class Values {
     return found;
   }
 
-  /// Texts, times and so on, which are only equal or not.
+  /// For texts, times and other values that can only be compared for equality.
   std::expected<std::vector<TermId>, std::string> others() {
     std::vector<TermId> found;
     if (type_.family() == DataFamily::boolean) {
@@ -222,7 +222,7 @@ class Values {
     return found;
   }
 
-  /// Another value for each number, or no value of the type at all.
+  /// A different value for each number, or an empty text if the type has none.
   [[nodiscard]] std::string example(std::size_t number) const {
     const std::string digits = std::to_string(number);
     switch (type_.family()) {

@@ -1,6 +1,7 @@
-// The values that one damaged literal may have meant, one or some of each class that can be told apart.
-#ifndef GEMINGA_REASONING_REASONER_DAMAGED_VALUES_HPP
-#define GEMINGA_REASONING_REASONER_DAMAGED_VALUES_HPP
+// The values that can stand in place of one ill-typed literal: one or some of each class of values that nothing
+// distinguishes.
+#ifndef GEMINGA_REASONING_REASONER_ILL_TYPED_VALUES_HPP
+#define GEMINGA_REASONING_REASONER_ILL_TYPED_VALUES_HPP
 
 #include <expected>
 #include <set>
@@ -11,16 +12,16 @@
 
 namespace geminga::reasoner {
 
-/// What values can be told from each other by.
+/// What distinguishes values from each other.
 struct Distinctions {
   std::set<owl::TermId> datatypes;
   std::set<owl::TermId> literals;
   std::set<owl::TermId> facets;
 };
 
-/// Literals of the source: of each class of values of the datatype one, or `alike` different ones where it has so many.
-/// Those that are given are told apart from all others. None of the others is one of `taken`. Or why the classes are
-/// not known.
+/// Literals of the source: one of each class of values of the datatype, or `alike` different ones if the class has so
+/// many. The given literals are distinguished from all others. The others are not among `taken`. The error says why the
+/// classes are not known.
 [[nodiscard]] std::expected<std::vector<owl::TermId>, std::string> values_of(owl::Ontology& source,
                                                                              std::string_view datatype,
                                                                              const Distinctions& distinctions,
