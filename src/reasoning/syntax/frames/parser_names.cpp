@@ -2,9 +2,11 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/text.hpp"
 #include "reasoning/owl/datatypes.hpp"
+#include "reasoning/owl/plain_literal.hpp"
 #include "reasoning/syntax/frames/parser.hpp"
 
 namespace geminga::frames {
@@ -17,7 +19,6 @@ using owl::TermKind;
 namespace {
 
 constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
-constexpr std::string_view plain_literal = "http://www.w3.org/1999/02/22-rdf-syntax-ns#PlainLiteral";
 constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
 constexpr std::string_view not_in_iris = " <>\"{}|\\^`";
 
@@ -90,7 +91,7 @@ std::expected<std::string, std::string> Parser::iri_of(TermKind kind, const Toke
   return expand(token);
 }
 
-// The word that follows says what is asked of the property; what is behind it, of which kind its values are.
+// The next word says what is asked of the property. What follows it tells the kind of its values.
 bool Parser::is_value_of_data(manchester::Tokenizer behind) const {
   const auto is = [&](TokenKind kind, std::string_view text) {
     return behind.token().kind == kind && behind.token().text == text;
@@ -133,18 +134,14 @@ owl::TermId Parser::literal_of(const Token& text, std::string_view datatype, std
     return fail(ParseError::Kind::malformed, text.begin,
                 "a language tag that is none: @" + base::printable(language, 60));
   last_text_ = text.value;
-  // Tags that differ in case are one (RFC 5646, section 2.1.1).
   last_language_ = base::in_lower_case(language);
   std::string& kind = last_datatype_;
   kind = datatype;
-  // "text@en"^^rdf:PlainLiteral is "text"@en, and "text@"^^rdf:PlainLiteral is "text" (OWL 2, section 5.7).
-  if (kind == plain_literal) {
+  if (kind == owl::plain_literal_datatype) {
     kind.clear();
-    const std::size_t at = last_text_.rfind('@');
-    if (at != std::string::npos) {
-      last_language_ = base::in_lower_case(std::string_view(last_text_).substr(at + 1));
-      last_text_.resize(at);
-    }
+    auto plain = owl::split_plain_literal(last_text_);
+    last_language_ = std::move(plain.language);
+    last_text_.resize(plain.text.size());
   }
   return source_.literal(last_text_, kind, last_language_);
 }

@@ -2,15 +2,10 @@
 #include <xxhash.h>
 
 #include "base/text.hpp"
+#include "reasoning/owl/plain_literal.hpp"
 #include "reasoning/syntax/functional/parser.hpp"
 
 namespace geminga::functional {
-namespace {
-
-constexpr std::string_view plain_literal = "http://www.w3.org/1999/02/22-rdf-syntax-ns#PlainLiteral";
-
-}  // namespace
-
 bool Parser::iri(std::string_view what) {
   const Token& token = tokens_.token();
   if (token.kind == TokenKind::full_iri) {
@@ -71,11 +66,7 @@ std::string_view Parser::blank_name(std::string_view label) {
 }
 
 void Parser::take_language(std::string_view tag) {
-  // Tags that differ in case are one (RFC 5646, section 2.1.1); raptor reads RDF/XML so, too.
-  language_buffer_ = tag;
-  for (char& c : language_buffer_) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
-  }
+  language_buffer_ = base::in_lower_case(tag);
   language_ = language_buffer_;
 }
 
@@ -99,13 +90,11 @@ bool Parser::literal() {
   if (!tokens_.is(TokenKind::carets)) return !tokens_.is(TokenKind::failed);
   tokens_.advance();
   if (!iri("the name of a datatype behind '^^'")) return false;
-  // "text@en"^^rdf:PlainLiteral is "text"@en, and "text@"^^rdf:PlainLiteral is "text" (OWL 2, section 5.7).
-  if (iri_ != plain_literal) return true;
+  if (iri_ != owl::plain_literal_datatype) return true;
   iri_ = {};
-  const std::size_t at = lexical_.rfind('@');
-  if (at == std::string_view::npos) return true;
-  take_language(lexical_.substr(at + 1));
-  lexical_ = lexical_.substr(0, at);
+  const auto plain = owl::split_plain_literal(lexical_);
+  take_language(plain.language);
+  lexical_ = plain.text;
   return true;
 }
 

@@ -6,7 +6,7 @@ namespace {
 using owl::AxiomKind;
 using owl::TermKind;
 
-/// The predicate of an axiom that is one triple of its two arguments.
+/// The predicate of an axiom that is one triple with its two arguments.
 std::string predicate_of(AxiomKind kind) {
   switch (kind) {
     case AxiomKind::sub_class_of:
@@ -26,24 +26,13 @@ std::string predicate_of(AxiomKind kind) {
   }
 }
 
-/// The class of the properties of which an axiom of one argument speaks.
+/// The RDF class of a property with an axiom of one argument: `TransitiveProperty` for TransitiveObjectProperty.
 std::string characteristic_of(AxiomKind kind) {
-  switch (kind) {
-    case AxiomKind::inverse_functional_object_property:
-      return owl("InverseFunctionalProperty");
-    case AxiomKind::reflexive_object_property:
-      return owl("ReflexiveProperty");
-    case AxiomKind::irreflexive_object_property:
-      return owl("IrreflexiveProperty");
-    case AxiomKind::symmetric_object_property:
-      return owl("SymmetricProperty");
-    case AxiomKind::asymmetric_object_property:
-      return owl("AsymmetricProperty");
-    case AxiomKind::transitive_object_property:
-      return owl("TransitiveProperty");
-    default:
-      return owl("FunctionalProperty");  // of objects and of data
+  std::string word(to_string(kind));
+  for (const std::string_view properties : {"Object", "Data"}) {
+    if (const std::size_t at = word.find(properties); at != std::string::npos) word.erase(at, properties.size());
   }
+  return owl(word);
 }
 
 }  // namespace
@@ -97,7 +86,7 @@ void AxiomTriples::add(const owl::Axiom& axiom) {
     case AxiomKind::class_assertion:
       return say(node(terms[1]), rdf_type, node(terms[0]));
     case AxiomKind::object_property_assertion: {
-      // A fact about an inverse is the fact the other way round (table 1 has no predicate that is a blank node).
+      // A fact about an inverse is written as the reverse fact, because table 1 has no predicate that is a blank node.
       const bool is_inverse = source_.kind(terms[0]) == TermKind::object_inverse_of;
       const owl::TermId property = is_inverse ? source_.term(terms[0]).arguments[0] : terms[0];
       return say(node(terms[is_inverse ? 2 : 1]), source_.name_of(property), node(terms[is_inverse ? 1 : 2]));
@@ -132,7 +121,7 @@ void AxiomTriples::chained(Terms terms, std::string_view predicate) {
   }
 }
 
-/// Two are a triple, more are a node of their own.
+/// Two members are one triple, more are a node of their own.
 void AxiomTriples::several(Terms terms, std::string_view of_two, std::string_view of_more) {
   if (terms.size() == 2) return say(node(terms[0]), owl(of_two), node(terms[1]));
   const Node all = fresh();

@@ -87,28 +87,25 @@ owl::TermId Parser::individual() {
 
 // restriction = property ( "some" / "only" ) primary / property "value" individual / property "Self"
 //             / property ( "min" / "max" / "exactly" ) number [ primary ]
+//             / property ( "some" / "only" ) dataPrimary / property "value" literal
+//             / property ( "min" / "max" / "exactly" ) number [ dataPrimary ]
 owl::TermId Parser::restriction() {
   const Level level(*this);
   const Term of = property();
   if (failed()) return of;
-  return source_.kind(of) == TermKind::data_property ? data_restriction(of) : object_restriction(of);
-}
-
-owl::TermId Parser::object_restriction(Term of) {
-  if (take_keyword("some")) {
-    const Term filler = primary();
-    return failed() ? filler : source_.term(TermKind::object_some_values_from, {of, filler});
-  }
-  if (take_keyword("only")) {
-    const Term filler = primary();
-    return failed() ? filler : source_.term(TermKind::object_all_values_from, {of, filler});
-  }
-  if (take_keyword("value")) {
-    const Term value = individual();
-    return failed() ? value : source_.term(TermKind::object_has_value, {of, value});
-  }
-  if (take_keyword("Self")) return source_.term(TermKind::object_has_self, {of});
-  return cardinality(of, false);
+  const bool is_data = source_.kind(of) == TermKind::data_property;
+  const auto with = [&](Term filler, TermKind of_objects, TermKind of_data) {
+    return failed() ? filler : source_.term(is_data ? of_data : of_objects, {of, filler});
+  };
+  if (take_keyword("some"))
+    return with(is_data ? data_primary() : primary(), TermKind::object_some_values_from,
+                TermKind::data_some_values_from);
+  if (take_keyword("only"))
+    return with(is_data ? data_primary() : primary(), TermKind::object_all_values_from, TermKind::data_all_values_from);
+  if (take_keyword("value"))
+    return with(is_data ? literal() : individual(), TermKind::object_has_value, TermKind::data_has_value);
+  if (!is_data && take_keyword("Self")) return source_.term(TermKind::object_has_self, {of});
+  return cardinality(of, is_data);
 }
 
 owl::TermId Parser::cardinality(Term of, bool is_data) {

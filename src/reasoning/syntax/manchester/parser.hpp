@@ -1,4 +1,4 @@
-// The productions of class expressions, one function each, whatever their names mean.
+// The grammar of class expressions, one function for each production. Derived classes resolve names.
 #ifndef GEMINGA_REASONING_SYNTAX_MANCHESTER_PARSER_HPP
 #define GEMINGA_REASONING_SYNTAX_MANCHESTER_PARSER_HPP
 
@@ -17,15 +17,15 @@
 
 namespace geminga::manchester {
 
-/// What is wrong, and at which octet of the text.
+/// What is wrong, and the octet of the text where it is.
 struct Problem {
   ParseError::Kind kind = ParseError::Kind::malformed;
   std::size_t octet = 0;
   std::string text;
 };
 
-/// Reads a text into a source. What names mean is said by whoever derives from it. The first problem ends everything:
-/// from then on each function gives owl:Thing.
+/// Reads a text into a source. Derived classes say what names mean. After the first problem nothing more is read, and
+/// each function returns owl:Thing.
 class Parser {
  public:
   Parser(Tokenizer tokens, const Limits& limits, owl::Ontology& source)
@@ -45,12 +45,10 @@ class Parser {
   Term negation();
   Term enumeration();
   Term restriction();
-  Term object_restriction(Term property);
   Term cardinality(Term property, bool is_data);
   virtual Term individual();
 
   // Data (parser_data.cpp).
-  Term data_restriction(Term property);
   Term data_range();
   Term data_conjunction();
   Term data_primary();
@@ -64,9 +62,9 @@ class Parser {
   Term entity(owl::TermKind kind, const Token& token);
   /// The IRI of an entity, or why there is none.
   [[nodiscard]] virtual std::expected<std::string, std::string> iri_of(owl::TermKind kind, const Token& token) = 0;
-  /// Whether a property, which was taken just now, is one of objects or of data, or why it is neither.
+  /// Whether the property that was just read is an object or a data property, or why it is neither.
   [[nodiscard]] virtual std::expected<owl::TermKind, std::string> kind_of_property(const Token& token) = 0;
-  /// A literal with a datatype or a language, neither or not both.
+  /// A literal with a datatype, a language, or neither.
   virtual Term literal_of(const Token& text, std::string_view datatype, std::string_view language) = 0;
   [[nodiscard]] bool is_restriction_next() const;
 

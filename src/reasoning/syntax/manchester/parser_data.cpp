@@ -12,7 +12,7 @@ using owl::TermKind;
 
 constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
 
-/// As facets are written, and the last part of their IRIs.
+/// Facets as they are written, and the last part of their IRIs.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 9> facets{{
     {"<=", "maxInclusive"},
     {"<", "maxExclusive"},
@@ -33,24 +33,6 @@ std::string iri_of_facet(std::string_view written) {
 }
 
 }  // namespace
-
-// restriction = property ( "some" / "only" ) dataPrimary / property "value" literal
-//             / property ( "min" / "max" / "exactly" ) number [ dataPrimary ]
-owl::TermId Parser::data_restriction(Term of) {
-  if (take_keyword("some")) {
-    const Term range = data_primary();
-    return failed() ? range : source_.term(TermKind::data_some_values_from, {of, range});
-  }
-  if (take_keyword("only")) {
-    const Term range = data_primary();
-    return failed() ? range : source_.term(TermKind::data_all_values_from, {of, range});
-  }
-  if (take_keyword("value")) {
-    const Term value = literal();
-    return failed() ? value : source_.term(TermKind::data_has_value, {of, value});
-  }
-  return cardinality(of, true);
-}
 
 // dataRange = dataConjunction *( "or" dataConjunction )
 owl::TermId Parser::data_range() {

@@ -2,14 +2,15 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/text.hpp"
+#include "reasoning/owl/plain_literal.hpp"
 #include "reasoning/syntax/owlxml/builder.hpp"
 
 namespace geminga::owlxml {
 namespace {
 
-constexpr std::string_view plain_literal = "http://www.w3.org/1999/02/22-rdf-syntax-ns#PlainLiteral";
 constexpr std::string_view not_in_iris = " <>\"{}|\\^`";
 
 /// A scheme and a colon (RFC 3986, section 3.1).
@@ -39,7 +40,7 @@ Listener::Refusal Builder::full_iri(std::string_view written, std::string& iri) 
     return std::nullopt;
   }
   const std::string& base = bases_.back();
-  // The usual form, by hand: what stands behind it is no URI for libxml2 where it has letters beyond ASCII.
+  // The usual form is resolved here: if letters beyond ASCII follow, it is no URI for libxml2.
   iri = written.front() == '#' ? base.substr(0, base.find('#')) + std::string(written) : resolve(written, base);
   return check_iri(iri);
 }
@@ -93,14 +94,13 @@ Listener::Refusal Builder::blank(const Open& open, std::span<const Attribute> at
 Listener::Refusal Builder::end_literal(const Open& open) {
   if (operands_.size() != open.first) return "an element within <Literal>";
   std::string language = base::in_lower_case(literal_language_);
-  // "text@en"^^rdf:PlainLiteral is "text"@en, and "text@"^^rdf:PlainLiteral is "text" (OWL 2, section 5.7). OWL tools
-  // write the datatype beside the language, too.
-  if (literal_datatype_ == plain_literal) {
+  // OWL tools write this datatype beside a language, too.
+  if (literal_datatype_ == owl::plain_literal_datatype) {
     literal_datatype_.clear();
-    const std::size_t at = language.empty() ? text_.rfind('@') : std::string::npos;
-    if (at != std::string::npos) {
-      language = base::in_lower_case(std::string_view(text_).substr(at + 1));
-      text_.resize(at);
+    if (language.empty()) {
+      auto plain = owl::split_plain_literal(text_);
+      language = std::move(plain.language);
+      text_.resize(plain.text.size());
     }
   }
   if (!language.empty()) literal_datatype_.clear();

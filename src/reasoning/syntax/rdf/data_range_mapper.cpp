@@ -1,9 +1,10 @@
 // A blank node is mapped by the one constructor that its triples name.
 #include "reasoning/syntax/rdf/data_range_mapper.hpp"
 
-#include <string>
 #include <string_view>
 #include <vector>
+
+#include "reasoning/owl/plain_literal.hpp"
 
 namespace geminga::rdf {
 
@@ -108,13 +109,9 @@ Mapped DataRangeMapper::literal(NodeId id) {
   if (node.kind != NodeKind::literal) return std::unexpected("an individual in place of a literal");
   const std::string_view datatype = node.datatype == NodeId{} ? std::string_view() : graph_.text(node.datatype);
   const std::string_view language = node.language == NodeId{} ? std::string_view() : graph_.text(node.language);
-  // "text@en"^^rdf:PlainLiteral is "text"@en, and "text@"^^rdf:PlainLiteral is "text" (OWL 2, section 5.7).
   if (word_of(node.datatype) == Word::rdf_plain_literal) {
-    const std::size_t at = node.text.rfind('@');
-    if (at == std::string_view::npos) return ontology_.literal(node.text, {});
-    std::string tag(node.text.substr(at + 1));
-    for (char& c : tag) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
-    return ontology_.literal(node.text.substr(0, at), {}, tag);
+    const auto plain = owl::split_plain_literal(node.text);
+    return ontology_.literal(plain.text, {}, plain.language);
   }
   return ontology_.literal(node.text, datatype, language);
 }

@@ -1,7 +1,6 @@
 // A blank node is mapped by the one constructor that its triples name.
 #include "reasoning/syntax/rdf/expression_mapper.hpp"
 
-#include <algorithm>
 #include <string_view>
 
 #include "base/text.hpp"
@@ -18,13 +17,6 @@ constexpr std::uint32_t max_depth = 500;
 bool is_quantifier(Word word) {
   return word == Word::owl_some_values_from || word == Word::owl_all_values_from || word == Word::owl_has_value ||
          word == Word::owl_has_self;
-}
-
-/// Numbers and truth values may stand between white space (XML Schema, part 2, section 4.3.6).
-std::string_view without_blanks(std::string_view text) {
-  const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-  text.remove_prefix(begin);
-  return text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
 }
 
 bool is_cardinality(Word word) { return word >= Word::owl_min_cardinality && word <= Word::owl_qualified_cardinality; }
@@ -181,7 +173,8 @@ Mapped ExpressionMapper::quantifier(NodeId property, Word constraint, NodeId fil
   if (!on) return on;
   switch (constraint) {
     case Word::owl_has_self: {
-      const std::string_view is_true = without_blanks(graph_.text(filler));
+      // Truth values and numbers may stand between white space (XML Schema, part 2, section 4.3.6).
+      const std::string_view is_true = base::trimmed(graph_.text(filler));
       if (!graph_.is_literal(filler) || (is_true != "true" && is_true != "1"))
         return std::unexpected("owl:hasSelf that is not true");
       return ontology_.term(Term::object_has_self, {*on});
@@ -204,7 +197,7 @@ Mapped ExpressionMapper::quantifier(NodeId property, Word constraint, NodeId fil
 Mapped ExpressionMapper::cardinality(NodeId property, Word constraint, NodeId number, NodeId on_class,
                                      NodeId on_range) {
   using Term = owl::TermKind;
-  const std::string_view text = without_blanks(graph_.text(number));
+  const std::string_view text = base::trimmed(graph_.text(number));
   const auto count = base::parse_number<std::uint32_t>(text.starts_with('+') ? text.substr(1) : text);
   if (!graph_.is_literal(number) || !count)
     return std::unexpected("a cardinality that is no number, or above 4294967295");

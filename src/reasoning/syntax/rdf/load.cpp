@@ -1,4 +1,4 @@
-// Lists, reads, scans, parses and maps; then settles imports and prefixes among all files.
+// Lists, reads, scans, parses and maps files; then matches imports and chooses prefixes among all of them.
 #include "reasoning/syntax/rdf/load.hpp"
 
 #include <algorithm>
@@ -25,10 +25,10 @@
 namespace geminga::rdf {
 namespace {
 
-/// Different ontologies that are imported; what is imported beyond them is not looked for.
+/// The most different ontologies that are imported. Imports beyond it are ignored.
 constexpr std::size_t max_imports = 1000;
 
-/// What a file's relative IRIs are relative to: its name, not its place, so that they are the same on every robot.
+/// What a file's relative IRIs are relative to: its name without its folder, so that they are the same on every robot.
 std::string base_iri(const std::string& path) {
   std::string iri = "file:///";
   for (const char c : std::filesystem::path(syntax::name_without_gz(path)).filename().string()) {
@@ -56,7 +56,7 @@ class Headers {
     }
   }
 
-  /// The first ontology that a file declares is the one that it is.
+  /// A file is the first ontology that it declares.
   void name(std::size_t file, std::string_view iri) {
     if (own_[file].empty()) own_[file] = iri;
     names_.emplace(iri);
@@ -83,14 +83,15 @@ class Headers {
 
   [[nodiscard]] const std::string& own(std::size_t file) const { return own_[file]; }
 
-  /// The imports that no file answers. Each is left out in the source, too.
-  [[nodiscard]] std::vector<UnresolvedImport> settle(const std::vector<std::string>& paths,
-                                                     owl::Ontology& source) const {
+  /// Leaves out the imports that no file answers, and returns them.
+  [[nodiscard]] std::vector<UnresolvedImport> leave_out_unanswered(const std::vector<std::string>& paths,
+                                                                   owl::Ontology& source) const {
     std::vector<UnresolvedImport> missing;
     std::set<std::string> own_in_lower_case;
     for (const std::string& own : own_) own_in_lower_case.insert(base::in_lower_case(own));
     for (const Import& import : imports_) {
-      // SOMA-HOME imports .../SOMA-ALL.owl, whose name is .../SOMA-All.owl: a file system may not care, nor do we.
+      // The case of letters is ignored, because file systems may ignore it: SOMA-HOME imports .../SOMA-ALL.owl, whose
+      // name is .../SOMA-All.owl.
       if (is_known(import.iri) || own_in_lower_case.contains(base::in_lower_case(import.iri))) continue;
       missing.push_back({import.iri, paths[import.file], import.line});
       source.leave_out("owl:imports <" + import.iri + ">", owl::FileId{static_cast<std::uint32_t>(import.file)},
@@ -119,10 +120,10 @@ class Headers {
   std::vector<Import> imports_;
 };
 
-/// Gives every prefix one IRI: the one that most files declare, the smallest among equals, so that neither the order of
-/// files nor that of lines decides. The empty prefix means another thing in every file and counts only where it does
-/// not.
-std::vector<PrefixConflict> settle_prefixes(const std::vector<DeclaredPrefix>& declared, owl::Ontology& source) {
+/// Gives every prefix one IRI: the one that most files declare, and the smallest of these, so that neither the order of
+/// files nor that of lines matters. The empty prefix has another meaning in every file, so it counts only if all files
+/// agree.
+std::vector<PrefixConflict> choose_prefixes(const std::vector<DeclaredPrefix>& declared, owl::Ontology& source) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 4> fixed{{{"rdf", syntax::rdf_namespace},
                                                                                 {"rdfs", syntax::rdfs_namespace},
                                                                                 {"owl", syntax::owl_namespace},
@@ -184,7 +185,7 @@ class Loading {
     return redland_.read(path, *syntax, *bytes, base_iri(path), lines.take(), pieces, graph_);
   }
 
-  /// Takes the catalogue of a folder, where there is one: an import that it gives to one of our files is answered.
+  /// Takes the catalogue of a folder, if there is one: an import for which it names one of our files is answered.
   std::optional<syntax::LoadError> read_catalog_in(const std::string& folder) {
     const std::filesystem::path path = std::filesystem::path(folder) / catalog_name;
     std::error_code error;
@@ -221,16 +222,16 @@ class Loading {
     }
     std::vector<DeclaredPrefix> prefixes = redland_.prefixes();
     prefixes.insert(prefixes.end(), other_prefixes_.begin(), other_prefixes_.end());
-    loaded_.conflicts = settle_prefixes(prefixes, loaded_.source);
+    loaded_.conflicts = choose_prefixes(prefixes, loaded_.source);
     for (std::uint32_t number = 0; number < paths_.size(); ++number)
       loaded_.source.set_ontology_iri(owl::FileId{number}, headers_.own(number));
-    loaded_.unresolved = headers_.settle(paths_, loaded_.source);
+    loaded_.unresolved = headers_.leave_out_unanswered(paths_, loaded_.source);
     if (const auto& problem = loaded_.source.problem()) return std::unexpected(syntax::LoadError{{}, 0, *problem});
     return std::move(loaded_);
   }
 
  private:
-  /// A file in a syntax whose names mean what all others say that they do.
+  /// A file in a syntax in which other files decide what a name means.
   struct Waiting {
     std::size_t number;
     syntax::FileBytes bytes;

@@ -94,7 +94,6 @@ struct RaptorParser::World {
   bool out_of_memory = false;
 
   std::string label;
-  std::string language;
 
   [[nodiscard]] std::uint32_t line() const {
     raptor_locator* locator = parser == nullptr ? nullptr : raptor_parser_get_locator(parser);
@@ -147,9 +146,8 @@ struct RaptorParser::World {
     if (lexical.find('\0') != std::string_view::npos) fail("has a literal with a NUL in it");
     const NodeId datatype = value.datatype == nullptr ? NodeId{} : graph->iri(view_of(value.datatype));
     if (value.language == nullptr) return graph->literal(lexical, datatype, NodeId{});
-    // Raptor does this for RDF/XML and not for Turtle. Tags are compared without regard to case (RDF 1.1, section 3.3).
-    language.assign(view_of(value.language, value.language_len));
-    for (char& c : language) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
+    // Raptor does this for RDF/XML and not for Turtle.
+    const std::string language = base::in_lower_case(view_of(value.language, value.language_len));
     return graph->literal(lexical, datatype, graph->literal(language, NodeId{}, NodeId{}));
   }
 
