@@ -180,7 +180,7 @@ Listener::Refusal Builder::text(std::string_view part) {
     return std::nullopt;
   }
   const bool is_passed_over = open != nullptr && open->role == Role::left_out;
-  if (is_passed_over || part.find_first_not_of(blanks) == std::string_view::npos) return std::nullopt;
+  if (is_passed_over || base::trimmed(part).empty()) return std::nullopt;
   return "text that stands in no <Literal>: " + base::printable(base::trimmed(part), 60);
 }
 

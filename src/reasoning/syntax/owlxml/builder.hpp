@@ -20,9 +20,6 @@
 
 namespace geminga::owlxml {
 
-/// White space of XML 1.0, section 2.3.
-inline constexpr std::string_view blanks = " \t\r\n";
-
 /// Builds the axioms of one file, once.
 class Builder final : public Listener {
  public:

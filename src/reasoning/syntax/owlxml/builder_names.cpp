@@ -123,10 +123,7 @@ Listener::Refusal Builder::end_facet(const Open& open) {
 Listener::Refusal Builder::end_iri(const Open& open) {
   if (!open.is_annotation) return "an <IRI> outside of annotations";
   if (operands_.size() != open.first) return "an element within <IRI>";
-  std::string_view written = text_;
-  const std::size_t begin = std::min(written.find_first_not_of(blanks), written.size());
-  written.remove_prefix(begin);
-  written = written.substr(0, written.find_last_not_of(blanks) + 1);
+  const std::string_view written = base::trimmed(text_);
   Operand operand{Operand::Kind::iri, {}, {}, {}, {}, {}};
   const bool is_full = open.role == Role::iri;
   if (auto refusal = is_full ? full_iri(written, operand.iri) : short_iri(written, operand.iri)) return refusal;
