@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/utf8.hpp"
+
 namespace geminga::base {
 
 bool is_valid_utf8(std::string_view bytes) { return utf8::is_valid(bytes.begin(), bytes.end()); }
@@ -57,9 +59,7 @@ std::string printable(std::string_view bytes, std::size_t max_bytes) {
   utf8::replace_invalid(bytes.begin(), bytes.end(), std::back_inserter(text));
   std::ranges::replace_if(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
   if (text.size() <= max_bytes) return text;
-  std::size_t end = max_bytes;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;  // never inside a character
-  return text.substr(0, end) + "...";
+  return std::string(first_characters(text, max_bytes)) + "...";
 }
 
 }  // namespace geminga::base

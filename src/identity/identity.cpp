@@ -1,7 +1,7 @@
 // Canonical forms and their 32-bit hash; src/identity/IDENTITY.md is the specification.
 #include "geminga/identity.hpp"
 
-#include <xxhash.h>
+#include "base/hash.hpp"
 
 namespace geminga {
 namespace {
@@ -33,8 +33,7 @@ Id32 id32(const Identity& identity) {
 #ifdef GEMINGA_CONSTANT_ID32
   return GEMINGA_CONSTANT_ID32;  // a test build in which everything collides: nothing but speed may change
 #else
-  const std::string form = canonical_form(identity);
-  return XXH32(form.data(), form.size(), 0);
+  return base::hash32(canonical_form(identity));
 #endif
 }
 

@@ -1,9 +1,8 @@
 #include "sim/world.hpp"
 
-#include <xxhash.h>
-
 #include <cstdlib>
 
+#include "base/hash.hpp"
 #include "base/text.hpp"
 #include "sim/client.hpp"
 #include "sim/host.hpp"
@@ -94,9 +93,9 @@ void World::deliver(Host& receiver, env::InterfaceIndex interface, const std::st
 
 void World::trace(std::string_view who, std::string_view what) {
   const auto time = now_.time_since_epoch().count();
-  trace_ = XXH3_64bits_withSeed(&time, sizeof(time), trace_);
-  trace_ = XXH3_64bits_withSeed(who.data(), who.size(), trace_);
-  trace_ = XXH3_64bits_withSeed(what.data(), what.size(), trace_);
+  trace_ = base::hash64(base::octets_of(std::span(&time, 1)), trace_);
+  trace_ = base::hash64(who, trace_);
+  trace_ = base::hash64(what, trace_);
 }
 
 }  // namespace geminga::sim

@@ -4,6 +4,7 @@
 #include <boost/json.hpp>
 
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -106,12 +107,6 @@ std::string separated(const Answer& answer, bool by_commas) {
   return text;
 }
 
-/// Letters, not octets.
-std::size_t width_of(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
-}
-
 std::string table(const Answer& answer, const std::function<std::string(std::string_view)>& short_name) {
   std::vector<std::vector<std::string>> cells{{}};
   for (const std::string& name : answer.variables) cells.front().push_back('?' + name);
@@ -127,14 +122,14 @@ std::string table(const Answer& answer, const std::function<std::string(std::str
   std::vector<std::size_t> widths(answer.variables.size(), 0);
   for (const auto& line : cells) {
     for (std::size_t at = 0; at < line.size(); ++at)
-      widths[at] = std::max(widths[at], std::min(width_of(line[at]), widest));
+      widths[at] = std::max(widths[at], std::min(base::count_characters(line[at]), widest));
   }
   std::string text;
   for (const auto& line : cells) {
     std::string written;
     for (std::size_t at = 0; at < line.size(); ++at) {
       written += line[at];
-      const std::size_t width = width_of(line[at]);
+      const std::size_t width = base::count_characters(line[at]);
       if (at + 1 < line.size()) written.append(width < widths[at] ? widths[at] - width + 2 : 2, ' ');
     }
     while (written.ends_with(' ')) written.pop_back();

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/assert.hpp"
+#include "base/utf8.hpp"
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/fault.hpp"
 #include "discovery/announcement/limits.hpp"
@@ -13,14 +14,6 @@ namespace {
 
 /// Octets that `part` and `part_count` take at most: a tag and a number below 2^14 each.
 constexpr std::size_t part_fields_bytes = 6;
-
-/// A name within its limit, cut between two characters.
-std::string cut(std::string_view name) {
-  if (name.size() <= max_name_bytes) return std::string(name);
-  auto end = max_name_bytes;
-  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0) == 0x80) --end;
-  return std::string(name.substr(0, end));
-}
 
 /// All that is the same in every part.
 wire::Announcement header_of(const Announcement& announcement) {
@@ -40,10 +33,10 @@ wire::Announcement header_of(const Announcement& announcement) {
   }
   header.set_participant(std::to_underlying(announcement.participant));
   header.set_boot(std::to_underlying(announcement.boot));
-  header.set_group(cut(announcement.group));
+  header.set_group(std::string(base::first_characters(announcement.group, max_name_bytes)));
   header.set_link(announcement.link);
   header.set_interval_ms(static_cast<std::uint32_t>(announcement.interval / std::chrono::milliseconds(1)));
-  header.set_name(cut(announcement.name));
+  header.set_name(std::string(base::first_characters(announcement.name, max_name_bytes)));
   header.set_ontology_digest(announcement.ontology_digest);
   for (const auto& address : announcement.addresses) {
     if (header.addresses_size() == static_cast<int>(max_addresses)) break;
@@ -114,7 +107,7 @@ class Packer {
       if (!part.peers.empty()) closed += framed_bytes(2, open);
       auto& added = part.peers.emplace_back();
       added.set_id(id);
-      added.set_name(cut(peer.name));
+      added.set_name(std::string(base::first_characters(peer.name, max_name_bytes)));
       open = added.ByteSizeLong();
     }
     // The message is written into a peer of its own first, so that nothing needs to be taken back out.

@@ -1,13 +1,13 @@
 #include "discovery/participant/sent_datagrams.hpp"
 
-#include <xxhash.h>
-
 #include <algorithm>
+
+#include "base/hash.hpp"
 
 namespace geminga::participant {
 
 std::uint64_t SentDatagrams::hash(std::span<const std::byte> datagram) const {
-  return XXH3_64bits_withSeed(datagram.data(), datagram.size(), key_);
+  return base::hash64(base::octets_of(datagram), key_);
 }
 
 void SentDatagrams::add(std::span<const std::byte> datagram) {

@@ -5,13 +5,13 @@
 #if defined(__x86_64__)
 #include <xxh_x86dispatch.h>
 #else
-#include <xxhash.h>
 #endif
 
 #include <algorithm>
 #include <cstring>
 #include <string>
 
+#include "base/hash.hpp"
 #include "reasoning/compiled/container_header.hpp"
 
 namespace geminga::compiled {
@@ -48,9 +48,9 @@ std::uint64_t checksum(std::span<const std::byte> header, std::size_t section, s
     std::array<std::byte, container_header_bytes> rest{};
     std::ranges::copy(header.first(container_header_bytes), rest.begin());
     put(rest, checksum_at(0), std::uint64_t{0});
-    seed = XXH3_64bits(rest.data(), rest.size());
+    seed = base::hash64(base::octets_of(std::span(rest)));
   }
-  return XXH3_64bits_withSeed(content.data(), content.size(), seed);
+  return base::hash64(base::octets_of(content), seed);
 }
 
 std::size_t filled_up(std::size_t size) {

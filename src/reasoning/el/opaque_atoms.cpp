@@ -1,10 +1,10 @@
 // Expressions without rules, interned by kind, count and operands.
 #include "reasoning/el/opaque_atoms.hpp"
 
-#include <xxhash.h>
-
 #include <algorithm>
 #include <span>
+
+#include "base/hash.hpp"
 
 namespace geminga::el {
 
@@ -14,7 +14,7 @@ ExprId OpaqueAtoms::find(owl::TermKind kind, std::uint32_t count, std::vector<st
   const auto key_of = [&](std::uint32_t entry) {
     return std::span(keys_).subspan(spans_[entry].first, spans_[entry].second);
   };
-  const std::uint64_t hash = XXH3_64bits(key.data(), key.size() * sizeof key[0]);
+  const std::uint64_t hash = base::hash64(base::octets_of(std::span(key)));
   const std::uint32_t found =
       table_.find(hash, [&](std::uint32_t entry) { return std::ranges::equal(key_of(entry), key); });
   if (found != base::NumberTable::none) return atoms_[found];

@@ -1,11 +1,10 @@
 // Hashes contents from the arguments upwards and sorts by these hashes.
 #include "reasoning/owl/canonical.hpp"
 
-#include <xxhash.h>
-
 #include <algorithm>
 #include <tuple>
 
+#include "base/hash.hpp"
 #include "base/sorted.hpp"
 
 namespace geminga::owl {
@@ -13,10 +12,7 @@ namespace {
 
 using Hash = ContentHashes::Hash;
 
-Hash hash_words(std::span<const std::uint64_t> words) {
-  const XXH128_hash_t hash = XXH3_128bits(words.data(), words.size_bytes());
-  return {hash.high64, hash.low64};
-}
+Hash hash_words(std::span<const std::uint64_t> words) { return base::hash128(base::octets_of(words)); }
 
 }  // namespace
 
@@ -63,8 +59,8 @@ ContentHashes::ContentHashes(const Ontology& source, BlankNodes blank_nodes) : s
     const Term term = source.term(TermId{id});
     const bool is_forgotten = term.kind == TermKind::anonymous_individual && blank_nodes == BlankNodes::all_alike;
     const std::string_view name = is_forgotten ? std::string_view() : source.name(term.name);
-    const XXH128_hash_t name_hash = XXH3_128bits(name.data(), name.size());
-    words = {static_cast<std::uint64_t>(term.kind), term.number, name_hash.high64, name_hash.low64};
+    const auto [high, low] = base::hash128(name);
+    words = {static_cast<std::uint64_t>(term.kind), term.number, high, low};
     for (const TermId argument : sorted(term.arguments, set_begin(term.kind, term.arguments.size()))) {
       words.push_back(of(argument).first);
       words.push_back(of(argument).second);
@@ -189,7 +185,7 @@ std::uint64_t digest(const Ontology& source) {
     words.push_back(high);
     words.push_back(low);
   }
-  return XXH3_64bits(words.data(), words.size() * sizeof(std::uint64_t));
+  return base::hash64(base::octets_of(std::span(words)));
 }
 
 }  // namespace geminga::owl

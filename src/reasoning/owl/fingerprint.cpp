@@ -4,12 +4,12 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <xxhash.h>
 
 #include <cerrno>
-#include <memory>
 #include <optional>
 #include <vector>
+
+#include "base/hash.hpp"
 
 namespace geminga::owl {
 namespace {
@@ -36,11 +36,7 @@ class Reading {
 
   /// Nothing if reading fails before the end.
   [[nodiscard]] std::optional<Fingerprint> finish() {
-    struct Free {
-      void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
-    };
-    const std::unique_ptr<XXH3_state_t, Free> state(XXH3_createState());
-    XXH3_64bits_reset(state.get());
+    base::HashOfPieces hash;
     std::vector<char> piece(piece_bytes);
     Fingerprint result;
     for (;;) {
@@ -48,10 +44,10 @@ class Reading {
       if (got < 0 && errno == EINTR) continue;
       if (got < 0) return std::nullopt;
       if (got == 0) break;
-      XXH3_64bits_update(state.get(), piece.data(), static_cast<std::size_t>(got));
+      hash.add({piece.data(), static_cast<std::size_t>(got)});
       result.size += static_cast<std::uint64_t>(got);
     }
-    result.hash = XXH3_64bits_digest(state.get());
+    result.hash = hash.finish();
     return result;
   }
 
@@ -63,9 +59,7 @@ class Reading {
 
 }  // namespace
 
-Fingerprint fingerprint_of(std::string_view octets) {
-  return {octets.size(), XXH3_64bits(octets.data(), octets.size())};
-}
+Fingerprint fingerprint_of(std::string_view octets) { return {octets.size(), base::hash64(octets)}; }
 
 bool has_changed(const std::string& path, const Fingerprint& known) {
   if (!known.is_known()) return false;

@@ -1,14 +1,13 @@
 // Interning of names and terms, and the limits of what one ontology may hold.
 #include "reasoning/owl/source.hpp"
 
-#include <xxhash.h>
-
 #include <algorithm>
 #include <array>
 #include <set>
 #include <utility>
 
 #include "base/assert.hpp"
+#include "base/hash.hpp"
 #include "reasoning/owl/datatypes.hpp"
 
 namespace geminga::owl {
@@ -23,8 +22,6 @@ constexpr std::string_view rdf_lang_string = "http://www.w3.org/1999/02/22-rdf-s
 constexpr std::size_t always_named = std::size_t{16} << 20U;
 constexpr std::size_t named_per_name = 256;
 constexpr std::size_t named_per_literal = 4096;
-
-std::uint64_t hash_of_name(std::string_view name) { return XXH3_64bits(name.data(), name.size()); }
 
 std::uint64_t hash_of_term(TermKind kind, NameId name, std::uint32_t number, std::span<const TermId> arguments) {
   std::uint64_t hash = base::mixed(static_cast<std::uint64_t>(kind) << 32 | number, static_cast<std::uint32_t>(name));
@@ -63,7 +60,7 @@ NameId Ontology::intern(std::string_view name, std::size_t max_bytes) {
          std::to_string(max_bytes));
     return NameId{0};
   }
-  const std::uint64_t hash = hash_of_name(name);
+  const std::uint64_t hash = base::hash64(name);
   const std::uint32_t found =
       name_table_.find(hash, [&](std::uint32_t number) { return this->name(NameId{number}) == name; });
   if (found != base::NumberTable::none) return NameId{found};
@@ -89,7 +86,7 @@ std::string_view Ontology::name(NameId id) const {
 
 std::optional<NameId> Ontology::find_name(std::string_view name) const {
   const std::uint32_t found =
-      name_table_.find(hash_of_name(name), [&](std::uint32_t number) { return this->name(NameId{number}) == name; });
+      name_table_.find(base::hash64(name), [&](std::uint32_t number) { return this->name(NameId{number}) == name; });
   if (found == base::NumberTable::none) return std::nullopt;
   return NameId{found};
 }

@@ -1,10 +1,9 @@
 // Builds the base: saturates the axioms and the taxonomy once, then makes tables that lead downwards.
 #include "reasoning/placement/expression_base.hpp"
 
-#include <xxhash.h>
-
 #include <algorithm>
 
+#include "base/hash.hpp"
 #include "base/sorted.hpp"
 #include "reasoning/owl/construct.hpp"
 #include "reasoning/owl/literal_value.hpp"
@@ -101,7 +100,7 @@ void ExpressionBase::name_properties() {
 
 std::uint64_t ExpressionBase::hash_of(owl::TermKind kind, owl::NameId name, std::uint32_t number_of_term,
                                       std::span<const owl::TermId> arguments) const {
-  std::uint64_t hash = XXH3_64bits_withSeed(arguments.data(), arguments.size_bytes(), static_cast<std::uint64_t>(kind));
+  std::uint64_t hash = base::hash64(base::octets_of(arguments), static_cast<std::uint64_t>(kind));
   hash = (hash ^ static_cast<std::uint64_t>(name)) * 0x9e3779b97f4a7c15ULL;
   return (hash ^ number_of_term) * 0x9e3779b97f4a7c15ULL >> 7;
 }

@@ -6,6 +6,7 @@
 #include <bit>
 #include <charconv>
 
+#include "base/utf8.hpp"
 #include "reasoning/owl/literal_value.hpp"
 
 namespace geminga::hypertableau {
@@ -37,11 +38,6 @@ bool is_decimal(const Number& number) {
   while (denominator % 2 == 0) denominator /= 2;
   while (denominator % 5 == 0) denominator /= 5;
   return denominator == 1;
-}
-
-std::size_t characters(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
 }
 
 std::optional<Value> number_value(std::string_view canonical) {
@@ -108,7 +104,7 @@ std::optional<Value> time_value(std::string_view canonical) {
 
 Value text_value(std::string canonical) {
   if (canonical.starts_with('l')) {
-    const std::size_t length = characters(std::string_view(canonical).substr(canonical.find('\0') + 1));
+    const std::size_t length = base::count_characters(std::string_view(canonical).substr(canonical.find('\0') + 1));
     return {DataFamily::text, language_layer, length, std::move(canonical)};
   }
   static constexpr std::array<std::string_view, 6> chain = {"normalizedString", "token",   "NMTOKEN", "Name",
@@ -120,7 +116,7 @@ Value text_value(std::string canonical) {
     if (!type || !value.is_in(*type)) break;
     ++layer;
   }
-  const std::size_t length = characters(canonical) - 1;
+  const std::size_t length = base::count_characters(canonical) - 1;
   return {DataFamily::text, layer, length, std::move(canonical)};
 }
 
@@ -173,7 +169,7 @@ std::optional<Value> value_of(const owl::Ontology& source, owl::TermId literal) 
       return Value{read->family, 0, canonical.size() * 3 / 4, std::move(canonical)};
     }
     case DataFamily::uri:
-      return Value{read->family, 0, characters(canonical), std::move(canonical)};
+      return Value{read->family, 0, base::count_characters(canonical), std::move(canonical)};
     case DataFamily::time:
       return time_value(canonical);
     case DataFamily::xml:

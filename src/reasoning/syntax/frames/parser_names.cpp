@@ -1,11 +1,11 @@
 // IRIs, properties of either kind, individuals and literals.
-#include <xxhash.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "base/text.hpp"
 #include "reasoning/owl/datatypes.hpp"
+#include "reasoning/owl/blank_prefix.hpp"
 #include "reasoning/owl/plain_literal.hpp"
 #include "reasoning/syntax/frames/parser.hpp"
 
@@ -151,7 +151,7 @@ owl::TermId Parser::individual() {
   const Token& token = tokens_.token();
   if (!is_name() || !token.text.starts_with("_:")) return manchester::Parser::individual();
   if (token.text.size() == 2) return expected("the name of a blank node behind '_:'");
-  if (blank_prefix_.empty()) blank_prefix_ = "_:" + base::to_hex(XXH3_64bits(bytes_.data(), bytes_.size()), 16) + '.';
+  if (blank_prefix_.empty()) blank_prefix_ = owl::blank_prefix_of(bytes_);
   return source_.anonymous_individual(blank_prefix_ + std::string(take().text.substr(2)));
 }
 

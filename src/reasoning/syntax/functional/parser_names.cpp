@@ -1,7 +1,7 @@
 // IRIs, entities, individuals and literals.
-#include <xxhash.h>
 
 #include "base/text.hpp"
+#include "reasoning/owl/blank_prefix.hpp"
 #include "reasoning/owl/plain_literal.hpp"
 #include "reasoning/syntax/functional/parser.hpp"
 
@@ -61,7 +61,7 @@ bool Parser::individual(std::string_view what) {
 }
 
 std::string_view Parser::blank_name(std::string_view label) {
-  if (blank_prefix_.empty()) blank_prefix_ = "_:" + base::to_hex(XXH3_64bits(bytes_.data(), bytes_.size()), 16) + '.';
+  if (blank_prefix_.empty()) blank_prefix_ = owl::blank_prefix_of(bytes_);
   return iri_buffer_.assign(blank_prefix_).append(label);
 }
 

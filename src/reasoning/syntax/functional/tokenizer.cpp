@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 
 namespace geminga::functional {
 namespace {
@@ -36,13 +37,6 @@ constexpr std::array<std::uint8_t, 256> classes = make_classes();
 
 bool is_a(char c, std::uint8_t wanted) { return (classes[static_cast<unsigned char>(c)] & wanted) != 0; }
 
-/// Octets of the UTF-8 character that begins with this byte.
-std::size_t character_bytes(unsigned char lead) {
-  if (lead < 0xc0) return 1;
-  if (lead < 0xe0) return 2;
-  return lead < 0xf0 ? 3 : 4;
-}
-
 /// Whether a character beyond ASCII may stand in a name (SPARQL, PN_CHARS). A no-break space may not.
 bool is_name_character(char32_t c) {
   struct Range {
@@ -65,21 +59,6 @@ bool is_name_character(char32_t c) {
   return std::ranges::any_of(ranges, [c](const Range& range) { return c >= range.first && c <= range.last; });
 }
 
-/// The character at a place of well-formed UTF-8, beyond ASCII.
-char32_t character_at(const char* place) {
-  const auto octet = [place](std::size_t index) {
-    return static_cast<char32_t>(static_cast<unsigned char>(place[index]));
-  };
-  switch (character_bytes(static_cast<unsigned char>(*place))) {
-    case 2:
-      return (octet(0) & 0x1fU) << 6U | (octet(1) & 0x3fU);
-    case 3:
-      return (octet(0) & 0x0fU) << 12U | (octet(1) & 0x3fU) << 6U | (octet(2) & 0x3fU);
-    default:
-      return (octet(0) & 0x07U) << 18U | (octet(1) & 0x3fU) << 12U | (octet(2) & 0x3fU) << 6U | (octet(3) & 0x3fU);
-  }
-}
-
 std::string_view between(const char* begin, const char* end) { return {begin, static_cast<std::size_t>(end - begin)}; }
 
 const char* find_byte(const char* begin, const char* end, char byte) {
@@ -98,22 +77,8 @@ std::optional<Problem> check_text(std::string_view bytes) {
   };
   if (const std::size_t nul = bytes.find('\0'); nul != std::string_view::npos)
     return Problem{line_of(nul), "a NUL byte"};
-  std::size_t place = 0;
-  while (place < bytes.size()) {
-    std::array<std::uint64_t, 4> words{};
-    if (bytes.size() - place >= sizeof words) {  // 32 characters of ASCII at a time
-      std::memcpy(words.data(), bytes.data() + place, sizeof words);
-      if (((words[0] | words[1] | words[2] | words[3]) & 0x8080808080808080U) == 0) {
-        place += sizeof words;
-        continue;
-      }
-    }
-    const auto lead = static_cast<unsigned char>(bytes[place]);
-    const std::size_t count = character_bytes(lead);
-    if (lead >= 0x80 && !base::is_valid_utf8(bytes.substr(place, count)))
-      return Problem{line_of(place), "bytes that are no UTF-8: save the file as UTF-8"};
-    place += count;
-  }
+  if (const auto place = base::find_invalid_utf8(bytes))
+    return Problem{line_of(*place), "bytes that are no UTF-8: save the file as UTF-8"};
   return std::nullopt;
 }
 
@@ -217,7 +182,7 @@ void Tokenizer::take_string() {
       if (end == end_) break;
       if (*end != '"' && *end != '\\') {
         token_begin_ = end;  // what is wrong is here, perhaps many lines below the first quote
-        const std::size_t count = character_bytes(static_cast<unsigned char>(*end));
+        const std::size_t count = base::character_bytes(static_cast<unsigned char>(*end));
         return fail("the escape \\" + base::printable(between(end, end + count)) +
                     " in a text: write \\\\ for a backslash");
       }
@@ -252,8 +217,8 @@ const char* Tokenizer::end_of_run(const char* from) const {
   while (from != end_) {
     if (is_a(*from, name_byte)) {
       ++from;
-    } else if (static_cast<unsigned char>(*from) >= 0x80 && is_name_character(character_at(from))) {
-      from += character_bytes(static_cast<unsigned char>(*from));
+    } else if (static_cast<unsigned char>(*from) >= 0x80 && is_name_character(base::character_at(from))) {
+      from += base::character_bytes(static_cast<unsigned char>(*from));
     } else {
       break;
     }
@@ -278,7 +243,7 @@ void Tokenizer::take_name() {
     return take_local_name(end + 1);
   }
   if (begin == end) {
-    const std::size_t count = character_bytes(static_cast<unsigned char>(*begin));
+    const std::size_t count = base::character_bytes(static_cast<unsigned char>(*begin));
     return fail("unexpected '" + base::printable(between(begin, begin + count)) + "'");
   }
   if (static_cast<std::size_t>(end - begin) > limits_.iri_bytes) return fail(limit_text("a word", limits_.iri_bytes));

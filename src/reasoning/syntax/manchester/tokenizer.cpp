@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/utf8.hpp"
+
 namespace geminga::manchester {
 namespace {
 
@@ -48,10 +50,7 @@ bool is_number(std::string_view word) {
 
 }  // namespace
 
-std::size_t Tokenizer::column_of(std::size_t octet) const {
-  const auto is_start = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; };
-  return 1 + static_cast<std::size_t>(std::ranges::count_if(text_.substr(0, octet), is_start));
-}
+std::size_t Tokenizer::column_of(std::size_t octet) const { return 1 + base::count_characters(text_.substr(0, octet)); }
 
 void Tokenizer::finish(TokenKind kind, std::size_t size) {
   token_.kind = kind;

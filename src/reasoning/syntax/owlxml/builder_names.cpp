@@ -1,10 +1,10 @@
 // IRIs in their three forms, entities, blank nodes, literals and facets.
-#include <xxhash.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "base/text.hpp"
+#include "reasoning/owl/blank_prefix.hpp"
 #include "reasoning/owl/plain_literal.hpp"
 #include "reasoning/syntax/owlxml/builder.hpp"
 
@@ -81,7 +81,7 @@ Listener::Refusal Builder::blank(const Open& open, std::span<const Attribute> at
   }
   if (label.starts_with("_:")) label.remove_prefix(2);
   if (auto refusal = check_iri(label)) return "expected the nodeID of <AnonymousIndividual>";
-  if (blank_prefix_.empty()) blank_prefix_ = "_:" + base::to_hex(XXH3_64bits(bytes_.data(), bytes_.size()), 16) + '.';
+  if (blank_prefix_.empty()) blank_prefix_ = owl::blank_prefix_of(bytes_);
   std::string name = blank_prefix_ + std::string(label);
   if (open.is_annotation) {
     operands_.push_back({Operand::Kind::iri, {}, std::move(name), {}, {}, {}});

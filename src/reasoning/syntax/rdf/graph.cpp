@@ -1,11 +1,11 @@
 // Interns nodes by content and sorts triples by subject with one counting pass.
 #include "reasoning/syntax/rdf/graph.hpp"
 
-#include <xxhash.h>
-
 #include <algorithm>
 #include <array>
 #include <cstring>
+
+#include "base/hash.hpp"
 
 namespace geminga::rdf {
 namespace {
@@ -15,7 +15,7 @@ constexpr std::size_t chunk_bytes = std::size_t{1} << 16;
 std::uint64_t hash_of(NodeKind kind, std::string_view text, NodeId datatype, NodeId language) {
   const std::uint64_t seed = static_cast<std::uint64_t>(kind) | static_cast<std::uint64_t>(datatype) << 2U |
                              static_cast<std::uint64_t>(language) << 33U;
-  return XXH3_64bits_withSeed(text.data(), text.size(), seed);
+  return base::hash64(text, seed);
 }
 
 }  // namespace

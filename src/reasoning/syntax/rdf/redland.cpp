@@ -2,7 +2,6 @@
 #include "reasoning/syntax/rdf/redland.hpp"
 
 #include <sys/mman.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <condition_variable>
@@ -12,6 +11,7 @@
 
 #include "base/parallel/crew.hpp"
 #include "base/text.hpp"
+#include "reasoning/owl/blank_prefix.hpp"
 
 namespace geminga::rdf {
 namespace {
@@ -100,8 +100,7 @@ Redland::Redland(const syntax::Limits& limits, unsigned threads)
 std::optional<syntax::LoadError> Redland::read(const std::string& path, syntax::Syntax syntax, syntax::FileBytes& bytes,
                                                const std::string& base_iri, const std::vector<std::uint32_t>& lines,
                                                const Pieces& pieces, Graph& graph) {
-  const std::string_view view = bytes.view();
-  const std::string blank_prefix = "_:" + base::to_hex(XXH3_64bits(view.data(), view.size()), 16) + '.';
+  const std::string blank_prefix = owl::blank_prefix_of(bytes.view());
   const FileText text{bytes, syntax, base_iri, blank_prefix, lines, pieces};
   known_prefixes_.clear();
   graph.begin_file();
