@@ -1,5 +1,5 @@
 // Reading, writing and comparing numeric addresses.
-#include "discovery/announcement/address.hpp"
+#include "base/address.hpp"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -10,7 +10,7 @@
 
 #include "base/text.hpp"
 
-namespace geminga::announcement {
+namespace geminga::base {
 namespace {
 
 /// The longest name of an interface, and so of a zone (IFNAMSIZ without its NUL).
@@ -39,8 +39,8 @@ AddressScope ipv6_scope(const std::vector<std::uint8_t>& octets) {
 }
 
 bool is_zone(std::string_view zone) {
-  return !zone.empty() && zone.size() <= max_zone_bytes && base::is_valid_utf8(zone) &&
-         !base::has_control_character(zone) && zone.find_first_of(" /%,\"") == std::string_view::npos;
+  return !zone.empty() && zone.size() <= max_zone_bytes && is_valid_utf8(zone) && !has_control_character(zone) &&
+         zone.find_first_of(" /%,\"") == std::string_view::npos;
 }
 
 }  // namespace
@@ -90,4 +90,4 @@ int address_rank(const Address& address) {
   return 2 * family + (scope == AddressScope::link_local ? 1 : 0);
 }
 
-}  // namespace geminga::announcement
+}  // namespace geminga::base

@@ -1,6 +1,6 @@
 // Numeric IP addresses and their scopes: which may be told to whom (paper sections 3.5.2 and 3.6).
-#ifndef GEMINGA_DISCOVERY_ANNOUNCEMENT_ADDRESS_HPP
-#define GEMINGA_DISCOVERY_ANNOUNCEMENT_ADDRESS_HPP
+#ifndef GEMINGA_BASE_ADDRESS_HPP
+#define GEMINGA_BASE_ADDRESS_HPP
 
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace geminga::announcement {
+namespace geminga::base {
 
 /// Where an address means the same host. Addresses are compared by scope equivalence (paper section 3.6).
 enum class AddressScope : std::uint8_t {
@@ -43,6 +43,6 @@ struct Address {
 /// each, private and global ones before link-local ones; loopback after all of them.
 [[nodiscard]] int address_rank(const Address& address);
 
-}  // namespace geminga::announcement
+}  // namespace geminga::base
 
 #endif

@@ -125,8 +125,7 @@ class Resolver {
     const Stated* given = single(key);
     if (given == nullptr) return;
     if (!announcement::is_valid_name(given->text)) {
-      fail(*given, '\'' + base::printable(given->text) + "' is no name: 1 to " +
-                       std::to_string(announcement::max_name_bytes) +
+      fail(*given, '\'' + base::printable(given->text) + "' is no name: 1 to " + std::to_string(max_name_bytes) +
                        " octets of UTF-8 without control characters, '/' and ','");
     }
     name = given->text;

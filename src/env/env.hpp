@@ -14,6 +14,10 @@
 
 namespace geminga::env {
 
+/// The largest datagram, of those sent and of those received. Fits into one frame of every link that IPv6 runs on (RFC
+/// 8200 section 5: 1280 octets), with its headers and 32 octets left for an envelope.
+inline constexpr std::size_t max_datagram_bytes = 1200;
+
 /// The kernel's number of a network interface; never reused while a participant lives.
 enum class InterfaceIndex : std::uint32_t {};
 

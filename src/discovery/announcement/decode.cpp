@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "base/address.hpp"
 #include "base/text.hpp"
-#include "discovery/announcement/address.hpp"
 #include "discovery/announcement/announceable.hpp"
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/fault.hpp"
@@ -73,8 +73,8 @@ Decoded<Degree> degree_of(wire::Degree degree) {
 
 /// The text of 4 or 16 octets that somebody can be reached at.
 Decoded<std::string> address_of(const std::string& octets) {
-  const Address address{{octets.begin(), octets.end()}, {}};
-  if ((octets.size() != 4 && octets.size() != 16) || address.scope() == AddressScope::unspecified) {
+  const base::Address address{{octets.begin(), octets.end()}, {}};
+  if ((octets.size() != 4 && octets.size() != 16) || address.scope() == base::AddressScope::unspecified) {
     return Failure(DecodeError::bad_address);
   }
   return address.text();
@@ -237,7 +237,8 @@ Decoded<void> read_header(const wire::Announcement& message, Announcement& annou
   if (message.addresses_size() > static_cast<int>(max_addresses)) return Failure(DecodeError::bad_address);
   for (const auto& octets : message.addresses()) {
     auto address = address_of(octets);
-    if (!address || address_scope(*address) == AddressScope::multicast) return Failure(DecodeError::bad_address);
+    if (!address || base::address_scope(*address) == base::AddressScope::multicast)
+      return Failure(DecodeError::bad_address);
     announcement.addresses.push_back(std::move(*address));
   }
   return {};

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/address.hpp"
 #include "base/text.hpp"
-#include "discovery/announcement/address.hpp"
 #include "discovery/announcement/announceable.hpp"
 #include "discovery/announcement/limits.hpp"
 
@@ -78,8 +78,8 @@ Found identity_fault(const Identity& identity) {
 
 Found address_fault(const std::string& text) {
   if (text.empty()) return std::nullopt;
-  const auto address = parse_address(text);
-  if (address && address->scope() != AddressScope::unspecified) return std::nullopt;
+  const auto address = base::parse_address(text);
+  if (address && address->scope() != base::AddressScope::unspecified) return std::nullopt;
   return fault(DecodeError::bad_address, ErrorCode::impossible,
                "address " + base::printable(text) +
                    (address ? " is none that can be reached: leave address out for the interfaces' own"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "discovery/announcement/address.hpp"
+#include "base/address.hpp"
 #include "discovery/announcement/limits.hpp"
 
 namespace geminga::announcement {
@@ -11,15 +11,15 @@ namespace {
 
 /// The canonical text without its zone; what is no address stays as it is.
 std::string without_zone(const std::string& text) {
-  auto address = parse_address(text);
+  auto address = base::parse_address(text);
   if (!address) return text;
   address->zone.clear();
   return address->text();
 }
 
-bool has_address(const env::Interface& interface, const Address& address) {
+bool has_address(const env::Interface& interface, const base::Address& address) {
   return std::ranges::any_of(interface.addresses, [&](const std::string& text) {
-    const auto own = parse_address(text);
+    const auto own = base::parse_address(text);
     return own && own->octets == address.octets;
   });
 }
@@ -27,10 +27,10 @@ bool has_address(const env::Interface& interface, const Address& address) {
 }  // namespace
 
 bool is_announced_on(std::string_view text, const env::Interface& interface, std::span<const env::Interface> ours) {
-  const auto address = parse_address(text);
+  const auto address = base::parse_address(text);
   if (!address) return text.empty();
   if (!address->zone.empty()) return address->zone == interface.name;
-  if (address->scope() == AddressScope::loopback) return interface.is_loopback;
+  if (address->scope() == base::AddressScope::loopback) return interface.is_loopback;
   if (has_address(interface, *address)) return true;
   return std::ranges::none_of(ours, [&](const env::Interface& other) { return has_address(other, *address); });
 }
@@ -40,7 +40,7 @@ Announcement on_interface(Announcement state, const env::Interface& interface, s
   state.addresses.clear();
   for (const auto& text : interface.addresses) {
     if (state.addresses.size() == max_addresses) break;
-    if (parse_address(text)) state.addresses.push_back(without_zone(text));
+    if (base::parse_address(text)) state.addresses.push_back(without_zone(text));
   }
   for (auto& peer : state.peers) {
     const auto withhold = [&](const auto& numbered, const std::string& address) {

@@ -1,7 +1,7 @@
 // Writes one service into its message.
 #include "discovery/announcement/wire_entry.hpp"
 
-#include "discovery/announcement/address.hpp"
+#include "base/address.hpp"
 
 namespace geminga::announcement {
 namespace {
@@ -64,7 +64,7 @@ void write_common(const Service& service, TermTable& terms, Message& message) {
 }  // namespace
 
 std::string address_octets(const std::string& text) {
-  const auto address = parse_address(text);
+  const auto address = base::parse_address(text);
   return address ? std::string(address->octets.begin(), address->octets.end()) : std::string();
 }
 

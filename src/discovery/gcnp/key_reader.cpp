@@ -1,37 +1,15 @@
 #include "discovery/gcnp/key_reader.hpp"
 
-#include <arpa/inet.h>
-
 #include <algorithm>
 #include <utility>
 
+#include "base/address.hpp"
 #include "base/text.hpp"
 #include "discovery/gcnp/attribute.hpp"
 #include "discovery/gcnp/limits.hpp"
 #include "discovery/gcnp/reserved.hpp"
 
 namespace geminga::gcnp {
-namespace {
-
-enum class AddressKind { none, unspecified, usable };
-
-/// What a text is as a numeric IP address. An IPv6 link-local one may carry a zone (`fe80::1%eth0`, RFC 4007).
-AddressKind address_kind(std::string text) {
-  in_addr four{};
-  if (inet_pton(AF_INET, text.c_str(), &four) == 1) {
-    return four.s_addr == INADDR_ANY ? AddressKind::unspecified : AddressKind::usable;
-  }
-  const auto zone = text.find('%');
-  const bool has_zone = zone != std::string::npos;
-  if (has_zone && zone + 1 == text.size()) return AddressKind::none;
-  text.resize(std::min(zone, text.size()));
-  in6_addr six{};
-  if (inet_pton(AF_INET6, text.c_str(), &six) != 1) return AddressKind::none;
-  if (IN6_IS_ADDR_UNSPECIFIED(&six)) return AddressKind::unspecified;
-  return has_zone && !IN6_IS_ADDR_LINKLOCAL(&six) ? AddressKind::none : AddressKind::usable;
-}
-
-}  // namespace
 
 KeyReader::KeyReader(const Statement& statement) : statement_(statement), taken_(statement.parameters.size()) {
   std::vector<std::string_view> keys;
@@ -116,17 +94,13 @@ std::optional<std::string> KeyReader::address() {
   if (!given) return std::nullopt;
   std::string address(*given);
   if (address.empty()) return address;
-  switch (address_kind(address)) {
-    case AddressKind::none:
-      fail(ErrorCode::impossible,
-           "address=" + base::printable(address, 60) + " is no IP address: write one in numbers, or leave address out");
-      break;
-    case AddressKind::unspecified:
-      fail(ErrorCode::impossible,
-           "address=" + address + " cannot be sent to: leave address out, and each interface's own is announced");
-      break;
-    case AddressKind::usable:
-      break;
+  const auto read = base::parse_address(address);
+  if (!read) {
+    fail(ErrorCode::impossible,
+         "address=" + base::printable(address, 60) + " is no IP address: write one in numbers, or leave address out");
+  } else if (read->scope() == base::AddressScope::unspecified) {
+    fail(ErrorCode::impossible,
+         "address=" + address + " cannot be sent to: leave address out, and each interface's own is announced");
   }
   return address;
 }
@@ -165,13 +139,14 @@ std::optional<std::vector<ProviderFilter>> KeyReader::providers() {
       fail_value("provider", "PARTICIPANT or PARTICIPANT/PEER, or several of them with commas");
       return std::nullopt;
     }
-    if (provider.participant.size() > max_provider_name_bytes || provider.peer.size() > max_provider_name_bytes) {
+    if (provider.participant.size() > max_name_bytes || provider.peer.size() > max_name_bytes) {
       fail(ErrorCode::too_large,
-           "a name in provider is too long: at most " + std::to_string(max_provider_name_bytes) + " octets");
+           "a name in provider is too long: at most " + std::to_string(max_name_bytes) + " octets");
       return std::nullopt;
     }
-    if (providers.size() == max_providers) {
-      fail(ErrorCode::too_large, "provider is too long: at most " + std::to_string(max_providers) + " providers");
+    if (providers.size() == max_provider_filters) {
+      fail(ErrorCode::too_large,
+           "provider is too long: at most " + std::to_string(max_provider_filters) + " providers");
       return std::nullopt;
     }
     providers.push_back(std::move(provider));
@@ -217,7 +192,7 @@ bool KeyReader::flag(std::string_view key) {
 
 std::optional<IdentityChange> KeyReader::identity_change() {
   const auto id = value("id");
-  auto name = text("text", max_text_bytes);
+  auto name = text("text", max_text_identity_bytes);
   ConceptChange names{text("concept", max_concept_bytes), text("representation", max_concept_bytes)};
   const bool is_semantic = names.concept_name || names.representation_name;
   if ((id ? 1 : 0) + (name ? 1 : 0) + (is_semantic ? 1 : 0) > 1) {

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "discovery/announcement/address.hpp"
+#include "base/address.hpp"
 #include "discovery/announcement/limits.hpp"
 
 namespace geminga::membership {
@@ -306,10 +306,10 @@ void NeighbourRecord::choose_address() {
   for (std::size_t w = 0; w < ways_.size(); ++w) {
     const auto& addresses = ways_[w].addresses();
     for (std::size_t i = 0; i < addresses.size(); ++i) {
-      const auto address = announcement::parse_address(addresses[i]);
+      const auto address = base::parse_address(addresses[i]);
       if (!address) continue;
       const bool is_other = addresses[i] != owner.address || ways_[w].interface_name() != owner.zone;
-      const Preference preference{announcement::address_rank(*address), is_other, w, i};
+      const Preference preference{base::address_rank(*address), is_other, w, i};
       if (chosen != nullptr && best < preference) continue;
       best = preference;
       chosen = &addresses[i];

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "discovery/announcement/address.hpp"
+#include "base/address.hpp"
 #include "discovery/announcement/limits.hpp"
 
 namespace geminga::membership {
@@ -283,8 +283,8 @@ void NeighbourServices::set_address(const std::string& address, const std::strin
 
 std::string NeighbourServices::effective_address(const std::string& announced) const {
   if (announced.empty()) return owner_.address;
-  auto address = announcement::parse_address(announced);
-  if (!address || !address->is_ipv6() || address->scope() != announcement::AddressScope::link_local) return announced;
+  auto address = base::parse_address(announced);
+  if (!address || !address->is_ipv6() || address->scope() != base::AddressScope::link_local) return announced;
   address->zone = owner_.zone;
   return address->text();
 }
@@ -293,8 +293,8 @@ bool NeighbourServices::depends_on_way(const Offer& offer) {
   const auto& announced =
       std::visit([](const auto& service) -> const std::string& { return service.address; }, offer.service);
   if (announced.empty()) return true;
-  const auto address = announcement::parse_address(announced);
-  return address && address->is_ipv6() && address->scope() == announcement::AddressScope::link_local;
+  const auto address = base::parse_address(announced);
+  return address && address->is_ipv6() && address->scope() == base::AddressScope::link_local;
 }
 
 std::size_t NeighbourServices::publications() const {

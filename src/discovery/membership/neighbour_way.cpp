@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "discovery/announcement/address.hpp"
+#include "base/address.hpp"
 #include "discovery/announcement/limits.hpp"
 
 namespace geminga::membership {
@@ -16,9 +16,9 @@ using base::Instant;
 std::vector<std::string> usable(const announcement::Announcement& announcement, const Arrival& arrival) {
   std::vector<std::string> addresses;
   const auto add = [&](std::string_view text) {
-    auto address = announcement::parse_address(text);
+    auto address = base::parse_address(text);
     if (!address) return;
-    const bool needs_zone = address->is_ipv6() && address->scope() == announcement::AddressScope::link_local;
+    const bool needs_zone = address->is_ipv6() && address->scope() == base::AddressScope::link_local;
     address->zone = needs_zone ? std::string(arrival.interface_name) : std::string();
     addresses.push_back(address->text());
   };

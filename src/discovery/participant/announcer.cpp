@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "discovery/announcement/address.hpp"
+#include "base/address.hpp"
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/limits.hpp"
 #include "discovery/announcement/on_interface.hpp"
@@ -22,8 +22,8 @@ std::string origin(const Heard& heard) { return std::string(heard.source) + " on
 /// Whether a datagram from this address can be our own. An interface does not show its IPv6 link-local address where it
 /// has another one, so none of those can be ruled out.
 bool may_be_ours(const env::Env& env, std::string_view source) {
-  const auto address = announcement::parse_address(source);
-  if (!address || (address->is_ipv6() && address->scope() == announcement::AddressScope::link_local)) return true;
+  const auto address = base::parse_address(source);
+  if (!address || (address->is_ipv6() && address->scope() == base::AddressScope::link_local)) return true;
   return std::ranges::any_of(env.interfaces(), [&](const env::Interface& interface) {
     return std::ranges::find(interface.addresses, source) != interface.addresses.end();
   });

@@ -10,9 +10,9 @@ namespace geminga::participant {
 namespace {
 
 Refusal check_name(const std::string& name) {
-  if (name.size() > announcement::max_name_bytes) {
-    return Error{ErrorCode::too_large, "name: " + std::to_string(name.size()) + " octets, the limit is " +
-                                           std::to_string(announcement::max_name_bytes)};
+  if (name.size() > max_name_bytes) {
+    return Error{ErrorCode::too_large,
+                 "name: " + std::to_string(name.size()) + " octets, the limit is " + std::to_string(max_name_bytes)};
   }
   if (!announcement::is_valid_name(name)) {
     return Error{ErrorCode::malformed,

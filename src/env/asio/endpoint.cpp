@@ -1,20 +1,18 @@
 #include "env/asio/endpoint.hpp"
 
 #include <algorithm>
-#include <boost/asio/ip/address.hpp>
 #include <optional>
 
+#include "base/address.hpp"
 #include "base/text.hpp"
 
 namespace geminga::env {
 namespace {
 
-namespace ip = boost::asio::ip;
-
-std::optional<ip::address> read_address(std::string_view text) {
-  boost::system::error_code error;
-  ip::address address = ip::make_address(std::string(text), error);
-  if (error || text.find('%') != std::string_view::npos) return std::nullopt;
+/// An address without a zone.
+std::optional<base::Address> read_address(std::string_view text) {
+  auto address = base::parse_address(text);
+  if (address && !address->zone.empty()) return std::nullopt;
   return address;
 }
 
@@ -67,7 +65,7 @@ std::optional<Halves> split(std::string_view text) {
 std::expected<std::string, std::string> parse_address(std::string_view text) {
   const auto address = read_address(text);
   if (!address) return std::unexpected(shown(text) + " is no IP address");
-  return address->to_string();
+  return address->text();
 }
 
 std::expected<Endpoint, std::string> parse_endpoint(std::string_view text) {
@@ -79,7 +77,7 @@ std::expected<Endpoint, std::string> parse_endpoint(std::string_view text) {
   if (!address) return std::unexpected(shown(halves->host) + " is no IP address");
   const auto port = read_port(*halves->port);
   if (!port) return std::unexpected(port.error());
-  return Endpoint{address->to_string(), *port};
+  return Endpoint{address->text(), *port};
 }
 
 std::expected<HostPort, std::string> parse_host_port(std::string_view text, std::uint16_t default_port) {
@@ -87,7 +85,7 @@ std::expected<HostPort, std::string> parse_host_port(std::string_view text, std:
   if (!halves) return std::unexpected(shown(text) + " is no HOST[:PORT]: write robot2:4717 or [fd00::7]:4717");
   HostPort result{std::string(halves->host), default_port};
   if (const auto address = read_address(halves->host)) {
-    result.host = address->to_string();
+    result.host = address->text();
   } else if (!is_host_name(halves->host)) {
     return std::unexpected(shown(halves->host) + " is neither an IP address nor a host name");
   }
@@ -101,12 +99,12 @@ std::expected<HostPort, std::string> parse_host_port(std::string_view text, std:
 
 bool is_loopback(const std::string& address) {
   const auto read = read_address(address);
-  return read && read->is_loopback();
+  return read && read->scope() == base::AddressScope::loopback;
 }
 
 bool is_multicast(const std::string& address) {
   const auto read = read_address(address);
-  return read && read->is_multicast();
+  return read && read->scope() == base::AddressScope::multicast;
 }
 
 std::string to_string(const Endpoint& endpoint) { return joined(endpoint.address, endpoint.port); }

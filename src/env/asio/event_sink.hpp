@@ -29,9 +29,6 @@ class EventSink {
   virtual void on_stream_closed(StreamId stream) = 0;
 };
 
-/// The longest datagram that is read whole: what fits into an Ethernet frame that is not fragmented.
-inline constexpr std::size_t max_datagram_bytes = 1472;
-
 }  // namespace geminga::env
 
 #endif

@@ -1,5 +1,5 @@
 // Numeric addresses, their scopes, and which are announced where.
-#include "discovery/announcement/address.hpp"
+#include "base/address.hpp"
 
 #include <gmock/gmock.h>
 
@@ -14,41 +14,41 @@ using env::Interface;
 using env::InterfaceIndex;
 
 TEST(Address, KnowsItsScope) {
-  const std::pair<const char*, AddressScope> cases[] = {
-      {"0.0.0.0", AddressScope::unspecified},
-      {"::", AddressScope::unspecified},
-      {"127.0.0.1", AddressScope::loopback},
-      {"127.255.255.255", AddressScope::loopback},
-      {"::1", AddressScope::loopback},
-      {"169.254.0.1", AddressScope::link_local},
-      {"fe80::1", AddressScope::link_local},
-      {"febf::1", AddressScope::link_local},
-      {"fec0::1", AddressScope::global},
-      {"10.1.2.3", AddressScope::private_use},
-      {"172.15.0.1", AddressScope::global},
-      {"172.16.0.1", AddressScope::private_use},
-      {"172.31.0.1", AddressScope::private_use},
-      {"172.32.0.1", AddressScope::global},
-      {"192.168.0.1", AddressScope::private_use},
-      {"100.63.0.1", AddressScope::global},
-      {"100.64.0.1", AddressScope::private_use},
-      {"100.128.0.1", AddressScope::global},
-      {"fc00::1", AddressScope::private_use},
-      {"fdff::1", AddressScope::private_use},
-      {"2001:db8::1", AddressScope::global},
-      {"8.8.8.8", AddressScope::global},
-      {"224.0.0.1", AddressScope::multicast},
-      {"239.192.47.17", AddressScope::multicast},
-      {"240.0.0.1", AddressScope::global},
-      {"ff02::4717", AddressScope::multicast},
+  const std::pair<const char*, base::AddressScope> cases[] = {
+      {"0.0.0.0", base::AddressScope::unspecified},
+      {"::", base::AddressScope::unspecified},
+      {"127.0.0.1", base::AddressScope::loopback},
+      {"127.255.255.255", base::AddressScope::loopback},
+      {"::1", base::AddressScope::loopback},
+      {"169.254.0.1", base::AddressScope::link_local},
+      {"fe80::1", base::AddressScope::link_local},
+      {"febf::1", base::AddressScope::link_local},
+      {"fec0::1", base::AddressScope::global},
+      {"10.1.2.3", base::AddressScope::private_use},
+      {"172.15.0.1", base::AddressScope::global},
+      {"172.16.0.1", base::AddressScope::private_use},
+      {"172.31.0.1", base::AddressScope::private_use},
+      {"172.32.0.1", base::AddressScope::global},
+      {"192.168.0.1", base::AddressScope::private_use},
+      {"100.63.0.1", base::AddressScope::global},
+      {"100.64.0.1", base::AddressScope::private_use},
+      {"100.128.0.1", base::AddressScope::global},
+      {"fc00::1", base::AddressScope::private_use},
+      {"fdff::1", base::AddressScope::private_use},
+      {"2001:db8::1", base::AddressScope::global},
+      {"8.8.8.8", base::AddressScope::global},
+      {"224.0.0.1", base::AddressScope::multicast},
+      {"239.192.47.17", base::AddressScope::multicast},
+      {"240.0.0.1", base::AddressScope::global},
+      {"ff02::4717", base::AddressScope::multicast},
   };
-  for (const auto& [text, scope] : cases) EXPECT_EQ(address_scope(text), scope) << text;
+  for (const auto& [text, scope] : cases) EXPECT_EQ(base::address_scope(text), scope) << text;
 }
 
 TEST(Address, HasOneCanonicalText) {
-  EXPECT_EQ(parse_address("FE80:0:0::1").value().text(), "fe80::1");
-  EXPECT_EQ(parse_address("10.0.0.1").value().text(), "10.0.0.1");
-  EXPECT_EQ(parse_address("fe80::1%eth0").value().text(), "fe80::1%eth0");
+  EXPECT_EQ(base::parse_address("FE80:0:0::1").value().text(), "fe80::1");
+  EXPECT_EQ(base::parse_address("10.0.0.1").value().text(), "10.0.0.1");
+  EXPECT_EQ(base::parse_address("fe80::1%eth0").value().text(), "fe80::1%eth0");
 }
 
 TEST(Address, RefusesWhatIsNoNumericAddress) {
@@ -56,15 +56,15 @@ TEST(Address, RefusesWhatIsNoNumericAddress) {
   for (const auto& text : {""s, "robot2"s, "1.2.3"s, "1.2.3.4.5"s, "01.2.3.4"s, "256.1.1.1"s, "1.2.3.4 "s, " 1.2.3.4"s,
                            "1.2.3.4\0x"s, ":::"s, "fe80::1%"s, "10.0.0.1%eth0"s, "2001:db8::1%eth0"s,
                            "fe80::1%0123456789abcdef"s, "fe80::1%a b"s, std::string(5000, '1')}) {
-    EXPECT_EQ(parse_address(text), std::nullopt) << text;
+    EXPECT_EQ(base::parse_address(text), std::nullopt) << text;
   }
-  EXPECT_TRUE(parse_address("fe80::1%0123456789abcde"));
+  EXPECT_TRUE(base::parse_address("fe80::1%0123456789abcde"));
 }
 
 TEST(Address, RanksIpv4BeforeIpv6AndRoutableBeforeLinkLocalBeforeLoopback) {
   int last = -1;
   for (const auto* text : {"10.0.0.1", "169.254.1.1", "2001:db8::1", "fe80::1", "127.0.0.1", "::1"}) {
-    const int rank = address_rank(*parse_address(text));
+    const int rank = base::address_rank(*base::parse_address(text));
     EXPECT_GT(rank, last) << text;
     last = rank;
   }

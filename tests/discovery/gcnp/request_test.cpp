@@ -188,15 +188,15 @@ TEST(Request, HasTextsUpToTheirLimits) {
   } cases[] = {
       {"5 pub create mode=oto port=1 concept=", max_concept_bytes},
       {"5 pub create mode=oto port=1 concept=c representation=", max_concept_bytes},
-      {"5 pub create mode=oto port=1 text=", max_text_bytes},
+      {"5 pub create mode=oto port=1 text=", max_text_identity_bytes},
       {"5 pub create mode=oto port=1 id=1 protocol=", max_protocol_bytes},
       {"5 pub create mode=oto port=1 id=1 key=", max_attribute_value_bytes},
       {"5 pub create mode=oto port=1 id=1 ", max_attribute_key_bytes},
       {"5 pub create mode=oto port=1 id=1 attr.", max_attribute_key_bytes},
       {"5 sub create mode=oto id=1 protocol=udp,", max_protocol_bytes},
       {"5 sub create mode=oto id=1 where=", max_where_bytes},
-      {"5 sub create mode=oto id=1 provider=", max_provider_name_bytes},
-      {"5 sub create mode=oto id=1 provider=a/", max_provider_name_bytes},
+      {"5 sub create mode=oto id=1 provider=", max_name_bytes},
+      {"5 sub create mode=oto id=1 provider=a/", max_name_bytes},
       {"5 query services filter=", max_filter_bytes},
       {"5 query explain super=s sub=", max_concept_bytes},
   };
@@ -224,9 +224,9 @@ TEST(Request, HasAsManyAttributesAndProvidersAsTheirLimits) {
     for (std::size_t i = 1; i < count; ++i) line += ",p" + std::to_string(i);
     return read(line);
   };
-  EXPECT_TRUE(providers(max_providers - 1));
-  EXPECT_TRUE(providers(max_providers));
-  EXPECT_EQ(providers(max_providers + 1).error().code, ErrorCode::too_large);
+  EXPECT_TRUE(providers(max_provider_filters - 1));
+  EXPECT_TRUE(providers(max_provider_filters));
+  EXPECT_EQ(providers(max_provider_filters + 1).error().code, ErrorCode::too_large);
 }
 
 TEST(Request, HasNumbersUpToTheirEdges) {
