@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -26,14 +27,20 @@ void must(bool holds, const std::string& what) {
   if (!holds) throw std::runtime_error("lab: " + what + ": " + std::strerror(errno));
 }
 
-/// Runs `ip` with these words in the namespace that this thread is in.
+constexpr const char* nft_program = "/usr/sbin/nft";
+
+/// Runs a program in the namespace that this thread is in.
+void command(const std::vector<std::string>& line) {
+  const Ran ran = run({.words = line, .environment = {}, .before = {}});
+  std::string text;
+  for (const std::string& word : line) text += ' ' + word;
+  if (ran.status != 0) throw std::runtime_error("lab:" + text + ": " + ran.said);
+}
+
 void ip(const std::vector<std::string>& words) {
   std::vector<std::string> line{"/bin/ip"};
   line.insert(line.end(), words.begin(), words.end());
-  const Ran ran = run({.words = line, .environment = {}, .before = {}});
-  std::string text;
-  for (const std::string& word : words) text += ' ' + word;
-  if (ran.status != 0) throw std::runtime_error("lab: ip" + text + ": " + ran.said);
+  command(line);
 }
 
 /// Becomes root of a user namespace of our own, once, where we are not root yet. With GEMINGA_LAB=lo in the environment
@@ -130,6 +137,15 @@ Lab::Lab(std::size_t hosts) : hosts_(hosts) {
 }
 
 Lab::~Lab() = default;
+
+bool Lab::can_lose() { return may_make_namespaces() && ::access(nft_program, X_OK) == 0; }
+
+void Lab::lose(double share) {
+  const std::string percent = std::to_string(std::lround(share * 100));
+  command({nft_program, "add table bridge air; add chain bridge air forward { type filter hook forward priority 0; }; "
+                        "add rule bridge air forward meta protocol { ip, ip6 } numgen random mod 100 < " +
+                            percent + " drop"});
+}
 
 bool Lab::has_namespaces() const { return namespaces_ != nullptr; }
 

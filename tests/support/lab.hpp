@@ -48,6 +48,11 @@ class Lab {
   void cut(std::size_t host);
   void join(std::size_t host);
 
+  /// Whether lose() can be called: there are namespaces, and nftables.
+  [[nodiscard]] static bool can_lose();
+  /// From now on each host misses this share of what the others send, each for itself. To be called once.
+  void lose(double share);
+
   /// Takes the host's IPv4 address away. Only with namespaces.
   void take_ipv4(std::size_t host);
 
