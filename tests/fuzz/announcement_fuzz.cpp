@@ -6,6 +6,7 @@
 
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/limits.hpp"
+#include "discovery/membership/deadline.hpp"
 #include "discovery/membership/neighbour_table.hpp"
 
 namespace {
@@ -41,10 +42,10 @@ void check_table(const Announcement& announcement) {
   table.for_each([&](const Neighbour& neighbour) {
     require(neighbour.publications + neighbour.subscriptions <= max_services_per_participant);
     require(neighbour.paths.size() <= max_paths);
-    require(neighbour.deadline > now && neighbour.deadline <= now + deadline_intervals * max_interval);
+    require(neighbour.deadline > now && neighbour.deadline <= now + membership::patience(max_interval, {.loss = 1}));
   });
   require(table.take_changes().size() <= 2 * announcement::max_services_per_participant);
-  table.expire(now + membership::deadline_intervals * announcement::max_interval);
+  table.expire(now + membership::patience(announcement::max_interval, {.loss = 1}));
   require(table.size() == 0);
 }
 

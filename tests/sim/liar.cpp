@@ -10,7 +10,12 @@ Liar::Liar(World& world) : world_(world) {
   world_.on_transmit = [this](const Host& sender, std::string_view datagram) {
     datagrams_[sender.name()].emplace_back(datagram);
     auto heard = announcement::decode(std::as_bytes(std::span(datagram)));
-    if (heard && heard->kind == announcement::Kind::state) states_.insert_or_assign(sender.name(), std::move(*heard));
+    if (!heard) return;
+    if (heard->kind == announcement::Kind::state) {
+      states_.insert_or_assign(sender.name(), std::move(*heard));
+    } else if (const auto state = states_.find(sender.name()); state != states_.end()) {
+      state->second.sequence = heard->sequence;  // it lies with the numbers that come next
+    }
   };
 }
 

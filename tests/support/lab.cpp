@@ -10,8 +10,8 @@
 
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -142,9 +142,10 @@ bool Lab::can_lose() { return may_make_namespaces() && ::access(nft_program, X_O
 
 void Lab::lose(double share) {
   const std::string percent = std::to_string(std::lround(share * 100));
-  command({nft_program, "add table bridge air; add chain bridge air forward { type filter hook forward priority 0; }; "
-                        "add rule bridge air forward meta protocol { ip, ip6 } numgen random mod 100 < " +
-                            percent + " drop"});
+  command({nft_program,
+           "add table bridge air; add chain bridge air forward { type filter hook forward priority 0; }; "
+           "add rule bridge air forward meta protocol { ip, ip6 } numgen random mod 100 < " +
+               percent + " drop"});
 }
 
 bool Lab::has_namespaces() const { return namespaces_ != nullptr; }

@@ -19,6 +19,9 @@ enum class Kind : std::uint8_t {
   state,    ///< all that the participant offers and asks for, or one part of it
   claim,    ///< the sender wants this identifier and does not own it yet (paper section 3.5.1)
   goodbye,  ///< the sender gives this identifier up: it ends, or has lost it to a clash
+  /// The sender is there and its state is that of `revision`, which is not said again. Name, ontology digest, interval
+  /// and addresses are left out, too: they are as the state of that revision says.
+  presence,
 };
 
 /// A publication with the GCNP number that its peer gave it. The address is numeric without zone, or empty: the
@@ -47,8 +50,27 @@ struct PeerState {
   friend bool operator==(const PeerState&, const PeerState&) = default;
 };
 
+/// How lately a participant was heard by somebody, in shares of the usual interval (stranger_interval).
+enum class HeardWithin : std::uint8_t {
+  longer,    ///< not within one interval
+  interval,  ///< within one
+  half,      ///< within half of one
+  quarter,   ///< within a quarter of one
+};
+
+/// How lately a participant has heard each of those that it knows. It names none of them: who knows the same ones knows
+/// their order.
+struct Witness {
+  /// Fold of the identifiers and boot nonces of all that the sender knows and of its own.
+  std::uint16_t members = 0;
+  /// By ascending identifier of all of them, its own included (as `longer`). decode() fills it up to a multiple of four
+  /// with `longer`. Empty: nothing is witnessed.
+  std::vector<HeardWithin> heard;
+  friend bool operator==(const Witness&, const Witness&) = default;
+};
+
 /// One announcement. encode() splits it into datagrams, decode() makes one of each datagram; for `claim` and `goodbye`
-/// revision, addresses and peers stay empty.
+/// revision, addresses and peers stay empty, for `presence` what its docstring says.
 struct Announcement {
   Kind kind = Kind::state;
   std::string group;            ///< the negotiation group; participants of another one ignore it
@@ -65,6 +87,11 @@ struct Announcement {
   std::uint32_t part = 0;        ///< of `part_count` parts of this revision, counted from 0; set by encode()
   std::uint32_t part_count = 1;  ///< set by encode()
   std::vector<PeerState> peers;  ///< by ascending id; a peer without any service is not announced
+
+  // What a presence, and nothing else, says of others.
+  Witness witness;
+  std::vector<ParticipantId> lacks;   ///< those whose newest state it does not have
+  std::vector<ParticipantId> doubts;  ///< those that it will take for gone unless it hears of them soon
 
   friend bool operator==(const Announcement&, const Announcement&) = default;
 };

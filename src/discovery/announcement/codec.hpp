@@ -35,8 +35,9 @@ enum class DecodeError : std::uint8_t {
   bad_protocol,    ///< too long or not a word
   bad_attribute,   ///< a limit or the grammar of attributes is violated
   bad_filter,      ///< a limit of provider filters or of the where expression is violated
+  bad_witness,     ///< what is said of others has a wrong size, names too many or the identifier 0
 };
-inline constexpr std::size_t decode_error_count = 18;
+inline constexpr std::size_t decode_error_count = 19;
 
 /// "too-large", "not-protobuf", ... Static storage.
 [[nodiscard]] std::string_view to_string(DecodeError error);

@@ -38,6 +38,8 @@ Decoded<Kind> kind_of(wire::Kind kind) {
       return Kind::claim;
     case wire::KIND_GOODBYE:
       return Kind::goodbye;
+    case wire::KIND_PRESENCE:
+      return Kind::presence;
     default:
       return Failure(DecodeError::bad_kind);
   }
@@ -209,6 +211,45 @@ Decoded<PeerState> peer_of(const wire::Peer& message, const std::vector<std::str
   return peer;
 }
 
+Decoded<Witness> witness_of(const std::string& octets) {
+  Witness witness;
+  if (octets.empty()) return witness;
+  constexpr std::size_t most = witness_bytes(max_participants + 1);
+  if (octets.size() < witness_bytes(1) || octets.size() > most) return Failure(DecodeError::bad_witness);
+  const auto octet = [&octets](std::size_t i) { return static_cast<std::uint8_t>(octets[i]); };
+  witness.members = static_cast<std::uint16_t>(octet(0) | octet(1) << 8);
+  for (std::size_t i = 2; i < octets.size(); ++i) {
+    for (unsigned shift = 0; shift < 8; shift += 2) {
+      witness.heard.push_back(static_cast<HeardWithin>((octet(i) >> shift) & 3));
+    }
+  }
+  return witness;
+}
+
+Decoded<std::vector<ParticipantId>> named_of(const google::protobuf::RepeatedField<std::uint32_t>& ids) {
+  if (ids.size() > static_cast<int>(max_named)) return Failure(DecodeError::bad_witness);
+  std::vector<ParticipantId> named;
+  for (const auto id : ids) {
+    if (id == 0) return Failure(DecodeError::bad_witness);
+    named.push_back(ParticipantId{id});
+  }
+  return named;
+}
+
+/// What only a presence says.
+Decoded<void> read_presence(const wire::Announcement& message, Announcement& announcement) {
+  auto witness = witness_of(message.witness());
+  if (!witness) return Failure(witness.error());
+  announcement.witness = std::move(*witness);
+  auto lacks = named_of(message.lacks());
+  if (!lacks) return Failure(lacks.error());
+  announcement.lacks = std::move(*lacks);
+  auto doubts = named_of(message.doubts());
+  if (!doubts) return Failure(doubts.error());
+  announcement.doubts = std::move(*doubts);
+  return {};
+}
+
 Decoded<void> read_header(const wire::Announcement& message, Announcement& announcement) {
   if ((message.format() & 0xffffff) != format_magic) return Failure(DecodeError::not_geminga);
   if (message.format() >> 24 != format_major) return Failure(DecodeError::other_version);
@@ -223,9 +264,13 @@ Decoded<void> read_header(const wire::Announcement& message, Announcement& annou
   announcement.name = message.name();
   announcement.link = message.link();
   announcement.sequence = message.sequence();
-  announcement.interval = std::chrono::milliseconds(message.interval_ms());
-  if (announcement.interval < min_interval || announcement.interval > max_interval) {
-    return Failure(DecodeError::bad_interval);
+  if (*kind != Kind::presence) {
+    announcement.interval = std::chrono::milliseconds(message.interval_ms());
+    if (announcement.interval < min_interval || announcement.interval > max_interval) {
+      return Failure(DecodeError::bad_interval);
+    }
+  } else if (announcement.group.empty()) {
+    announcement.group = default_group;
   }
   announcement.ontology_digest = message.ontology_digest();
   announcement.revision = message.revision();
@@ -245,9 +290,9 @@ Decoded<void> read_header(const wire::Announcement& message, Announcement& annou
 }
 
 constexpr std::array<std::string_view, decode_error_count> words = {
-    "too-large", "not-protobuf", "not-geminga", "other-version", "bad-kind",      "bad-identifier",
-    "bad-name",  "bad-interval", "bad-part",    "bad-address",   "bad-table",     "bad-identity",
-    "bad-mode",  "bad-degree",   "bad-port",    "bad-protocol",  "bad-attribute", "bad-filter",
+    "too-large",    "not-protobuf", "not-geminga",   "other-version", "bad-kind",     "bad-identifier", "bad-name",
+    "bad-interval", "bad-part",     "bad-address",   "bad-table",     "bad-identity", "bad-mode",       "bad-degree",
+    "bad-port",     "bad-protocol", "bad-attribute", "bad-filter",    "bad-witness",
 };
 
 }  // namespace
@@ -260,6 +305,10 @@ std::expected<Announcement, DecodeError> decode(std::span<const std::byte> datag
   if (!parse(datagram, message)) return Failure(DecodeError::not_protobuf);
   Announcement announcement;
   if (const auto read = read_header(message, announcement); !read) return Failure(read.error());
+  if (announcement.kind == Kind::presence) {
+    if (const auto read = read_presence(message, announcement); !read) return Failure(read.error());
+    return announcement;
+  }
   const auto terms = terms_of(message);
   if (!terms) return Failure(terms.error());
   std::vector<std::uint32_t> ids;

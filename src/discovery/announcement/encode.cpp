@@ -1,5 +1,6 @@
 // Writes announcements as datagrams, and splits a state that is too large for one.
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include "base/assert.hpp"
@@ -15,8 +16,8 @@ namespace {
 /// Octets that `part` and `part_count` take at most: a tag and a number below 2^14 each.
 constexpr std::size_t part_fields_bytes = 6;
 
-/// All that is the same in every part.
-wire::Announcement header_of(const Announcement& announcement) {
+/// What each kind says.
+wire::Announcement beginning_of(const Announcement& announcement) {
   wire::Announcement header;
   header.set_format(format_major << 24 | format_magic);
   header.set_minor(format_minor);
@@ -30,11 +31,25 @@ wire::Announcement header_of(const Announcement& announcement) {
     case Kind::goodbye:
       header.set_kind(wire::KIND_GOODBYE);
       break;
+    case Kind::presence:
+      header.set_kind(wire::KIND_PRESENCE);
+      break;
   }
   header.set_participant(std::to_underlying(announcement.participant));
   header.set_boot(std::to_underlying(announcement.boot));
-  header.set_group(std::string(base::first_characters(announcement.group, max_name_bytes)));
   header.set_link(announcement.link);
+  header.set_revision(announcement.revision);
+  return header;
+}
+
+std::string group_of(const Announcement& announcement) {
+  return std::string(base::first_characters(announcement.group, max_name_bytes));
+}
+
+/// All that is the same in every part.
+wire::Announcement header_of(const Announcement& announcement) {
+  auto header = beginning_of(announcement);
+  header.set_group(group_of(announcement));
   header.set_interval_ms(static_cast<std::uint32_t>(announcement.interval / std::chrono::milliseconds(1)));
   header.set_name(std::string(base::first_characters(announcement.name, max_name_bytes)));
   header.set_ontology_digest(announcement.ontology_digest);
@@ -42,8 +57,30 @@ wire::Announcement header_of(const Announcement& announcement) {
     if (header.addresses_size() == static_cast<int>(max_addresses)) break;
     if (auto octets = address_octets(address); !octets.empty()) header.add_addresses(std::move(octets));
   }
-  header.set_revision(announcement.revision);
   return header;
+}
+
+std::string octets_of(const Witness& witness) {
+  if (witness.heard.empty()) return {};
+  const auto count = std::min(witness.heard.size(), max_participants + 1);
+  std::string octets(witness_bytes(count), '\0');
+  octets[0] = static_cast<char>(witness.members & 0xff);
+  octets[1] = static_cast<char>(witness.members >> 8);
+  for (std::size_t i = 0; i < count; ++i) {
+    auto& octet = octets[2 + i / 4];
+    octet = static_cast<char>(static_cast<std::uint8_t>(octet) | std::to_underlying(witness.heard[i]) << (i % 4 * 2));
+  }
+  return octets;
+}
+
+wire::Announcement presence_of(const Announcement& announcement) {
+  auto message = beginning_of(announcement);
+  if (announcement.group != default_group) message.set_group(group_of(announcement));
+  message.set_sequence(announcement.sequence);
+  message.set_witness(octets_of(announcement.witness));
+  for (const auto id : announcement.lacks | std::views::take(max_named)) message.add_lacks(std::to_underlying(id));
+  for (const auto id : announcement.doubts | std::views::take(max_named)) message.add_doubts(std::to_underlying(id));
+  return message;
 }
 
 /// Fills one datagram after the other with services, in their order.
@@ -150,6 +187,13 @@ std::vector<Packer::Part> pack(const Announcement& announcement, std::size_t bas
   return packer.take();
 }
 
+Datagram write(const wire::Announcement& message) {
+  Datagram datagram(message.ByteSizeLong());
+  GEMINGA_ASSERT(datagram.size() <= max_datagram_bytes);
+  message.SerializeWithCachedSizesToArray(reinterpret_cast<std::uint8_t*>(datagram.data()));
+  return datagram;
+}
+
 Datagram write(wire::Announcement header, Packer::Part part) {
   for (const auto& name_space : part.terms.name_spaces()) header.add_namespaces(name_space);
   for (const auto& term : part.terms.terms()) {
@@ -158,16 +202,14 @@ Datagram write(wire::Announcement header, Packer::Part part) {
     to->set_local(term.local);
   }
   for (auto& peer : part.peers) *header.add_peers() = std::move(peer);
-  Datagram datagram(header.ByteSizeLong());
-  GEMINGA_ASSERT(datagram.size() <= max_datagram_bytes);
-  header.SerializeWithCachedSizesToArray(reinterpret_cast<std::uint8_t*>(datagram.data()));
-  return datagram;
+  return write(header);
 }
 
 }  // namespace
 
 std::vector<Datagram> encode(const Announcement& announcement) {
   GEMINGA_ASSERT(announcement.participant != ParticipantId{});
+  if (announcement.kind == Kind::presence) return {write(presence_of(announcement))};
   GEMINGA_ASSERT(announcement.interval >= min_interval && announcement.interval <= max_interval);
   auto header = header_of(announcement);
   // The sequence number grows with each part; sizes are reckoned with the greatest.

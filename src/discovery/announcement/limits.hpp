@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "base/time.hpp"
 #include "env/env.hpp"
@@ -46,6 +47,13 @@ inline constexpr std::size_t max_remote_services = 8192;
 inline constexpr std::size_t max_withdrawn_services = 4096;
 /// Ways on which one participant is heard (our interface and its interface); further ones are not used.
 inline constexpr std::size_t max_paths = 4;
+
+/// Participants that one announcement says it lacks, and as many that it doubts.
+inline constexpr std::size_t max_named = 16;
+/// Octets in which a participant says how lately it has heard each of so many (Witness).
+constexpr std::size_t witness_bytes(std::size_t members) { return 2 + (members + 3) / 4; }
+/// The group that a presence means when it names none.
+inline constexpr std::string_view default_group = "default";
 
 /// The announced interval. A shorter one would be a flood, a longer one would keep the dead for minutes.
 inline constexpr base::Duration min_interval = std::chrono::milliseconds(50);

@@ -14,7 +14,7 @@ using base::Instant;
 constexpr std::size_t bucket_size = 4;
 /// A stranger that was silent for so long begins anew. A participant that was silent for so long loses its place when
 /// all places are wanted.
-constexpr base::Duration longest_silence = deadline_intervals * announcement::stranger_interval;
+constexpr base::Duration longest_silence = 5 * announcement::stranger_interval;
 
 /// Who is silent for longer than this has not announced itself in each interval, or a datagram of it was lost.
 constexpr base::Duration longest_pause = announcement::stranger_interval + announcement::stranger_interval / 4;

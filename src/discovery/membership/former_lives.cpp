@@ -15,12 +15,28 @@ void FormerLives::forget(Lives::iterator life) {
 }
 
 void FormerLives::remember(std::unique_ptr<NeighbourRecord> record, Instant now) {
-  const Key key{record->services().owner().id, record->boot()};
   const auto until = now + record->memory(now);
-  order_.emplace(until, key);
-  lives_.emplace(key, Life{std::move(record), now, until, {}});
+  add(Life{.record = std::move(record), .left = now, .until = until, .echo = {}});
+}
+
+void FormerLives::remember_expired(std::unique_ptr<NeighbourRecord> record, Instant now) {
+  const auto until = record->heard() + announcement::contest_intervals * record->interval();
+  if (until <= now || !record->standing().is_confirmed) return;
+  add(Life{.record = std::move(record), .left = now, .until = until, .echo = {}, .is_expired = true});
+}
+
+bool FormerLives::is_expired(const announcement::Announcement& announcement) const {
+  const auto life = lives_.find(key_of(announcement));
+  return life != lives_.end() && life->second.is_expired;
+}
+
+void FormerLives::add(Life life) {
+  const Key key{life.record->services().owner().id, life.record->boot()};
+  if (const auto former = lives_.find(key); former != lives_.end()) forget(former);
+  order_.emplace(life.until, key);
+  lives_.emplace(key, std::move(life));
   if (lives_.size() <= announcement::max_participants) return;
-  forget(std::ranges::max_element(lives_, {}, [](const auto& life) { return life.second.record->since(); }));
+  forget(std::ranges::max_element(lives_, {}, [](const auto& each) { return each.second.record->since(); }));
 }
 
 const NeighbourRecord* FormerLives::find(const announcement::Announcement& announcement, Instant now) {
@@ -38,6 +54,8 @@ const NeighbourRecord* FormerLives::find_alive(const announcement::Announcement&
   const auto found = lives_.find(key_of(announcement));
   if (found == lives_.end()) return nullptr;
   auto& life = found->second;
+  // Who was only not heard has said nothing that anything could be overtaken by.
+  if (life.is_expired) return life.record->is_bound(announcement, arrival) ? life.record.get() : nullptr;
   switch (life.record->proof(announcement, arrival, life.left)) {
     case NeighbourRecord::Proof::none:
       return nullptr;

@@ -22,6 +22,11 @@ namespace geminga::membership {
 class FormerLives {
  public:
   void remember(std::unique_ptr<NeighbourRecord> record, base::Instant now);
+  /// One that was not heard until its deadline keeps its right to its identifier until it was silent for
+  /// contest_intervals, so that nobody can take it in its name while it is only badly heard.
+  void remember_expired(std::unique_ptr<NeighbourRecord> record, base::Instant now);
+  /// Whether the remembered life that this is said in the name of was not heard, and has not left.
+  [[nodiscard]] bool is_expired(const announcement::Announcement& announcement) const;
   /// The remembered life that this is said in the name of; or null.
   [[nodiscard]] const NeighbourRecord* find(const announcement::Announcement& announcement, base::Instant now);
   /// A goodbye of a remembered life was heard again.
@@ -41,11 +46,13 @@ class FormerLives {
     base::Instant left;
     base::Instant until;
     std::optional<std::uint64_t> echo;  ///< the number of a datagram since then that was heard before
+    bool is_expired = false;            ///< it was not heard, and has not left
   };
   using Lives = std::map<Key, Life>;
   static Key key_of(const announcement::Announcement& announcement) {
     return {announcement.participant, announcement.boot};
   }
+  void add(Life life);
   void forget(Lives::iterator life);
 
   Lives lives_;

@@ -44,6 +44,9 @@ class LossWindow {
            ((heard_ >> (newest_ - sequence)) & 1) != 0;
   }
 
+  /// Numbers in the window since the first one heard, and how many of them were heard.
+  [[nodiscard]] int span() const { return span_; }
+  [[nodiscard]] int heard() const { return std::popcount(heard_); }
   /// The share of the numbers in the window that were not heard, in [0, 1); 0 before the first.
   [[nodiscard]] double loss() const {
     return span_ == 0 ? 0 : 1 - static_cast<double>(std::popcount(heard_)) / static_cast<double>(span_);

@@ -5,7 +5,6 @@
 #include <tuple>
 #include <utility>
 
-#include "base/address.hpp"
 #include "discovery/announcement/limits.hpp"
 
 namespace geminga::membership {
@@ -35,9 +34,9 @@ NeighbourRecord::NeighbourRecord(const announcement::Announcement& first, const 
       since_(since),
       standing_{arrival.now, arrival.now},
       header_(header_of(first), arrival.now),
-      heard_(arrival.now),
-      deadline_(deadline_of(arrival.now, std::min(first.interval, announcement::stranger_interval), 0)),
+      life_(arrival.now, std::min(first.interval, announcement::stranger_interval)),
       revision_(first.revision),
+      said_revision_(first.revision),
       raised_(first.revision, arrival.now),
       services_(Owner{first.participant, header_.value().name, {}, {}}, room) {}
 
@@ -69,7 +68,7 @@ double NeighbourRecord::loss() const {
 
 Moment NeighbourRecord::moment(Instant now, bool is_heard) const {
   return {.now = now,
-          .deadline = deadline_of(now, lasting_interval(now), loss()),
+          .deadline = now + service_intervals * lasting_interval(now),
           .hold = hold(now),
           .refresh = std::max(header_.value().interval / refreshes_per_interval, min_refresh_time),
           .is_contested = is_contested_,
@@ -117,7 +116,7 @@ NeighbourWay* NeighbourRecord::open_way(const announcement::Announcement& announ
     return std::tuple(each.interface(), each.link()) > std::tuple(arrival.interface, announcement.link);
   });
   auto way = ways_.emplace(place, announcement, arrival);
-  way->deadline = deadline_of(arrival.now, lasting_interval(arrival.now), 0);
+  way->deadline = arrival.now + patience(lasting_interval(arrival.now), {});
   return &*way;
 }
 
@@ -137,7 +136,7 @@ Order NeighbourRecord::order(const NeighbourWay& way, const announcement::Announ
     // Another way was ahead of this one; but no way is behind for long.
     return raised_.is_late(announcement.revision, arrival.now) ? Order::contradiction : Order::overtaken;
   }
-  if (announcement.revision > revision_) return order;
+  if (announcement.revision > said_revision_ || announcement.kind == announcement::Kind::presence) return order;
   const bool is_denied = header_of(announcement) != header_.value() || way.denies(announcement, arrival) ||
                          services_.denies(announcement, is_complete_ ? &complete_ : nullptr);
   return is_denied ? Order::contradiction : order;
@@ -164,7 +163,7 @@ Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, co
   const auto order = is_forged ? Order::contradiction : this->order(*way, announcement, arrival);
   if (std::exchange(has_spoken_, true) && !way->has(announcement.sequence)) standing_.hear(now);
   way->count(announcement, arrival, order == Order::contradiction);
-  heard_ = now;
+  life_.hear(now);
   rival_.reset();
   if (order == Order::contradiction) contest(now, changes);
   if (order != Order::overtaken || is_contested_) take_in(*way, announcement, arrival, changes);
@@ -175,7 +174,23 @@ Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, co
 void NeighbourRecord::take_in(NeighbourWay& way, const announcement::Announcement& announcement, const Arrival& arrival,
                               std::vector<Change>& changes) {
   const auto now = arrival.now;
+  if (announcement.kind == announcement::Kind::presence) {
+    way.affirm(announcement.revision, now, is_contested_);
+    if (announcement.revision == said_revision_ && !is_contested_) header_.affirm(now);
+    take_revision(way, announcement, now, changes);
+  } else {
+    take_state(way, announcement, arrival);
+    take_revision(way, announcement, now, changes);
+    services_.apply(announcement, moment(now, true), changes);
+  }
+  services_.tell(moment(now, true), changes);
+}
+
+void NeighbourRecord::take_state(NeighbourWay& way, const announcement::Announcement& announcement,
+                                 const Arrival& arrival) {
+  const auto now = arrival.now;
   const auto held = hold(now);
+  said_revision_ = announcement.revision;
   auto header = header_of(announcement);
   if (header == header_.value()) {
     header_.affirm(now);
@@ -185,9 +200,6 @@ void NeighbourRecord::take_in(NeighbourWay& way, const announcement::Announcemen
   }
   way.say(announcement, arrival, is_contested_, held);
   choose_address();
-  take_revision(way, announcement, now, changes);
-  services_.apply(announcement, moment(now, true), changes);
-  services_.tell(moment(now, true), changes);
 }
 
 void NeighbourRecord::take_revision(NeighbourWay& way, const announcement::Announcement& announcement, Instant now,
@@ -200,7 +212,8 @@ void NeighbourRecord::take_revision(NeighbourWay& way, const announcement::Annou
     next_service_deadline_ = services_.earliest_deadline();
   }
   if (is_contested_) return;
-  if (!is_complete_ && way.assembly().add(announcement)) {
+  const bool is_state = announcement.kind == announcement::Kind::state;
+  if (!is_complete_ && is_state && way.assembly().add(announcement)) {
     is_complete_ = true;
     complete_ = way.assembly().services();
     services_.withdraw_absent(complete_, moment(now, true), changes);
@@ -210,10 +223,31 @@ void NeighbourRecord::take_revision(NeighbourWay& way, const announcement::Annou
 }
 
 void NeighbourRecord::set_deadlines(NeighbourWay& way, Instant now) {
-  way.deadline = deadline_of(now, lasting_interval(now), way.loss());
-  deadline_ = deadline_of(now, lasting_interval(now), loss());
+  life_.renew(lasting_interval(now), loss());
+  way.deadline = life_.deadline();
   // Until the next one, every service that was not heard of keeps the deadline that it had.
-  next_service_deadline_ = std::min(next_service_deadline_, deadline_);
+  next_service_deadline_ = std::min(next_service_deadline_, moment(now, false).deadline);
+}
+
+void NeighbourRecord::witness(std::optional<Instant> seen, Instant now) {
+  // Of somebody about whom lies are told only its own word counts.
+  if (!life_.witness(seen, now, lasting_interval(now), loss(), !is_contested_)) return;
+  // The way on which it was heard last is still the best guess of how it can be reached.
+  const auto last = std::ranges::max_element(ways_, {}, &NeighbourWay::heard);
+  if (last != ways_.end()) last->deadline = std::max(last->deadline, life_.deadline());
+}
+
+void NeighbourRecord::succeed(const announcement::Announcement& claim, const Arrival& arrival) {
+  const bool is_same = claim.name == header_.value().name && std::ranges::any_of(ways_, [&](const NeighbourWay& way) {
+                         return way.is_on(arrival.interface) && way.source() == arrival.source;
+                       });
+  if (!is_same || is_contested_ || !standing_.is_confirmed) return;
+  life_.succeed(arrival.now, lasting_interval(arrival.now), loss());
+}
+
+void NeighbourRecord::postpone(Instant until) {
+  life_.postpone(until);
+  for (auto& way : ways_) way.deadline = std::max(way.deadline, until);
 }
 
 void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
@@ -222,6 +256,7 @@ void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
   is_contested_ = true;
   contested_until_ = now + std::max(announcement::contest_intervals * settled_interval(now), at.hold);
   if (!is_first) return;
+  contested_since_ = now;
   services_.roll_back(is_complete_ ? affirmed_ : Instant::min(), at, changes);
   for (auto& way : ways_) {
     way.roll_back(now, at.hold);
@@ -233,9 +268,9 @@ void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
   is_complete_ = false;
   complete_.clear();
   // What the lie made longer is as it was.
-  const auto latest = moment(now, false).deadline;
+  const auto latest = now + patience(lasting_interval(now), {.loss = loss()});
   for (auto& way : ways_) way.deadline = std::min(way.deadline, latest);
-  services_.shorten(latest);
+  services_.shorten(moment(now, false).deadline);
   next_service_deadline_ = services_.earliest_deadline();
   next_lapse_ = now;
 }
@@ -252,8 +287,8 @@ Hearing NeighbourRecord::hear_goodbye(const announcement::Announcement& announce
   end_contest(arrival.now);
   if (find_bound(announcement, arrival) == nullptr) return Hearing::elsewhere;
   if (!is_contested_) return Hearing::goodbye;
-  deadline_ = std::min(deadline_, arrival.now + hold(arrival.now));
-  contested_until_ = std::max(contested_until_, deadline_);
+  life_.shorten(arrival.now + hold(arrival.now));
+  contested_until_ = std::max(contested_until_, life_.deadline());
   return Hearing::contradiction;
 }
 
@@ -290,39 +325,23 @@ void NeighbourRecord::come_back(Instant now, std::vector<Change>& changes) {
 bool NeighbourRecord::yields_to(const announcement::Announcement& rival, const Arrival& arrival) {
   const bool is_repeated =
       rival_ && rival_->boot == rival.boot && rival_->source == arrival.source && rival.sequence != rival_->sequence;
-  const bool is_silent = arrival.now - heard_ >= hold(arrival.now);
+  const bool is_silent = arrival.now - life_.heard() >= hold(arrival.now);
   if (is_repeated && is_silent) return true;
   rival_ = Rival{rival.boot, std::string(arrival.source), rival.sequence};
   return false;
 }
 
 void NeighbourRecord::choose_address() {
-  // (rank, not the one in use, interface, link, place in its list): the smallest is chosen.
-  using Preference = std::tuple<int, bool, std::size_t, std::size_t>;
   const auto& owner = services_.owner();
-  const std::string* chosen = nullptr;
-  const NeighbourWay* chosen_way = nullptr;
-  Preference best{};
-  for (std::size_t w = 0; w < ways_.size(); ++w) {
-    const auto& addresses = ways_[w].addresses();
-    for (std::size_t i = 0; i < addresses.size(); ++i) {
-      const auto address = base::parse_address(addresses[i]);
-      if (!address) continue;
-      const bool is_other = addresses[i] != owner.address || ways_[w].interface_name() != owner.zone;
-      const Preference preference{base::address_rank(*address), is_other, w, i};
-      if (chosen != nullptr && best < preference) continue;
-      best = preference;
-      chosen = &addresses[i];
-      chosen_way = &ways_[w];
-    }
-  }
-  if (chosen == nullptr || (*chosen == owner.address && chosen_way->interface_name() == owner.zone)) return;
-  services_.set_address(*chosen, chosen_way->interface_name());
+  const auto chosen = best_address(ways_, owner.address, owner.zone);
+  if (!chosen || (chosen->address == owner.address && chosen->zone == owner.zone)) return;
+  services_.set_address(chosen->address, chosen->zone);
 }
 
 void NeighbourRecord::expire(Instant now, std::vector<Change>& changes) {
   const auto lost = std::erase_if(ways_, [&](const NeighbourWay& way) { return way.deadline <= now; });
   if (lost > 0) choose_address();
+  if (standing_.is_confirmed) life_.doubt(now, interval());
   if (is_contested_ && next_lapse_ <= now) next_lapse_ = services_.lapse(moment(now, false), changes);
   end_contest(now);
   if (!is_complete_ && next_service_deadline_ <= now) {
@@ -335,12 +354,13 @@ void NeighbourRecord::expire(Instant now, std::vector<Change>& changes) {
 void NeighbourRecord::forget_interface(env::InterfaceIndex interface, std::vector<Change>& changes) {
   if (std::erase_if(ways_, [&](const NeighbourWay& way) { return way.is_on(interface); }) == 0) return;
   choose_address();
-  services_.tell(moment(heard_, false), changes);
+  services_.tell(moment(life_.heard(), false), changes);
 }
 
 Instant NeighbourRecord::next_deadline() const {
-  auto next = deadline_;
+  auto next = life_.deadline();
   for (const auto& way : ways_) next = std::min(next, way.deadline);
+  if (standing_.is_confirmed && !life_.is_doubted()) next = std::min(next, life_.doubt_due(interval()));
   if (!is_complete_) next = std::min(next, next_service_deadline_);
   if (is_contested_) next = std::min({next, contested_until_, next_lapse_});
   return next;
@@ -353,8 +373,8 @@ Neighbour NeighbourRecord::snapshot() const {
   neighbour.name = header_.value().name;
   neighbour.ontology_digest = header_.value().ontology_digest;
   neighbour.interval = header_.value().interval;
-  neighbour.heard = heard_;
-  neighbour.deadline = deadline_;
+  neighbour.heard = life_.heard();
+  neighbour.deadline = life_.deadline();
   neighbour.address = services_.owner().address;
   for (const auto& way : ways_) neighbour.paths.push_back(way.path());
   neighbour.loss = loss();

@@ -2,12 +2,14 @@
 #ifndef GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_RECORD_HPP
 #define GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_RECORD_HPP
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/time.hpp"
+#include "discovery/membership/life_signs.hpp"
 #include "discovery/membership/neighbour_services.hpp"
 #include "discovery/membership/neighbour_table.hpp"
 #include "discovery/membership/neighbour_way.hpp"
@@ -41,8 +43,8 @@ class NeighbourRecord {
   [[nodiscard]] const Standing& standing() const { return standing_; }
   void set_standing(const Standing& standing) { standing_ = standing; }
 
-  /// Takes in a state of this life. Says `known`, or why it was ignored (copied, elsewhere, leap) or doubted
-  /// (contradiction).
+  /// Takes in a state or the presence of this life. Says `known`, or why it was ignored (copied, elsewhere, leap) or
+  /// doubted (contradiction).
   Hearing hear(const announcement::Announcement& announcement, const Arrival& arrival, std::vector<Change>& changes);
   /// Whether a goodbye of this life ends it at once. One of a contested participant only shortens its deadline, so that
   /// it stays if it goes on speaking.
@@ -56,6 +58,11 @@ class NeighbourRecord {
     alive,  ///< it was sent after that
   };
   [[nodiscard]] Proof proof(const announcement::Announcement& announcement, const Arrival& arrival, base::Instant left);
+  /// Whether a datagram is a new one from the address that its way belongs to.
+  [[nodiscard]] bool is_bound(const announcement::Announcement& announcement, const Arrival& arrival) const {
+    const auto* way = find_bound(announcement, arrival);
+    return way == nullptr ? ways_.empty() && arrival.source == source_ : !way->has(announcement.sequence);
+  }
   /// For how long it is remembered when it seems to leave: long enough to hear it again if somebody has only lied about
   /// it.
   [[nodiscard]] base::Duration memory(base::Instant now) const;
@@ -64,11 +71,36 @@ class NeighbourRecord {
   /// Another life speaks under this identifier. Whether this one gives way, because it has been silent for too long.
   [[nodiscard]] bool yields_to(const announcement::Announcement& rival, const Arrival& arrival);
 
+  /// Somebody says that it was heard by him at `seen` or later, or that he has not heard it of late.
+  void witness(std::optional<base::Instant> seen, base::Instant now);
+  /// Somebody of its name claims an identifier from the address of one of its ways: its own next life, if it does not
+  /// show that it lives. Until then it is doubted, and its deadline is near. Once in contest_intervals at most.
+  void succeed(const announcement::Announcement& claim, const Arrival& arrival);
+  /// How lately we have heard it ourselves.
+  [[nodiscard]] announcement::HeardWithin heard_within(base::Instant now) const {
+    return life_.heard_within(now, interval());
+  }
+  /// When we last heard it ourselves.
+  [[nodiscard]] base::Instant heard() const { return life_.heard(); }
+  /// The time between two of its announcements, as it says.
+  [[nodiscard]] base::Duration interval() const { return header_.value().interval; }
+  /// Whether its newest state is not known, or not certain.
+  [[nodiscard]] bool is_lacking() const { return !is_complete_; }
+  /// Whether that is to be said at once. While somebody goes on to lie in its name, it is said when we speak anyway.
+  [[nodiscard]] bool is_missed(base::Instant now) const {
+    return !is_complete_ && (!is_contested_ || now - contested_since_ < urgent_time);
+  }
+  /// Whether it gives no sign of life, and its deadline is near.
+  [[nodiscard]] bool is_doubted() const { return life_.is_doubted(); }
+  /// No deadline is before `until`.
+  void postpone(base::Instant until);
+  [[nodiscard]] const std::vector<NeighbourWay>& ways() const { return ways_; }
+
   /// Drops ways and services that have their deadline at or before `now`; the participant itself is the table's.
   void expire(base::Instant now, std::vector<Change>& changes);
   void forget_interface(env::InterfaceIndex interface, std::vector<Change>& changes);
 
-  [[nodiscard]] base::Instant deadline() const { return deadline_; }
+  [[nodiscard]] base::Instant deadline() const { return life_.deadline(); }
   /// When expire() has something to do, or a little before. Its cost is constant.
   [[nodiscard]] base::Instant next_deadline() const;
   [[nodiscard]] Neighbour snapshot() const;
@@ -78,6 +110,9 @@ class NeighbourRecord {
   [[nodiscard]] const NeighbourServices& services() const { return services_; }
 
  private:
+  /// For so long after the first lie its state is missed at once.
+  static constexpr base::Duration urgent_time = std::chrono::milliseconds(500);
+
   /// What an announcement says of the participant itself.
   struct Header {
     std::string name;
@@ -112,6 +147,8 @@ class NeighbourRecord {
                                           const Arrival& arrival) const;
   void take_in(NeighbourWay& way, const announcement::Announcement& announcement, const Arrival& arrival,
                std::vector<Change>& changes);
+  /// What the state of a revision says of it; of an unchanged one it is what is known already.
+  void take_state(NeighbourWay& way, const announcement::Announcement& announcement, const Arrival& arrival);
   void take_revision(NeighbourWay& way, const announcement::Announcement& announcement, base::Instant now,
                      std::vector<Change>& changes);
   /// Somebody has lied in its name.
@@ -137,14 +174,15 @@ class NeighbourRecord {
   bool has_spoken_ = false;
   Standing standing_;
   Settled<Header> header_;
-  base::Instant heard_;
-  base::Instant deadline_;
-  std::uint64_t revision_;  ///< the one that is believed
-  Passed raised_;           ///< when it and those before it were first heard
+  LifeSigns life_;
+  std::uint64_t revision_;       ///< the one that is believed
+  std::uint64_t said_revision_;  ///< the last one of which a state was heard
+  Passed raised_;                ///< when it and those before it were first heard
   bool is_complete_ = false;
   std::vector<ServiceNumber> complete_;  ///< the services of a complete revision
   base::Instant affirmed_;               ///< when a datagram last proved that a complete revision is as it was
   bool is_contested_ = false;
+  base::Instant contested_since_;
   base::Instant contested_until_;
   base::Instant next_lapse_ = base::never;             ///< while contested: when a service may not be held any more
   base::Instant next_service_deadline_ = base::never;  ///< while not complete: no service has an earlier one

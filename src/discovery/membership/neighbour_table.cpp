@@ -2,7 +2,6 @@
 #include "discovery/membership/neighbour_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 #include <tuple>
@@ -13,24 +12,12 @@
 #include "discovery/membership/claims.hpp"
 #include "discovery/membership/former_lives.hpp"
 #include "discovery/membership/neighbour_record.hpp"
+#include "discovery/membership/strangers.hpp"
+#include "discovery/membership/witnesses.hpp"
 
 namespace geminga::membership {
-namespace {
 
 using base::Instant;
-
-constexpr std::array<std::string_view, 15> words = {"own",       "clash",       "claim", "newcomer",      "known",
-                                                    "goodbye",   "other-group", "stale", "full",          "copied",
-                                                    "elsewhere", "rival",       "leap",  "contradiction", "returned"};
-
-}  // namespace
-
-std::string_view to_string(Hearing hearing) { return words[std::to_underlying(hearing)]; }
-
-// Adapting the deadline to the measured loss is a matter of this function alone; `loss` is there for it.
-Instant deadline_of(Instant heard, base::Duration interval, [[maybe_unused]] double loss) {
-  return heard + deadline_intervals * interval;
-}
 
 class NeighbourTable::State final : private ServiceRoom {
  public:
@@ -47,10 +34,14 @@ class NeighbourTable::State final : private ServiceRoom {
         return hear_claim(announcement, arrival);
       case announcement::Kind::goodbye:
         return hear_goodbye(announcement, arrival);
+      case announcement::Kind::presence:
+        return hear_presence(announcement, arrival);
       case announcement::Kind::state:
         break;
     }
-    return hear_state(announcement, arrival);
+    const auto hearing = hear_state(announcement, arrival);
+    if (hearing == Hearing::newcomer || hearing == Hearing::returned) strangers_.forget(announcement.participant);
+    return hearing;
   }
 
   void expire(Instant now) {
@@ -62,24 +53,62 @@ class NeighbourTable::State final : private ServiceRoom {
     for (const auto id : due) {
       const auto known = records_.find(id);
       if (known->second.record->deadline() <= now) {
-        remove(known, Departure::expired);
+        former_.remember_expired(remove(known, Departure::expired), now);
       } else {
         known->second.record->expire(now, changes);
-        set_due(*known);
+        set_due(*known, now);
       }
     }
+  }
+
+  void postpone(Instant until) {
+    for (auto& known : records_) {
+      known.second.record->postpone(until);
+      set_due(known, until);
+    }
+  }
+
+  Report report(Instant now) {
+    Report report;
+    report.witness = witnesses_.say(records_, now);
+    const auto name = [](std::vector<ParticipantId>& names, ParticipantId id) {
+      if (names.size() < announcement::max_named) names.push_back(id);
+    };
+    for (const auto& [id, known] : records_) {
+      if (known.record->is_lacking()) name(report.lacks, id);
+      if (known.record->is_doubted()) name(report.doubts, id);
+    }
+    strangers_.prune(now);
+    for (const auto& stranger : strangers_.all()) name(report.lacks, stranger.id);
+    return report;
+  }
+
+  bool has_questions(Instant now) { return strangers_.prune(now) || !questioned_.empty(); }
+
+  [[nodiscard]] std::optional<double> loss() const {
+    int heard = 0;
+    int span = 0;
+    for (const auto& [id, known] : records_) {
+      for (const auto& way : known.record->ways()) {
+        heard += way.losses().heard();
+        span += way.losses().span();
+      }
+    }
+    if (span < min_loss_span) return std::nullopt;
+    return 1 - static_cast<double>(heard) / static_cast<double>(span);
   }
 
   void forget_interface(env::InterfaceIndex interface) {
     for (auto& known : records_) {
       known.second.record->forget_interface(interface, changes);
-      set_due(known);
+      set_due(known, known.second.record->heard());
     }
   }
 
   void set_self(ParticipantId id, announcement::BootNonce boot) {
     self_ = id;
     self_boot_ = boot;
+    witnesses_.set_self(id, boot);
   }
 
   void set_secret(std::uint64_t secret) { admission_.set_secret(secret); }
@@ -98,17 +127,31 @@ class NeighbourTable::State final : private ServiceRoom {
   std::vector<Change> changes;
 
  private:
-  struct Known {
-    std::unique_ptr<NeighbourRecord> record;
-    Instant due = base::never;
-  };
-  using Records = std::map<ParticipantId, Known>;
+  /// Numbers that must have been heard before the share of lost ones means anything.
+  static constexpr int min_loss_span = 16;
+
+  Hearing hear_presence(const announcement::Announcement& announcement, const Arrival& arrival) {
+    const auto holder = records_.find(announcement.participant);
+    if (holder == records_.end() || holder->second.record->boot() != announcement.boot) {
+      strangers_.hear(announcement.participant, arrival.now);
+      return Hearing::stranger;
+    }
+    auto& record = *holder->second.record;
+    const auto hearing = record.hear(announcement, arrival, changes);
+    admission_.update(holder->first, record.standing());
+    set_due(*holder, arrival.now);
+    if (hearing == Hearing::known && witnesses_.hear(records_, announcement, arrival.now)) {
+      for (auto& known : records_) set_due(known, arrival.now);
+    }
+    return hearing;
+  }
 
   Hearing hear_claim(const announcement::Announcement& announcement, const Arrival& arrival) {
     if (former_.find(announcement, arrival.now) != nullptr) return Hearing::stale;
     const auto holder = records_.find(announcement.participant);
     if (holder == records_.end()) {
       claims_.hear(announcement, arrival, turn_);
+      succeed(announcement, arrival);
       return Hearing::claim;
     }
     // One of an identifier that somebody has is no reason to give it to the claimant, unless it was overtaken by an
@@ -120,6 +163,16 @@ class NeighbourTable::State final : private ServiceRoom {
     return Hearing::claim;
   }
 
+  /// Whoever of this name was at this address may have been started again.
+  void succeed(const announcement::Announcement& claim, const Arrival& arrival) {
+    if (claim.name.empty()) return;
+    for (auto& known : records_) {
+      if (known.second.record->boot() == claim.boot) continue;  // it only takes another identifier
+      known.second.record->succeed(claim, arrival);
+      set_due(known, arrival.now);
+    }
+  }
+
   Hearing hear_goodbye(const announcement::Announcement& announcement, const Arrival& arrival) {
     if (former_.find(announcement, arrival.now) != nullptr) former_.hear_goodbye(announcement, arrival);
     const auto known = records_.find(announcement.participant);
@@ -129,7 +182,7 @@ class NeighbourTable::State final : private ServiceRoom {
       former_.remember(remove(known, Departure::left), arrival.now);
       former_.hear_goodbye(announcement, arrival);
     } else {
-      set_due(*known);
+      set_due(*known, arrival.now);
     }
     return hearing;
   }
@@ -147,9 +200,15 @@ class NeighbourTable::State final : private ServiceRoom {
       (void)former_.take(announcement);
       former = nullptr;
     } else if (former != nullptr) {
+      const bool is_expired = former_.is_expired(announcement);
       former = former_.find_alive(announcement, arrival);
-      if (former == nullptr) return Hearing::stale;
-      since = former->since();
+      if (former == nullptr && !is_expired) return Hearing::stale;
+      if (former != nullptr) since = former->since();
+      if (is_expired) {
+        // It begins anew, but keeps its right to the identifier.
+        (void)former_.take(announcement);
+        former = nullptr;
+      }
     }
     if (holder != records_.end()) {
       const bool is_first = since && *since < holder->second.record->since();
@@ -178,7 +237,7 @@ class NeighbourTable::State final : private ServiceRoom {
       return hear_newcomer(announcement, arrival, *since);
     }
     admission_.update(holder->first, record.standing());
-    set_due(*holder);
+    set_due(*holder, arrival.now);
     return hearing;
   }
 
@@ -200,10 +259,11 @@ class NeighbourTable::State final : private ServiceRoom {
            const Arrival& arrival) {
     auto known = records_.try_emplace(announcement.participant, Known{std::move(one), base::never}).first;
     auto& record = *known->second.record;
+    witnesses_.toggle(known->first, record.boot());
     admission_.add(known->first, record.source(), record.standing());
     (void)record.hear(announcement, arrival, changes);
     admission_.update(known->first, record.standing());
-    set_due(*known);
+    set_due(*known, arrival.now);
   }
 
   ServiceRoom& room() { return *this; }
@@ -217,12 +277,20 @@ class NeighbourTable::State final : private ServiceRoom {
     changes.emplace_back(RemoveParticipant{known->first, reason});
     admission_.remove(known->first);
     due_.erase({known->second.due, known->first});
+    questioned_.erase(known->first);
     auto record = std::move(known->second.record);
+    witnesses_.toggle(known->first, record->boot());
     records_.erase(known);
     return record;
   }
 
-  void set_due(Records::value_type& known) {
+  void set_due(Records::value_type& known, Instant now) {
+    const auto& record = *known.second.record;
+    if (record.is_missed(now) || record.is_doubted()) {
+      questioned_.insert(known.first);
+    } else {
+      questioned_.erase(known.first);
+    }
     const auto next = known.second.record->next_deadline();
     if (next == known.second.due) return;
     due_.erase({known.second.due, known.first});
@@ -269,9 +337,12 @@ class NeighbourTable::State final : private ServiceRoom {
   Admission admission_;
   FormerLives former_;
   Claims claims_;
+  Strangers strangers_;
+  Witnesses witnesses_;
   Turn turn_ = 0;
   Records records_;
   std::set<std::pair<Instant, ParticipantId>> due_;  ///< when expire() has something to do for whom
+  std::set<ParticipantId> questioned_;               ///< who is lacking or doubted
   bool is_room_sought_ = false;                      ///< for the datagram that is being taken in
   bool was_room_found_ = false;
 };
@@ -288,6 +359,14 @@ Hearing NeighbourTable::hear(const announcement::Announcement& announcement, con
 }
 
 void NeighbourTable::expire(base::Instant now) { state_->expire(now); }
+
+void NeighbourTable::postpone(base::Instant until) { state_->postpone(until); }
+
+Report NeighbourTable::report(base::Instant now) { return state_->report(now); }
+
+bool NeighbourTable::has_questions(base::Instant now) { return state_->has_questions(now); }
+
+std::optional<double> NeighbourTable::loss() const { return state_->loss(); }
 
 base::Instant NeighbourTable::next_deadline() const { return state_->next_deadline(); }
 

@@ -13,6 +13,7 @@
 
 #include "base/time.hpp"
 #include "discovery/announcement/announcement.hpp"
+#include "discovery/membership/hearing.hpp"
 #include "env/env.hpp"
 #include "geminga/service.hpp"
 
@@ -62,27 +63,6 @@ struct RemoveParticipant {
 /// What the caller does to its registry, in this order.
 using Change = std::variant<PutPublication, PutSubscription, RemovePublication, RemoveSubscription, RemoveParticipant>;
 
-/// How the table has taken an announcement.
-enum class Hearing : std::uint8_t {
-  own,          ///< our own datagram, come back
-  clash,        ///< our identifier from another boot nonce: feed IdentifierClaim::conflict() with its kind
-  claim,        ///< somebody claims an identifier: it is new here, so Schedule::newcomer()
-  newcomer,     ///< a participant that was not known, or has restarted: Schedule::newcomer()
-  known,        ///< a known participant's; changes may follow
-  goodbye,      ///< a known participant has left
-  other_group,  ///< not for us
-  stale,        ///< from before its sender's goodbye or the loss of its identifier, or the goodbye of somebody unknown
-  full,         ///< an unknown participant, while all places are taken by somebody with a better right to them
-  copied,       ///< a datagram that was heard, sent again from another source address: ignored
-  elsewhere,    ///< in the name of a known participant from another source address: ignored until it is repeated
-  rival,        ///< a known identifier from another boot nonce, while its owner is there: ignored
-  leap,         ///< a revision too far from the one before it: ignored until it is repeated
-  contradiction,  ///< does not fit to what was heard: somebody lies in the name of this participant
-  returned,       ///< a participant goes on after a goodbye in its name, or has its identifier back: it is known again
-};
-/// "own", "clash", ... Static storage.
-[[nodiscard]] std::string_view to_string(Hearing hearing);
-
 /// How a datagram came in.
 struct Arrival {
   env::InterfaceIndex interface{};
@@ -120,10 +100,13 @@ struct Neighbour {
   bool is_complete = false;  ///< all parts of its newest revision were heard
 };
 
-/// Intervals without a sign of life after which a participant is gone. 5 at 30 % loss: 0.24 % of being wrong a window.
-inline constexpr int deadline_intervals = 5;
-/// When what was heard at `heard` expires. The one place where a deadline is made.
-[[nodiscard]] base::Instant deadline_of(base::Instant heard, base::Duration interval, double loss);
+/// What is said of others in a presence (announcement::Announcement has the fields of these names).
+struct Report {
+  announcement::Witness witness;
+  std::vector<ParticipantId> lacks;
+  std::vector<ParticipantId> doubts;
+};
+
 /// Goodbyes are remembered so long, so that datagrams which they overtook bring nobody back; at most max_participants.
 inline constexpr base::Duration goodbye_memory = std::chrono::seconds(10);
 
@@ -154,12 +137,22 @@ class NeighbourTable {
   void expire(base::Instant now);
   /// When expire() has something to do, or a little before; base::never: nothing. Its cost is constant.
   [[nodiscard]] base::Instant next_deadline() const;
+  /// We were not awake when something was due: nobody's deadline is before `until`, so that what has come in meanwhile
+  /// can be heard.
+  void postpone(base::Instant until);
   /// An interface of ours is gone: its paths are, and addresses are chosen anew. Participants stay until their
   /// deadline.
   void forget_interface(env::InterfaceIndex interface);
 
   /// The changes since the last call, in the order in which they must be done.
   [[nodiscard]] std::vector<Change> take_changes();
+
+  /// What we have heard of others, for our next presence. Costs a look at every participant.
+  [[nodiscard]] Report report(base::Instant now);
+  /// Whether report() would name anybody in `lacks` or `doubts`.
+  [[nodiscard]] bool has_questions(base::Instant now);
+  /// The share of all participants' last datagrams that was lost, in [0, 1); nothing: too few were heard.
+  [[nodiscard]] std::optional<double> loss() const;
 
   [[nodiscard]] bool is_known(ParticipantId id) const;
   [[nodiscard]] std::optional<Neighbour> find(ParticipantId id) const;

@@ -35,6 +35,7 @@ NeighbourWay::NeighbourWay(const announcement::Announcement& first, const Arriva
       addresses_(usable(first, arrival), arrival.now),
       passed_(first.sequence, arrival.now),
       revision_(first.revision),
+      said_revision_(first.revision),
       part_count_(first.part_count) {
   path_.interface = arrival.interface;
   path_.interface_name = arrival.interface_name;
@@ -108,7 +109,7 @@ bool NeighbourWay::leaps(const announcement::Announcement& announcement, std::ui
 }
 
 bool NeighbourWay::denies(const announcement::Announcement& announcement, const Arrival& arrival) const {
-  if (losses_.is_empty() || has_moved_ || announcement.revision != revision_) return false;
+  if (losses_.is_empty() || has_moved_ || announcement.revision != said_revision_) return false;
   return announcement.part_count != part_count_ || usable(announcement, arrival) != addresses_.value();
 }
 
@@ -131,7 +132,7 @@ void NeighbourWay::count(const announcement::Announcement& announcement, const A
 
 bool NeighbourWay::say(const announcement::Announcement& announcement, const Arrival& arrival, bool is_contested,
                        Duration hold) {
-  revision_ = announcement.revision;
+  revision_ = said_revision_ = announcement.revision;
   part_count_ = announcement.part_count;
   const bool is_free = std::exchange(has_moved_, false) || !is_contested || !addresses_.is_held(arrival.now, hold);
   auto addresses = usable(announcement, arrival);
@@ -153,6 +154,25 @@ Path NeighbourWay::path() const {
 void NeighbourWay::roll_back(Instant now, Duration hold) {
   addresses_.roll_back(now, hold);
   if (home_) home_->addresses.roll_back(now, hold);
+}
+
+std::optional<ZonedAddress> best_address(std::span<const NeighbourWay> ways, std::string_view in_use,
+                                         std::string_view zone) {
+  // (rank, not the one in use): the first of the smallest is chosen.
+  using Preference = std::pair<int, bool>;
+  std::optional<ZonedAddress> chosen;
+  Preference best{};
+  for (const auto& way : ways) {
+    for (const auto& text : way.addresses()) {
+      const auto address = base::parse_address(text);
+      if (!address) continue;
+      const Preference preference{base::address_rank(*address), text != in_use || way.interface_name() != zone};
+      if (chosen && best <= preference) continue;
+      best = preference;
+      chosen = ZonedAddress{text, way.interface_name()};
+    }
+  }
+  return chosen;
 }
 
 }  // namespace geminga::membership

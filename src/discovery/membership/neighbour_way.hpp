@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,6 +50,11 @@ class NeighbourWay {
   /// Takes over what it says of the way, unless another word is held; whether addresses have changed.
   bool say(const announcement::Announcement& announcement, const Arrival& arrival, bool is_contested,
            base::Duration hold);
+  /// Takes in a presence, which says of the way what the state of its revision has said.
+  void affirm(std::uint64_t revision, base::Instant now, bool is_contested) {
+    revision_ = revision;
+    if (revision == said_revision_ && !is_contested) addresses_.affirm(now);
+  }
   /// Undoes what was said less than `hold` ago.
   void roll_back(base::Instant now, base::Duration hold);
 
@@ -66,6 +72,7 @@ class NeighbourWay {
   [[nodiscard]] bool is_next(std::uint64_t sequence) const { return losses_.is_empty() || sequence > losses_.newest(); }
   [[nodiscard]] bool has(std::uint64_t sequence) const { return losses_.has(sequence); }
   [[nodiscard]] double loss() const { return losses_.loss(); }
+  [[nodiscard]] const LossWindow& losses() const { return losses_; }
   [[nodiscard]] StateAssembly& assembly() { return assembly_; }
   /// The highest sequence number.
   [[nodiscard]] std::uint64_t newest() const { return losses_.newest(); }
@@ -99,10 +106,21 @@ class NeighbourWay {
   LossWindow losses_;
   Passed passed_;
   std::uint64_t revision_;             ///< the last one heard here
-  std::uint32_t part_count_;           ///< of that revision
+  std::uint64_t said_revision_;        ///< the last one of a state
+  std::uint32_t part_count_;           ///< of that state
   std::optional<std::uint64_t> leap_;  ///< sequence number of a datagram whose revision leapt
   StateAssembly assembly_;
 };
+
+/// An address with the interface that it is valid on.
+struct ZonedAddress {
+  std::string address;
+  std::string zone;
+};
+/// The address of the best rank (address_rank()) on any of these ways; of equals the one in use, then the first. None:
+/// no way has an address.
+[[nodiscard]] std::optional<ZonedAddress> best_address(std::span<const NeighbourWay> ways, std::string_view in_use,
+                                                       std::string_view zone);
 
 }  // namespace geminga::membership
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/assert.hpp"
+#include "discovery/announcement/limits.hpp"
 
 namespace geminga::membership {
 
@@ -15,6 +16,9 @@ Schedule::Schedule(ScheduleOptions options, std::uint64_t seed)
     : options_(options),
       random_(seed),
       newcomers_(answer_capacity, answer_refill_intervals * options.interval),
+      repairs_(repair_capacity, options.interval / repairs_per_interval),
+      asks_(ask_capacity, options.interval / asks_per_interval),
+      proofs_(proof_capacity, options.interval / proofs_per_interval),
       contradictions_(contradiction_capacity, options.interval / contradictions_per_interval) {
   GEMINGA_ASSERT(options_.interval >= std::chrono::milliseconds(1));
 }
@@ -24,12 +28,21 @@ Duration Schedule::spread(Duration time, double share) {
   return random_.between(time - reach, time + reach);
 }
 
+std::size_t state_copies(std::optional<double> loss) {
+  if (!loss) return 5;
+  if (*loss < 0.02) return 2;
+  if (*loss < 0.15) return 3;
+  return *loss < 0.4 ? 5 : 7;
+}
+
 void Schedule::changed(Instant now) {
   if (is_stopping_) return;
   is_running_ = true;
-  copies_[0] = now;
-  for (std::size_t i = 0; i < repeat_delays.size(); ++i) copies_[i + 1] = now + spread(repeat_delays[i], repeat_jitter);
-  next_copy_ = 0;
+  const auto states = state_copies(loss_);
+  copies_ = {{now, Say::state}};
+  for (std::size_t i = 1; i < states + presence_copies; ++i) {
+    copies_.push_back({now + spread(repeat_delays[i - 1], repeat_jitter), i < states ? Say::state : Say::presence});
+  }
 }
 
 void Schedule::set_size(std::size_t datagrams) { size_ = std::max<std::int64_t>(1, std::int64_t(datagrams)); }
@@ -37,10 +50,36 @@ void Schedule::set_size(std::size_t datagrams) { size_ = std::max<std::int64_t>(
 void Schedule::newcomer(Instant now) {
   if (!is_running_ || newcomer_due_ != never) return;
   // Two copies that are still to come reach the newcomer as well as copies of its own would.
-  const auto remaining = (change_copies - next_copy_) + (answer_copies - next_answer_);
+  const auto copies = std::ranges::count(copies_, Say::state, &Copy::what);
+  const auto remaining = static_cast<std::size_t>(copies) + (answer_copies - next_answer_);
   if (remaining >= 2) return;
   newcomer_due_ = now + random_.between(Duration::zero(), max_newcomer_delay);
   if (had_newcomer_) newcomer_due_ = std::max(newcomer_due_, newcomer_last_ + newcomer_spacing);
+}
+
+void Schedule::lacked(Instant now) {
+  if (!is_running_) return;
+  insistent_until_ = std::max(insistent_until_, now + announcement::hold_intervals * options_.interval);
+  if (repair_ != never || !repairs_.has(now)) return;
+  repair_ = now + random_.between(Duration::zero(), max_repair_delay);
+  // Who asks may not have heard yet what is under way.
+  if (has_sent_) repair_ = std::max(repair_, state_sent_ + repair_spacing);
+}
+
+void Schedule::ask(bool has_questions, Instant now) {
+  if (!has_questions || !is_running_) {
+    ask_ = never;
+  } else if (ask_ == never) {
+    ask_ = std::max(now + random_.between(Duration::zero(), max_ask_delay), asked_ + ask_spacing);
+  }
+}
+
+void Schedule::doubted(Instant now) {
+  if (is_running_) proof_ = std::min(proof_, has_sent_ ? std::max(now, last_sent_ + proof_spacing) : now);
+}
+
+void Schedule::bear_witness(Instant now) {
+  if (is_running_) proof_ = std::min(proof_, now + random_.between(witness_delay, 2 * witness_delay));
 }
 
 void Schedule::contested(Instant now) {
@@ -48,14 +87,18 @@ void Schedule::contested(Instant now) {
 }
 
 void Schedule::contradict(Instant now) {
+  insistent_until_ = now + announcement::contest_intervals * options_.interval;
   if (is_running_ && contradictions_.has(now)) contradiction_ = std::min(contradiction_, now);
 }
 
 void Schedule::pause() {
   is_running_ = false;
-  next_copy_ = change_copies;
+  copies_.clear();
   next_answer_ = answer_copies;
   periodic_ = never;
+  repair_ = never;
+  ask_ = never;
+  proof_ = never;
   contested_ = never;
   contradiction_ = never;
   newcomer_due_ = never;
@@ -69,10 +112,24 @@ void Schedule::stop(Instant now) {
   goodbye_due_ = now;
 }
 
-Instant Schedule::wanted() const {
-  const auto copy = next_copy_ < change_copies ? copies_[next_copy_] : never;
+Instant Schedule::next_copy(Say what) const {
+  const auto copy = std::ranges::find(copies_, what, &Copy::what);
+  return copy == copies_.end() ? never : copy->due;
+}
+
+Instant Schedule::state_wanted() const {
   const auto answer = next_answer_ < answer_copies ? answers_[next_answer_] : never;
-  return std::min({copy, answer, periodic_, contradiction_, newcomer_due_});
+  const auto periodic = is_insistent() ? periodic_ : never;
+  return std::min({next_copy(Say::state), answer, periodic, repair_, contradiction_, newcomer_due_});
+}
+
+Instant Schedule::presence_wanted() const {
+  const auto limited = [](Instant wanted, const TokenBucket& budget) {
+    return wanted == never ? never : std::max(wanted, budget.due());
+  };
+  const auto periodic = is_insistent() ? never : periodic_;
+  return std::min({next_copy(Say::presence), periodic, limited(ask_, asks_), limited(proof_, proofs_),
+                   limited(contested_, contests_)});
 }
 
 Instant Schedule::spaced() const { return has_sent_ ? last_sent_ + min_spacing : Instant::min(); }
@@ -81,40 +138,64 @@ Instant Schedule::allowed() const { return std::max(spaced(), announcements_.due
 
 Instant Schedule::due() const {
   if (is_stopping_) return goodbye_due_;
-  const auto state = wanted();
-  const auto presence = contested_ == never ? never : std::max({contested_, spaced(), contests_.due()});
-  return std::min(state == never ? never : std::max(state, allowed()), presence);
+  const auto state = state_wanted();
+  const auto presence = presence_wanted();
+  return std::min(state == never ? never : std::max(state, allowed()),
+                  presence == never ? never : std::max(presence, spaced()));
+}
+
+void Schedule::begin_answers(Instant now) {
+  newcomer_due_ = never;
+  newcomer_last_ = now;
+  had_newcomer_ = true;
+  answers_[0] = now;
+  for (std::size_t i = 0; i < answer_delays.size(); ++i) {
+    answers_[i + 1] = now + spread(answer_delays[i], repeat_jitter);
+  }
+  next_answer_ = 0;
+}
+
+void Schedule::drop_copies(Say what, Instant now) {
+  std::erase_if(copies_, [&](const Copy& copy) { return copy.what == what && copy.due <= now; });
 }
 
 bool Schedule::take_state(Instant now) {
-  if (std::max(wanted(), allowed()) > now) return false;
-  const auto own = std::min(periodic_, next_copy_ < change_copies ? copies_[next_copy_] : never);
-  if (newcomer_due_ <= now) {
-    newcomer_due_ = never;
-    newcomer_last_ = now;
-    had_newcomer_ = true;
-    answers_[0] = now;
-    for (std::size_t i = 0; i < answer_delays.size(); ++i)
-      answers_[i + 1] = now + spread(answer_delays[i], repeat_jitter);
-    next_answer_ = 0;
-  }
+  if (std::max(state_wanted(), allowed()) > now) return false;
+  const auto own = std::min(is_insistent() ? periodic_ : never, next_copy(Say::state));
+  if (newcomer_due_ <= now) begin_answers(now);
   const bool is_answer = next_answer_ < answer_copies && answers_[next_answer_] <= now && newcomers_.has(now);
+  const bool is_repair = repair_ <= now && repairs_.has(now);
   const bool is_contradiction = contradiction_ <= now;
   // Whatever was due until now is told by this one announcement, or cannot be afforded.
-  while (next_copy_ < change_copies && copies_[next_copy_] <= now) ++next_copy_;
+  drop_copies(Say::state, now);
   while (next_answer_ < answer_copies && answers_[next_answer_] <= now) ++next_answer_;
+  if (repair_ <= now) repair_ = never;
   if (is_contradiction) contradiction_ = never;
   if (own > now) {
-    if (!is_answer && !is_contradiction) return false;
+    if (!is_answer && !is_repair && !is_contradiction) return false;
     // What is said for others' sake alone is paid from their budget.
     if (is_contradiction) {
       contradictions_.take(now, size_);
+    } else if (is_repair) {
+      repairs_.take(now, size_);
     } else {
       newcomers_.take(now, size_);
     }
   }
   announcements_.take(now);
-  periodic_ = now + spread(options_.interval, interval_jitter);
+  return true;
+}
+
+bool Schedule::take_presence(Instant now) {
+  if (std::max(presence_wanted(), spaced()) > now) return false;
+  const auto pay = [now](Instant wanted, TokenBucket& budget) {
+    if (wanted <= now && budget.has(now)) budget.take(now);
+  };
+  pay(ask_, asks_);
+  pay(proof_, proofs_);
+  pay(contested_, contests_);
+  asked_ = now;
+  drop_copies(Say::presence, now);
   return true;
 }
 
@@ -126,11 +207,15 @@ Schedule::Say Schedule::take(Instant now) {
     return Say::goodbye;
   }
   const bool is_state = take_state(now);
-  const bool is_presence = !is_state && contested_ <= now && spaced() <= now && contests_.has(now);
-  if (!is_state && !is_presence) return Say::nothing;
-  if (is_presence) contests_.take(now);
+  if (!is_state && !take_presence(now)) return Say::nothing;
+  // Either shows that we live and whose the identifier is; what we ask only a presence says.
+  if (!is_state) ask_ = never;
+  proof_ = never;
   contested_ = never;
+  // A presence does not stand for the state that is said each time.
+  if (is_state || !is_insistent()) periodic_ = now + spread(options_.interval, interval_jitter);
   last_sent_ = now;
+  if (is_state) state_sent_ = now;
   has_sent_ = true;
   return is_state ? Say::state : Say::presence;
 }

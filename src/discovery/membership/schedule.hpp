@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "base/random.hpp"
 #include "base/time.hpp"
@@ -20,18 +22,24 @@ struct ScheduleOptions {
 
 /// The interval is spread by this share in both directions, so that robots started together drift apart.
 inline constexpr double interval_jitter = 0.1;
-/// After the first copy of a change, which goes at once, further ones follow so long after it: with five copies 99.8 %
-/// of changes arrive at 30 % loss.
-inline constexpr std::array<base::Duration, 4> repeat_delays = {
-    std::chrono::milliseconds(20), std::chrono::milliseconds(60), std::chrono::milliseconds(140),
-    std::chrono::milliseconds(300)};
-/// Each of them is spread by this share in both directions.
+/// After the first copy of a change, which goes at once, further ones follow so long after it. The first few are of the
+/// state, as many as the loss asks for (state_copies()); the others of the presence, from which whoever has heard none
+/// of those learns that it lacks the state.
+inline constexpr std::array<base::Duration, 8> repeat_delays = {
+    std::chrono::milliseconds(8),   std::chrono::milliseconds(20),  std::chrono::milliseconds(36),
+    std::chrono::milliseconds(60),  std::chrono::milliseconds(120), std::chrono::milliseconds(220),
+    std::chrono::milliseconds(400), std::chrono::milliseconds(700)};
+/// Copies of the presence behind those of the state.
+inline constexpr std::size_t presence_copies = 2;
+/// Each of these delays is spread by this share in both directions.
 inline constexpr double repeat_jitter = 0.2;
+/// How often a changed state is sent at this loss (ANNOUNCEMENT.md, "When it is sent"). Nothing: the loss is not known.
+[[nodiscard]] std::size_t state_copies(std::optional<double> loss);
 /// Never two announcements within this time. Changes within it are told together.
 inline constexpr base::Duration min_spacing = std::chrono::milliseconds(3);
 /// So many announcements may go at min_spacing; then only one each refill_time: a peer that changes its services
 /// without end costs the air at most 1 / refill_time announcements a second.
-inline constexpr std::int64_t burst_capacity = 16;
+inline constexpr std::int64_t burst_capacity = 32;
 inline constexpr base::Duration refill_time = std::chrono::milliseconds(50);
 
 /// A newcomer is answered after a random time up to this, so that a team does not answer in one instant.
@@ -44,9 +52,33 @@ inline constexpr std::array<base::Duration, 2> answer_delays = {std::chrono::mil
 inline constexpr base::Duration newcomer_spacing = std::chrono::seconds(1);
 /// What answers to newcomers may cost, in datagrams of one link: ten rounds of a small state at once, so that a team
 /// that is switched on within ten seconds is answered, and then one datagram in so many intervals, which is a quarter
-/// of what the periodic announcements cost. A newcomer that finds it used up learns of us within one interval.
+/// of what a state in each interval would cost. A newcomer that finds it used up learns of us within one interval.
 inline constexpr std::int64_t answer_capacity = 32;
 inline constexpr int answer_refill_intervals = 4;
+
+/// Repeats of the state for participants that say that they lack it, likewise in datagrams of one link: so many at
+/// once, then so many in an interval; and the time in which one repeat answers all who ask.
+inline constexpr std::int64_t repair_capacity = 32;
+inline constexpr int repairs_per_interval = 2;
+inline constexpr base::Duration max_repair_delay = std::chrono::milliseconds(10);
+inline constexpr base::Duration repair_spacing = std::chrono::milliseconds(25);
+/// While we lack somebody's state or doubt that it lives, we say so again and again: so many times within ask_spacing
+/// of each other, then so many times in an interval. The first is enough to get through any loss; the second bounds
+/// what somebody who pretends to be there can make us say.
+inline constexpr std::int64_t ask_capacity = 40;
+inline constexpr int asks_per_interval = 2;
+inline constexpr base::Duration ask_spacing = std::chrono::milliseconds(100);
+inline constexpr base::Duration max_ask_delay = std::chrono::milliseconds(20);
+/// Signs of life for those that doubt us, or doubt somebody whom we hear, likewise; one answers all who doubt
+/// meanwhile.
+inline constexpr std::int64_t proof_capacity = 40;
+inline constexpr int proofs_per_interval = 4;
+inline constexpr base::Duration proof_spacing = std::chrono::milliseconds(30);
+/// Whoever knows more of a doubted participant than the one who doubts leaves it this time to answer for itself, and up
+/// to twice that.
+inline constexpr base::Duration witness_delay = std::chrono::milliseconds(25);
+// Once a lie about us was heard the state is said each time for contest_intervals, and for hold_intervals once somebody
+// lacks it: a contested participant must repeat each of its words (ANNOUNCEMENT.md, "A contradiction").
 
 /// Answers to claims of our identifier, one datagram on each link: all three of one claimant at once, and with a forger
 /// still one within the 90 ms of any claim.
@@ -76,11 +108,21 @@ class Schedule {
   /// A participant is heard that does not know us yet (a newcomer, or a claimant): as changed(), but a little later,
   /// not more often than newcomer_spacing, and only as long as the budget for answers lasts.
   void newcomer(base::Instant now);
+  /// The share of datagrams that is lost on the air, for the copies of later changes. Unknown until told.
+  void set_loss(std::optional<double> loss) { loss_ = loss; }
+  /// A known participant says that it lacks our state: a copy is due soon, as long as the budget lasts.
+  void lacked(base::Instant now);
+  /// Whether we have something to ask (NeighbourTable::has_questions()): our presence is due again and again.
+  void ask(bool has_questions, base::Instant now);
+  /// Somebody doubts that we live: our presence is due.
+  void doubted(base::Instant now);
+  /// Somebody doubts whom we hear: our presence is due, a little later.
+  void bear_witness(base::Instant now);
   /// Somebody claims our identifier (IdentifierClaim::Verdict::answer): our presence is due at once, or as soon as the
   /// budget for it allows, so that a claimant hears it before it holds the identifier.
   void contested(base::Instant now);
   /// Somebody said in our name what we have not said: one copy of the state is due at once, if the budget for it is not
-  /// used up; if it is, the periodic announcement is the contradiction.
+  /// used up. Each periodic announcement of the next contest_intervals is the state, too.
   void contradict(base::Instant now);
   /// Nothing is due any more until changed(): the identifier was lost, say.
   void pause();
@@ -90,7 +132,7 @@ class Schedule {
   enum class Say : std::uint8_t {
     nothing,   ///< nothing is due
     state,     ///< the whole state
-    presence,  ///< one datagram of the state: it shows whose the identifier is
+    presence,  ///< that we are there, with which state, and what we have heard of others
     goodbye,   ///< after stop()
   };
   /// When take() is to be asked, or base::never.
@@ -101,34 +143,53 @@ class Schedule {
   [[nodiscard]] bool is_finished() const;
 
  private:
-  static constexpr std::size_t change_copies = repeat_delays.size() + 1;
+  /// One copy of a change.
+  struct Copy {
+    base::Instant due;
+    Say what;
+  };
   static constexpr std::size_t answer_copies = answer_delays.size() + 1;
 
   [[nodiscard]] base::Duration spread(base::Duration time, double share);
-  /// When the whole state is wanted, for whatever reason, and when the limits allow it.
-  [[nodiscard]] base::Instant wanted() const;
+  /// When the whole state or the presence is wanted, for whatever reason, and when the limits allow it.
+  [[nodiscard]] base::Instant state_wanted() const;
+  [[nodiscard]] base::Instant presence_wanted() const;
+  [[nodiscard]] base::Instant next_copy(Say what) const;
+  [[nodiscard]] bool is_insistent() const { return periodic_ < insistent_until_; }
   [[nodiscard]] base::Instant allowed() const;
   [[nodiscard]] base::Instant spaced() const;
-  /// Whether the state is due; pays for it, and what was due until now counts as told.
+  /// Whether it is due; pays for it, and what was due until now counts as told.
   [[nodiscard]] bool take_state(base::Instant now);
+  [[nodiscard]] bool take_presence(base::Instant now);
+  void begin_answers(base::Instant now);
+  void drop_copies(Say what, base::Instant now);
 
   ScheduleOptions options_;
   base::Random random_;
-  std::array<base::Instant, change_copies> copies_{};  ///< of the last change
-  std::size_t next_copy_ = change_copies;
+  std::vector<Copy> copies_;  ///< of the last change that are still to come, in their order
+  std::optional<double> loss_;
   std::array<base::Instant, answer_copies> answers_{};  ///< the copies for newcomers
   std::size_t next_answer_ = answer_copies;
   base::Instant periodic_ = base::never;
+  base::Instant insistent_until_;              ///< until then the state is said each time
+  base::Instant repair_ = base::never;         ///< when the state is due for who lacks it
+  base::Instant ask_ = base::never;            ///< when the presence is due because we ask
+  base::Instant asked_;                        ///< when that was so last
+  base::Instant proof_ = base::never;          ///< when the presence is due because somebody doubts
   base::Instant contested_ = base::never;      ///< when a claim to our identifier came
   base::Instant contradiction_ = base::never;  ///< when a lie about us was heard
   base::Instant newcomer_due_ = base::never;   ///< when the copies for newcomers begin
   base::Instant newcomer_last_;                ///< when they last began
   bool had_newcomer_ = false;
   base::Instant last_sent_;
+  base::Instant state_sent_;
   bool has_sent_ = false;
   std::int64_t size_ = 1;
   TokenBucket announcements_{burst_capacity, refill_time};
   TokenBucket newcomers_;
+  TokenBucket repairs_;
+  TokenBucket asks_;
+  TokenBucket proofs_;
   TokenBucket contests_{contest_capacity, contest_refill};
   TokenBucket contradictions_;
   std::size_t goodbyes_left_ = 0;

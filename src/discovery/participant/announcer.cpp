@@ -82,8 +82,10 @@ void Announcer::announce() {
   if (!claim_.is_held()) return;
   if (std::exchange(core_.is_changed, false)) {
     ++revision_;
+    schedule_.set_loss(core_.neighbours.loss());
     schedule_.changed(now);
   }
+  schedule_.ask(core_.neighbours.has_questions(now), now);
   for (;;) {
     switch (schedule_.take(now)) {
       case membership::Schedule::Say::nothing:
@@ -93,7 +95,7 @@ void Announcer::announce() {
         schedule_.set_size(send(current_state()));
         break;
       case membership::Schedule::Say::presence:
-        send(current_state(), Extent::first_part);
+        send(presence());
         break;
     }
   }
@@ -115,6 +117,10 @@ Announcer::Consequence Announcer::heard(const Heard& heard) {
     case membership::Hearing::claim:
       schedule_.newcomer(core_.env.now());
       return Consequence::nothing;
+    case membership::Hearing::known:
+    case membership::Hearing::stranger:
+      if (heard.announcement.kind == announcement::Kind::presence) heard_presence(heard);
+      return Consequence::nothing;
     case membership::Hearing::own:
       heard_own(heard);
       return Consequence::nothing;
@@ -123,6 +129,33 @@ Announcer::Consequence Announcer::heard(const Heard& heard) {
     default:
       return Consequence::nothing;
   }
+}
+
+/// Somebody tells what he has heard of us and of others.
+void Announcer::heard_presence(const Heard& heard) {
+  const base::Instant now = core_.env.now();
+  const auto names = [](const std::vector<ParticipantId>& ids, ParticipantId id) {
+    return std::ranges::find(ids, id) != ids.end();
+  };
+  const announcement::Announcement& presence = heard.announcement;
+  if (names(presence.lacks, claim_.id())) {
+    if (heard.hearing == membership::Hearing::known) {
+      schedule_.lacked(now);
+    } else {
+      schedule_.newcomer(now);
+    }
+  }
+  if (heard.hearing != membership::Hearing::known) return;
+  if (names(presence.doubts, claim_.id())) {
+    schedule_.doubted(now);
+  } else if (std::ranges::any_of(presence.doubts, [&](ParticipantId id) { return is_heard_lately(id); })) {
+    schedule_.bear_witness(now);
+  }
+}
+
+bool Announcer::is_heard_lately(ParticipantId id) const {
+  const auto neighbour = core_.neighbours.find(id);
+  return neighbour && core_.env.now() - neighbour->heard <= neighbour->interval;
 }
 
 Announcer::Consequence Announcer::heard_clash(const Heard& heard) {
@@ -202,6 +235,16 @@ announcement::Announcement Announcer::header(announcement::Kind kind, Participan
   return header;
 }
 
+announcement::Announcement Announcer::presence() {
+  announcement::Announcement presence = header(announcement::Kind::presence, claim_.id());
+  presence.revision = revision_;
+  membership::Report report = core_.neighbours.report(core_.env.now());
+  presence.witness = std::move(report.witness);
+  presence.lacks = std::move(report.lacks);
+  presence.doubts = std::move(report.doubts);
+  return presence;
+}
+
 announcement::Announcement Announcer::state() const {
   announcement::Announcement state = header(announcement::Kind::state, claim_.id());
   state.revision = revision_;
@@ -220,15 +263,14 @@ announcement::Announcement Announcer::state() const {
   return state;
 }
 
-std::size_t Announcer::send(const announcement::Announcement& announcement, Extent extent) {
+std::size_t Announcer::send(const announcement::Announcement& announcement) {
   std::size_t most = 0;
   const auto& interfaces = core_.env.interfaces();
   for (const env::Interface& interface : interfaces) {
     announcement::Announcement here = announcement::on_interface(announcement, interface, interfaces);
     std::uint64_t& sequence = sequences_[interface.index];
     here.sequence = sequence;
-    auto datagrams = announcement::encode(here);
-    if (extent == Extent::first_part) datagrams.resize(1);
+    const auto datagrams = announcement::encode(here);
     for (const announcement::Datagram& datagram : datagrams) {
       sent_.add(datagram);
       core_.env.send(interface.index, datagram);

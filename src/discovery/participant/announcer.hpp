@@ -59,16 +59,18 @@ class Announcer {
   [[nodiscard]] announcement::BootNonce boot() const { return boot_; }
 
  private:
-  enum class Extent : std::uint8_t { whole, first_part };
   /// Sends on all interfaces; returns the most datagrams that one of them took.
-  std::size_t send(const announcement::Announcement& announcement, Extent extent = Extent::whole);
+  std::size_t send(const announcement::Announcement& announcement);
   /// What is announced at present. Made when it is sent and not with every change: of a hundred changes between two
   /// datagrams only the last counts.
   [[nodiscard]] const announcement::Announcement& current_state();
+  void heard_presence(const Heard& heard);
+  [[nodiscard]] bool is_heard_lately(ParticipantId id) const;
   Consequence heard_clash(const Heard& heard);
   void heard_own(const Heard& heard);
   void report(const Heard& heard);
   [[nodiscard]] announcement::Announcement header(announcement::Kind kind, ParticipantId id) const;
+  [[nodiscard]] announcement::Announcement presence();
   [[nodiscard]] announcement::Announcement state() const;
 
   Core& core_;

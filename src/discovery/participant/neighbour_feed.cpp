@@ -9,6 +9,11 @@
 namespace geminga::participant {
 namespace {
 
+/// Where we come so late to a deadline, the host slept or had no time for us, and what others have said meanwhile is
+/// still to be read: nobody is taken for gone until there was time for it.
+constexpr base::Duration late_after = std::chrono::milliseconds(300);
+constexpr base::Duration time_to_catch_up = std::chrono::milliseconds(500);
+
 matching::Reason reason_of(membership::Departure departure) {
   switch (departure) {
     case membership::Departure::withdrawn:
@@ -118,7 +123,11 @@ Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceInde
 }
 
 void expire(Core& core) {
-  core.neighbours.expire(core.env.now());
+  const base::Instant now = core.env.now();
+  if (const base::Instant due = core.neighbours.next_deadline(); due < now - late_after) {
+    core.neighbours.postpone(now + time_to_catch_up);
+  }
+  core.neighbours.expire(now);
   feed(core);
 }
 

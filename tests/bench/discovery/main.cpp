@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "support/lab.hpp"
@@ -21,6 +22,9 @@ using Clock = std::chrono::steady_clock;
 
 /// Octets of Ethernet, IPv4 and UDP before each datagram.
 constexpr double header_octets = 42;
+
+/// Stands for a service that was not told before patience ended.
+constexpr double never_ms = 1e6;
 
 double milliseconds(Clock::duration duration) { return std::chrono::duration<double, std::milli>(duration).count(); }
 
@@ -88,17 +92,25 @@ class Measurement {
       const auto provider = static_cast<std::size_t>(change) % hosts_;
       const auto began = Clock::now();
       talks_[provider].say(number + " pub create mode=otm/stream text=news port=6000");
-      for (std::size_t host = 0; host < hosts_; ++host) {
-        if (host == provider) continue;
-        if (!talks_[host].line_with({"40 pub add "})) complain("a service that is told");
-        times.push_back(milliseconds(Clock::now() - began));
+      std::vector<double> told(hosts_);
+      {
+        std::vector<std::jthread> watchers;
+        for (std::size_t host = 0; host < hosts_; ++host) {
+          if (host == provider) continue;
+          watchers.emplace_back([this, host, began, &told] {
+            const bool is_told = talks_[host].line_with({"40 pub add "}).has_value();
+            told[host] = is_told ? milliseconds(Clock::now() - began) : never_ms;
+          });
+        }
       }
+      told.erase(told.begin() + static_cast<std::ptrdiff_t>(provider));
+      times.insert(times.end(), told.begin(), told.end());
       talks_[provider].say(number + " pub remove");
       rest(1500);
       for (auto& talk : talks_) (void)talk.lines_until_pong();
     }
-    row("a new service told on the slowest host so far, p95", quantile(times, 0.95), "ms", targets_.told_ms);
-    row("a new service told on the slowest host so far, worst", quantile(times, 1), "ms", 1000);
+    row("a new service told on another host, p95", quantile(times, 0.95), "ms", targets_.told_ms);
+    row("a new service told on another host, worst", quantile(times, 1), "ms", 1000);
   }
 
   void measure_death() {

@@ -131,6 +131,28 @@ Announcement worked_example() {
   return example;
 }
 
+Announcement random_presence(Random& random) {
+  Announcement made;
+  made.kind = Kind::presence;
+  made.group = random.chance(0.5) ? "default" : random_name(random);
+  made.participant = ParticipantId{static_cast<std::uint32_t>(1 + random.below(0xffffffff))};
+  made.boot = BootNonce{random.next()};
+  made.link = static_cast<std::uint32_t>(random.below(10));
+  made.sequence = random.below(1'000'000);
+  made.revision = random.below(1'000);
+  made.witness.members = static_cast<std::uint16_t>(random.next());
+  for (auto count = 4 * random.below(max_participants / 4 + 1); count > 0; --count) {
+    made.witness.heard.push_back(static_cast<HeardWithin>(random.below(4)));
+  }
+  if (made.witness.heard.empty()) made.witness.members = 0;
+  for (auto* named : {&made.lacks, &made.doubts}) {
+    for (auto count = random.below(max_named + 1); count > 0; --count) {
+      named->push_back(ParticipantId{static_cast<std::uint32_t>(1 + random.below(0xffffffff))});
+    }
+  }
+  return made;
+}
+
 Announcement random_announcement(Random& random, std::size_t max_services) {
   Announcement made;
   made.kind = random.chance(0.8) ? Kind::state : static_cast<Kind>(random.below(3));

@@ -18,6 +18,9 @@ Announcement worked_example();
 /// Any announcement that may be: all kinds, identities, modes, addresses, names up to their limits. Its entries fit.
 Announcement random_announcement(base::Random& random, std::size_t max_services = 12);
 
+/// Any presence.
+Announcement random_presence(base::Random& random);
+
 /// A publication of the numeric identity 7 at a port.
 Publication simple_publication(std::uint16_t port = 5000);
 Subscription simple_subscription();

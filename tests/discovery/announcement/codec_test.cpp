@@ -53,6 +53,18 @@ TEST(Codec, GivesBackWhatWasEncoded) {
   }
 }
 
+TEST(Codec, GivesBackEveryPresence) {
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    base::Random random(seed);
+    const auto presence = random_presence(random);
+    const auto datagrams = encode(presence);
+    ASSERT_EQ(datagrams.size(), 1U) << "seed " << seed;
+    const auto decoded = decode(datagrams[0]);
+    ASSERT_TRUE(decoded) << "seed " << seed;
+    EXPECT_EQ(*decoded, presence) << "seed " << seed;
+  }
+}
+
 TEST(Codec, WritesEqualOctetsForEqualAnnouncements) {
   base::Random one(7);
   base::Random other(7);
@@ -175,6 +187,37 @@ TEST(Codec, FitsTheLargestServiceUnderTheLargestHeader) {
   const auto parts = decode_all(encode(state));
   EXPECT_EQ(parts.size(), 3U);
   EXPECT_EQ(joined(parts).peers, state.peers);
+}
+
+TEST(Codec, CarriesAPresenceInFewOctetsHoweverManyServicesThereAre) {
+  Announcement presence = worked_example();
+  presence.kind = Kind::presence;
+  presence.witness = {.members = 0x1234, .heard = std::vector<HeardWithin>(10, HeardWithin::quarter)};
+  const auto datagrams = encode(presence);
+  ASSERT_EQ(datagrams.size(), 1U);
+  EXPECT_EQ(datagrams[0].size(), 36U);
+  const auto decoded = decode(datagrams[0]);
+  ASSERT_TRUE(decoded) << to_string(decoded.error());
+  EXPECT_EQ(decoded->revision, presence.revision);
+  EXPECT_EQ(decoded->group, "default");
+  EXPECT_TRUE(decoded->peers.empty());
+  EXPECT_EQ(decoded->witness.members, 0x1234);
+  ASSERT_EQ(decoded->witness.heard.size(), 12U);
+  EXPECT_EQ(decoded->witness.heard[9], HeardWithin::quarter);
+  EXPECT_EQ(decoded->witness.heard[10], HeardWithin::longer);
+}
+
+TEST(Codec, NamesNoMoreParticipantsInAPresenceThanItMay) {
+  Announcement presence = worked_example();
+  presence.kind = Kind::presence;
+  presence.lacks.assign(max_named + 1, ParticipantId{7});
+  presence.doubts.assign(max_named + 1, ParticipantId{8});
+  presence.witness.heard.assign(max_participants + 2, HeardWithin::half);
+  const auto decoded = decode(encode(presence)[0]);
+  ASSERT_TRUE(decoded) << to_string(decoded.error());
+  EXPECT_EQ(decoded->lacks.size(), max_named);
+  EXPECT_EQ(decoded->doubts.size(), max_named);
+  EXPECT_EQ(decoded->witness.heard.size(), max_participants + 4);
 }
 
 TEST(Codec, CarriesClaimsAndGoodbyes) {

@@ -57,7 +57,7 @@ TEST(Decode, RefusesEachViolationInTheHeaderByItsWord) {
       {"major 0", [](M& m) { m.set_format(0x004e4d47); }, DecodeError::other_version},
       {"minor 9", [](M& m) { m.set_minor(9); }, {}},
       {"kind 0", [](M& m) { m.clear_kind(); }, DecodeError::bad_kind},
-      {"kind 4", [](M& m) { m.set_kind(static_cast<wire::Kind>(4)); }, DecodeError::bad_kind},
+      {"kind 5", [](M& m) { m.set_kind(static_cast<wire::Kind>(5)); }, DecodeError::bad_kind},
       {"participant 0", [](M& m) { m.set_participant(0); }, DecodeError::bad_identifier},
       {"long group", [&](M& m) { m.set_group(long_name); }, DecodeError::bad_name},
       {"full group", [&](M& m) { m.set_group(name); }, {}},
@@ -204,6 +204,31 @@ TEST(Decode, RefusesEachViolationInAServiceByItsWord) {
        DecodeError::bad_identity},
       {"expression without a text", [](M& m) { subscription(m).set_is_expression(true); }, DecodeError::bad_identity},
       {"where of 401", [](M& m) { subscription(m).set_where(std::string(401, 'w')); }, DecodeError::bad_filter},
+  });
+}
+
+TEST(Decode, RefusesEachViolationInAPresenceByItsWord) {
+  const auto presence = [](auto bend) {
+    return [bend](wire::Announcement& m) {
+      m.set_kind(wire::KIND_PRESENCE);
+      bend(m);
+    };
+  };
+  const auto most = witness_bytes(max_participants + 1);
+  expect({
+      {"nothing is said of others", presence([](auto&) {}), std::nullopt},
+      {"the shortest witness", presence([](auto& m) { m.set_witness("abc"); }), std::nullopt},
+      {"no witness in it", presence([](auto& m) { m.set_witness("ab"); }), DecodeError::bad_witness},
+      {"the longest witness", presence([=](auto& m) { m.set_witness(std::string(most, 'x')); }), std::nullopt},
+      {"a longer one", presence([=](auto& m) { m.set_witness(std::string(most + 1, 'x')); }), DecodeError::bad_witness},
+      {"most lacks", presence([](auto& m) { m.mutable_lacks()->Resize(max_named, 7); }), std::nullopt},
+      {"more lacks", presence([](auto& m) { m.mutable_lacks()->Resize(max_named + 1, 7); }), DecodeError::bad_witness},
+      {"more doubts", presence([](auto& m) { m.mutable_doubts()->Resize(max_named + 1, 7); }),
+       DecodeError::bad_witness},
+      {"lacks nobody", presence([](auto& m) { m.add_lacks(0); }), DecodeError::bad_witness},
+      {"doubts nobody", presence([](auto& m) { m.add_doubts(0); }), DecodeError::bad_witness},
+      {"a bad group", presence([](auto& m) { m.set_group("a,b"); }), DecodeError::bad_name},
+      {"participant 0", presence([](auto& m) { m.set_participant(0); }), DecodeError::bad_identifier},
   });
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "discovery/announcement/limits.hpp"
+#include "discovery/membership/deadline.hpp"
 #include "discovery/membership/forged_rig.hpp"
 
 namespace geminga::membership {
@@ -77,7 +78,7 @@ void expect_truth(const Air& air, const std::string& what) {
   EXPECT_EQ(known->ontology_digest, 0U) << what;
   EXPECT_EQ(known->interval, interval) << what;
   EXPECT_EQ(known->address, "10.0.0.1") << what;
-  EXPECT_LE(known->deadline, air.now + deadline_intervals * interval) << what;
+  EXPECT_LE(known->deadline, air.now + patience(interval, {.loss = 1})) << what;
 }
 
 TEST(Forged, StatesFromTheSameAddressLastUntilTheirVictimSpeaks) {
@@ -319,9 +320,9 @@ TEST(Forged, IntervalOfAStrangerCountsOnlyUpToABound) {
     state.interval = announced;
     (void)air.say(state);
     EXPECT_EQ(air.rig.table.find(victim)->deadline,
-              rig_start + deadline_intervals * std::min<base::Duration>(announced, announcement::stranger_interval));
+              rig_start + patience(std::min<base::Duration>(announced, announcement::stranger_interval), {}));
     (void)air.say(state);
-    EXPECT_EQ(air.rig.table.find(victim)->deadline, rig_start + deadline_intervals * announced);
+    EXPECT_EQ(air.rig.table.find(victim)->deadline, rig_start + patience(announced, {}));
   }
 }
 

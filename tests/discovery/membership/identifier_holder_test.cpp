@@ -66,7 +66,7 @@ TEST(Identifier, IsGivenBackToWhoeverWasSilentForTwoIntervals) {
   Air air;
   const auto usurper = life(announcement::BootNonce{66});
   for (int i = 0; i < 5; ++i, air.pass(interval)) (void)air.say();
-  air.pass(2 * interval);
+  air.pass(interval);  // two since its last word
   (void)air.hear(usurper, stranger);
   EXPECT_EQ(air.hear(usurper, stranger), Hearing::newcomer);
   air.pass(interval);

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "reasoning/owl/datatypes.hpp"
 #include "reasoning/owl/blank_prefix.hpp"
+#include "reasoning/owl/datatypes.hpp"
 #include "reasoning/owl/plain_literal.hpp"
 #include "reasoning/syntax/frames/parser.hpp"
 

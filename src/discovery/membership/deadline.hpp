@@ -1,0 +1,46 @@
+// How long after its last sign of life a participant is taken for gone. ANNOUNCEMENT.md, "Deadlines", has the
+// arithmetic.
+#ifndef GEMINGA_DISCOVERY_MEMBERSHIP_DEADLINE_HPP
+#define GEMINGA_DISCOVERY_MEMBERSHIP_DEADLINE_HPP
+
+#include <cstddef>
+
+#include "base/time.hpp"
+
+namespace geminga::membership {
+
+/// What is known of the air between somebody and us.
+struct Reception {
+  double loss = 0;            ///< the share of its datagrams that we miss, in [0, 1]
+  std::size_t witnesses = 0;  ///< how often others said in an interval how lately they have heard it
+};
+
+/// Intervals without a sign of life after which a participant is gone: where nothing is lost, and at most.
+inline constexpr double shortest_deadline = 2.25;
+inline constexpr double longest_deadline = 5;
+/// Somebody who has given no sign of life for so many intervals is asked for one until its deadline.
+inline constexpr double doubt_after = 1.9;
+/// So many others tell us enough of somebody whom we do not hear ourselves.
+inline constexpr std::size_t enough_witnesses = 3;
+/// The word of others counts no longer than for so many intervals in which we have heard nothing ourselves.
+inline constexpr int witnessed_intervals = 32;
+/// What a participant announced counts for so many intervals after it was last said, while its newest state has not
+/// been heard.
+inline constexpr int service_intervals = 5;
+
+/// How certain one must be that somebody would have answered before its next life takes its place.
+inline constexpr double certainty_of_succession = 1e-4;
+/// Time for one question and its answer, and the least that anybody is given.
+inline constexpr base::Duration question_time = std::chrono::milliseconds(100);
+inline constexpr base::Duration least_answer_time = std::chrono::milliseconds(120);
+
+/// For how long somebody is asked for a sign of life whose next life seems to have begun.
+[[nodiscard]] base::Duration answer_time(double loss);
+/// For how long a sign of life counts.
+[[nodiscard]] base::Duration patience(base::Duration interval, const Reception& reception);
+/// When a sign of life at `seen` has counted for so many intervals.
+[[nodiscard]] base::Instant after_intervals(base::Instant seen, base::Duration interval, double intervals);
+
+}  // namespace geminga::membership
+
+#endif

@@ -1,0 +1,88 @@
+// A daemon that is started again takes the place of its former life, unless that one shows that it lives.
+#include <gmock/gmock.h>
+
+#include "discovery/membership/deadline.hpp"
+#include "discovery/membership/table_rig.hpp"
+
+namespace geminga::membership {
+namespace {
+
+constexpr ParticipantId former{1};
+constexpr const char* address = "10.0.0.1";
+
+announcement::Announcement next_life() {
+  auto claim = speaker(2, 0, {});
+  claim.kind = announcement::Kind::claim;
+  claim.name = "robot1";
+  claim.boot = announcement::BootNonce{77};
+  return claim;
+}
+
+struct Succession : ::testing::Test {
+  Succession() {
+    rig.source = address;
+    for (int i = 0; i < 5; ++i) (void)rig.hear(speaker(1, 1), now = rig_start + i * seconds(2));
+    now += milliseconds(700);
+  }
+  [[nodiscard]] bool is_known_after(base::Duration time) {
+    rig.table.expire(now + time);
+    return rig.table.is_known(former);
+  }
+
+  TableRig rig;
+  base::Instant now;
+};
+
+TEST_F(Succession, OfOneThatDoesNotAnswerIsBelievedAtOnce) {
+  ASSERT_EQ(rig.hear(next_life(), now), Hearing::claim);
+  EXPECT_THAT(rig.table.report(now).doubts, ::testing::ElementsAre(former));
+  EXPECT_TRUE(is_known_after(least_answer_time - base::Duration(1)));
+  EXPECT_FALSE(is_known_after(least_answer_time));
+}
+
+TEST_F(Succession, OfOneThatAnswersIsNotBelieved) {
+  (void)rig.hear(next_life(), now);
+  (void)rig.hear(speaker(1, 1), now + milliseconds(50));
+  EXPECT_TRUE(rig.table.report(now + milliseconds(50)).doubts.empty());
+  EXPECT_TRUE(is_known_after(seconds(4)));
+}
+
+TEST_F(Succession, IsOfTheSameNameFromTheSameAddress) {
+  auto other = next_life();
+  other.name = "robot2";
+  (void)rig.hear(other, now);
+  EXPECT_TRUE(rig.table.report(now).doubts.empty()) << "another name";
+  rig.source = "10.0.0.9";
+  (void)rig.hear(next_life(), now);
+  EXPECT_TRUE(rig.table.report(now).doubts.empty()) << "another address";
+  rig.source = address;
+  auto redrawn = next_life();
+  redrawn.boot = speaker(1, 1).boot;
+  (void)rig.hear(redrawn, now);
+  EXPECT_TRUE(rig.table.report(now).doubts.empty()) << "the same life takes another identifier";
+  auto nameless = next_life();
+  nameless.name.clear();
+  (void)rig.hear(nameless, now);
+  EXPECT_TRUE(rig.table.report(now).doubts.empty()) << "nameless";
+}
+
+TEST_F(Succession, IsTriedOnceInFiveIntervalsHoweverOftenItIsClaimed) {
+  (void)rig.hear(next_life(), now);
+  (void)rig.hear(speaker(1, 1), now + milliseconds(10));
+  (void)rig.hear(next_life(), now + milliseconds(20));
+  EXPECT_TRUE(rig.table.report(now).doubts.empty());
+  (void)rig.hear(speaker(1, 1), now + seconds(10));
+  (void)rig.hear(next_life(), now + seconds(10));
+  EXPECT_THAT(rig.table.report(now + seconds(10)).doubts, ::testing::ElementsAre(former));
+}
+
+TEST(AnswerTime, GrowsWithTheLossAndIsNeverEndless) {
+  EXPECT_EQ(answer_time(0), least_answer_time);
+  EXPECT_LT(answer_time(0.1), milliseconds(600));
+  EXPECT_LT(answer_time(0.3), milliseconds(1500));
+  EXPECT_LT(answer_time(0.5), milliseconds(3500));
+  EXPECT_LT(answer_time(1), seconds(10));
+}
+
+}  // namespace
+}  // namespace geminga::membership

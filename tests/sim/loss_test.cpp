@@ -1,0 +1,107 @@
+// Living robots are not lost however bad the air is, dead ones are noticed soon, and both cost few octets.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/robots.hpp"
+
+namespace geminga::sim {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::minutes;
+using std::chrono::seconds;
+
+constexpr Bounds patient = {.missing = seconds(30), .surplus = seconds(30)};
+
+/// False departures of a team in some minutes.
+std::set<std::string> departures(int robots, double loss, std::chrono::minutes time, std::uint64_t seed) {
+  Robots team(World::seed_or(seed), robots, {.loss = loss, .longest_delay = milliseconds(5)}, patient);
+  team.start();
+  EXPECT_TRUE(team.team.settle(seconds(30)));
+  team.world.run_for(time);
+  EXPECT_TRUE(team.team.is_right()) << team.world.when() << "\n" << team.team.complaints();
+  return team.team.false_departures();
+}
+
+TEST(Loss, OfThirtyPercentLosesNoneOfTenLivingRobots) {
+  EXPECT_THAT(departures(10, 0.3, minutes(20), 21), testing::IsEmpty());
+}
+
+TEST(Loss, OfFiftyPercentLosesNoneOfTenLivingRobots) {
+  EXPECT_THAT(departures(10, 0.5, minutes(20), 22), testing::IsEmpty());
+}
+
+TEST(Loss, OfThirtyPercentLosesNoneOfThirtyLivingRobots) {
+  EXPECT_THAT(departures(30, 0.3, minutes(2), 23), testing::IsEmpty());
+}
+
+TEST(Loss, LosesNeitherOfTwoLivingRobotsThatNobodyElseHears) {
+  EXPECT_THAT(departures(2, 0.3, minutes(60), 24), testing::IsEmpty());
+  EXPECT_THAT(departures(2, 0.5, minutes(60), 25), testing::IsEmpty());
+}
+
+/// How long it takes until all others know that one of ten was killed.
+base::Duration told_of_death(double loss, std::uint64_t seed) {
+  Robots robots(World::seed_or(seed), 10, {.loss = loss, .longest_delay = milliseconds(5)}, patient);
+  robots.start();
+  EXPECT_TRUE(robots.team.settle(seconds(30)));
+  robots.world.run_for(minutes(2));
+  robots.host(4).crash();
+  const auto killed = robots.world.now();
+  while (!robots.team.is_right() && robots.world.now() - killed < seconds(60)) robots.world.run_for(milliseconds(20));
+  return robots.world.now() - killed;
+}
+
+TEST(Loss, HidesADeathForThreeIntervalsAtMost) {
+  EXPECT_LE(told_of_death(0, 26), milliseconds(4'600));
+  EXPECT_LE(told_of_death(0.1, 27), milliseconds(4'800));
+  EXPECT_LE(told_of_death(0.3, 28), milliseconds(5'500));
+  EXPECT_LE(told_of_death(0.5, 29), milliseconds(6'800));
+}
+
+/// How long views are wrong after a daemon was killed and started again.
+base::Duration restarted(double loss, std::uint64_t seed) {
+  Robots robots(World::seed_or(seed), 10, {.loss = loss, .longest_delay = milliseconds(5)}, patient);
+  robots.start();
+  EXPECT_TRUE(robots.team.settle(seconds(30)));
+  robots.world.run_for(minutes(2));
+  robots.host(4).crash();
+  robots.world.run_for(milliseconds(30));
+  robots.host(4).switch_on();
+  const auto started = robots.world.now();
+  while (!robots.team.is_right() && robots.world.now() - started < seconds(60)) robots.world.run_for(milliseconds(5));
+  return robots.world.now() - started;
+}
+
+TEST(Loss, ARestartedDaemonTakesThePlaceOfItsFormerLife) {
+  EXPECT_LE(restarted(0, 40), milliseconds(200));
+  EXPECT_LE(restarted(0.1, 41), milliseconds(800));
+  EXPECT_LE(restarted(0.3, 42), seconds(3));
+}
+
+/// Octets a second that one of so many hosts sends while nothing changes, with 42 octets of headers for each frame.
+double steady_traffic(int count, double loss, std::uint64_t seed) {
+  Robots robots(World::seed_or(seed), count, {.loss = loss, .longest_delay = milliseconds(5)}, patient);
+  robots.start();
+  EXPECT_TRUE(robots.team.settle(seconds(30)));
+  robots.world.run_for(seconds(20));
+  const auto octets = robots.world.datagram_bytes() + 42 * robots.world.datagrams();
+  robots.world.run_for(minutes(1));
+  const auto sent = robots.world.datagram_bytes() + 42 * robots.world.datagrams() - octets;
+  return static_cast<double>(sent) / 60 / count;
+}
+
+TEST(Loss, CostsFewOctets) {
+  const auto is_within = [](double octets, double most) {
+    EXPECT_LE(octets, most);
+    EXPECT_GT(octets, 20) << "who is silent is not heard";
+  };
+  is_within(steady_traffic(10, 0, 30), 45);
+  is_within(steady_traffic(10, 0.1, 31), 45);
+  is_within(steady_traffic(10, 0.3, 32), 60);
+  is_within(steady_traffic(10, 0.5, 33), 90);
+  is_within(steady_traffic(30, 0.3, 34), 70);
+}
+
+}  // namespace
+}  // namespace geminga::sim
