@@ -35,7 +35,7 @@ NeighbourWay::NeighbourWay(const announcement::Announcement& first, const Arriva
       addresses_(usable(first, arrival), arrival.now),
       passed_(first.sequence, arrival.now),
       revision_(first.revision),
-      said_revision_(first.revision),
+      said_revision_(first.kind == announcement::Kind::state ? std::optional(first.revision) : std::nullopt),
       part_count_(first.part_count) {
   path_.interface = arrival.interface;
   path_.interface_name = arrival.interface_name;
@@ -132,7 +132,8 @@ void NeighbourWay::count(const announcement::Announcement& announcement, const A
 
 bool NeighbourWay::say(const announcement::Announcement& announcement, const Arrival& arrival, bool is_contested,
                        Duration hold) {
-  revision_ = said_revision_ = announcement.revision;
+  revision_ = announcement.revision;
+  said_revision_ = announcement.revision;
   part_count_ = announcement.part_count;
   const bool is_free = std::exchange(has_moved_, false) || !is_contested || !addresses_.is_held(arrival.now, hold);
   auto addresses = usable(announcement, arrival);

@@ -105,8 +105,9 @@ class NeighbourWay {
   Settled<std::vector<std::string>> addresses_;
   LossWindow losses_;
   Passed passed_;
-  std::uint64_t revision_;             ///< the last one heard here
-  std::uint64_t said_revision_;        ///< the last one of a state
+  std::uint64_t revision_;  ///< the last one heard here
+  /// The last one of a state; none: the way was opened by a presence, which says nothing of the way.
+  std::optional<std::uint64_t> said_revision_;
   std::uint32_t part_count_;           ///< of that state
   std::optional<std::uint64_t> leap_;  ///< sequence number of a datagram whose revision leapt
   StateAssembly assembly_;

@@ -118,6 +118,84 @@ TEST(NeighbourTable, CountsTheDeadlineFromTheLastDatagramInAnnouncedIntervals) {
   EXPECT_EQ(rig.table.find(ParticipantId{1})->deadline, rig_start + milliseconds(7) + patience(milliseconds(100), {}));
 }
 
+announcement::Announcement presence_of(const announcement::Announcement& state) {
+  announcement::Announcement presence;
+  presence.kind = announcement::Kind::presence;
+  presence.group = state.group;
+  presence.participant = state.participant;
+  presence.boot = state.boot;
+  presence.link = state.link;
+  presence.revision = state.revision;
+  return presence;
+}
+
+TEST(NeighbourTable, KeepsAllServicesOfWhoIsThereWithTheSameRevision) {
+  TableRig rig;
+  (void)rig.hear(speaker(1, 1));
+  rig.lines();
+  for (int i = 1; i <= 20; ++i) {
+    const auto now = rig_start + i * seconds(2);
+    EXPECT_EQ(rig.hear(presence_of(speaker(1, 1)), now), Hearing::known);
+    rig.table.expire(now);
+    EXPECT_THAT(rig.lines(), ElementsAre("put pub 00000001/1/5 at 10.0.0.1"));
+  }
+  EXPECT_TRUE(rig.table.report(rig_start + seconds(40)).lacks.empty());
+}
+
+TEST(NeighbourTable, LacksTheStateOfWhoIsThereWithAnotherRevision) {
+  TableRig rig;
+  (void)rig.hear(speaker(1, 1));
+  const auto later = rig_start + seconds(1);
+  EXPECT_EQ(rig.hear(presence_of(speaker(1, 2)), later), Hearing::known);
+  EXPECT_TRUE(rig.table.has_questions(later));
+  EXPECT_THAT(rig.table.report(later).lacks, ElementsAre(ParticipantId{1}));
+  EXPECT_EQ(rig.hear(speaker(1, 2, {5, 6}), later), Hearing::known);
+  EXPECT_FALSE(rig.table.has_questions(later));
+  EXPECT_EQ(rig.table.find(ParticipantId{1})->publications, 2U);
+}
+
+TEST(NeighbourTable, LacksTheStateOfAStrangerForAWhile) {
+  TableRig rig;
+  EXPECT_EQ(rig.hear(presence_of(speaker(1, 1))), Hearing::stranger);
+  EXPECT_FALSE(rig.table.is_known(ParticipantId{1}));
+  EXPECT_THAT(rig.table.report(rig_start).lacks, ElementsAre(ParticipantId{1}));
+  EXPECT_TRUE(rig.table.report(rig_start + seconds(4)).lacks.empty());
+  for (std::uint32_t id = 100; id < 200; ++id) (void)rig.hear(presence_of(speaker(id, 1)));
+  EXPECT_EQ(rig.table.report(rig_start).lacks.size(), announcement::max_named);
+}
+
+TEST(NeighbourTable, OpensAWayByAPresenceAndLearnsItsAddressesFromTheState) {
+  TableRig rig;
+  (void)rig.hear(speaker(1, 1));
+  auto on_wlan = speaker(1, 1);
+  on_wlan.link = 8;
+  on_wlan.addresses = {"192.168.0.1"};
+  EXPECT_EQ(rig.hear(presence_of(on_wlan), rig_start, wlan), Hearing::known);
+  EXPECT_EQ(rig.hear(on_wlan, rig_start, wlan), Hearing::known) << "the presence has said nothing of addresses";
+  EXPECT_THAT(rig.table.find(ParticipantId{1})->paths.at(1).addresses, ElementsAre("192.168.0.1"));
+}
+
+TEST(NeighbourTable, KeepsAliveWhomWitnessesHaveHeardWhereAllKnowTheSameOnes) {
+  const auto witness_of = [](TableRig& rig, bool is_same) {
+    // 2 has heard 1 within a quarter of an interval; the order is 1, 2, ourselves.
+    auto presence = presence_of(speaker(2, 1));
+    presence.witness.members = rig.table.report(rig_start).witness.members;
+    if (!is_same) ++presence.witness.members;
+    presence.witness.heard = {announcement::HeardWithin::quarter, {}, {}, {}};
+    return presence;
+  };
+  for (const bool is_same : {true, false}) {
+    TableRig rig;
+    for (const std::uint32_t id : {1U, 2U}) (void)rig.hear(speaker(id, 1));
+    const auto now = rig_start + seconds(4);
+    (void)rig.hear(witness_of(rig, is_same), now);
+    const auto seen = now - milliseconds(500);
+    EXPECT_GE(rig.table.find(ParticipantId{1})->deadline, is_same ? seen + patience(seconds(2), {}) : rig_start);
+    rig.table.expire(rig_start + patience(seconds(2), {}));
+    EXPECT_EQ(rig.table.is_known(ParticipantId{1}), is_same);
+  }
+}
+
 TEST(NeighbourTable, TakesAnExpiredParticipantInAgainAtOnce) {
   TableRig rig;
   (void)rig.hear(speaker(1, 1));
