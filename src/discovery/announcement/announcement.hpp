@@ -50,7 +50,7 @@ struct PeerState {
   friend bool operator==(const PeerState&, const PeerState&) = default;
 };
 
-/// How lately a participant was heard by somebody, in shares of the usual interval (stranger_interval).
+/// How lately a participant was heard by somebody, in shares of the interval that it announces.
 enum class HeardWithin : std::uint8_t {
   longer,    ///< not within one interval
   interval,  ///< within one

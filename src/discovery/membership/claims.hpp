@@ -15,8 +15,8 @@
 
 namespace geminga::membership {
 
-/// A claim is remembered for so long: its identifier is held 90 ms after it, and announced five times within the next
-/// 300 ms and then each interval.
+/// A claim is remembered for so long: its identifier is held 90 ms after it, and announced several times within the
+/// next 300 ms and then each interval.
 inline constexpr base::Duration claim_memory = std::chrono::seconds(10);
 /// Claims that are remembered. At ten thousand forged ones a second each is remembered for 0.8 s.
 inline constexpr std::size_t max_claims = 8192;

@@ -24,7 +24,8 @@ base::Duration patience(base::Duration interval, const Reception& reception) {
   const double alone = 1 - static_cast<double>(std::min(reception.witnesses, enough_witnesses)) / enough_witnesses;
   const double more = std::max(2.5 * (reception.loss - 0.2), 10 * reception.loss * reception.loss * alone);
   const double intervals = std::min(shortest_deadline + std::max(0.0, more), longest_deadline);
-  return after_intervals(base::Instant{}, interval, intervals) - base::Instant{};
+  const auto least = after_intervals(base::Instant{}, interval, doubt_after) + least_questions * question_time;
+  return std::max(after_intervals(base::Instant{}, interval, intervals), least) - base::Instant{};
 }
 
 }  // namespace geminga::membership

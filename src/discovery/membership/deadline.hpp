@@ -32,7 +32,9 @@ inline constexpr int service_intervals = 5;
 inline constexpr double certainty_of_succession = 1e-4;
 /// Time for one question and its answer, and the least that anybody is given.
 inline constexpr base::Duration question_time = std::chrono::milliseconds(100);
-inline constexpr base::Duration least_answer_time = std::chrono::milliseconds(120);
+inline constexpr base::Duration least_answer_time = std::chrono::milliseconds(150);
+/// So many questions fit between the first doubt and the deadline, however short the interval is.
+inline constexpr int least_questions = 3;
 
 /// For how long somebody is asked for a sign of life whose next life seems to have begun.
 [[nodiscard]] base::Duration answer_time(double loss);

@@ -14,6 +14,7 @@ Instant LifeSigns::deadline_of(Instant seen, Duration interval, double loss) con
 
 void LifeSigns::renew(Duration interval, double loss) {
   is_doubted_ = false;
+  is_unasked_ = false;
   deadline_ = deadline_of(seen(), interval, loss);
 }
 
@@ -32,11 +33,16 @@ bool LifeSigns::witness(std::optional<Instant> seen, Instant now, Duration inter
   return true;
 }
 
-void LifeSigns::succeed(Instant now, Duration interval, double loss) {
+void LifeSigns::succeed(Instant now, Duration interval) {
   if (succeeded_ && now - *succeeded_ < announcement::contest_intervals * interval) return;
   succeeded_ = now;
   is_doubted_ = true;
-  deadline_ = std::min(deadline_, now + answer_time(loss));
+  is_unasked_ = true;
+}
+
+void LifeSigns::ask(Instant now, Duration patience) {
+  if (is_unasked_) deadline_ = std::min(deadline_, now + patience);
+  is_unasked_ = false;
 }
 
 announcement::HeardWithin LifeSigns::heard_within(Instant now, Duration interval) const {

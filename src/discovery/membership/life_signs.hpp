@@ -26,8 +26,13 @@ class LifeSigns {
   /// Somebody says that it was heard by him at `seen` or later, or that he has not heard it of late; whether the
   /// deadline has moved. `counts`: whether the word of others counts now.
   bool witness(std::optional<base::Instant> seen, base::Instant now, base::Duration interval, double loss, bool counts);
-  /// Its next life seems to have begun: it is doubted, and its deadline is near. Once in contest_intervals.
-  void succeed(base::Instant now, base::Duration interval, double loss);
+  /// Its next life seems to have begun: it is doubted, and its deadline is near once it was asked. Once in
+  /// contest_intervals.
+  void succeed(base::Instant now, base::Duration interval);
+  /// It is asked for a sign of life. `patience`: how long the answer may take where its next life seems to have begun.
+  void ask(base::Instant now, base::Duration patience);
+  [[nodiscard]] std::optional<base::Instant> succeeded() const { return succeeded_; }
+  void set_succeeded(std::optional<base::Instant> succeeded) { succeeded_ = succeeded; }
   /// To be called at doubt_due(), or later.
   void doubt(base::Instant now, base::Duration interval) { is_doubted_ |= doubt_due(interval) <= now; }
   /// No deadline is later, or earlier, than this.
@@ -52,6 +57,7 @@ class LifeSigns {
   base::Instant deadline_;
   bool is_doubted_ = false;
   std::optional<base::Instant> succeeded_;  ///< when its next life seemed to begin
+  bool is_unasked_ = false;                 ///< its next life seems to have begun, and it was not asked yet
   std::size_t witnesses_ = 0;               ///< words of others since counted_from_
   std::size_t witnesses_before_ = 0;        ///< in the interval before that
   base::Instant counted_from_;

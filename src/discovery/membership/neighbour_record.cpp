@@ -66,6 +66,11 @@ double NeighbourRecord::loss() const {
   return best;
 }
 
+double NeighbourRecord::known_loss() const {
+  const bool is_known = std::ranges::any_of(ways_, [](const NeighbourWay& way) { return way.losses().span() >= 16; });
+  return is_known ? loss() : std::max(loss(), 0.3);
+}
+
 Moment NeighbourRecord::moment(Instant now, bool is_heard) const {
   return {.now = now,
           .deadline = now + service_intervals * lasting_interval(now),
@@ -230,6 +235,7 @@ void NeighbourRecord::set_deadlines(NeighbourWay& way, Instant now) {
 }
 
 void NeighbourRecord::witness(std::optional<Instant> seen, Instant now) {
+  if (ways_.empty()) return;  // others may reach it, we cannot
   // Of somebody about whom lies are told only its own word counts.
   if (!life_.witness(seen, now, lasting_interval(now), loss(), !is_contested_)) return;
   // The way on which it was heard last is still the best guess of how it can be reached.
@@ -242,7 +248,7 @@ void NeighbourRecord::succeed(const announcement::Announcement& claim, const Arr
                          return way.is_on(arrival.interface) && way.source() == arrival.source;
                        });
   if (!is_same || is_contested_ || !standing_.is_confirmed) return;
-  life_.succeed(arrival.now, lasting_interval(arrival.now), loss());
+  life_.succeed(arrival.now, lasting_interval(arrival.now));
 }
 
 void NeighbourRecord::postpone(Instant until) {

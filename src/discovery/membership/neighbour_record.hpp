@@ -2,6 +2,7 @@
 #ifndef GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_RECORD_HPP
 #define GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_RECORD_HPP
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -76,6 +77,10 @@ class NeighbourRecord {
   /// Somebody of its name claims an identifier from the address of one of its ways: its own next life, if it does not
   /// show that it lives. Until then it is doubted, and its deadline is near. Once in contest_intervals at most.
   void succeed(const announcement::Announcement& claim, const Arrival& arrival);
+  /// We say in a presence that we doubt it.
+  void ask(base::Instant now) { life_.ask(now, answer_time(known_loss())); }
+  [[nodiscard]] std::optional<base::Instant> succeeded() const { return life_.succeeded(); }
+  void set_succeeded(std::optional<base::Instant> succeeded) { life_.set_succeeded(succeeded); }
   /// How lately we have heard it ourselves.
   [[nodiscard]] announcement::HeardWithin heard_within(base::Instant now) const {
     return life_.heard_within(now, interval());
@@ -84,11 +89,11 @@ class NeighbourRecord {
   [[nodiscard]] base::Instant heard() const { return life_.heard(); }
   /// The time between two of its announcements, as it says.
   [[nodiscard]] base::Duration interval() const { return header_.value().interval; }
-  /// Whether its newest state is not known, or not certain.
-  [[nodiscard]] bool is_lacking() const { return !is_complete_; }
+  /// Whether its newest state is not known, or not certain, or not what it says of one of its ways, or had no room.
+  [[nodiscard]] bool is_lacking() const { return is_state_lacking() || services_.is_short(); }
   /// Whether that is to be said at once. While somebody goes on to lie in its name, it is said when we speak anyway.
   [[nodiscard]] bool is_missed(base::Instant now) const {
-    return !is_complete_ && (!is_contested_ || now - contested_since_ < urgent_time);
+    return is_state_lacking() && (!is_contested_ || now - contested_since_ < urgent_time);
   }
   /// Whether it gives no sign of life, and its deadline is near.
   [[nodiscard]] bool is_doubted() const { return life_.is_doubted(); }
@@ -134,6 +139,9 @@ class NeighbourRecord {
     std::uint64_t sequence = 0;
   };
 
+  [[nodiscard]] bool is_state_lacking() const {
+    return !is_complete_ || !std::ranges::all_of(ways_, &NeighbourWay::is_said);
+  }
   static Header header_of(const announcement::Announcement& announcement);
   [[nodiscard]] NeighbourWay* find_way(const announcement::Announcement& announcement, const Arrival& arrival);
   /// The same if the datagram is from the address that the way belongs to.
@@ -166,6 +174,8 @@ class NeighbourRecord {
   [[nodiscard]] base::Duration lasting_interval(base::Instant now) const;
   [[nodiscard]] Moment moment(base::Instant now, bool is_heard) const;
   [[nodiscard]] double loss() const;
+  /// The same, and a bad one where too few numbers were heard to tell.
+  [[nodiscard]] double known_loss() const;
 
   ParticipantId id_;
   announcement::BootNonce boot_;

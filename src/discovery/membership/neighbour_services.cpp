@@ -56,6 +56,7 @@ bool NeighbourServices::denies(const announcement::Announcement& announcement,
 
 void NeighbourServices::apply(const announcement::Announcement& announcement, const Moment& moment,
                               std::vector<Change>& changes) {
+  if (announcement.part == 0) is_short_ = false;
   for_each_service(announcement, [&](ServiceNumber number, const auto& service, const std::string& peer_name) {
     apply_one(number, service, peer_name, announcement.revision, moment, changes);
   });
@@ -86,7 +87,10 @@ void NeighbourServices::apply_one(ServiceNumber number, const Service& service, 
 }
 
 void NeighbourServices::add(ServiceNumber number, Offer offer, std::uint64_t revision, const Moment& moment) {
-  if (!take_room()) return;
+  if (!take_room()) {
+    is_short_ = true;
+    return;
+  }
   // Making room may have removed what was remembered under this number.
   auto position = entries_.find(number);
   const bool is_remembered = position != entries_.end();
@@ -219,6 +223,7 @@ void NeighbourServices::roll_back(Instant affirmed, const Moment& moment, std::v
 
 bool NeighbourServices::give_way(std::vector<Change>& changes) {
   if (present_ <= announcement::reserved_services) return false;
+  is_short_ = true;
   forget_withdrawn();
   const auto last = std::prev(entries_.end());
   untell(last->first, last->second, Departure::expired, changes);

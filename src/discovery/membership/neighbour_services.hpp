@@ -75,6 +75,8 @@ class NeighbourServices {
   void set_address(const std::string& address, const std::string& zone);
   [[nodiscard]] const Owner& owner() const { return owner_; }
 
+  /// Whether something that was said had no room, since the last state that was taken in whole.
+  [[nodiscard]] bool is_short() const { return is_short_; }
   [[nodiscard]] std::size_t size() const { return present_; }
   [[nodiscard]] std::size_t publications() const;
   /// When expire() has something to do.
@@ -118,6 +120,7 @@ class NeighbourServices {
   ServiceRoom& room_;
   Entries entries_;
   std::size_t present_ = 0;
+  bool is_short_ = false;
   bool has_changes_ = false;
   base::Instant refreshed_;  ///< when tell() last looked at all
 };

@@ -12,7 +12,7 @@
 #include "discovery/membership/claims.hpp"
 #include "discovery/membership/former_lives.hpp"
 #include "discovery/membership/neighbour_record.hpp"
-#include "discovery/membership/strangers.hpp"
+#include "discovery/membership/questions.hpp"
 #include "discovery/membership/witnesses.hpp"
 
 namespace geminga::membership {
@@ -40,7 +40,8 @@ class NeighbourTable::State final : private ServiceRoom {
         break;
     }
     const auto hearing = hear_state(announcement, arrival);
-    if (hearing == Hearing::newcomer || hearing == Hearing::returned) strangers_.forget(announcement.participant);
+    if (hearing == Hearing::newcomer || hearing == Hearing::returned)
+      questions_.forget_stranger(announcement.participant);
     return hearing;
   }
 
@@ -71,19 +72,13 @@ class NeighbourTable::State final : private ServiceRoom {
   Report report(Instant now) {
     Report report;
     report.witness = witnesses_.say(records_, now);
-    const auto name = [](std::vector<ParticipantId>& names, ParticipantId id) {
-      if (names.size() < announcement::max_named) names.push_back(id);
-    };
-    for (const auto& [id, known] : records_) {
-      if (known.record->is_lacking()) name(report.lacks, id);
-      if (known.record->is_doubted()) name(report.doubts, id);
-    }
-    strangers_.prune(now);
-    for (const auto& stranger : strangers_.all()) name(report.lacks, stranger.id);
+    questions_.name(records_, now, report);
+    for (const auto id : report.doubts) set_due(*records_.find(id), now);
     return report;
   }
 
-  bool has_questions(Instant now) { return strangers_.prune(now) || !questioned_.empty(); }
+  bool lacks_anybody(Instant now) { return questions_.lacks_anybody(now); }
+  [[nodiscard]] bool doubts_anybody() const { return questions_.doubts_anybody(); }
 
   [[nodiscard]] std::optional<double> loss() const {
     int heard = 0;
@@ -133,14 +128,15 @@ class NeighbourTable::State final : private ServiceRoom {
   Hearing hear_presence(const announcement::Announcement& announcement, const Arrival& arrival) {
     const auto holder = records_.find(announcement.participant);
     if (holder == records_.end() || holder->second.record->boot() != announcement.boot) {
-      strangers_.hear(announcement.participant, arrival.now);
+      questions_.hear_stranger(announcement.participant, arrival.now);
       return Hearing::stranger;
     }
     auto& record = *holder->second.record;
+    const bool is_new = record.is_bound(announcement, arrival);  // a copy says nothing of the present
     const auto hearing = record.hear(announcement, arrival, changes);
     admission_.update(holder->first, record.standing());
     set_due(*holder, arrival.now);
-    if (hearing == Hearing::known && witnesses_.hear(records_, announcement, arrival.now)) {
+    if (is_new && hearing == Hearing::known && witnesses_.hear(records_, announcement, arrival.now)) {
       for (auto& known : records_) set_due(known, arrival.now);
     }
     return hearing;
@@ -194,6 +190,7 @@ class NeighbourTable::State final : private ServiceRoom {
       return hear_holder(holder, announcement, arrival);
     }
     auto since = claims_.find(announcement, arrival);
+    std::optional<Instant> succeeded;
     const auto* former = former_.find(announcement, arrival.now);
     if (former != nullptr && since && *since < former->since()) {
       // Somebody at another address has anticipated the claimant's first state, and left.
@@ -205,8 +202,8 @@ class NeighbourTable::State final : private ServiceRoom {
       if (former == nullptr && !is_expired) return Hearing::stale;
       if (former != nullptr) since = former->since();
       if (is_expired) {
-        // It begins anew, but keeps its right to the identifier.
-        (void)former_.take(announcement);
+        // It begins anew, but keeps its right to the identifier, and its next life is not looked for again so soon.
+        succeeded = former_.take(announcement)->succeeded();
         former = nullptr;
       }
     }
@@ -220,7 +217,12 @@ class NeighbourTable::State final : private ServiceRoom {
     }
     auto returned = former != nullptr ? former_.take(announcement) : nullptr;
     if (holder != records_.end()) former_.remember(remove(holder, Departure::expired), arrival.now);
-    if (!returned) return hear_newcomer(announcement, arrival, since.value_or(turn_));
+    if (!returned) {
+      const auto hearing = hear_newcomer(announcement, arrival, since.value_or(turn_));
+      const auto known = records_.find(announcement.participant);
+      if (known != records_.end()) known->second.record->set_succeeded(succeeded);
+      return hearing;
+    }
     returned->come_back(arrival.now, changes);
     add(std::move(returned), announcement, arrival);
     return Hearing::returned;
@@ -277,7 +279,7 @@ class NeighbourTable::State final : private ServiceRoom {
     changes.emplace_back(RemoveParticipant{known->first, reason});
     admission_.remove(known->first);
     due_.erase({known->second.due, known->first});
-    questioned_.erase(known->first);
+    questions_.forget(known->first);
     auto record = std::move(known->second.record);
     witnesses_.toggle(known->first, record->boot());
     records_.erase(known);
@@ -285,12 +287,7 @@ class NeighbourTable::State final : private ServiceRoom {
   }
 
   void set_due(Records::value_type& known, Instant now) {
-    const auto& record = *known.second.record;
-    if (record.is_missed(now) || record.is_doubted()) {
-      questioned_.insert(known.first);
-    } else {
-      questioned_.erase(known.first);
-    }
+    questions_.update(known.first, *known.second.record, now);
     const auto next = known.second.record->next_deadline();
     if (next == known.second.due) return;
     due_.erase({known.second.due, known.first});
@@ -337,12 +334,11 @@ class NeighbourTable::State final : private ServiceRoom {
   Admission admission_;
   FormerLives former_;
   Claims claims_;
-  Strangers strangers_;
+  Questions questions_;
   Witnesses witnesses_;
   Turn turn_ = 0;
   Records records_;
   std::set<std::pair<Instant, ParticipantId>> due_;  ///< when expire() has something to do for whom
-  std::set<ParticipantId> questioned_;               ///< who is lacking or doubted
   bool is_room_sought_ = false;                      ///< for the datagram that is being taken in
   bool was_room_found_ = false;
 };
@@ -364,7 +360,14 @@ void NeighbourTable::postpone(base::Instant until) { state_->postpone(until); }
 
 Report NeighbourTable::report(base::Instant now) { return state_->report(now); }
 
-bool NeighbourTable::has_questions(base::Instant now) { return state_->has_questions(now); }
+bool NeighbourTable::lacks_anybody(base::Instant now) { return state_->lacks_anybody(now); }
+
+bool NeighbourTable::doubts_anybody() const { return state_->doubts_anybody(); }
+
+bool NeighbourTable::is_heard_lately(ParticipantId id, base::Instant now) const {
+  const auto* known = state_->find(id);
+  return known != nullptr && known->heard_within(now) != announcement::HeardWithin::longer;
+}
 
 std::optional<double> NeighbourTable::loss() const { return state_->loss(); }
 

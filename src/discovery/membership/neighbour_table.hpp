@@ -147,10 +147,14 @@ class NeighbourTable {
   /// The changes since the last call, in the order in which they must be done.
   [[nodiscard]] std::vector<Change> take_changes();
 
-  /// What we have heard of others, for our next presence. Costs a look at every participant.
+  /// What we have heard of others, for our next presence. Who is doubted counts as asked with it. Costs a look at every
+  /// participant.
   [[nodiscard]] Report report(base::Instant now);
-  /// Whether report() would name anybody in `lacks` or `doubts`.
-  [[nodiscard]] bool has_questions(base::Instant now);
+  /// Whether report() would name anybody in `lacks` that is to be said at once; or in `doubts`.
+  [[nodiscard]] bool lacks_anybody(base::Instant now);
+  [[nodiscard]] bool doubts_anybody() const;
+  /// Whether we have heard it ourselves within one of its intervals.
+  [[nodiscard]] bool is_heard_lately(ParticipantId id, base::Instant now) const;
   /// The share of all participants' last datagrams that was lost, in [0, 1); nothing: too few were heard.
   [[nodiscard]] std::optional<double> loss() const;
 

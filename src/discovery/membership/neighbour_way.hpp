@@ -50,6 +50,8 @@ class NeighbourWay {
   /// Takes over what it says of the way, unless another word is held; whether addresses have changed.
   bool say(const announcement::Announcement& announcement, const Arrival& arrival, bool is_contested,
            base::Duration hold);
+  /// Whether what is known of the way is what the state of its newest revision says.
+  [[nodiscard]] bool is_said() const { return said_revision_ == revision_ && !has_moved_; }
   /// Takes in a presence, which says of the way what the state of its revision has said.
   void affirm(std::uint64_t revision, base::Instant now, bool is_contested) {
     revision_ = revision;

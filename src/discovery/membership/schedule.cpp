@@ -17,7 +17,8 @@ Schedule::Schedule(ScheduleOptions options, std::uint64_t seed)
       random_(seed),
       newcomers_(answer_capacity, answer_refill_intervals * options.interval),
       repairs_(repair_capacity, options.interval / repairs_per_interval),
-      asks_(ask_capacity, options.interval / asks_per_interval),
+      lacks_{base::never, {ask_capacity, options.interval / asks_per_interval}},
+      doubts_{base::never, {ask_capacity, options.interval / asks_per_interval}},
       proofs_(proof_capacity, options.interval / proofs_per_interval),
       contradictions_(contradiction_capacity, options.interval / contradictions_per_interval) {
   GEMINGA_ASSERT(options_.interval >= std::chrono::milliseconds(1));
@@ -59,19 +60,23 @@ void Schedule::newcomer(Instant now) {
 
 void Schedule::lacked(Instant now) {
   if (!is_running_) return;
-  insistent_until_ = std::max(insistent_until_, now + announcement::hold_intervals * options_.interval);
+  insistent_until_ = std::max(insistent_until_, now + announcement::contest_intervals * options_.interval);
   if (repair_ != never || !repairs_.has(now)) return;
   repair_ = now + random_.between(Duration::zero(), max_repair_delay);
   // Who asks may not have heard yet what is under way.
   if (has_sent_) repair_ = std::max(repair_, state_sent_ + repair_spacing);
 }
 
-void Schedule::ask(bool has_questions, Instant now) {
-  if (!has_questions || !is_running_) {
-    ask_ = never;
-  } else if (ask_ == never) {
-    ask_ = std::max(now + random_.between(Duration::zero(), max_ask_delay), asked_ + ask_spacing);
-  }
+void Schedule::ask(bool lacks, bool doubts, Instant now) {
+  const auto plan = [&](Question& question, bool is_open) {
+    if (!is_open || !is_running_) {
+      question.due = never;
+    } else if (question.due == never) {
+      question.due = std::max(now + random_.between(Duration::zero(), max_ask_delay), asked_ + ask_spacing);
+    }
+  };
+  plan(lacks_, lacks);
+  plan(doubts_, doubts);
 }
 
 void Schedule::doubted(Instant now) {
@@ -79,7 +84,7 @@ void Schedule::doubted(Instant now) {
 }
 
 void Schedule::bear_witness(Instant now) {
-  if (is_running_) proof_ = std::min(proof_, now + random_.between(witness_delay, 2 * witness_delay));
+  if (is_running_) testimony_ = std::min(testimony_, now + random_.between(witness_delay, 2 * witness_delay));
 }
 
 void Schedule::contested(Instant now) {
@@ -97,8 +102,10 @@ void Schedule::pause() {
   next_answer_ = answer_copies;
   periodic_ = never;
   repair_ = never;
-  ask_ = never;
+  lacks_.due = never;
+  doubts_.due = never;
   proof_ = never;
+  testimony_ = never;
   contested_ = never;
   contradiction_ = never;
   newcomer_due_ = never;
@@ -128,7 +135,8 @@ Instant Schedule::presence_wanted() const {
     return wanted == never ? never : std::max(wanted, budget.due());
   };
   const auto periodic = is_insistent() ? never : periodic_;
-  return std::min({next_copy(Say::presence), periodic, limited(ask_, asks_), limited(proof_, proofs_),
+  return std::min({next_copy(Say::presence), periodic, limited(lacks_.due, lacks_.budget),
+                   limited(doubts_.due, doubts_.budget), limited(std::min(proof_, testimony_), proofs_),
                    limited(contested_, contests_)});
 }
 
@@ -191,8 +199,9 @@ bool Schedule::take_presence(Instant now) {
   const auto pay = [now](Instant wanted, TokenBucket& budget) {
     if (wanted <= now && budget.has(now)) budget.take(now);
   };
-  pay(ask_, asks_);
-  pay(proof_, proofs_);
+  pay(lacks_.due, lacks_.budget);
+  pay(doubts_.due, doubts_.budget);
+  pay(std::min(proof_, testimony_), proofs_);
   pay(contested_, contests_);
   asked_ = now;
   drop_copies(Say::presence, now);
@@ -209,7 +218,7 @@ Schedule::Say Schedule::take(Instant now) {
   const bool is_state = take_state(now);
   if (!is_state && !take_presence(now)) return Say::nothing;
   // Either shows that we live and whose the identifier is; what we ask only a presence says.
-  if (!is_state) ask_ = never;
+  if (!is_state) lacks_.due = doubts_.due = testimony_ = never;
   proof_ = never;
   contested_ = never;
   // A presence does not stand for the state that is said each time.

@@ -77,8 +77,8 @@ inline constexpr base::Duration proof_spacing = std::chrono::milliseconds(30);
 /// Whoever knows more of a doubted participant than the one who doubts leaves it this time to answer for itself, and up
 /// to twice that.
 inline constexpr base::Duration witness_delay = std::chrono::milliseconds(25);
-// Once a lie about us was heard the state is said each time for contest_intervals, and for hold_intervals once somebody
-// lacks it: a contested participant must repeat each of its words (ANNOUNCEMENT.md, "A contradiction").
+// Once a lie about us was heard, or somebody lacks our state, it is said each time for contest_intervals: a contested
+// participant must repeat each of its words (ANNOUNCEMENT.md, "A contradiction").
 
 /// Answers to claims of our identifier, one datagram on each link: all three of one claimant at once, and with a forger
 /// still one within the 90 ms of any claim.
@@ -112,8 +112,9 @@ class Schedule {
   void set_loss(std::optional<double> loss) { loss_ = loss; }
   /// A known participant says that it lacks our state: a copy is due soon, as long as the budget lasts.
   void lacked(base::Instant now);
-  /// Whether we have something to ask (NeighbourTable::has_questions()): our presence is due again and again.
-  void ask(bool has_questions, base::Instant now);
+  /// Whether we lack somebody's state, and whether we doubt that somebody lives (NeighbourTable): our presence is due
+  /// again and again. Each has its own budget, so that who makes us say the one does not keep us from the other.
+  void ask(bool lacks, bool doubts, base::Instant now);
   /// Somebody doubts that we live: our presence is due.
   void doubted(base::Instant now);
   /// Somebody doubts whom we hear: our presence is due, a little later.
@@ -143,6 +144,11 @@ class Schedule {
   [[nodiscard]] bool is_finished() const;
 
  private:
+  /// Something that is said until it is answered.
+  struct Question {
+    base::Instant due = base::never;
+    TokenBucket budget;
+  };
   /// One copy of a change.
   struct Copy {
     base::Instant due;
@@ -173,9 +179,9 @@ class Schedule {
   base::Instant periodic_ = base::never;
   base::Instant insistent_until_;              ///< until then the state is said each time
   base::Instant repair_ = base::never;         ///< when the state is due for who lacks it
-  base::Instant ask_ = base::never;            ///< when the presence is due because we ask
-  base::Instant asked_;                        ///< when that was so last
-  base::Instant proof_ = base::never;          ///< when the presence is due because somebody doubts
+  base::Instant asked_;                        ///< when the last presence was said
+  base::Instant proof_ = base::never;          ///< when a sign of life is due because somebody doubts us
+  base::Instant testimony_ = base::never;      ///< when the presence is due because somebody doubts another one
   base::Instant contested_ = base::never;      ///< when a claim to our identifier came
   base::Instant contradiction_ = base::never;  ///< when a lie about us was heard
   base::Instant newcomer_due_ = base::never;   ///< when the copies for newcomers begin
@@ -188,7 +194,8 @@ class Schedule {
   TokenBucket announcements_{burst_capacity, refill_time};
   TokenBucket newcomers_;
   TokenBucket repairs_;
-  TokenBucket asks_;
+  Question lacks_;
+  Question doubts_;
   TokenBucket proofs_;
   TokenBucket contests_{contest_capacity, contest_refill};
   TokenBucket contradictions_;

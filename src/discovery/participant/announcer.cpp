@@ -85,7 +85,7 @@ void Announcer::announce() {
     schedule_.set_loss(core_.neighbours.loss());
     schedule_.changed(now);
   }
-  schedule_.ask(core_.neighbours.has_questions(now), now);
+  schedule_.ask(core_.neighbours.lacks_anybody(now), core_.neighbours.doubts_anybody(), now);
   for (;;) {
     switch (schedule_.take(now)) {
       case membership::Schedule::Say::nothing:
@@ -148,14 +148,10 @@ void Announcer::heard_presence(const Heard& heard) {
   if (heard.hearing != membership::Hearing::known) return;
   if (names(presence.doubts, claim_.id())) {
     schedule_.doubted(now);
-  } else if (std::ranges::any_of(presence.doubts, [&](ParticipantId id) { return is_heard_lately(id); })) {
+  } else if (std::ranges::any_of(presence.doubts,
+                                 [&](ParticipantId id) { return core_.neighbours.is_heard_lately(id, now); })) {
     schedule_.bear_witness(now);
   }
-}
-
-bool Announcer::is_heard_lately(ParticipantId id) const {
-  const auto neighbour = core_.neighbours.find(id);
-  return neighbour && core_.env.now() - neighbour->heard <= neighbour->interval;
 }
 
 Announcer::Consequence Announcer::heard_clash(const Heard& heard) {

@@ -65,7 +65,6 @@ class Announcer {
   /// datagrams only the last counts.
   [[nodiscard]] const announcement::Announcement& current_state();
   void heard_presence(const Heard& heard);
-  [[nodiscard]] bool is_heard_lately(ParticipantId id) const;
   Consequence heard_clash(const Heard& heard);
   void heard_own(const Heard& heard);
   void report(const Heard& heard);

@@ -147,10 +147,10 @@ TEST(NeighbourTable, LacksTheStateOfWhoIsThereWithAnotherRevision) {
   (void)rig.hear(speaker(1, 1));
   const auto later = rig_start + seconds(1);
   EXPECT_EQ(rig.hear(presence_of(speaker(1, 2)), later), Hearing::known);
-  EXPECT_TRUE(rig.table.has_questions(later));
+  EXPECT_TRUE(rig.table.lacks_anybody(later));
   EXPECT_THAT(rig.table.report(later).lacks, ElementsAre(ParticipantId{1}));
   EXPECT_EQ(rig.hear(speaker(1, 2, {5, 6}), later), Hearing::known);
-  EXPECT_FALSE(rig.table.has_questions(later));
+  EXPECT_FALSE(rig.table.lacks_anybody(later));
   EXPECT_EQ(rig.table.find(ParticipantId{1})->publications, 2U);
 }
 
@@ -161,7 +161,22 @@ TEST(NeighbourTable, LacksTheStateOfAStrangerForAWhile) {
   EXPECT_THAT(rig.table.report(rig_start).lacks, ElementsAre(ParticipantId{1}));
   EXPECT_TRUE(rig.table.report(rig_start + seconds(4)).lacks.empty());
   for (std::uint32_t id = 100; id < 200; ++id) (void)rig.hear(presence_of(speaker(id, 1)));
-  EXPECT_EQ(rig.table.report(rig_start).lacks.size(), announcement::max_named);
+  EXPECT_GE(rig.table.report(rig_start).lacks.size(), 4U);
+  EXPECT_LE(rig.table.report(rig_start).lacks.size(), announcement::max_named);
+}
+
+TEST(NeighbourTable, NamesEverybodyWhomItLacksAfterAWhileHoweverManyTheyAre) {
+  TableRig rig;
+  for (std::uint32_t id = 1; id <= 50; ++id) (void)rig.hear(part_of(speaker(id, 1, {5, 6}), 0, 2, {5}));
+  (void)rig.hear(presence_of(speaker(99, 1)));
+  std::set<ParticipantId> named;
+  for (int i = 0; i < 5; ++i) {
+    const auto lacks = rig.table.report(rig_start).lacks;
+    EXPECT_LE(lacks.size(), announcement::max_named);
+    EXPECT_THAT(lacks, ::testing::Contains(ParticipantId{99})) << "strangers have places of their own";
+    named.insert(lacks.begin(), lacks.end());
+  }
+  EXPECT_EQ(named.size(), 51U);
 }
 
 TEST(NeighbourTable, OpensAWayByAPresenceAndLearnsItsAddressesFromTheState) {
@@ -171,6 +186,7 @@ TEST(NeighbourTable, OpensAWayByAPresenceAndLearnsItsAddressesFromTheState) {
   on_wlan.link = 8;
   on_wlan.addresses = {"192.168.0.1"};
   EXPECT_EQ(rig.hear(presence_of(on_wlan), rig_start, wlan), Hearing::known);
+  EXPECT_THAT(rig.table.report(rig_start).lacks, ElementsAre(ParticipantId{1})) << "its addresses there are not known";
   EXPECT_EQ(rig.hear(on_wlan, rig_start, wlan), Hearing::known) << "the presence has said nothing of addresses";
   EXPECT_THAT(rig.table.find(ParticipantId{1})->paths.at(1).addresses, ElementsAre("192.168.0.1"));
 }

@@ -83,7 +83,7 @@ TEST(Schedule, SaysInEachIntervalThatAnUnchangedStateIsAsItWas) {
   for (int i = 0; i < 20; ++i) EXPECT_EQ(schedule.take(schedule.due()), Say::presence);
 }
 
-TEST(Schedule, SaysItsStateAgainToWhoLacksItAndForTwoIntervals) {
+TEST(Schedule, SaysItsStateAgainToWhoLacksItAndForFiveIntervals) {
   auto schedule = running(13);
   const auto asked = start + seconds(10);
   run(schedule, asked);
@@ -92,7 +92,7 @@ TEST(Schedule, SaysItsStateAgainToWhoLacksItAndForTwoIntervals) {
   EXPECT_EQ(schedule.take(schedule.due()), Say::state);
   EXPECT_GE(schedule.due(), asked + seconds(1)) << "one repeat answers all who ask";
   EXPECT_EQ(schedule.take(schedule.due()), Say::state);
-  run(schedule, asked + seconds(7));
+  run(schedule, asked + seconds(13));
   EXPECT_EQ(schedule.take(schedule.due()), Say::presence);
 }
 
@@ -114,15 +114,28 @@ TEST(Schedule, AsksAgainAndAgainForAsLongAsItHasAQuestionButEverMoreSlowly) {
   run(schedule, begin);
   std::vector<base::Instant> asked;
   for (auto now = begin; now < begin + seconds(20); now += milliseconds(1)) {
-    schedule.ask(true, now);
+    schedule.ask(true, false, now);
     if (schedule.due() <= now && schedule.take(now) == Say::presence) asked.push_back(now);
   }
   ASSERT_GT(asked.size(), 30U);
   EXPECT_LE(asked[0], begin + max_ask_delay);
   for (std::size_t i = 1; i < asked.size(); ++i) EXPECT_GE(asked[i] - asked[i - 1], ask_spacing) << i;
   EXPECT_LE(asked.size(), static_cast<std::size_t>(ask_capacity) + 10 * (1 + asks_per_interval) + 1);
-  schedule.ask(false, begin + seconds(20));
+  schedule.ask(false, false, begin + seconds(20));
   EXPECT_GE(schedule.due(), asked.back() + milliseconds(1800));
+}
+
+TEST(Schedule, DoubtsThoughWhatItMaySayOfTheLackedIsUsedUp) {
+  auto schedule = running(17);
+  auto now = start + seconds(10);
+  run(schedule, now);
+  for (const auto end = now + seconds(10); now < end; now += milliseconds(1)) {
+    schedule.ask(true, false, now);
+    if (schedule.due() <= now) (void)schedule.take(now);
+  }
+  schedule.ask(true, true, now);
+  EXPECT_LE(schedule.due(), now + ask_spacing + max_ask_delay);
+  EXPECT_EQ(schedule.take(schedule.due()), Say::presence);
 }
 
 TEST(Schedule, GivesASignOfLifeAtOnceToWhoDoubtsItAndLetsADoubtedOneAnswerForItselfFirst) {

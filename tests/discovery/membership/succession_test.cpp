@@ -21,7 +21,7 @@ announcement::Announcement next_life() {
 struct Succession : ::testing::Test {
   Succession() {
     rig.source = address;
-    for (int i = 0; i < 5; ++i) (void)rig.hear(speaker(1, 1), now = rig_start + i * seconds(2));
+    for (int i = 0; i < 20; ++i) (void)rig.hear(speaker(1, 1), now = rig_start + i * seconds(2));
     now += milliseconds(700);
   }
   [[nodiscard]] bool is_known_after(base::Duration time) {
@@ -38,6 +38,22 @@ TEST_F(Succession, OfOneThatDoesNotAnswerIsBelievedAtOnce) {
   EXPECT_THAT(rig.table.report(now).doubts, ::testing::ElementsAre(former));
   EXPECT_TRUE(is_known_after(least_answer_time - base::Duration(1)));
   EXPECT_FALSE(is_known_after(least_answer_time));
+}
+
+TEST_F(Succession, OfOneThatNobodyAskedIsNotBelievedBeforeItsDeadline) {
+  (void)rig.hear(next_life(), now);
+  EXPECT_TRUE(is_known_after(seconds(3)));
+}
+
+TEST_F(Succession, IsNotTriedAgainWhenItWasWrong) {
+  (void)rig.hear(next_life(), now);
+  (void)rig.table.report(now);
+  ASSERT_FALSE(is_known_after(least_answer_time));
+  now += seconds(1);
+  EXPECT_EQ(rig.hear(speaker(1, 1), now), Hearing::newcomer) << "it lives, and has not heard the question";
+  (void)rig.hear(speaker(1, 1), now + milliseconds(20));
+  (void)rig.hear(next_life(), now + seconds(1));
+  EXPECT_TRUE(rig.table.report(now + seconds(1)).doubts.empty());
 }
 
 TEST_F(Succession, OfOneThatAnswersIsNotBelieved) {

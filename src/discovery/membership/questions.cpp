@@ -1,0 +1,57 @@
+// Who is named when not all can be.
+#include "discovery/membership/questions.hpp"
+
+#include <algorithm>
+#include <ranges>
+
+#include "discovery/announcement/limits.hpp"
+
+namespace geminga::membership {
+namespace {
+
+/// Of the places in which a report names who is lacked.
+constexpr std::size_t stranger_places = 4;
+
+void keep(std::set<ParticipantId>& set, ParticipantId id, bool is_in) {
+  if (is_in) {
+    set.insert(id);
+  } else {
+    set.erase(id);
+  }
+}
+
+}  // namespace
+
+void Questions::update(ParticipantId id, const NeighbourRecord& record, base::Instant now) {
+  keep(missed_, id, record.is_missed(now));
+  keep(doubted_, id, record.is_doubted());
+}
+
+void Questions::forget(ParticipantId id) {
+  missed_.erase(id);
+  doubted_.erase(id);
+}
+
+void Questions::name(Records& records, base::Instant now, Report& report) {
+  strangers_.prune(now);
+  for (const auto& stranger : strangers_.all() | std::views::reverse | std::views::take(stranger_places)) {
+    report.lacks.push_back(stranger.id);
+  }
+  auto known = records.lower_bound(next_);
+  for (std::size_t visited = 0; visited < records.size(); ++visited, ++known) {
+    if (known == records.end()) known = records.begin();
+    auto& record = *known->second.record;
+    if (!record.is_lacking() && !record.is_doubted()) continue;
+    if (std::max(report.lacks.size(), report.doubts.size()) == announcement::max_named) {
+      next_ = known->first;
+      return;
+    }
+    if (record.is_lacking()) report.lacks.push_back(known->first);
+    if (record.is_doubted()) {
+      report.doubts.push_back(known->first);
+      record.ask(now);
+    }
+  }
+}
+
+}  // namespace geminga::membership
