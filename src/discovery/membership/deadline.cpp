@@ -14,7 +14,7 @@ base::Duration answer_time(double loss) {
   // A question and its answer must both arrive.
   const double miss = 1 - (1 - loss) * (1 - loss);
   if (miss <= 0) return least_answer_time;
-  const double rounds = std::log(certainty_of_succession) / std::log(std::min(miss, 0.9));
+  const double rounds = std::log(wrong_successions) / std::log(std::min(miss, 0.9));
   return std::max(least_answer_time, after_intervals(base::Instant{}, question_time, rounds) - base::Instant{});
 }
 

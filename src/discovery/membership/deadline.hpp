@@ -28,8 +28,8 @@ inline constexpr int witnessed_intervals = 32;
 /// been heard.
 inline constexpr int service_intervals = 5;
 
-/// How certain one must be that somebody would have answered before its next life takes its place.
-inline constexpr double certainty_of_succession = 1e-4;
+/// The share of living participants that may fail to answer in time when their next life seems to have begun.
+inline constexpr double wrong_successions = 1e-4;
 /// Time for one question and its answer, and the least that anybody is given.
 inline constexpr base::Duration question_time = std::chrono::milliseconds(100);
 inline constexpr base::Duration least_answer_time = std::chrono::milliseconds(150);

@@ -11,6 +11,9 @@ namespace geminga::membership {
 /// A window over the last 64 sequence numbers. Copies and reordering do not count as loss.
 class LossWindow {
  public:
+  /// Numbers that must have been in it before the share of lost ones means anything.
+  static constexpr int least_span = 16;
+
   /// A datagram with this number was heard. A number from before the window means that the sender counts anew.
   void count(std::uint64_t sequence) {
     if (span_ == 0 || (sequence < newest_ && newest_ - sequence >= width)) {

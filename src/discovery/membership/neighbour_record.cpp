@@ -67,7 +67,8 @@ double NeighbourRecord::loss() const {
 }
 
 double NeighbourRecord::known_loss() const {
-  const bool is_known = std::ranges::any_of(ways_, [](const NeighbourWay& way) { return way.losses().span() >= 16; });
+  const bool is_known =
+      std::ranges::any_of(ways_, [](const NeighbourWay& way) { return way.losses().span() >= LossWindow::least_span; });
   return is_known ? loss() : std::max(loss(), 0.3);
 }
 

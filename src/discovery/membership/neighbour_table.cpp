@@ -40,8 +40,9 @@ class NeighbourTable::State final : private ServiceRoom {
         break;
     }
     const auto hearing = hear_state(announcement, arrival);
-    if (hearing == Hearing::newcomer || hearing == Hearing::returned)
+    if (hearing == Hearing::newcomer || hearing == Hearing::returned) {
       questions_.forget_stranger(announcement.participant);
+    }
     return hearing;
   }
 
@@ -89,7 +90,7 @@ class NeighbourTable::State final : private ServiceRoom {
         span += way.losses().span();
       }
     }
-    if (span < min_loss_span) return std::nullopt;
+    if (span < LossWindow::least_span) return std::nullopt;
     return 1 - static_cast<double>(heard) / static_cast<double>(span);
   }
 
@@ -122,9 +123,6 @@ class NeighbourTable::State final : private ServiceRoom {
   std::vector<Change> changes;
 
  private:
-  /// Numbers that must have been heard before the share of lost ones means anything.
-  static constexpr int min_loss_span = 16;
-
   Hearing hear_presence(const announcement::Announcement& announcement, const Arrival& arrival) {
     const auto holder = records_.find(announcement.participant);
     if (holder == records_.end() || holder->second.record->boot() != announcement.boot) {

@@ -6,8 +6,8 @@
 
 #include "base/time.hpp"
 #include "discovery/membership/neighbour_table.hpp"
+#include "discovery/membership/records.hpp"
 #include "discovery/membership/strangers.hpp"
-#include "discovery/membership/witnesses.hpp"
 
 namespace geminga::membership {
 

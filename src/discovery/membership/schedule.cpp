@@ -72,7 +72,7 @@ void Schedule::ask(bool lacks, bool doubts, Instant now) {
     if (!is_open || !is_running_) {
       question.due = never;
     } else if (question.due == never) {
-      question.due = std::max(now + random_.between(Duration::zero(), max_ask_delay), asked_ + ask_spacing);
+      question.due = std::max(now + random_.between(Duration::zero(), max_ask_delay), presence_sent_ + ask_spacing);
     }
   };
   plan(lacks_, lacks);
@@ -203,7 +203,7 @@ bool Schedule::take_presence(Instant now) {
   pay(doubts_.due, doubts_.budget);
   pay(std::min(proof_, testimony_), proofs_);
   pay(contested_, contests_);
-  asked_ = now;
+  presence_sent_ = now;
   drop_copies(Say::presence, now);
   return true;
 }

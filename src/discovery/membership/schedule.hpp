@@ -179,7 +179,7 @@ class Schedule {
   base::Instant periodic_ = base::never;
   base::Instant insistent_until_;              ///< until then the state is said each time
   base::Instant repair_ = base::never;         ///< when the state is due for who lacks it
-  base::Instant asked_;                        ///< when the last presence was said
+  base::Instant presence_sent_;                ///< when the last presence was said
   base::Instant proof_ = base::never;          ///< when a sign of life is due because somebody doubts us
   base::Instant testimony_ = base::never;      ///< when the presence is due because somebody doubts another one
   base::Instant contested_ = base::never;      ///< when a claim to our identifier came

@@ -3,21 +3,12 @@
 #define GEMINGA_DISCOVERY_MEMBERSHIP_WITNESSES_HPP
 
 #include <cstdint>
-#include <map>
-#include <memory>
 
 #include "base/time.hpp"
 #include "discovery/announcement/announcement.hpp"
-#include "discovery/membership/neighbour_record.hpp"
+#include "discovery/membership/records.hpp"
 
 namespace geminga::membership {
-
-/// One known participant.
-struct Known {
-  std::unique_ptr<NeighbourRecord> record;
-  base::Instant due = base::never;  ///< when something is to be done for it
-};
-using Records = std::map<ParticipantId, Known>;
 
 /// The words of witnesses name nobody: both sides must know the same participants, which a fold of them shows
 /// (ANNOUNCEMENT.md, "Witnesses").

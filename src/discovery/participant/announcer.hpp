@@ -56,7 +56,6 @@ class Announcer {
   [[nodiscard]] std::string failure() const;
 
   [[nodiscard]] ParticipantId id() const { return claim_.id(); }
-  [[nodiscard]] announcement::BootNonce boot() const { return boot_; }
 
  private:
   /// Sends on all interfaces; returns the most datagrams that one of them took.
