@@ -11,7 +11,6 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t size) {
   using namespace geminga;
   const std::string_view bytes(reinterpret_cast<const char*>(octets), size);
-  (void)functional::is_functional(bytes);
   functional::Limits limits;
   limits.nesting = 20;
   limits.operands = 50;
@@ -21,7 +20,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t si
   const auto document = functional::read(bytes, source.add_file("fuzz.ofn"), source, limits);
   const auto last_line = static_cast<std::uint64_t>(std::ranges::count(bytes, '\n')) + 1;
   if (document) {
-    GEMINGA_ASSERT(functional::is_functional(bytes));
     GEMINGA_ASSERT(document->axioms == source.axiom_count());
     for (std::size_t number = 0; number < source.axiom_count(); ++number) {
       const std::uint32_t line = source.axiom(number).line;

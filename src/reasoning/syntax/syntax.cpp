@@ -26,7 +26,7 @@ std::string_view without_comments(std::string_view text) {
     if (begin == std::string_view::npos) return {};
     text.remove_prefix(begin);
     if (!text.starts_with('#')) return text;
-    const std::size_t end = text.find('\n');
+    const std::size_t end = text.find_first_of("\r\n");
     if (end == std::string_view::npos) return {};
     text.remove_prefix(end);
   }

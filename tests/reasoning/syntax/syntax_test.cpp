@@ -7,7 +7,6 @@
 namespace geminga::syntax {
 namespace {
 
-
 TEST(Syntax, IsDecidedByTheNameOfTurtleAndTriplesAndByTheContentOfOthers) {
   const std::string_view turtle = "# a comment\n@prefix : <http://e/> .";
   const std::string_view iri_first = "<http://e/a> a <http://e/B> .";
@@ -37,6 +36,16 @@ TEST(Syntax, IsDecidedByTheNameOfTurtleAndTriplesAndByTheContentOfOthers) {
   }
   EXPECT_EQ(detect_syntax("noname", xml), Syntax::rdf_xml);
   EXPECT_EQ(detect_syntax("a.ttl.gz", turtle), Syntax::turtle);
+}
+
+TEST(Syntax, IsFunctionalWhereABracketFollowsTheFirstWord) {
+  for (const char* text : {"Prefix(:=<http://e/>)", " \r\n# Prefix\n#\n Prefix # behind\n (", "#\rOntology("}) {
+    EXPECT_EQ(detect_syntax("a.owl", text), Syntax::functional) << text;
+  }
+  for (const char* text : {"Prefix: : <http://e/>", "Ontology: <http://e>", "@prefix : <http://e/> .",
+                           "PREFIX : <http://e/>", "<?xml version=\"1.0\"?><Ontology(/>", "Prefixes(", "# Ontology("}) {
+    EXPECT_NE(detect_syntax("a.owl", text), Syntax::functional) << text;
+  }
 }
 
 TEST(Syntax, IsRefusedWithWhatToDo) {

@@ -7,29 +7,6 @@
 #include "reasoning/syntax/functional/tokenizer.hpp"
 
 namespace geminga::functional {
-namespace {
-
-std::string_view without_blanks(std::string_view text) {
-  for (;;) {
-    const std::size_t begin = text.find_first_not_of(" \t\r\n");
-    if (begin == std::string_view::npos) return {};
-    text.remove_prefix(begin);
-    if (!text.starts_with('#')) return text;
-    const std::size_t end = text.find_first_of("\r\n");
-    if (end == std::string_view::npos) return {};
-    text.remove_prefix(end);
-  }
-}
-
-}  // namespace
-
-bool is_functional(std::string_view bytes) {
-  const std::string_view text = without_blanks(base::without_mark(bytes));
-  for (const std::string_view word : {"Prefix", "Ontology"}) {
-    if (text.starts_with(word) && without_blanks(text.substr(word.size())).starts_with('(')) return true;
-  }
-  return false;
-}
 
 std::expected<Document, ReadError> read(std::string_view bytes, owl::FileId file, owl::Ontology& source,
                                         const Limits& limits, std::vector<owl::Annotation>* annotations) {

@@ -2,8 +2,8 @@
 //
 //   const owl::FileId file = source.add_file(path);
 //   const auto document = functional::read(bytes, file, source);
-//   if (!document) return refuse(to_string(document.error()));    // "soma.owl:17: expected a class expression, found
-//   ')'" for (const auto& import : document->imports) ...              // the caller's business: none is fetched here
+//   if (!document) return refuse(to_string(document.error()));  // "soma.owl:17: expected a class expression, found
+//   ')'" for (const auto& import : document->imports) ...            // the caller's business: none is fetched here
 //
 // The syntax is that of https://www.w3.org/TR/owl2-syntax/; FUNCTIONAL.md says what is read beyond it, and what is not.
 #ifndef GEMINGA_REASONING_SYNTAX_FUNCTIONAL_READ_HPP
@@ -22,10 +22,6 @@ namespace geminga::functional {
 
 using owl::Document;
 using owl::ReadError;
-
-/// Whether a file is in this syntax by its content: its first word behind white space and comments is `Prefix` or
-/// `Ontology`, and a bracket follows. Looks no further.
-[[nodiscard]] bool is_functional(std::string_view bytes);
 
 /// Reads a whole file into the source: sets the ontology IRI of `file`, adds every axiom with its line, and adds the
 /// texts of rdfs:label and skos:prefLabel as labels. Declared prefixes are not added, because the loader chooses among

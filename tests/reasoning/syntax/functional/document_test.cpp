@@ -48,10 +48,7 @@ TEST(Document, MayHoldNothing) {
   }
 }
 
-TEST(Document, MayBeginWithAByteOrderMark) {
-  EXPECT_EQ(Reading("\xef\xbb\xbfOntology()").error, "");
-  EXPECT_TRUE(is_functional("\xef\xbb\xbf Ontology()"));
-}
+TEST(Document, MayBeginWithAByteOrderMark) { EXPECT_EQ(Reading("\xef\xbb\xbfOntology()").error, ""); }
 
 TEST(Document, KnowsFourPrefixesWithoutDeclaringThem) {
   const Reading reading("Ontology(SubClassOf(owl:Nothing owl:Thing) DataPropertyRange(<http://e/d> xsd:int))");
@@ -166,20 +163,6 @@ TEST(Document, MayImportAndAnnotateBetweenAxioms) {
   EXPECT_EQ(reading.error, "");
   EXPECT_EQ(reading.document.imports.size(), 1U);
   EXPECT_EQ(reading.document.axioms, 2U);
-}
-
-TEST(Sniffing, GoesByTheFirstWord) {
-  EXPECT_TRUE(is_functional("Prefix(:=<http://e/>)"));
-  EXPECT_TRUE(is_functional(" \r\n# Prefix\n#\n Prefix # behind\n ("));
-  EXPECT_TRUE(is_functional("#\rOntology("));
-  EXPECT_FALSE(is_functional("Prefix: : <http://e/>"));
-  EXPECT_FALSE(is_functional("Ontology: <http://e>"));
-  EXPECT_FALSE(is_functional("@prefix : <http://e/> ."));
-  EXPECT_FALSE(is_functional("PREFIX : <http://e/>"));
-  EXPECT_FALSE(is_functional("<?xml version=\"1.0\"?><Ontology(/>"));
-  EXPECT_FALSE(is_functional("Prefixes("));
-  EXPECT_FALSE(is_functional("# Ontology("));
-  EXPECT_FALSE(is_functional(""));
 }
 
 }  // namespace

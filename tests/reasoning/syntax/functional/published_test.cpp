@@ -13,6 +13,7 @@
 #include "reasoning/syntax/rdf/functional.hpp"
 #include "reasoning/syntax/rdf/load.hpp"
 #include "reasoning/syntax/rdf/scratch.hpp"
+#include "reasoning/syntax/syntax.hpp"
 
 namespace geminga::functional {
 namespace {
@@ -59,7 +60,7 @@ TEST(Published, SomaHasTheSameAxiomsInBothSyntaxes) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".owl") continue;
     const std::string content = content_of(entry.path());
-    if (!is_functional(content)) {
+    if (syntax::detect_syntax(entry.path().string(), content) != syntax::Syntax::functional) {
       others.push_back(entry.path().string());
       continue;
     }
@@ -132,7 +133,7 @@ TEST(Published, TestCasesOfTheW3cHaveTheSameAxiomsInBothSyntaxes) {
       ++count;
       const Reading reading(text->second);
       EXPECT_EQ(reading.error, "") << name;
-      EXPECT_TRUE(is_functional(text->second)) << name;
+      EXPECT_EQ(syntax::detect_syntax("case.owl", text->second), syntax::Syntax::functional) << name;
       EXPECT_TRUE(reading.source.omissions().empty()) << name;
       const auto rdf_text = texts.find("rdfXml" + part);
       if (rdf_text == texts.end() || different.contains(name)) continue;
