@@ -57,7 +57,7 @@ class TurtleScan {
         break;
       case ';':
       case ',':
-        lines_.punctuation(bytes_[place_++], line_here());
+        lines_.punctuation(bytes_[place_++]);
         break;
       case ' ':
       case '\t':
@@ -98,7 +98,8 @@ class TurtleScan {
   void name() {
     const std::size_t begin = place_;
     if (bytes_[begin] == '.' && !is_digit(begin + 1)) {
-      lines_.punctuation('.', line_at(place_++));
+      ++place_;
+      lines_.punctuation('.');
       return;
     }
     for (;;) {

@@ -72,7 +72,7 @@ void TurtleLines::close(char bracket) {
   term(line);
 }
 
-void TurtleLines::punctuation(char mark, std::uint32_t) {
+void TurtleLines::punctuation(char mark) {
   if (mark == '.') return end_statement();
   if (mark == ';' && frames_.back().next != Place::subject) frames_.back().next = Place::verb;
 }

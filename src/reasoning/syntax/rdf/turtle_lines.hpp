@@ -22,7 +22,7 @@ class TurtleLines {
   void term(std::uint32_t line);                         ///< an IRI or a string
   void open(char bracket, std::uint32_t line);
   void close(char bracket);
-  void punctuation(char mark, std::uint32_t line);  ///< one of . ; ,
+  void punctuation(char mark);  ///< one of . ; ,
   void quote_in_comment() { has_quote_in_comment_ = true; }
   /// The next word or IRI is the datatype of the literal before it.
   void datatype() { is_datatype_next_ = true; }
