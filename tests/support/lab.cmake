@@ -1,6 +1,7 @@
 # Whole daemons in network namespaces, as tests and benchmarks start them: no test framework is in it.
 include_guard(GLOBAL)
-add_library(geminga_lab STATIC ${CMAKE_CURRENT_LIST_DIR}/lab.cpp ${CMAKE_CURRENT_LIST_DIR}/process.cpp
+add_library(geminga_lab STATIC ${CMAKE_CURRENT_LIST_DIR}/lab.cpp ${CMAKE_CURRENT_LIST_DIR}/lab_team.cpp
+                               ${CMAKE_CURRENT_LIST_DIR}/process.cpp ${CMAKE_CURRENT_LIST_DIR}/process_figures.cpp
                                ${CMAKE_CURRENT_LIST_DIR}/talk.cpp)
 target_include_directories(geminga_lab PUBLIC ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
 target_compile_definitions(geminga_lab PRIVATE GEMINGA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"

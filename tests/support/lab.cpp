@@ -29,6 +29,9 @@ void must(bool holds, const std::string& what) {
 
 constexpr const char* nft_program = "/usr/sbin/nft";
 
+/// The bridge's end of the cable to a host.
+std::string port_of(std::size_t host) { return "port" + std::to_string(host); }
+
 /// Runs a program in the namespace that this thread is in.
 void command(const std::vector<std::string>& line) {
   const Ran ran = run({.words = line, .environment = {}, .before = {}});
@@ -108,7 +111,7 @@ class Lab::Namespaces {
 
  private:
   void add(std::size_t host) {
-    const std::string port = "port" + std::to_string(host);
+    const std::string port = port_of(host);
     must(::unshare(CLONE_NEWNET) == 0, "unshare");
     hosts_.push_back(::open("/proc/self/ns/net", O_RDONLY | O_CLOEXEC));
     leave();
@@ -148,6 +151,23 @@ void Lab::lose(double share) {
                percent + " drop"});
 }
 
+void Lab::part(std::size_t border) {
+  const auto ports = [](std::size_t begin, std::size_t end) {
+    std::string names = "{ ";
+    for (std::size_t host = begin; host < end; ++host) names += port_of(host) + (host + 1 < end ? ", " : " }");
+    return names;
+  };
+  const std::string left = ports(0, border);
+  const std::string right = ports(border, hosts_.size());
+  command({nft_program,
+           "add table bridge wall; add chain bridge wall forward { type filter hook forward priority 1; }; "
+           "add rule bridge wall forward iifname " +
+               left + " oifname " + right + " drop; add rule bridge wall forward iifname " + right + " oifname " +
+               left + " drop"});
+}
+
+void Lab::heal() { command({nft_program, "delete table bridge wall"}); }
+
 bool Lab::has_namespaces() const { return namespaces_ != nullptr; }
 
 std::string Lab::way() const {
@@ -171,7 +191,12 @@ void Lab::visit(std::size_t host, const std::function<void()>& action) const {
   action();
 }
 
-void Lab::start(std::size_t host, std::vector<std::string> flags) {
+void Lab::start(std::size_t host, const std::vector<std::string>& flags) {
+  begin(host, flags);
+  wait_until_ready(host);
+}
+
+void Lab::begin(std::size_t host, const std::vector<std::string>& flags) {
   std::vector<std::string> words{program("gemingad"), "--name", "robot" + std::to_string(host)};
   if (!has_namespaces()) {
     for (const std::string& word :
@@ -182,6 +207,9 @@ void Lab::start(std::size_t host, std::vector<std::string> flags) {
   }
   words.insert(words.end(), flags.begin(), flags.end());
   hosts_.at(host).daemon = std::make_unique<Process>(on(host, words));
+}
+
+void Lab::wait_until_ready(std::size_t host) {
   if (!daemon(host).wait_for(" ready: ")) throw std::runtime_error("gemingad is not ready: " + daemon(host).said());
 }
 

@@ -28,8 +28,11 @@ class Lab {
   [[nodiscard]] std::string way() const;
 
   /// Starts a gemingad on the host, named `robotN`, with further flags, and waits until it is ready.
-  void start(std::size_t host, std::vector<std::string> flags = {});
-  /// The same for all hosts, one after the other.
+  void start(std::size_t host, const std::vector<std::string>& flags = {});
+  /// The two halves of start(), so that several are started at once: begins, and waits until it is ready.
+  void begin(std::size_t host, const std::vector<std::string>& flags = {});
+  void wait_until_ready(std::size_t host);
+  /// start() for all hosts, one after the other.
   void start_all(const std::vector<std::string>& flags = {});
   /// The daemon of a host, as it was last started.
   [[nodiscard]] Process& daemon(std::size_t host);
@@ -48,10 +51,14 @@ class Lab {
   void cut(std::size_t host);
   void join(std::size_t host);
 
-  /// Whether lose() can be called: there are namespaces, and nftables.
+  /// Whether lose() and part() can be called: there are namespaces, and nftables.
   [[nodiscard]] static bool can_lose();
   /// From now on each host misses this share of what the others send, each for itself. To be called once.
   void lose(double share);
+
+  /// Parts the network between the hosts below `border` and the others, and joins it again. Where can_lose().
+  void part(std::size_t border);
+  void heal();
 
   /// Takes the host's IPv4 address away. Only with namespaces.
   void take_ipv4(std::size_t host);

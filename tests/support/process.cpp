@@ -80,6 +80,11 @@ bool Process::wait_for(const std::string& text) {
 
 void Process::forget() { forgotten_ = said_.size(); }
 
+void Process::listen() {
+  while (read_more(Clock::now())) {
+  }
+}
+
 std::optional<int> Process::wait() {
   if (status_) return status_;
   const auto until = Clock::now() + patience;

@@ -36,6 +36,8 @@ class Process {
   [[nodiscard]] bool wait_for(const std::string& text);
   /// The same for what it says after this call began to count: forgets what it said until now.
   void forget();
+  /// Takes what it has said, so that it never has to wait until somebody does.
+  void listen();
   /// Waits for its end. The exit status, 128 + N for signal N; nothing when patience ended first.
   [[nodiscard]] std::optional<int> wait();
   /// What it has said so far on both.

@@ -2,61 +2,32 @@
 // elsewhere. Writes tab-separated rows `name, size, figure, ratio, target, verdict` for tools/bench.
 #include <poll.h>
 
-#include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bench/table.hpp"
+#include "bench/times.hpp"
 #include "support/lab.hpp"
+#include "support/process_figures.hpp"
 
-namespace geminga::system {
+namespace geminga::bench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using system::Lab;
+using system::Process;
+using system::Talk;
 
 /// Between two services, in milliseconds: by then the copies of the last change are out and the sender may burst again.
 constexpr int pause_between = 700;
-
-double milliseconds(Clock::duration duration) { return std::chrono::duration<double, std::milli>(duration).count(); }
-
-double quantile(std::vector<double> values, double share) {
-  std::ranges::sort(values);
-  return values.at(static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
-}
 
 std::vector<std::string> with_soccer() {
   const std::string folder = std::string(GEMINGA_SOURCE_DIR) + "/ontology/";
   return {"--ontology", folder + "core.ttl", "--ontology", folder + "robot-soccer.ttl"};
 }
 
-/// A row with a figure that has a target, or with none (0).
-void row(const std::string& name, std::size_t size, double figure, const std::string& unit, double target) {
-  std::printf("%s\t%zu\t%.3g %s\t-\t", name.c_str(), size, figure, unit.c_str());
-  if (target == 0) {
-    std::printf("-\t-\n");
-  } else {
-    std::printf("%g %s\t%s\n", target, unit.c_str(), figure <= target ? "ok" : "over");
-  }
-}
-
 /// Something did not happen that must.
-void complain(const std::string& what) { std::printf("%s\t-\t-\t-\t-\tfailed\n", what.c_str()); }
-
-/// The number behind `key` in a file of /proc/PID.
-double number_of(pid_t pid, const std::string& file, const std::string& key) {
-  std::ifstream lines("/proc/" + std::to_string(pid) + '/' + file);
-  std::string line;
-  while (std::getline(lines, line)) {
-    if (line.starts_with(key)) return std::stod(line.substr(key.size()));
-  }
-  return -1;
-}
-
-/// Processor time of a process in milliseconds, as the scheduler counts it in nanoseconds.
-double processor_time(pid_t pid) { return number_of(pid, "schedstat", "") / 1e6; }
+void complain(const std::string& what) { row_without(what, "-", "failed"); }
 
 void measure_start(int runs) {
   std::vector<double> times;
@@ -64,7 +35,7 @@ void measure_start(int runs) {
   double own = 0;
   for (int run = 0; run < runs; ++run) {
     Lab lab(1);
-    std::vector<std::string> words{program("gemingad")};
+    std::vector<std::string> words{system::program("gemingad")};
     for (const std::string& word : with_soccer()) words.push_back(word);
     if (!lab.has_namespaces()) {
       words.insert(words.end(), {"--interface", "lo", "--gcnp", "127.0.0.1:" + std::to_string(lab.gcnp_port(0))});
@@ -79,14 +50,14 @@ void measure_start(int runs) {
         ::poll(nullptr, 0, 1);  // nobody listens yet
       }
     }
-    times.push_back(milliseconds(Clock::now() - began));
-    resident = number_of(daemon.pid(), "status", "VmRSS:") * 1024 / 1e6;
-    own = number_of(daemon.pid(), "status", "RssAnon:") * 1024 / 1e6;
+    times.push_back(milliseconds_since(began));
+    resident = system::resident_mb(daemon.pid());
+    own = system::anonymous_mb(daemon.pid());
   }
-  row("start to the first answered query, median", 1, quantile(times, 0.5), "ms", 200);
-  row("start to the first answered query, worst", 1, quantile(times, 1), "ms", 0);
-  row("resident memory with robot-soccer.ttl", 1, resident, "MB", 10);
-  row("resident memory that is shared with nobody", 1, own, "MB", 0);
+  row("start to the first answered query, median", "1", quantile(times, 0.5), "ms", {.limit = 200});
+  row("start to the first answered query, worst", "1", quantile(times, 1), "ms");
+  row("resident memory with robot-soccer.ttl", "1", resident, "MB", {.limit = 10});
+  row("resident memory that is shared with nobody", "1", own, "MB");
 }
 
 void measure_idling(int seconds) {
@@ -100,14 +71,15 @@ void measure_idling(int seconds) {
     if (!lab.wait_for_participants(host, hosts)) complain("a host that sees the whole team");
   }
   std::vector<double> before;
-  for (std::size_t host = 0; host < hosts; ++host) before.push_back(processor_time(lab.daemon(host).pid()));
+  for (std::size_t host = 0; host < hosts; ++host) before.push_back(system::processor_ms(lab.daemon(host).pid()));
   ::poll(nullptr, 0, seconds * 1000);
   std::vector<double> per_second;
   for (std::size_t host = 0; host < hosts; ++host) {
-    per_second.push_back((processor_time(lab.daemon(host).pid()) - before[host]) / seconds);
+    per_second.push_back((system::processor_ms(lab.daemon(host).pid()) - before[host]) / seconds);
   }
-  row("processor time of an idle daemon a second, median", hosts, quantile(per_second, 0.5), "ms", 1);
-  row("processor time of an idle daemon a second, worst", hosts, quantile(per_second, 1), "ms", 0);
+  row("processor time of an idle daemon a second, median", std::to_string(hosts), quantile(per_second, 0.5), "ms",
+      {.limit = 1});
+  row("processor time of an idle daemon a second, worst", std::to_string(hosts), quantile(per_second, 1), "ms");
 }
 
 void measure_telling(int services) {
@@ -121,7 +93,7 @@ void measure_telling(int services) {
     const auto began = Clock::now();
     provider.say(std::to_string(number) + " pub create mode=otm/stream " + identity + " port=5000");
     if (!consumer.line_with({" pub add "})) complain("a service that is told");
-    times.push_back(milliseconds(Clock::now() - began));
+    times.push_back(milliseconds_since(began));
     provider.say(std::to_string(number) + " pub remove");
     if (!consumer.line_with({" pub del "})) complain("the end of a service that is told");
     ::poll(nullptr, 0, pause_between);  // a peer that changes its services without end is slowed down on purpose
@@ -129,18 +101,19 @@ void measure_telling(int services) {
   publish(1, "concept=soccer:BallInfo");
   times.clear();  // the first one has warmed everybody up
   for (int number = 0; number < services; ++number) publish(number + 10, "concept=soccer:BallInfo");
-  row("a new service told on another host, median", times.size(), quantile(times, 0.5), "ms", 5);
-  row("a new service told on another host, p95", times.size(), quantile(times, 0.95), "ms", 5);
-  row("a new service told on another host, worst", times.size(), quantile(times, 1), "ms", 0);
+  row("a new service told on another host, median", std::to_string(times.size()), quantile(times, 0.5), "ms",
+      {.limit = 5});
+  row("a new service told on another host, p95", std::to_string(times.size()), quantile(times, 0.95), "ms",
+      {.limit = 5});
+  row("a new service told on another host, worst", std::to_string(times.size()), quantile(times, 1), "ms");
 }
 
 }  // namespace
-}  // namespace geminga::system
+}  // namespace geminga::bench
 
 int main(int argc, char** argv) {
-  using namespace geminga::system;
+  using namespace geminga::bench;
   const bool is_smoke = argc > 1 && std::string_view(argv[1]) == "--smoke";
-  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   measure_start(is_smoke ? 2 : 15);
   measure_telling(is_smoke ? 2 : 40);
   measure_idling(is_smoke ? 1 : 20);

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "bench/reasoner/child.hpp"
-#include "bench/reasoner/table.hpp"
+#include "bench/table.hpp"
 #include "compare/functional_syntax.hpp"
 #include "compare/shapes.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "bench/reasoner/table.hpp"
+#include "bench/table.hpp"
 #include "reasoning/compiled/compiled_view.hpp"
 #include "reasoning/compiled/ontology.hpp"
 #include "reasoning/explanation/explain.hpp"

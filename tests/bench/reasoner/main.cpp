@@ -19,7 +19,7 @@
 #include "bench/reasoner/hard.hpp"
 #include "bench/reasoner/loaded.hpp"
 #include "bench/reasoner/synthetic.hpp"
-#include "bench/reasoner/table.hpp"
+#include "bench/table.hpp"
 
 namespace geminga::bench {
 namespace {

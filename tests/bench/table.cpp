@@ -1,4 +1,4 @@
-#include "bench/reasoner/table.hpp"
+#include "bench/table.hpp"
 
 #include <cstdio>
 

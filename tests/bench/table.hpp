@@ -1,7 +1,7 @@
 // The rows that tools/bench puts into its table: `name, size, figure, ratio, target, verdict`, separated by tabs, and
 // behind them the baseline where there is one.
-#ifndef GEMINGA_TESTS_BENCH_REASONER_TABLE_HPP
-#define GEMINGA_TESTS_BENCH_REASONER_TABLE_HPP
+#ifndef GEMINGA_TESTS_BENCH_TABLE_HPP
+#define GEMINGA_TESTS_BENCH_TABLE_HPP
 
 #include <string>
 

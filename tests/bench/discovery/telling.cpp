@@ -1,0 +1,67 @@
+// How soon the others are told of services that come and go, and what that costs the whole team.
+#include <thread>
+
+#include "bench/discovery/measures.hpp"
+#include "bench/times.hpp"
+
+namespace geminga::bench {
+namespace {
+
+/// Stands for a host that was not told before patience ended.
+constexpr double never_ms = 1e6;
+
+/// Between two changes, in milliseconds: by then the copies of the last one are out, and nobody is slowed down for
+/// changing without end.
+constexpr int pause_between = 1000;
+
+/// When the slowest is to be told, whatever the loss.
+constexpr double slowest_ms = 1000;
+
+}  // namespace
+
+template <typename Change>
+std::vector<double> Measures::times_until_told(std::size_t host, const std::string& text, Change change) {
+  std::vector<double> times(team_.size());
+  const auto began = Clock::now();
+  change();
+  {
+    std::vector<std::jthread> watchers;
+    for (std::size_t other = 0; other < team_.size(); ++other) {
+      if (other == host) continue;
+      watchers.emplace_back([&, other] {
+        const bool is_told = team_.module(other).line_with({text}).has_value();
+        times[other] = is_told ? milliseconds_since(began) : never_ms;
+      });
+    }
+  }
+  times.erase(times.begin() + static_cast<std::ptrdiff_t>(host));
+  rest(pause_between);
+  return times;
+}
+
+void Measures::telling() {
+  std::vector<double> added;
+  std::vector<double> removed;
+  (void)team_.departures();
+  const auto before = team_.sent();
+  const auto began = Clock::now();
+  for (int change = 0; change < effort_.changes; ++change) {
+    const auto id = static_cast<std::uint32_t>(100 + change);
+    const auto host = static_cast<std::size_t>(change) % team_.size();
+    const auto come = times_until_told(host, "40 pub add ", [&] { team_.publish(host, id, "news"); });
+    added.insert(added.end(), come.begin(), come.end());
+    const auto gone = times_until_told(host, "40 pub del ", [&] { team_.withdraw(host, id); });
+    removed.insert(removed.end(), gone.begin(), gone.end());
+  }
+  const double time = milliseconds_since(began);
+  const double octets = team_.sent().octets - before.octets - steady_octets_ * time;
+  row("a new service told on another host, p95", quantile(added, 0.95), "ms", targets_.told_ms);
+  row("a new service told on another host, slowest", quantile(added, 1), "ms", slowest_ms);
+  row("a withdrawn service told on another host, p95", quantile(removed, 0.95), "ms", targets_.told_ms);
+  row("a withdrawn service told on another host, slowest", quantile(removed, 1), "ms", slowest_ms);
+  row("octets of all hosts for one change, without headers", octets / (2 * effort_.changes), "B",
+      targets_.change_octets);
+  expect_right();
+}
+
+}  // namespace geminga::bench
