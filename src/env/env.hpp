@@ -14,9 +14,11 @@
 
 namespace geminga::env {
 
-/// The largest datagram, of those sent and of those received. Fits into one frame of every link that IPv6 runs on (RFC
-/// 8200 section 5: 1280 octets), with its headers and 32 octets left for an envelope.
-inline constexpr std::size_t max_datagram_bytes = 1200;
+/// The largest datagram, of those sent and of those received. With its headers it fills one frame of every link that
+/// IPv6 runs on (RFC 8200 section 5: 1280 octets).
+inline constexpr std::size_t max_datagram_bytes = 1232;
+/// What sealing may add to a text: an announcement leaves so much of a datagram free, sealed or not.
+inline constexpr std::size_t max_envelope_bytes = 32;
 
 /// The kernel's number of a network interface; never reused while a participant lives.
 enum class InterfaceIndex : std::uint32_t {};

@@ -14,7 +14,8 @@
 
 namespace geminga::announcement {
 
-using env::max_datagram_bytes;
+/// One announcement, without its envelope.
+inline constexpr std::size_t max_datagram_bytes = env::max_datagram_bytes - env::max_envelope_bytes;
 
 /// What one publication or subscription may take of a datagram, its share of the tables included. The rest is kept for
 /// the largest possible header, so whether a service fits depends on nothing but the service.

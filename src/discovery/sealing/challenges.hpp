@@ -1,0 +1,70 @@
+// Who has still to show that it is no recording, and to whom we have still to show that.
+#ifndef GEMINGA_DISCOVERY_SEALING_CHALLENGES_HPP
+#define GEMINGA_DISCOVERY_SEALING_CHALLENGES_HPP
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "base/time.hpp"
+#include "discovery/sealing/greeting.hpp"
+#include "env/env.hpp"
+
+namespace geminga::sealing {
+
+/// The talk between participants about freshness, which rides in their announcements (after RFC 8967, section 4.3).
+class Challenges {
+ public:
+  /// Our session begins with this challenge, and calls everybody for calling_time.
+  void begin(Session own, Challenge challenge, base::Instant now);
+  /// From now on only this challenge proves anything.
+  void renew(Challenge challenge) { own_challenge_ = challenge; }
+
+  /// Somebody with our key has said this; we owe what it asks of us. It may be a recording.
+  void hear(const Greeting& greeting, Session from, env::InterfaceIndex interface, base::Instant now);
+  /// Whether it gives our challenge back, so that it was made after that was drawn.
+  [[nodiscard]] bool is_proof(const Greeting& greeting) const;
+  /// A session that has proved nothing has spoken, so it is asked.
+  void ask(Session session, env::InterfaceIndex interface, base::Instant now);
+  /// It has proved itself.
+  void settle(Session session);
+
+  /// Whether somebody is asked: then something is to be said soon, and again and again.
+  [[nodiscard]] bool asks(base::Instant now);
+  /// Whether somebody waits for a proof of ours that nothing has carried yet.
+  [[nodiscard]] bool is_asked(base::Instant now) const;
+
+  /// What the next datagram on this interface says, in at most `room` octets; it counts as said. `keys` are named where
+  /// there are several.
+  [[nodiscard]] Greeting greeting(env::InterfaceIndex interface, const Keyring& keys, std::size_t room,
+                                  base::Instant now);
+
+ private:
+  struct Asked {
+    Session session{};
+    env::InterfaceIndex interface{};
+    base::Instant heard{};
+  };
+  struct Owed {
+    Session to{};
+    env::InterfaceIndex interface{};
+    Challenge challenge{};
+    base::Instant since{};
+    int copies = 0;           ///< still to be said; 0: kept to know that it was said
+    bool is_carried = false;  ///< by one datagram at least
+  };
+
+  void owe(Session to, env::InterfaceIndex interface, Challenge challenge, bool is_named, base::Instant now);
+  void forget_silent(base::Instant now);
+
+  Session own_{};
+  Challenge own_challenge_{};
+  base::Instant calls_until_ = base::Instant::min();
+  std::vector<Asked> asked_;   ///< who spoke last is the last
+  bool are_too_many_ = false;  ///< more than can be named
+  std::vector<Owed> owed_;     ///< who asked last is the last
+};
+
+}  // namespace geminga::sealing
+
+#endif

@@ -1,0 +1,32 @@
+// Why a datagram was not heard, in the order in which it is found out.
+#ifndef GEMINGA_DISCOVERY_SEALING_REJECTION_HPP
+#define GEMINGA_DISCOVERY_SEALING_REJECTION_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace geminga::sealing {
+
+/// Words are only ever appended.
+enum class Rejection : std::uint8_t {
+  too_large,      ///< over env::max_datagram_bytes
+  plain,          ///< not sealed, and only what is sealed is heard
+  too_short,      ///< sealed, and too short for an envelope
+  other_version,  ///< sealed in a way that this version does not know
+  unknown_key,    ///< sealed with a key that we do not have
+  replayed,       ///< this datagram was heard, or is so old that it may have been
+  forged,         ///< not sealed with the key that it names, or changed on the way
+  malformed,      ///< sealed with our key, and what is in it cannot be read
+  unproved,       ///< of a session that has not shown yet that it is not a recording
+  downgraded,     ///< not sealed, in the name of somebody who seals
+  own,            ///< what we have sealed ourselves, given back by the link: no fault, and not counted as one
+};
+inline constexpr std::size_t rejection_count = 11;
+
+/// "too-large", "plain", ... Static storage.
+[[nodiscard]] std::string_view to_string(Rejection rejection);
+
+}  // namespace geminga::sealing
+
+#endif

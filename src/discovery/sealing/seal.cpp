@@ -1,0 +1,180 @@
+#include "discovery/sealing/seal.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/assert.hpp"
+
+namespace geminga::sealing {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Mode>, 5> modes{{{"plain", Mode::plain},
+                                                                  {"prepared", Mode::prepared},
+                                                                  {"mixed", Mode::mixed},
+                                                                  {"authenticated", Mode::authenticated},
+                                                                  {"encrypted", Mode::encrypted}}};
+
+}  // namespace
+
+std::string_view to_string(Mode mode) { return modes.at(static_cast<std::size_t>(mode)).first; }
+
+std::optional<Mode> read_mode(std::string_view word) {
+  const auto* const found = std::ranges::find(modes, word, [](const auto& pair) { return pair.first; });
+  return found == modes.end() ? std::nullopt : std::optional(found->second);
+}
+
+Seal::Seal(RandomBits random_bits) : random_bits_(std::move(random_bits)) {}
+
+void Seal::adopt(const Policy& policy, base::Instant now) {
+  GEMINGA_ASSERT(policy.keys.is_empty() == (policy.mode == Mode::plain));
+  const Policy before = std::exchange(policy_, policy);
+  // Who is `prepared` says nothing sealed, so nobody could prove anything to it.
+  const bool is_proof_lost = !before.keys.is_within(policy_.keys) || before.mode == Mode::prepared;
+  if (is_proof_lost) {
+    sessions_.clear();
+    sealers_.clear();
+  }
+  if (policy_.mode == Mode::plain) return;
+  if (before.mode <= Mode::prepared) {
+    begin_session(now);
+  } else if (is_proof_lost) {
+    challenges_.renew(Challenge(random_bits_()));
+  }
+}
+
+void Seal::begin_session(base::Instant now) {
+  session_ = Session(random_bits_());
+  counter_ = 0;
+  challenges_.begin(session_, Challenge(random_bits_()), now);
+}
+
+std::span<const std::byte> Seal::seal(std::span<const std::byte> text, env::InterfaceIndex interface,
+                                      base::Instant now) {
+  GEMINGA_ASSERT(text.size() <= env::max_datagram_bytes - env::max_envelope_bytes);
+  if (!is_sealing()) {
+    std::ranges::copy(text, said_.begin());
+    return std::span(said_).first(text.size());
+  }
+  if (counter_ == std::numeric_limits<std::uint32_t>::max()) begin_session(now);  // no nonce is ever used twice
+  const std::size_t room = env::max_datagram_bytes - env::max_envelope_bytes - text.size();
+  const Greeting greeting = challenges_.greeting(interface, policy_.keys, room, now);
+  const std::size_t greeted = greeting.is_empty() ? 0 : write_greeting(greeting, greeted_);
+  std::ranges::copy(text, std::span(greeted_).subspan(greeted).begin());
+  const Header header{
+      .protection = policy_.mode == Mode::authenticated ? Protection::authenticated : Protection::encrypted,
+      .has_greeting = greeted > 0,
+      .key = policy_.keys.first().id(),
+      .session = session_,
+      .counter = counter_++};
+  const std::size_t size =
+      sealing::seal(policy_.keys.first(), header, std::span(greeted_).first(greeted + text.size()), said_);
+  return std::span(said_).first(size);
+}
+
+std::expected<Opened, Rejection> Seal::open(std::span<const std::byte> datagram, const Arrival& arrival) {
+  Outcome outcome;
+  const auto opened = [&]() -> std::expected<Opened, Rejection> {
+    if (datagram.size() > env::max_datagram_bytes) return std::unexpected(Rejection::too_large);
+    if (is_sealed(datagram)) return open_sealed(datagram, arrival, outcome);
+    if (!hears_plain()) return std::unexpected(Rejection::plain);
+    return Opened{.text = datagram};
+  }();
+  if (!opened) outcome.rejection = opened.error();
+  // What is heard without a seal is entered by attribute(), which may still reject it.
+  if (opened || opened.error() != Rejection::own) {
+    if (!opened || opened->session) ledger_.enter(outcome, arrival);
+  }
+  return opened;
+}
+
+std::expected<Opened, Rejection> Seal::open_sealed(std::span<const std::byte> datagram, const Arrival& arrival,
+                                                   Outcome& outcome) {
+  const auto header = read_header(datagram);
+  if (!header) return std::unexpected(header.error());
+  outcome.protection = header->protection;
+  outcome.key = header->key;
+  const Key* key = policy_.keys.find(header->key);
+  if (key == nullptr) return std::unexpected(Rejection::unknown_key);
+  if (is_sealing() && header->session == session_) {
+    look_at_own(*header, datagram, arrival);
+    return std::unexpected(Rejection::own);
+  }
+  KnownSession* known = sessions_.find(header->session);
+  if (known != nullptr && !known->window.is_open(arrival.interface, header->counter, arrival.now)) {
+    return std::unexpected(Rejection::replayed);
+  }
+  const auto size = sealing::open(*key, *header, datagram, heard_);
+  if (!size) return std::unexpected(size.error());
+  std::span<const std::byte> text = std::span(heard_).first(*size);
+  Read read{.header = *header};
+  read.had_room = datagram.size() + greeting_bytes(max_keys, false, 0, 0) <= env::max_datagram_bytes;
+  if (header->has_greeting) {
+    auto greeting = read_greeting(text);
+    if (!greeting) return std::unexpected(greeting.error());
+    read.greeting = std::move(greeting->greeting);
+    text = text.subspan(greeting->size);
+  }
+  if (!admit(read, arrival)) return std::unexpected(Rejection::unproved);
+  return Opened{.text = text, .protection = header->protection, .session = header->session};
+}
+
+/// Whether what was sealed with one of our keys is to be heard: it is neither a copy nor a recording.
+bool Seal::admit(const Read& read, const Arrival& arrival) {
+  const Header& header = read.header;
+  const Greeting& greeting = read.greeting;
+  if (is_sealing()) challenges_.hear(greeting, header.session, arrival.interface, arrival.now);
+  KnownSession* known = sessions_.find(header.session);
+  if (known == nullptr) {
+    if (is_sealing() && !challenges_.is_proof(greeting)) {
+      challenges_.ask(header.session, arrival.interface, arrival.now);
+      return false;
+    }
+    challenges_.settle(header.session);
+    if (sessions_.add(header.session, {ReplayWindow(arrival.interface, header.counter, arrival.now), {}, {}, {}, {}})) {
+      challenges_.renew(Challenge(random_bits_()));
+    }
+    known = sessions_.find(header.session);
+  } else {
+    known->window.take(arrival.interface, header.counter, arrival.now);
+  }
+  known->heard = arrival.now;
+  known->protection = header.protection;
+  known->key = header.key;
+  // Who has several keys names them in each datagram that has room for them.
+  if (!greeting.keys.empty() || read.had_room) known->keys = greeting.keys;
+  return true;
+}
+
+/// Where a running process was copied (a virtual machine, say), both copies go on with one session. Whoever hears that
+/// begins another: no nonce may be used twice.
+void Seal::look_at_own(const Header& header, std::span<const std::byte> datagram, const Arrival& arrival) {
+  if (header.counter < counter_) return;
+  if (sealing::open(*policy_.keys.find(header.key), header, datagram, heard_)) begin_session(arrival.now);
+}
+
+bool Seal::attribute(const Opened& opened, ParticipantId participant, const Arrival& arrival) {
+  if (opened.session) {
+    if (sealers_.size() >= max_sessions) sealers_.clear();
+    sealers_.insert_or_assign(participant, *opened.session);
+    return true;
+  }
+  Outcome outcome;
+  if (const auto sealing = sealing_of(participant)) {
+    if (arrival.now - sealing->heard < sealed_memory) outcome.rejection = Rejection::downgraded;
+  }
+  ledger_.enter(outcome, arrival);
+  return !outcome.rejection;
+}
+
+std::optional<Sealing> Seal::sealing_of(ParticipantId participant) const {
+  const auto sealer = sealers_.find(participant);
+  if (sealer == sealers_.end()) return std::nullopt;
+  const KnownSession* known = sessions_.find(sealer->second);
+  if (known == nullptr) return std::nullopt;
+  Sealing sealing{known->protection, known->key, known->keys, known->heard};
+  if (sealing.keys.empty()) sealing.keys = {known->key};
+  return sealing;
+}
+
+}  // namespace geminga::sealing

@@ -1,0 +1,121 @@
+// What stands between a participant and the air: seals what it says, and lets through what the team has said.
+#ifndef GEMINGA_DISCOVERY_SEALING_SEAL_HPP
+#define GEMINGA_DISCOVERY_SEALING_SEAL_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "discovery/sealing/challenges.hpp"
+#include "discovery/sealing/envelope.hpp"
+#include "discovery/sealing/key.hpp"
+#include "discovery/sealing/ledger.hpp"
+#include "discovery/sealing/sessions.hpp"
+#include "geminga/service.hpp"
+
+namespace geminga::sealing {
+
+/// What a participant says and what it hears. A team goes from `plain` to `encrypted` by way of the two in between.
+enum class Mode : std::uint8_t {
+  plain,          ///< there are no keys: nothing is sealed
+  prepared,       ///< says what is not sealed, hears both
+  mixed,          ///< says what is encrypted, hears both
+  authenticated,  ///< says what everybody can read, hears only what is sealed
+  encrypted,      ///< says what only the team can read, hears only what is sealed
+};
+/// "plain", "prepared", ... Static storage.
+[[nodiscard]] std::string_view to_string(Mode mode);
+/// The mode of this word, or nothing.
+[[nodiscard]] std::optional<Mode> read_mode(std::string_view word);
+
+/// `keys` are empty where the mode is plain, and only there.
+struct Policy {
+  Mode mode = Mode::plain;
+  Keyring keys{};
+  friend bool operator==(const Policy&, const Policy&) = default;
+};
+
+/// A datagram that may be decoded now.
+struct Opened {
+  std::span<const std::byte> text;  ///< borrowed until the next call
+  Protection protection = Protection::plain;
+  std::optional<Session> session{};  ///< there unless it is plain
+};
+
+/// How a participant of the team seals.
+struct Sealing {
+  Protection protection{};
+  KeyId key{};
+  std::vector<KeyId> keys;  ///< that it opens with; the one that it seals with among them
+  base::Instant heard{};
+};
+
+class Seal {
+ public:
+  /// Gives 64 unpredictable bits; asked only where there are keys.
+  using RandomBits = std::function<std::uint64_t()>;
+  explicit Seal(RandomBits random_bits);
+
+  /// From now on this holds. Where a key was taken away, everybody has to prove itself anew, since whoever has that key
+  /// may have spoken in anybody's name.
+  void adopt(const Policy& policy, base::Instant now);
+  [[nodiscard]] const Policy& policy() const { return policy_; }
+
+  /// What is to be sent for this announcement on this interface, borrowed until the next call. Requires that it has at
+  /// most env::max_datagram_bytes - env::max_envelope_bytes octets.
+  [[nodiscard]] std::span<const std::byte> seal(std::span<const std::byte> text, env::InterfaceIndex interface,
+                                                base::Instant now);
+  /// What a datagram says, if it is to be heard. Bytes from anywhere; what is forged costs less than 1 us.
+  [[nodiscard]] std::expected<Opened, Rejection> open(std::span<const std::byte> datagram, const Arrival& arrival);
+  /// Who has said what was opened last. False: it is not to be heard, since he seals, and this was not sealed.
+  [[nodiscard]] bool attribute(const Opened& opened, ParticipantId participant, const Arrival& arrival);
+
+  /// Whether somebody is to be asked for a proof: something is to be said soon, and again and again.
+  [[nodiscard]] bool asks(base::Instant now) { return is_sealing() && challenges_.asks(now); }
+  /// Whether somebody waits for a proof of ours: something is to be said at once.
+  [[nodiscard]] bool is_asked(base::Instant now) const { return is_sealing() && challenges_.is_asked(now); }
+
+  /// How this participant seals; nothing: it has not been heard sealed, or it is forgotten.
+  [[nodiscard]] std::optional<Sealing> sealing_of(ParticipantId participant) const;
+  [[nodiscard]] const Ledger& ledger() const { return ledger_; }
+  [[nodiscard]] std::optional<std::string> take_complaint() { return ledger_.take_complaint(); }
+
+ private:
+  [[nodiscard]] bool is_sealing() const { return policy_.mode > Mode::prepared; }
+  [[nodiscard]] bool hears_plain() const { return policy_.mode <= Mode::mixed; }
+  void begin_session(base::Instant now);
+  /// Only the envelope: `outcome` says what was found on the way.
+  [[nodiscard]] std::expected<Opened, Rejection> open_sealed(std::span<const std::byte> datagram,
+                                                             const Arrival& arrival, Outcome& outcome);
+  /// What was sealed with one of our keys.
+  struct Read {
+    Header header;
+    Greeting greeting{};
+    bool had_room = false;  ///< for more than it says
+  };
+  [[nodiscard]] bool admit(const Read& read, const Arrival& arrival);
+  void look_at_own(const Header& header, std::span<const std::byte> datagram, const Arrival& arrival);
+
+  RandomBits random_bits_;
+  Policy policy_;
+  Session session_{};
+  std::uint32_t counter_ = 0;  ///< of the next datagram
+  Sessions sessions_;
+  Challenges challenges_;
+  Ledger ledger_;
+  std::map<ParticipantId, Session> sealers_;  ///< who was heard sealed, and by which session last
+  std::array<std::byte, env::max_datagram_bytes> said_{};
+  std::array<std::byte, env::max_datagram_bytes> heard_{};
+  std::array<std::byte, env::max_datagram_bytes> greeted_{};  ///< a greeting with the text behind it
+};
+
+}  // namespace geminga::sealing
+
+#endif
