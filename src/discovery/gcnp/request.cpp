@@ -143,6 +143,7 @@ Request read_query_ontology(KeyReader&) { return QueryOntology{}; }
 Request read_query_status(KeyReader&) { return QueryStatus{}; }
 Request read_query_interfaces(KeyReader&) { return QueryInterfaces{}; }
 Request read_query_peers(KeyReader&) { return QueryPeers{}; }
+Request read_query_security(KeyReader&) { return QuerySecurity{}; }
 
 /// One row a statement that a client may send.
 struct Row {
@@ -151,7 +152,7 @@ struct Row {
   Request (*read)(KeyReader&);
 };
 
-constexpr std::array<Row, 19> rows{{
+constexpr std::array<Row, 20> rows{{
     {"sys", "hello", read_hello},
     {"sys", "ping", read_ping},
     {"sys", "bye", read_bye},
@@ -171,6 +172,7 @@ constexpr std::array<Row, 19> rows{{
     {"query", "status", read_query_status},
     {"query", "interfaces", read_query_interfaces},
     {"query", "peers", read_query_peers},
+    {"query", "security", read_query_security},
 }};
 
 /// Why no row has this command and subcommand, with the words that there are.

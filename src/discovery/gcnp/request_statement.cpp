@@ -144,6 +144,7 @@ struct Writer {
   void operator()(const QueryStatus&) const { begin("query", "status"); }
   void operator()(const QueryInterfaces&) const { begin("query", "interfaces"); }
   void operator()(const QueryPeers&) const { begin("query", "peers"); }
+  void operator()(const QuerySecurity&) const { begin("query", "security"); }
 };
 
 }  // namespace

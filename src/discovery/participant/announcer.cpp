@@ -85,7 +85,8 @@ void Announcer::announce() {
     schedule_.set_loss(core_.neighbours.loss());
     schedule_.changed(now);
   }
-  schedule_.ask(core_.neighbours.lacks_anybody(now), core_.neighbours.doubts_anybody(), now);
+  schedule_.ask(core_.neighbours.lacks_anybody(now) || core_.seal.asks(now), core_.neighbours.doubts_anybody(), now);
+  if (core_.seal.is_asked(now)) show();
   for (;;) {
     switch (schedule_.take(now)) {
       case membership::Schedule::Say::nothing:
@@ -100,6 +101,8 @@ void Announcer::announce() {
     }
   }
 }
+
+void Announcer::show() { schedule_.doubted(core_.env.now()); }
 
 const announcement::Announcement& Announcer::current_state() {
   if (state_.revision != revision_ || state_.participant != claim_.id()) state_ = state();
@@ -267,7 +270,8 @@ std::size_t Announcer::send(const announcement::Announcement& announcement) {
     std::uint64_t& sequence = sequences_[interface.index];
     here.sequence = sequence;
     const auto datagrams = announcement::encode(here);
-    for (const announcement::Datagram& datagram : datagrams) {
+    for (const announcement::Datagram& text : datagrams) {
+      const std::span<const std::byte> datagram = core_.seal.seal(text, interface.index, core_.env.now());
       sent_.add(datagram);
       core_.env.send(interface.index, datagram);
       ++sequence;

@@ -43,6 +43,8 @@ class Announcer {
   [[nodiscard]] Step step_claim();
   /// Announces what has changed or is due; after stop() says goodbye.
   void announce();
+  /// Our presence is due, since something goes with it.
+  void show();
   /// When step_claim() or announce() has something to do, or base::never.
   [[nodiscard]] base::Instant due() const;
 

@@ -22,6 +22,7 @@
 #include "discovery/participant/session.hpp"
 #include "discovery/participant/settings.hpp"
 #include "discovery/participant/work.hpp"
+#include "discovery/sealing/seal.hpp"
 #include "env/env.hpp"
 
 namespace geminga::participant {
@@ -53,6 +54,8 @@ struct Core {
   NeighbourQueue neighbour_queue;
   Counters counters;
   Contest contest;
+  /// Everything that goes out or comes in on the air passes it.
+  sealing::Seal seal;
   Phase phase = Phase::created;
   /// What our peers know us by; 0 until an identifier is held. After a clash it stays until another one is held.
   ParticipantId id{};

@@ -103,11 +103,19 @@ Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceInde
   const env::Interface* on = core.find(interface);
   if (on == nullptr) return Announcer::Consequence::nothing;  // It came in just before the interface went away.
   ++core.counters.interfaces[interface].received;
-  const auto announcement = announcement::decode(datagram);
+  const sealing::Arrival arrival{
+      .interface = interface, .interface_name = on->name, .source = source, .now = core.env.now()};
+  const auto opened = core.seal.open(datagram, arrival);
+  if (!opened) {
+    if (opened.error() == sealing::Rejection::own) ++core.counters.hearings[membership::Hearing::own];
+    return Announcer::Consequence::nothing;
+  }
+  const auto announcement = announcement::decode(opened->text);
   if (!announcement) {
     ++core.counters.undecodable.at(static_cast<std::size_t>(announcement.error()));
     return Announcer::Consequence::nothing;
   }
+  if (!core.seal.attribute(*opened, announcement->participant, arrival)) return Announcer::Consequence::nothing;
   if (core.id != announcer.id() && announcement->participant == core.id) {
     // Whoever else has the identifier that we are giving up is heard once our own services have another one.
     ++core.counters.hearings[membership::Hearing::clash];

@@ -29,6 +29,7 @@ class Participant::State {
     GEMINGA_ASSERT(core.phase == Phase::created);
     core.started = core.env.now();
     core.phase = Phase::claiming;
+    core.seal.adopt(core.settings.sealing, core.env.now());
     remember_interfaces();
     core.neighbours.set_secret(core.env.random_bits());
     announcer.start();
@@ -77,6 +78,7 @@ class Participant::State {
   void datagram(env::InterfaceIndex interface, std::string_view source, std::span<const std::byte> bytes) {
     if (core.phase != Phase::claiming && core.phase != Phase::ready) return;
     if (hear(core, announcer, interface, source, bytes) == Announcer::Consequence::failed) fail();
+    if (const auto complaint = core.seal.take_complaint()) core.log(base::LogLevel::warning, *complaint);
     settle();
   }
 
@@ -89,6 +91,13 @@ class Participant::State {
     }
     feed(core);
     core.is_changed = true;
+    settle();
+  }
+
+  void set_sealing(const sealing::Policy& policy) {
+    if (core.phase == Phase::created || is_over()) return;
+    core.seal.adopt(policy, core.env.now());
+    announcer.show();
     settle();
   }
 
@@ -196,6 +205,7 @@ void Participant::on_stream_opened(env::StreamId stream, std::string_view user) 
 void Participant::on_stream_bytes(env::StreamId stream, std::string_view bytes) { state_->read(stream, bytes); }
 void Participant::on_stream_drained(env::StreamId) { state_->drained(); }
 void Participant::on_stream_closed(env::StreamId stream) { state_->closed(stream); }
+void Participant::set_sealing(const sealing::Policy& policy) { state_->set_sealing(policy); }
 void Participant::set_vocabulary(Vocabulary vocabulary) { state_->set_vocabulary(std::move(vocabulary)); }
 const vocabulary::Vocabulary* Participant::wants_prepared() const {
   const Core& core = state_->core;

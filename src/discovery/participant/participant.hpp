@@ -62,6 +62,10 @@ class Participant {
   /// What was written to the client has gone on its way, after some of it had to wait.
   void on_stream_drained(env::StreamId stream);
 
+  /// Other keys, or another way to seal. Nobody is lost by it who has the keys that this step of a rotation or a
+  /// migration asks for (src/discovery/sealing/SEALING.md). After start().
+  void set_sealing(const sealing::Policy& policy);
+
   /// Takes the vocabulary of another ontology, or of none. Peers are told what follows: a publication or subscription
   /// whose names the new one does not know gets one error 422 and its events `del reason=changed`, and comes back by
   /// itself when a later ontology knows them. What there is to do for a large team is done in later on_timer(), in

@@ -8,6 +8,7 @@
 
 #include "base/time.hpp"
 #include "discovery/announcement/limits.hpp"
+#include "discovery/sealing/seal.hpp"
 
 namespace geminga::participant {
 
@@ -52,6 +53,8 @@ struct Settings {
   /// Time between two announcements of an unchanged state. Shorter: a lost participant is noticed sooner. Longer: fewer
   /// octets on the air. Within [announcement::min_interval, announcement::max_interval].
   base::Duration interval = std::chrono::seconds(2);
+  /// With which keys announcements are sealed at first, and how; Participant::set_sealing() changes it.
+  sealing::Policy sealing;
   /// Names the program in `query status`, e.g. "0.1.0".
   std::string version = "0";
   Limits limits;

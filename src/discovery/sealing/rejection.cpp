@@ -6,8 +6,8 @@ namespace geminga::sealing {
 
 std::string_view to_string(Rejection rejection) {
   static constexpr std::array<std::string_view, rejection_count> words{
-      "too-large", "plain",     "too-short", "other-version", "unknown-key", "replayed",
-      "forged",    "malformed", "unproved",  "downgraded",    "own"};
+      "plain",  "too-large", "too-short", "other-version", "unknown-key", "replayed",
+      "forged", "malformed", "unproved",  "downgraded",    "own"};
   return words.at(static_cast<std::size_t>(rejection));
 }
 

@@ -10,8 +10,8 @@ namespace geminga::sealing {
 
 /// Words are only ever appended.
 enum class Rejection : std::uint8_t {
-  too_large,      ///< over env::max_datagram_bytes
   plain,          ///< not sealed, and only what is sealed is heard
+  too_large,      ///< sealed, and over env::max_datagram_bytes
   too_short,      ///< sealed, and too short for an envelope
   other_version,  ///< sealed in a way that this version does not know
   unknown_key,    ///< sealed with a key that we do not have

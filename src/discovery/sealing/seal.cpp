@@ -75,7 +75,6 @@ std::span<const std::byte> Seal::seal(std::span<const std::byte> text, env::Inte
 std::expected<Opened, Rejection> Seal::open(std::span<const std::byte> datagram, const Arrival& arrival) {
   Outcome outcome;
   const auto opened = [&]() -> std::expected<Opened, Rejection> {
-    if (datagram.size() > env::max_datagram_bytes) return std::unexpected(Rejection::too_large);
     if (is_sealed(datagram)) return open_sealed(datagram, arrival, outcome);
     if (!hears_plain()) return std::unexpected(Rejection::plain);
     return Opened{.text = datagram};
@@ -90,6 +89,7 @@ std::expected<Opened, Rejection> Seal::open(std::span<const std::byte> datagram,
 
 std::expected<Opened, Rejection> Seal::open_sealed(std::span<const std::byte> datagram, const Arrival& arrival,
                                                    Outcome& outcome) {
+  if (datagram.size() > env::max_datagram_bytes) return std::unexpected(Rejection::too_large);
   const auto header = read_header(datagram);
   if (!header) return std::unexpected(header.error());
   outcome.protection = header->protection;

@@ -35,6 +35,7 @@ using Answered = std::expected<Answer, Error>;
 [[nodiscard]] Answered answer(Core& core, const gcnp::QueryStatus& query);
 [[nodiscard]] Answered answer(Core& core, const gcnp::QueryInterfaces& query);
 [[nodiscard]] Answered answer(Core& core, const gcnp::QueryPeers& query);
+[[nodiscard]] Answered answer(Core& core, const gcnp::QuerySecurity& query);
 
 // Those that go through the registry do so piece by piece.
 [[nodiscard]] std::expected<Answering, Error> begin(Core& core, const gcnp::QueryServices& query);

@@ -50,6 +50,16 @@ void append_ontology_state(Line& line, const Core& core) {
   if (others != 0) append(line, "ontology_others", others);
 }
 
+/// How announcements are sealed, and how many were not heard for it.
+void append_sealing(Line& line, const sealing::Seal& seal) {
+  append(line, "sealing", std::string(to_string(seal.policy().mode)));
+  for (std::size_t i = 0; i < sealing::rejection_count; ++i) {
+    const auto rejection = static_cast<sealing::Rejection>(i);
+    const std::uint64_t count = seal.ledger().rejected(rejection);
+    if (count != 0) append(line, "sealing_" + std::string(to_string(rejection)), count);
+  }
+}
+
 /// What others do in our name, where they do.
 void append_contest(Line& line, const Core& core) {
   if (core.counters.redraws != 0) append(line, "redraws", core.counters.redraws);
@@ -89,6 +99,7 @@ Answered answer(Core& core, const gcnp::QueryStatus&) {
   append_counters(line, core.counters);
   append_ontology_state(line, core);
   append_contest(line, core);
+  append_sealing(line, core.seal);
   const Expressions::Counts& expressions = core.expressions.counts();
   if (expressions.classified != 0) append(line, "expressions_classified", expressions.classified);
   if (expressions.unknown != 0) append(line, "expressions_unknown", expressions.unknown);
