@@ -19,7 +19,7 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
-/// What was accepted can be announced again, and comes back the same.
+/// What was accepted can be announced again, and comes back the same: a presence as a whole, of a state the header.
 void check_round_trip(Announcement announcement) {
   announcement.part = 0;
   announcement.part_count = 1;
@@ -30,6 +30,7 @@ void check_round_trip(Announcement announcement) {
     const auto again = announcement::decode(datagram);
     require(again.has_value());
     require(again->participant == announcement.participant && again->name == announcement.name);
+    require(announcement.kind != Kind::presence || *again == announcement);
   }
 }
 
