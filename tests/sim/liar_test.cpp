@@ -198,7 +198,7 @@ TEST(Liar, FloodsWithServicesAndLeavesRoomForThoseOfARobot) {
   for (std::uint32_t participant = 1; participant <= 9; ++participant) {
     forged.participant = ParticipantId{0x10000000 + participant};
     forged.boot = announcement::BootNonce{participant};
-    forged.peers = {{PeerId{1}, "liar", {}, {}, {}}};
+    forged.peers = {{PeerId{1}, "liar", {}, {}, {}, {}}};
     for (std::uint32_t number = 1; number <= announcement::max_services_per_participant; ++number) {
       one.number = number;
       forged.peers[0].publications.push_back(one);

@@ -2,11 +2,13 @@
 #ifndef GEMINGA_DISCOVERY_ANNOUNCEMENT_ANNOUNCEMENT_HPP
 #define GEMINGA_DISCOVERY_ANNOUNCEMENT_ANNOUNCEMENT_HPP
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "base/time.hpp"
+#include "discovery/announcement/limits.hpp"
 #include "geminga/service.hpp"
 
 namespace geminga::announcement {
@@ -22,6 +24,8 @@ enum class Kind : std::uint8_t {
   /// The sender is there and its state is that of `revision`, which is not said again. Name, ontology digest, interval
   /// and addresses are left out, too: they are as the state of that revision says.
   presence,
+  /// What has changed since an earlier revision; all else is as that one says, as with a presence.
+  change,
 };
 
 /// A publication with the GCNP number that its peer gave it. The address is numeric without zone, or empty: the
@@ -38,7 +42,7 @@ struct NumberedSubscription {
   friend bool operator==(const NumberedSubscription&, const NumberedSubscription&) = default;
 };
 
-/// One peer and what it offers and asks for. Numbers are unique over publications, subscriptions and withheld ones.
+/// One peer and what it offers and asks for. Numbers are unique over all of its lists.
 struct PeerState {
   PeerId id{};
   std::string name;
@@ -47,6 +51,8 @@ struct PeerState {
   /// Services that exist, but whose address is not valid on this interface (on_interface.hpp). Told so that their
   /// absence here is not taken for their end.
   std::vector<std::uint32_t> withheld;
+  /// In a change: services that exist no more.
+  std::vector<std::uint32_t> removed;
   friend bool operator==(const PeerState&, const PeerState&) = default;
 };
 
@@ -69,8 +75,13 @@ struct Witness {
   friend bool operator==(const Witness&, const Witness&) = default;
 };
 
+/// The time between two announcements on average: the configured one, doubled so often, but not beyond max_interval.
+[[nodiscard]] constexpr base::Duration stretched(base::Duration interval, unsigned doublings) {
+  return std::max(interval, std::min<base::Duration>(max_interval, interval * (1 << doublings)));
+}
+
 /// One announcement. encode() splits it into datagrams, decode() makes one of each datagram; for `claim` and `goodbye`
-/// revision, addresses and peers stay empty, for `presence` what its docstring says.
+/// revision, addresses and peers stay empty, for `presence` and `change` what their docstrings say.
 struct Announcement {
   Kind kind = Kind::state;
   std::string group;            ///< the negotiation group; participants of another one ignore it
@@ -79,11 +90,14 @@ struct Announcement {
   std::uint32_t link = 0;      ///< the sender's number of the interface that it went out on
   std::uint64_t sequence = 0;  ///< counts the sender's datagrams on that interface, so that others can measure loss
   base::Duration interval = std::chrono::seconds(2);  ///< between two of them, on average; whole milliseconds
-  std::string name;                                   ///< the participant's; empty: its identifier
-  std::uint64_t ontology_digest = 0;                  ///< 0: none is loaded
-  std::vector<std::string> addresses;                 ///< numeric, valid on this interface, best first, without zone
+  /// How often that is doubled because many share the air (stretched()). A presence says this anew.
+  std::uint8_t doublings = 0;
+  std::string name;                    ///< the participant's; empty: its identifier
+  std::uint64_t ontology_digest = 0;   ///< 0: none is loaded
+  std::vector<std::string> addresses;  ///< numeric, valid on this interface, best first, without zone
 
   std::uint64_t revision = 0;    ///< grows with every change of the state; the same on all interfaces
+  std::uint64_t since = 0;       ///< of a change: the revision that it begins from, below its own
   std::uint32_t part = 0;        ///< of `part_count` parts of this revision, counted from 0; set by encode()
   std::uint32_t part_count = 1;  ///< set by encode()
   std::vector<PeerState> peers;  ///< by ascending id; a peer without any service is not announced

@@ -24,7 +24,7 @@ enum class DecodeError : std::uint8_t {
   bad_kind,        ///< an unknown kind
   bad_identifier,  ///< participant, peer or service number 0, or one given twice
   bad_name,        ///< a name too long, with control characters, `/` or `,`
-  bad_interval,    ///< outside [min_interval, max_interval]
+  bad_interval,    ///< outside [min_interval, max_interval], or doubled more than max_doublings times
   bad_part,        ///< part not below the number of parts, or more than max_parts
   bad_address,     ///< not 4 or 16 octets, one that nobody can be reached at, or too many
   bad_table,       ///< an index into the tables of namespaces and terms that is out of range
@@ -36,8 +36,9 @@ enum class DecodeError : std::uint8_t {
   bad_attribute,   ///< a limit or the grammar of attributes is violated
   bad_filter,      ///< a limit of provider filters or of the where expression is violated
   bad_witness,     ///< what is said of others has a wrong size, names too many or the identifier 0
+  bad_change,      ///< a change that begins from its own revision or a later one
 };
-inline constexpr std::size_t decode_error_count = 19;
+inline constexpr std::size_t decode_error_count = 20;
 
 /// "too-large", "not-protobuf", ... Static storage.
 [[nodiscard]] std::string_view to_string(DecodeError error);
@@ -52,9 +53,10 @@ using Datagram = std::vector<std::byte>;
 /// Writes an announcement as one datagram, or a state that does not fit as several, numbered from
 /// `announcement.sequence` on; the caller's next sequence number is greater by their count. Each has at most
 /// max_datagram_bytes and is complete in itself. Peers without any service are left out. Equal announcements give equal
-/// bytes. A service that does not pass check() (announceable.hpp) and services beyond max_services_per_participant are
-/// left out: the caller has refused them before. Names and addresses over their limits are cut. Requires a participant
-/// other than 0 and an interval within its limits.
+/// bytes. A change that does not fit into one datagram gives none: only the state tells it. A service that does not
+/// pass check() (announceable.hpp) and services beyond max_services_per_participant are left out: the caller has
+/// refused them before. Names and addresses over their limits are cut. Requires a participant other than 0 and an
+/// interval within its limits.
 [[nodiscard]] std::vector<Datagram> encode(const Announcement& announcement);
 
 }  // namespace geminga::announcement

@@ -40,6 +40,8 @@ Decoded<Kind> kind_of(wire::Kind kind) {
       return Kind::goodbye;
     case wire::KIND_PRESENCE:
       return Kind::presence;
+    case wire::KIND_CHANGE:
+      return Kind::change;
     default:
       return Failure(DecodeError::bad_kind);
   }
@@ -187,7 +189,7 @@ bool are_identifiers(std::vector<std::uint32_t> numbers) {
   return (numbers.empty() || numbers.front() != 0) && std::ranges::adjacent_find(numbers) == numbers.end();
 }
 
-Decoded<PeerState> peer_of(const wire::Peer& message, const std::vector<std::string>& terms) {
+Decoded<PeerState> peer_of(const wire::Peer& message, Kind kind, const std::vector<std::string>& terms) {
   PeerState peer;
   peer.id = PeerId{message.id()};
   peer.name = message.name();
@@ -207,6 +209,8 @@ Decoded<PeerState> peer_of(const wire::Peer& message, const std::vector<std::str
   }
   peer.withheld.assign(message.withheld().begin(), message.withheld().end());
   numbers.insert(numbers.end(), peer.withheld.begin(), peer.withheld.end());
+  if (kind == Kind::change) peer.removed.assign(message.removed().begin(), message.removed().end());
+  numbers.insert(numbers.end(), peer.removed.begin(), peer.removed.end());
   if (!are_identifiers(std::move(numbers))) return Failure(DecodeError::bad_identifier);
   return peer;
 }
@@ -264,7 +268,7 @@ Decoded<void> read_header(const wire::Announcement& message, Announcement& annou
   announcement.name = message.name();
   announcement.link = message.link();
   announcement.sequence = message.sequence();
-  if (*kind != Kind::presence) {
+  if (*kind != Kind::presence && *kind != Kind::change) {
     announcement.interval = std::chrono::milliseconds(message.interval_ms());
     if (announcement.interval < min_interval || announcement.interval > max_interval) {
       return Failure(DecodeError::bad_interval);
@@ -272,8 +276,12 @@ Decoded<void> read_header(const wire::Announcement& message, Announcement& annou
   } else if (announcement.group.empty()) {
     announcement.group = default_group;
   }
+  if (message.doublings() > max_doublings) return Failure(DecodeError::bad_interval);
+  announcement.doublings = static_cast<std::uint8_t>(message.doublings());
   announcement.ontology_digest = message.ontology_digest();
   announcement.revision = message.revision();
+  announcement.since = message.since();
+  if (*kind == Kind::change && announcement.since >= announcement.revision) return Failure(DecodeError::bad_change);
   announcement.part = message.part();
   announcement.part_count = std::max(message.part_count(), 1U);
   if (announcement.part_count > max_parts || announcement.part >= announcement.part_count) {
@@ -292,7 +300,7 @@ Decoded<void> read_header(const wire::Announcement& message, Announcement& annou
 constexpr std::array<std::string_view, decode_error_count> words = {
     "too-large",    "not-protobuf", "not-geminga",   "other-version", "bad-kind",     "bad-identifier", "bad-name",
     "bad-interval", "bad-part",     "bad-address",   "bad-table",     "bad-identity", "bad-mode",       "bad-degree",
-    "bad-port",     "bad-protocol", "bad-attribute", "bad-filter",    "bad-witness",
+    "bad-port",     "bad-protocol", "bad-attribute", "bad-filter",    "bad-witness",  "bad-change",
 };
 
 }  // namespace
@@ -313,7 +321,7 @@ std::expected<Announcement, DecodeError> decode(std::span<const std::byte> datag
   if (!terms) return Failure(terms.error());
   std::vector<std::uint32_t> ids;
   for (const auto& entry : message.peers()) {
-    auto peer = peer_of(entry, *terms);
+    auto peer = peer_of(entry, announcement.kind, *terms);
     if (!peer) return Failure(peer.error());
     ids.push_back(entry.id());
     announcement.peers.push_back(std::move(*peer));

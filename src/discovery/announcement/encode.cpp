@@ -34,10 +34,14 @@ wire::Announcement beginning_of(const Announcement& announcement) {
     case Kind::presence:
       header.set_kind(wire::KIND_PRESENCE);
       break;
+    case Kind::change:
+      header.set_kind(wire::KIND_CHANGE);
+      break;
   }
   header.set_participant(std::to_underlying(announcement.participant));
   header.set_boot(std::to_underlying(announcement.boot));
   header.set_link(announcement.link);
+  header.set_doublings(announcement.doublings);
   header.set_revision(announcement.revision);
   return header;
 }
@@ -73,10 +77,16 @@ std::string octets_of(const Witness& witness) {
   return octets;
 }
 
-wire::Announcement presence_of(const Announcement& announcement) {
+/// What a presence and a change begin with: all else is as the state says.
+wire::Announcement short_header_of(const Announcement& announcement) {
   auto message = beginning_of(announcement);
   if (announcement.group != default_group) message.set_group(group_of(announcement));
   message.set_sequence(announcement.sequence);
+  return message;
+}
+
+wire::Announcement presence_of(const Announcement& announcement) {
+  auto message = short_header_of(announcement);
   message.set_witness(octets_of(announcement.witness));
   for (const auto id : announcement.lacks | std::views::take(max_named)) message.add_lacks(std::to_underlying(id));
   for (const auto id : announcement.doubts | std::views::take(max_named)) message.add_doubts(std::to_underlying(id));
@@ -105,11 +115,16 @@ class Packer {
       return bytes;
     });
   }
-  void add(const PeerState& peer, std::uint32_t withheld) {
-    put(peer, [&](wire::Peer& to, TermTable&) {
-      const auto before = to.ByteSizeLong();
-      to.add_withheld(withheld);
-      return to.ByteSizeLong() - before;
+  void add_withheld(const PeerState& peer, std::uint32_t number) {
+    put(peer, [number](wire::Peer& to, TermTable&) {
+      to.add_withheld(number);
+      return to.ByteSizeLong();
+    });
+  }
+  void add_removed(const PeerState& peer, std::uint32_t number) {
+    put(peer, [number](wire::Peer& to, TermTable&) {
+      to.add_removed(number);
+      return to.ByteSizeLong();
     });
   }
 
@@ -181,8 +196,9 @@ std::vector<Packer::Part> pack(const Announcement& announcement, std::size_t bas
       if (!find_fault(entry.subscription) && is_room()) packer.add(peer, entry);
     }
     for (const auto number : peer.withheld) {
-      if (is_room()) packer.add(peer, number);
+      if (is_room()) packer.add_withheld(peer, number);
     }
+    for (const auto number : peer.removed) packer.add_removed(peer, number);
   }
   return packer.take();
 }
@@ -205,11 +221,20 @@ Datagram write(wire::Announcement header, Packer::Part part) {
   return write(header);
 }
 
+std::vector<Datagram> encode_change(const Announcement& announcement) {
+  auto header = short_header_of(announcement);
+  header.set_since(announcement.since);
+  auto parts = pack(announcement, header.ByteSizeLong());
+  if (parts.size() > 1) return {};
+  return {write(std::move(header), std::move(parts.front()))};
+}
+
 }  // namespace
 
 std::vector<Datagram> encode(const Announcement& announcement) {
   GEMINGA_ASSERT(announcement.participant != ParticipantId{});
   if (announcement.kind == Kind::presence) return {write(presence_of(announcement))};
+  if (announcement.kind == Kind::change) return encode_change(announcement);
   GEMINGA_ASSERT(announcement.interval >= min_interval && announcement.interval <= max_interval);
   auto header = header_of(announcement);
   // The sequence number grows with each part; sizes are reckoned with the greatest.

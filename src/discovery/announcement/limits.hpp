@@ -33,7 +33,7 @@ inline constexpr std::size_t max_services_per_participant = 1024;
 /// Parts of one state: enough for the most services, each alone in its part.
 inline constexpr std::size_t max_parts = max_services_per_participant;
 /// Participants that are remembered. One more takes the place of somebody less proved (admission.hpp), or none.
-inline constexpr std::size_t max_participants = 256;
+inline constexpr std::size_t max_participants = 1024;
 /// Those of one source address that never give way to a stranger, however much of it there is; a host has one daemon.
 inline constexpr std::size_t max_seasoned_per_source = 32;
 /// Strangers that are remembered while all places are taken, so that they can prove themselves by a second datagram. At
@@ -59,6 +59,8 @@ inline constexpr std::string_view default_group = "default";
 /// The announced interval. A shorter one would be a flood, a longer one would keep the dead for minutes.
 inline constexpr base::Duration min_interval = std::chrono::milliseconds(50);
 inline constexpr base::Duration max_interval = std::chrono::seconds(60);
+/// So often the interval is doubled at most where many share the air.
+inline constexpr unsigned max_doublings = 8;
 
 /// The interval of a stranger counts only up to this, the usual one, until it is heard again.
 inline constexpr base::Duration stranger_interval = std::chrono::seconds(2);

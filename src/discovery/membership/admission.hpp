@@ -57,6 +57,8 @@ class Admission {
   }
   /// Whether it was heard for seasoned_after and has one of its source's max_seasoned_per_source.
   [[nodiscard]] bool is_seasoned(ParticipantId id) const;
+  /// How many there are of those.
+  [[nodiscard]] std::size_t seasoned() const { return places_.size() - unseasoned_.size(); }
 
   /// Who gives its place to a newcomer that nobody knows yet, and what is known of the newcomer.
   struct Decision {

@@ -3,29 +3,25 @@
 #define GEMINGA_DISCOVERY_MEMBERSHIP_LIFE_SIGNS_HPP
 
 #include <algorithm>
-#include <cstddef>
 #include <optional>
 
 #include "base/time.hpp"
-#include "discovery/announcement/announcement.hpp"
 #include "discovery/membership/deadline.hpp"
 
 namespace geminga::membership {
 
 /// The signs of life of one participant, and the deadline that follows from them (ANNOUNCEMENT.md, "Deadlines"). Each
-/// call is told the interval that counts and the measured loss.
+/// call is told the interval that counts and how well it is received.
 class LifeSigns {
  public:
-  LifeSigns(base::Instant now, base::Duration interval)
-      : heard_(now), deadline_(now + patience(interval, {})), counted_from_(now) {}
+  LifeSigns(base::Instant now, base::Duration interval) : heard_(now), deadline_(now + patience(interval, {})) {}
 
   /// We have heard it ourselves.
   void hear(base::Instant now) { heard_ = now; }
   /// The deadline follows from the last sign of life; nobody doubts any more.
-  void renew(base::Duration interval, double loss);
-  /// Somebody says that it was heard by him at `seen` or later, or that he has not heard it of late; whether the
-  /// deadline has moved. `counts`: whether the word of others counts now.
-  bool witness(std::optional<base::Instant> seen, base::Instant now, base::Duration interval, double loss, bool counts);
+  void renew(base::Duration interval, const Reception& reception);
+  /// Others have heard it at `seen` or later; whether the deadline has moved.
+  bool witness(base::Instant seen, base::Instant now, base::Duration interval, const Reception& reception);
   /// Its next life seems to have begun: it is doubted, and its deadline is near once it was asked. Once in
   /// contest_intervals.
   void succeed(base::Instant now, base::Duration interval);
@@ -41,8 +37,6 @@ class LifeSigns {
 
   [[nodiscard]] base::Instant heard() const { return heard_; }
   [[nodiscard]] base::Instant deadline() const { return deadline_; }
-  /// How lately we have heard it ourselves, in shares of the interval that it announces.
-  [[nodiscard]] announcement::HeardWithin heard_within(base::Instant now, base::Duration interval) const;
   /// When the question for a sign of life begins.
   [[nodiscard]] base::Instant doubt_due(base::Duration interval) const;
   /// Whether it gives no sign of life, and its deadline is near.
@@ -50,7 +44,6 @@ class LifeSigns {
 
  private:
   [[nodiscard]] base::Instant seen() const { return std::max(heard_, witnessed_); }
-  [[nodiscard]] base::Instant deadline_of(base::Instant seen, base::Duration interval, double loss) const;
 
   base::Instant heard_;
   base::Instant witnessed_;  ///< when others have heard it, for what we know
@@ -58,9 +51,6 @@ class LifeSigns {
   bool is_doubted_ = false;
   std::optional<base::Instant> succeeded_;  ///< when its next life seemed to begin
   bool is_unasked_ = false;                 ///< its next life seems to have begun, and it was not asked yet
-  std::size_t witnesses_ = 0;               ///< words of others since counted_from_
-  std::size_t witnesses_before_ = 0;        ///< in the interval before that
-  base::Instant counted_from_;
 };
 
 }  // namespace geminga::membership

@@ -27,111 +27,47 @@ NeighbourRecord::Header NeighbourRecord::header_of(const announcement::Announcem
 }
 
 NeighbourRecord::NeighbourRecord(const announcement::Announcement& first, const Arrival& arrival, Turn since,
-                                 ServiceRoom& room)
+                                 ServiceRoom& room, const Witnesses& witnesses)
     : id_(first.participant),
       boot_(first.boot),
       source_(arrival.source),
       since_(since),
       standing_{arrival.now, arrival.now},
       header_(header_of(first), arrival.now),
-      life_(arrival.now, std::min(first.interval, announcement::stranger_interval)),
+      interval_(announcement::stretched(first.interval, first.doublings), arrival.now),
+      life_(arrival.now, std::min(interval_.value(), announcement::stranger_interval)),
       revision_(first.revision),
       said_revision_(first.revision),
       raised_(first.revision, arrival.now),
-      services_(Owner{first.participant, header_.value().name, {}, {}}, room) {}
-
-Duration NeighbourRecord::settled_interval(Instant now) const {
-  // Of a former interval, how long it counts is reckoned in itself: a forged one cannot outlast or outrun it.
-  const auto* former = header_.former(now, announcement::hold_intervals * announcement::max_interval);
-  if (former != nullptr && header_.former(now, announcement::hold_intervals * former->interval) != nullptr)
-    return former->interval;
-  return header_.value().interval;
-}
+      services_(Owner{first.participant, header_.value().name, {}, {}}, room),
+      witnesses_(witnesses) {}
 
 Duration NeighbourRecord::lasting_interval(Instant now) const {
-  const auto settled = settled_interval(now);
-  auto interval = header_.value().interval;
-  if (interval < settled || (interval > settled && !header_.is_repeated())) interval = settled;
-  return standing_.is_confirmed ? interval : std::min(interval, announcement::stranger_interval);
+  const auto lasting = interval_.lasting(now);
+  return standing_.is_confirmed ? lasting : std::min(lasting, announcement::stranger_interval);
 }
 
 Duration NeighbourRecord::hold(Instant now) const {
   const auto known_for = std::max<Duration>(announcement::stranger_interval, now - standing_.first);
-  return announcement::hold_intervals * std::min(settled_interval(now), known_for);
-}
-
-double NeighbourRecord::loss() const {
-  double best = ways_.empty() ? 0 : 1;
-  for (const auto& way : ways_) best = std::min(best, way.loss());
-  return best;
+  return announcement::hold_intervals * std::min(interval_.settled(now), known_for);
 }
 
 double NeighbourRecord::known_loss() const {
-  const bool is_known =
-      std::ranges::any_of(ways_, [](const NeighbourWay& way) { return way.losses().span() >= LossWindow::least_span; });
-  return is_known ? loss() : std::max(loss(), 0.3);
+  return ways_.is_loss_known() ? ways_.loss() : std::max(ways_.loss(), 0.3);
+}
+
+Reception NeighbourRecord::reception(Instant now) const {
+  return {.loss = ways_.loss(), .witnesses = witnesses_.words(id_, now, lasting_interval(now))};
 }
 
 Moment NeighbourRecord::moment(Instant now, bool is_heard) const {
   return {.now = now,
           .deadline = now + service_intervals * lasting_interval(now),
           .hold = hold(now),
-          .refresh = std::max(header_.value().interval / refreshes_per_interval, min_refresh_time),
+          .refresh = std::max(interval() / refreshes_per_interval, min_refresh_time),
           .is_contested = is_contested_,
           .is_complete = is_complete_,
           .is_heard = is_heard};
-}
-
-NeighbourWay* NeighbourRecord::find_way(const announcement::Announcement& announcement, const Arrival& arrival) {
-  const auto way = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
-    return each.interface() == arrival.interface && each.link() == announcement.link;
-  });
-  return way == ways_.end() ? nullptr : &*way;
-}
-
-const NeighbourWay* NeighbourRecord::find_bound(const announcement::Announcement& announcement,
-                                                const Arrival& arrival) const {
-  const auto way = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
-    return each.interface() == arrival.interface && each.link() == announcement.link && each.source() == arrival.source;
-  });
-  return way == ways_.end() ? nullptr : &*way;
-}
-
-bool NeighbourRecord::may_open(const announcement::Announcement& announcement, const Arrival& arrival) {
-  if (ways_.empty()) return true;
-  const auto is_alive = [&](const NeighbourWay& way) { return arrival.now - way.heard() < hold(arrival.now); };
-  const auto is_of_source = [&](const NeighbourWay& way) { return way.source() == arrival.source; };
-  const auto is_here = [&](const NeighbourWay& way) { return way.is_on(arrival.interface); };
-  if ((is_contested_ || was_misled_) && std::ranges::any_of(ways_, is_alive)) return false;
-  // Where one way is alive, another one from the same link of ours is not needed.
-  const auto here = std::ranges::find_if(ways_, [&](const NeighbourWay& way) { return is_here(way) && is_alive(way); });
-  if (here != ways_.end() && !is_of_source(*here)) return false;
-  if (here == ways_.end() && std::ranges::any_of(ways_, is_of_source)) return true;
-  // A new address, or an address with another number for its interface: it must say so twice, and nobody else between.
-  const bool is_repeated = opening_ && opening_->interface == arrival.interface &&
-                           opening_->link == announcement.link && opening_->source == arrival.source &&
-                           announcement.sequence != opening_->sequence;
-  opening_ = Opening{arrival.interface, announcement.link, std::string(arrival.source), announcement.sequence};
-  return is_repeated;
-}
-
-NeighbourWay* NeighbourRecord::open_way(const announcement::Announcement& announcement, const Arrival& arrival) {
-  if (ways_.size() == announcement::max_paths || !may_open(announcement, arrival)) return nullptr;
-  opening_.reset();
-  const auto place = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
-    return std::tuple(each.interface(), each.link()) > std::tuple(arrival.interface, announcement.link);
-  });
-  auto way = ways_.emplace(place, announcement, arrival);
-  way->deadline = arrival.now + patience(lasting_interval(arrival.now), {});
-  return &*way;
-}
-
-bool NeighbourRecord::close_later_ways(const NeighbourWay& way, const Arrival& arrival) {
-  if (opening_ && opening_->interface == arrival.interface) opening_.reset();
-  const auto opened = way.opened();
-  return std::erase_if(ways_, [&](const NeighbourWay& each) {
-           return each.is_on(arrival.interface) && each.source() == arrival.source && each.opened() > opened;
-         }) > 0;
 }
 
 Order NeighbourRecord::order(const NeighbourWay& way, const announcement::Announcement& announcement,
@@ -143,8 +79,10 @@ Order NeighbourRecord::order(const NeighbourWay& way, const announcement::Announ
     return raised_.is_late(announcement.revision, arrival.now) ? Order::contradiction : Order::overtaken;
   }
   if (announcement.revision > said_revision_ || announcement.kind == announcement::Kind::presence) return order;
-  const bool is_denied = header_of(announcement) != header_.value() || way.denies(announcement, arrival) ||
-                         services_.denies(announcement, is_complete_ ? &complete_ : nullptr);
+  const bool is_state = announcement.kind == announcement::Kind::state;
+  const bool is_denied =
+      (is_state && (header_of(announcement) != header_.value() || way.denies(announcement, arrival))) ||
+      services_.denies(announcement, is_complete_ ? &complete_ : nullptr);
   return is_denied ? Order::contradiction : order;
 }
 
@@ -153,17 +91,18 @@ Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, co
   const auto now = arrival.now;
   end_contest(now);
   bool is_forged = false;  // something that was believed until now
-  auto* way = find_way(announcement, arrival);
+  auto* way = ways_.find(announcement, arrival);
   if (way != nullptr) {
     const auto origin = way->origin(announcement, arrival, is_contested_, hold(now));
     if (origin == NeighbourWay::Origin::copied) return Hearing::copied;
     if (origin == NeighbourWay::Origin::elsewhere) return Hearing::elsewhere;
     is_forged = origin == NeighbourWay::Origin::back;
-    if (close_later_ways(*way, arrival)) was_misled_ = is_forged = true;
-    way = find_way(announcement, arrival);
+    if (ways_.close_later(*way, arrival)) is_forged = true;
+    way = ways_.find(announcement, arrival);
   } else {
-    way = open_way(announcement, arrival);
+    way = ways_.open(announcement, arrival, hold(now), is_contested_);
     if (way == nullptr) return Hearing::elsewhere;
+    way->deadline = now + patience(lasting_interval(now), {});
   }
   if (!is_contested_ && way->leaps(announcement, revision_)) return Hearing::leap;
   const auto order = is_forged ? Order::contradiction : this->order(*way, announcement, arrival);
@@ -183,7 +122,10 @@ void NeighbourRecord::take_in(NeighbourWay& way, const announcement::Announcemen
   if (announcement.kind == announcement::Kind::presence) {
     way.affirm(announcement.revision, now, is_contested_);
     if (announcement.revision == said_revision_ && !is_contested_) header_.affirm(now);
+    take_interval(announcement, now);
     take_revision(way, announcement, now, changes);
+  } else if (announcement.kind == announcement::Kind::change) {
+    take_change(way, announcement, now, changes);
   } else {
     take_state(way, announcement, arrival);
     take_revision(way, announcement, now, changes);
@@ -204,8 +146,34 @@ void NeighbourRecord::take_state(NeighbourWay& way, const announcement::Announce
     header_.replace(std::move(header), now, held);
     services_.set_name(header_.value().name);
   }
+  take_interval(announcement, now);
   way.say(announcement, arrival, is_contested_, held);
   choose_address();
+}
+
+void NeighbourRecord::take_change(NeighbourWay& way, const announcement::Announcement& announcement, Instant now,
+                                  std::vector<Change>& changes) {
+  const bool follows =
+      !is_contested_ && announcement.since <= said_revision_ && said_revision_ <= announcement.revision;
+  const bool completes = follows && is_complete_ && announcement.since <= revision_;
+  way.advance(announcement.since, announcement.revision, now, is_contested_);
+  if (follows) {
+    said_revision_ = announcement.revision;
+    header_.affirm(now);
+  }
+  take_interval(announcement, now);
+  take_revision(way, announcement, now, changes);
+  if (completes && update_services(complete_, announcement)) {
+    is_complete_ = true;
+    affirmed_ = now;
+  }
+  services_.apply(announcement, moment(now, true), changes);
+  if (!is_contested_) services_.withdraw_removed(announcement, moment(now, true), changes);
+}
+
+void NeighbourRecord::take_interval(const announcement::Announcement& announcement, Instant now) {
+  interval_.say(announcement::stretched(header_.value().interval, announcement.doublings), now, hold(now),
+                is_contested_);
 }
 
 void NeighbourRecord::take_revision(NeighbourWay& way, const announcement::Announcement& announcement, Instant now,
@@ -223,60 +191,62 @@ void NeighbourRecord::take_revision(NeighbourWay& way, const announcement::Annou
     is_complete_ = true;
     complete_ = way.assembly().services();
     services_.withdraw_absent(complete_, moment(now, true), changes);
-    for (auto& each : ways_) each.assembly().clear();
+    for (auto& each : ways_.all()) each.assembly().clear();
   }
   if (is_complete_) affirmed_ = now;
 }
 
 void NeighbourRecord::set_deadlines(NeighbourWay& way, Instant now) {
-  life_.renew(lasting_interval(now), loss());
+  life_.renew(lasting_interval(now), reception(now));
   way.deadline = life_.deadline();
   // Until the next one, every service that was not heard of keeps the deadline that it had.
   next_service_deadline_ = std::min(next_service_deadline_, moment(now, false).deadline);
 }
 
-void NeighbourRecord::witness(std::optional<Instant> seen, Instant now) {
-  if (ways_.empty()) return;  // others may reach it, we cannot
-  // Of somebody about whom lies are told only its own word counts.
-  if (!life_.witness(seen, now, lasting_interval(now), loss(), !is_contested_)) return;
+void NeighbourRecord::ask_witnesses(Instant now) {
+  // Of somebody about whom lies are told only its own word counts; and whom others reach, we may not.
+  if (is_contested_ || ways_.all().empty()) return;
+  if (!life_.witness(witnesses_.seen(id_), now, lasting_interval(now), reception(now))) return;
   // The way on which it was heard last is still the best guess of how it can be reached.
-  const auto last = std::ranges::max_element(ways_, {}, &NeighbourWay::heard);
-  if (last != ways_.end()) last->deadline = std::max(last->deadline, life_.deadline());
+  const auto last = std::ranges::max_element(ways_.all(), {}, &NeighbourWay::heard);
+  if (last != ways_.all().end()) last->deadline = std::max(last->deadline, life_.deadline());
 }
 
 void NeighbourRecord::succeed(const announcement::Announcement& claim, const Arrival& arrival) {
-  const bool is_same = claim.name == header_.value().name && std::ranges::any_of(ways_, [&](const NeighbourWay& way) {
-                         return way.is_on(arrival.interface) && way.source() == arrival.source;
-                       });
+  const bool is_same =
+      claim.name == header_.value().name && std::ranges::any_of(ways_.all(), [&](const NeighbourWay& way) {
+        return way.is_on(arrival.interface) && way.source() == arrival.source;
+      });
   if (!is_same || is_contested_ || !standing_.is_confirmed) return;
   life_.succeed(arrival.now, lasting_interval(arrival.now));
 }
 
 void NeighbourRecord::postpone(Instant until) {
   life_.postpone(until);
-  for (auto& way : ways_) way.deadline = std::max(way.deadline, until);
+  for (auto& way : ways_.all()) way.deadline = std::max(way.deadline, until);
 }
 
 void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
   const bool is_first = !is_contested_;
   const auto at = moment(now, false);
   is_contested_ = true;
-  contested_until_ = now + std::max(announcement::contest_intervals * settled_interval(now), at.hold);
+  contested_until_ = now + std::max(announcement::contest_intervals * interval_.settled(now), at.hold);
   if (!is_first) return;
   contested_since_ = now;
   services_.roll_back(is_complete_ ? affirmed_ : Instant::min(), at, changes);
-  for (auto& way : ways_) {
+  for (auto& way : ways_.all()) {
     way.roll_back(now, at.hold);
     way.assembly().clear();
   }
   header_.roll_back(now, at.hold);
+  interval_.roll_back(now, at.hold);
   services_.set_name(header_.value().name);
   choose_address();
   is_complete_ = false;
   complete_.clear();
   // What the lie made longer is as it was.
-  const auto latest = now + patience(lasting_interval(now), {.loss = loss()});
-  for (auto& way : ways_) way.deadline = std::min(way.deadline, latest);
+  const auto latest = now + patience(lasting_interval(now), {.loss = ways_.loss()});
+  for (auto& way : ways_.all()) way.deadline = std::min(way.deadline, latest);
   services_.shorten(moment(now, false).deadline);
   next_service_deadline_ = services_.earliest_deadline();
   next_lapse_ = now;
@@ -286,13 +256,13 @@ void NeighbourRecord::end_contest(Instant now) {
   if (!is_contested_ || now < contested_until_) return;
   is_contested_ = false;
   next_lapse_ = base::never;
-  for (auto& way : ways_) way.assembly().clear();
+  for (auto& way : ways_.all()) way.assembly().clear();
   next_service_deadline_ = services_.earliest_deadline();
 }
 
 Hearing NeighbourRecord::hear_goodbye(const announcement::Announcement& announcement, const Arrival& arrival) {
   end_contest(arrival.now);
-  if (find_bound(announcement, arrival) == nullptr) return Hearing::elsewhere;
+  if (ways_.find_bound(announcement, arrival) == nullptr) return Hearing::elsewhere;
   if (!is_contested_) return Hearing::goodbye;
   life_.shorten(arrival.now + hold(arrival.now));
   contested_until_ = std::max(contested_until_, life_.deadline());
@@ -300,17 +270,17 @@ Hearing NeighbourRecord::hear_goodbye(const announcement::Announcement& announce
 }
 
 void NeighbourRecord::note_goodbye(const announcement::Announcement& announcement, const Arrival& arrival) {
-  if (find_bound(announcement, arrival) == nullptr) return;
-  auto& goodbye = find_way(announcement, arrival)->goodbye;
+  if (ways_.find_bound(announcement, arrival) == nullptr) return;
+  auto& goodbye = ways_.find(announcement, arrival)->goodbye;
   if (!goodbye) goodbye = announcement.sequence;
 }
 
 NeighbourRecord::Proof NeighbourRecord::proof(const announcement::Announcement& announcement, const Arrival& arrival,
                                               Instant left) {
-  const auto* way = find_bound(announcement, arrival);
+  const auto* way = ways_.find_bound(announcement, arrival);
   if (way == nullptr) {
     // Who said the goodbye may have moved the way before.
-    way = find_way(announcement, arrival);
+    way = ways_.find(announcement, arrival);
     if (way == nullptr || !way->was_of(arrival.source)) return Proof::none;
   }
   const bool is_heard = way->has(announcement.sequence);
@@ -324,7 +294,7 @@ NeighbourRecord::Proof NeighbourRecord::proof(const announcement::Announcement& 
 Duration NeighbourRecord::memory(Instant now) const { return std::max<Duration>(goodbye_memory, hold(now)); }
 
 void NeighbourRecord::come_back(Instant now, std::vector<Change>& changes) {
-  for (auto& way : ways_) way.goodbye.reset();
+  for (auto& way : ways_.all()) way.goodbye.reset();
   services_.forget_told();
   contest(now, changes);
 }
@@ -340,13 +310,13 @@ bool NeighbourRecord::yields_to(const announcement::Announcement& rival, const A
 
 void NeighbourRecord::choose_address() {
   const auto& owner = services_.owner();
-  const auto chosen = best_address(ways_, owner.address, owner.zone);
+  const auto chosen = best_address(ways_.all(), owner.address, owner.zone);
   if (!chosen || (chosen->address == owner.address && chosen->zone == owner.zone)) return;
   services_.set_address(chosen->address, chosen->zone);
 }
 
 void NeighbourRecord::expire(Instant now, std::vector<Change>& changes) {
-  const auto lost = std::erase_if(ways_, [&](const NeighbourWay& way) { return way.deadline <= now; });
+  const auto lost = std::erase_if(ways_.all(), [&](const NeighbourWay& way) { return way.deadline <= now; });
   if (lost > 0) choose_address();
   if (standing_.is_confirmed) life_.doubt(now, interval());
   if (is_contested_ && next_lapse_ <= now) next_lapse_ = services_.lapse(moment(now, false), changes);
@@ -359,14 +329,14 @@ void NeighbourRecord::expire(Instant now, std::vector<Change>& changes) {
 }
 
 void NeighbourRecord::forget_interface(env::InterfaceIndex interface, std::vector<Change>& changes) {
-  if (std::erase_if(ways_, [&](const NeighbourWay& way) { return way.is_on(interface); }) == 0) return;
+  if (std::erase_if(ways_.all(), [&](const NeighbourWay& way) { return way.is_on(interface); }) == 0) return;
   choose_address();
   services_.tell(moment(life_.heard(), false), changes);
 }
 
 Instant NeighbourRecord::next_deadline() const {
   auto next = life_.deadline();
-  for (const auto& way : ways_) next = std::min(next, way.deadline);
+  for (const auto& way : ways_.all()) next = std::min(next, way.deadline);
   if (standing_.is_confirmed && !life_.is_doubted()) next = std::min(next, life_.doubt_due(interval()));
   if (!is_complete_) next = std::min(next, next_service_deadline_);
   if (is_contested_) next = std::min({next, contested_until_, next_lapse_});
@@ -379,12 +349,12 @@ Neighbour NeighbourRecord::snapshot() const {
   neighbour.boot = boot_;
   neighbour.name = header_.value().name;
   neighbour.ontology_digest = header_.value().ontology_digest;
-  neighbour.interval = header_.value().interval;
+  neighbour.interval = interval();
   neighbour.heard = life_.heard();
   neighbour.deadline = life_.deadline();
   neighbour.address = services_.owner().address;
-  for (const auto& way : ways_) neighbour.paths.push_back(way.path());
-  neighbour.loss = loss();
+  for (const auto& way : ways_.all()) neighbour.paths.push_back(way.path());
+  neighbour.loss = ways_.loss();
   neighbour.publications = services_.publications();
   neighbour.subscriptions = services_.size() - neighbour.publications;
   neighbour.is_complete = is_complete_;

@@ -10,14 +10,16 @@
 #include <vector>
 
 #include "base/time.hpp"
+#include "discovery/membership/announced_interval.hpp"
 #include "discovery/membership/life_signs.hpp"
 #include "discovery/membership/neighbour_services.hpp"
 #include "discovery/membership/neighbour_table.hpp"
-#include "discovery/membership/neighbour_way.hpp"
+#include "discovery/membership/neighbour_ways.hpp"
 #include "discovery/membership/passed.hpp"
 #include "discovery/membership/service_room.hpp"
 #include "discovery/membership/settled.hpp"
 #include "discovery/membership/standing.hpp"
+#include "discovery/membership/witnesses.hpp"
 
 namespace geminga::membership {
 
@@ -30,8 +32,9 @@ namespace geminga::membership {
 /// of a participant lasts until it speaks, and the next lie does nothing to what it keeps saying.
 class NeighbourRecord {
  public:
-  /// `since`: when its identifier became its own.
-  NeighbourRecord(const announcement::Announcement& first, const Arrival& arrival, Turn since, ServiceRoom& room);
+  /// `since`: when its identifier became its own. Borrows the room that its services take, and what others say of it.
+  NeighbourRecord(const announcement::Announcement& first, const Arrival& arrival, Turn since, ServiceRoom& room,
+                  const Witnesses& witnesses);
   NeighbourRecord(const NeighbourRecord&) = delete;
   NeighbourRecord& operator=(const NeighbourRecord&) = delete;
 
@@ -61,8 +64,8 @@ class NeighbourRecord {
   [[nodiscard]] Proof proof(const announcement::Announcement& announcement, const Arrival& arrival, base::Instant left);
   /// Whether a datagram is a new one from the address that its way belongs to.
   [[nodiscard]] bool is_bound(const announcement::Announcement& announcement, const Arrival& arrival) const {
-    const auto* way = find_bound(announcement, arrival);
-    return way == nullptr ? ways_.empty() && arrival.source == source_ : !way->has(announcement.sequence);
+    const auto* way = ways_.find_bound(announcement, arrival);
+    return way == nullptr ? ways_.all().empty() && arrival.source == source_ : !way->has(announcement.sequence);
   }
   /// For how long it is remembered when it seems to leave: long enough to hear it again if somebody has only lied about
   /// it.
@@ -72,8 +75,8 @@ class NeighbourRecord {
   /// Another life speaks under this identifier. Whether this one gives way, because it has been silent for too long.
   [[nodiscard]] bool yields_to(const announcement::Announcement& rival, const Arrival& arrival);
 
-  /// Somebody says that it was heard by him at `seen` or later, or that he has not heard it of late.
-  void witness(std::optional<base::Instant> seen, base::Instant now);
+  /// Looks up what others have said of it.
+  void ask_witnesses(base::Instant now);
   /// Somebody of its name claims an identifier from the address of one of its ways: its own next life, if it does not
   /// show that it lives. Until then it is doubted, and its deadline is near. Once in contest_intervals at most.
   void succeed(const announcement::Announcement& claim, const Arrival& arrival);
@@ -81,14 +84,10 @@ class NeighbourRecord {
   void ask(base::Instant now) { life_.ask(now, answer_time(known_loss())); }
   [[nodiscard]] std::optional<base::Instant> succeeded() const { return life_.succeeded(); }
   void set_succeeded(std::optional<base::Instant> succeeded) { life_.set_succeeded(succeeded); }
-  /// How lately we have heard it ourselves.
-  [[nodiscard]] announcement::HeardWithin heard_within(base::Instant now) const {
-    return life_.heard_within(now, interval());
-  }
   /// When we last heard it ourselves.
   [[nodiscard]] base::Instant heard() const { return life_.heard(); }
   /// The time between two of its announcements, as it says.
-  [[nodiscard]] base::Duration interval() const { return header_.value().interval; }
+  [[nodiscard]] base::Duration interval() const { return interval_.value(); }
   /// Whether its newest state is not known, or not certain, or not what it says of one of its ways, or had no room.
   [[nodiscard]] bool is_lacking() const { return is_state_lacking() || services_.is_short(); }
   /// Whether that is to be said at once. While somebody goes on to lie in its name, it is said when we speak anyway.
@@ -99,7 +98,7 @@ class NeighbourRecord {
   [[nodiscard]] bool is_doubted() const { return life_.is_doubted(); }
   /// No deadline is before `until`.
   void postpone(base::Instant until);
-  [[nodiscard]] const std::vector<NeighbourWay>& ways() const { return ways_; }
+  [[nodiscard]] const std::vector<NeighbourWay>& ways() const { return ways_.all(); }
 
   /// Drops ways and services that have their deadline at or before `now`; the participant itself is the table's.
   void expire(base::Instant now, std::vector<Change>& changes);
@@ -110,7 +109,7 @@ class NeighbourRecord {
   [[nodiscard]] base::Instant next_deadline() const;
   [[nodiscard]] Neighbour snapshot() const;
   /// The highest sequence number that was heard of it; of its first way.
-  [[nodiscard]] std::uint64_t newest() const { return ways_.empty() ? 0 : ways_.front().newest(); }
+  [[nodiscard]] std::uint64_t newest() const { return ways().empty() ? 0 : ways().front().newest(); }
   [[nodiscard]] NeighbourServices& services() { return services_; }
   [[nodiscard]] const NeighbourServices& services() const { return services_; }
 
@@ -118,7 +117,7 @@ class NeighbourRecord {
   /// For so long after the first lie its state is missed at once.
   static constexpr base::Duration urgent_time = std::chrono::milliseconds(500);
 
-  /// What an announcement says of the participant itself.
+  /// What a state says of the participant itself.
   struct Header {
     std::string name;
     std::uint64_t ontology_digest = 0;
@@ -131,32 +130,21 @@ class NeighbourRecord {
     std::string source;
     std::uint64_t sequence = 0;
   };
-  /// A way that somebody wants to open.
-  struct Opening {
-    env::InterfaceIndex interface{};
-    std::uint32_t link = 0;
-    std::string source;
-    std::uint64_t sequence = 0;
-  };
 
   [[nodiscard]] bool is_state_lacking() const {
-    return !is_complete_ || !std::ranges::all_of(ways_, &NeighbourWay::is_said);
+    return !is_complete_ || !std::ranges::all_of(ways(), &NeighbourWay::is_said);
   }
   static Header header_of(const announcement::Announcement& announcement);
-  [[nodiscard]] NeighbourWay* find_way(const announcement::Announcement& announcement, const Arrival& arrival);
-  /// The same if the datagram is from the address that the way belongs to.
-  [[nodiscard]] const NeighbourWay* find_bound(const announcement::Announcement& announcement,
-                                               const Arrival& arrival) const;
-  [[nodiscard]] NeighbourWay* open_way(const announcement::Announcement& announcement, const Arrival& arrival);
-  [[nodiscard]] bool may_open(const announcement::Announcement& announcement, const Arrival& arrival);
-  /// Whether ways were closed that somebody has opened in the name of this one.
-  bool close_later_ways(const NeighbourWay& way, const Arrival& arrival);
   [[nodiscard]] NeighbourWay::Order order(const NeighbourWay& way, const announcement::Announcement& announcement,
                                           const Arrival& arrival) const;
   void take_in(NeighbourWay& way, const announcement::Announcement& announcement, const Arrival& arrival,
                std::vector<Change>& changes);
   /// What the state of a revision says of it; of an unchanged one it is what is known already.
   void take_state(NeighbourWay& way, const announcement::Announcement& announcement, const Arrival& arrival);
+  /// Only what is said in it; the rest as in a presence.
+  void take_change(NeighbourWay& way, const announcement::Announcement& announcement, base::Instant now,
+                   std::vector<Change>& changes);
+  void take_interval(const announcement::Announcement& announcement, base::Instant now);
   void take_revision(NeighbourWay& way, const announcement::Announcement& announcement, base::Instant now,
                      std::vector<Change>& changes);
   /// Somebody has lied in its name.
@@ -166,15 +154,13 @@ class NeighbourRecord {
   /// Picks the address for services without one.
   void choose_address();
 
-  /// The interval that was announced before the last `hold_intervals` of it.
-  [[nodiscard]] base::Duration settled_interval(base::Instant now) const;
   /// How long a word counts against another one. An interval counts up to the time for which the participant is known.
   [[nodiscard]] base::Duration hold(base::Instant now) const;
   /// The interval that deadlines are made of: no single word makes them shorter or longer.
   [[nodiscard]] base::Duration lasting_interval(base::Instant now) const;
   [[nodiscard]] Moment moment(base::Instant now, bool is_heard) const;
-  [[nodiscard]] double loss() const;
-  /// The same, and a bad one where too few numbers were heard to tell.
+  [[nodiscard]] Reception reception(base::Instant now) const;
+  /// Of its best way, and a bad one where too few numbers were heard to tell.
   [[nodiscard]] double known_loss() const;
 
   ParticipantId id_;
@@ -184,6 +170,7 @@ class NeighbourRecord {
   bool has_spoken_ = false;
   Standing standing_;
   Settled<Header> header_;
+  AnnouncedInterval interval_;  ///< what it keeps: that of the header, stretched
   LifeSigns life_;
   std::uint64_t revision_;       ///< the one that is believed
   std::uint64_t said_revision_;  ///< the last one of which a state was heard
@@ -197,10 +184,9 @@ class NeighbourRecord {
   base::Instant next_lapse_ = base::never;             ///< while contested: when a service may not be held any more
   base::Instant next_service_deadline_ = base::never;  ///< while not complete: no service has an earlier one
   std::optional<Rival> rival_;
-  std::optional<Opening> opening_;
-  bool was_misled_ = false;         ///< a way was opened beside another one that went on speaking
-  std::vector<NeighbourWay> ways_;  ///< by interface and link
+  NeighbourWays ways_;
   NeighbourServices services_;
+  const Witnesses& witnesses_;
 };
 
 }  // namespace geminga::membership

@@ -51,12 +51,24 @@ bool NeighbourServices::denies(const announcement::Announcement& announcement,
     const auto* same = std::get_if<std::remove_cvref_t<decltype(service)>>(&offer.service);
     is_denied = same == nullptr || *same != service || offer.peer_name != peer_name;
   });
-  return is_denied;
+  return is_denied || denies_removal(announcement, complete);
+}
+
+bool NeighbourServices::denies_removal(const announcement::Announcement& change,
+                                       const std::vector<ServiceNumber>* complete) const {
+  const auto is_there = [&](ServiceNumber number) {
+    if (complete != nullptr) return std::ranges::binary_search(*complete, number);
+    const auto known = entries_.find(number);
+    return known != entries_.end() && known->second.offer.value() && known->second.revision == change.revision;
+  };
+  return std::ranges::any_of(change.peers, [&](const announcement::PeerState& peer) {
+    return std::ranges::any_of(peer.removed, [&](std::uint32_t number) { return is_there({peer.id, number}); });
+  });
 }
 
 void NeighbourServices::apply(const announcement::Announcement& announcement, const Moment& moment,
                               std::vector<Change>& changes) {
-  if (announcement.part == 0) is_short_ = false;
+  if (announcement.part == 0 && announcement.kind == announcement::Kind::state) is_short_ = false;
   for_each_service(announcement, [&](ServiceNumber number, const auto& service, const std::string& peer_name) {
     apply_one(number, service, peer_name, announcement.revision, moment, changes);
   });
@@ -162,6 +174,17 @@ void NeighbourServices::withdraw_absent(const std::vector<ServiceNumber>& presen
       ++position;
     } else {
       position = withdraw(position, moment, Departure::withdrawn, changes);
+    }
+  }
+}
+
+void NeighbourServices::withdraw_removed(const announcement::Announcement& change, const Moment& moment,
+                                         std::vector<Change>& changes) {
+  for (const auto& peer : change.peers) {
+    for (const auto number : peer.removed) {
+      const auto position = entries_.find({peer.id, number});
+      if (position == entries_.end() || !position->second.offer.value()) continue;
+      withdraw(position, moment, Departure::withdrawn, changes);
     }
   }
 }

@@ -54,6 +54,8 @@ class NeighbourServices {
   void apply(const announcement::Announcement& announcement, const Moment& moment, std::vector<Change>& changes);
   /// Withdraws what is not in the list, which is in ascending order.
   void withdraw_absent(const std::vector<ServiceNumber>& present, const Moment& moment, std::vector<Change>& changes);
+  /// Withdraws what a change says that it is no more.
+  void withdraw_removed(const announcement::Announcement& change, const Moment& moment, std::vector<Change>& changes);
   /// Withdraws what is not held any more; when the next one will not be, or later.
   base::Instant lapse(const Moment& moment, std::vector<Change>& changes);
   /// Removes what has its deadline at or before now.
@@ -99,6 +101,8 @@ class NeighbourServices {
   };
   using Entries = std::map<ServiceNumber, Entry>;
 
+  [[nodiscard]] bool denies_removal(const announcement::Announcement& change,
+                                    const std::vector<ServiceNumber>* complete) const;
   template <typename Visit>
   static void for_each_service(const announcement::Announcement& announcement, Visit visit);
   template <typename Service>

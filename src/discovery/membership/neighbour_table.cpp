@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "discovery/announcement/limits.hpp"
 #include "discovery/membership/admission.hpp"
 #include "discovery/membership/claims.hpp"
 #include "discovery/membership/former_lives.hpp"
+#include "discovery/membership/greediest.hpp"
 #include "discovery/membership/neighbour_record.hpp"
 #include "discovery/membership/questions.hpp"
 #include "discovery/membership/witnesses.hpp"
@@ -35,7 +35,8 @@ class NeighbourTable::State final : private ServiceRoom {
       case announcement::Kind::goodbye:
         return hear_goodbye(announcement, arrival);
       case announcement::Kind::presence:
-        return hear_presence(announcement, arrival);
+      case announcement::Kind::change:
+        return hear_short(announcement, arrival);
       case announcement::Kind::state:
         break;
     }
@@ -54,6 +55,7 @@ class NeighbourTable::State final : private ServiceRoom {
     }
     for (const auto id : due) {
       const auto known = records_.find(id);
+      known->second.record->ask_witnesses(now);
       if (known->second.record->deadline() <= now) {
         former_.remember_expired(remove(known, Departure::expired), now);
       } else {
@@ -72,7 +74,7 @@ class NeighbourTable::State final : private ServiceRoom {
 
   Report report(Instant now) {
     Report report;
-    report.witness = witnesses_.say(records_, now);
+    report.witness = witnesses_.say(now);
     questions_.name(records_, now, report);
     for (const auto id : report.doubts) set_due(*records_.find(id), now);
     return report;
@@ -80,6 +82,19 @@ class NeighbourTable::State final : private ServiceRoom {
 
   bool lacks_anybody(Instant now) { return questions_.lacks_anybody(now); }
   [[nodiscard]] bool doubts_anybody() const { return questions_.doubts_anybody(); }
+
+  bool hear_doubts(const std::vector<ParticipantId>& doubts, Instant now) {
+    const auto ours = questions_.doubted();
+    std::size_t shared = 0;
+    for (const auto id : ours) {
+      if (std::ranges::find(doubts, id) == doubts.end()) continue;
+      const auto known = records_.find(id);
+      known->second.record->ask(now);
+      set_due(*known, now);
+      ++shared;
+    }
+    return shared == ours.size();
+  }
 
   [[nodiscard]] std::optional<double> loss() const {
     int heard = 0;
@@ -118,12 +133,14 @@ class NeighbourTable::State final : private ServiceRoom {
     for (const auto& [id, known] : records_) visit(known.record->snapshot());
   }
   [[nodiscard]] std::size_t size() const { return records_.size(); }
+  [[nodiscard]] std::size_t seasoned() const { return admission_.seasoned(); }
   using ServiceRoom::refused;
 
   std::vector<Change> changes;
 
  private:
-  Hearing hear_presence(const announcement::Announcement& announcement, const Arrival& arrival) {
+  /// What says something of a state that is known, or is not.
+  Hearing hear_short(const announcement::Announcement& announcement, const Arrival& arrival) {
     const auto holder = records_.find(announcement.participant);
     if (holder == records_.end() || holder->second.record->boot() != announcement.boot) {
       questions_.hear_stranger(announcement.participant, arrival.now);
@@ -134,8 +151,14 @@ class NeighbourTable::State final : private ServiceRoom {
     const auto hearing = record.hear(announcement, arrival, changes);
     admission_.update(holder->first, record.standing());
     set_due(*holder, arrival.now);
-    if (is_new && hearing == Hearing::known && witnesses_.hear(records_, announcement, arrival.now)) {
-      for (auto& known : records_) set_due(known, arrival.now);
+    if (is_new && hearing == Hearing::known && witnesses_.hear(announcement, arrival.now)) {
+      // All others look it up when their deadline comes.
+      const auto doubted = questions_.doubted();
+      for (const auto id : doubted) {
+        const auto known = records_.find(id);
+        known->second.record->ask_witnesses(arrival.now);
+        set_due(*known, arrival.now);
+      }
     }
     return hearing;
   }
@@ -249,7 +272,7 @@ class NeighbourTable::State final : private ServiceRoom {
       standing = decision.standing;
       displace(*decision.gives_way);
     }
-    auto record = std::make_unique<NeighbourRecord>(announcement, arrival, since, room());
+    auto record = std::make_unique<NeighbourRecord>(announcement, arrival, since, room(), witnesses_);
     if (standing) record->set_standing(*standing);
     add(std::move(record), announcement, arrival);
     return Hearing::newcomer;
@@ -259,7 +282,7 @@ class NeighbourTable::State final : private ServiceRoom {
            const Arrival& arrival) {
     auto known = records_.try_emplace(announcement.participant, Known{std::move(one), base::never}).first;
     auto& record = *known->second.record;
-    witnesses_.toggle(known->first, record.boot());
+    witnesses_.add(known->first, record.boot());
     admission_.add(known->first, record.source(), record.standing());
     (void)record.hear(announcement, arrival, changes);
     admission_.update(known->first, record.standing());
@@ -279,13 +302,14 @@ class NeighbourTable::State final : private ServiceRoom {
     due_.erase({known->second.due, known->first});
     questions_.forget(known->first);
     auto record = std::move(known->second.record);
-    witnesses_.toggle(known->first, record->boot());
+    witnesses_.remove(known->first);
     records_.erase(known);
     return record;
   }
 
   void set_due(Records::value_type& known, Instant now) {
     questions_.update(known.first, *known.second.record, now);
+    witnesses_.update(known.first, known.second.record->heard(), known.second.record->interval());
     const auto next = known.second.record->next_deadline();
     if (next == known.second.due) return;
     due_.erase({known.second.due, known.first});
@@ -293,35 +317,14 @@ class NeighbourTable::State final : private ServiceRoom {
     due_.emplace(next, known.first);
   }
 
-  // Whoever has more than the one who asks gives up a service: first of another source that has more altogether, then
-  // of the same one. A stranger is given nothing, and takes nothing from those who are known for long.
+  // A stranger is given nothing.
   bool make_room(const NeighbourServices& who) override {
     if (std::exchange(is_room_sought_, true) && !was_room_found_) return false;
     was_room_found_ = former_.give_way();
     if (was_room_found_) return true;
     const auto asks = records_.find(who.owner().id);
     if (asks == records_.end() || !asks->second.record->standing().is_confirmed) return false;
-    const auto beyond_reserve = [](const NeighbourRecord& record) {
-      return record.services().size() - std::min(record.services().size(), announcement::reserved_services);
-    };
-    std::map<std::string_view, std::size_t> shares;
-    for (const auto& [id, known] : records_) shares[known.record->source()] += beyond_reserve(*known.record);
-    const auto& source = asks->second.record->source();
-    const auto own = beyond_reserve(*asks->second.record);
-    std::tuple<bool, bool, std::size_t, std::size_t> most{};
-    NeighbourRecord* greediest = nullptr;
-    for (auto& [id, known] : records_) {
-      const auto count = beyond_reserve(*known.record);
-      const bool is_seasoned = admission_.is_seasoned(id);
-      const bool is_same = known.record->source() == source;
-      const auto share = shares[known.record->source()];
-      if (count == 0 || (is_seasoned && !admission_.is_seasoned(asks->first))) continue;
-      if (is_same ? count <= own + 1 : share <= shares[source] + 1) continue;
-      const std::tuple order{!is_seasoned, !is_same, share, count};
-      if (greediest != nullptr && order <= most) continue;
-      most = order;
-      greediest = known.record.get();
-    }
+    auto* greediest = find_greediest(records_, admission_, *asks->second.record);
     was_room_found_ = greediest != nullptr && greediest->services().give_way(changes);
     return was_room_found_;
   }
@@ -330,10 +333,10 @@ class NeighbourTable::State final : private ServiceRoom {
   ParticipantId self_{};
   announcement::BootNonce self_boot_{};
   Admission admission_;
+  Witnesses witnesses_;
   FormerLives former_;
   Claims claims_;
   Questions questions_;
-  Witnesses witnesses_;
   Turn turn_ = 0;
   Records records_;
   std::set<std::pair<Instant, ParticipantId>> due_;  ///< when expire() has something to do for whom
@@ -364,7 +367,11 @@ bool NeighbourTable::doubts_anybody() const { return state_->doubts_anybody(); }
 
 bool NeighbourTable::is_heard_lately(ParticipantId id, base::Instant now) const {
   const auto* known = state_->find(id);
-  return known != nullptr && known->heard_within(now) != announcement::HeardWithin::longer;
+  return known != nullptr && now - known->heard() <= known->interval();
+}
+
+bool NeighbourTable::hear_doubts(const std::vector<ParticipantId>& doubts, base::Instant now) {
+  return state_->hear_doubts(doubts, now);
 }
 
 std::optional<double> NeighbourTable::loss() const { return state_->loss(); }
@@ -386,6 +393,8 @@ std::optional<Neighbour> NeighbourTable::find(ParticipantId id) const {
 void NeighbourTable::for_each(const std::function<void(const Neighbour&)>& visit) const { state_->for_each(visit); }
 
 std::size_t NeighbourTable::size() const { return state_->size(); }
+
+std::size_t NeighbourTable::seasoned() const { return state_->seasoned(); }
 
 std::uint64_t NeighbourTable::refused_services() const { return state_->refused(); }
 

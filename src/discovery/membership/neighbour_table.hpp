@@ -153,6 +153,9 @@ class NeighbourTable {
   /// Whether report() would name anybody in `lacks` that is to be said at once; or in `doubts`.
   [[nodiscard]] bool lacks_anybody(base::Instant now);
   [[nodiscard]] bool doubts_anybody() const;
+  /// Somebody else says that it doubts these, whom all can hear answer: that counts as asked by us, too. Whether all
+  /// whom we doubt are among them.
+  bool hear_doubts(const std::vector<ParticipantId>& doubts, base::Instant now);
   /// Whether we have heard it ourselves within one of its intervals.
   [[nodiscard]] bool is_heard_lately(ParticipantId id, base::Instant now) const;
   /// The share of all participants' last datagrams that was lost, in [0, 1); nothing: too few were heard.
@@ -163,6 +166,8 @@ class NeighbourTable {
   /// In ascending order of identifier.
   void for_each(const std::function<void(const Neighbour&)>& visit) const;
   [[nodiscard]] std::size_t size() const;
+  /// Those of them that were heard for seasoned_after.
+  [[nodiscard]] std::size_t seasoned() const;
   /// Services that were not taken because of max_services_per_participant or max_remote_services.
   [[nodiscard]] std::uint64_t refused_services() const;
 

@@ -57,6 +57,13 @@ class NeighbourWay {
     revision_ = revision;
     if (revision == said_revision_ && !is_contested) addresses_.affirm(now);
   }
+  /// Takes in a change: where the state of `since` or a later revision is known, that of `revision` is.
+  void advance(std::uint64_t since, std::uint64_t revision, base::Instant now, bool is_contested) {
+    if (said_revision_ && since <= *said_revision_ && *said_revision_ <= revision && !is_contested) {
+      said_revision_ = revision;
+    }
+    affirm(revision, now, is_contested);
+  }
   /// Undoes what was said less than `hold` ago.
   void roll_back(base::Instant now, base::Duration hold);
 

@@ -24,6 +24,7 @@ class Questions {
   /// Whether somebody is lacked of whom it is to be said at once; or doubted.
   [[nodiscard]] bool lacks_anybody(base::Instant now) { return strangers_.prune(now) || !missed_.empty(); }
   [[nodiscard]] bool doubts_anybody() const { return !doubted_.empty(); }
+  [[nodiscard]] const std::set<ParticipantId>& doubted() const { return doubted_; }
   /// Names them in a report; who is doubted counts as asked. Strangers have places of their own, and each report begins
   /// where the last one had no room, so nobody can fill all places for good.
   void name(Records& records, base::Instant now, Report& report);

@@ -15,6 +15,7 @@ using base::never;
 Schedule::Schedule(ScheduleOptions options, std::uint64_t seed)
     : options_(options),
       random_(seed),
+      interval_(options.interval),
       newcomers_(answer_capacity, answer_refill_intervals * options.interval),
       repairs_(repair_capacity, options.interval / repairs_per_interval),
       lacks_{base::never, {ask_capacity, options.interval / asks_per_interval}},
@@ -31,22 +32,34 @@ Duration Schedule::spread(Duration time, double share) {
 
 std::size_t state_copies(std::optional<double> loss) {
   if (!loss) return 5;
+  if (*loss < 0.005) return 1;
   if (*loss < 0.02) return 2;
   if (*loss < 0.15) return 3;
   return *loss < 0.4 ? 5 : 7;
 }
 
-void Schedule::changed(Instant now) {
+void Schedule::changed(Say what, Instant now) {
   if (is_stopping_) return;
   is_running_ = true;
-  const auto states = state_copies(loss_);
-  copies_ = {{now, Say::state}};
-  for (std::size_t i = 1; i < states + presence_copies; ++i) {
-    copies_.push_back({now + spread(repeat_delays[i - 1], repeat_jitter), i < states ? Say::state : Say::presence});
+  if (next_copy(Say::state) != never) what = Say::state;
+  const auto said = state_copies(loss_);
+  const auto all = said + std::min(said, presence_copies);
+  copies_ = {{now, what}};
+  for (std::size_t i = 1; i < all; ++i) {
+    copies_.push_back({now + spread(repeat_delays[i - 1], repeat_jitter), i < said ? what : Say::presence});
   }
 }
 
 void Schedule::set_size(std::size_t datagrams) { size_ = std::max<std::int64_t>(1, std::int64_t(datagrams)); }
+
+void Schedule::set_doublings(std::uint8_t doublings, Instant now) {
+  if (doublings == doublings_) return;
+  doublings_ = doublings;
+  announced_until_slower_ = announced_before_slower;
+  if (said_interval() >= interval_) return;
+  interval_ = said_interval();
+  if (periodic_ != never) periodic_ = std::min(periodic_, now + spread(interval_, interval_jitter));
+}
 
 void Schedule::newcomer(Instant now) {
   if (!is_running_ || newcomer_due_ != never) return;
@@ -54,13 +67,13 @@ void Schedule::newcomer(Instant now) {
   const auto copies = std::ranges::count(copies_, Say::state, &Copy::what);
   const auto remaining = static_cast<std::size_t>(copies) + (answer_copies - next_answer_);
   if (remaining >= 2) return;
-  newcomer_due_ = now + random_.between(Duration::zero(), max_newcomer_delay);
-  if (had_newcomer_) newcomer_due_ = std::max(newcomer_due_, newcomer_last_ + newcomer_spacing);
+  newcomer_due_ = now + random_.between(Duration::zero(), slowed(max_newcomer_delay));
+  if (had_newcomer_) newcomer_due_ = std::max(newcomer_due_, newcomer_last_ + slowed(newcomer_spacing));
 }
 
 void Schedule::lacked(Instant now) {
   if (!is_running_) return;
-  insistent_until_ = std::max(insistent_until_, now + announcement::contest_intervals * options_.interval);
+  insistent_until_ = std::max(insistent_until_, now + announcement::contest_intervals * said_interval());
   if (repair_ != never || !repairs_.has(now)) return;
   repair_ = now + random_.between(Duration::zero(), max_repair_delay);
   // Who asks may not have heard yet what is under way.
@@ -72,11 +85,18 @@ void Schedule::ask(bool lacks, bool doubts, Instant now) {
     if (!is_open || !is_running_) {
       question.due = never;
     } else if (question.due == never) {
-      question.due = std::max(now + random_.between(Duration::zero(), max_ask_delay), presence_sent_ + ask_spacing);
+      question.due = std::max(now + random_.between(Duration::zero(), slowed(max_ask_delay)),
+                              presence_sent_ + slowed(ask_spacing));
     }
   };
   plan(lacks_, lacks);
   plan(doubts_, doubts);
+}
+
+void Schedule::asked_by_another(Instant now) {
+  if (doubts_.due == never) return;
+  doubts_.due =
+      std::max(doubts_.due, now + slowed(ask_spacing) + random_.between(Duration::zero(), slowed(max_ask_delay)));
 }
 
 void Schedule::doubted(Instant now) {
@@ -84,7 +104,7 @@ void Schedule::doubted(Instant now) {
 }
 
 void Schedule::bear_witness(Instant now) {
-  if (is_running_) testimony_ = std::min(testimony_, now + random_.between(witness_delay, 2 * witness_delay));
+  if (is_running_) testimony_ = std::min(testimony_, now + slowed(random_.between(witness_delay, 2 * witness_delay)));
 }
 
 void Schedule::contested(Instant now) {
@@ -92,7 +112,7 @@ void Schedule::contested(Instant now) {
 }
 
 void Schedule::contradict(Instant now) {
-  insistent_until_ = now + announcement::contest_intervals * options_.interval;
+  insistent_until_ = now + announcement::contest_intervals * said_interval();
   if (is_running_ && contradictions_.has(now)) contradiction_ = std::min(contradiction_, now);
 }
 
@@ -127,7 +147,8 @@ Instant Schedule::next_copy(Say what) const {
 Instant Schedule::state_wanted() const {
   const auto answer = next_answer_ < answer_copies ? answers_[next_answer_] : never;
   const auto periodic = is_insistent() ? periodic_ : never;
-  return std::min({next_copy(Say::state), answer, periodic, repair_, contradiction_, newcomer_due_});
+  return std::min(
+      {next_copy(Say::state), next_copy(Say::change), answer, periodic, repair_, contradiction_, newcomer_due_});
 }
 
 Instant Schedule::presence_wanted() const {
@@ -158,29 +179,34 @@ void Schedule::begin_answers(Instant now) {
   had_newcomer_ = true;
   answers_[0] = now;
   for (std::size_t i = 0; i < answer_delays.size(); ++i) {
-    answers_[i + 1] = now + spread(answer_delays[i], repeat_jitter);
+    answers_[i + 1] = now + spread(slowed(answer_delays[i]), repeat_jitter);
   }
   next_answer_ = 0;
 }
 
-void Schedule::drop_copies(Say what, Instant now) {
-  std::erase_if(copies_, [&](const Copy& copy) { return copy.what == what && copy.due <= now; });
+void Schedule::drop_copies(bool is_presence, Instant now) {
+  std::erase_if(copies_,
+                [&](const Copy& copy) { return (copy.what == Say::presence) == is_presence && copy.due <= now; });
 }
 
-bool Schedule::take_state(Instant now) {
-  if (std::max(state_wanted(), allowed()) > now) return false;
-  const auto own = std::min(is_insistent() ? periodic_ : never, next_copy(Say::state));
+Schedule::Say Schedule::take_state(Instant now) {
+  if (std::max(state_wanted(), allowed()) > now) return Say::nothing;
+  const auto own_state = std::min(is_insistent() ? periodic_ : never, next_copy(Say::state));
+  const bool is_change = next_copy(Say::change) <= now;
   if (newcomer_due_ <= now) begin_answers(now);
   const bool is_answer = next_answer_ < answer_copies && answers_[next_answer_] <= now && newcomers_.has(now);
   const bool is_repair = repair_ <= now && repairs_.has(now);
   const bool is_contradiction = contradiction_ <= now;
   // Whatever was due until now is told by this one announcement, or cannot be afforded.
-  drop_copies(Say::state, now);
+  drop_copies(false, now);
   while (next_answer_ < answer_copies && answers_[next_answer_] <= now) ++next_answer_;
   if (repair_ <= now) repair_ = never;
   if (is_contradiction) contradiction_ = never;
-  if (own > now) {
-    if (!is_answer && !is_repair && !is_contradiction) return false;
+  if (own_state > now) {
+    if (!is_answer && !is_repair && !is_contradiction) {
+      if (is_change) announcements_.take(now);
+      return is_change ? Say::change : Say::nothing;
+    }
     // What is said for others' sake alone is paid from their budget.
     if (is_contradiction) {
       contradictions_.take(now, size_);
@@ -191,7 +217,7 @@ bool Schedule::take_state(Instant now) {
     }
   }
   announcements_.take(now);
-  return true;
+  return Say::state;
 }
 
 bool Schedule::take_presence(Instant now) {
@@ -204,7 +230,7 @@ bool Schedule::take_presence(Instant now) {
   pay(std::min(proof_, testimony_), proofs_);
   pay(contested_, contests_);
   presence_sent_ = now;
-  drop_copies(Say::presence, now);
+  drop_copies(true, now);
   return true;
 }
 
@@ -215,18 +241,20 @@ Schedule::Say Schedule::take(Instant now) {
     goodbye_due_ = goodbyes_left_ == 0 ? never : now + goodbye_spacing;
     return Say::goodbye;
   }
-  const bool is_state = take_state(now);
-  if (!is_state && !take_presence(now)) return Say::nothing;
+  const auto told = take_state(now);
+  const bool is_state = told == Say::state;
+  if (told == Say::nothing && !take_presence(now)) return Say::nothing;
   // Either shows that we live and whose the identifier is; what we ask only a presence says.
-  if (!is_state) lacks_.due = doubts_.due = testimony_ = never;
+  if (told == Say::nothing) lacks_.due = doubts_.due = testimony_ = never;
   proof_ = never;
   contested_ = never;
+  if (announced_until_slower_ > 0 && --announced_until_slower_ == 0) interval_ = said_interval();
   // A presence does not stand for the state that is said each time.
-  if (is_state || !is_insistent()) periodic_ = now + spread(options_.interval, interval_jitter);
+  if (is_state || !is_insistent()) periodic_ = now + spread(interval_, interval_jitter);
   last_sent_ = now;
   if (is_state) state_sent_ = now;
   has_sent_ = true;
-  return is_state ? Say::state : Say::presence;
+  return told == Say::nothing ? Say::presence : told;
 }
 
 bool Schedule::is_finished() const { return is_stopping_ && goodbyes_left_ == 0; }

@@ -10,15 +10,19 @@
 
 #include "base/random.hpp"
 #include "base/time.hpp"
+#include "discovery/announcement/announcement.hpp"
 #include "discovery/membership/token_bucket.hpp"
 
 namespace geminga::membership {
 
 /// What the schedule keeps to. Each time is argued in ANNOUNCEMENT.md, "When it is sent".
 struct ScheduleOptions {
-  /// The time between two announcements of an unchanged state.
+  /// The time between two announcements of an unchanged state, where few share the air.
   base::Duration interval = std::chrono::seconds(2);
 };
+/// A longer interval is kept only after so many announcements have said so: who has heard none of them would expect the
+/// next one earlier.
+inline constexpr int announced_before_slower = 3;
 
 /// The interval is spread by this share in both directions, so that robots started together drift apart.
 inline constexpr double interval_jitter = 0.1;
@@ -29,7 +33,7 @@ inline constexpr std::array<base::Duration, 8> repeat_delays = {
     std::chrono::milliseconds(8),   std::chrono::milliseconds(20),  std::chrono::milliseconds(36),
     std::chrono::milliseconds(60),  std::chrono::milliseconds(120), std::chrono::milliseconds(220),
     std::chrono::milliseconds(400), std::chrono::milliseconds(700)};
-/// Copies of the presence behind those of the state.
+/// Copies of the presence behind those of the state, but not more than those.
 inline constexpr std::size_t presence_copies = 2;
 /// Each of these delays is spread by this share in both directions.
 inline constexpr double repeat_jitter = 0.2;
@@ -100,11 +104,23 @@ class Schedule {
   /// `seed`: random bits for the jitter.
   Schedule(ScheduleOptions options, std::uint64_t seed);
 
-  /// The state changed, or was claimed for: a copy is due at once (or as soon as the limits allow), then the repeats.
-  /// Begins the schedule; before the first call nothing is due.
-  void changed(base::Instant now);
+  enum class Say : std::uint8_t {
+    nothing,   ///< nothing is due
+    state,     ///< the whole state
+    change,    ///< what has changed of late, if that can be said alone, and else the state
+    presence,  ///< that we are there, with which state, and what we have heard of others
+    goodbye,   ///< after stop()
+  };
+
+  /// The state changed: a copy of `what`, a change or the whole state, is due at once (or as soon as the limits allow),
+  /// then the repeats. They are of the state as long as copies of it are still to come. Begins the schedule; before the
+  /// first call nothing is due.
+  void changed(Say what, base::Instant now);
   /// How many datagrams the whole state takes on one link, at least 1: what an answer costs. 1 until told.
   void set_size(std::size_t datagrams);
+  /// How often the interval is doubled in what is said from now on, since many share the air. What all others do at the
+  /// same time, too (answering newcomers, asking for somebody, witnessing), takes as many times longer.
+  void set_doublings(std::uint8_t doublings, base::Instant now);
   /// A participant is heard that does not know us yet (a newcomer, or a claimant): as changed(), but a little later,
   /// not more often than newcomer_spacing, and only as long as the budget for answers lasts.
   void newcomer(base::Instant now);
@@ -115,6 +131,8 @@ class Schedule {
   /// Whether we lack somebody's state, and whether we doubt that somebody lives (NeighbourTable): our presence is due
   /// again and again. Each has its own budget, so that who makes us say the one does not keep us from the other.
   void ask(bool lacks, bool doubts, base::Instant now);
+  /// Somebody else doubts all whom we doubt: the answer will be for us, too.
+  void asked_by_another(base::Instant now);
   /// Somebody doubts that we live: our presence is due.
   void doubted(base::Instant now);
   /// Somebody doubts whom we hear: our presence is due, a little later.
@@ -130,12 +148,6 @@ class Schedule {
   /// Only goodbyes are due from now on, the first at once, regardless of the limits.
   void stop(base::Instant now);
 
-  enum class Say : std::uint8_t {
-    nothing,   ///< nothing is due
-    state,     ///< the whole state
-    presence,  ///< that we are there, with which state, and what we have heard of others
-    goodbye,   ///< after stop()
-  };
   /// When take() is to be asked, or base::never.
   [[nodiscard]] base::Instant due() const;
   /// What is to be sent now; the schedule moves on. Ask until it says nothing.
@@ -157,6 +169,9 @@ class Schedule {
   static constexpr std::size_t answer_copies = answer_delays.size() + 1;
 
   [[nodiscard]] base::Duration spread(base::Duration time, double share);
+  [[nodiscard]] base::Duration said_interval() const { return announcement::stretched(options_.interval, doublings_); }
+  /// A time that grows with the number of those that share the air.
+  [[nodiscard]] base::Duration slowed(base::Duration time) const { return time * (1 << doublings_); }
   /// When the whole state or the presence is wanted, for whatever reason, and when the limits allow it.
   [[nodiscard]] base::Instant state_wanted() const;
   [[nodiscard]] base::Instant presence_wanted() const;
@@ -164,16 +179,20 @@ class Schedule {
   [[nodiscard]] bool is_insistent() const { return periodic_ < insistent_until_; }
   [[nodiscard]] base::Instant allowed() const;
   [[nodiscard]] base::Instant spaced() const;
-  /// Whether it is due; pays for it, and what was due until now counts as told.
-  [[nodiscard]] bool take_state(base::Instant now);
+  /// Whether the state or a change is due, and which; pays for it, and what was due until now counts as told.
+  [[nodiscard]] Say take_state(base::Instant now);
   [[nodiscard]] bool take_presence(base::Instant now);
   void begin_answers(base::Instant now);
-  void drop_copies(Say what, base::Instant now);
+  /// Forgets copies of what is said now, and of what it says, too.
+  void drop_copies(bool is_presence, base::Instant now);
 
   ScheduleOptions options_;
   base::Random random_;
   std::vector<Copy> copies_;  ///< of the last change that are still to come, in their order
   std::optional<double> loss_;
+  std::uint8_t doublings_ = 0;
+  base::Duration interval_;  ///< that is kept; shorter than the one that is said while that is new
+  int announced_until_slower_ = 0;
   std::array<base::Instant, answer_copies> answers_{};  ///< the copies for newcomers
   std::size_t next_answer_ = answer_copies;
   base::Instant periodic_ = base::never;

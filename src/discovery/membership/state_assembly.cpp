@@ -5,6 +5,29 @@
 
 namespace geminga::membership {
 
+namespace {
+
+void add_services(const announcement::Announcement& part, std::vector<ServiceNumber>& services) {
+  for (const auto& peer : part.peers) {
+    for (const auto& entry : peer.publications) services.push_back({peer.id, entry.number});
+    for (const auto& entry : peer.subscriptions) services.push_back({peer.id, entry.number});
+    for (const auto number : peer.withheld) services.push_back({peer.id, number});
+  }
+}
+
+}  // namespace
+
+bool update_services(std::vector<ServiceNumber>& services, const announcement::Announcement& change) {
+  for (const auto& peer : change.peers) {
+    for (const auto number : peer.removed) std::erase(services, ServiceNumber{peer.id, number});
+  }
+  add_services(change, services);
+  std::ranges::sort(services);
+  const auto repeated = std::ranges::unique(services);
+  services.erase(repeated.begin(), repeated.end());
+  return services.size() <= announcement::max_services_per_participant;
+}
+
 void StateAssembly::clear() { *this = StateAssembly(); }
 
 bool StateAssembly::add(const announcement::Announcement& part) {
@@ -16,11 +39,7 @@ bool StateAssembly::add(const announcement::Announcement& part) {
   }
   if (parts_.test(part.part)) return false;
   parts_.set(part.part);
-  for (const auto& peer : part.peers) {
-    for (const auto& entry : peer.publications) services_.push_back({peer.id, entry.number});
-    for (const auto& entry : peer.subscriptions) services_.push_back({peer.id, entry.number});
-    for (const auto number : peer.withheld) services_.push_back({peer.id, number});
-  }
+  add_services(part, services_);
   if (services_.size() > announcement::max_services_per_participant) {
     // More than a participant may have: what is missing cannot be told, so nothing is withdrawn by this revision.
     is_overfull_ = true;

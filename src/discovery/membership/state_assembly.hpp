@@ -20,6 +20,9 @@ struct ServiceNumber {
   friend auto operator<=>(const ServiceNumber&, const ServiceNumber&) = default;
 };
 
+/// Changes such a list, in ascending order, as a change says; whether it has at most max_services_per_participant.
+bool update_services(std::vector<ServiceNumber>& services, const announcement::Announcement& change);
+
 /// Collects the parts of the newest revision. Each way has its own, because a state is split differently where other
 /// addresses are valid.
 class StateAssembly {

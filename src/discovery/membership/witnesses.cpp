@@ -1,17 +1,18 @@
 // The order of participants, which gives each two bits their meaning.
 #include "discovery/membership/witnesses.hpp"
 
-#include <array>
-#include <optional>
+#include <algorithm>
 #include <span>
 #include <utility>
 
 #include "base/hash.hpp"
+#include "discovery/membership/deadline.hpp"
 
 namespace geminga::membership {
 namespace {
 
 using announcement::HeardWithin;
+using base::Duration;
 using base::Instant;
 
 std::uint64_t fold_of(ParticipantId id, announcement::BootNonce boot) {
@@ -19,65 +20,83 @@ std::uint64_t fold_of(ParticipantId id, announcement::BootNonce boot) {
   return base::hash64(base::octets_of(std::span(numbers)));
 }
 
-/// Visits all records and, as nullptr, ourselves, by ascending identifier.
-template <typename AllRecords, typename Visit>
-void for_each_member(AllRecords& records, ParticipantId self, Visit visit) {
-  bool is_self_due = true;
-  for (auto& [id, known] : records) {
-    if (is_self_due && self < id) {
-      visit(static_cast<NeighbourRecord*>(nullptr));
-      is_self_due = false;
-    }
-    visit(known.record.get());
-  }
-  if (is_self_due) visit(static_cast<NeighbourRecord*>(nullptr));
+HeardWithin heard_within(Duration age, Duration interval) {
+  if (age > interval) return HeardWithin::longer;
+  if (age > interval / 2) return HeardWithin::interval;
+  return age > interval / 4 ? HeardWithin::half : HeardWithin::quarter;
 }
 
-/// The earliest instant at which somebody was heard who was heard so lately.
-std::optional<Instant> seen_at(HeardWithin within, base::Duration interval, Instant now) {
+/// How long ago somebody was heard at most who was heard so lately.
+Duration age_of(HeardWithin within, Duration interval) {
   switch (within) {
-    case HeardWithin::longer:
-      return std::nullopt;
-    case HeardWithin::interval:
-      return now - interval;
     case HeardWithin::half:
-      return now - interval / 2;
+      return interval / 2;
     case HeardWithin::quarter:
-      return now - interval / 4;
+      return interval / 4;
+    default:
+      return interval;
   }
-  return std::nullopt;
 }
 
 }  // namespace
 
 void Witnesses::set_self(ParticipantId id, announcement::BootNonce boot) {
   self_ = id;
-  self_boot_ = boot;
+  self_fold_ = fold_of(id, boot);
 }
 
-void Witnesses::toggle(ParticipantId id, announcement::BootNonce boot) { others_ ^= fold_of(id, boot); }
+Witnesses::Members::const_iterator Witnesses::find(ParticipantId id) const {
+  return std::ranges::lower_bound(others_, id, {}, &Member::id);
+}
 
-std::uint16_t Witnesses::members() const { return static_cast<std::uint16_t>(others_ ^ fold_of(self_, self_boot_)); }
+void Witnesses::add(ParticipantId id, announcement::BootNonce boot) {
+  others_.insert(find(id), Member{id, boot, {}, {}, {}});
+  others_fold_ ^= fold_of(id, boot);
+}
 
-announcement::Witness Witnesses::say(const Records& records, Instant now) const {
-  announcement::Witness witness{.members = members(), .heard = {}};
-  for_each_member(records, self_, [&](const NeighbourRecord* record) {
-    witness.heard.push_back(record == nullptr ? HeardWithin::longer : record->heard_within(now));
-  });
+void Witnesses::remove(ParticipantId id) {
+  const auto member = find(id);
+  others_fold_ ^= fold_of(id, member->boot);
+  others_.erase(member);
+}
+
+void Witnesses::update(ParticipantId id, Instant heard, Duration interval) {
+  auto& member = others_[static_cast<std::size_t>(find(id) - others_.cbegin())];
+  member.heard = heard;
+  member.interval = interval;
+}
+
+std::uint16_t Witnesses::fold() const { return static_cast<std::uint16_t>(others_fold_ ^ self_fold_); }
+
+announcement::Witness Witnesses::say(Instant now) const {
+  announcement::Witness witness{.members = fold(), .heard = {}};
+  witness.heard.reserve(others_.size() + 1);
+  for (const auto& member : others_) witness.heard.push_back(heard_within(now - member.heard, member.interval));
+  witness.heard.insert(witness.heard.begin() + (find(self_) - others_.cbegin()), HeardWithin::longer);
   return witness;
 }
 
-bool Witnesses::hear(Records& records, const announcement::Announcement& presence, Instant now) const {
+bool Witnesses::hear(const announcement::Announcement& presence, Instant now) {
   const auto& heard = presence.witness.heard;
-  const auto count = records.size() + 1;
-  if (presence.witness.members != members() || (heard.size() + 3) / 4 != (count + 3) / 4) return false;
-  std::size_t place = 0;
-  for_each_member(records, self_, [&](NeighbourRecord* record) {
-    const auto within = heard[place++];
-    if (record == nullptr || record->services().owner().id == presence.participant) return;
-    record->witness(seen_at(within, record->interval(), now), now);
-  });
+  const auto count = others_.size() + 1;
+  if (presence.witness.members != fold() || (heard.size() + 3) / 4 != (count + 3) / 4) return false;
+  words_[next_word_++ % words_.size()] = {presence.participant, now};
+  const auto take = [now](Member& member, HeardWithin within) {
+    if (within == HeardWithin::longer) return;
+    member.seen = std::max(member.seen, now - age_of(within, member.interval));
+  };
+  const auto own_place = static_cast<std::size_t>(find(self_) - others_.cbegin());
+  for (std::size_t i = 0; i < own_place; ++i) take(others_[i], heard[i]);
+  for (std::size_t i = own_place; i < others_.size(); ++i) take(others_[i], heard[i + 1]);
   return true;
+}
+
+Instant Witnesses::seen(ParticipantId id) const { return find(id)->seen; }
+
+std::size_t Witnesses::words(ParticipantId id, Instant now, Duration time) const {
+  const auto counts = [&](const Word& word) { return word.from != id && now - word.at <= time; };
+  const auto said = std::ranges::count_if(std::span(words_).first(std::min(next_word_, words_.size())), counts);
+  return std::min(static_cast<std::size_t>(said), enough_witnesses);
 }
 
 }  // namespace geminga::membership

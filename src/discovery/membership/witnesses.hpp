@@ -2,33 +2,59 @@
 #ifndef GEMINGA_DISCOVERY_MEMBERSHIP_WITNESSES_HPP
 #define GEMINGA_DISCOVERY_MEMBERSHIP_WITNESSES_HPP
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "base/time.hpp"
 #include "discovery/announcement/announcement.hpp"
-#include "discovery/membership/records.hpp"
 
 namespace geminga::membership {
 
 /// The words of witnesses name nobody: both sides must know the same participants, which a fold of them shows
-/// (ANNOUNCEMENT.md, "Witnesses").
+/// (ANNOUNCEMENT.md, "Witnesses"). A word of thousands costs one pass over a flat list, and touches nobody's record:
+/// what was said of somebody is looked up when its deadline comes.
 class Witnesses {
  public:
   void set_self(ParticipantId id, announcement::BootNonce boot);
-  /// Somebody is known from now on, or is not any more.
-  void toggle(ParticipantId id, announcement::BootNonce boot);
+  /// Somebody is known from now on; is not known any more.
+  void add(ParticipantId id, announcement::BootNonce boot);
+  void remove(ParticipantId id);
+  /// When we last heard somebody known ourselves, and its interval.
+  void update(ParticipantId id, base::Instant heard, base::Duration interval);
 
   /// How lately we have heard each of them.
-  [[nodiscard]] announcement::Witness say(const Records& records, base::Instant now) const;
-  /// Takes in what a known participant says of them; whether it speaks of the same ones.
-  bool hear(Records& records, const announcement::Announcement& presence, base::Instant now) const;
+  [[nodiscard]] announcement::Witness say(base::Instant now) const;
+  /// Takes in what somebody known says of them; whether it speaks of the same ones.
+  bool hear(const announcement::Announcement& presence, base::Instant now);
+  /// The latest instant at or after which somebody else has heard it; the beginning of time: nobody said so.
+  [[nodiscard]] base::Instant seen(ParticipantId id) const;
+  /// How many words of others than itself were heard within `time`, at most enough_witnesses.
+  [[nodiscard]] std::size_t words(ParticipantId id, base::Instant now, base::Duration time) const;
 
  private:
-  [[nodiscard]] std::uint16_t members() const;
+  struct Member {
+    ParticipantId id{};
+    announcement::BootNonce boot{};
+    base::Duration interval{};
+    base::Instant heard;  ///< by us
+    base::Instant seen;   ///< by others
+  };
+  struct Word {
+    ParticipantId from{};
+    base::Instant at;
+  };
+  using Members = std::vector<Member>;
+  [[nodiscard]] Members::const_iterator find(ParticipantId id) const;
+  [[nodiscard]] std::uint16_t fold() const;
 
   ParticipantId self_{};
-  announcement::BootNonce self_boot_{};
-  std::uint64_t others_ = 0;  ///< fold of all that are known
+  std::uint64_t self_fold_ = 0;
+  std::uint64_t others_fold_ = 0;
+  Members others_;               ///< by ascending identifier
+  std::array<Word, 8> words_{};  ///< the last ones; those of one participant that speaks often leave room for others'
+  std::size_t next_word_ = 0;
 };
 
 }  // namespace geminga::membership

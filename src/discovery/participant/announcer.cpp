@@ -7,6 +7,7 @@
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/limits.hpp"
 #include "discovery/announcement/on_interface.hpp"
+#include "discovery/membership/pace.hpp"
 #include "discovery/participant/own_services.hpp"
 
 namespace geminga::participant {
@@ -83,8 +84,10 @@ void Announcer::announce() {
   if (std::exchange(core_.is_changed, false)) {
     ++revision_;
     schedule_.set_loss(core_.neighbours.loss());
-    schedule_.changed(now);
+    schedule_.changed(is_new_to_others() ? membership::Schedule::Say::state : membership::Schedule::Say::change, now);
   }
+  doublings_ = membership::doublings_for(core_.neighbours.seasoned(), doublings_);
+  schedule_.set_doublings(doublings_, now);
   schedule_.ask(core_.neighbours.lacks_anybody(now) || core_.seal.asks(now), core_.neighbours.doubts_anybody(), now);
   if (core_.seal.is_asked(now)) show();
   for (;;) {
@@ -93,7 +96,12 @@ void Announcer::announce() {
       case membership::Schedule::Say::goodbye:
         return;
       case membership::Schedule::Say::state:
-        schedule_.set_size(send(current_state()));
+        update_log(now);
+        schedule_.set_size(send(whole_state()));
+        break;
+      case membership::Schedule::Say::change:
+        update_log(now);
+        send(change());
         break;
       case membership::Schedule::Say::presence:
         send(presence());
@@ -104,9 +112,29 @@ void Announcer::announce() {
 
 void Announcer::show() { schedule_.doubted(core_.env.now()); }
 
-const announcement::Announcement& Announcer::current_state() {
-  if (state_.revision != revision_ || state_.participant != claim_.id()) state_ = state();
-  return state_;
+/// Under this identifier nobody was told anything, or not of these interfaces.
+bool Announcer::is_new_to_others() {
+  if (log_.state().participant == claim_.id() && announced_on_ == core_.env.interfaces()) return false;
+  announced_on_ = core_.env.interfaces();
+  log_.begin_anew();
+  return true;
+}
+
+void Announcer::update_log(base::Instant now) {
+  if (log_.state().revision != revision_ || log_.state().participant != claim_.id()) log_.update(state(), now);
+}
+
+announcement::Announcement Announcer::whole_state() const {
+  announcement::Announcement state = log_.state();
+  state.doublings = doublings_;
+  return state;
+}
+
+announcement::Announcement Announcer::change() const {
+  std::optional<announcement::Announcement> change = log_.change();
+  if (!change) return whole_state();
+  change->doublings = doublings_;
+  return std::move(*change);
 }
 
 base::Instant Announcer::due() const {
@@ -149,6 +177,9 @@ void Announcer::heard_presence(const Heard& heard) {
     }
   }
   if (heard.hearing != membership::Hearing::known) return;
+  if (core_.neighbours.doubts_anybody() && core_.neighbours.hear_doubts(presence.doubts, now)) {
+    schedule_.asked_by_another(now);
+  }
   if (names(presence.doubts, claim_.id())) {
     schedule_.doubted(now);
   } else if (std::ranges::any_of(presence.doubts,
@@ -229,6 +260,7 @@ announcement::Announcement Announcer::header(announcement::Kind kind, Participan
   header.participant = id;
   header.boot = boot_;
   header.interval = schedule_options(core_.settings).interval;
+  header.doublings = doublings_;
   header.name = core_.settings.name;
   header.ontology_digest = core_.digest();
   return header;
@@ -266,10 +298,14 @@ std::size_t Announcer::send(const announcement::Announcement& announcement) {
   std::size_t most = 0;
   const auto& interfaces = core_.env.interfaces();
   for (const env::Interface& interface : interfaces) {
-    announcement::Announcement here = announcement::on_interface(announcement, interface, interfaces);
     std::uint64_t& sequence = sequences_[interface.index];
-    here.sequence = sequence;
-    const auto datagrams = announcement::encode(here);
+    const auto encode = [&](const announcement::Announcement& all) {
+      announcement::Announcement here = announcement::on_interface(all, interface, interfaces);
+      here.sequence = sequence;
+      return announcement::encode(here);
+    };
+    auto datagrams = encode(announcement);
+    if (datagrams.empty()) datagrams = encode(whole_state());  // a change that is too large
     for (const announcement::Datagram& text : datagrams) {
       const std::span<const std::byte> datagram = core_.seal.seal(text, interface.index, core_.env.now());
       sent_.add(datagram);

@@ -7,10 +7,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "discovery/announcement/announcement.hpp"
 #include "discovery/membership/identifier_claim.hpp"
 #include "discovery/membership/schedule.hpp"
+#include "discovery/participant/change_log.hpp"
 #include "discovery/participant/core.hpp"
 #include "discovery/participant/sent_datagrams.hpp"
 
@@ -62,9 +64,11 @@ class Announcer {
  private:
   /// Sends on all interfaces; returns the most datagrams that one of them took.
   std::size_t send(const announcement::Announcement& announcement);
-  /// What is announced at present. Made when it is sent and not with every change: of a hundred changes between two
-  /// datagrams only the last counts.
-  [[nodiscard]] const announcement::Announcement& current_state();
+  [[nodiscard]] bool is_new_to_others();
+  /// Takes down what is announced at present. Done when it is sent and not with every change.
+  void update_log(base::Instant now);
+  [[nodiscard]] announcement::Announcement whole_state() const;
+  [[nodiscard]] announcement::Announcement change() const;
   void heard_presence(const Heard& heard);
   Consequence heard_clash(const Heard& heard);
   void heard_own(const Heard& heard);
@@ -78,7 +82,9 @@ class Announcer {
   membership::IdentifierClaim claim_;
   membership::Schedule schedule_;
   std::uint64_t revision_ = 0;
-  announcement::Announcement state_;  ///< as it was sent last, without anything of an interface
+  std::uint8_t doublings_ = 0;  ///< of the interval
+  ChangeLog log_;
+  std::vector<env::Interface> announced_on_;  ///< the interfaces that the state was last told of
   std::map<env::InterfaceIndex, std::uint64_t> sequences_;
   SentDatagrams sent_;
   std::string clash_from_;  ///< where the last clash was heard

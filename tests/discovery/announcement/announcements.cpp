@@ -140,6 +140,7 @@ Announcement random_presence(Random& random) {
   made.link = static_cast<std::uint32_t>(random.below(10));
   made.sequence = random.below(1'000'000);
   made.revision = random.below(1'000);
+  made.doublings = static_cast<std::uint8_t>(random.below(max_doublings + 1));
   made.witness.members = static_cast<std::uint16_t>(random.next());
   for (auto count = 4 * random.below(max_participants / 4 + 1); count > 0; --count) {
     made.witness.heard.push_back(static_cast<HeardWithin>(random.below(4)));
@@ -187,6 +188,24 @@ Announcement random_announcement(Random& random, std::size_t max_services) {
       }
     }
     if (!peer.publications.empty() || !peer.subscriptions.empty() || !peer.withheld.empty()) made.peers.push_back(peer);
+  }
+  return made;
+}
+
+Announcement random_change(Random& random) {
+  auto made = random_announcement(random);
+  made.kind = Kind::change;
+  made.name.clear();
+  made.ontology_digest = 0;
+  made.interval = Announcement{}.interval;
+  made.addresses.clear();
+  made.doublings = static_cast<std::uint8_t>(random.below(max_doublings + 1));
+  made.since = made.revision;
+  made.revision += 1 + random.below(100);
+  for (auto& peer : made.peers) {
+    for (auto count = random.below(3); count > 0; --count) {
+      peer.removed.push_back(static_cast<std::uint32_t>(1'000'000 + peer.removed.size()));
+    }
   }
   return made;
 }

@@ -21,6 +21,9 @@ Announcement random_announcement(base::Random& random, std::size_t max_services 
 /// Any presence.
 Announcement random_presence(base::Random& random);
 
+/// Any change, which may be too large for a datagram.
+Announcement random_change(base::Random& random);
+
 /// A publication of the numeric identity 7 at a port.
 Publication simple_publication(std::uint16_t port = 5000);
 Subscription simple_subscription();

@@ -65,6 +65,21 @@ TEST(Codec, GivesBackEveryPresence) {
   }
 }
 
+TEST(Codec, GivesBackEveryChange) {
+  int fitting = 0;
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    base::Random random(seed);
+    const auto change = random_change(random);
+    const auto datagrams = encode(change);
+    if (datagrams.empty()) continue;
+    ++fitting;
+    const auto decoded = decode(datagrams[0]);
+    ASSERT_TRUE(decoded) << "seed " << seed << ": " << to_string(decoded.error());
+    EXPECT_EQ(*decoded, change) << "seed " << seed;
+  }
+  EXPECT_GT(fitting, 100);
+}
+
 TEST(Codec, WritesEqualOctetsForEqualAnnouncements) {
   base::Random one(7);
   base::Random other(7);
@@ -153,7 +168,7 @@ TEST(Codec, LeavesOutOnlyTheServiceThatIsLargerThanADatagram) {
 
 TEST(Codec, LeavesOutAPeerWithoutServices) {
   auto state = state_of(1);
-  state.peers.push_back({PeerId{2}, "idle", {}, {}, {}});
+  state.peers.push_back({PeerId{2}, "idle", {}, {}, {}, {}});
   EXPECT_EQ(decode_all(encode(state))[0].peers.size(), 1U);
 }
 
@@ -218,6 +233,45 @@ TEST(Codec, NamesNoMoreParticipantsInAPresenceThanItMay) {
   EXPECT_EQ(decoded->lacks.size(), max_named);
   EXPECT_EQ(decoded->doubts.size(), max_named);
   EXPECT_EQ(decoded->witness.heard.size(), max_participants + 4);
+}
+
+TEST(Codec, TellsAChangeInFewOctetsOrNotAtAll) {
+  Announcement change = worked_example();
+  change.kind = Kind::change;
+  change.since = change.revision - 1;
+  change.peers[0].subscriptions.clear();
+  change.peers[0].publications[0].publication.attributes.clear();
+  change.peers[0].removed = {43};
+  const auto datagrams = encode(change);
+  ASSERT_EQ(datagrams.size(), 1U);
+  EXPECT_LT(datagrams[0].size(), encode(worked_example())[0].size());
+  const auto decoded = decode(datagrams[0]);
+  ASSERT_TRUE(decoded) << to_string(decoded.error());
+  EXPECT_EQ(decoded->since, change.since);
+  EXPECT_EQ(decoded->peers, change.peers);
+  EXPECT_EQ(decoded->name, "") << "is as the state says";
+
+  for (std::uint32_t number = 100; number < 200; ++number) {
+    change.peers[0].publications.push_back({number, simple_publication()});
+  }
+  EXPECT_TRUE(encode(change).empty());
+}
+
+TEST(Codec, RefusesAChangeThatBeginsFromItsOwnRevision) {
+  Announcement change = worked_example();
+  change.kind = Kind::change;
+  change.since = change.revision;
+  const auto decoded = decode(encode(change)[0]);
+  ASSERT_FALSE(decoded);
+  EXPECT_EQ(decoded.error(), DecodeError::bad_change);
+}
+
+TEST(Codec, ReadsWhatWasRemovedInAChangeOnly) {
+  auto state = worked_example();
+  state.peers[0].removed = {77};
+  const auto decoded = decode(encode(state)[0]);
+  ASSERT_TRUE(decoded) << to_string(decoded.error());
+  EXPECT_TRUE(decoded->peers[0].removed.empty());
 }
 
 TEST(Codec, CarriesClaimsAndGoodbyes) {

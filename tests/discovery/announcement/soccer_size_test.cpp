@@ -69,7 +69,7 @@ Announcement robot(std::size_t publications, std::size_t subscriptions, std::str
     --left;
     if (state.peers.empty() || state.peers.back().name != service.module) {
       state.peers.push_back(
-          {PeerId{static_cast<std::uint32_t>(state.peers.size() + 1)}, std::string(service.module), {}, {}, {}});
+          {PeerId{static_cast<std::uint32_t>(state.peers.size() + 1)}, std::string(service.module), {}, {}, {}, {}});
     }
     const SemanticIdentity identity{soccer + std::string(service.message),
                                     representation.empty() ? std::string() : soccer + std::string(representation)};

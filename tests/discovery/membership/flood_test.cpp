@@ -141,7 +141,7 @@ TEST(Flood, PushesNobodyOutWhoIsKnownForLong) {
       time += step;
       say_all();
     }
-    for (std::uint32_t id = 0; id < 1000; ++id) {
+    for (std::uint32_t id = 0; id < 2 * announcement::max_participants; ++id) {
       (void)flood.hear(speaker(1000 + id, 1), "10.1." + std::to_string(id / 250) + "." + std::to_string(id % 250));
     }
     std::size_t left = 0;

@@ -206,9 +206,9 @@ TEST(NeighbourTable, KeepsAliveWhomWitnessesHaveHeardWhereAllKnowTheSameOnes) {
     const auto now = rig_start + seconds(4);
     (void)rig.hear(witness_of(rig, is_same), now);
     const auto seen = now - milliseconds(500);
-    EXPECT_GE(rig.table.find(ParticipantId{1})->deadline, is_same ? seen + patience(seconds(2), {}) : rig_start);
     rig.table.expire(rig_start + patience(seconds(2), {}));
-    EXPECT_EQ(rig.table.is_known(ParticipantId{1}), is_same);
+    ASSERT_EQ(rig.table.is_known(ParticipantId{1}), is_same);
+    EXPECT_TRUE(!is_same || rig.table.find(ParticipantId{1})->deadline >= seen + patience(seconds(2), {}));
   }
 }
 

@@ -68,7 +68,7 @@ announcement::Announcement speaker(std::uint32_t id, std::uint64_t revision,
   announcement.name = "robot" + std::to_string(id);
   announcement.revision = revision;
   announcement.addresses = {"10.0.0." + std::to_string(id)};
-  announcement.peers.push_back({PeerId{1}, "vision", {}, {}, {}});
+  announcement.peers.push_back({PeerId{1}, "vision", {}, {}, {}, {}});
   for (const auto number : numbers)
     announcement.peers[0].publications.push_back({number, announcement::simple_publication()});
   return announcement;

@@ -1,0 +1,79 @@
+// What others say of whom they have heard.
+#include "discovery/membership/witnesses.hpp"
+
+#include <gmock/gmock.h>
+
+#include "discovery/membership/deadline.hpp"
+#include "discovery/membership/table_rig.hpp"
+
+namespace geminga::membership {
+namespace {
+
+using announcement::BootNonce;
+using announcement::HeardWithin;
+
+constexpr base::Instant now = rig_start;
+
+/// A robot that knows all others of a team 1 to `count`, having heard all at `heard`.
+Witnesses member_of(std::uint32_t count, std::uint32_t self, base::Instant heard) {
+  Witnesses witnesses;
+  witnesses.set_self(ParticipantId{self}, BootNonce{self});
+  for (std::uint32_t id = count; id > 0; --id) {
+    if (id == self) continue;
+    witnesses.add(ParticipantId{id}, BootNonce{id});
+    witnesses.update(ParticipantId{id}, heard, seconds(2));
+  }
+  return witnesses;
+}
+
+announcement::Announcement presence_of(std::uint32_t id, const Witnesses& witnesses) {
+  announcement::Announcement presence;
+  presence.participant = ParticipantId{id};
+  presence.witness = witnesses.say(now);
+  return presence;
+}
+
+TEST(Witnesses, GiveEachWordItsPlaceWhoeverSpeaks) {
+  for (const std::uint32_t self : {1U, 2U, 5U}) {
+    for (const std::uint32_t other : {1U, 3U, 5U}) {
+      if (self == other) continue;
+      auto ours = member_of(5, self, now - seconds(5));
+      auto theirs = member_of(5, other, now - milliseconds(100));
+      theirs.update(ParticipantId{self == 4 ? 2U : 4U}, now - seconds(9), seconds(2));
+      ASSERT_TRUE(ours.hear(presence_of(other, theirs), now));
+      for (std::uint32_t id = 1; id <= 5; ++id) {
+        if (id == self) continue;
+        const bool is_heard = id != other && id != 4;
+        EXPECT_EQ(ours.seen(ParticipantId{id}), is_heard ? now - milliseconds(500) : base::Instant{})
+            << self << " hears " << other << " of " << id;
+      }
+    }
+  }
+}
+
+TEST(Witnesses, SayNothingToWhoKnowsOthers) {
+  auto ours = member_of(5, 1, now);
+  EXPECT_FALSE(ours.hear(presence_of(2, member_of(6, 2, now)), now));
+  ours.remove(ParticipantId{5});
+  EXPECT_FALSE(ours.hear(presence_of(2, member_of(5, 2, now)), now));
+  EXPECT_TRUE(ours.hear(presence_of(2, member_of(4, 2, now)), now));
+}
+
+TEST(Witnesses, CountOnlyWhoElseHasSpokenOfLate) {
+  auto ours = member_of(6, 1, now);
+  for (const std::uint32_t other : {2U, 3U, 3U}) (void)ours.hear(presence_of(other, member_of(6, other, now)), now);
+  EXPECT_EQ(ours.words(ParticipantId{2}, now, seconds(2)), 2U);
+  EXPECT_EQ(ours.words(ParticipantId{3}, now, seconds(2)), 1U);
+  EXPECT_EQ(ours.words(ParticipantId{4}, now, seconds(2)), enough_witnesses);
+  EXPECT_EQ(ours.words(ParticipantId{4}, now + seconds(3), seconds(2)), 0U);
+}
+
+TEST(Witnesses, TakeNothingBack) {
+  auto ours = member_of(4, 1, now);
+  (void)ours.hear(presence_of(2, member_of(4, 2, now - milliseconds(100))), now);
+  (void)ours.hear(presence_of(2, member_of(4, 2, now - seconds(5))), now + seconds(1));
+  EXPECT_EQ(ours.seen(ParticipantId{3}), now - milliseconds(500));
+}
+
+}  // namespace
+}  // namespace geminga::membership
