@@ -152,9 +152,7 @@ class NeighbourTable::State final : private ServiceRoom {
     admission_.update(holder->first, record.standing());
     set_due(*holder, arrival.now);
     if (is_new && hearing == Hearing::known && witnesses_.hear(announcement, arrival.now)) {
-      // All others look it up when their deadline comes.
-      const auto doubted = questions_.doubted();
-      for (const auto id : doubted) {
+      for (const auto id : std::set(questions_.doubted())) {  // all others look it up when their deadline comes
         const auto known = records_.find(id);
         known->second.record->ask_witnesses(arrival.now);
         set_due(*known, arrival.now);
