@@ -47,6 +47,7 @@ class Resolver {
     read_prefixes();
     read_gcnp();
     read_air();
+    read_sealing();
     read_interval();
     read_logging();
     if (!errors_.empty()) return std::unexpected(std::move(errors_));
@@ -212,6 +213,30 @@ class Resolver {
     }
   }
 
+  void read_sealing() {
+    for (const Stated& file : list("key-file", sealing::max_keys)) {
+      if (file.text.empty()) {
+        fail(file, "an empty path: name a key file");
+      } else {
+        result_.key_files.push_back(file.text);
+      }
+    }
+    if (!result_.key_files.empty()) result_.sealing.mode = sealing::Mode::encrypted;
+    const Stated* word = single("sealing");
+    if (word == nullptr) return;
+    const auto mode = sealing::read_mode(word->text);
+    if (!mode) {
+      fail(*word,
+           '\'' + base::printable(word->text) + "' is no mode: use encrypted, authenticated, mixed, prepared or plain");
+    } else if (*mode == sealing::Mode::plain && !result_.key_files.empty()) {
+      fail(*word, "plain with a key: leave the key files out, or say prepared");
+    } else if (*mode != sealing::Mode::plain && result_.key_files.empty()) {
+      fail(*word, word->text + " without a key: give --key-file, too");
+    } else {
+      result_.sealing.mode = *mode;
+    }
+  }
+
   void read_interval() {
     const Stated* text = single("interval");
     if (text == nullptr) return;
@@ -303,6 +328,8 @@ std::string to_toml(const Configuration& configuration) {
   if (!configuration.gcnp_socket.empty()) text += line("gcnp-socket", quoted(configuration.gcnp_socket));
   text += line("port", std::to_string(configuration.air.port));
   text += line("multicast", quoted(configuration.air.groups));
+  text += line("key-file", quoted(configuration.key_files));
+  text += line("sealing", quoted(to_string(configuration.sealing.mode)));
   text += line("interval", std::to_string(milliseconds / 1000) + '.' + fraction);
   text += line("log-level", quoted(to_string(configuration.log_level)));
   text += line("log-format", quoted(configuration.log_format == LogFormat::json ? "json" : "text"));

@@ -11,6 +11,7 @@
 #include "base/log.hpp"
 #include "base/time.hpp"
 #include "daemon/layer.hpp"
+#include "discovery/sealing/seal.hpp"
 #include "env/asio/asio_env.hpp"
 
 namespace geminga::daemon {
@@ -40,6 +41,9 @@ struct Configuration {
   std::vector<GcnpAddress> gcnp;  ///< empty: not over TCP
   std::string gcnp_socket;        ///< path of a Unix socket; empty: none
   env::AirSettings air;
+  std::vector<std::string> key_files;
+  /// The mode, which is plain where there are no key files, and only there; who has read those puts the keys in.
+  sealing::Policy sealing;
   base::Duration interval = std::chrono::seconds(2);
   base::LogLevel log_level = base::LogLevel::info;
   LogFormat log_format = LogFormat::text;

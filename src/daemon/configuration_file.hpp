@@ -14,8 +14,8 @@ namespace geminga::daemon {
 inline constexpr std::size_t max_configuration_bytes = 1024 * 1024;
 
 /// Reads the file: the flags' names as keys, and a table [prefixes] of names for IRIs. Unknown keys and values of a
-/// wrong type are errors. Paths of ontologies and of the socket are relative to the file's folder. The errors are lines
-/// that begin with file:line where there is one.
+/// wrong type are errors. Paths of ontologies, keys and the socket are relative to the file's folder. The errors are
+/// lines that begin with file:line where there is one.
 [[nodiscard]] std::expected<Layer, std::vector<std::string>> read_configuration_file(const std::string& path);
 
 /// The same for a text that stands in for the file of this path.

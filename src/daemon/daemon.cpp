@@ -134,6 +134,7 @@ class Daemon::State final : private env::EventSink {
     settings.name = configuration_.name;
     settings.group = configuration_.group;
     settings.interval = configuration_.interval;
+    settings.sealing = configuration_.sealing;
     settings.version = GEMINGA_VERSION;
     env_.event([&] {
       participant_ = std::make_unique<participant::Participant>(env_, settings, vocabulary_);
@@ -141,6 +142,7 @@ class Daemon::State final : private env::EventSink {
       if (loader_.is_loading()) participant_->ontology_begun();
       participant_->start();
     });
+    say_sealing();
     env_.serve(*this);
     after_event();
     if (must_reload_) reload();
@@ -280,9 +282,21 @@ class Daemon::State final : private env::EventSink {
       log_.write(LogLevel::warning, "name, group, gcnp, gcnp-socket and interval take effect at the next start");
     }
     if (configuration_.air != before.air) env_.open_air(configuration_.air);
+    if (configuration_.sealing != before.sealing) {
+      env_.event([&] { participant_->set_sealing(configuration_.sealing); });
+      say_sealing();
+    }
     if (std::exchange(is_next_in_preparation_, false)) preparation_.cancel();  // what is read now is newer
     env_.event([&] { participant_->ontology_begun(); });
     load([this](Loaded loaded) { take(std::move(loaded)); });
+  }
+
+  void say_sealing() {
+    std::vector<std::string> ids;
+    for (const sealing::Key& key : configuration_.sealing.keys.keys()) ids.push_back(to_string(key.id()));
+    if (ids.empty()) return log_.write(LogLevel::info, "announcements are not sealed: there is no key");
+    log_.write(LogLevel::info, "announcements: " + std::string(to_string(configuration_.sealing.mode)) + ", keys " +
+                                   base::joined(ids, ", "));
   }
 
   void say_kept(const Lines& errors, const std::string& kept) {

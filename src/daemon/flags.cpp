@@ -23,6 +23,9 @@ Examples:
   gemingad --config /etc/geminga.toml --check-config
   gemingad --interface wlan0 --name robot2 --interval 1
   gemingad --gcnp none --gcnp-socket /run/geminga/gcnp
+A team that nobody else hears:
+  gemingad --generate-key team.key
+  gemingad --key-file team.key
 Two daemons on one host, for a try:
   gemingad --interface lo --name a --gcnp 127.0.0.1:4717 &
   gemingad --interface lo --name b --gcnp 127.0.0.1:4718 &)";
@@ -37,6 +40,8 @@ std::expected<Flags, std::string> read_flags(int argc, const char* const* argv) 
   Flags flags;
   app.add_flag("--check-config", flags.is_check_only,
                "Check configuration and ontologies, print what would hold, and end");
+  app.add_option("--generate-key", flags.key_to_generate, "Write a new key for a team into this file, and end")
+      ->type_name("FILE");
   std::list<std::pair<const Key*, std::vector<std::string>>> given;  // a list, because CLI11 keeps references
   for (const Key& key : keys) {
     auto& [owner, values] = given.emplace_back(&key, std::vector<std::string>{});

@@ -3,6 +3,7 @@
 #define GEMINGA_DAEMON_FLAGS_HPP
 
 #include <expected>
+#include <optional>
 #include <string>
 
 #include "daemon/layer.hpp"
@@ -11,8 +12,9 @@ namespace geminga::daemon {
 
 struct Flags {
   Layer layer;
-  bool is_check_only = false;  ///< --check-config
-  std::string answer;          ///< not empty: print it and end with 0 (--help, --version)
+  bool is_check_only = false;                  ///< --check-config
+  std::optional<std::string> key_to_generate;  ///< --generate-key: make it and end
+  std::string answer;                          ///< not empty: print it and end with 0 (--help, --version)
 };
 
 /// Reads the flags. The error is one line that says what is wrong and what to do.

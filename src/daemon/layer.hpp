@@ -26,7 +26,7 @@ struct Key {
   std::string_view refused;  ///< not empty: the key is known but cannot be used yet, and this says why
 };
 
-inline constexpr std::array<Key, 15> keys{{
+inline constexpr std::array<Key, 16> keys{{
     {"ontology", Kind::texts, "FILE-OR-FOLDER",
      "Ontology to load; a folder means every ontology file in it. May be given many times", ""},
     {"group", Kind::text, "NAME", "Only participants of the same group see each other (default: default)", ""},
@@ -51,7 +51,14 @@ inline constexpr std::array<Key, 15> keys{{
      "noticed "
      "sooner. Longer: less traffic",
      ""},
-    {"key-file", Kind::texts, "FILE", "", "sealed announcements are not there yet: start without it"},
+    {"key-file", Kind::texts, "FILE",
+     "Seal announcements with the key in this file, and hear only what is sealed; may be given many times: the first "
+     "one seals, all of them open",
+     ""},
+    {"sealing", Kind::text, "MODE",
+     "How, where there is a key: encrypted, authenticated, or on the way there prepared, then mixed (default: "
+     "encrypted)",
+     ""},
     {"http", Kind::text, "ADDRESS:PORT", "", "the HTTP side is not there yet: start without it"},
     {"log-level", Kind::text, "LEVEL", "debug, info, warning or error (default: info)", ""},
     {"log-format", Kind::text, "FORMAT", "text or json (default: text)", ""},

@@ -14,6 +14,7 @@
 #include "daemon/configuration_file.hpp"
 #include "daemon/daemon.hpp"
 #include "daemon/flags.hpp"
+#include "daemon/key_files.hpp"
 #include "daemon/layer.hpp"
 #include "daemon/log.hpp"
 
@@ -29,7 +30,7 @@ std::string host_name() {
   return name.data();
 }
 
-/// Flags over environment over file.
+/// Flags over environment over file, with the keys that they name.
 std::expected<Configuration, Errors> configure(const Layer& flags, const Layer& environment) {
   Layer file;
   for (const Layer* layer : {&flags, &environment}) {
@@ -40,7 +41,12 @@ std::expected<Configuration, Errors> configure(const Layer& flags, const Layer& 
     file = std::move(*read);
     break;
   }
-  return geminga::daemon::resolve({&flags, &environment, &file}, host_name());
+  auto configuration = geminga::daemon::resolve({&flags, &environment, &file}, host_name());
+  if (!configuration) return configuration;
+  auto keys = geminga::daemon::read_keys(configuration->key_files);
+  if (!keys) return std::unexpected(std::move(keys.error()));
+  configuration->sealing.keys = std::move(*keys);
+  return configuration;
 }
 
 /// Opens standard input, output and error where they are closed: a socket with one of their numbers would get our
@@ -60,6 +66,13 @@ int refuse(const Errors& errors) {
   return geminga::daemon::exit_wrong;
 }
 
+int make_key(const std::string& path) {
+  const auto id = geminga::daemon::generate_key(path);
+  if (!id) return refuse({id.error()});
+  std::printf("%s: key %s: copy it to each host of the team, and keep it secret\n", path.c_str(), id->c_str());
+  return geminga::daemon::exit_done;
+}
+
 int serve(int argc, char** argv) {
   const auto flags = geminga::daemon::read_flags(argc, argv);
   if (!flags) return refuse({flags.error()});
@@ -67,6 +80,7 @@ int serve(int argc, char** argv) {
     std::fputs(flags->answer.c_str(), stdout);
     return geminga::daemon::exit_done;
   }
+  if (flags->key_to_generate) return make_key(*flags->key_to_generate);
   const Layer environment = geminga::daemon::read_environment(environ);
   const auto reread = [&] { return configure(flags->layer, environment); };
   const auto configuration = reread();

@@ -104,7 +104,9 @@ TEST(Configuration, RefusesAWrongValueWithItsPlace) {
       {{"ontology", ""}, "an empty path"},
       {{"log-level", "loud"}, "use debug, info, warning or error"},
       {{"log-format", "xml"}, "use text or json"},
-      {{"key-file", "k"}, "not there yet"},
+      {{"key-file", ""}, "an empty path"},
+      {{"sealing", "encrypted"}, "without a key: give --key-file"},
+      {{"sealing", "secret"}, "'secret' is no mode"},
       {{"http", "127.0.0.1:80"}, "not there yet"},
   };
   for (const auto& [value, words] : cases) {
@@ -113,6 +115,19 @@ TEST(Configuration, RefusesAWrongValueWithItsPlace) {
     EXPECT_THAT(result.error(),
                 ElementsAre(testing::AllOf(testing::StartsWith("--" + value.first + ": "), HasSubstr(words))));
   }
+}
+
+TEST(Configuration, SealsWhereThereIsAKeyAndEncryptsUnlessTold) {
+  EXPECT_EQ(resolved({})->sealing.mode, sealing::Mode::plain);
+  EXPECT_EQ(resolved(layer_of({{"sealing", "plain"}}))->sealing.mode, sealing::Mode::plain);
+  const auto encrypted = resolved(layer_of({{"key-file", "a"}, {"key-file", "b"}}));
+  EXPECT_THAT(encrypted->key_files, ElementsAre("a", "b"));
+  EXPECT_EQ(encrypted->sealing.mode, sealing::Mode::encrypted);
+  const auto mixed = resolved(layer_of({{"key-file", "a"}, {"sealing", "mixed"}}));
+  EXPECT_EQ(mixed->sealing.mode, sealing::Mode::mixed);
+  EXPECT_THAT(to_toml(*mixed), testing::AllOf(HasSubstr("key-file = [\"a\"]\n"), HasSubstr("sealing = \"mixed\"\n")));
+  EXPECT_THAT(resolved(layer_of({{"key-file", "a"}, {"sealing", "plain"}})).error(),
+              ElementsAre(HasSubstr("plain with a key")));
 }
 
 TEST(Configuration, TakesIntervalsWithinTheRangeOfTheAnnouncement) {
@@ -136,6 +151,9 @@ TEST(Configuration, HasAMostOfEveryList) {
   EXPECT_TRUE(with("peer", env::max_unicast_peers, peer));
   EXPECT_FALSE(with("peer", env::max_unicast_peers + 1, peer));
   EXPECT_TRUE(with("ontology", max_values, peer));
+  EXPECT_TRUE(with("key-file", sealing::max_keys - 1, peer));
+  EXPECT_TRUE(with("key-file", sealing::max_keys, peer));
+  EXPECT_FALSE(with("key-file", sealing::max_keys + 1, peer));
   EXPECT_FALSE(with("ontology", max_values + 1, peer));
 }
 

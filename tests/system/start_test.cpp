@@ -69,7 +69,7 @@ TEST(Start, RefusesWhatItDoesNotUnderstand) {
       {{"--gcnp", "localhost:4717"}, "--gcnp: 'localhost' is no IP address"},
       {{"--port", "65536"}, "--port: '65536' is no port"},
       {{"--multicast", "10.0.0.1"}, "--multicast: 10.0.0.1 is no multicast group"},
-      {{"--key-file", "team.key"}, "--key-file: sealed announcements are not there yet"},
+      {{"--key-file", "no-such.key"}, "no-such.key: No such file or directory: name a key file"},
       {{"--http", "127.0.0.1:80"}, "--http: the HTTP side is not there yet"},
       {{"--surprise"}, "--surprise: see gemingad --help"},
       {{"surprise"}, "surprise: see gemingad --help"},

@@ -35,6 +35,7 @@ void add_match(CLI::App& app, Run& selected);
 void add_explain(CLI::App& app, Run& selected);
 void add_why(CLI::App& app, Run& selected);
 void add_ontology(CLI::App& app, Run& selected);
+void add_security(CLI::App& app, Run& selected);
 void add_status(CLI::App& app, Run& selected);
 
 }  // namespace geminga::query

@@ -39,7 +39,7 @@ int run(int argc, char** argv) {
   app.add_flag("--watch", context.is_watching,
                "Print what is there and then every change, until Ctrl-C or the daemon's end (exit status 3)");
   for (const auto add : std::array{add_participants, add_services, add_requests, add_match, add_explain, add_why,
-                                   add_ontology, add_status}) {
+                                   add_ontology, add_status, add_security}) {
     add(app, selected);
   }
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);

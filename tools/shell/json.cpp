@@ -25,10 +25,10 @@ namespace json = boost::json;
 
 constexpr auto number_keys = std::to_array<std::string_view>(
     {"id", "port", "priority", "distance", "age", "heard", "interval", "loss", "limit", "publications", "subscriptions",
-     "statements", "line", "classes", "count", "left_out", "sent", "received", "peer"});
+     "statements", "line", "classes", "count", "left_out", "sent", "received", "peer", "datagrams"});
 constexpr auto flag_keys =
     std::to_array<std::string_view>({"self", "local", "used", "served", "ok", "loaded", "matches", "subsumed"});
-constexpr auto list_keys = std::to_array<std::string_view>({"addresses"});
+constexpr auto list_keys = std::to_array<std::string_view>({"addresses", "keys", "lacks"});
 
 template <typename Keys>
 bool contains(const Keys& keys, std::string_view key) {

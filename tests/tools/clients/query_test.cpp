@@ -4,6 +4,10 @@
 
 #include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "tools/clients/bench.hpp"
 
@@ -289,6 +293,40 @@ TEST(QueryWithoutOntology, SaysSo) {
   const auto ran = system::run(start);
   EXPECT_EQ(ran.status, 1);
   EXPECT_THAT(ran.said, HasSubstr("start gemingad with --ontology"));
+}
+
+TEST_F(Query, ShowsThatNothingIsSealedWhereThereIsNoKey) {
+  const auto shown = bench_.query({"security"});
+  EXPECT_EQ(shown.status, 0);
+  EXPECT_THAT(shown.out, HasSubstr("Nothing is sealed: there is no key."));
+  const auto all = bench_.json({"security"});
+  EXPECT_EQ(all.at("mode"), "plain");
+  for (const char* list : {"keys", "datagrams", "participants", "rejected"})
+    EXPECT_TRUE(all.at(list).is_array()) << list;
+}
+
+TEST(QueryOfSealed, ShowsModeAndKeysAndNeverAKey) {
+  std::string folder = std::filesystem::temp_directory_path() / "geminga-query-XXXXXX";
+  ASSERT_NE(::mkdtemp(folder.data()), nullptr);
+  const std::string file = folder + "/team.key";
+  const system::Ran made =
+      system::run({.words = {system::program("gemingad"), "--generate-key", file}, .environment = {}, .before = {}});
+  ASSERT_EQ(made.status, 0) << made.said;
+  const std::string id = made.said.substr(made.said.find(": key ") + 6, 4);
+  Bench bench({"--key-file", file});
+  const auto shown = bench.query({"security"});
+  EXPECT_EQ(shown.status, 0);
+  EXPECT_THAT(shown.out, HasSubstr("encrypted, keys " + id + ": " + id + " seals"));
+  const auto all = bench.json({"security"});
+  EXPECT_EQ(all.at("mode"), "encrypted");
+  EXPECT_EQ(all.at("keys").at(0), id.c_str());
+  EXPECT_EQ(bench.json({"status"}).at("sealing"), "encrypted");
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  std::string secret = text.str().substr(text.str().find("\nkey ") + 10);
+  secret.resize(40);
+  EXPECT_THAT(shown.out + bench.query({"--json", "security"}).out, Not(HasSubstr(secret)));
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

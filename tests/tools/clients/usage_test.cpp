@@ -34,7 +34,7 @@ TEST(Programs, ShowHelpWithExamples) {
     EXPECT_THAT(help.out, HasSubstr("--connect")) << program;
   }
   for (const char* command :
-       {"participants", "services", "requests", "match", "explain", "why", "ontology", "status"}) {
+       {"participants", "services", "requests", "match", "explain", "why", "ontology", "status", "security"}) {
     const auto help = run("geminga-query", {command, "--help"});
     EXPECT_EQ(help.status, 0) << command;
     EXPECT_THAT(help.out, HasSubstr(std::string("geminga-query ") + command)) << command;

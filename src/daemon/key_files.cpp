@@ -1,0 +1,143 @@
+#include "daemon/key_files.hpp"
+
+#include <fcntl.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+
+#include "base/text.hpp"
+#include "discovery/sealing/key_file.hpp"
+
+namespace geminga::daemon {
+namespace {
+
+std::string last_error() { return std::generic_category().message(errno); }
+
+/// Closes at the end.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+/// A text that wipes itself at the end. It never grows, so that no copy is left behind.
+class SecretText {
+ public:
+  explicit SecretText(std::string text) : text_(std::move(text)) {}
+  ~SecretText() { ::explicit_bzero(text_.data(), text_.size()); }
+  SecretText(const SecretText&) = delete;
+  SecretText& operator=(const SecretText&) = delete;
+  [[nodiscard]] std::string& text() { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// One octet more than a key file may have is read of a longer one.
+bool read_all(int descriptor, std::string& text) {
+  std::size_t size = 0;
+  while (size < text.size()) {
+    const ssize_t got = ::read(descriptor, text.data() + size, text.size() - size);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return false;
+    if (got == 0) break;
+    size += static_cast<std::size_t>(got);
+  }
+  text.resize(size);
+  return true;
+}
+
+bool write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t put = ::write(descriptor, text.data(), text.size());
+    if (put < 0 && errno == EINTR) continue;
+    if (put < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(put));
+  }
+  return ::fsync(descriptor) == 0;
+}
+
+std::expected<sealing::Key, std::string> read_key_file(const std::string& path) {
+  const std::string name = base::printable(path, 4096);
+  // A FIFO would wait for a writer without O_NONBLOCK.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  if (file.number() < 0) return std::unexpected(name + ": " + last_error() + ": name a key file");
+  struct stat status{};
+  if (::fstat(file.number(), &status) != 0) return std::unexpected(name + ": " + last_error());
+  if (!S_ISREG(status.st_mode)) return std::unexpected(name + ": is not a regular file: name a key file");
+  if ((status.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
+    return std::unexpected(name + ": its group or others may read or change it, so the key is no secret: chmod 600 " +
+                           name);
+  }
+  SecretText secret(std::string(sealing::max_key_file_bytes + 1, '\0'));
+  if (!read_all(file.number(), secret.text())) return std::unexpected(name + ": " + last_error());
+  auto key = sealing::read_key(secret.text());
+  if (!key) return std::unexpected(name + ':' + std::to_string(key.error().line) + ": " + key.error().text);
+  return *key;
+}
+
+}  // namespace
+
+std::expected<sealing::Keyring, std::vector<std::string>> read_keys(const std::vector<std::string>& paths) {
+  sealing::Keyring ring;
+  std::vector<std::string> errors;
+  for (const std::string& path : paths) {
+    const auto key = read_key_file(path);
+    if (!key) {
+      errors.push_back(key.error());
+      continue;
+    }
+    switch (ring.add(*key)) {
+      case sealing::Keyring::Added::yes:
+        break;
+      case sealing::Keyring::Added::full:
+        errors.push_back(base::printable(path, 4096) + ": one key more than the " + std::to_string(sealing::max_keys) +
+                         " that there may be: remove old ones");
+        break;
+      case sealing::Keyring::Added::id_taken:
+        errors.push_back(base::printable(path, 4096) + ": a second key " + to_string(key->id()) +
+                         ": name each key once; if they differ, make another one");
+        break;
+    }
+  }
+  if (!errors.empty()) return std::unexpected(std::move(errors));
+  return ring;
+}
+
+std::expected<std::string, std::string> generate_key(const std::string& path) {
+  const std::string name = base::printable(path, 4096);
+  sealing::Key::Secret secret{};
+  // So few octets are never cut short once the pool is ready (getrandom(2)); before that it waits.
+  while (::getrandom(secret.data(), secret.size(), 0) != static_cast<ssize_t>(secret.size())) {
+    if (errno != EINTR) return std::unexpected(name + ": no random bits: " + last_error());
+  }
+  SecretText text(sealing::write_key(secret));
+  const std::string id = to_string(sealing::Key(secret).id());
+  ::explicit_bzero(secret.data(), secret.size());
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, S_IRUSR | S_IWUSR));
+  if (file.number() < 0) {
+    return std::unexpected(errno == EEXIST ? name + ": is there already, and a key is never overwritten: name another"
+                                           : name + ": " + last_error());
+  }
+  if (!write_all(file.number(), text.text())) {
+    const std::string why = last_error();
+    ::unlink(path.c_str());
+    return std::unexpected(name + ": " + why);
+  }
+  return id;
+}
+
+}  // namespace geminga::daemon

@@ -1,0 +1,126 @@
+// geminga-query security: what is on the air by mode and key, what was rejected and why, and who lacks which key.
+#include <boost/json/array.hpp>
+#include <boost/json/object.hpp>
+#include <iostream>
+
+#include "query/command.hpp"
+#include "query/listing.hpp"
+#include "shell/describe.hpp"
+#include "shell/json.hpp"
+#include "shell/report.hpp"
+#include "shell/table.hpp"
+
+namespace geminga::query {
+namespace {
+
+/// The lines of the answer by what they tell (src/discovery/participant/QUERIES.md).
+struct Security {
+  Record head;
+  std::vector<Record> datagrams;
+  std::vector<Record> participants;
+  std::vector<Record> rejected;
+};
+
+Security security_of(const Answer& answer) {
+  Security security;
+  for (const auto& record : answer.records) {
+    if (!record["mode"].empty()) {
+      security.head = record;
+    } else if (!record["datagrams"].empty()) {
+      security.datagrams.push_back(record);
+    } else if (!record["participant"].empty()) {
+      security.participants.push_back(record);
+    } else if (!record["source"].empty()) {
+      security.rejected.push_back(record);
+    }
+  }
+  return security;
+}
+
+void print_security_json(const Security& security) {
+  boost::json::object object = shell::to_json(security.head);
+  if (!object.contains("keys")) object["keys"] = boost::json::array();
+  object["datagrams"] = shell::to_json(security.datagrams);
+  boost::json::array participants = shell::to_json(security.participants);
+  for (auto& participant : participants) {
+    for (const char* list : {"keys", "lacks"}) {
+      if (!participant.as_object().contains(list)) participant.as_object()[list] = boost::json::array();
+    }
+  }
+  object["participants"] = std::move(participants);
+  object["rejected"] = shell::to_json(security.rejected);
+  shell::print(std::cout, object);
+}
+
+void print_own_sealing(const Security& security) {
+  if (security.head["keys"].empty()) {
+    std::cout << "Nothing is sealed: there is no key. Whoever is on the link can be heard: see gemingad "
+                 "--generate-key.\n";
+    return;
+  }
+  const std::string keys(security.head["keys"]);
+  std::cout << shell::printable(security.head["mode"]) << ", keys " << shell::printable(keys) << ": "
+            << shell::printable(keys.substr(0, keys.find(','))) << " seals, all of them open\n";
+}
+
+std::string dash(std::string_view text) { return text.empty() ? "-" : std::string(text); }
+
+void print_security(const Context& context, const Security& security) {
+  print_own_sealing(security);
+  shell::Table participants({{"PARTICIPANT"}, {"NAME", false, 8}, {"SAYS"}, {"SEALS WITH"}, {"OPENS WITH"}, {"LACKS"}});
+  for (const auto& record : security.participants) {
+    participants.add({std::string(record["participant"]), std::string(record["name"]),
+                      std::string(record["protection"]), dash(record["key"]), dash(record["keys"]),
+                      dash(record["lacks"])});
+  }
+  if (!participants.is_empty()) {
+    std::cout << '\n';
+    participants.print(std::cout, context.terminal);
+  }
+  shell::Table datagrams({{"DATAGRAMS", true}, {"SEALED"}, {"KEY"}, {"REJECTED"}});
+  for (const auto& record : security.datagrams) {
+    datagrams.add({std::string(record["datagrams"]), std::string(record["protection"]), dash(record["key"]),
+                   dash(record["rejected"])});
+  }
+  if (!datagrams.is_empty()) {
+    std::cout << "\nThe last datagrams, a thousand at most:\n";
+    datagrams.print(std::cout, context.terminal);
+  }
+  shell::Table rejected({{"FROM", false, 12}, {"SEALED"}, {"KEY"}, {"REJECTED"}, {"COUNT", true}, {"LAST", true}});
+  for (const auto& record : security.rejected) {
+    rejected.add({std::string(record["source"]), std::string(record["protection"]), dash(record["key"]),
+                  std::string(record["rejected"]), std::string(record["count"]), shell::duration_words(record["age"])});
+  }
+  if (!rejected.is_empty()) {
+    std::cout << "\nNot heard:\n";
+    rejected.print(std::cout, context.terminal);
+  }
+}
+
+}  // namespace
+
+void add_security(CLI::App& app, Run& selected) {
+  CLI::App* command =
+      app.add_subcommand("security", "What is on the air by mode and key, what was rejected, who lacks which key");
+  command->footer(
+      "Examples:\n  geminga-query security\n  geminga-query --json security | jq '.participants[] | select(.lacks != "
+      "[])'\nIn a rotation: LACKS is empty everywhere when everybody has the new key, and SEALS WITH shows it "
+      "everywhere "
+      "when the old one can go.");
+  command->callback([&selected] {
+    selected = [](const Context& context, Client& client) {
+      if (refuses_watch(context, "security")) return shell::ExitStatus::wrong_use;
+      const auto answer = client.query("security");
+      if (!answer) return shell::report(program, answer.error());
+      const Security security = security_of(*answer);
+      if (context.common.is_json) {
+        print_security_json(security);
+      } else {
+        print_security(context, security);
+      }
+      return shell::ExitStatus::found;
+    };
+  });
+}
+
+}  // namespace geminga::query
