@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include "base/assert.hpp"
 
@@ -44,8 +45,7 @@ void write_header(const Header& header, std::span<std::byte> octets) {
 /// The header and eight zeros: so each of its octets is authenticated by being part of the nonce.
 Nonce nonce_of(std::span<const std::byte> datagram) {
   Nonce nonce{};
-  std::ranges::transform(datagram.first(header_bytes), nonce.begin(),
-                         [](std::byte octet) { return static_cast<unsigned char>(octet); });
+  std::memcpy(nonce.data(), datagram.data(), header_bytes);
   return nonce;
 }
 
@@ -88,7 +88,7 @@ std::size_t seal(const Key& key, const Header& header, std::span<const std::byte
   const auto tag = datagram.subspan(header_bytes + text.size(), tag_bytes);
   // Authenticated only: the text is the additional data of an empty message.
   const bool is_encrypted = header.protection == Protection::encrypted;
-  if (!is_encrypted) std::ranges::copy(text, body.begin());
+  if (!is_encrypted) std::copy_n(text.data(), text.size(), body.data());
   crypto_aead_xchacha20poly1305_ietf_encrypt_detached(
       sodium(body.data()), sodium(tag.data()), nullptr, sodium(text.data()), is_encrypted ? text.size() : 0,
       sodium(text.data()), is_encrypted ? 0 : text.size(), nullptr, nonce.data(), key.sealing().data());
@@ -107,7 +107,7 @@ std::expected<std::size_t, Rejection> open(const Key& key, const Header& header,
       sodium(text.data()), nullptr, sodium(body.data()), is_encrypted ? size : 0, sodium(tag.data()),
       sodium(body.data()), is_encrypted ? 0 : size, nonce.data(), key.sealing().data());
   if (opened != 0) return std::unexpected(Rejection::forged);
-  if (!is_encrypted) std::ranges::copy(body, text.begin());
+  if (!is_encrypted) std::copy_n(body.data(), body.size(), text.data());
   return size;
 }
 

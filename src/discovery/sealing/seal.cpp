@@ -52,15 +52,12 @@ void Seal::begin_session(base::Instant now) {
 std::span<const std::byte> Seal::seal(std::span<const std::byte> text, env::InterfaceIndex interface,
                                       base::Instant now) {
   GEMINGA_ASSERT(text.size() <= env::max_datagram_bytes - env::max_envelope_bytes);
-  if (!is_sealing()) {
-    std::ranges::copy(text, said_.begin());
-    return std::span(said_).first(text.size());
-  }
+  if (!is_sealing()) return text;
   if (counter_ == std::numeric_limits<std::uint32_t>::max()) begin_session(now);  // no nonce is ever used twice
   const std::size_t room = env::max_datagram_bytes - env::max_envelope_bytes - text.size();
   const Greeting greeting = challenges_.greeting(interface, policy_.keys, room, now);
   const std::size_t greeted = greeting.is_empty() ? 0 : write_greeting(greeting, greeted_);
-  std::ranges::copy(text, std::span(greeted_).subspan(greeted).begin());
+  std::copy_n(text.data(), text.size(), greeted_.data() + greeted);
   const Header header{
       .protection = policy_.mode == Mode::authenticated ? Protection::authenticated : Protection::encrypted,
       .has_greeting = greeted > 0,

@@ -68,8 +68,8 @@ class Seal {
   void adopt(const Policy& policy, base::Instant now);
   [[nodiscard]] const Policy& policy() const { return policy_; }
 
-  /// What is to be sent for this announcement on this interface, borrowed until the next call. Requires that it has at
-  /// most env::max_datagram_bytes - env::max_envelope_bytes octets.
+  /// What is to be sent for this announcement on this interface, borrowed until the next call and from `text`. Requires
+  /// that it has at most env::max_datagram_bytes - env::max_envelope_bytes octets.
   [[nodiscard]] std::span<const std::byte> seal(std::span<const std::byte> text, env::InterfaceIndex interface,
                                                 base::Instant now);
   /// What a datagram says, if it is to be heard. Bytes from anywhere; what is forged costs less than 1 us.
