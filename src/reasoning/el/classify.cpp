@@ -14,7 +14,7 @@
 #include "reasoning/el/indexed_ontology.hpp"
 #include "reasoning/el/inheritance.hpp"
 #include "reasoning/el/nominals.hpp"
-#include "reasoning/el/rule_normaliser.hpp"
+#include "reasoning/el/normaliser/rule_normaliser.hpp"
 #include "reasoning/el/saturation.hpp"
 #include "reasoning/el/settlement.hpp"
 #include "reasoning/el/shared.hpp"

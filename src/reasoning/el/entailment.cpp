@@ -6,7 +6,7 @@
 
 #include "reasoning/el/indexed_ontology.hpp"
 #include "reasoning/el/nominals.hpp"
-#include "reasoning/el/rule_normaliser.hpp"
+#include "reasoning/el/normaliser/rule_normaliser.hpp"
 
 namespace geminga::el {
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "entailed.hpp"
-#include "reasoning/el/key_normaliser.hpp"
+#include "reasoning/el/normaliser/key_normaliser.hpp"
 
 namespace geminga::el {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "reasoning/el/indexed_ontology.hpp"
-#include "reasoning/el/rule_normaliser.hpp"
+#include "reasoning/el/normaliser/rule_normaliser.hpp"
 #include "reasoning/el/saturation.hpp"
 #include "reasoning/owl/source.hpp"
 

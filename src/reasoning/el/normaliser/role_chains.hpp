@@ -1,6 +1,6 @@
 // Chains of properties, and what inverses say of them. Legend as in indexed_ontology.hpp.
-#ifndef GEMINGA_REASONING_EL_ROLE_CHAINS_HPP
-#define GEMINGA_REASONING_EL_ROLE_CHAINS_HPP
+#ifndef GEMINGA_REASONING_EL_NORMALISER_ROLE_CHAINS_HPP
+#define GEMINGA_REASONING_EL_NORMALISER_ROLE_CHAINS_HPP
 
 #include <span>
 #include <vector>

@@ -1,5 +1,5 @@
 // The expression of each kind of term, with what is T, F or another expression made so at once.
-#include "reasoning/el/term_expressions.hpp"
+#include "reasoning/el/normaliser/term_expressions.hpp"
 
 #include <algorithm>
 #include <string_view>

@@ -1,5 +1,5 @@
 // What is known between literals and datatypes. Legend as in data_normaliser.hpp.
-#include "reasoning/el/data_normaliser.hpp"
+#include "reasoning/el/normaliser/data_normaliser.hpp"
 
 #include <algorithm>
 #include <string_view>

@@ -1,6 +1,6 @@
 // Literals and datatypes as atoms. Legend as in indexed_ontology.hpp; u v are literals.
-#ifndef GEMINGA_REASONING_EL_DATA_NORMALISER_HPP
-#define GEMINGA_REASONING_EL_DATA_NORMALISER_HPP
+#ifndef GEMINGA_REASONING_EL_NORMALISER_DATA_NORMALISER_HPP
+#define GEMINGA_REASONING_EL_NORMALISER_DATA_NORMALISER_HPP
 
 #include <array>
 #include <map>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "reasoning/el/indexed_ontology.hpp"
-#include "reasoning/el/pending_uses.hpp"
+#include "reasoning/el/normaliser/pending_uses.hpp"
 #include "reasoning/owl/datatypes.hpp"
 #include "reasoning/owl/source.hpp"
 

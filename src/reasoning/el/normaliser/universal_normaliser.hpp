@@ -5,8 +5,8 @@
 // Lutz: Pushing the EL Envelope Further, 2008). Elsewhere what comes last in a chain is in C only where the rest of the
 // chain comes before it. So C has to travel along the automaton of R, whose states are atoms (Horrocks, Kutz, Sattler:
 // The Even More Irresistible SROIQ, 2006, section 4). Universals of properties with chains travel the same way.
-#ifndef GEMINGA_REASONING_EL_UNIVERSAL_NORMALISER_HPP
-#define GEMINGA_REASONING_EL_UNIVERSAL_NORMALISER_HPP
+#ifndef GEMINGA_REASONING_EL_NORMALISER_UNIVERSAL_NORMALISER_HPP
+#define GEMINGA_REASONING_EL_NORMALISER_UNIVERSAL_NORMALISER_HPP
 
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "reasoning/el/indexed_ontology.hpp"
-#include "reasoning/el/pending_uses.hpp"
-#include "reasoning/el/property_roles.hpp"
+#include "reasoning/el/normaliser/pending_uses.hpp"
+#include "reasoning/el/normaliser/property_roles.hpp"
 #include "reasoning/owl/role_box.hpp"
 
 namespace geminga::el {

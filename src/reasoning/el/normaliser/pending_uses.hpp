@@ -1,6 +1,6 @@
 // The uses of expressions that can be judged only when all axioms are known.
-#ifndef GEMINGA_REASONING_EL_PENDING_USES_HPP
-#define GEMINGA_REASONING_EL_PENDING_USES_HPP
+#ifndef GEMINGA_REASONING_EL_NORMALISER_PENDING_USES_HPP
+#define GEMINGA_REASONING_EL_NORMALISER_PENDING_USES_HPP
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Axioms of properties, one kind after the other. Legend as in indexed_ontology.hpp.
-#include "reasoning/el/property_normaliser.hpp"
+#include "reasoning/el/normaliser/property_normaliser.hpp"
 
 #include <algorithm>
 #include <array>

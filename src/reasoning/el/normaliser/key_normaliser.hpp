@@ -1,16 +1,16 @@
 // Keys, which OWL 2 gives to named individuals only, as nominals.
-#ifndef GEMINGA_REASONING_EL_KEY_NORMALISER_HPP
-#define GEMINGA_REASONING_EL_KEY_NORMALISER_HPP
+#ifndef GEMINGA_REASONING_EL_NORMALISER_KEY_NORMALISER_HPP
+#define GEMINGA_REASONING_EL_NORMALISER_KEY_NORMALISER_HPP
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "reasoning/el/expression_normaliser.hpp"
 #include "reasoning/el/indexed_ontology.hpp"
-#include "reasoning/el/pending_uses.hpp"
-#include "reasoning/el/property_roles.hpp"
-#include "reasoning/el/term_expressions.hpp"
+#include "reasoning/el/normaliser/expression_normaliser.hpp"
+#include "reasoning/el/normaliser/pending_uses.hpp"
+#include "reasoning/el/normaliser/property_roles.hpp"
+#include "reasoning/el/normaliser/term_expressions.hpp"
 #include "reasoning/owl/source.hpp"
 
 namespace geminga::el {

@@ -1,6 +1,6 @@
 // Atoms for expressions that have no rules.
-#ifndef GEMINGA_REASONING_EL_OPAQUE_ATOMS_HPP
-#define GEMINGA_REASONING_EL_OPAQUE_ATOMS_HPP
+#ifndef GEMINGA_REASONING_EL_NORMALISER_OPAQUE_ATOMS_HPP
+#define GEMINGA_REASONING_EL_NORMALISER_OPAQUE_ATOMS_HPP
 
 #include <cstdint>
 #include <utility>

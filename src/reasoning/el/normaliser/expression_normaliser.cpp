@@ -1,5 +1,5 @@
 // Each kind of expression, left of SubClassOf and right of it. Legend as in expression_normaliser.hpp.
-#include "reasoning/el/expression_normaliser.hpp"
+#include "reasoning/el/normaliser/expression_normaliser.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,16 +1,16 @@
 // From the terms of an ontology to the expressions of the index.
-#ifndef GEMINGA_REASONING_EL_TERM_EXPRESSIONS_HPP
-#define GEMINGA_REASONING_EL_TERM_EXPRESSIONS_HPP
+#ifndef GEMINGA_REASONING_EL_NORMALISER_TERM_EXPRESSIONS_HPP
+#define GEMINGA_REASONING_EL_NORMALISER_TERM_EXPRESSIONS_HPP
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "base/interner.hpp"
-#include "reasoning/el/data_normaliser.hpp"
 #include "reasoning/el/indexed_ontology.hpp"
-#include "reasoning/el/opaque_atoms.hpp"
-#include "reasoning/el/property_roles.hpp"
+#include "reasoning/el/normaliser/data_normaliser.hpp"
+#include "reasoning/el/normaliser/opaque_atoms.hpp"
+#include "reasoning/el/normaliser/property_roles.hpp"
 #include "reasoning/owl/source.hpp"
 
 namespace geminga::el {

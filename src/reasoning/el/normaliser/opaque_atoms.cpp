@@ -1,5 +1,5 @@
 // Expressions without rules, interned by kind, count and operands.
-#include "reasoning/el/opaque_atoms.hpp"
+#include "reasoning/el/normaliser/opaque_atoms.hpp"
 
 #include <algorithm>
 #include <span>

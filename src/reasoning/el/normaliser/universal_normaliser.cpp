@@ -1,5 +1,5 @@
 // Universals as rules: one for a simple role, and else one for each move of the role's automaton.
-#include "reasoning/el/universal_normaliser.hpp"
+#include "reasoning/el/normaliser/universal_normaliser.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 // The mirror images of chains. Legend as in indexed_ontology.hpp.
-#include "reasoning/el/role_chains.hpp"
+#include "reasoning/el/normaliser/role_chains.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "reasoning/el/inverse_roles.hpp"
-#include "reasoning/el/property_roles.hpp"
+#include "reasoning/el/normaliser/property_roles.hpp"
 
 namespace geminga::el {
 namespace {

@@ -1,5 +1,5 @@
 // Keys as rules, one for each combination of values. Legend as in indexed_ontology.hpp; p are properties, x values.
-#include "reasoning/el/key_normaliser.hpp"
+#include "reasoning/el/normaliser/key_normaliser.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // A role for each property, with what the top and bottom properties mean.
-#include "reasoning/el/property_roles.hpp"
+#include "reasoning/el/normaliser/property_roles.hpp"
 
 #include <string_view>
 

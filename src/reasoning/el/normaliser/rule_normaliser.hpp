@@ -1,21 +1,21 @@
 // From OWL axioms to the index: what EL can say exactly is said, what it cannot is weakened soundly and named.
-#ifndef GEMINGA_REASONING_EL_RULE_NORMALISER_HPP
-#define GEMINGA_REASONING_EL_RULE_NORMALISER_HPP
+#ifndef GEMINGA_REASONING_EL_NORMALISER_RULE_NORMALISER_HPP
+#define GEMINGA_REASONING_EL_NORMALISER_RULE_NORMALISER_HPP
 
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "reasoning/el/data_normaliser.hpp"
-#include "reasoning/el/expression_normaliser.hpp"
 #include "reasoning/el/indexed_ontology.hpp"
-#include "reasoning/el/key_normaliser.hpp"
+#include "reasoning/el/normaliser/data_normaliser.hpp"
+#include "reasoning/el/normaliser/expression_normaliser.hpp"
+#include "reasoning/el/normaliser/key_normaliser.hpp"
+#include "reasoning/el/normaliser/pending_uses.hpp"
+#include "reasoning/el/normaliser/property_normaliser.hpp"
+#include "reasoning/el/normaliser/term_expressions.hpp"
+#include "reasoning/el/normaliser/universal_normaliser.hpp"
 #include "reasoning/el/open_parts.hpp"
-#include "reasoning/el/pending_uses.hpp"
-#include "reasoning/el/property_normaliser.hpp"
-#include "reasoning/el/term_expressions.hpp"
-#include "reasoning/el/universal_normaliser.hpp"
 #include "reasoning/owl/construct.hpp"
 #include "reasoning/owl/source.hpp"
 

@@ -1,17 +1,17 @@
 // What axioms say of properties. Legend as in indexed_ontology.hpp.
-#ifndef GEMINGA_REASONING_EL_PROPERTY_NORMALISER_HPP
-#define GEMINGA_REASONING_EL_PROPERTY_NORMALISER_HPP
+#ifndef GEMINGA_REASONING_EL_NORMALISER_PROPERTY_NORMALISER_HPP
+#define GEMINGA_REASONING_EL_NORMALISER_PROPERTY_NORMALISER_HPP
 
 #include <span>
 
-#include "reasoning/el/expression_normaliser.hpp"
 #include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/el/normaliser/expression_normaliser.hpp"
+#include "reasoning/el/normaliser/pending_uses.hpp"
+#include "reasoning/el/normaliser/property_roles.hpp"
+#include "reasoning/el/normaliser/role_chains.hpp"
+#include "reasoning/el/normaliser/term_expressions.hpp"
+#include "reasoning/el/normaliser/universal_normaliser.hpp"
 #include "reasoning/el/open_parts.hpp"
-#include "reasoning/el/pending_uses.hpp"
-#include "reasoning/el/property_roles.hpp"
-#include "reasoning/el/role_chains.hpp"
-#include "reasoning/el/term_expressions.hpp"
-#include "reasoning/el/universal_normaliser.hpp"
 #include "reasoning/owl/construct.hpp"
 #include "reasoning/owl/source.hpp"
 

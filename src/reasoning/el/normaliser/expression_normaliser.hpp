@@ -1,20 +1,20 @@
 // What the occurrences of an expression left or right of SubClassOf need.
 //
 // Legend as in indexed_ontology.hpp; X is the atom that stands for an expression without rules.
-#ifndef GEMINGA_REASONING_EL_EXPRESSION_NORMALISER_HPP
-#define GEMINGA_REASONING_EL_EXPRESSION_NORMALISER_HPP
+#ifndef GEMINGA_REASONING_EL_NORMALISER_EXPRESSION_NORMALISER_HPP
+#define GEMINGA_REASONING_EL_NORMALISER_EXPRESSION_NORMALISER_HPP
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "reasoning/el/data_normaliser.hpp"
 #include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/el/normaliser/data_normaliser.hpp"
+#include "reasoning/el/normaliser/pending_uses.hpp"
+#include "reasoning/el/normaliser/property_roles.hpp"
+#include "reasoning/el/normaliser/term_expressions.hpp"
+#include "reasoning/el/normaliser/universal_normaliser.hpp"
 #include "reasoning/el/open_parts.hpp"
-#include "reasoning/el/pending_uses.hpp"
-#include "reasoning/el/property_roles.hpp"
-#include "reasoning/el/term_expressions.hpp"
-#include "reasoning/el/universal_normaliser.hpp"
 #include "reasoning/owl/construct.hpp"
 #include "reasoning/owl/source.hpp"
 

@@ -1,5 +1,5 @@
 // Axioms of classes and individuals, one kind after the other. Legend as in indexed_ontology.hpp.
-#include "reasoning/el/rule_normaliser.hpp"
+#include "reasoning/el/normaliser/rule_normaliser.hpp"
 
 #include <algorithm>
 #include <cstddef>
