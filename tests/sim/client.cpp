@@ -1,7 +1,5 @@
 #include "sim/client.hpp"
 
-#include <gtest/gtest.h>
-
 #include "sim/host.hpp"
 #include "sim/world.hpp"
 
@@ -77,21 +75,23 @@ void Client::check(std::string_view line, const gcnp::Statement& statement) {
     peer_ = statement.value("peer").value_or("");
   }
   if (statement.command != "pub" && statement.command != "sub") return;
+  const auto complain = [&](const std::string& what) {
+    world_.complain("events: " + what + " to " + name_ + ": " + std::string(line) + ",");
+  };
   const auto key = statement.value(statement.command == "pub" ? "service" : "subscription");
-  ASSERT_TRUE(key.has_value()) << "an event without its service: " << line;
+  if (!key) return complain("said without its service");
   View& view = views_[statement.id];
   const auto known = view.find(*key);
-  const std::string where = world_.when() + ", client " + name_ + ": " + std::string(line);
   if (statement.subcommand == "add") {
-    EXPECT_TRUE(known == view.end()) << "told twice. " << where;
+    if (known != view.end()) complain("told twice");
     view.insert_or_assign(std::string(*key), statement);
   } else if (statement.subcommand == "modify") {
-    EXPECT_TRUE(known != view.end()) << "changed without having been told. " << where;
-    if (known != view.end()) known->second = statement;
+    if (known == view.end()) return complain("changed without having been told");
+    known->second = statement;
   } else {
-    EXPECT_EQ(statement.subcommand, "del") << where;
-    EXPECT_TRUE(known != view.end()) << "gone without having been told. " << where;
-    if (known != view.end()) view.erase(known);
+    if (statement.subcommand != "del") complain("neither add, modify nor del");
+    if (known == view.end()) return complain("gone without having been told");
+    view.erase(known);
   }
 }
 

@@ -4,6 +4,12 @@
 #include <utility>
 
 namespace geminga::sim {
+namespace {
+
+/// Datagrams that a socket of the usual 208 KiB holds, each with what the kernel keeps beside it.
+constexpr std::size_t socket_room = 256;
+
+}  // namespace
 
 /// Enters the daemon's words into the trace: they must not depend on chance either.
 class Host::Log final : public base::LogSink {
@@ -26,7 +32,7 @@ Host::Host(World& world, std::string name, std::uint32_t number, std::uint64_t s
       name_(std::move(name)),
       number_(number),
       random_(seed),
-      clock_offset_(random_.between(std::chrono::seconds(1), std::chrono::hours(1000))),
+      clock_(random_.between(std::chrono::seconds(1), std::chrono::hours(1000))),
       log_(std::make_unique<Log>(world_, name_, logged)) {
   settings.name = name_;
 }
@@ -37,6 +43,8 @@ void Host::switch_on() {
   ++life_;
   is_stopping_ = false;
   is_preparing_ = false;
+  has_crashed_ = false;
+  resume();
   world_.trace(name_, "on");
   participant_ = std::make_unique<participant::Participant>(*this, settings, ontology);
   participant_->start();
@@ -46,10 +54,46 @@ void Host::switch_on() {
 void Host::crash() {
   if (!is_on()) return;
   ++life_;
-  ++timer_;
+  has_crashed_ = true;
+  wake_ = base::never;
   world_.trace(name_, "crash");
   participant_.reset();
   drop_clients();
+}
+
+void Host::pause(Pause how) {
+  if (!is_on() || pause_ != Pause::none || how == Pause::none) return;
+  world_.trace(name_, "pause");
+  pause_ = how;
+  if (how == Pause::asleep) clock_.stop(world_.now());
+  if (world_.on_reach_changed) world_.on_reach_changed();
+}
+
+void Host::resume() {
+  if (pause_ == Pause::none) return;
+  world_.trace(name_, "resume");
+  if (pause_ == Pause::asleep) clock_.go_on(world_.now());
+  pause_ = Pause::none;
+  for (const Waiting& one : std::exchange(waiting_, {})) receive(one.interface, one.source, one.datagram);
+  for (const auto& [stream, one] : streams_) {
+    world_.after(base::Duration(0), [this, id = stream, life = life_] {
+      if (life == life_) hear(id);
+    });
+  }
+  armed_ = base::never;
+  arm();
+  if (world_.on_reach_changed) world_.on_reach_changed();
+}
+
+void Host::set_drift(std::int64_t millionths) {
+  clock_.set_drift(world_.now(), millionths);
+  armed_ = base::never;
+  arm();
+}
+
+void Host::set_island(int island) {
+  island_ = island;
+  if (world_.on_reach_changed) world_.on_reach_changed();
 }
 
 void Host::stop() {
@@ -91,10 +135,11 @@ void Host::reload(const vocabulary::Vocabulary& another) {
 
 void Host::end_of_event() {
   flush();
+  arm();
   if (participant_ != nullptr) prepare();
   if (!is_stopping_ || participant_ == nullptr || !participant_->is_stopped()) return;
   ++life_;
-  ++timer_;
+  wake_ = base::never;
   participant_.reset();
   drop_clients();
 }
@@ -106,7 +151,9 @@ void Host::drop_clients() {
 void Host::attach(const std::string& interface, std::uint32_t segment, bool is_loopback) {
   const auto index = env::InterfaceIndex(is_loopback ? 1 : next_interface_++);
   const std::string tail = std::to_string(number_);
-  const std::string ipv4 = is_loopback ? "127.0.0.1" : "10.0." + std::to_string(segment) + "." + tail;
+  const std::string ipv4 = is_loopback ? "127.0.0.1"
+                                       : "10." + std::to_string(number_ / 256) + "." + std::to_string(segment) + "." +
+                                             std::to_string(number_ % 256);
   ports_.push_back(Port{.index = index, .segment = segment, .address = ipv4});
   interfaces_.push_back(env::Interface{.index = index,
                                        .name = interface,
@@ -136,7 +183,11 @@ const Host::Port* Host::port(env::InterfaceIndex index) const {
 }
 
 void Host::receive(env::InterfaceIndex interface, const std::string& source, std::string_view datagram) {
-  if (!is_on() || port(interface) == nullptr) return;
+  if (!is_on() || port(interface) == nullptr || pause_ == Pause::asleep) return;
+  if (pause_ == Pause::stopped) {
+    if (waiting_.size() < socket_room) waiting_.emplace_back(interface, source, std::string(datagram));
+    return;
+  }
   participant_->on_datagram(interface, source, std::as_bytes(std::span(datagram)));
   end_of_event();
 }
@@ -173,7 +224,7 @@ void Host::client_closed(env::StreamId stream) {
 void Host::hear(env::StreamId stream) {
   constexpr std::size_t piece = std::size_t{16} * 1024;
   const auto found = streams_.find(stream);
-  if (found == streams_.end() || !found->second.is_wanted) return;
+  if (found == streams_.end() || !found->second.is_wanted || pause_ != Pause::none) return;
   Stream& one = found->second;
   if (!one.unheard.empty()) {
     const std::string bytes = one.unheard.substr(0, piece);
@@ -220,16 +271,27 @@ void Host::flush() {
   }
 }
 
-base::Instant Host::now() const { return world_.now() + clock_offset_; }
+base::Instant Host::now() const { return clock_.local(world_.now()); }
 
-void Host::wake_at(base::Instant instant) {
-  const std::uint64_t timer = ++timer_;
-  if (instant == base::never) return;
-  world_.at(instant - clock_offset_, [this, timer, life = life_] {
-    if (timer != timer_ || life != life_ || !is_on()) return;
-    participant_->on_timer();
-    end_of_event();
-  });
+void Host::wake_at(base::Instant instant) { wake_ = instant; }
+
+/// The world is asked to ring only where it would not do so early enough. Most datagrams move the timer to a later
+/// time, which is found out when it rings.
+void Host::arm() {
+  if (wake_ == base::never || pause_ != Pause::none) return;
+  const base::Instant wanted = std::max(clock_.world(wake_), world_.now());
+  if (wanted >= armed_) return;
+  armed_ = wanted;
+  world_.ring_at(armed_, *this);
+}
+
+void Host::ring() {
+  if (world_.now() != armed_) return;  // asked for before an earlier one was
+  armed_ = base::never;
+  if (!is_on() || pause_ != Pause::none || wake_ == base::never) return;
+  if (clock_.local(world_.now()) < wake_) return arm();
+  participant_->on_timer();
+  end_of_event();
 }
 
 std::uint64_t Host::random_bits() {
@@ -240,6 +302,8 @@ std::uint64_t Host::random_bits() {
 }
 
 void Host::send(env::InterfaceIndex interface, std::span<const std::byte> datagram) {
+  ++datagrams_sent_;
+  octets_sent_ += datagram.size();
   world_.transmit(*this, interface, std::string_view(reinterpret_cast<const char*>(datagram.data()), datagram.size()));
 }
 

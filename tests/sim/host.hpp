@@ -11,6 +11,7 @@
 #include "discovery/participant/participant.hpp"
 #include "env/env.hpp"
 #include "sim/client.hpp"
+#include "sim/clock.hpp"
 #include "sim/world.hpp"
 
 namespace geminga::sim {
@@ -42,13 +43,29 @@ class Host final : public env::Env {
   [[nodiscard]] World& world() { return world_; }
   [[nodiscard]] std::uint32_t number() const { return number_; }
 
-  /// Constructs and starts a participant.
+  /// Constructs and starts a participant. One that sleeps wakes up first.
   void switch_on();
   /// The host vanishes: nothing is said, clients see their connections end.
   void crash();
   /// The participant is asked to stop, and is destroyed when it has.
   void stop();
   [[nodiscard]] bool is_on() const { return participant_ != nullptr; }
+  /// Whether its participant ended without a goodbye when it was last on.
+  [[nodiscard]] bool has_crashed() const { return has_crashed_; }
+
+  /// How a host does nothing for a while, and keeps what it knows.
+  enum class Pause : std::uint8_t {
+    none,
+    stopped,  ///< the process has no processor: its clock goes on, and datagrams wait for it, as many as a socket holds
+    asleep,   ///< the computer sleeps: its clock stands still, and nothing waits for it
+  };
+  void pause(Pause how);
+  void resume();
+  [[nodiscard]] Pause pause() const { return pause_; }
+  /// Its clock gains or loses so many millionths from now on.
+  void set_drift(std::int64_t millionths);
+  /// The host's one timer; called by the world.
+  void ring();
   [[nodiscard]] const participant::Participant& participant() const { return *participant_; }
   /// Lets something happen to the participant; what it says about it goes on its way at the end.
   void event(const std::function<void(participant::Participant&)>& what);
@@ -67,11 +84,15 @@ class Host final : public env::Env {
   [[nodiscard]] const Port* port(env::InterfaceIndex index) const;
   void receive(env::InterfaceIndex interface, const std::string& source, std::string_view datagram);
   /// Hosts hear each other only where their island is the same number.
-  void set_island(int island) { island_ = island; }
+  void set_island(int island);
   [[nodiscard]] int island() const { return island_; }
 
   /// Connects a client to the participant that is running; the client may outlive it.
   void connect(Client& client);
+  /// What it has sent since it was made.
+  [[nodiscard]] std::uint64_t datagrams_sent() const { return datagrams_sent_; }
+  [[nodiscard]] std::uint64_t octets_sent() const { return octets_sent_; }
+
   /// The client's side of a connection.
   void from_client(env::StreamId stream, std::string bytes);
   void client_closed(env::StreamId stream);
@@ -95,6 +116,7 @@ class Host final : public env::Env {
   class Log;
 
   void end_of_event();
+  void arm();
   void prepare();
   void prepare_for(std::function<void()> then);
   void drop_clients();
@@ -103,12 +125,24 @@ class Host final : public env::Env {
   std::string name_;
   std::uint32_t number_;
   base::Random random_;
-  base::Duration clock_offset_;
+  Clock clock_;
   std::unique_ptr<Log> log_;
   std::unique_ptr<participant::Participant> participant_;
   bool is_stopping_ = false;
+  bool has_crashed_ = false;
   std::uint64_t life_ = 0;
-  std::uint64_t timer_ = 0;
+  base::Instant wake_ = base::never;   ///< when the participant wants to be woken, by its own clock
+  base::Instant armed_ = base::never;  ///< when the world rings next, or earlier than that
+  Pause pause_ = Pause::none;
+  /// What came in while the process was stopped.
+  struct Waiting {
+    env::InterfaceIndex interface{};
+    std::string source;
+    std::string datagram;
+  };
+  std::vector<Waiting> waiting_;
+  std::uint64_t datagrams_sent_ = 0;
+  std::uint64_t octets_sent_ = 0;
   std::uint16_t next_port_ = 5000;
   std::uint64_t next_stream_ = 1;
   std::uint32_t next_interface_ = 2;

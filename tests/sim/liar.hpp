@@ -20,6 +20,7 @@ class Liar {
   /// Listens to `world` from now on, instead of anybody who did before.
   explicit Liar(World& world);
 
+  [[nodiscard]] bool has_heard(const Host& host) const { return states_.contains(host.name()); }
   /// The last state that this host has announced, a part of it as it was sent.
   [[nodiscard]] announcement::Announcement last_state(const Host& host) const { return states_.at(host.name()); }
   [[nodiscard]] static std::string address_of(const Host& host) { return host.ports().front().address; }

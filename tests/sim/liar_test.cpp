@@ -26,6 +26,7 @@ constexpr const char* stranger = "10.0.0.66";
 struct Attack {
   explicit Attack(std::uint64_t seed)
       : world(seed), team(world, {.missing = 2 * interval, .surplus = seconds(25)}), liar(world) {
+    team.ledger().tampered_until(base::never);
     for (const char* name : {"robot1", "robot2", "robot3"}) add(name);
     world.run_for(seconds(30));
     EXPECT_TRUE(team.is_right()) << world.when() << "\n" << team.complaints();

@@ -15,7 +15,20 @@ namespace geminga::sim {
 inline constexpr const char* stream = "otm/stream";
 inline constexpr const char* pubsub = "otm/pubsub";
 
-/// Hosts with three modules each, which offer and want what the others do (paper section 4: nine and seven a robot).
+/// Three modules on a host, which offer and want what the others do (paper section 4: nine and seven a robot).
+inline void furnish(Team& team, Host& host) {
+  Module& vision = team.add(host, host.name() + "-vision");
+  Module& model = team.add(host, host.name() + "-model");
+  Module& motion = team.add(host, host.name() + "-motion");
+  for (const char* what : {"ball", "obstacles", "lines"}) vision.offer(what, stream);
+  for (const char* what : {"world", "role", "plan"}) model.offer(what, pubsub);
+  for (const char* what : {"odometry", "joystick", "kicker"}) motion.offer(what, "oto");
+  for (const char* what : {"ball", "lines", "compass"}) model.wish(what, stream);
+  for (const char* what : {"world", "role"}) motion.wish(what, pubsub);
+  for (const char* what : {"odometry"}) vision.wish(what, "oto");
+}
+
+/// A team of such hosts.
 class Robots {
  public:
   Robots(std::uint64_t seed, int count, Air air, Bounds bounds = {}) : world(seed, air), team(world, bounds) {
@@ -24,15 +37,7 @@ class Robots {
 
   Host& add(const std::string& name) {
     Host& host = world.add_host(name);
-    Module& vision = team.add(host, name + "-vision");
-    Module& model = team.add(host, name + "-model");
-    Module& motion = team.add(host, name + "-motion");
-    for (const char* what : {"ball", "obstacles", "lines"}) vision.offer(what, stream);
-    for (const char* what : {"world", "role", "plan"}) model.offer(what, pubsub);
-    for (const char* what : {"odometry", "joystick", "kicker"}) motion.offer(what, "oto");
-    for (const char* what : {"ball", "lines", "compass"}) model.wish(what, stream);
-    for (const char* what : {"world", "role"}) motion.wish(what, pubsub);
-    for (const char* what : {"odometry"}) vision.wish(what, "oto");
+    furnish(team, host);
     return host;
   }
 

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <queue>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,24 +12,23 @@
 #include "base/random.hpp"
 #include "base/time.hpp"
 #include "env/env.hpp"
+#include "sim/agenda.hpp"
+#include "sim/air.hpp"
+#include "sim/fail_test.hpp"
+#include "sim/links.hpp"
 
 namespace geminga::sim {
 
 class Client;
 class Host;
 
-/// How the air is. Every receiver's fortune is drawn for itself, as with radio.
-struct Air {
-  double loss = 0;       ///< share of datagrams that a receiver misses
-  double duplicate = 0;  ///< share that comes twice
-  base::Duration shortest_delay = std::chrono::microseconds(200);
-  base::Duration longest_delay = std::chrono::milliseconds(2);  ///< longer than a gap between two datagrams: reorders
-};
-
 /// Owns the hosts and the time. The same seed and the same calls give the same run, which trace_hash() proves.
 class World {
  public:
-  explicit World(std::uint64_t seed, Air air = {});
+  /// Where a checker says what must not be.
+  using Complain = std::function<void(const std::string& complaint)>;
+
+  explicit World(std::uint64_t seed, Air air = {}, Complain complain = fail_test);
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
@@ -45,6 +43,9 @@ class World {
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
 
   Air air;
+
+  /// Something is that must not be. The complaint begins with a word for the checker, and gets seed and time.
+  void complain(const std::string& complaint) { complain_(complaint + " " + when()); }
 
   /// A host that is switched off yet and connected to the network `segment` by the interface eth0.
   Host& add_host(const std::string& name, std::uint32_t segment = 0);
@@ -62,6 +63,14 @@ class World {
   /// Lets all happen that is due within this time, and leaves the clock at its end.
   void run_for(base::Duration duration);
 
+  /// Whether what `from` sends can get to `to`, if nothing is lost.
+  [[nodiscard]] bool is_reached(const Host& from, const Host& to) const;
+  /// `to` hears nothing of `from` any more; or hears it again.
+  void cut(const Host& from, const Host& to);
+  void mend(const Host& from, const Host& to);
+  /// Called when somebody hears others than before: islands, cuts, hosts that sleep.
+  std::function<void()> on_reach_changed;
+
   /// Hands a datagram to everybody on the sender's network, the sender too, as multicast does.
   void transmit(const Host& sender, env::InterfaceIndex interface, std::string_view datagram);
 
@@ -69,6 +78,9 @@ class World {
   void inject(const std::string& source, std::string_view datagram);
   /// Called with each datagram that a host sends, before anybody hears it: for who listens in on the air.
   std::function<void(const Host& sender, std::string_view datagram)> on_transmit;
+
+  /// Lets a host's timer ring at an instant; it knows itself whether that still counts.
+  void ring_at(base::Instant instant, const Host& host);
 
   /// Enters something observable into the trace.
   void trace(std::string_view who, std::string_view what);
@@ -78,26 +90,44 @@ class World {
   [[nodiscard]] std::uint64_t datagram_bytes() const { return datagram_bytes_; }
 
  private:
-  struct Due {
+  /// One copy of a datagram that is on its way to one receiver.
+  struct Arrival {
     base::Instant instant;
-    std::uint64_t sequence;
-    std::function<void()> what;
-    bool operator>(const Due& other) const {
-      return instant != other.instant ? instant > other.instant : sequence > other.sequence;
-    }
+    std::uint32_t host = 0;  ///< its place in hosts_
+    env::InterfaceIndex interface{};
+    std::uint64_t life = 0;
+  };
+  /// A datagram and all copies that are on their way, the next one last.
+  struct Flight {
+    std::string source;
+    std::string datagram;
+    std::vector<Arrival> arrivals;
+  };
+  struct Due {
+    enum class Kind : std::uint8_t { call, flight, ring } kind{};
+    std::uint32_t index = 0;  ///< in calls_, flights_ or hosts_
   };
 
-  void deliver(Host& receiver, env::InterfaceIndex interface, const std::string& source,
-               const std::shared_ptr<const std::string>& datagram);
+  std::uint32_t take_off(std::string_view source, std::string_view datagram);
+  void add_arrival(std::uint32_t flight, const Host& receiver, env::InterfaceIndex interface);
+  void depart(std::uint32_t flight);
+  void fly(std::uint32_t flight, base::Instant end);
+  void call(std::uint32_t index);
+  [[nodiscard]] std::string bent(std::string_view datagram);
 
+  Complain complain_;
   std::uint64_t seed_;
   base::Random random_;
   base::Instant now_{};
-  std::uint64_t sequence_ = 0;
   std::uint64_t trace_ = 0;
   std::uint64_t datagrams_ = 0;
   std::uint64_t datagram_bytes_ = 0;
-  std::priority_queue<Due, std::vector<Due>, std::greater<>> due_;
+  Links links_;
+  Agenda<Due> agenda_;
+  std::vector<std::function<void()>> calls_;
+  std::vector<std::uint32_t> free_calls_;
+  std::vector<std::unique_ptr<Flight>> flights_;
+  std::vector<std::uint32_t> free_flights_;
   std::vector<std::unique_ptr<Client>> clients_;
   std::vector<std::unique_ptr<Host>> hosts_;
 };

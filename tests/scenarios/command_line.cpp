@@ -1,0 +1,175 @@
+#include "scenarios/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "scenarios/random_faults.hpp"
+#include "scenarios/scenarios.hpp"
+
+namespace geminga::scenarios {
+namespace {
+
+constexpr std::size_t most_participants = 20'000;
+constexpr double most_minutes = 7 * 24 * 60;
+
+double number(const std::string& flag, std::string_view text, double least, double most) {
+  double read = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), read);
+  const bool is_read = !text.empty() && error == std::errc() && end == text.data() + text.size();
+  if (is_read && read >= least && read <= most) return read;
+  throw CLI::ValidationError(
+      flag, "'" + std::string(text) + "' is no number from " + std::to_string(least) + " to " + std::to_string(most));
+}
+
+/// "30%" or "0.3".
+double share(const std::string& flag, std::string_view text) {
+  if (text.empty()) return 0;
+  if (!text.ends_with('%')) return number(flag, text, 0, 0.95);
+  return number(flag, text.substr(0, text.size() - 1), 0, 95) / 100;
+}
+
+base::Duration milliseconds(double count) {
+  return std::chrono::microseconds(static_cast<std::int64_t>(std::llround(count * 1000)));
+}
+
+}  // namespace
+
+void Flags::add_to(CLI::App& app) {
+  app.add_option("--scenario", scenario, "A named scenario; see --list")->type_name("NAME");
+  app.add_flag("--list", is_list, "List the scenarios and exit");
+  app.add_option("--participants", participants, "How many there are")
+      ->type_name("N")
+      ->check(CLI::Range(1UL, most_participants));
+  app.add_option("--minutes", minutes, "Simulated time")->type_name("M")->check(CLI::Range(0.1, most_minutes));
+  app.add_option("--seed", seed, "Everything that chance decides (1)")->type_name("N");
+  app.add_option("--seeds", seeds, "Run all of these seeds until one finds something")->type_name("A..B");
+  app.add_option("--threads", threads, "With --seeds: how many at once (as many as there are processors)")
+      ->type_name("N");
+  app.add_option("--services", services, "Publications of a participant (those of a robot of the paper)")
+      ->type_name("N")
+      ->check(CLI::Range(0UL, 200UL));
+  app.add_option("--changes", changes, "New services in the team in a minute (6)")
+      ->type_name("N")
+      ->check(CLI::Range(0U, 6000U));
+  app.add_option("--interval", interval, "Time between two announcements (2)")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.05, 60.0));
+  app.add_option("--loss", loss, "Share of datagrams that each receiver misses, e.g. 30%")->type_name("SHARE");
+  app.add_option("--burst", burst, "Share that is missed in bursts, and datagrams of a burst, e.g. 10%x8")
+      ->type_name("SHARE[xN]");
+  app.add_option("--duplicate", duplicate, "Share that comes twice")->type_name("SHARE");
+  app.add_option("--late", late, "Share that others overtake, by up to 150 ms")->type_name("SHARE");
+  app.add_option("--flip", flip, "Share of which one to eight bits are turned over")->type_name("SHARE");
+  app.add_option("--delay", delay, "Least and longest time on the air (0.2..2)")->type_name("MS..MS");
+  app.add_option("--drift", drift, "Clocks gain or lose up to so many millionths")
+      ->type_name("PPM")
+      ->check(CLI::Range(0.0, 100'000.0));
+  app.add_option("--restarts", counts.restarts, "Daemons that are killed and started again")->type_name("N");
+  app.add_option("--crashes", counts.crashes, "Daemons that are killed for good")->type_name("N");
+  app.add_option("--sleeps", counts.sleeps, "Hosts that sleep or get no processor for a while")->type_name("N");
+  app.add_option("--partitions", counts.partitions, "Times that a part of the team is cut off")->type_name("N");
+  app.add_option("--one-way", counts.deaf, "Times that one host does not hear another one that hears it")
+      ->type_name("N");
+  app.add_option("--lies", counts.lies, "Forged datagrams in the name of others")->type_name("N");
+  app.add_flag("--faults", has_random_faults, "A small team, an air and faults of all kinds that the seed chooses");
+  app.add_flag("--json", is_json, "Print one JSON document");
+  app.add_flag("--quiet", is_quiet, "Print the table only");
+}
+
+Setup Flags::setup() const {
+  Setup setup;
+  setup.seed = seed;
+  if (!scenario.empty()) {
+    const Scenario* found = find_scenario(scenario);
+    if (found == nullptr) {
+      throw CLI::ValidationError("--scenario", "there is no '" + scenario + "': see tools/simulate --list");
+    }
+    setup = found->setup;
+    setup.name = scenario;
+    setup.seed = seed;
+  } else if (has_random_faults) {
+    setup = random_setup(seed);
+  } else if (counts.restarts + counts.crashes + counts.sleeps + counts.partitions + counts.deaf + counts.lies > 0) {
+    setup.write = [counts = counts, minutes = minutes.value_or(10)](Script& script, base::Random& random) {
+      write_faults(script, random, counts, milliseconds(minutes * 60'000));
+    };
+  }
+  if (participants) setup.participants = *participants;
+  if (minutes) setup.time = milliseconds(*minutes * 60'000);
+  if (services != 0) setup.services = services;
+  if (changes) setup.changes_per_minute = *changes;
+  if (interval) setup.interval = milliseconds(*interval * 1000);
+  if (drift > 0) setup.drift = static_cast<std::int64_t>(drift);
+  if (!loss.empty()) setup.air.loss = share("--loss", loss);
+  if (!burst.empty()) {
+    const std::size_t x = burst.find('x');
+    setup.air.burst = share("--burst", std::string_view(burst).substr(0, x));
+    if (x != std::string::npos)
+      setup.air.burst_length = number("--burst", std::string_view(burst).substr(x + 1), 1, 10'000);
+  }
+  if (!duplicate.empty()) setup.air.duplicate = share("--duplicate", duplicate);
+  if (!late.empty()) setup.air.late = share("--late", late);
+  if (!flip.empty()) setup.air.flip = share("--flip", flip);
+  if (!delay.empty()) {
+    const std::size_t dots = delay.find("..");
+    const std::string_view text = delay;
+    setup.air.longest_delay =
+        milliseconds(number("--delay", dots == std::string::npos ? text : text.substr(dots + 2), 0, 150));
+    setup.air.shortest_delay = dots == std::string::npos
+                                   ? setup.air.longest_delay
+                                   : milliseconds(number("--delay", text.substr(0, dots), 0, 150));
+    if (setup.air.shortest_delay > setup.air.longest_delay) {
+      throw CLI::ValidationError("--delay", "the first time is the shorter one");
+    }
+  }
+  return setup;
+}
+
+std::optional<Seeds> Flags::range() const {
+  if (seeds.empty()) return std::nullopt;
+  const std::size_t dots = seeds.find("..");
+  const std::string_view text = seeds;
+  const auto first = base::parse_number<std::uint64_t>(text.substr(0, dots));
+  const auto last = dots == std::string::npos ? first : base::parse_number<std::uint64_t>(text.substr(dots + 2));
+  if (!first || !last || *first > *last) throw CLI::ValidationError("--seeds", "'" + seeds + "' is not like 1..10000");
+  return Seeds{.first = *first, .last = *last};
+}
+
+std::string Flags::replay(std::uint64_t one) const {
+  std::string command = "tools/simulate --seed " + std::to_string(one);
+  const auto word = [&](const std::string& flag, const std::string& value) {
+    if (!value.empty()) command += " " + flag + " " + value;
+  };
+  const auto count = [&](const std::string& flag, std::uint64_t value) {
+    if (value != 0) word(flag, std::to_string(value));
+  };
+  const auto decimal = [&](const std::string& flag, std::optional<double> value) {
+    char text[40] = {};
+    if (value) word(flag, std::string(text, std::to_chars(text, text + sizeof text, *value).ptr));
+  };
+  word("--scenario", scenario);
+  if (has_random_faults) command += " --faults";
+  if (participants) count("--participants", *participants);
+  decimal("--minutes", minutes);
+  count("--services", services);
+  if (changes) word("--changes", std::to_string(*changes));
+  decimal("--interval", interval);
+  word("--loss", loss);
+  word("--burst", burst);
+  word("--duplicate", duplicate);
+  word("--late", late);
+  word("--flip", flip);
+  word("--delay", delay);
+  if (drift > 0) decimal("--drift", drift);
+  count("--restarts", counts.restarts);
+  count("--crashes", counts.crashes);
+  count("--sleeps", counts.sleeps);
+  count("--partitions", counts.partitions);
+  count("--one-way", counts.deaf);
+  count("--lies", counts.lies);
+  return command;
+}
+
+}  // namespace geminga::scenarios

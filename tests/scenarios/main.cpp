@@ -1,0 +1,115 @@
+// geminga-simulate: teams of real participants in virtual time, on air that a seed makes bad.
+#include <sys/resource.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <iostream>
+#include <string>
+#include <thread>
+
+#include "scenarios/command_line.hpp"
+#include "scenarios/report.hpp"
+#include "scenarios/scenarios.hpp"
+#include "scenarios/seeds.hpp"
+#include "scenarios/simulation.hpp"
+#include "shell/options.hpp"
+#include "shell/report.hpp"
+
+namespace geminga::scenarios {
+namespace {
+
+constexpr const char* program = "geminga-simulate";
+constexpr const char* examples = R"(Examples:
+  tools/simulate --participants 1000 --minutes 60 --loss 30% --seed 7
+  tools/simulate --scenario tunnel --seed 3
+  tools/simulate --participants 12 --minutes 20 --loss 30% --burst 10%x8 --restarts 5 --partitions 2
+  tools/simulate --seeds 1..10000 --faults
+
+The same command prints the same trace on every machine. Each run is watched by checkers (tests/scenarios/README.md); what one
+of them finds is printed, and with the command that runs the seed again.
+
+Exit status: 0 nothing was found, 1 a checker found a violation, 2 wrong usage.)";
+
+using RealClock = std::chrono::steady_clock;
+
+Cost cost_since(RealClock::time_point began) {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return {.real_seconds = std::chrono::duration<double>(RealClock::now() - began).count(),
+          .peak_octets = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
+}
+
+void list() {
+  for (const Scenario& one : all_scenarios()) {
+    std::cout << one.name << std::string(one.name.size() < 20 ? 20 - one.name.size() : 1, ' ') << one.summary << "\n";
+  }
+}
+
+int run_one(const Flags& flags) {
+  const Setup setup = flags.setup();
+  const bool is_told = !flags.is_json && !flags.is_quiet;
+  const auto began = RealClock::now();
+  const Result result = simulate(setup, [&](const std::string& line) {
+    if (is_told) std::cout << line << std::endl;
+  });
+  const Cost cost = cost_since(began);
+  if (flags.is_json) {
+    print_json(std::cout, setup, result, cost);
+  } else {
+    print_report(std::cout, setup, result, cost);
+  }
+  if (result.violations.empty()) return 0;
+  shell::complain(program, result.violations.front());
+  shell::complain(program, "run it again: " + flags.replay(flags.seed));
+  return 1;
+}
+
+int run_many(const Flags& flags, const Seeds& seeds) {
+  const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+  const auto began = RealClock::now();
+  auto told = began;
+  const auto progress = [&](std::uint64_t done) {
+    if (RealClock::now() - told < std::chrono::seconds(10)) return;
+    told = RealClock::now();
+    std::cerr << done << " of " << seeds.last - seeds.first + 1 << " seeds\n";
+  };
+  const auto setup = [&](std::uint64_t seed) {
+    Flags one = flags;
+    one.seed = seed;
+    return one.setup();
+  };
+  const auto failure = run_seeds(seeds, flags.threads == 0 ? processors : flags.threads, setup, progress);
+  const Cost cost = cost_since(began);
+  if (!failure) {
+    std::cout << seeds.last - seeds.first + 1 << " seeds in " << static_cast<int>(cost.real_seconds)
+              << " s: nothing was found\n";
+    return 0;
+  }
+  shell::complain(program, "seed " + std::to_string(failure->seed) + ": " + failure->violation);
+  shell::complain(program, "run it again: " + flags.replay(failure->seed));
+  return 1;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Simulates teams of Geminga participants on bad air, in virtual time.", program);
+  app.footer(examples);
+  Flags flags;
+  flags.add_to(app);
+  if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
+  if (flags.is_list) {
+    list();
+    return 0;
+  }
+  try {
+    const auto seeds = flags.range();
+    return seeds ? run_many(flags, *seeds) : run_one(flags);
+  } catch (const CLI::ValidationError& error) {
+    shell::complain(program, std::string(error.what()) + ": see tools/simulate --help");
+    return 2;
+  }
+}
+
+}  // namespace
+}  // namespace geminga::scenarios
+
+int main(int argc, char** argv) { return geminga::scenarios::run(argc, argv); }

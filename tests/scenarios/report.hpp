@@ -1,0 +1,27 @@
+// How a run is told to a reader, or to a program.
+#ifndef GEMINGA_TESTS_SCENARIOS_REPORT_HPP
+#define GEMINGA_TESTS_SCENARIOS_REPORT_HPP
+
+#include <cstdint>
+#include <ostream>
+#include <string>
+
+#include "scenarios/setup.hpp"
+#include "scenarios/simulation.hpp"
+
+namespace geminga::scenarios {
+
+/// What the run cost on this machine; not the same on another one.
+struct Cost {
+  double real_seconds = 0;
+  std::uint64_t peak_octets = 0;  ///< of memory, of the whole process
+};
+
+/// The table at the end of a run.
+void print_report(std::ostream& out, const Setup& setup, const Result& result, const Cost& cost);
+/// One JSON document with the same figures; times in seconds.
+void print_json(std::ostream& out, const Setup& setup, const Result& result, const Cost& cost);
+
+}  // namespace geminga::scenarios
+
+#endif

@@ -1,0 +1,77 @@
+#include "scenarios/workload.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "sim/host.hpp"
+#include "sim/robots.hpp"
+
+namespace geminga::scenarios {
+namespace {
+
+/// Beyond so many participants the views of all of them together would be most of the work.
+constexpr std::size_t largest_full_team = 60;
+/// In a large team so many share one topic.
+constexpr std::size_t circle = 10;
+constexpr base::Duration shortest_life = std::chrono::seconds(5);
+constexpr base::Duration longest_life = std::chrono::seconds(30);
+
+}  // namespace
+
+Workload::Workload(sim::World& world, sim::Team& team, const Setup& setup)
+    : world_(world), team_(team), setup_(setup), random_(setup.seed ^ 0x776f726bU) {}
+
+void Workload::start() {
+  for (std::size_t i = 0; i < setup_.participants; ++i) {
+    sim::Host& host = world_.add_host("robot" + std::to_string(i + 1));
+    host.settings.interval = setup_.interval;
+    if (setup_.drift > 0) {
+      const auto choices = static_cast<std::uint64_t>(2 * setup_.drift + 1);
+      host.set_drift(static_cast<std::int64_t>(random_.below(choices)) - setup_.drift);
+    }
+    furnish(host);
+    world_.after(random_.between(base::Duration(0), std::chrono::seconds(1)), [&host] {
+      if (!host.is_on()) host.switch_on();
+    });
+  }
+  for (const auto& module : team_.modules()) module->run();
+  plan_change();
+}
+
+void Workload::furnish(sim::Host& host) {
+  sim::Module& reporter = team_.add(host, host.name() + "-reporter");
+  reporters_.push_back(&reporter);
+  reporter.wish("news", sim::stream);
+  if (setup_.services == 0 && setup_.participants <= largest_full_team) return sim::furnish(team_, host);
+  const std::size_t services = std::max<std::size_t>(setup_.services, 1);
+  for (std::size_t i = 0; i < services; ++i) {
+    // Every other topic is one whose providers are told who asks.
+    const std::string topic = "topic" + std::to_string(i) + "-" + std::to_string((host.number() - 1) / circle);
+    const char* mode = i % 2 == 0 ? sim::stream : sim::pubsub;
+    reporter.offer(topic, mode);
+    reporter.wish(topic, mode);
+  }
+}
+
+void Workload::plan_change() {
+  if (setup_.changes_per_minute == 0) return;
+  const base::Duration mean = base::Duration(std::chrono::minutes(1)) / setup_.changes_per_minute;
+  world_.after(random_.between(mean / 2, mean * 3 / 2), [this] {
+    if (is_over_) return;
+    change();
+    plan_change();
+  });
+}
+
+void Workload::change() {
+  sim::Module& reporter = *reporters_[random_.below(reporters_.size())];
+  const base::Duration life = random_.between(shortest_life, longest_life);
+  const bool is_awake = reporter.host().pause() == sim::Host::Pause::none;
+  if (!reporter.client().is_connected() || !is_awake) return;
+  ++changes_;
+  const std::uint32_t number = reporter.offer("news", sim::stream);
+  world_.after(life, [&reporter, number] { reporter.withdraw(number); });
+}
+
+}  // namespace geminga::scenarios
