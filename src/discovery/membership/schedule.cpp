@@ -20,6 +20,7 @@ Schedule::Schedule(ScheduleOptions options, std::uint64_t seed)
       repairs_(repair_capacity, options.interval / repairs_per_interval),
       lacks_{base::never, {ask_capacity, options.interval / asks_per_interval}},
       doubts_{base::never, {ask_capacity, options.interval / asks_per_interval}},
+      challenges_{base::never, {ask_capacity, options.interval / asks_per_interval}},
       proofs_(proof_capacity, options.interval / proofs_per_interval),
       contradictions_(contradiction_capacity, options.interval / contradictions_per_interval) {
   GEMINGA_ASSERT(options_.interval >= std::chrono::milliseconds(1));
@@ -80,18 +81,21 @@ void Schedule::lacked(Instant now) {
   if (has_sent_) repair_ = std::max(repair_, state_sent_ + repair_spacing);
 }
 
-void Schedule::ask(bool lacks, bool doubts, Instant now) {
-  const auto plan = [&](Question& question, bool is_open) {
-    if (!is_open || !is_running_) {
-      question.due = never;
-    } else if (question.due == never) {
-      question.due = std::max(now + random_.between(Duration::zero(), slowed(max_ask_delay)),
-                              presence_sent_ + slowed(ask_spacing));
-    }
-  };
-  plan(lacks_, lacks);
-  plan(doubts_, doubts);
+void Schedule::plan(Question& question, bool is_open, Instant now) {
+  if (!is_open || !is_running_) {
+    question.due = never;
+  } else if (question.due == never) {
+    question.due =
+        std::max(now + random_.between(Duration::zero(), slowed(max_ask_delay)), presence_sent_ + slowed(ask_spacing));
+  }
 }
+
+void Schedule::ask(bool lacks, bool doubts, Instant now) {
+  plan(lacks_, lacks, now);
+  plan(doubts_, doubts, now);
+}
+
+void Schedule::challenge(bool is_open, Instant now) { plan(challenges_, is_open, now); }
 
 void Schedule::asked_by_another(Instant now) {
   if (doubts_.due == never) return;
@@ -124,6 +128,7 @@ void Schedule::pause() {
   repair_ = never;
   lacks_.due = never;
   doubts_.due = never;
+  challenges_.due = never;
   proof_ = never;
   testimony_ = never;
   contested_ = never;
@@ -158,7 +163,7 @@ Instant Schedule::presence_wanted() const {
   const auto periodic = is_insistent() ? never : periodic_;
   return std::min({next_copy(Say::presence), periodic, limited(lacks_.due, lacks_.budget),
                    limited(doubts_.due, doubts_.budget), limited(std::min(proof_, testimony_), proofs_),
-                   limited(contested_, contests_)});
+                   limited(challenges_.due, challenges_.budget), limited(contested_, contests_)});
 }
 
 Instant Schedule::spaced() const { return has_sent_ ? last_sent_ + min_spacing : Instant::min(); }
@@ -227,6 +232,7 @@ bool Schedule::take_presence(Instant now) {
   };
   pay(lacks_.due, lacks_.budget);
   pay(doubts_.due, doubts_.budget);
+  pay(challenges_.due, challenges_.budget);
   pay(std::min(proof_, testimony_), proofs_);
   pay(contested_, contests_);
   presence_sent_ = now;
@@ -245,7 +251,7 @@ Schedule::Say Schedule::take(Instant now) {
   const bool is_state = told == Say::state;
   if (told == Say::nothing && !take_presence(now)) return Say::nothing;
   // Either shows that we live and whose the identifier is; what we ask only a presence says.
-  if (told == Say::nothing) lacks_.due = doubts_.due = testimony_ = never;
+  if (told == Say::nothing) lacks_.due = doubts_.due = challenges_.due = testimony_ = never;
   proof_ = never;
   contested_ = never;
   if (announced_until_slower_ > 0 && --announced_until_slower_ == 0) interval_ = said_interval();

@@ -131,6 +131,9 @@ class Schedule {
   /// Whether we lack somebody's state, and whether we doubt that somebody lives (NeighbourTable): our presence is due
   /// again and again. Each has its own budget, so that who makes us say the one does not keep us from the other.
   void ask(bool lacks, bool doubts, base::Instant now);
+  /// Whether our presence carries what sealing has to ask or to answer (sealing::Seal): it is due likewise, with a
+  /// budget of its own, because who replays what others have asked makes us say it.
+  void challenge(bool is_open, base::Instant now);
   /// Somebody else doubts all whom we doubt: the answer will be for us, too.
   void asked_by_another(base::Instant now);
   /// Somebody doubts that we live: our presence is due.
@@ -168,6 +171,7 @@ class Schedule {
   };
   static constexpr std::size_t answer_copies = answer_delays.size() + 1;
 
+  void plan(Question& question, bool is_open, base::Instant now);
   [[nodiscard]] base::Duration spread(base::Duration time, double share);
   [[nodiscard]] base::Duration said_interval() const { return announcement::stretched(options_.interval, doublings_); }
   /// A time that grows with the number of those that share the air.
@@ -215,6 +219,7 @@ class Schedule {
   TokenBucket repairs_;
   Question lacks_;
   Question doubts_;
+  Question challenges_;
   TokenBucket proofs_;
   TokenBucket contests_{contest_capacity, contest_refill};
   TokenBucket contradictions_;

@@ -88,8 +88,8 @@ void Announcer::announce() {
   }
   doublings_ = membership::doublings_for(core_.neighbours.seasoned(), doublings_);
   schedule_.set_doublings(doublings_, now);
-  schedule_.ask(core_.neighbours.lacks_anybody(now) || core_.seal.asks(now), core_.neighbours.doubts_anybody(), now);
-  if (core_.seal.is_asked(now)) show();
+  schedule_.ask(core_.neighbours.lacks_anybody(now), core_.neighbours.doubts_anybody(), now);
+  schedule_.challenge(core_.seal.asks(now) || core_.seal.is_asked(now), now);
   for (;;) {
     switch (schedule_.take(now)) {
       case membership::Schedule::Say::nothing:

@@ -125,6 +125,25 @@ TEST(Schedule, AsksAgainAndAgainForAsLongAsItHasAQuestionButEverMoreSlowly) {
   EXPECT_GE(schedule.due(), asked.back() + milliseconds(1800));
 }
 
+TEST(Schedule, SaysWhatSealingAsksOnABudgetOfItsOwn) {
+  auto schedule = running(18);
+  const auto begin = start + seconds(10);
+  run(schedule, begin);
+  std::size_t said = 0;
+  auto now = begin;
+  for (; now < begin + seconds(20); now += milliseconds(1)) {
+    schedule.challenge(true, now);
+    if (schedule.due() <= now && schedule.take(now) == Say::presence) ++said;
+  }
+  EXPECT_GT(said, 30U);
+  EXPECT_LE(said, static_cast<std::size_t>(ask_capacity) + 10 * (1 + asks_per_interval) + 1);
+  schedule.ask(true, false, now);
+  EXPECT_LE(schedule.due(), now + ask_spacing + max_ask_delay);
+  schedule.ask(false, false, now);
+  schedule.challenge(false, now);
+  EXPECT_GT(schedule.due(), now + ask_spacing + max_ask_delay);
+}
+
 TEST(Schedule, DoubtsThoughWhatItMaySayOfTheLackedIsUsedUp) {
   auto schedule = running(17);
   auto now = start + seconds(10);
