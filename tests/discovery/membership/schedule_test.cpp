@@ -108,67 +108,6 @@ TEST(Schedule, RepeatsItsStateForThoseWhoLackItABoundedNumberOfTimes) {
   EXPECT_LE(states, static_cast<std::size_t>(repair_capacity) + 50 * (1 + repairs_per_interval) + 2);
 }
 
-TEST(Schedule, AsksAgainAndAgainForAsLongAsItHasAQuestionButEverMoreSlowly) {
-  auto schedule = running(15);
-  const auto begin = start + seconds(10);
-  run(schedule, begin);
-  std::vector<base::Instant> asked;
-  for (auto now = begin; now < begin + seconds(20); now += milliseconds(1)) {
-    schedule.ask(true, false, now);
-    if (schedule.due() <= now && schedule.take(now) == Say::presence) asked.push_back(now);
-  }
-  ASSERT_GT(asked.size(), 30U);
-  EXPECT_LE(asked[0], begin + max_ask_delay);
-  for (std::size_t i = 1; i < asked.size(); ++i) EXPECT_GE(asked[i] - asked[i - 1], ask_spacing) << i;
-  EXPECT_LE(asked.size(), static_cast<std::size_t>(ask_capacity) + 10 * (1 + asks_per_interval) + 1);
-  schedule.ask(false, false, begin + seconds(20));
-  EXPECT_GE(schedule.due(), asked.back() + milliseconds(1800));
-}
-
-TEST(Schedule, SaysWhatSealingAsksOnABudgetOfItsOwn) {
-  auto schedule = running(18);
-  const auto begin = start + seconds(10);
-  run(schedule, begin);
-  std::size_t said = 0;
-  auto now = begin;
-  for (; now < begin + seconds(20); now += milliseconds(1)) {
-    schedule.challenge(true, now);
-    if (schedule.due() <= now && schedule.take(now) == Say::presence) ++said;
-  }
-  EXPECT_GT(said, 30U);
-  EXPECT_LE(said, static_cast<std::size_t>(ask_capacity) + 10 * (1 + asks_per_interval) + 1);
-  schedule.ask(true, false, now);
-  EXPECT_LE(schedule.due(), now + ask_spacing + max_ask_delay);
-  schedule.ask(false, false, now);
-  schedule.challenge(false, now);
-  EXPECT_GT(schedule.due(), now + ask_spacing + max_ask_delay);
-}
-
-TEST(Schedule, DoubtsThoughWhatItMaySayOfTheLackedIsUsedUp) {
-  auto schedule = running(17);
-  auto now = start + seconds(10);
-  run(schedule, now);
-  for (const auto end = now + seconds(10); now < end; now += milliseconds(1)) {
-    schedule.ask(true, false, now);
-    if (schedule.due() <= now) (void)schedule.take(now);
-  }
-  schedule.ask(true, true, now);
-  EXPECT_LE(schedule.due(), now + ask_spacing + max_ask_delay);
-  EXPECT_EQ(schedule.take(schedule.due()), Say::presence);
-}
-
-TEST(Schedule, GivesASignOfLifeAtOnceToWhoDoubtsItAndLetsADoubtedOneAnswerForItselfFirst) {
-  auto schedule = running(16);
-  const auto begin = start + seconds(10);
-  run(schedule, begin);
-  schedule.doubted(begin);
-  EXPECT_EQ(schedule.due(), begin);
-  EXPECT_EQ(schedule.take(begin), Say::presence);
-  schedule.bear_witness(begin);
-  EXPECT_GE(schedule.due(), begin + witness_delay);
-  EXPECT_LE(schedule.due(), begin + 2 * witness_delay);
-}
-
 TEST(Schedule, RepeatsAnUnchangedStateEveryInterval) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     auto schedule = running(seed);

@@ -1,0 +1,85 @@
+// What the schedule says again and again because something is open: who lacks, who doubts, who is to prove itself.
+#include <gmock/gmock.h>
+
+#include <cstddef>
+#include <vector>
+
+#include "discovery/membership/schedule.hpp"
+
+namespace geminga::membership {
+namespace {
+
+using base::Instant;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using Say = Schedule::Say;
+
+constexpr Instant start{seconds(100)};
+
+/// A schedule in its tenth second, whose copies of the first change are over.
+Schedule running(std::uint64_t seed) {
+  Schedule schedule({}, seed);
+  schedule.changed(Say::state, start);
+  while (schedule.due() <= start + seconds(10)) (void)schedule.take(schedule.due());
+  return schedule;
+}
+
+TEST(Schedule, AsksAgainAndAgainForAsLongAsItHasAQuestionButEverMoreSlowly) {
+  auto schedule = running(15);
+  const auto begin = start + seconds(10);
+  std::vector<base::Instant> asked;
+  for (auto now = begin; now < begin + seconds(20); now += milliseconds(1)) {
+    schedule.ask(true, false, now);
+    if (schedule.due() <= now && schedule.take(now) == Say::presence) asked.push_back(now);
+  }
+  ASSERT_GT(asked.size(), 30U);
+  EXPECT_LE(asked[0], begin + max_ask_delay);
+  for (std::size_t i = 1; i < asked.size(); ++i) EXPECT_GE(asked[i] - asked[i - 1], ask_spacing) << i;
+  EXPECT_LE(asked.size(), static_cast<std::size_t>(ask_capacity) + 10 * (1 + asks_per_interval) + 1);
+  schedule.ask(false, false, begin + seconds(20));
+  EXPECT_GE(schedule.due(), asked.back() + milliseconds(1800));
+}
+
+TEST(Schedule, SaysWhatSealingAsksOnABudgetOfItsOwn) {
+  auto schedule = running(18);
+  const auto begin = start + seconds(10);
+  std::size_t said = 0;
+  auto now = begin;
+  for (; now < begin + seconds(20); now += milliseconds(1)) {
+    schedule.challenge(true, now);
+    if (schedule.due() <= now && schedule.take(now) == Say::presence) ++said;
+  }
+  EXPECT_GT(said, 30U);
+  EXPECT_LE(said, static_cast<std::size_t>(ask_capacity) + 10 * (1 + asks_per_interval) + 1);
+  schedule.ask(true, false, now);
+  EXPECT_LE(schedule.due(), now + ask_spacing + max_ask_delay);
+  schedule.ask(false, false, now);
+  schedule.challenge(false, now);
+  EXPECT_GT(schedule.due(), now + ask_spacing + max_ask_delay);
+}
+
+TEST(Schedule, DoubtsThoughWhatItMaySayOfTheLackedIsUsedUp) {
+  auto schedule = running(17);
+  auto now = start + seconds(10);
+  for (const auto end = now + seconds(10); now < end; now += milliseconds(1)) {
+    schedule.ask(true, false, now);
+    if (schedule.due() <= now) (void)schedule.take(now);
+  }
+  schedule.ask(true, true, now);
+  EXPECT_LE(schedule.due(), now + ask_spacing + max_ask_delay);
+  EXPECT_EQ(schedule.take(schedule.due()), Say::presence);
+}
+
+TEST(Schedule, GivesASignOfLifeAtOnceToWhoDoubtsItAndLetsADoubtedOneAnswerForItselfFirst) {
+  auto schedule = running(16);
+  const auto begin = start + seconds(10);
+  schedule.doubted(begin);
+  EXPECT_EQ(schedule.due(), begin);
+  EXPECT_EQ(schedule.take(begin), Say::presence);
+  schedule.bear_witness(begin);
+  EXPECT_GE(schedule.due(), begin + witness_delay);
+  EXPECT_LE(schedule.due(), begin + 2 * witness_delay);
+}
+
+}  // namespace
+}  // namespace geminga::membership
