@@ -9,6 +9,7 @@
 
 #include "base/text.hpp"
 #include "discovery/announcement/codec.hpp"
+#include "discovery/sealing/rig.hpp"
 #include "sim/small_ontology.hpp"
 
 namespace geminga::participant {
@@ -135,6 +136,8 @@ void Transcript::direct(std::string_view words) {
       return;
     } else if (verb == "limit") {
       set_limit(*one, third, std::stoul(next_word(words)));
+    } else if (verb == "seal") {
+      seal(*one, third, words);
     } else if (verb == "receive") {
       const std::string bytes = unescaped(substituted(third));
       one->receive(one->ports().front().index, "10.0.0.99", bytes);
@@ -178,6 +181,17 @@ void Transcript::set_limit(sim::Host& host, const std::string& name, std::size_t
                                                   {"unread_before_more", &limits.unread_before_more}};
   ASSERT_TRUE(known.contains(name)) << at_;
   *known.at(name) = value;
+}
+
+void Transcript::seal(sim::Host& host, const std::string& mode, std::string_view keys) {
+  const auto read = sealing::read_mode(mode);
+  ASSERT_TRUE(read) << at_;
+  sealing::Policy policy{.mode = *read};
+  for (std::string key = next_word(keys); !key.empty(); key = next_word(keys)) {
+    ASSERT_EQ(policy.keys.add(sealing::key_of(std::stoi(key))), sealing::Keyring::Added::yes) << at_;
+  }
+  host.settings.sealing = policy;
+  host.event([&](Participant& participant) { participant.set_sealing(policy); });
 }
 
 void Transcript::say(const std::string& client, const std::string& text, bool is_raw) {

@@ -33,6 +33,7 @@ class Transcript {
   void clash(sim::Host& host, const std::string& id);
   /// Looks for a line of the log since the last one that was found.
   void expect_logged(sim::Host& host, std::string_view pattern, bool is_expected);
+  void seal(sim::Host& host, const std::string& mode, std::string_view keys);
   void set_limit(sim::Host& host, const std::string& name, std::size_t value);
 
   std::string path_;
