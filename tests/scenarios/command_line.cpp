@@ -57,15 +57,16 @@ void Flags::add_to(CLI::App& app) {
       ->type_name("SECONDS")
       ->check(CLI::Range(0.05, 60.0));
   app.add_option("--loss", loss, "Share of datagrams that each receiver misses, e.g. 30%")->type_name("SHARE");
-  app.add_option("--burst", burst, "Share that is missed in bursts, and datagrams of a burst, e.g. 10%x8")
-      ->type_name("SHARE[xN]");
+  app.add_option("--burst", burst,
+                 "Share of the time in which a receiver hears nothing, and how long a burst takes, e.g. 10%x300")
+      ->type_name("SHARE[xMS]");
   app.add_option("--duplicate", duplicate, "Share that comes twice")->type_name("SHARE");
   app.add_option("--late", late, "Share that others overtake, by up to 150 ms")->type_name("SHARE");
   app.add_option("--flip", flip, "Share of which one to eight bits are turned over")->type_name("SHARE");
   app.add_option("--delay", delay, "Least and longest time on the air (0.2..2)")->type_name("MS..MS");
   app.add_option("--drift", drift, "Clocks gain or lose up to so many millionths")
       ->type_name("PPM")
-      ->check(CLI::Range(0.0, 100'000.0));
+      ->check(CLI::Range(0.0, 50'000.0));
   app.add_option("--restarts", counts.restarts, "Daemons that are killed and started again")->type_name("N");
   app.add_option("--crashes", counts.crashes, "Daemons that are killed for good")->type_name("N");
   app.add_option("--sleeps", counts.sleeps, "Hosts that sleep or get no processor for a while")->type_name("N");
@@ -78,53 +79,53 @@ void Flags::add_to(CLI::App& app) {
   app.add_flag("--quiet", is_quiet, "Print the table only");
 }
 
-Setup Flags::setup() const {
-  Setup setup;
-  setup.seed = seed;
+Conditions Flags::conditions() const {
+  Conditions conditions;
+  conditions.seed = seed;
   if (!scenario.empty()) {
     const Scenario* found = find_scenario(scenario);
     if (found == nullptr) {
       throw CLI::ValidationError("--scenario", "there is no '" + scenario + "': see tools/simulate --list");
     }
-    setup = found->setup;
-    setup.name = scenario;
-    setup.seed = seed;
+    conditions = found->conditions;
+    conditions.name = scenario;
+    conditions.seed = seed;
   } else if (has_random_faults) {
-    setup = random_setup(seed);
+    conditions = random_conditions(seed);
   } else if (counts.restarts + counts.crashes + counts.sleeps + counts.partitions + counts.deaf + counts.lies > 0) {
-    setup.write = [counts = counts, minutes = minutes.value_or(10)](Script& script, base::Random& random) {
+    conditions.write = [counts = counts, minutes = minutes.value_or(10)](Script& script, base::Random& random) {
       write_faults(script, random, counts, milliseconds(minutes * 60'000));
     };
   }
-  if (participants) setup.participants = *participants;
-  if (minutes) setup.time = milliseconds(*minutes * 60'000);
-  if (services != 0) setup.services = services;
-  if (changes) setup.changes_per_minute = *changes;
-  if (interval) setup.interval = milliseconds(*interval * 1000);
-  if (drift > 0) setup.drift = static_cast<std::int64_t>(drift);
-  if (!loss.empty()) setup.air.loss = share("--loss", loss);
+  if (participants) conditions.participants = *participants;
+  if (minutes) conditions.time = milliseconds(*minutes * 60'000);
+  if (services != 0) conditions.services = services;
+  if (changes) conditions.changes_per_minute = *changes;
+  if (interval) conditions.interval = milliseconds(*interval * 1000);
+  if (drift > 0) conditions.drift = static_cast<std::int64_t>(drift);
+  if (!loss.empty()) conditions.air.loss = share("--loss", loss);
   if (!burst.empty()) {
     const std::size_t x = burst.find('x');
-    setup.air.burst = share("--burst", std::string_view(burst).substr(0, x));
+    conditions.air.burst = share("--burst", std::string_view(burst).substr(0, x));
     if (x != std::string::npos)
-      setup.air.burst_length = number("--burst", std::string_view(burst).substr(x + 1), 1, 10'000);
+      conditions.air.burst_length = milliseconds(number("--burst", std::string_view(burst).substr(x + 1), 1, 60'000));
   }
-  if (!duplicate.empty()) setup.air.duplicate = share("--duplicate", duplicate);
-  if (!late.empty()) setup.air.late = share("--late", late);
-  if (!flip.empty()) setup.air.flip = share("--flip", flip);
+  if (!duplicate.empty()) conditions.air.duplicate = share("--duplicate", duplicate);
+  if (!late.empty()) conditions.air.late = share("--late", late);
+  if (!flip.empty()) conditions.air.flip = share("--flip", flip);
   if (!delay.empty()) {
     const std::size_t dots = delay.find("..");
     const std::string_view text = delay;
-    setup.air.longest_delay =
+    conditions.air.longest_delay =
         milliseconds(number("--delay", dots == std::string::npos ? text : text.substr(dots + 2), 0, 150));
-    setup.air.shortest_delay = dots == std::string::npos
-                                   ? setup.air.longest_delay
-                                   : milliseconds(number("--delay", text.substr(0, dots), 0, 150));
-    if (setup.air.shortest_delay > setup.air.longest_delay) {
+    conditions.air.shortest_delay = dots == std::string::npos
+                                        ? conditions.air.longest_delay
+                                        : milliseconds(number("--delay", text.substr(0, dots), 0, 150));
+    if (conditions.air.shortest_delay > conditions.air.longest_delay) {
       throw CLI::ValidationError("--delay", "the first time is the shorter one");
     }
   }
-  return setup;
+  return conditions;
 }
 
 std::optional<Seeds> Flags::range() const {

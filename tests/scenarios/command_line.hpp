@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
+#include "scenarios/conditions.hpp"
 #include "scenarios/random_faults.hpp"
 #include "scenarios/seeds.hpp"
-#include "scenarios/setup.hpp"
 
 namespace geminga::scenarios {
 
@@ -41,7 +41,7 @@ struct Flags {
   /// Borrows this for the life of `app`.
   void add_to(CLI::App& app);
   /// What is to be run. Throws CLI::ValidationError where a value cannot be read.
-  [[nodiscard]] Setup setup() const;
+  [[nodiscard]] Conditions conditions() const;
   /// Nothing: one run.
   [[nodiscard]] std::optional<Seeds> range() const;
   /// The command that runs one seed again.

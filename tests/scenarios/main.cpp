@@ -22,7 +22,7 @@ constexpr const char* program = "geminga-simulate";
 constexpr const char* examples = R"(Examples:
   tools/simulate --participants 1000 --minutes 60 --loss 30% --seed 7
   tools/simulate --scenario tunnel --seed 3
-  tools/simulate --participants 12 --minutes 20 --loss 30% --burst 10%x8 --restarts 5 --partitions 2
+  tools/simulate --participants 12 --minutes 20 --loss 30% --burst 10%x300 --restarts 5 --partitions 2
   tools/simulate --seeds 1..10000 --faults
 
 The same command prints the same trace on every machine. Each run is watched by checkers (tests/scenarios/README.md); what one
@@ -46,17 +46,17 @@ void list() {
 }
 
 int run_one(const Flags& flags) {
-  const Setup setup = flags.setup();
+  const Conditions conditions = flags.conditions();
   const bool is_told = !flags.is_json && !flags.is_quiet;
   const auto began = RealClock::now();
-  const Result result = simulate(setup, [&](const std::string& line) {
+  const Result result = simulate(conditions, [&](const std::string& line) {
     if (is_told) std::cout << line << std::endl;
   });
   const Cost cost = cost_since(began);
   if (flags.is_json) {
-    print_json(std::cout, setup, result, cost);
+    print_json(std::cout, conditions, result, cost);
   } else {
-    print_report(std::cout, setup, result, cost);
+    print_report(std::cout, conditions, result, cost);
   }
   if (result.violations.empty()) return 0;
   shell::complain(program, result.violations.front());
@@ -73,12 +73,12 @@ int run_many(const Flags& flags, const Seeds& seeds) {
     told = RealClock::now();
     std::cerr << done << " of " << seeds.last - seeds.first + 1 << " seeds\n";
   };
-  const auto setup = [&](std::uint64_t seed) {
+  const auto conditions = [&](std::uint64_t seed) {
     Flags one = flags;
     one.seed = seed;
-    return one.setup();
+    return one.conditions();
   };
-  const auto failure = run_seeds(seeds, flags.threads == 0 ? processors : flags.threads, setup, progress);
+  const auto failure = run_seeds(seeds, flags.threads == 0 ? processors : flags.threads, conditions, progress);
   const Cost cost = cost_since(began);
   if (!failure) {
     std::cout << seeds.last - seeds.first + 1 << " seeds in " << static_cast<int>(cost.real_seconds)

@@ -74,6 +74,7 @@ sim::Air random_air(base::Random& random) {
   if (random.chance(0.3)) air.duplicate = 0.1;
   if (random.chance(0.3)) air.late = 0.05;
   if (random.chance(0.3)) air.burst = 0.1;
+  air.burst_length = random.between(milliseconds(50), milliseconds(1500));
   return air;
 }
 
@@ -93,16 +94,16 @@ void write_faults(Script& script, base::Random& random, const Counts& counts, ba
   }
 }
 
-Setup random_setup(std::uint64_t seed) {
+Conditions random_conditions(std::uint64_t seed) {
   base::Random random(seed ^ 0x6661756c7473U);
-  Setup setup;
-  setup.seed = seed;
-  setup.participants = 2 + random.below(7);
-  setup.time = seconds(60 + static_cast<std::int64_t>(random.below(120)));
-  setup.air = random_air(random);
-  setup.changes_per_minute = static_cast<unsigned>(random.below(30));
-  setup.services = random.chance(0.3) ? 0 : 1 + random.below(4);
-  if (random.chance(0.3)) setup.drift = 1 + static_cast<std::int64_t>(random.below(2000));
+  Conditions conditions;
+  conditions.seed = seed;
+  conditions.participants = 2 + random.below(7);
+  conditions.time = seconds(60 + static_cast<std::int64_t>(random.below(120)));
+  conditions.air = random_air(random);
+  conditions.changes_per_minute = static_cast<unsigned>(random.below(30));
+  conditions.services = random.chance(0.3) ? 0 : 1 + random.below(4);
+  if (random.chance(0.3)) conditions.drift = 1 + static_cast<std::int64_t>(random.below(2000));
   Counts counts;
   for (unsigned* count : {&counts.restarts, &counts.sleeps, &counts.partitions, &counts.deaf}) {
     *count = static_cast<unsigned>(random.below(4));
@@ -110,14 +111,15 @@ Setup random_setup(std::uint64_t seed) {
   if (random.chance(0.2)) counts.crashes = 1;
   if (random.chance(0.2)) counts.lies = 1 + static_cast<unsigned>(random.below(4));
   const bool has_flips = random.chance(0.1);
-  setup.write = [counts, has_flips, time = setup.time, air = setup.air](Script& script, base::Random& chance) {
+  conditions.write = [counts, has_flips, time = conditions.time, air = conditions.air](Script& script,
+                                                                                       base::Random& chance) {
     write_faults(script, chance, counts, time);
     if (!has_flips) return;
     sim::Air spoiled = air;
     spoiled.flip = 0.02;
     script.weather(time / 3, spoiled, "the air turns bits over", seconds(15));
   };
-  return setup;
+  return conditions;
 }
 
 }  // namespace geminga::scenarios

@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "base/random.hpp"
+#include "scenarios/conditions.hpp"
 #include "scenarios/script.hpp"
-#include "scenarios/setup.hpp"
 
 namespace geminga::scenarios {
 
@@ -24,7 +24,7 @@ struct Counts {
 void write_faults(Script& script, base::Random& random, const Counts& counts, base::Duration time);
 
 /// A small team, an air, and faults of all kinds: what the nightly run walks through. The same seed gives the same one.
-[[nodiscard]] Setup random_setup(std::uint64_t seed);
+[[nodiscard]] Conditions random_conditions(std::uint64_t seed);
 
 }  // namespace geminga::scenarios
 

@@ -40,7 +40,7 @@ boost::json::value quantiles_of(const std::vector<base::Duration>& durations) {
 
 }  // namespace
 
-void print_report(std::ostream& out, const Setup& setup, const Result& result, const Cost& cost) {
+void print_report(std::ostream& out, const Conditions& conditions, const Result& result, const Cost& cost) {
   const auto row = [&](const std::string& name, const std::string& figure) {
     out << "  " << name << std::string(name.size() < 46 ? 46 - name.size() : 1, ' ') << figure << "\n";
   };
@@ -56,18 +56,18 @@ void print_report(std::ostream& out, const Setup& setup, const Result& result, c
   row("peak memory", decimal(static_cast<double>(cost.peak_octets) / (1 << 20)) + " MiB");
   row("simulated seconds in a second", decimal(speed(result, cost)));
   row("violations", std::to_string(result.violations.size()));
-  row("trace, seed " + std::to_string(setup.seed), base::to_hex(result.trace_hash, 16));
+  row("trace, seed " + std::to_string(conditions.seed), base::to_hex(result.trace_hash, 16));
 }
 
-void print_json(std::ostream& out, const Setup& setup, const Result& result, const Cost& cost) {
+void print_json(std::ostream& out, const Conditions& conditions, const Result& result, const Cost& cost) {
   boost::json::array violations;
   for (const std::string& violation : result.violations) violations.emplace_back(violation);
   const boost::json::object document{
-      {"scenario", setup.name},
-      {"seed", setup.seed},
-      {"participants", setup.participants},
+      {"scenario", conditions.name},
+      {"seed", conditions.seed},
+      {"participants", conditions.participants},
       {"simulated_s", seconds(result.simulated)},
-      {"loss", setup.air.loss},
+      {"loss", conditions.air.loss},
       {"trace", base::to_hex(result.trace_hash, 16)},
       {"agreed_after_s", seconds(result.agreed_after)},
       {"told_s", quantiles_of(result.delays.told)},

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string>
 
-#include "scenarios/setup.hpp"
+#include "scenarios/conditions.hpp"
 #include "scenarios/simulation.hpp"
 
 namespace geminga::scenarios {
@@ -18,9 +18,9 @@ struct Cost {
 };
 
 /// The table at the end of a run.
-void print_report(std::ostream& out, const Setup& setup, const Result& result, const Cost& cost);
+void print_report(std::ostream& out, const Conditions& conditions, const Result& result, const Cost& cost);
 /// One JSON document with the same figures; times in seconds.
-void print_json(std::ostream& out, const Setup& setup, const Result& result, const Cost& cost);
+void print_json(std::ostream& out, const Conditions& conditions, const Result& result, const Cost& cost);
 
 }  // namespace geminga::scenarios
 

@@ -55,8 +55,8 @@ void match_day(Script& script, base::Random& random) {
 
 /// Somebody in the hall sends without end: losses come in long bursts.
 void noisy_neighbour(Script& script, base::Random&) {
-  script.weather(minutes(1), {.loss = 0.1, .burst = 0.4, .burst_length = 12}, "a neighbour sends without end",
-                 minutes(3));
+  script.weather(minutes(1), {.loss = 0.1, .burst = 0.3, .burst_length = milliseconds(800)},
+                 "a neighbour sends without end", minutes(3));
 }
 
 /// Every daemon is updated in turn while the team works.
@@ -95,9 +95,9 @@ void overload(Script& script, base::Random&) {
   for (int i = 0; i < 6; ++i) script.stall(minutes(1) + seconds(30) * i, 2, seconds(2 << i));
 }
 
-Setup setup(std::size_t participants, base::Duration time, const sim::Air& air,
-            void (*write)(Script& script, base::Random& random)) {
-  Setup one;
+Conditions conditions(std::size_t participants, base::Duration time, const sim::Air& air,
+                      void (*write)(Script& script, base::Random& random)) {
+  Conditions one;
   one.participants = participants;
   one.time = time;
   one.air = air;
@@ -110,19 +110,20 @@ std::vector<Scenario> make_all() {
   const sim::Air field = {.loss = 0.05, .duplicate = 0.01, .longest_delay = milliseconds(10)};
   const sim::Air bad = {.loss = 0.3, .longest_delay = milliseconds(10)};
   return {
-      {"access-point-dies", "nobody hears anybody for 20 s", setup(8, minutes(4), field, access_point_dies)},
-      {"crash-loop", "one daemon dies every 4 s, twenty times", setup(8, minutes(4), field, crash_loop)},
+      {"access-point-dies", "nobody hears anybody for 20 s", conditions(8, minutes(4), field, access_point_dies)},
+      {"crash-loop", "one daemon dies every 4 s, twenty times", conditions(8, minutes(4), field, crash_loop)},
       {"handover", "half of the team is out of reach, one robot after the other",
-       setup(8, minutes(4), field, handover)},
-      {"half-deaf", "half of all datagrams are lost for ten minutes", setup(10, minutes(10), {.loss = 0.5}, nullptr)},
-      {"liar", "somebody forges a robot's announcements", setup(6, minutes(9), clean, liar)},
-      {"lid-closed", "one laptop sleeps for 3 s, 1 min and 10 min", setup(8, minutes(16), field, lid_closed)},
-      {"match-day", "a match of two halves on bad air", setup(11, minutes(25), bad, match_day)},
-      {"noisy-neighbour", "losses come in long bursts for 3 min", setup(8, minutes(6), field, noisy_neighbour)},
-      {"overload", "one daemon gets no processor for 2 to 64 s", setup(8, minutes(6), field, overload)},
-      {"rolling-restart", "every daemon is updated in turn", setup(12, minutes(4), field, rolling_restart)},
-      {"split", "the team falls into two halves for a minute", setup(10, minutes(4), bad, split)},
-      {"tunnel", "one robot is out of reach for 40 s, one way first", setup(6, minutes(4), field, tunnel)},
+       conditions(8, minutes(4), field, handover)},
+      {"half-deaf", "half of all datagrams are lost for ten minutes",
+       conditions(10, minutes(10), {.loss = 0.5}, nullptr)},
+      {"liar", "somebody forges a robot's announcements", conditions(6, minutes(9), clean, liar)},
+      {"lid-closed", "one laptop sleeps for 3 s, 1 min and 10 min", conditions(8, minutes(16), field, lid_closed)},
+      {"match-day", "a match of two halves on bad air", conditions(11, minutes(25), bad, match_day)},
+      {"noisy-neighbour", "losses come in long bursts for 3 min", conditions(8, minutes(6), field, noisy_neighbour)},
+      {"overload", "one daemon gets no processor for 2 to 64 s", conditions(8, minutes(6), field, overload)},
+      {"rolling-restart", "every daemon is updated in turn", conditions(12, minutes(4), field, rolling_restart)},
+      {"split", "the team falls into two halves for a minute", conditions(10, minutes(4), bad, split)},
+      {"tunnel", "one robot is out of reach for 40 s, one way first", conditions(6, minutes(4), field, tunnel)},
   };
 }
 

@@ -5,14 +5,14 @@
 #include <span>
 #include <string_view>
 
-#include "scenarios/setup.hpp"
+#include "scenarios/conditions.hpp"
 
 namespace geminga::scenarios {
 
 struct Scenario {
   std::string_view name;
   std::string_view summary;
-  Setup setup;
+  Conditions conditions;
 };
 
 /// In the order of their names.

@@ -10,7 +10,8 @@
 namespace geminga::scenarios {
 
 std::optional<Failure> run_seeds(const Seeds& seeds, std::size_t threads,
-                                 const std::function<Setup(std::uint64_t seed)>& setup, const Progress& progress) {
+                                 const std::function<Conditions(std::uint64_t seed)>& conditions,
+                                 const Progress& progress) {
   std::mutex mutex;
   std::uint64_t next = seeds.first;
   std::uint64_t done = 0;
@@ -23,7 +24,7 @@ std::optional<Failure> run_seeds(const Seeds& seeds, std::size_t threads,
         if (failure || next > seeds.last) return;
         seed = next++;
       }
-      const Setup one = setup(seed);
+      const Conditions one = conditions(seed);
       const Result result = simulate(one);
       const std::lock_guard lock(mutex);
       ++done;

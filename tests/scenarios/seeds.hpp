@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "scenarios/setup.hpp"
+#include "scenarios/conditions.hpp"
 
 namespace geminga::scenarios {
 
@@ -30,7 +30,7 @@ struct Failure {
 /// Runs each seed once on so many threads. Where one fails, those that are under way come to their end and no other one
 /// begins; so all seeds before the failure were run.
 [[nodiscard]] std::optional<Failure> run_seeds(const Seeds& seeds, std::size_t threads,
-                                               const std::function<Setup(std::uint64_t seed)>& setup,
+                                               const std::function<Conditions(std::uint64_t seed)>& conditions,
                                                const Progress& progress = {});
 
 }  // namespace geminga::scenarios

@@ -20,16 +20,16 @@ constexpr std::uint64_t header_octets = 42;  // Ethernet, IPv4 and UDP
 constexpr std::size_t most_violations = 100;
 constexpr base::Duration step = std::chrono::milliseconds(100);
 
-base::Duration intervals(const Setup& setup, double count) {
-  return std::chrono::duration_cast<base::Duration>(setup.interval * count);
+base::Duration intervals(const Conditions& conditions, double count) {
+  return std::chrono::duration_cast<base::Duration>(conditions.interval * count);
 }
 
 /// Views may show somebody who is gone until its deadline, which counts on a clock that may be slow, and for a little
 /// longer where the viewer itself came late (ANNOUNCEMENT.md, "Deadlines").
-sim::Bounds bounds(const Setup& setup) {
-  const base::Duration longest = intervals(setup, membership::longest_deadline);
-  const base::Duration slow = longest / 1'000'000 * setup.drift;
-  return {.missing = agreement_bound(setup), .surplus = longest + 2 * slow + std::chrono::milliseconds(2000)};
+sim::Bounds bounds(const Conditions& conditions) {
+  const base::Duration longest = intervals(conditions, membership::longest_deadline);
+  const base::Duration slow = longest / 1'000'000 * conditions.drift;
+  return {.missing = agreement_bound(conditions), .surplus = longest + 2 * slow + std::chrono::milliseconds(2000)};
 }
 
 /// A line that sums up a period in which something happened.
@@ -79,21 +79,22 @@ class Narrator {
 
 class Simulation {
  public:
-  Simulation(const Setup& setup, const Tell& tell)
-      : setup_(setup),
-        script_(setup.participants),
-        world_(setup.seed, setup.air, [this](const std::string& complaint) { complain(complaint); }),
-        team_(world_, bounds(setup)),
+  Simulation(const Conditions& conditions, const Tell& tell)
+      : conditions_(conditions),
+        script_(conditions.participants),
+        world_(conditions.seed, conditions.air, [this](const std::string& complaint) { complain(complaint); }),
+        team_(world_, bounds(conditions)),
         liar_(world_),
-        workload_(world_, team_, setup_),
+        workload_(world_, team_, conditions_),
         traffic_(world_),
         tables_(world_, team_),
         narrator_(world_, team_, workload_, tell),
-        stage_{.world = world_, .team = team_, .liar = liar_, .usual = setup.air, .interval = setup.interval} {}
+        stage_{
+            .world = world_, .team = team_, .liar = liar_, .usual = conditions.air, .interval = conditions.interval} {}
 
   Result run() {
-    base::Random random(setup_.seed ^ 0x7363726970740000U);
-    if (setup_.write) setup_.write(script_, random);
+    base::Random random(conditions_.seed ^ 0x7363726970740000U);
+    if (conditions_.write) conditions_.write(script_, random);
     for (const Script::Step& one : script_.steps()) {
       world_.at(base::Instant(one.at), [this, one] {
         narrator_.say(one.words);
@@ -103,8 +104,8 @@ class Simulation {
     if (!script_.is_empty()) team_.ledger().excuse_missing_until(base::Instant(script_.end()));
     workload_.start();
     agree();
-    const base::Duration period = period_of(setup_.time);
-    const base::Instant end{std::max(setup_.time, script_.end())};
+    const base::Duration period = period_of(conditions_.time);
+    const base::Instant end{std::max(conditions_.time, script_.end())};
     while (world_.now() < end) {
       const base::Instant next{(world_.now().time_since_epoch() / period + 1) * period};
       world_.run_for(std::min(next, end) - world_.now());
@@ -124,20 +125,20 @@ class Simulation {
 
   /// After the start, unless something goes wrong before.
   void agree() {
-    const base::Duration bound = agreement_bound(setup_);
+    const base::Duration bound = agreement_bound(conditions_);
     const base::Instant last{script_.is_empty() ? bound : std::min(bound, script_.steps().front().at)};
     while (world_.now() < last && (world_.now() < base::Instant(std::chrono::seconds(1)) || !team_.is_right())) {
       world_.run_for(step);
     }
     agreed_after_ = world_.now().time_since_epoch();
-    if (team_.is_right()) narrator_.say("all " + std::to_string(setup_.participants) + " know all");
+    if (team_.is_right()) narrator_.say("all " + std::to_string(conditions_.participants) + " know all");
   }
 
   /// Nothing changes any more, and what went wrong is over: now all must agree.
   void finish() {
     workload_.stop();
     const base::Instant over = world_.now();
-    const base::Instant last = over + agreement_bound(setup_);
+    const base::Instant last = over + agreement_bound(conditions_);
     while (!team_.is_right() && world_.now() < last) world_.run_for(step);
     if (!team_.is_right()) {
       complain("agreement: not all views are right, " + world_.when() + "\n" + team_.complaints());
@@ -145,7 +146,8 @@ class Simulation {
       narrator_.say("all agree, " + in_words(world_.now() - over) + " after the end");
     }
     if (!violations_.empty()) return;
-    world_.run_for(std::chrono::duration_cast<base::Duration>(setup_.interval * (membership::longest_deadline + 2)));
+    world_.run_for(
+        std::chrono::duration_cast<base::Duration>(conditions_.interval * (membership::longest_deadline + 2)));
     tables_.check_all();
   }
 
@@ -169,11 +171,11 @@ class Simulation {
     result.octets = world_.datagram_bytes() + header_octets * world_.datagrams();
     result.simulated = world_.now().time_since_epoch();
     result.agreed_after = agreed_after_;
-    result.participants = setup_.participants;
+    result.participants = conditions_.participants;
     return result;
   }
 
-  const Setup& setup_;
+  const Conditions& conditions_;
   std::vector<std::string> violations_;
   Script script_;
   sim::World world_;
@@ -194,10 +196,10 @@ double Result::octets_per_host_second() const {
   return static_cast<double>(octets) / seconds / static_cast<double>(participants);
 }
 
-base::Duration agreement_bound(const Setup& setup) {
-  return intervals(setup, 8) + std::chrono::milliseconds(50) * static_cast<std::int64_t>(setup.participants);
+base::Duration agreement_bound(const Conditions& conditions) {
+  return intervals(conditions, 8) + std::chrono::milliseconds(50) * static_cast<std::int64_t>(conditions.participants);
 }
 
-Result simulate(const Setup& setup, const Tell& tell) { return Simulation(setup, tell).run(); }
+Result simulate(const Conditions& conditions, const Tell& tell) { return Simulation(conditions, tell).run(); }
 
 }  // namespace geminga::scenarios

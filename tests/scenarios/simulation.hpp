@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "scenarios/setup.hpp"
+#include "scenarios/conditions.hpp"
 #include "sim/ledger.hpp"
 
 namespace geminga::scenarios {
@@ -34,11 +34,11 @@ struct Result {
 /// Where the run tells what happens, a line each; may be empty.
 using Tell = std::function<void(const std::string& line)>;
 
-/// Runs to its end: the time of the setup, or until the script is over and all agree, if that takes longer.
-[[nodiscard]] Result simulate(const Setup& setup, const Tell& tell = {});
+/// Runs to its end: the time of its conditions, or until the script is over and all agree, if that takes longer.
+[[nodiscard]] Result simulate(const Conditions& conditions, const Tell& tell = {});
 
 /// How long after the last fault all views are right. See tests/scenarios/README.md for the argument.
-[[nodiscard]] base::Duration agreement_bound(const Setup& setup);
+[[nodiscard]] base::Duration agreement_bound(const Conditions& conditions);
 
 }  // namespace geminga::scenarios
 

@@ -1,4 +1,4 @@
-// The checker of what participants keep: no more than there is, and in the end exactly that.
+// The checker of what participants keep: never more than they have room for, and in the end nobody who is gone.
 #ifndef GEMINGA_TESTS_SCENARIOS_TABLES_HPP
 #define GEMINGA_TESTS_SCENARIOS_TABLES_HPP
 

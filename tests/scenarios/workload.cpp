@@ -19,16 +19,16 @@ constexpr base::Duration longest_life = std::chrono::seconds(30);
 
 }  // namespace
 
-Workload::Workload(sim::World& world, sim::Team& team, const Setup& setup)
-    : world_(world), team_(team), setup_(setup), random_(setup.seed ^ 0x776f726bU) {}
+Workload::Workload(sim::World& world, sim::Team& team, const Conditions& conditions)
+    : world_(world), team_(team), conditions_(conditions), random_(conditions.seed ^ 0x776f726bU) {}
 
 void Workload::start() {
-  for (std::size_t i = 0; i < setup_.participants; ++i) {
+  for (std::size_t i = 0; i < conditions_.participants; ++i) {
     sim::Host& host = world_.add_host("robot" + std::to_string(i + 1));
-    host.settings.interval = setup_.interval;
-    if (setup_.drift > 0) {
-      const auto choices = static_cast<std::uint64_t>(2 * setup_.drift + 1);
-      host.set_drift(static_cast<std::int64_t>(random_.below(choices)) - setup_.drift);
+    host.settings.interval = conditions_.interval;
+    if (conditions_.drift > 0) {
+      const auto choices = static_cast<std::uint64_t>(2 * conditions_.drift + 1);
+      host.set_drift(static_cast<std::int64_t>(random_.below(choices)) - conditions_.drift);
     }
     furnish(host);
     world_.after(random_.between(base::Duration(0), std::chrono::seconds(1)), [&host] {
@@ -43,8 +43,8 @@ void Workload::furnish(sim::Host& host) {
   sim::Module& reporter = team_.add(host, host.name() + "-reporter");
   reporters_.push_back(&reporter);
   reporter.wish("news", sim::stream);
-  if (setup_.services == 0 && setup_.participants <= largest_full_team) return sim::furnish(team_, host);
-  const std::size_t services = std::max<std::size_t>(setup_.services, 1);
+  if (conditions_.services == 0 && conditions_.participants <= largest_full_team) return sim::furnish(team_, host);
+  const std::size_t services = std::max<std::size_t>(conditions_.services, 1);
   for (std::size_t i = 0; i < services; ++i) {
     // Every other topic is one whose providers are told who asks.
     const std::string topic = "topic" + std::to_string(i) + "-" + std::to_string((host.number() - 1) / circle);
@@ -55,8 +55,8 @@ void Workload::furnish(sim::Host& host) {
 }
 
 void Workload::plan_change() {
-  if (setup_.changes_per_minute == 0) return;
-  const base::Duration mean = base::Duration(std::chrono::minutes(1)) / setup_.changes_per_minute;
+  if (conditions_.changes_per_minute == 0) return;
+  const base::Duration mean = base::Duration(std::chrono::minutes(1)) / conditions_.changes_per_minute;
   world_.after(random_.between(mean / 2, mean * 3 / 2), [this] {
     if (is_over_) return;
     change();
@@ -65,13 +65,34 @@ void Workload::plan_change() {
 }
 
 void Workload::change() {
-  sim::Module& reporter = *reporters_[random_.below(reporters_.size())];
+  const std::size_t reporter = random_.below(reporters_.size());
   const base::Duration life = random_.between(shortest_life, longest_life);
-  const bool is_awake = reporter.host().pause() == sim::Host::Pause::none;
-  if (!reporter.client().is_connected() || !is_awake) return;
+  sim::Module& module = *reporters_[reporter];
+  if (!module.client().is_connected() || module.host().pause() != sim::Host::Pause::none) return;
   ++changes_;
-  const std::uint32_t number = reporter.offer("news", sim::stream);
-  world_.after(life, [&reporter, number] { reporter.withdraw(number); });
+  const News news{reporter, module.offer("news", sim::stream)};
+  standing_.insert(news);
+  withdraw_after(life, news);
+}
+
+void Workload::withdraw_after(base::Duration delay, const News& news) {
+  world_.after(delay, [this, news] {
+    if (standing_.contains(news) && !withdraw(news)) withdraw_after(std::chrono::seconds(1), news);
+  });
+}
+
+/// A module whose host does nothing withdraws nothing meanwhile.
+bool Workload::withdraw(const News& news) {
+  sim::Module& module = *reporters_[news.first];
+  if (module.host().pause() != sim::Host::Pause::none) return false;
+  module.withdraw(news.second);
+  standing_.erase(news);
+  return true;
+}
+
+void Workload::stop() {
+  is_over_ = true;
+  for (const News& news : std::set(standing_)) (void)withdraw(news);
 }
 
 }  // namespace geminga::scenarios

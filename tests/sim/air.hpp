@@ -12,10 +12,10 @@ struct Air {
   double duplicate = 0;  ///< share that comes twice
   base::Duration shortest_delay = std::chrono::microseconds(200);
   base::Duration longest_delay = std::chrono::milliseconds(2);  ///< longer than a gap between two datagrams: reorders
-  /// Share that falls into bursts, in which everything is missed (Gilbert and Elliott's two states, for each sender and
-  /// receiver), and how many datagrams a burst takes on average. Beside `loss`.
+  /// Share of the time that falls into bursts, in which a receiver misses everything, and how long a burst takes on
+  /// average (Gilbert and Elliott's two states). Beside `loss`.
   double burst = 0;
-  double burst_length = 8;
+  base::Duration burst_length = std::chrono::milliseconds(300);
   /// Share that comes later than the rest, by up to `lateness`: later ones overtake it. ANNOUNCEMENT.md relies on at
   /// most 200 ms (announcement::overtaken_time).
   double late = 0;

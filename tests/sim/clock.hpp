@@ -9,8 +9,8 @@
 
 namespace geminga::sim {
 
-/// Whole numbers only, so that it is the same on every machine. Drift is in millionths, at most 100 000 either way (a
-/// tenth); so times of a day do not overflow.
+/// Whole numbers only, so that it is the same on every machine. Drift is in millionths, at most 50 000 either way (a
+/// twentieth); so times of a day do not overflow.
 class Clock {
  public:
   explicit Clock(base::Duration beginning) : local_(beginning) {}

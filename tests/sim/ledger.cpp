@@ -101,7 +101,12 @@ Ledger::Wrongness Ledger::judge(const Eye& eye, const Place& place) const {
   if (here.pause() != Host::Pause::none) return Wrongness::none;  // who sleeps learns nothing
   const auto found = things_.find(place);
   const bool is_there = found != things_.end() && !found->second.has_ended && found->second.topic == eye.topic;
-  if (!is_there) return words == 0 ? Wrongness::none : Wrongness::surplus;
+  if (!is_there) {
+    // Whoever does not hear a host, but hears others who do, learns that it lives and not what it has taken back.
+    const bool is_cut = found != things_.end() && found->second.why != End::crashed &&
+                        !world_.is_reached(*world_.hosts()[place.host - 1], here);
+    return words == 0 || is_cut ? Wrongness::none : Wrongness::surplus;
+  }
   const Host& there = *world_.hosts()[place.host - 1];
   if (there.island() != here.island() || there.pause() != Host::Pause::none) {
     return words == 0 ? Wrongness::none : Wrongness::surplus;

@@ -6,13 +6,19 @@ bool Links::is_cut(std::uint32_t from, std::uint32_t to) const {
   return from < links_.size() && to < links_[from].size() && links_[from][to].is_cut;
 }
 
-bool Links::is_lost_in_burst(std::uint32_t from, std::uint32_t to, const Air& air, base::Random& random) {
-  Link& link = at(from, to);
-  // In the long run a share of air.burst is in the bad state: it is left as often as it is entered.
-  const double ends = 1 / air.burst_length;
-  const double begins = ends * air.burst / (1 - air.burst);
-  if (random.chance(link.is_in_burst ? ends : begins)) link.is_in_burst = !link.is_in_burst;
-  return link.is_in_burst;
+bool Links::is_in_burst(std::uint32_t to, base::Instant now, const Air& air, base::Random& random) {
+  if (receivers_.size() <= to) receivers_.resize(to + 1);
+  Receiver& receiver = receivers_[to];
+  // Each stay is drawn evenly from nothing to twice its mean, in whole microseconds.
+  const double burst = std::chrono::duration<double, std::micro>(air.burst_length).count();
+  const auto length = static_cast<std::int64_t>(burst);
+  const auto pause = static_cast<std::int64_t>(burst * (1 - air.burst) / air.burst);
+  while (receiver.until <= now) {
+    receiver.is_in_burst = !receiver.is_in_burst;
+    const std::chrono::microseconds mean(receiver.is_in_burst ? length : pause);
+    receiver.until += random.between(std::chrono::microseconds(1), 2 * mean + std::chrono::microseconds(1));
+  }
+  return receiver.is_in_burst;
 }
 
 Links::Link& Links::at(std::uint32_t from, std::uint32_t to) {

@@ -1,4 +1,4 @@
-// Which hosts hear which: what is cut, and which links are in a burst of loss.
+// Which hosts hear which: what is cut, and which receivers are in a burst of loss.
 #ifndef GEMINGA_TESTS_SIM_LINKS_HPP
 #define GEMINGA_TESTS_SIM_LINKS_HPP
 
@@ -17,17 +17,22 @@ class Links {
   void cut(std::uint32_t from, std::uint32_t to) { at(from, to).is_cut = true; }
   void mend(std::uint32_t from, std::uint32_t to) { at(from, to).is_cut = false; }
   [[nodiscard]] bool is_cut(std::uint32_t from, std::uint32_t to) const;
-  /// Draws whether the next datagram is lost in a burst.
-  [[nodiscard]] bool is_lost_in_burst(std::uint32_t from, std::uint32_t to, const Air& air, base::Random& random);
+  /// Whether a receiver is in a burst now, in which it hears nothing. Time must not fall from call to call.
+  [[nodiscard]] bool is_in_burst(std::uint32_t to, base::Instant now, const Air& air, base::Random& random);
 
  private:
   struct Link {
     bool is_cut = false;
-    bool is_in_burst = false;
+  };
+  /// Whether it is in a burst, and until when that holds.
+  struct Receiver {
+    bool is_in_burst = true;  // the first stay begins with a change
+    base::Instant until{};
   };
   Link& at(std::uint32_t from, std::uint32_t to);
 
   std::vector<std::vector<Link>> links_;  ///< by sender, by receiver
+  std::vector<Receiver> receivers_;
 };
 
 }  // namespace geminga::sim

@@ -114,8 +114,7 @@ void World::transmit(const Host& sender, env::InterfaceIndex interface, std::str
     for (const Host::Port& to : receiver->ports()) {
       if (to.segment != from->segment) continue;
       if (!is_sender && random_.chance(air.loss)) continue;
-      if (!is_sender && air.burst > 0 && links_.is_lost_in_burst(sender.number(), receiver->number(), air, random_))
-        continue;
+      if (!is_sender && air.burst > 0 && links_.is_in_burst(receiver->number(), now_, air, random_)) continue;
       if (!is_sender && air.flip > 0 && random_.chance(air.flip)) {
         const std::uint32_t other = take_off(from->address, bent(datagram));
         add_arrival(other, *receiver, to.index);

@@ -1,6 +1,6 @@
 // What one simulated run is made of.
-#ifndef GEMINGA_TESTS_SCENARIOS_SETUP_HPP
-#define GEMINGA_TESTS_SCENARIOS_SETUP_HPP
+#ifndef GEMINGA_TESTS_SCENARIOS_CONDITIONS_HPP
+#define GEMINGA_TESTS_SCENARIOS_CONDITIONS_HPP
 
 #include <cstddef>
 #include <cstdint>
@@ -15,8 +15,8 @@ namespace geminga::scenarios {
 
 class Script;
 
-/// The same setup gives the same run on every machine.
-struct Setup {
+/// The same conditions give the same run on every machine.
+struct Conditions {
   /// A named scenario; empty: what the flags say.
   std::string name;
   std::uint64_t seed = 1;
