@@ -8,6 +8,7 @@ namespace {
 
 /// Datagrams that a socket of the usual 208 KiB holds, each with what the kernel keeps beside it.
 constexpr std::size_t socket_room = 256;
+constexpr base::Duration time_to_catch_up = std::chrono::milliseconds(500);
 
 }  // namespace
 
@@ -74,6 +75,7 @@ void Host::resume() {
   world_.trace(name_, "resume");
   if (pause_ == Pause::asleep) clock_.go_on(world_.now());
   pause_ = Pause::none;
+  resumed_ = world_.now();
   for (const Waiting& one : std::exchange(waiting_, {})) receive(one.interface, one.source, one.datagram);
   for (const auto& [stream, one] : streams_) {
     world_.after(base::Duration(0), [this, id = stream, life = life_] {
@@ -84,6 +86,8 @@ void Host::resume() {
   arm();
   if (world_.on_reach_changed) world_.on_reach_changed();
 }
+
+bool Host::is_catching_up() const { return world_.now() - resumed_ < time_to_catch_up; }
 
 void Host::set_drift(std::int64_t millionths) {
   clock_.set_drift(world_.now(), millionths);

@@ -62,6 +62,8 @@ class Host final : public env::Env {
   void pause(Pause how);
   void resume();
   [[nodiscard]] Pause pause() const { return pause_; }
+  /// Whether it has just gone on after a pause, and reads what was said meanwhile.
+  [[nodiscard]] bool is_catching_up() const;
   /// Its clock gains or loses so many millionths from now on.
   void set_drift(std::int64_t millionths);
   /// The host's one timer; called by the world.
@@ -134,6 +136,7 @@ class Host final : public env::Env {
   base::Instant wake_ = base::never;   ///< when the participant wants to be woken, by its own clock
   base::Instant armed_ = base::never;  ///< when the world rings next, or earlier than that
   Pause pause_ = Pause::none;
+  base::Instant resumed_{-std::chrono::hours(1)};
   /// What came in while the process was stopped.
   struct Waiting {
     env::InterfaceIndex interface{};
