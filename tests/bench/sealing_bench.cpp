@@ -29,12 +29,32 @@ Policy policy_of(int secret) {
   return policy;
 }
 
+/// Nothing of it can be said in fewer octets.
+Octets noise(std::size_t size) {
+  base::Random random(size);
+  Octets text(size);
+  for (std::byte& octet : text) octet = static_cast<std::byte>(random.next());
+  return text;
+}
+
+/// A text as states are: names that begin alike, and numbers.
+Octets names(std::size_t size) {
+  base::Random random(size);
+  Octets text;
+  while (text.size() < size) {
+    for (const char c : "Sensor" + std::to_string(random.below(1000)) + "State")
+      text.push_back(static_cast<std::byte>(c));
+  }
+  text.resize(size);
+  return text;
+}
+
 struct Member {
   Member(std::uint64_t seed, int secret) : random(seed), seal([this] { return random.next(); }) {
     seal.adopt(policy_of(secret), now);
   }
   Octets say(std::size_t size, base::Instant at = now) {
-    const Octets text(size, std::byte{'x'});
+    const Octets text = noise(size);
     const auto datagram = seal.seal(text, interface, at);
     return {datagram.begin(), datagram.end()};
   }
@@ -83,14 +103,16 @@ void replayed(benchmark::State& state) {
 /// A recording of yesterday, which one cannot tell from a newcomer.
 void unproved(benchmark::State& state) { hear(state, Member(99, 1).say(text_size(state), later)); }
 
-void seal_and_open(benchmark::State& state) {
+void seal_and_open(benchmark::State& state, const Octets& text) {
   Team team;
   Member& other = *team.others.front();
-  const Octets text(text_size(state), std::byte{'x'});
   for (auto _ : state) {
     benchmark::DoNotOptimize(team.one.seal.open(other.seal.seal(text, interface, later), arrival).has_value());
   }
 }
+
+void seal_and_open_noise(benchmark::State& state) { seal_and_open(state, noise(text_size(state))); }
+void seal_and_open_names(benchmark::State& state) { seal_and_open(state, names(text_size(state))); }
 
 void copied(benchmark::State& state) {
   const Octets text(text_size(state), std::byte{'x'});
@@ -108,7 +130,8 @@ void add(const char* name, void (*measure)(benchmark::State&)) {
 
 void register_all() {
   add("a datagram is copied", copied);
-  add("sealed, and opened", seal_and_open);
+  add("sealed, and opened", seal_and_open_noise);
+  add("compressed and sealed, opened and expanded", seal_and_open_names);
   add("rejected: plain", plain);
   add("rejected: unknown key", unknown_key);
   add("rejected: replayed", replayed);

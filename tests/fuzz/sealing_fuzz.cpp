@@ -20,7 +20,6 @@ using namespace geminga::sealing;
 constexpr env::InterfaceIndex interface{1};
 constexpr base::Instant now{std::chrono::hours(1)};
 constexpr Arrival arrival{.interface = interface, .interface_name = "eth0", .source = "10.0.0.1", .now = now};
-constexpr std::size_t max_text_bytes = env::max_datagram_bytes - env::max_envelope_bytes;
 
 void require(bool condition) {
   if (!condition) std::abort();
@@ -69,6 +68,21 @@ void check_datagram(std::span<const std::byte> datagram) {
   check_team(one, other);
 }
 
+/// Any octets as a compressed announcement: they are expanded within the bound or not at all.
+void check_compression(std::span<const std::byte> octets) {
+  static Compression compression;
+  std::array<std::byte, max_text_bytes> text{};
+  const auto size = compression.expand(octets, text);
+  require(!size || *size <= text.size());
+  std::array<std::byte, max_text_bytes> smaller{};
+  const auto whole = octets.first(std::min(octets.size(), max_text_bytes));
+  if (const std::size_t compressed = compression.compress(whole, smaller); compressed > 0) {
+    require(compressed + min_saved_bytes <= whole.size());
+    const auto again = compression.expand(std::span(smaller).first(compressed), text);
+    require(again && std::ranges::equal(std::span(text).first(*again), whole));
+  }
+}
+
 /// What somebody with the key says is read strictly. The first octet says whether it begins with a greeting.
 void check_text(std::span<const std::byte> octets) {
   const bool has_greeting = !octets.empty() && (octets[0] & std::byte{1}) != std::byte{};
@@ -100,5 +114,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t si
   const auto bytes = std::as_bytes(std::span(octets, size));
   check_datagram(bytes);
   check_text(bytes);
+  check_compression(bytes);
   return 0;
 }

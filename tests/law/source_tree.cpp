@@ -79,10 +79,13 @@ std::string module_of(const Law& law, std::string_view path) {
 std::vector<std::string> violations(const Law& law, const SourceFile& file) {
   static const std::regex include(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"])re");
   // Libraries that one folder alone may name.
-  static const std::map<std::string, std::string> owners = {
-      {"boost/multi_index", "discovery/registry"},   {"librdf", "reasoning/syntax/graph"},
-      {"rasqal", "reasoning/syntax/graph"},          {"raptor", "reasoning/syntax/rdf"},
-      {"google/protobuf", "discovery/announcement"}, {"sodium", "discovery/sealing"}};
+  static const std::map<std::string, std::string> owners = {{"boost/multi_index", "discovery/registry"},
+                                                            {"librdf", "reasoning/syntax/graph"},
+                                                            {"rasqal", "reasoning/syntax/graph"},
+                                                            {"raptor", "reasoning/syntax/rdf"},
+                                                            {"google/protobuf", "discovery/announcement"},
+                                                            {"sodium", "discovery/sealing"},
+                                                            {"zstd", "discovery/sealing"}};
   std::vector<std::string> found;
   const bool is_public = file.path.starts_with("include/");
   const bool is_tool = file.path.starts_with("tools/");

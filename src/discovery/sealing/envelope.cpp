@@ -15,6 +15,7 @@ constexpr std::byte magic{0x47};  // G; as the beginning of a protobuf message i
 constexpr std::uint8_t version = 0x10;
 constexpr std::uint8_t encrypted_bit = 0x01;
 constexpr std::uint8_t greeting_bit = 0x02;
+constexpr std::uint8_t compressed_bit = 0x04;
 
 static_assert(crypto_aead_xchacha20poly1305_ietf_KEYBYTES == key_bytes);
 static_assert(crypto_aead_xchacha20poly1305_ietf_ABYTES == tag_bytes);
@@ -34,7 +35,7 @@ std::uint64_t read_number(std::span<const std::byte> octets) {
 
 void write_header(const Header& header, std::span<std::byte> octets) {
   const std::uint8_t mode = version | (header.protection == Protection::encrypted ? encrypted_bit : 0) |
-                            (header.has_greeting ? greeting_bit : 0);
+                            (header.has_greeting ? greeting_bit : 0) | (header.is_compressed ? compressed_bit : 0);
   octets[0] = magic;
   octets[1] = std::byte{mode};
   write_number(octets.subspan(2, 2), static_cast<std::uint16_t>(header.key));
@@ -71,9 +72,11 @@ bool is_sealed(std::span<const std::byte> datagram) { return !datagram.empty() &
 std::expected<Header, Rejection> read_header(std::span<const std::byte> datagram) {
   if (datagram.size() < env::max_envelope_bytes) return std::unexpected(Rejection::too_short);
   const auto mode = static_cast<std::uint8_t>(datagram[1]);
-  if ((mode & ~(encrypted_bit | greeting_bit)) != version) return std::unexpected(Rejection::other_version);
+  if ((mode & ~(encrypted_bit | greeting_bit | compressed_bit)) != version)
+    return std::unexpected(Rejection::other_version);
   return Header{.protection = (mode & encrypted_bit) != 0 ? Protection::encrypted : Protection::authenticated,
                 .has_greeting = (mode & greeting_bit) != 0,
+                .is_compressed = (mode & compressed_bit) != 0,
                 .key = KeyId(read_number(datagram.subspan(2, 2))),
                 .session = Session(read_number(datagram.subspan(4, 8))),
                 .counter = static_cast<std::uint32_t>(read_number(datagram.subspan(12, 4)))};

@@ -28,7 +28,8 @@ enum class Session : std::uint64_t {};
 /// What stands before the text, readable for everybody and as well protected as the text.
 struct Header {
   Protection protection = Protection::encrypted;
-  bool has_greeting = false;  ///< the text begins with a Greeting
+  bool has_greeting = false;   ///< the text begins with a Greeting
+  bool is_compressed = false;  ///< what follows of the text is Compression's
   KeyId key{};
   Session session{};
   std::uint32_t counter = 0;  ///< rises with each datagram of the session

@@ -21,6 +21,10 @@ inline constexpr std::size_t header_bytes = 16;
 inline constexpr std::size_t tag_bytes = 16;
 static_assert(header_bytes + tag_bytes == env::max_envelope_bytes);
 
+/// Shorter announcements are not compressed, nor is one that gets no smaller than by so many octets.
+inline constexpr std::size_t min_compressed_bytes = 96;
+inline constexpr std::size_t min_saved_bytes = 8;
+
 /// Sessions that are remembered. When there is no room for one more, the half that was silent for longest is forgotten.
 inline constexpr std::size_t max_sessions = 4096;
 /// Interfaces on which one session is heard.

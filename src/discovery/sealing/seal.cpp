@@ -36,6 +36,7 @@ void Seal::adopt(const Policy& policy, base::Instant now) {
     sealers_.clear();
   }
   if (policy_.mode == Mode::plain) return;
+  if (!compression_) compression_ = std::make_unique<Compression>();
   if (before.mode <= Mode::prepared) {
     begin_session(now);
   } else if (is_proof_lost) {
@@ -51,16 +52,18 @@ void Seal::begin_session(base::Instant now) {
 
 std::span<const std::byte> Seal::seal(std::span<const std::byte> text, env::InterfaceIndex interface,
                                       base::Instant now) {
-  GEMINGA_ASSERT(text.size() <= env::max_datagram_bytes - env::max_envelope_bytes);
+  GEMINGA_ASSERT(text.size() <= max_text_bytes);
   if (!is_sealing()) return text;
   if (counter_ == std::numeric_limits<std::uint32_t>::max()) begin_session(now);  // no nonce is ever used twice
-  const std::size_t room = env::max_datagram_bytes - env::max_envelope_bytes - text.size();
-  const Greeting greeting = challenges_.greeting(interface, policy_.keys, room, now);
+  const std::size_t compressed = compression_->compress(text, compressed_);
+  if (compressed > 0) text = std::span(compressed_).first(compressed);
+  const Greeting greeting = challenges_.greeting(interface, policy_.keys, max_text_bytes - text.size(), now);
   const std::size_t greeted = greeting.is_empty() ? 0 : write_greeting(greeting, greeted_);
   std::copy_n(text.data(), text.size(), greeted_.data() + greeted);
   const Header header{
       .protection = policy_.mode == Mode::authenticated ? Protection::authenticated : Protection::encrypted,
       .has_greeting = greeted > 0,
+      .is_compressed = compressed > 0,
       .key = policy_.keys.first().id(),
       .session = session_,
       .counter = counter_++};
@@ -113,6 +116,11 @@ std::expected<Opened, Rejection> Seal::open_sealed(std::span<const std::byte> da
     text = text.subspan(greeting->size);
   }
   if (!admit(read, arrival)) return std::unexpected(Rejection::unproved);
+  if (header->is_compressed) {
+    const auto expanded = compression_->expand(text, expanded_);
+    if (!expanded) return std::unexpected(expanded.error());
+    text = std::span(expanded_).first(*expanded);
+  }
   return Opened{.text = text, .protection = header->protection, .session = header->session};
 }
 

@@ -8,12 +8,14 @@
 #include <expected>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "discovery/sealing/challenges.hpp"
+#include "discovery/sealing/compression.hpp"
 #include "discovery/sealing/envelope.hpp"
 #include "discovery/sealing/key.hpp"
 #include "discovery/sealing/ledger.hpp"
@@ -42,6 +44,9 @@ struct Policy {
   friend bool operator==(const Policy&, const Policy&) = default;
 };
 
+/// An announcement, and what a compressed one may come to.
+inline constexpr std::size_t max_text_bytes = env::max_datagram_bytes - env::max_envelope_bytes;
+
 /// A datagram that may be decoded now.
 struct Opened {
   std::span<const std::byte> text;  ///< borrowed until the next call
@@ -69,7 +74,7 @@ class Seal {
   [[nodiscard]] const Policy& policy() const { return policy_; }
 
   /// What is to be sent for this announcement on this interface, borrowed until the next call and from `text`. Requires
-  /// that it has at most env::max_datagram_bytes - env::max_envelope_bytes octets.
+  /// that it has at most max_text_bytes octets.
   [[nodiscard]] std::span<const std::byte> seal(std::span<const std::byte> text, env::InterfaceIndex interface,
                                                 base::Instant now);
   /// What a datagram says, if it is to be heard. Bytes from anywhere; what is forged costs less than 1 us.
@@ -109,10 +114,13 @@ class Seal {
   std::uint32_t counter_ = 0;  ///< of the next datagram
   Sessions sessions_;
   Challenges challenges_;
+  std::unique_ptr<Compression> compression_;  ///< where there are keys
   Ledger ledger_;
   std::map<ParticipantId, Session> sealers_;  ///< who was heard sealed, and by which session last
   std::array<std::byte, env::max_datagram_bytes> said_{};
   std::array<std::byte, env::max_datagram_bytes> heard_{};
+  std::array<std::byte, max_text_bytes> expanded_{};          ///< what was heard, where it was compressed
+  std::array<std::byte, max_text_bytes> compressed_{};        ///< what is said, likewise
   std::array<std::byte, env::max_datagram_bytes> greeted_{};  ///< a greeting with the text behind it
 };
 

@@ -104,7 +104,7 @@ TEST(Policy, ShowsWhoOpensWithWhichKeys) {
   EXPECT_THAT(other.seal.sealing_of(robot)->keys, ElementsAre(key_of(1).id(), key_of(2).id()));
   EXPECT_EQ(other.seal.sealing_of(robot)->key, key_of(1).id());
   EXPECT_EQ(other.seal.sealing_of(robot)->protection, Protection::encrypted);
-  (void)other.hear(one.say(std::string(1200, 'x')));
+  (void)other.hear(one.say(noise(1200)));
   EXPECT_THAT(other.seal.sealing_of(robot)->keys, ElementsAre(key_of(1).id(), key_of(2).id()))
       << "there was no room to say them";
   one.seal.adopt(policy(Mode::encrypted, {1}), one.now);

@@ -141,8 +141,7 @@ TEST_F(SealOfTwo, GivesAForgerNoPlaceAndNoAnswer) {
 TEST_F(SealOfTwo, HearsItsOwnEchoForNothing) {
   const Octets datagram = one.say("state");
   EXPECT_EQ(one.hear(datagram), "own");
-  for (std::size_t i = 0; i < rejection_count; ++i)
-    EXPECT_EQ(one.seal.ledger().rejected(Rejection(i)), 0U);
+  for (std::size_t i = 0; i < rejection_count; ++i) EXPECT_EQ(one.seal.ledger().rejected(Rejection(i)), 0U);
 }
 
 TEST(Seal, BeginsAnotherSessionWhenACopyOfItsProcessGoesOnWithTheSame) {
@@ -160,11 +159,11 @@ TEST(Seal, TakesTextsUpToTheirLimitAndDatagramsUpToTheirs) {
   Member other(2, sealed);
   introduce(one, other);
   for (const std::size_t size : {std::size_t{1199}, std::size_t{1200}}) {
-    const Octets datagram = one.say(std::string(size, 'x'));
+    const Octets datagram = one.say(noise(size));
     EXPECT_LE(datagram.size(), env::max_datagram_bytes);
-    EXPECT_EQ(other.hear(datagram), std::string(size, 'x'));
+    EXPECT_EQ(other.hear(datagram), noise(size));
   }
-  Octets datagram = one.say(std::string(1200, 'x'));
+  Octets datagram = one.say(noise(1200));
   EXPECT_EQ(datagram.size(), env::max_datagram_bytes);
   datagram.push_back(std::byte{0});
   EXPECT_EQ(other.hear(datagram), "too-large");

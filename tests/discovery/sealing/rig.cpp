@@ -30,6 +30,13 @@ std::string text_of(std::span<const std::byte> octets) {
 
 Octets copy_of(std::span<const std::byte> octets) { return {octets.begin(), octets.end()}; }
 
+std::string noise(std::size_t size) {
+  base::Random random(size);
+  std::string text(size, ' ');
+  for (char& c : text) c = static_cast<char>(random.next());
+  return text;
+}
+
 Octets bent(Octets octets, std::size_t at, std::uint8_t bits) {
   octets.at(at) ^= std::byte{bits};
   return octets;

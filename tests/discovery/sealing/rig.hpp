@@ -24,6 +24,8 @@ using Octets = std::vector<std::byte>;
 [[nodiscard]] Octets octets_of(std::string_view text);
 [[nodiscard]] std::string text_of(std::span<const std::byte> octets);
 [[nodiscard]] Octets copy_of(std::span<const std::byte> octets);
+/// A text that cannot be said in fewer octets; the same for the same size.
+[[nodiscard]] std::string noise(std::size_t size);
 /// An octet with other bits.
 [[nodiscard]] Octets bent(Octets octets, std::size_t at, std::uint8_t bits = 1);
 
