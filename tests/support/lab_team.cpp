@@ -19,12 +19,13 @@ void LabTeam::start(std::size_t host) {
 }
 
 bool LabTeam::end(std::size_t host, int signal) {
+  // The connections end with the daemon: were they closed before, it would still tell that the services are withdrawn.
+  lab_.daemon(host).signal(signal);
+  const auto status = lab_.daemon(host).wait();
   Robot& robot = robots_.at(host);
   robot.module.reset();
   robot.observer.reset();
   robot.publications = 0;
-  lab_.daemon(host).signal(signal);
-  const auto status = lab_.daemon(host).wait();
   return status == (signal == SIGKILL ? 128 + SIGKILL : 0);
 }
 
