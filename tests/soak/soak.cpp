@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <utility>
 
 #include "support/process_figures.hpp"
 

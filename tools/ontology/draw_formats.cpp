@@ -1,5 +1,4 @@
 // The languages of Graphviz and Mermaid.
-#include <cctype>
 
 #include "base/text.hpp"
 #include "draw_picture.hpp"

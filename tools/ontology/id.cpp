@@ -1,7 +1,6 @@
 // `geminga-ontology id`: the 32-bit identity of a concept and, perhaps, a representation (src/identity/IDENTITY.md).
 #include <CLI/CLI.hpp>
 #include <boost/json.hpp>
-#include <expected>
 #include <memory>
 
 #include "base/text.hpp"

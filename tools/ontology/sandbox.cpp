@@ -5,7 +5,6 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-#include <array>
 #include <csignal>
 #include <string_view>
 

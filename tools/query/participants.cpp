@@ -1,6 +1,5 @@
 // geminga-query participants: everybody who is known.
 #include <cmath>
-#include <memory>
 
 #include "query/command.hpp"
 #include "query/listing.hpp"

@@ -1,7 +1,6 @@
 #include "shell/describe.hpp"
 
 #include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "shell/report.hpp"
 
 #include <iostream>
-#include <string>
 
 #include "shell/terminal.hpp"
 

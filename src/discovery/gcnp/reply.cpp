@@ -1,6 +1,5 @@
 // From a line of the daemon to an event, an error or a message.
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "base/text.hpp"

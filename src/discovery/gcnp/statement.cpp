@@ -3,8 +3,6 @@
 #include <utf8.h>
 
 #include <algorithm>
-#include <charconv>
-#include <system_error>
 #include <utility>
 
 #include "base/text.hpp"

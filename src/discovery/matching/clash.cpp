@@ -1,7 +1,6 @@
 // Which numbers are those of two different concepts, and who is told.
 #include "discovery/matching/clash.hpp"
 
-#include <algorithm>
 #include <set>
 
 #include "discovery/matching/state.hpp"

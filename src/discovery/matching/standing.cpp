@@ -2,7 +2,6 @@
 #include "discovery/matching/standing.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "discovery/matching/state.hpp"
 

@@ -1,5 +1,4 @@
 // From verdicts to events: who is told, of what, in which order.
-#include <utility>
 
 #include "discovery/matching/state.hpp"
 

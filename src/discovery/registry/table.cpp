@@ -9,7 +9,6 @@
 #include <boost/multi_index/ordered_index.hpp>
 #include <boost/multi_index_container.hpp>
 #include <functional>
-#include <tuple>
 #include <utility>
 
 #include "base/assert.hpp"

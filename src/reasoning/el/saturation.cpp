@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <thread>
-#include <utility>
 
 #include "base/interner.hpp"
 #include "base/parallel/claim.hpp"

@@ -1,6 +1,5 @@
 // Contexts of several atoms together: what the rules for functional properties (rules.hpp) merge, and what universals
 // restrict.
-#include <algorithm>
 
 #include "reasoning/el/saturation_worker.hpp"
 

@@ -1,8 +1,6 @@
 // Asks the rules of EL first, then for a model that refutes, then for the consequences of clauses.
 #include "reasoning/explanation/explain_oracle.hpp"
 
-#include <algorithm>
-
 #include "reasoning/dl/clauses/clausify.hpp"
 #include "reasoning/dl/consequence/closure.hpp"
 #include "reasoning/dl/hypertableau/tableau.hpp"

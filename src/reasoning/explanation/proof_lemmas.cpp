@@ -1,7 +1,6 @@
 // The questions about lemmas, and their order.
 #include "reasoning/explanation/proof_lemmas.hpp"
 
-#include <algorithm>
 #include <string>
 
 namespace geminga::explanation {

@@ -1,8 +1,6 @@
 // Turns terms into the normal form and back into what people write.
 #include "reasoning/explanation/proof_terms.hpp"
 
-#include <algorithm>
-
 #include "base/sorted.hpp"
 
 namespace geminga::explanation {

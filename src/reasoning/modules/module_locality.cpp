@@ -3,9 +3,6 @@
 // of the stack. It returns always if that can never happen, and leaves none.
 #include "reasoning/modules/module_locality.hpp"
 
-#include <algorithm>
-#include <array>
-
 namespace geminga::modules {
 
 std::uint64_t LocalityTest::cost(std::size_t first, std::size_t last) const {

@@ -2,7 +2,6 @@
 #include "reasoning/placement/expression_classifier.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "reasoning/el/classify.hpp"
 #include "reasoning/placement/expression_members.hpp"

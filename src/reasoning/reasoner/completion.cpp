@@ -2,7 +2,6 @@
 #include "reasoning/reasoner/completion.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>

@@ -1,6 +1,5 @@
 // Whether an ontology has a model.
 #include <optional>
-#include <utility>
 
 #include "reasoning/dl/clauses/clausify.hpp"
 #include "reasoning/dl/consequence/closure.hpp"

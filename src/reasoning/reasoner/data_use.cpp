@@ -1,7 +1,5 @@
 #include "reasoning/reasoner/data_use.hpp"
 
-#include <array>
-
 namespace geminga::reasoner {
 namespace {
 

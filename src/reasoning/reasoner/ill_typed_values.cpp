@@ -7,7 +7,6 @@
 #include <map>
 #include <optional>
 #include <ranges>
-#include <utility>
 
 #include "base/sorted.hpp"
 #include "base/text.hpp"

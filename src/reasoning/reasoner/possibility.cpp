@@ -2,7 +2,6 @@
 #include "reasoning/reasoner/possibility.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 #include "reasoning/dl/clauses/clausify.hpp"

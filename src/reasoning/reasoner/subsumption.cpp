@@ -1,5 +1,4 @@
 // One subsumption from some axioms: the question behind explanations, which is asked often and about few axioms.
-#include <algorithm>
 #include <numeric>
 
 #include "reasoning/dl/clauses/clausify.hpp"

@@ -2,7 +2,6 @@
 #include "reasoning/reasoner/taxonomy.hpp"
 
 #include <algorithm>
-#include <span>
 
 #include "base/components.hpp"
 #include "base/sorted.hpp"

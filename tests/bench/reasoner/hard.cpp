@@ -3,8 +3,6 @@
 #include <array>
 #include <boost/json.hpp>
 #include <fstream>
-#include <optional>
-#include <utility>
 
 #include "bench/reasoner/child.hpp"
 #include "bench/table.hpp"

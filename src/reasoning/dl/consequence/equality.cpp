@@ -1,5 +1,4 @@
 // Equality by ordered paramodulation: the smaller term replaces the greater one.
-#include <algorithm>
 
 #include "reasoning/dl/consequence/worker.hpp"
 

@@ -3,7 +3,6 @@
 //  A1 and ... and An -> D in O    Gi -> Di v [Ai s] for each i
 //  ----------------------------------------------------------- Hyper [s(x) = x]
 //  G1 and ... and Gn -> D1 v ... v Dn v D s
-#include <algorithm>
 #include <utility>
 
 #include "reasoning/dl/consequence/saturation.hpp"

@@ -3,7 +3,6 @@
 // A context exists if some thing is certain to be in it: the context of an individual, the one with an empty core, and
 // those of the certain successors of a context that exists. Legend: {a} the nominal of a, t s terms, a* the context of
 // {a}.
-#include <algorithm>
 
 #include "reasoning/dl/consequence/saturation.hpp"
 #include "reasoning/dl/consequence/worker.hpp"

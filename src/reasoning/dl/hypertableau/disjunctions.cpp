@@ -2,7 +2,6 @@
 #include "reasoning/dl/hypertableau/disjunctions.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace geminga::hypertableau {

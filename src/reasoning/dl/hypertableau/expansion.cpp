@@ -2,7 +2,6 @@
 #include "reasoning/dl/hypertableau/expansion.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace geminga::hypertableau {

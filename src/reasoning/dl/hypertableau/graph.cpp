@@ -1,8 +1,6 @@
 // The stack of facts, its hash table and the lists of each node.
 #include "reasoning/dl/hypertableau/graph.hpp"
 
-#include <tuple>
-
 namespace geminga::hypertableau {
 namespace {
 

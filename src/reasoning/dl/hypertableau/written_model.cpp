@@ -2,7 +2,6 @@
 #include "reasoning/dl/hypertableau/written_model.hpp"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "base/sorted.hpp"

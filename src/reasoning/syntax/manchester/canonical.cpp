@@ -1,7 +1,6 @@
 // The normal form of terms behind the canonical text.
 #include "reasoning/syntax/manchester/canonical.hpp"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 

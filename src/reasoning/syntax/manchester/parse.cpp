@@ -1,8 +1,6 @@
 // Parses a whole text.
 #include "reasoning/syntax/manchester/parse.hpp"
 
-#include <utility>
-
 #include "base/text.hpp"
 #include "reasoning/syntax/manchester/parser.hpp"
 #include "reasoning/syntax/manchester/tokenizer.hpp"

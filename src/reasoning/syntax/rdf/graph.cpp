@@ -2,7 +2,6 @@
 #include "reasoning/syntax/rdf/graph.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 #include "base/hash.hpp"
