@@ -40,6 +40,13 @@ TEST(Loss, LosesNeitherOfTwoLivingRobotsThatNobodyElseHears) {
   EXPECT_THAT(departures(2, 0.5, minutes(60), 25), testing::IsEmpty());
 }
 
+/// Until what everybody was told is right.
+base::Duration until_right(Robots& robots) {
+  const auto begin = robots.world.now();
+  while (!robots.team.is_right() && robots.world.now() - begin < seconds(60)) robots.world.run_for(milliseconds(5));
+  return robots.world.now() - begin;
+}
+
 /// How long it takes until all others know that one of ten was killed.
 base::Duration told_of_death(double loss, std::uint64_t seed) {
   Robots robots(World::seed_or(seed), 10, {.loss = loss, .longest_delay = milliseconds(5)}, patient);
@@ -47,9 +54,7 @@ base::Duration told_of_death(double loss, std::uint64_t seed) {
   EXPECT_TRUE(robots.team.settle(seconds(30)));
   robots.world.run_for(minutes(2));
   robots.host(4).crash();
-  const auto killed = robots.world.now();
-  while (!robots.team.is_right() && robots.world.now() - killed < seconds(60)) robots.world.run_for(milliseconds(20));
-  return robots.world.now() - killed;
+  return until_right(robots);
 }
 
 TEST(Loss, HidesADeathForThreeIntervalsAtMost) {
@@ -60,23 +65,63 @@ TEST(Loss, HidesADeathForThreeIntervalsAtMost) {
 }
 
 /// How long views are wrong after a daemon was killed and started again.
-base::Duration restarted(double loss, std::uint64_t seed) {
+base::Duration restarted(double loss, base::Duration after, std::uint64_t seed) {
   Robots robots(World::seed_or(seed), 10, {.loss = loss, .longest_delay = milliseconds(5)}, patient);
   robots.start();
   EXPECT_TRUE(robots.team.settle(seconds(30)));
-  robots.world.run_for(minutes(2));
+  robots.world.run_for(after);
   robots.host(4).crash();
   robots.world.run_for(milliseconds(30));
   robots.host(4).switch_on();
-  const auto started = robots.world.now();
-  while (!robots.team.is_right() && robots.world.now() - started < seconds(60)) robots.world.run_for(milliseconds(5));
-  return robots.world.now() - started;
+  return until_right(robots);
 }
 
 TEST(Loss, ARestartedDaemonTakesThePlaceOfItsFormerLife) {
-  EXPECT_LE(restarted(0, 40), milliseconds(200));
-  EXPECT_LE(restarted(0.1, 41), milliseconds(800));
-  EXPECT_LE(restarted(0.3, 42), seconds(3));
+  for (const base::Duration after : {base::Duration(seconds(3)), base::Duration(minutes(2))}) {
+    EXPECT_LE(restarted(0, after, 40), milliseconds(200));
+    EXPECT_LE(restarted(0.1, after, 41), milliseconds(400));
+    EXPECT_LE(restarted(0.3, after, 42), seconds(1));
+    EXPECT_LE(restarted(0.5, after, 43), seconds(5));
+  }
+}
+
+/// How long it takes until all of ten are told of all, who are switched on at the same instant.
+base::Duration begun(double loss, std::uint64_t seed) {
+  Robots robots(World::seed_or(seed), 10, {.loss = loss, .longest_delay = milliseconds(5)}, patient);
+  for (const auto& host : robots.world.hosts()) host->switch_on();
+  for (const auto& module : robots.team.modules()) module->run();
+  return until_right(robots);
+}
+
+TEST(Loss, LetsATeamThatIsSwitchedOnKnowEachOtherSoon) {
+  EXPECT_LE(begun(0, 60), milliseconds(150));
+  EXPECT_LE(begun(0.1, 61), milliseconds(200));
+  EXPECT_LE(begun(0.3, 62), milliseconds(700));
+  EXPECT_LE(begun(0.5, 63), milliseconds(1500));
+}
+
+/// How long views are wrong after two halves of a team, in each of which something has changed, meet again.
+base::Duration rejoined(double loss, std::uint64_t seed) {
+  Robots robots(World::seed_or(seed), 10, {.loss = loss, .longest_delay = milliseconds(5)}, patient);
+  robots.start();
+  EXPECT_TRUE(robots.team.settle(seconds(30)));
+  robots.world.run_for(seconds(10));
+  const auto move = [&robots](int island) {
+    for (std::size_t i = 0; i < 5; ++i) robots.host(i).set_island(island);
+  };
+  move(1);
+  robots.world.run_for(seconds(15));
+  for (const std::size_t module : {0U, 20U}) robots.module(module).offer("ball", stream);
+  robots.world.run_for(seconds(15));
+  move(0);
+  return until_right(robots);
+}
+
+TEST(Loss, HealsAPartitionSoon) {
+  EXPECT_LE(rejoined(0, 50), milliseconds(600));
+  EXPECT_LE(rejoined(0.1, 51), milliseconds(700));
+  EXPECT_LE(rejoined(0.3, 52), milliseconds(1000));
+  EXPECT_LE(rejoined(0.5, 53), milliseconds(2500));
 }
 
 /// Octets a second that one of so many hosts sends while nothing changes, with 42 octets of headers for each frame.

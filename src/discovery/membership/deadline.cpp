@@ -11,11 +11,12 @@ base::Instant after_intervals(base::Instant seen, base::Duration interval, doubl
 }
 
 base::Duration answer_time(double loss) {
-  // A question and its answer must both arrive.
-  const double miss = 1 - (1 - loss) * (1 - loss);
-  if (miss <= 0) return least_answer_time;
-  const double rounds = std::log(wrong_successions) / std::log(std::min(miss, 0.9));
-  return std::max(least_answer_time, after_intervals(base::Instant{}, question_time, rounds) - base::Instant{});
+  const double miss_denials = std::pow(loss, denials);
+  if (miss_denials <= wrong_successions) return least_answer_time;
+  // What is missing is asked for: a question and its answer must both arrive.
+  const double miss_round = std::min(1 - (1 - loss) * (1 - loss), 0.9);
+  const double rounds = std::ceil(std::log(wrong_successions / miss_denials) / std::log(miss_round));
+  return after_intervals(base::Instant{} + least_answer_time, question_time, rounds) - base::Instant{};
 }
 
 base::Duration patience(base::Duration interval, const Reception& reception) {

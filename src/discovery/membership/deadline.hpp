@@ -28,11 +28,16 @@ inline constexpr int witnessed_intervals = 32;
 /// been heard.
 inline constexpr int service_intervals = 5;
 
-/// The share of living participants that may fail to answer in time when their next life seems to have begun.
-inline constexpr double wrong_successions = 1e-4;
-/// Time for one question and its answer, and the least that anybody is given.
+/// The share of living participants that may not be heard in time when their next life seems to have begun.
+inline constexpr double wrong_successions = 1e-3;
+/// Who hears that somebody begins its own life anew denies it so often, in this time.
+inline constexpr int denials = 7;
+inline constexpr base::Duration denial_spacing = std::chrono::milliseconds(18);
+/// Time for one question and its answer, and the least that anybody is given: all denials, and how late the last may
+/// come.
 inline constexpr base::Duration question_time = std::chrono::milliseconds(100);
 inline constexpr base::Duration least_answer_time = std::chrono::milliseconds(150);
+static_assert(least_answer_time >= denials * denial_spacing);
 /// So many questions fit between the first doubt and the deadline, however short the interval is.
 inline constexpr int least_questions = 3;
 

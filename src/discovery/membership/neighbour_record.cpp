@@ -52,9 +52,7 @@ Duration NeighbourRecord::hold(Instant now) const {
   return announcement::hold_intervals * std::min(interval_.settled(now), known_for);
 }
 
-double NeighbourRecord::known_loss() const {
-  return ways_.is_loss_known() ? ways_.loss() : std::max(ways_.loss(), 0.3);
-}
+double NeighbourRecord::known_loss() const { return ways_.is_loss_known() ? ways_.loss() : 0.3; }
 
 Reception NeighbourRecord::reception(Instant now) const {
   return {.loss = ways_.loss(), .witnesses = witnesses_.words(id_, now, lasting_interval(now))};
@@ -212,9 +210,9 @@ void NeighbourRecord::ask_witnesses(Instant now) {
   if (last != ways_.all().end()) last->deadline = std::max(last->deadline, life_.deadline());
 }
 
-void NeighbourRecord::succeed(const announcement::Announcement& claim, const Arrival& arrival) {
+void NeighbourRecord::succeed(const announcement::Announcement& newcomer, const Arrival& arrival) {
   const bool is_same =
-      claim.name == header_.value().name && std::ranges::any_of(ways_.all(), [&](const NeighbourWay& way) {
+      newcomer.name == header_.value().name && std::ranges::any_of(ways_.all(), [&](const NeighbourWay& way) {
         return way.is_on(arrival.interface) && way.source() == arrival.source;
       });
   if (!is_same || is_contested_ || !standing_.is_confirmed) return;

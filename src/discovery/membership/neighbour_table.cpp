@@ -96,18 +96,9 @@ class NeighbourTable::State final : private ServiceRoom {
     return shared == ours.size();
   }
 
-  [[nodiscard]] std::optional<double> loss() const {
-    int heard = 0;
-    int span = 0;
-    for (const auto& [id, known] : records_) {
-      for (const auto& way : known.record->ways()) {
-        heard += way.losses().heard();
-        span += way.losses().span();
-      }
-    }
-    if (span < LossWindow::least_span) return std::nullopt;
-    return 1 - static_cast<double>(heard) / static_cast<double>(span);
-  }
+  [[nodiscard]] bool knows_the_same(const announcement::Witness& witness) const { return witnesses_.are_same(witness); }
+
+  [[nodiscard]] std::optional<double> loss() const { return loss_of(records_); }
 
   void forget_interface(env::InterfaceIndex interface) {
     for (auto& known : records_) {
@@ -179,11 +170,11 @@ class NeighbourTable::State final : private ServiceRoom {
   }
 
   /// Whoever of this name was at this address may have been started again.
-  void succeed(const announcement::Announcement& claim, const Arrival& arrival) {
-    if (claim.name.empty()) return;
+  void succeed(const announcement::Announcement& newcomer, const Arrival& arrival) {
+    if (newcomer.name.empty()) return;
     for (auto& known : records_) {
-      if (known.second.record->boot() == claim.boot) continue;  // it only takes another identifier
-      known.second.record->succeed(claim, arrival);
+      if (known.second.record->boot() == newcomer.boot) continue;  // it only takes another identifier
+      known.second.record->succeed(newcomer, arrival);
       set_due(known, arrival.now);
     }
   }
@@ -270,6 +261,7 @@ class NeighbourTable::State final : private ServiceRoom {
       standing = decision.standing;
       displace(*decision.gives_way);
     }
+    succeed(announcement, arrival);
     auto record = std::make_unique<NeighbourRecord>(announcement, arrival, since, room(), witnesses_);
     if (standing) record->set_standing(*standing);
     add(std::move(record), announcement, arrival);
@@ -362,6 +354,10 @@ Report NeighbourTable::report(base::Instant now) { return state_->report(now); }
 bool NeighbourTable::lacks_anybody(base::Instant now) { return state_->lacks_anybody(now); }
 
 bool NeighbourTable::doubts_anybody() const { return state_->doubts_anybody(); }
+
+bool NeighbourTable::knows_the_same(const announcement::Witness& witness) const {
+  return state_->knows_the_same(witness);
+}
 
 bool NeighbourTable::is_heard_lately(ParticipantId id, base::Instant now) const {
   const auto* known = state_->find(id);

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "base/time.hpp"
 #include "discovery/membership/neighbour_record.hpp"
@@ -16,6 +17,9 @@ struct Known {
   base::Instant due = base::never;  ///< when something is to be done for it
 };
 using Records = std::map<ParticipantId, Known>;
+
+/// The share of all participants' last datagrams that was lost, in [0, 1); nothing: too few were heard.
+[[nodiscard]] std::optional<double> loss_of(const Records& records);
 
 }  // namespace geminga::membership
 

@@ -5,6 +5,7 @@
 
 #include "base/assert.hpp"
 #include "discovery/announcement/limits.hpp"
+#include "discovery/membership/deadline.hpp"
 
 namespace geminga::membership {
 
@@ -21,6 +22,7 @@ Schedule::Schedule(ScheduleOptions options, std::uint64_t seed)
       lacks_{base::never, {ask_capacity, options.interval / asks_per_interval}},
       doubts_{base::never, {ask_capacity, options.interval / asks_per_interval}},
       challenges_{base::never, {ask_capacity, options.interval / asks_per_interval}},
+      differs_{base::never, {differing_capacity, differing_refill_intervals * options.interval}},
       proofs_(proof_capacity, options.interval / proofs_per_interval),
       contradictions_(contradiction_capacity, options.interval / contradictions_per_interval) {
   GEMINGA_ASSERT(options_.interval >= std::chrono::milliseconds(1));
@@ -36,7 +38,7 @@ std::size_t state_copies(std::optional<double> loss) {
   if (*loss < 0.005) return 1;
   if (*loss < 0.02) return 2;
   if (*loss < 0.15) return 3;
-  return *loss < 0.4 ? 5 : 7;
+  return *loss < bad_loss ? 5 : 7;
 }
 
 void Schedule::changed(Say what, Instant now) {
@@ -66,7 +68,7 @@ void Schedule::newcomer(Instant now) {
   if (!is_running_ || newcomer_due_ != never) return;
   // Two copies that are still to come reach the newcomer as well as copies of its own would.
   const auto copies = std::ranges::count(copies_, Say::state, &Copy::what);
-  const auto remaining = static_cast<std::size_t>(copies) + (answer_copies - next_answer_);
+  const auto remaining = static_cast<std::size_t>(copies) + answers_.size();
   if (remaining >= 2) return;
   newcomer_due_ = now + random_.between(Duration::zero(), slowed(max_newcomer_delay));
   if (had_newcomer_) newcomer_due_ = std::max(newcomer_due_, newcomer_last_ + slowed(newcomer_spacing));
@@ -103,8 +105,20 @@ void Schedule::asked_by_another(Instant now) {
       std::max(doubts_.due, now + slowed(ask_spacing) + random_.between(Duration::zero(), slowed(max_ask_delay)));
 }
 
+void Schedule::differ(Instant now) {
+  if (!is_running_ || differs_.due != never || !differs_.budget.has(now)) return;
+  differs_.due =
+      std::max(now, last_sent_ + slowed(differing_spacing)) + random_.between(Duration::zero(), slowed(max_ask_delay));
+}
+
 void Schedule::doubted(Instant now) {
   if (is_running_) proof_ = std::min(proof_, has_sent_ ? std::max(now, last_sent_ + proof_spacing) : now);
+}
+
+void Schedule::deny(Instant now) {
+  if (!is_running_ || (denied_ && now - *denied_ < announcement::contest_intervals * said_interval())) return;
+  denied_ = denial_ = now;
+  denials_left_ = denials;
 }
 
 void Schedule::bear_witness(Instant now) {
@@ -123,14 +137,16 @@ void Schedule::contradict(Instant now) {
 void Schedule::pause() {
   is_running_ = false;
   copies_.clear();
-  next_answer_ = answer_copies;
+  answers_.clear();
   periodic_ = never;
   repair_ = never;
   lacks_.due = never;
   doubts_.due = never;
   challenges_.due = never;
+  differs_.due = never;
   proof_ = never;
   testimony_ = never;
+  denial_ = never;
   contested_ = never;
   contradiction_ = never;
   newcomer_due_ = never;
@@ -150,7 +166,7 @@ Instant Schedule::next_copy(Say what) const {
 }
 
 Instant Schedule::state_wanted() const {
-  const auto answer = next_answer_ < answer_copies ? answers_[next_answer_] : never;
+  const auto answer = answers_.empty() ? never : answers_.front();
   const auto periodic = is_insistent() ? periodic_ : never;
   return std::min(
       {next_copy(Say::state), next_copy(Say::change), answer, periodic, repair_, contradiction_, newcomer_due_});
@@ -161,9 +177,10 @@ Instant Schedule::presence_wanted() const {
     return wanted == never ? never : std::max(wanted, budget.due());
   };
   const auto periodic = is_insistent() ? never : periodic_;
-  return std::min({next_copy(Say::presence), periodic, limited(lacks_.due, lacks_.budget),
-                   limited(doubts_.due, doubts_.budget), limited(std::min(proof_, testimony_), proofs_),
-                   limited(challenges_.due, challenges_.budget), limited(contested_, contests_)});
+  return std::min({next_copy(Say::presence), periodic, denial_, limited(lacks_.due, lacks_.budget),
+                   limited(doubts_.due, doubts_.budget), limited(differs_.due, differs_.budget),
+                   limited(challenges_.due, challenges_.budget), limited(std::min(proof_, testimony_), proofs_),
+                   limited(contested_, contests_)});
 }
 
 Instant Schedule::spaced() const { return has_sent_ ? last_sent_ + min_spacing : Instant::min(); }
@@ -182,11 +199,13 @@ void Schedule::begin_answers(Instant now) {
   newcomer_due_ = never;
   newcomer_last_ = now;
   had_newcomer_ = true;
-  answers_[0] = now;
-  for (std::size_t i = 0; i < answer_delays.size(); ++i) {
-    answers_[i + 1] = now + spread(slowed(answer_delays[i]), repeat_jitter);
+  answers_ = {now};
+  const auto answer = [&](Duration delay) { answers_.push_back(now + spread(slowed(delay), repeat_jitter)); };
+  if (loss_.value_or(0) < bad_loss) {
+    std::ranges::for_each(answer_delays, answer);
+  } else {
+    std::ranges::for_each(bad_answer_delays, answer);
   }
-  next_answer_ = 0;
 }
 
 void Schedule::drop_copies(bool is_presence, Instant now) {
@@ -199,12 +218,12 @@ Schedule::Say Schedule::take_state(Instant now) {
   const auto own_state = std::min(is_insistent() ? periodic_ : never, next_copy(Say::state));
   const bool is_change = next_copy(Say::change) <= now;
   if (newcomer_due_ <= now) begin_answers(now);
-  const bool is_answer = next_answer_ < answer_copies && answers_[next_answer_] <= now && newcomers_.has(now);
+  const bool is_answer = !answers_.empty() && answers_.front() <= now && newcomers_.has(now);
   const bool is_repair = repair_ <= now && repairs_.has(now);
   const bool is_contradiction = contradiction_ <= now;
   // Whatever was due until now is told by this one announcement, or cannot be afforded.
   drop_copies(false, now);
-  while (next_answer_ < answer_copies && answers_[next_answer_] <= now) ++next_answer_;
+  std::erase_if(answers_, [now](Instant due) { return due <= now; });
   if (repair_ <= now) repair_ = never;
   if (is_contradiction) contradiction_ = never;
   if (own_state > now) {
@@ -233,8 +252,10 @@ bool Schedule::take_presence(Instant now) {
   pay(lacks_.due, lacks_.budget);
   pay(doubts_.due, doubts_.budget);
   pay(challenges_.due, challenges_.budget);
+  pay(differs_.due, differs_.budget);
   pay(std::min(proof_, testimony_), proofs_);
   pay(contested_, contests_);
+  if (denial_ <= now) denial_ = --denials_left_ > 0 ? now + denial_spacing : never;
   presence_sent_ = now;
   drop_copies(true, now);
   return true;
@@ -252,7 +273,7 @@ Schedule::Say Schedule::take(Instant now) {
   if (told == Say::nothing && !take_presence(now)) return Say::nothing;
   // Either shows that we live and whose the identifier is; what we ask only a presence says.
   if (told == Say::nothing) lacks_.due = doubts_.due = challenges_.due = testimony_ = never;
-  proof_ = never;
+  proof_ = differs_.due = never;
   contested_ = never;
   if (announced_until_slower_ > 0 && --announced_until_slower_ == 0) interval_ = said_interval();
   // A presence does not stand for the state that is said each time.

@@ -48,9 +48,14 @@ inline constexpr base::Duration refill_time = std::chrono::milliseconds(50);
 
 /// A newcomer is answered after a random time up to this, so that a team does not answer in one instant.
 inline constexpr base::Duration max_newcomer_delay = std::chrono::milliseconds(20);
-/// After the first copy for a newcomer further ones follow so long after it, spread as above.
+/// After the first copy for a newcomer further ones follow so long after it, spread as above; more where at least
+/// bad_loss is lost.
+inline constexpr double bad_loss = 0.4;
 inline constexpr std::array<base::Duration, 2> answer_delays = {std::chrono::milliseconds(60),
                                                                 std::chrono::milliseconds(200)};
+inline constexpr std::array<base::Duration, 4> bad_answer_delays = {
+    std::chrono::milliseconds(30), std::chrono::milliseconds(60), std::chrono::milliseconds(120),
+    std::chrono::milliseconds(200)};
 /// Newcomers start copies at most once in this time; one that comes within it is answered at its end, unless copies
 /// that are due anyway reach it.
 inline constexpr base::Duration newcomer_spacing = std::chrono::seconds(1);
@@ -78,6 +83,11 @@ inline constexpr base::Duration max_ask_delay = std::chrono::milliseconds(20);
 inline constexpr std::int64_t proof_capacity = 40;
 inline constexpr int proofs_per_interval = 4;
 inline constexpr base::Duration proof_spacing = std::chrono::milliseconds(30);
+/// Presences for who may not know us, and for whom none of our words came through: so many at once, then one in so many
+/// intervals, since some may never hear each other. None so soon after anything else that we said.
+inline constexpr std::int64_t differing_capacity = 8;
+inline constexpr int differing_refill_intervals = 4;
+inline constexpr base::Duration differing_spacing = std::chrono::milliseconds(150);
 /// Whoever knows more of a doubted participant than the one who doubts leaves it this time to answer for itself, and up
 /// to twice that.
 inline constexpr base::Duration witness_delay = std::chrono::milliseconds(25);
@@ -136,8 +146,14 @@ class Schedule {
   void challenge(bool is_open, base::Instant now);
   /// Somebody else doubts all whom we doubt: the answer will be for us, too.
   void asked_by_another(base::Instant now);
+  /// Somebody does not know the same participants as we do, perhaps not us: our presence is due soon, so that he can
+  /// say that he lacks our state.
+  void differ(base::Instant now);
   /// Somebody doubts that we live: our presence is due.
   void doubted(base::Instant now);
+  /// Somebody begins our own life anew, it seems: our presence is due again and again for a short while. Once in
+  /// contest_intervals.
+  void deny(base::Instant now);
   /// Somebody doubts whom we hear: our presence is due, a little later.
   void bear_witness(base::Instant now);
   /// Somebody claims our identifier (IdentifierClaim::Verdict::answer): our presence is due at once, or as soon as the
@@ -197,14 +213,16 @@ class Schedule {
   std::uint8_t doublings_ = 0;
   base::Duration interval_;  ///< that is kept; shorter than the one that is said while that is new
   int announced_until_slower_ = 0;
-  std::array<base::Instant, answer_copies> answers_{};  ///< the copies for newcomers
-  std::size_t next_answer_ = answer_copies;
+  std::vector<base::Instant> answers_;  ///< the copies for newcomers that are still to come, in their order
   base::Instant periodic_ = base::never;
-  base::Instant insistent_until_;              ///< until then the state is said each time
-  base::Instant repair_ = base::never;         ///< when the state is due for who lacks it
-  base::Instant presence_sent_;                ///< when the last presence was said
-  base::Instant proof_ = base::never;          ///< when a sign of life is due because somebody doubts us
-  base::Instant testimony_ = base::never;      ///< when the presence is due because somebody doubts another one
+  base::Instant insistent_until_;          ///< until then the state is said each time
+  base::Instant repair_ = base::never;     ///< when the state is due for who lacks it
+  base::Instant presence_sent_;            ///< when the last presence was said
+  base::Instant proof_ = base::never;      ///< when a sign of life is due because somebody doubts us
+  base::Instant testimony_ = base::never;  ///< when the presence is due because somebody doubts another one
+  base::Instant denial_ = base::never;     ///< when the next one is due
+  int denials_left_ = 0;
+  std::optional<base::Instant> denied_;        ///< when that began last
   base::Instant contested_ = base::never;      ///< when a claim to our identifier came
   base::Instant contradiction_ = base::never;  ///< when a lie about us was heard
   base::Instant newcomer_due_ = base::never;   ///< when the copies for newcomers begin
@@ -220,6 +238,7 @@ class Schedule {
   Question lacks_;
   Question doubts_;
   Question challenges_;
+  Question differs_;
   TokenBucket proofs_;
   TokenBucket contests_{contest_capacity, contest_refill};
   TokenBucket contradictions_;

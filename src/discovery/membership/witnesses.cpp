@@ -79,7 +79,7 @@ announcement::Witness Witnesses::say(Instant now) const {
 bool Witnesses::hear(const announcement::Announcement& presence, Instant now) {
   const auto& heard = presence.witness.heard;
   const auto count = others_.size() + 1;
-  if (presence.witness.members != fold() || (heard.size() + 3) / 4 != (count + 3) / 4) return false;
+  if (!are_same(presence.witness) || (heard.size() + 3) / 4 != (count + 3) / 4) return false;
   words_[next_word_++ % words_.size()] = {presence.participant, now};
   const auto take = [now](Member& member, HeardWithin within) {
     if (within == HeardWithin::longer) return;

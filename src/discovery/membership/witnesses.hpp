@@ -26,6 +26,8 @@ class Witnesses {
 
   /// How lately we have heard each of them.
   [[nodiscard]] announcement::Witness say(base::Instant now) const;
+  /// Whether somebody who says this knows the same ones.
+  [[nodiscard]] bool are_same(const announcement::Witness& witness) const { return witness.members == fold(); }
   /// Takes in what somebody known says of them; whether it speaks of the same ones.
   bool hear(const announcement::Announcement& presence, base::Instant now);
   /// The latest instant at or after which somebody else has heard it; the beginning of time: nobody said so.

@@ -104,6 +104,7 @@ void Announcer::announce() {
         send(change());
         break;
       case membership::Schedule::Say::presence:
+        schedule_.set_loss(core_.neighbours.loss());
         send(presence());
         break;
     }
@@ -147,6 +148,7 @@ Announcer::Consequence Announcer::heard(const Heard& heard) {
     case membership::Hearing::newcomer:
     case membership::Hearing::claim:
       schedule_.newcomer(core_.env.now());
+      if (seems_next_life(heard)) schedule_.deny(core_.env.now());
       return Consequence::nothing;
     case membership::Hearing::known:
     case membership::Hearing::stranger:
@@ -160,6 +162,12 @@ Announcer::Consequence Announcer::heard(const Heard& heard) {
     default:
       return Consequence::nothing;
   }
+}
+
+/// Somebody begins under our name and from our address: others may take us for gone, since we were started again.
+bool Announcer::seems_next_life(const Heard& heard) const {
+  return claim_.is_held() && heard.announcement.name == core_.settings.name && !core_.settings.name.empty() &&
+         heard.announcement.boot != boot_ && may_be_ours(core_.env, heard.source);
 }
 
 /// Somebody tells what he has heard of us and of others.
@@ -177,6 +185,7 @@ void Announcer::heard_presence(const Heard& heard) {
     }
   }
   if (heard.hearing != membership::Hearing::known) return;
+  if (!core_.neighbours.knows_the_same(presence.witness)) schedule_.differ(now);
   if (core_.neighbours.doubts_anybody() && core_.neighbours.hear_doubts(presence.doubts, now)) {
     schedule_.asked_by_another(now);
   }

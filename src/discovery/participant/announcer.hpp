@@ -69,6 +69,7 @@ class Announcer {
   void update_log(base::Instant now);
   [[nodiscard]] announcement::Announcement whole_state() const;
   [[nodiscard]] announcement::Announcement change() const;
+  [[nodiscard]] bool seems_next_life(const Heard& heard) const;
   void heard_presence(const Heard& heard);
   Consequence heard_clash(const Heard& heard);
   void heard_own(const Heard& heard);
