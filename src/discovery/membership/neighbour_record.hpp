@@ -87,6 +87,7 @@ class NeighbourRecord {
   void set_succeeded(std::optional<base::Instant> succeeded) { life_.set_succeeded(succeeded); }
   /// When we last heard it ourselves.
   [[nodiscard]] base::Instant heard() const { return life_.heard(); }
+  [[nodiscard]] const std::string& name() const { return header_.value().name; }
   /// The time between two of its announcements, as it says.
   [[nodiscard]] base::Duration interval() const { return interval_.value(); }
   /// Whether its newest state is not known, or not certain, or not what it says of one of its ways, or had no room.

@@ -11,6 +11,7 @@
 #include "discovery/membership/claims.hpp"
 #include "discovery/membership/former_lives.hpp"
 #include "discovery/membership/greediest.hpp"
+#include "discovery/membership/names.hpp"
 #include "discovery/membership/neighbour_record.hpp"
 #include "discovery/membership/questions.hpp"
 #include "discovery/membership/witnesses.hpp"
@@ -172,7 +173,8 @@ class NeighbourTable::State final : private ServiceRoom {
   /// Whoever of this name was at this address may have been started again.
   void succeed(const announcement::Announcement& newcomer, const Arrival& arrival) {
     if (newcomer.name.empty()) return;
-    for (auto& known : records_) {
+    for (const auto id : names_.find({newcomer.name, std::string(arrival.source)})) {
+      auto& known = *records_.find(id);
       if (known.second.record->boot() == newcomer.boot) continue;  // it only takes another identifier
       known.second.record->succeed(newcomer, arrival);
       set_due(known, arrival.now);
@@ -293,12 +295,14 @@ class NeighbourTable::State final : private ServiceRoom {
     questions_.forget(known->first);
     auto record = std::move(known->second.record);
     witnesses_.remove(known->first);
+    names_.remove(known->first);
     records_.erase(known);
     return record;
   }
 
   void set_due(Records::value_type& known, Instant now) {
     questions_.update(known.first, *known.second.record, now);
+    names_.update(known.first, known.second.record->name(), known.second.record->source());
     witnesses_.update(known.first, known.second.record->heard(), known.second.record->interval());
     const auto next = known.second.record->next_deadline();
     if (next == known.second.due) return;
@@ -327,6 +331,7 @@ class NeighbourTable::State final : private ServiceRoom {
   FormerLives former_;
   Claims claims_;
   Questions questions_;
+  Names names_;
   Turn turn_ = 0;
   Records records_;
   std::set<std::pair<Instant, ParticipantId>> due_;  ///< when expire() has something to do for whom

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "discovery/membership/deadline.hpp"
 #include "discovery/membership/schedule.hpp"
 
 namespace geminga::membership {
@@ -79,6 +80,33 @@ TEST(Schedule, GivesASignOfLifeAtOnceToWhoDoubtsItAndLetsADoubtedOneAnswerForIts
   schedule.bear_witness(begin);
   EXPECT_GE(schedule.due(), begin + witness_delay);
   EXPECT_LE(schedule.due(), begin + 2 * witness_delay);
+}
+
+TEST(Schedule, DeniesItsNextLifeOftenInAShortWhileAndOnceInFiveIntervals) {
+  auto schedule = running(16);
+  const auto begin = start + seconds(10);
+  const auto denied = [&](Instant from) {
+    schedule.deny(from);
+    std::size_t count = 0;
+    while (schedule.due() < from + least_answer_time) count += schedule.take(schedule.due()) == Say::presence ? 1 : 0;
+    return count;
+  };
+  EXPECT_GE(denied(begin), std::size_t{denials});
+  EXPECT_LE(denied(begin + seconds(3)), 1U);
+  EXPECT_GE(denied(begin + seconds(10)), std::size_t{denials});
+}
+
+TEST(Schedule, SpeaksWhereSomebodyKnowsOthersButNotForEver) {
+  auto schedule = running(17);
+  const auto begin = start + seconds(10);
+  std::vector<Instant> said;
+  for (auto now = begin; now < begin + seconds(60); now += milliseconds(1)) {
+    schedule.differ(now);
+    if (schedule.due() <= now && schedule.take(now) == Say::presence) said.push_back(now);
+  }
+  EXPECT_GE(said[3], begin + 2 * differing_spacing);
+  EXPECT_LE(said[3], begin + seconds(1));
+  EXPECT_LE(said.size(), 34U + differing_capacity + 60 / (2 * differing_refill_intervals));
 }
 
 }  // namespace

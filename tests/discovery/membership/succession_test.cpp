@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "discovery/membership/deadline.hpp"
+#include "discovery/membership/names.hpp"
 #include "discovery/membership/table_rig.hpp"
 
 namespace geminga::membership {
@@ -80,6 +81,26 @@ TEST_F(Succession, IsOfTheSameNameFromTheSameAddress) {
   nameless.name.clear();
   (void)rig.hear(nameless, now);
   EXPECT_TRUE(rig.table.report(now).doubts.empty()) << "nameless";
+}
+
+TEST_F(Succession, BeginsWithTheFirstStateWhereTheClaimsWereLost) {
+  auto state = next_life();
+  state.kind = announcement::Kind::state;
+  ASSERT_EQ(rig.hear(state, now), Hearing::newcomer);
+  EXPECT_THAT(rig.table.report(now).doubts, ::testing::ElementsAre(former));
+}
+
+TEST(Names, FindsThoseOfOneNameAtOneAddressAndNobodyWhereTheyAreMany) {
+  Names names;
+  for (std::uint32_t id = 1; id <= max_namesakes; ++id) names.update(ParticipantId{id}, "robot1", address);
+  names.update(ParticipantId{100}, "robot1", "10.0.0.9");
+  names.update(ParticipantId{101}, "robot2", address);
+  EXPECT_EQ(names.find({"robot1", address}).size(), max_namesakes);
+  names.update(ParticipantId{101}, "robot1", address);
+  EXPECT_THAT(names.find({"robot1", address}), ::testing::IsEmpty());
+  names.remove(ParticipantId{1});
+  EXPECT_EQ(names.find({"robot1", address}).size(), max_namesakes);
+  EXPECT_THAT(names.find({"robot2", address}), ::testing::IsEmpty());
 }
 
 TEST_F(Succession, IsTriedOnceInFiveIntervalsHoweverOftenItIsClaimed) {
