@@ -76,6 +76,7 @@ void Host::resume() {
   if (pause_ == Pause::asleep) clock_.go_on(world_.now());
   pause_ = Pause::none;
   resumed_ = world_.now();
+  if (!waiting_.empty()) world_.old_words_read = resumed_;
   for (const Waiting& one : std::exchange(waiting_, {})) receive(one.interface, one.source, one.datagram);
   for (const auto& [stream, one] : streams_) {
     world_.after(base::Duration(0), [this, id = stream, life = life_] {

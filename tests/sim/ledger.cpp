@@ -65,16 +65,17 @@ void Ledger::told(const Viewer& viewer, std::string_view word, const Place& plac
     told_off(viewer, word);  // a change that moves it
   }
   Seen& seen = eye.seen[place];
+  // What waited for a process that was stopped is told in its order, old words and old lies first.
+  const bool is_catching_up = world_.hosts()[eye.host - 1]->is_catching_up();
+  const bool was_lied_to = world_.now() < tampered_until_ || (is_catching_up && tampered_until_ != base::Instant{});
   const auto complain = [&](const std::string& what) {
-    if (world_.now() >= tampered_until_) world_.complain(what + " " + eye.name + ": " + std::string(line) + ",");
+    if (!was_lied_to) world_.complain(what + " " + eye.name + ": " + std::string(line) + ",");
   };
   const auto thing = things_.find(place);
   if (thing == things_.end() || thing->second.topic != eye.topic) {
     complain("false match: nobody there says what is told to");
   } else if (thing->second.has_ended && seen.was_told_off && seen.told_off > thing->second.ended) {
-    // What waited for a process that was stopped is told in its order, old words first.
-    if (!world_.hosts()[eye.host - 1]->is_catching_up())
-      complain("returned: what is gone, and was told off, is told again to");
+    if (!is_catching_up) complain("returned: what is gone, and was told off, is told again to");
   }
   eye.words.emplace(word, place);
   ++seen.words;
@@ -162,7 +163,8 @@ void Ledger::check() {
   for (auto& [where, wrong] : wrong_) {
     if (wrong.is_complained) continue;
     const bool is_missing = wrong.what == Wrongness::missing;
-    const base::Instant excused = is_missing ? std::max(missing_excused_until_, excused_until_) : excused_until_;
+    const base::Instant excused =
+        is_missing ? std::max(missing_excused_until_, excused_until_) : std::max(world_.old_words_read, excused_until_);
     if (world_.now() - std::max(wrong.since, excused) <= (is_missing ? bounds_.missing : bounds_.surplus)) continue;
     wrong.is_complained = true;
     world_.complain(describe(where.first, where.second, wrong) + " for too long,");

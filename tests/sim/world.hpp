@@ -68,6 +68,9 @@ class World {
   /// `to` hears nothing of `from` any more; or hears it again.
   void cut(const Host& from, const Host& to);
   void mend(const Host& from, const Host& to);
+  /// When a process that had been stopped last read what waited for it. It takes old words for new ones, and tells
+  /// others so in its next presence.
+  base::Instant old_words_read{};
   /// Called when somebody hears others than before: islands, cuts, hosts that sleep.
   std::function<void()> on_reach_changed;
 
