@@ -163,9 +163,11 @@ void Ledger::check() {
   for (auto& [where, wrong] : wrong_) {
     if (wrong.is_complained) continue;
     const bool is_missing = wrong.what == Wrongness::missing;
-    const base::Instant excused =
-        is_missing ? std::max(missing_excused_until_, excused_until_) : std::max(world_.old_words_read, excused_until_);
-    if (world_.now() - std::max(wrong.since, excused) <= (is_missing ? bounds_.missing : bounds_.surplus)) continue;
+    base::Instant since =
+        std::max({wrong.since, excused_until_, is_missing ? missing_excused_until_ : world_.old_words_read});
+    // Whoever does not hear the victim believes the liar for as long as he goes on.
+    if (!things_.contains(where.second)) since = std::max(since, tampered_until_);
+    if (world_.now() - since <= (is_missing ? bounds_.missing : bounds_.surplus)) continue;
     wrong.is_complained = true;
     world_.complain(describe(where.first, where.second, wrong) + " for too long,");
   }
