@@ -50,6 +50,7 @@ void Ledger::look_away(const Viewer& viewer) {
 }
 
 void Ledger::reach_changed() {
+  reach_changed_ = world_.now();
   for (const auto& [viewer, eye] : eyes_) {
     for (const Place& place : places_[eye.topic]) compare(viewer, eye, place);
     for (const auto& [place, seen] : eye.seen) compare(viewer, eye, place);
@@ -165,6 +166,8 @@ void Ledger::check() {
     const bool is_missing = wrong.what == Wrongness::missing;
     base::Instant since =
         std::max({wrong.since, excused_until_, is_missing ? missing_excused_until_ : world_.old_words_read});
+    // Who joins us may have heard later than we of whom we lose, and is a witness of it.
+    if (!is_missing) since = std::max(since, reach_changed_);
     // Whoever does not hear the victim believes the liar for as long as he goes on.
     if (!things_.contains(where.second)) since = std::max(since, tampered_until_);
     if (world_.now() - since <= (is_missing ? bounds_.missing : bounds_.surplus)) continue;

@@ -142,6 +142,7 @@ class Ledger {
   std::map<std::pair<Viewer, Place>, Wrong> wrong_;
   std::vector<std::pair<base::Instant, Place>> ended_;  ///< in their order, to be forgotten
   base::Instant excused_until_{};
+  base::Instant reach_changed_{};
   base::Instant missing_excused_until_{};
   base::Instant tampered_until_{};
   Delays delays_;
