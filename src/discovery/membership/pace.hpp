@@ -16,7 +16,8 @@ inline constexpr std::size_t unhurried_participants = 64;
 /// An interval is shortened again only when so few are left, so that one that comes and goes changes nothing.
 inline constexpr std::size_t hurried_participants = 48;
 
-/// How often the interval is doubled while so many others are known. Those who were not heard for seasoned_after do not
+/// How often the interval is to be doubled while so many others are known: at most once more than it is, since who has
+/// not heard of it expects a word in the shorter interval. Those who were not heard for seasoned_after do not
 /// count: a flood of them must not slow a team down. `current`: how often it is doubled now.
 [[nodiscard]] constexpr std::uint8_t doublings_for(std::size_t others, std::uint8_t current) {
   const auto least = [others](std::size_t unhurried) {
@@ -26,7 +27,8 @@ inline constexpr std::size_t hurried_participants = 48;
   };
   static_assert(hurried_participants << announcement::max_doublings >= announcement::max_participants);
   const auto needed = least(unhurried_participants);
-  return needed >= current ? needed : std::min(current, least(hurried_participants));
+  if (needed > current) return static_cast<std::uint8_t>(current + 1);
+  return std::min(current, least(hurried_participants));
 }
 
 }  // namespace geminga::membership

@@ -22,7 +22,7 @@ struct ScheduleOptions {
 };
 /// A longer interval is kept only after so many announcements have said so: who has heard none of them would expect the
 /// next one earlier.
-inline constexpr int announced_before_slower = 3;
+inline constexpr int announced_before_slower = 6;
 
 /// The interval is spread by this share in both directions, so that robots started together drift apart.
 inline constexpr double interval_jitter = 0.1;
@@ -131,6 +131,8 @@ class Schedule {
   /// How often the interval is doubled in what is said from now on, since many share the air. What all others do at the
   /// same time, too (answering newcomers, asking for somebody, witnessing), takes as many times longer.
   void set_doublings(std::uint8_t doublings, base::Instant now);
+  /// Whether a longer interval is said that is not kept yet.
+  [[nodiscard]] bool is_slowing() const { return announced_until_slower_ > 0; }
   /// A participant is heard that does not know us yet (a newcomer, or a claimant): as changed(), but a little later,
   /// not more often than newcomer_spacing, and only as long as the budget for answers lasts.
   void newcomer(base::Instant now);

@@ -86,7 +86,8 @@ void Announcer::announce() {
     schedule_.set_loss(core_.neighbours.loss());
     schedule_.changed(is_new_to_others() ? membership::Schedule::Say::state : membership::Schedule::Say::change, now);
   }
-  doublings_ = membership::doublings_for(core_.neighbours.seasoned(), doublings_);
+  const std::uint8_t doublings = membership::doublings_for(core_.neighbours.seasoned(), doublings_);
+  if (doublings < doublings_ || !schedule_.is_slowing()) doublings_ = doublings;
   schedule_.set_doublings(doublings_, now);
   schedule_.ask(core_.neighbours.lacks_anybody(now), core_.neighbours.doubts_anybody(), now);
   schedule_.challenge(core_.seal.asks(now) || core_.seal.is_asked(now), now);

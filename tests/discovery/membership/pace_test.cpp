@@ -11,7 +11,9 @@ namespace {
 
 TEST(Pace, BoundsWhatAGroupSaysInAnInterval) {
   for (std::size_t others = 0; others <= announcement::max_participants; ++others) {
-    const auto intervals = std::size_t{1} << doublings_for(others, 0);
+    std::uint8_t doublings = 0;
+    for (int step = 0; step < 10; ++step) doublings = doublings_for(others, doublings);
+    const auto intervals = std::size_t{1} << doublings;
     EXPECT_LE(others, intervals * unhurried_participants) << others;
     EXPECT_TRUE(intervals == 1 || 2 * others > intervals * unhurried_participants) << others;
   }
@@ -23,9 +25,10 @@ TEST(Pace, DoesNotSwingWhereSomebodyComesAndGoes) {
   EXPECT_EQ(doublings_for(49, 1), 1);
   EXPECT_EQ(doublings_for(48, 1), 0);
   EXPECT_EQ(doublings_for(10, 4), 0);
+  EXPECT_EQ(doublings_for(1000, 1), 2) << "one step after the other";
 }
 
-TEST(Pace, SaysThreeTimesThatItWillSpeakLessOften) {
+TEST(Pace, SaysSixTimesThatItWillSpeakLessOften) {
   Schedule schedule({}, 7);
   auto now = rig_start;
   const auto next = [&] {
@@ -37,7 +40,8 @@ TEST(Pace, SaysThreeTimesThatItWillSpeakLessOften) {
   schedule.changed(Schedule::Say::state, now);
   for (int i = 0; i < 20; ++i) (void)next();
   schedule.set_doublings(2, now);
-  for (int i = 0; i < 3; ++i) EXPECT_LT(next(), seconds(3)) << i;
+  for (int i = 0; i < 6; ++i) EXPECT_LT(next(), seconds(3)) << i;
+  EXPECT_FALSE(schedule.is_slowing());
   for (int i = 0; i < 3; ++i) EXPECT_GT(next(), seconds(7)) << i;
   schedule.set_doublings(0, now);
   EXPECT_LT(next(), seconds(3)) << "more often is at once";
