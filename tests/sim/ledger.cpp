@@ -168,8 +168,8 @@ void Ledger::check() {
         std::max({wrong.since, excused_until_, is_missing ? missing_excused_until_ : world_.old_words_read});
     // Who joins us may have heard later than we of whom we lose, and is a witness of it.
     if (!is_missing) since = std::max(since, reach_changed_);
-    // Whoever does not hear the victim believes the liar for as long as he goes on.
-    if (!things_.contains(where.second)) since = std::max(since, tampered_until_);
+    // Whoever does not hear the victim believes the liar for as long as he goes on, also as a witness.
+    if (!is_missing) since = std::max(since, tampered_until_);
     if (world_.now() - since <= (is_missing ? bounds_.missing : bounds_.surplus)) continue;
     wrong.is_complained = true;
     world_.complain(describe(where.first, where.second, wrong) + " for too long,");
