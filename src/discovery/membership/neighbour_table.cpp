@@ -67,6 +67,7 @@ class NeighbourTable::State final : private ServiceRoom {
   }
 
   void postpone(Instant until) {
+    witnesses_.distrust_until(until);
     for (auto& known : records_) {
       known.second.record->postpone(until);
       set_due(known, until);
@@ -97,8 +98,6 @@ class NeighbourTable::State final : private ServiceRoom {
     return shared == ours.size();
   }
 
-  [[nodiscard]] bool knows_the_same(const announcement::Witness& witness) const { return witnesses_.are_same(witness); }
-
   [[nodiscard]] std::optional<double> loss() const { return loss_of(records_); }
 
   void forget_interface(env::InterfaceIndex interface) {
@@ -126,6 +125,7 @@ class NeighbourTable::State final : private ServiceRoom {
   }
   [[nodiscard]] std::size_t size() const { return records_.size(); }
   [[nodiscard]] std::size_t seasoned() const { return admission_.seasoned(); }
+  [[nodiscard]] const Witnesses& witnesses() const { return witnesses_; }
   using ServiceRoom::refused;
 
   std::vector<Change> changes;
@@ -361,12 +361,11 @@ bool NeighbourTable::lacks_anybody(base::Instant now) { return state_->lacks_any
 bool NeighbourTable::doubts_anybody() const { return state_->doubts_anybody(); }
 
 bool NeighbourTable::knows_the_same(const announcement::Witness& witness) const {
-  return state_->knows_the_same(witness);
+  return state_->witnesses().are_same(witness);
 }
 
 bool NeighbourTable::is_heard_lately(ParticipantId id, base::Instant now) const {
-  const auto* known = state_->find(id);
-  return known != nullptr && now - known->heard() <= known->interval();
+  return state_->witnesses().has_heard(id, now);
 }
 
 bool NeighbourTable::hear_doubts(const std::vector<ParticipantId>& doubts, base::Instant now) {

@@ -138,7 +138,7 @@ class NeighbourTable {
   /// When expire() has something to do, or a little before; base::never: nothing. Its cost is constant.
   [[nodiscard]] base::Instant next_deadline() const;
   /// We were not awake when something was due: nobody's deadline is before `until`, so that what has come in meanwhile
-  /// can be heard.
+  /// can be heard. It may have been said long ago, so we do not testify by what we hear until then.
   void postpone(base::Instant until);
   /// An interface of ours is gone: its paths are, and addresses are chosen anew. Participants stay until their
   /// deadline.
@@ -158,7 +158,7 @@ class NeighbourTable {
   bool hear_doubts(const std::vector<ParticipantId>& doubts, base::Instant now);
   /// Whether somebody who says this knows the same participants as we do.
   [[nodiscard]] bool knows_the_same(const announcement::Witness& witness) const;
-  /// Whether we have heard it ourselves within one of its intervals.
+  /// Whether we testify that we have heard it ourselves within one of its intervals.
   [[nodiscard]] bool is_heard_lately(ParticipantId id, base::Instant now) const;
   /// The share of all participants' last datagrams that was lost, in [0, 1); nothing: too few were heard.
   [[nodiscard]] std::optional<double> loss() const;

@@ -68,10 +68,21 @@ void Witnesses::update(ParticipantId id, Instant heard, Duration interval) {
 
 std::uint16_t Witnesses::fold() const { return static_cast<std::uint16_t>(others_fold_ ^ self_fold_); }
 
+HeardWithin Witnesses::testimony(const Member& member, Instant now) const {
+  if (member.heard <= distrusted_until_) return HeardWithin::longer;
+  return heard_within(now - member.heard, member.interval);
+}
+
+bool Witnesses::has_heard(ParticipantId id, Instant now) const {
+  const auto member = find(id);
+  const bool is_known = member != others_.cend() && member->id == id;
+  return is_known && testimony(*member, now) != HeardWithin::longer;
+}
+
 announcement::Witness Witnesses::say(Instant now) const {
   announcement::Witness witness{.members = fold(), .heard = {}};
   witness.heard.reserve(others_.size() + 1);
-  for (const auto& member : others_) witness.heard.push_back(heard_within(now - member.heard, member.interval));
+  for (const auto& member : others_) witness.heard.push_back(testimony(member, now));
   witness.heard.insert(witness.heard.begin() + (find(self_) - others_.cbegin()), HeardWithin::longer);
   return witness;
 }

@@ -24,6 +24,10 @@ class Witnesses {
   /// When we last heard somebody known ourselves, and its interval.
   void update(ParticipantId id, base::Instant heard, base::Duration interval);
 
+  /// What we have heard until then may have been said long before: we were not awake. We do not testify by it.
+  void distrust_until(base::Instant until) { distrusted_until_ = until; }
+  /// Whether we testify that we have heard somebody known within its interval.
+  [[nodiscard]] bool has_heard(ParticipantId id, base::Instant now) const;
   /// How lately we have heard each of them.
   [[nodiscard]] announcement::Witness say(base::Instant now) const;
   /// Whether somebody who says this knows the same ones.
@@ -48,13 +52,15 @@ class Witnesses {
     base::Instant at;
   };
   using Members = std::vector<Member>;
+  [[nodiscard]] announcement::HeardWithin testimony(const Member& member, base::Instant now) const;
   [[nodiscard]] Members::const_iterator find(ParticipantId id) const;
   [[nodiscard]] std::uint16_t fold() const;
 
   ParticipantId self_{};
   std::uint64_t self_fold_ = 0;
   std::uint64_t others_fold_ = 0;
-  Members others_;               ///< by ascending identifier
+  Members others_;  ///< by ascending identifier
+  base::Instant distrusted_until_ = base::Instant::min();
   std::array<Word, 8> words_{};  ///< the last ones; those of one participant that speaks often leave room for others'
   std::size_t next_word_ = 0;
 };

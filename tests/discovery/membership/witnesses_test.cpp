@@ -68,6 +68,18 @@ TEST(Witnesses, CountOnlyWhoElseHasSpokenOfLate) {
   EXPECT_EQ(ours.words(ParticipantId{4}, now + seconds(3), seconds(2)), 0U);
 }
 
+TEST(Witnesses, DoNotTestifyByWhatMayHaveBeenSaidWhileTheySlept) {
+  auto ours = member_of(3, 1, now);
+  ours.distrust_until(now);
+  EXPECT_THAT(ours.say(now).heard, testing::Each(HeardWithin::longer));
+  EXPECT_FALSE(ours.has_heard(ParticipantId{2}, now));
+  ours.update(ParticipantId{2}, now + milliseconds(1), seconds(2));
+  EXPECT_THAT(ours.say(now + milliseconds(1)).heard,
+              testing::ElementsAre(HeardWithin::longer, HeardWithin::quarter, HeardWithin::longer));
+  EXPECT_TRUE(ours.has_heard(ParticipantId{2}, now + milliseconds(1)));
+  EXPECT_FALSE(ours.has_heard(ParticipantId{9}, now)) << "unknown";
+}
+
 TEST(Witnesses, TakeNothingBack) {
   auto ours = member_of(4, 1, now);
   (void)ours.hear(presence_of(2, member_of(4, 2, now - milliseconds(100))), now);
