@@ -125,7 +125,7 @@ class NeighbourTable::State final : private ServiceRoom {
   }
   [[nodiscard]] std::size_t size() const { return records_.size(); }
   [[nodiscard]] std::size_t seasoned() const { return admission_.seasoned(); }
-  [[nodiscard]] const Witnesses& witnesses() const { return witnesses_; }
+  [[nodiscard]] Witnesses& witnesses() { return witnesses_; }
   using ServiceRoom::refused;
 
   std::vector<Change> changes;
@@ -360,8 +360,8 @@ bool NeighbourTable::lacks_anybody(base::Instant now) { return state_->lacks_any
 
 bool NeighbourTable::doubts_anybody() const { return state_->doubts_anybody(); }
 
-bool NeighbourTable::knows_the_same(const announcement::Witness& witness) const {
-  return state_->witnesses().are_same(witness);
+bool NeighbourTable::differs_newly(const announcement::Announcement& presence, base::Instant now) {
+  return state_->witnesses().differs_newly(presence, now);
 }
 
 bool NeighbourTable::is_heard_lately(ParticipantId id, base::Instant now) const {

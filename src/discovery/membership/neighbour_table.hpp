@@ -156,8 +156,8 @@ class NeighbourTable {
   /// Somebody else says that it doubts these, whom all can hear answer: that counts as asked by us, too. Whether all
   /// whom we doubt are among them.
   bool hear_doubts(const std::vector<ParticipantId>& doubts, base::Instant now);
-  /// Whether somebody who says this knows the same participants as we do.
-  [[nodiscard]] bool knows_the_same(const announcement::Witness& witness) const;
+  /// Whether somebody known, who says this, knows other participants than we do, and one of us only of late.
+  [[nodiscard]] bool differs_newly(const announcement::Announcement& presence, base::Instant now);
   /// Whether we testify that we have heard it ourselves within one of its intervals.
   [[nodiscard]] bool is_heard_lately(ParticipantId id, base::Instant now) const;
   /// The share of all participants' last datagrams that was lost, in [0, 1); nothing: too few were heard.

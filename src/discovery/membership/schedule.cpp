@@ -22,7 +22,7 @@ Schedule::Schedule(ScheduleOptions options, std::uint64_t seed)
       lacks_{base::never, {ask_capacity, options.interval / asks_per_interval}},
       doubts_{base::never, {ask_capacity, options.interval / asks_per_interval}},
       challenges_{base::never, {ask_capacity, options.interval / asks_per_interval}},
-      differs_{base::never, {differing_capacity, differing_refill_intervals * options.interval}},
+      differs_{base::never, {differing_capacity, options.interval}},
       proofs_(proof_capacity, options.interval / proofs_per_interval),
       contradictions_(contradiction_capacity, options.interval / contradictions_per_interval) {
   GEMINGA_ASSERT(options_.interval >= std::chrono::milliseconds(1));

@@ -83,10 +83,9 @@ inline constexpr base::Duration max_ask_delay = std::chrono::milliseconds(20);
 inline constexpr std::int64_t proof_capacity = 40;
 inline constexpr int proofs_per_interval = 4;
 inline constexpr base::Duration proof_spacing = std::chrono::milliseconds(30);
-/// Presences for who may not know us, and for whom none of our words came through: so many at once, then one in so many
-/// intervals, since some may never hear each other. None so soon after anything else that we said.
-inline constexpr std::int64_t differing_capacity = 8;
-inline constexpr int differing_refill_intervals = 4;
+/// Presences for who may not know us, and for whom none of our words came through: so many at once, then one in an
+/// interval. None so soon after anything else that we said.
+inline constexpr std::int64_t differing_capacity = 24;
 inline constexpr base::Duration differing_spacing = std::chrono::milliseconds(150);
 /// Whoever knows more of a doubted participant than the one who doubts leaves it this time to answer for itself, and up
 /// to twice that.

@@ -50,7 +50,7 @@ Witnesses::Members::const_iterator Witnesses::find(ParticipantId id) const {
 }
 
 void Witnesses::add(ParticipantId id, announcement::BootNonce boot) {
-  others_.insert(find(id), Member{id, boot, {}, {}, {}});
+  others_.insert(find(id), Member{id, boot, {}, {}, {}, 0, {}});
   others_fold_ ^= fold_of(id, boot);
 }
 
@@ -87,10 +87,22 @@ announcement::Witness Witnesses::say(Instant now) const {
   return witness;
 }
 
+bool Witnesses::differs_newly(const announcement::Announcement& presence, Instant now) {
+  const auto note = [now](std::uint16_t& said, Instant& changed, std::uint16_t fold) {
+    if (std::exchange(said, fold) != fold) changed = now;
+  };
+  const auto place = find(presence.participant);
+  if (place == others_.cend() || place->id != presence.participant) return false;
+  auto& member = others_[static_cast<std::size_t>(place - others_.cbegin())];
+  note(member.said_fold, member.fold_changed, presence.witness.members);
+  note(said_fold_, fold_changed_, fold());
+  return presence.witness.members != fold() && now - std::max(member.fold_changed, fold_changed_) < 2 * member.interval;
+}
+
 bool Witnesses::hear(const announcement::Announcement& presence, Instant now) {
   const auto& heard = presence.witness.heard;
   const auto count = others_.size() + 1;
-  if (!are_same(presence.witness) || (heard.size() + 3) / 4 != (count + 3) / 4) return false;
+  if (presence.witness.members != fold() || (heard.size() + 3) / 4 != (count + 3) / 4) return false;
   words_[next_word_++ % words_.size()] = {presence.participant, now};
   const auto take = [now](Member& member, HeardWithin within) {
     if (within == HeardWithin::longer) return;

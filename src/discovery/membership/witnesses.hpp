@@ -30,8 +30,9 @@ class Witnesses {
   [[nodiscard]] bool has_heard(ParticipantId id, base::Instant now) const;
   /// How lately we have heard each of them.
   [[nodiscard]] announcement::Witness say(base::Instant now) const;
-  /// Whether somebody who says this knows the same ones.
-  [[nodiscard]] bool are_same(const announcement::Witness& witness) const { return witness.members == fold(); }
+  /// Whether somebody known, who says this, knows other ones than we do, and one of us has not done so for long: not
+  /// for two of its intervals. Some never hear each other, and need not be told again and again.
+  [[nodiscard]] bool differs_newly(const announcement::Announcement& presence, base::Instant now);
   /// Takes in what somebody known says of them; whether it speaks of the same ones.
   bool hear(const announcement::Announcement& presence, base::Instant now);
   /// The latest instant at or after which somebody else has heard it; the beginning of time: nobody said so.
@@ -44,8 +45,10 @@ class Witnesses {
     ParticipantId id{};
     announcement::BootNonce boot{};
     base::Duration interval{};
-    base::Instant heard;  ///< by us
-    base::Instant seen;   ///< by others
+    base::Instant heard;           ///< by us
+    base::Instant seen;            ///< by others
+    std::uint16_t said_fold = 0;   ///< of those that it knows
+    base::Instant fold_changed{};  ///< when it first said so
   };
   struct Word {
     ParticipantId from{};
@@ -59,7 +62,9 @@ class Witnesses {
   ParticipantId self_{};
   std::uint64_t self_fold_ = 0;
   std::uint64_t others_fold_ = 0;
-  Members others_;  ///< by ascending identifier
+  Members others_;               ///< by ascending identifier
+  std::uint16_t said_fold_ = 0;  ///< ours, when somebody's was compared with it
+  base::Instant fold_changed_{};
   base::Instant distrusted_until_ = base::Instant::min();
   std::array<Word, 8> words_{};  ///< the last ones; those of one participant that speaks often leave room for others'
   std::size_t next_word_ = 0;

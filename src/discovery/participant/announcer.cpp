@@ -186,7 +186,7 @@ void Announcer::heard_presence(const Heard& heard) {
     }
   }
   if (heard.hearing != membership::Hearing::known) return;
-  if (!core_.neighbours.knows_the_same(presence.witness)) schedule_.differ(now);
+  if (core_.neighbours.differs_newly(presence, now)) schedule_.differ(now);
   if (core_.neighbours.doubts_anybody() && core_.neighbours.hear_doubts(presence.doubts, now)) {
     schedule_.asked_by_another(now);
   }

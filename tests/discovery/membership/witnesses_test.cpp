@@ -68,6 +68,23 @@ TEST(Witnesses, CountOnlyWhoElseHasSpokenOfLate) {
   EXPECT_EQ(ours.words(ParticipantId{4}, now + seconds(3), seconds(2)), 0U);
 }
 
+TEST(Witnesses, DifferNewlyForTwoIntervalsAndAgainWhenSomethingChanges) {
+  auto ours = member_of(4, 1, now);
+  auto presence = presence_of(2, member_of(4, 2, now));
+  EXPECT_FALSE(ours.differs_newly(presence, now)) << "they know the same";
+  ++presence.witness.members;
+  EXPECT_TRUE(ours.differs_newly(presence, now + seconds(1)));
+  EXPECT_TRUE(ours.differs_newly(presence, now + seconds(4)));
+  EXPECT_FALSE(ours.differs_newly(presence, now + seconds(5))) << "they may never hear each other";
+  ours.remove(ParticipantId{4});
+  EXPECT_TRUE(ours.differs_newly(presence, now + seconds(6)));
+  EXPECT_FALSE(ours.differs_newly(presence, now + seconds(11)));
+  ++presence.witness.members;
+  EXPECT_TRUE(ours.differs_newly(presence, now + seconds(12)));
+  presence.participant = ParticipantId{4};
+  EXPECT_FALSE(ours.differs_newly(presence, now + seconds(12))) << "unknown";
+}
+
 TEST(Witnesses, DoNotTestifyByWhatMayHaveBeenSaidWhileTheySlept) {
   auto ours = member_of(3, 1, now);
   ours.distrust_until(now);
