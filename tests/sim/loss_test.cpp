@@ -120,7 +120,7 @@ base::Duration rejoined(double loss, std::uint64_t seed) {
 TEST(Loss, HealsAPartitionSoon) {
   EXPECT_LE(rejoined(0, 50), milliseconds(600));
   EXPECT_LE(rejoined(0.1, 51), milliseconds(700));
-  EXPECT_LE(rejoined(0.3, 52), milliseconds(1000));
+  EXPECT_LE(rejoined(0.3, 52), milliseconds(1500));
   EXPECT_LE(rejoined(0.5, 53), milliseconds(2500));
 }
 

@@ -116,9 +116,13 @@ bool Witnesses::hear(const announcement::Announcement& presence, Instant now) {
 
 Instant Witnesses::seen(ParticipantId id) const { return find(id)->seen; }
 
-std::size_t Witnesses::words(ParticipantId id, Instant now, Duration time) const {
-  const auto counts = [&](const Word& word) { return word.from != id && now - word.at <= time; };
-  const auto said = std::ranges::count_if(std::span(words_).first(std::min(next_word_, words_.size())), counts);
+std::size_t Witnesses::words(ParticipantId id, Instant now, Duration interval) const {
+  const auto in_window = [&](Instant begin, Instant end) {
+    return std::ranges::count_if(std::span(words_).first(std::min(next_word_, words_.size())), [&](const Word& word) {
+      return word.from != id && begin <= word.at && word.at <= end;
+    });
+  };
+  const auto said = std::max(in_window(now - interval, now), in_window(now - 2 * interval, now - interval));
   return std::min(static_cast<std::size_t>(said), enough_witnesses);
 }
 

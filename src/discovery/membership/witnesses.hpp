@@ -37,8 +37,9 @@ class Witnesses {
   bool hear(const announcement::Announcement& presence, base::Instant now);
   /// The latest instant at or after which somebody else has heard it; the beginning of time: nobody said so.
   [[nodiscard]] base::Instant seen(ParticipantId id) const;
-  /// How many words of others than itself were heard within `time`, at most enough_witnesses.
-  [[nodiscard]] std::size_t words(ParticipantId id, base::Instant now, base::Duration time) const;
+  /// How many words of others than itself were heard within `interval`, or within the one before it where that is more;
+  /// at most enough_witnesses.
+  [[nodiscard]] std::size_t words(ParticipantId id, base::Instant now, base::Duration interval) const;
 
  private:
   struct Member {
@@ -66,7 +67,7 @@ class Witnesses {
   std::uint16_t said_fold_ = 0;  ///< ours, when somebody's was compared with it
   base::Instant fold_changed_{};
   base::Instant distrusted_until_ = base::Instant::min();
-  std::array<Word, 8> words_{};  ///< the last ones; those of one participant that speaks often leave room for others'
+  std::array<Word, 16> words_{};  ///< the last ones; those of one participant that speaks often leave room for others'
   std::size_t next_word_ = 0;
 };
 

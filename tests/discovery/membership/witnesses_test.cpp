@@ -65,7 +65,8 @@ TEST(Witnesses, CountOnlyWhoElseHasSpokenOfLate) {
   EXPECT_EQ(ours.words(ParticipantId{2}, now, seconds(2)), 2U);
   EXPECT_EQ(ours.words(ParticipantId{3}, now, seconds(2)), 1U);
   EXPECT_EQ(ours.words(ParticipantId{4}, now, seconds(2)), enough_witnesses);
-  EXPECT_EQ(ours.words(ParticipantId{4}, now + seconds(3), seconds(2)), 0U);
+  EXPECT_EQ(ours.words(ParticipantId{4}, now + seconds(3), seconds(2)), enough_witnesses) << "the interval before";
+  EXPECT_EQ(ours.words(ParticipantId{4}, now + seconds(5), seconds(2)), 0U);
 }
 
 TEST(Witnesses, DifferNewlyForTwoIntervalsAndAgainWhenSomethingChanges) {
