@@ -32,11 +32,11 @@ inline constexpr int service_intervals = 5;
 inline constexpr double wrong_successions = 1e-3;
 /// Who hears that somebody begins its own life anew denies it so often, in this time.
 inline constexpr int denials = 7;
-inline constexpr base::Duration denial_spacing = std::chrono::milliseconds(18);
+inline constexpr base::Duration denial_spacing = std::chrono::milliseconds(15);
 /// Time for one question and its answer, and the least that anybody is given: all denials, and how late the last may
 /// come.
 inline constexpr base::Duration question_time = std::chrono::milliseconds(100);
-inline constexpr base::Duration least_answer_time = std::chrono::milliseconds(150);
+inline constexpr base::Duration least_answer_time = std::chrono::milliseconds(120);
 static_assert(least_answer_time >= denials * denial_spacing);
 /// So many questions fit between the first doubt and the deadline, however short the interval is.
 inline constexpr int least_questions = 3;
