@@ -215,7 +215,7 @@ void NeighbourRecord::succeed(const announcement::Announcement& newcomer, const 
       newcomer.name == header_.value().name && std::ranges::any_of(ways_.all(), [&](const NeighbourWay& way) {
         return way.is_on(arrival.interface) && way.source() == arrival.source;
       });
-  if (!is_same || is_contested_ || !standing_.is_confirmed) return;
+  if (!is_same || is_contested_) return;
   life_.succeed(arrival.now, lasting_interval(arrival.now));
 }
 

@@ -41,6 +41,16 @@ TEST_F(Succession, OfOneThatDoesNotAnswerIsBelievedAtOnce) {
   EXPECT_FALSE(is_known_after(least_answer_time));
 }
 
+TEST(YoungSuccession, OfOneThatWasHeardOnceIsBelieved) {
+  TableRig rig;
+  rig.source = address;
+  (void)rig.hear(speaker(1, 1));
+  (void)rig.hear(next_life(), rig_start + seconds(1));
+  EXPECT_THAT(rig.table.report(rig_start + seconds(1)).doubts, ::testing::ElementsAre(former));
+  rig.table.expire(rig_start + seconds(1) + least_answer_time);
+  EXPECT_FALSE(rig.table.is_known(former));
+}
+
 TEST_F(Succession, OfOneThatNobodyAskedIsNotBelievedBeforeItsDeadline) {
   (void)rig.hear(next_life(), now);
   EXPECT_TRUE(is_known_after(seconds(3)));
