@@ -12,26 +12,12 @@
 
 #include "base/text.hpp"
 #include "discovery/sealing/key_file.hpp"
+#include "env/asio/descriptor.hpp"
 
 namespace geminga::daemon {
 namespace {
 
 std::string last_error() { return std::generic_category().message(errno); }
-
-/// Closes at the end.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 /// A text that wipes itself at the end. It never grows, so that no copy is left behind.
 class SecretText {
@@ -73,17 +59,17 @@ bool write_all(int descriptor, std::string_view text) {
 std::expected<sealing::Key, std::string> read_key_file(const std::string& path) {
   const std::string name = base::printable(path, 4096);
   // A FIFO would wait for a writer without O_NONBLOCK.
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
-  if (file.number() < 0) return std::unexpected(name + ": " + last_error() + ": name a key file");
+  const env::Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  if (file.get() < 0) return std::unexpected(name + ": " + last_error() + ": name a key file");
   struct stat status{};
-  if (::fstat(file.number(), &status) != 0) return std::unexpected(name + ": " + last_error());
+  if (::fstat(file.get(), &status) != 0) return std::unexpected(name + ": " + last_error());
   if (!S_ISREG(status.st_mode)) return std::unexpected(name + ": is not a regular file: name a key file");
   if ((status.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
     return std::unexpected(name + ": its group or others may read or change it, so the key is no secret: chmod 600 " +
                            name);
   }
   SecretText secret(std::string(sealing::max_key_file_bytes + 1, '\0'));
-  if (!read_all(file.number(), secret.text())) return std::unexpected(name + ": " + last_error());
+  if (!read_all(file.get(), secret.text())) return std::unexpected(name + ": " + last_error());
   auto key = sealing::read_key(secret.text());
   if (!key) return std::unexpected(name + ':' + std::to_string(key.error().line) + ": " + key.error().text);
   return *key;
@@ -127,12 +113,13 @@ std::expected<std::string, std::string> generate_key(const std::string& path) {
   SecretText text(sealing::write_key(secret));
   const std::string id = to_string(sealing::Key(secret).id());
   ::explicit_bzero(secret.data(), secret.size());
-  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, S_IRUSR | S_IWUSR));
-  if (file.number() < 0) {
+  const env::Descriptor file(
+      ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, S_IRUSR | S_IWUSR));
+  if (file.get() < 0) {
     return std::unexpected(errno == EEXIST ? name + ": is there already, and a key is never overwritten: name another"
                                            : name + ": " + last_error());
   }
-  if (!write_all(file.number(), text.text())) {
+  if (!write_all(file.get(), text.text())) {
     const std::string why = last_error();
     ::unlink(path.c_str());
     return std::unexpected(name + ": " + why);

@@ -5,13 +5,14 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "discovery/announcement/limits.hpp"
 #include "scenarios/random_faults.hpp"
 #include "scenarios/scenarios.hpp"
 
 namespace geminga::scenarios {
 namespace {
 
-constexpr std::size_t most_participants = 20'000;
+constexpr std::size_t most_participants = announcement::max_participants + 1;  // each may know all others
 constexpr double most_minutes = 7 * 24 * 60;
 
 double number(const std::string& flag, std::string_view text, double least, double most) {

@@ -6,6 +6,8 @@ add_library(geminga_flags INTERFACE)
 set(geminga_client_modules base env identity discovery/gcnp client/cpp)
 target_compile_features(geminga_flags INTERFACE cxx_std_23)
 target_compile_options(geminga_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+# A product and a sum are rounded one after the other on every machine, so that a simulated run has one trace.
+target_compile_options(geminga_flags INTERFACE -ffp-contract=off)
 # std::stable_sort of GCC 12's library uses what it deprecates itself, and clang says so at every instance.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   target_compile_options(geminga_flags INTERFACE -Wno-deprecated-declarations)
@@ -87,7 +89,7 @@ endfunction()
 # ccache needs -fpch-preprocess, and sloppiness = pch_defines,time_macros. -O1 makes GCC report array bounds falsely.
 set(geminga_test_options $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 if(NOT GEMINGA_SANITIZE)
-  list(PREPEND geminga_test_options $<$<CONFIG:RelWithDebInfo>:-O0>)
+  list(PREPEND geminga_test_options $<$<CONFIG:RelWithDebInfo>:-O0> $<$<CONFIG:RelWithDebInfo>:-g0>)
 endif()
 
 # geminga_test_body(TARGET): how every target below tests/ that knows GoogleTest is compiled. Half of the time of such a compilation

@@ -2,7 +2,6 @@
 #include "discovery/membership/deadline.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace geminga::membership {
 
@@ -11,12 +10,14 @@ base::Instant after_intervals(base::Instant seen, base::Duration interval, doubl
 }
 
 base::Duration answer_time(double loss) {
-  const double miss_denials = std::pow(loss, denials);
-  if (miss_denials <= wrong_successions) return least_answer_time;
+  // Multiplied out, since the logarithms of two machines may differ in their last digit.
+  double missed = 1;
+  for (int denial = 0; denial < denials; ++denial) missed *= loss;
   // What is missing is asked for: a question and its answer must both arrive.
   const double miss_round = std::min(1 - (1 - loss) * (1 - loss), 0.9);
-  const double rounds = std::ceil(std::log(wrong_successions / miss_denials) / std::log(miss_round));
-  return after_intervals(base::Instant{} + least_answer_time, question_time, rounds) - base::Instant{};
+  base::Duration time = least_answer_time;
+  for (; missed > wrong_successions; missed *= miss_round) time += question_time;
+  return time;
 }
 
 base::Duration patience(base::Duration interval, const Reception& reception) {

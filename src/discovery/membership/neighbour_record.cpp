@@ -210,11 +210,10 @@ void NeighbourRecord::ask_witnesses(Instant now) {
   if (last != ways_.all().end()) last->deadline = std::max(last->deadline, life_.deadline());
 }
 
-void NeighbourRecord::succeed(const announcement::Announcement& newcomer, const Arrival& arrival) {
-  const bool is_same =
-      newcomer.name == header_.value().name && std::ranges::any_of(ways_.all(), [&](const NeighbourWay& way) {
-        return way.is_on(arrival.interface) && way.source() == arrival.source;
-      });
+void NeighbourRecord::succeed(const Arrival& arrival) {
+  const bool is_same = std::ranges::any_of(ways_.all(), [&](const NeighbourWay& way) {
+    return way.is_on(arrival.interface) && way.source() == arrival.source;
+  });
   if (!is_same || is_contested_) return;
   life_.succeed(arrival.now, lasting_interval(arrival.now));
 }

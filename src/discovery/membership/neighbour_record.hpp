@@ -80,7 +80,7 @@ class NeighbourRecord {
   /// Somebody of its name claims an identifier, or is new, at the address of one of its ways: its own next life, if it
   /// does not show that it lives. Until then it is doubted, and its deadline is near. Once in contest_intervals at
   /// most.
-  void succeed(const announcement::Announcement& newcomer, const Arrival& arrival);
+  void succeed(const Arrival& arrival);
   /// We say in a presence that we doubt it.
   void ask(base::Instant now) { life_.ask(now, answer_time(known_loss())); }
   [[nodiscard]] std::optional<base::Instant> succeeded() const { return life_.succeeded(); }

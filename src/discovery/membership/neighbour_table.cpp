@@ -176,7 +176,7 @@ class NeighbourTable::State final : private ServiceRoom {
     for (const auto id : names_.find({newcomer.name, std::string(arrival.source)})) {
       auto& known = *records_.find(id);
       if (known.second.record->boot() == newcomer.boot) continue;  // it only takes another identifier
-      known.second.record->succeed(newcomer, arrival);
+      known.second.record->succeed(arrival);
       set_due(known, arrival.now);
     }
   }

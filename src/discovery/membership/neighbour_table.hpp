@@ -87,7 +87,7 @@ struct Path {
 struct Neighbour {
   ParticipantId id{};
   announcement::BootNonce boot{};
-  std::string name;
+  std::string name;  ///< the identifier where it says none
   std::uint64_t ontology_digest = 0;
   base::Duration interval{};
   base::Instant heard;

@@ -58,7 +58,8 @@ void Schedule::set_size(std::size_t datagrams) { size_ = std::max<std::int64_t>(
 void Schedule::set_doublings(std::uint8_t doublings, Instant now) {
   if (doublings == doublings_) return;
   doublings_ = doublings;
-  announced_until_slower_ = announced_before_slower;
+  const bool is_slower = said_interval() > interval_;
+  announced_until_slower_ = is_slower ? announced_before_slower : 0;
   if (said_interval() >= interval_) return;
   interval_ = said_interval();
   if (periodic_ != never) periodic_ = std::min(periodic_, now + spread(interval_, interval_jitter));

@@ -12,7 +12,7 @@ namespace {
 
 std::string name_of(const Core& core, ParticipantId id, std::uint64_t digest) {
   const auto neighbour = core.neighbours.find(id);
-  const std::string name = neighbour && !neighbour->name.empty() ? neighbour->name : to_string(id);
+  const std::string name = neighbour ? neighbour->name : to_string(id);
   return base::printable(name) + " (" + digest_word(digest) + ")";
 }
 

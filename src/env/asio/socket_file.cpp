@@ -18,27 +18,12 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "env/asio/descriptor.hpp"
 
 namespace geminga::env {
 namespace {
 
 constexpr mode_t socket_mode = 0660;
-
-/// A descriptor that is closed when it goes.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int get() const { return number_; }
-  [[nodiscard]] int release() { return std::exchange(number_, -1); }
-
- private:
-  int number_;
-};
 
 std::string system_words() { return std::generic_category().message(errno); }
 

@@ -54,7 +54,7 @@ Answered answer(Core& core, const gcnp::QueryOntology&) {
     if (neighbour.ontology_digest == core.digest()) return;
     Line line;
     append(line, "other", to_string(neighbour.id));
-    append(line, "name", neighbour.name.empty() ? to_string(neighbour.id) : neighbour.name);
+    append(line, "name", neighbour.name);
     append(line, "ontology", digest_word(neighbour.ontology_digest));
     answer.lines.push_back(std::move(line));
   });

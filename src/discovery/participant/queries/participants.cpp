@@ -46,7 +46,7 @@ Line ourselves(const Core& core) {
 Line line_of(const Core& core, const membership::Neighbour& neighbour) {
   Line line;
   append(line, "id", to_string(neighbour.id));
-  append(line, "name", neighbour.name.empty() ? to_string(neighbour.id) : neighbour.name);
+  append(line, "name", neighbour.name);
   append_stated(line, "addresses", addresses_of(neighbour));
   append(line, "heard", seconds(core.env.now() - neighbour.heard));
   append(line, "interval", seconds(neighbour.interval));

@@ -44,7 +44,7 @@ Line outcome_line(const sealing::Outcome& outcome, std::size_t count) {
 Line member_line(const Core& core, const membership::Neighbour& neighbour) {
   Line line;
   append(line, "participant", to_string(neighbour.id));
-  append(line, "name", neighbour.name.empty() ? to_string(neighbour.id) : neighbour.name);
+  append(line, "name", neighbour.name);
   const auto sealing = core.seal.sealing_of(neighbour.id);
   if (!sealing) {
     append(line, "protection", std::string(to_string(sealing::Protection::plain)));
