@@ -25,7 +25,7 @@ constexpr std::string_view program_name = "geminga-ontology";
 constexpr std::string_view compiled_suffix = ".geminga";
 /// Of what the compiler says, so many lines of so many octets are shown.
 constexpr std::size_t max_lines = 40;
-constexpr std::size_t max_line_bytes = 1000;
+constexpr std::size_t max_child_line_bytes = 1000;
 
 /// How long a robot's ontology is searched for what follows: a quarter of what the child may take in all. What is not
 /// settled by then is undecided, and the robot matches by the rest.
@@ -42,7 +42,7 @@ std::vector<std::string> lines_of(std::string_view words) {
     words.remove_prefix(std::min(end + 1, words.size()));
     const std::string prefix = std::string(program_name) + ": ";
     if (line.starts_with(prefix)) line.remove_prefix(prefix.size());
-    if (!line.empty()) lines.push_back(base::printable(line, max_line_bytes));
+    if (!line.empty()) lines.push_back(base::printable(line, max_child_line_bytes));
   }
   return lines;
 }

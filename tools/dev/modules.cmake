@@ -36,7 +36,7 @@ endif()
 # The preset dev compiles each by itself, so that a missing #include is found there, and tools/dev/lint uses it.
 function(geminga_united target)
   if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
     # It asks whether a type of an unnamed namespace stands in a header, which is what a united file looks like to it.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()

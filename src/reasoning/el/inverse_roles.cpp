@@ -8,8 +8,8 @@
 namespace geminga::el {
 namespace {
 
-constexpr std::size_t max_states = 200;                  // of an automaton
-constexpr std::size_t max_pairs = std::size_t{1} << 22;  // of roles that are asked for and roles of links
+constexpr std::size_t max_states = 200;                          // of an automaton
+constexpr std::size_t max_inverse_pairs = std::size_t{1} << 22;  // of roles that are asked for and roles of links
 
 owl::Role role_of(RoleId role, bool is_inverse) {
   return {owl::PropertyId{static_cast<std::uint32_t>(role)}, is_inverse};
@@ -106,7 +106,7 @@ InverseRoles::InverseRoles(const IndexedOntology& index, std::span<const Inverse
     owl::Automaton one_link;
     one_link.add_move(owl::Automaton::begin, role, owl::Automaton::end);
     pairs += roles.count();
-    if (pairs > max_pairs) {
+    if (pairs > max_inverse_pairs) {
       is_known_.assign(roles.count(), false);
       return;
     }

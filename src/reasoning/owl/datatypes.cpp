@@ -20,13 +20,13 @@ constexpr std::string_view owl = "http://www.w3.org/2002/07/owl#";
 
 /// How much of a family a datatype holds. Of numbers: which digits are allowed, and bounds as decimal integers ("":
 /// none). Of texts: the position in the chain of ever smaller types.
-enum class Shape : std::uint8_t { whole_family, rational, decimal, integer, text_chain, time_with_zone };
+enum class ValueSpace : std::uint8_t { whole_family, rational, decimal, integer, text_chain, time_with_zone };
 
 struct Row {
   std::string_view prefix;
   std::string_view name;
   DataFamily family;
-  Shape shape;
+  ValueSpace space;
   std::string_view low;
   std::string_view high;
   std::uint8_t chain = 0;
@@ -34,42 +34,42 @@ struct Row {
 
 using enum DataFamily;
 constexpr std::array rows = {
-    Row{owl, "real", number, Shape::whole_family, "", ""},
-    Row{owl, "rational", number, Shape::rational, "", ""},
-    Row{xsd, "decimal", number, Shape::decimal, "", ""},
-    Row{xsd, "integer", number, Shape::integer, "", ""},
-    Row{xsd, "nonNegativeInteger", number, Shape::integer, "0", ""},
-    Row{xsd, "positiveInteger", number, Shape::integer, "1", ""},
-    Row{xsd, "nonPositiveInteger", number, Shape::integer, "", "0"},
-    Row{xsd, "negativeInteger", number, Shape::integer, "", "-1"},
-    Row{xsd, "long", number, Shape::integer, "-9223372036854775808", "9223372036854775807"},
-    Row{xsd, "int", number, Shape::integer, "-2147483648", "2147483647"},
-    Row{xsd, "short", number, Shape::integer, "-32768", "32767"},
-    Row{xsd, "byte", number, Shape::integer, "-128", "127"},
-    Row{xsd, "unsignedLong", number, Shape::integer, "0", "18446744073709551615"},
-    Row{xsd, "unsignedInt", number, Shape::integer, "0", "4294967295"},
-    Row{xsd, "unsignedShort", number, Shape::integer, "0", "65535"},
-    Row{xsd, "unsignedByte", number, Shape::integer, "0", "255"},
+    Row{owl, "real", number, ValueSpace::whole_family, "", ""},
+    Row{owl, "rational", number, ValueSpace::rational, "", ""},
+    Row{xsd, "decimal", number, ValueSpace::decimal, "", ""},
+    Row{xsd, "integer", number, ValueSpace::integer, "", ""},
+    Row{xsd, "nonNegativeInteger", number, ValueSpace::integer, "0", ""},
+    Row{xsd, "positiveInteger", number, ValueSpace::integer, "1", ""},
+    Row{xsd, "nonPositiveInteger", number, ValueSpace::integer, "", "0"},
+    Row{xsd, "negativeInteger", number, ValueSpace::integer, "", "-1"},
+    Row{xsd, "long", number, ValueSpace::integer, "-9223372036854775808", "9223372036854775807"},
+    Row{xsd, "int", number, ValueSpace::integer, "-2147483648", "2147483647"},
+    Row{xsd, "short", number, ValueSpace::integer, "-32768", "32767"},
+    Row{xsd, "byte", number, ValueSpace::integer, "-128", "127"},
+    Row{xsd, "unsignedLong", number, ValueSpace::integer, "0", "18446744073709551615"},
+    Row{xsd, "unsignedInt", number, ValueSpace::integer, "0", "4294967295"},
+    Row{xsd, "unsignedShort", number, ValueSpace::integer, "0", "65535"},
+    Row{xsd, "unsignedByte", number, ValueSpace::integer, "0", "255"},
     // The chain of texts: plain literals may have a language, strings have none, and each further type is part of the
     // one before it.
-    Row{rdf, "PlainLiteral", text, Shape::text_chain, "", "", 0},
-    Row{xsd, "string", text, Shape::text_chain, "", "", 1},
-    Row{xsd, "normalizedString", text, Shape::text_chain, "", "", 2},
-    Row{xsd, "token", text, Shape::text_chain, "", "", 3},
-    Row{xsd, "NMTOKEN", text, Shape::text_chain, "", "", 4},
-    Row{xsd, "Name", text, Shape::text_chain, "", "", 5},
-    Row{xsd, "NCName", text, Shape::text_chain, "", "", 6},
-    Row{xsd, "language", text, Shape::text_chain, "", "", 7},
-    Row{rdf, "langString", text, Shape::text_chain, "", "", 255},
-    Row{xsd, "double", double_, Shape::whole_family, "", ""},
-    Row{xsd, "float", float_, Shape::whole_family, "", ""},
-    Row{xsd, "boolean", boolean, Shape::whole_family, "", ""},
-    Row{xsd, "hexBinary", hex, Shape::whole_family, "", ""},
-    Row{xsd, "base64Binary", base64, Shape::whole_family, "", ""},
-    Row{xsd, "anyURI", uri, Shape::whole_family, "", ""},
-    Row{xsd, "dateTime", DataFamily::time, Shape::whole_family, "", ""},
-    Row{xsd, "dateTimeStamp", DataFamily::time, Shape::time_with_zone, "", ""},
-    Row{rdf, "XMLLiteral", xml, Shape::whole_family, "", ""},
+    Row{rdf, "PlainLiteral", text, ValueSpace::text_chain, "", "", 0},
+    Row{xsd, "string", text, ValueSpace::text_chain, "", "", 1},
+    Row{xsd, "normalizedString", text, ValueSpace::text_chain, "", "", 2},
+    Row{xsd, "token", text, ValueSpace::text_chain, "", "", 3},
+    Row{xsd, "NMTOKEN", text, ValueSpace::text_chain, "", "", 4},
+    Row{xsd, "Name", text, ValueSpace::text_chain, "", "", 5},
+    Row{xsd, "NCName", text, ValueSpace::text_chain, "", "", 6},
+    Row{xsd, "language", text, ValueSpace::text_chain, "", "", 7},
+    Row{rdf, "langString", text, ValueSpace::text_chain, "", "", 255},
+    Row{xsd, "double", double_, ValueSpace::whole_family, "", ""},
+    Row{xsd, "float", float_, ValueSpace::whole_family, "", ""},
+    Row{xsd, "boolean", boolean, ValueSpace::whole_family, "", ""},
+    Row{xsd, "hexBinary", hex, ValueSpace::whole_family, "", ""},
+    Row{xsd, "base64Binary", base64, ValueSpace::whole_family, "", ""},
+    Row{xsd, "anyURI", uri, ValueSpace::whole_family, "", ""},
+    Row{xsd, "dateTime", DataFamily::time, ValueSpace::whole_family, "", ""},
+    Row{xsd, "dateTimeStamp", DataFamily::time, ValueSpace::time_with_zone, "", ""},
+    Row{rdf, "XMLLiteral", xml, ValueSpace::whole_family, "", ""},
 };
 constexpr std::uint8_t lang_string_chain = 255;
 
@@ -228,8 +228,8 @@ std::optional<std::string> canonical_base64(std::string packed) {
 }
 
 std::optional<std::string> canonical_number(const Row& row, std::string_view text, bool& is_exact) {
-  if (row.shape == Shape::whole_family) return std::nullopt;  // owl:real has no lexical forms
-  if (row.shape == Shape::rational) {
+  if (row.space == ValueSpace::whole_family) return std::nullopt;  // owl:real has no lexical forms
+  if (row.space == ValueSpace::rational) {
     const std::size_t slash = text.find('/');
     if (slash == std::string_view::npos) return std::nullopt;
     const auto over = canonical_decimal(text.substr(slash + 1), false);
@@ -239,7 +239,7 @@ std::optional<std::string> canonical_number(const Row& row, std::string_view tex
     is_exact = false;  // fractions are not reduced here
     return *count + "/" + *over;
   }
-  auto value = canonical_decimal(text, row.shape == Shape::decimal);
+  auto value = canonical_decimal(text, row.space == ValueSpace::decimal);
   if (!value || !is_at_least(*value, row.low) || !is_at_most(*value, row.high)) return std::nullopt;
   return value;
 }
@@ -268,7 +268,7 @@ std::optional<std::string> canonical_form(const Row& row, std::string_view lexic
     case DataFamily::time: {
       auto value = canonical_time(trimmed, is_exact);
       const bool has_zone = value && (value->ends_with('Z') || value->rfind(':') > value->find('T') + 6);
-      if (row.shape == Shape::time_with_zone && !has_zone) return std::nullopt;
+      if (row.space == ValueSpace::time_with_zone && !has_zone) return std::nullopt;
       return value;
     }
     default:
@@ -295,14 +295,14 @@ bool Datatype::is_within(owl::Datatype other) const {
   const Row& a = rows[row_];
   const Row& b = rows[other.row_];
   if (a.family != b.family) return false;
-  if (row_ == other.row_ || b.shape == Shape::whole_family) return true;
+  if (row_ == other.row_ || b.space == ValueSpace::whole_family) return true;
   if (a.family == text) {
     if (a.chain == lang_string_chain || b.chain == lang_string_chain) return b.chain == 0;
     return a.chain >= b.chain;
   }
   if (a.family != number) return false;
-  if (a.shape < b.shape) return false;
-  if (b.shape != Shape::integer) return true;
+  if (a.space < b.space) return false;
+  if (b.space != ValueSpace::integer) return true;
   return (b.low.empty() || (!a.low.empty() && is_at_least(a.low, b.low))) &&
          (b.high.empty() || (!a.high.empty() && is_at_most(a.high, b.high)));
 }
@@ -315,7 +315,7 @@ bool Datatype::is_disjoint(owl::Datatype other) const {
     const bool one_has_language = (a.chain == lang_string_chain) != (b.chain == lang_string_chain);
     return one_has_language && a.chain != 0 && b.chain != 0;
   }
-  if (a.shape != Shape::integer || b.shape != Shape::integer) return false;
+  if (a.space != ValueSpace::integer || b.space != ValueSpace::integer) return false;
   const auto is_above = [](const Row& upper, const Row& lower) {
     return !upper.low.empty() && !lower.high.empty() && is_less(lower.high, upper.low);
   };
@@ -325,7 +325,7 @@ bool Datatype::is_disjoint(owl::Datatype other) const {
 bool Datatype::is_finite() const {
   const Row& row = rows[row_];
   return row.family == boolean || row.family == double_ || row.family == float_ ||
-         (row.shape == Shape::integer && !row.low.empty() && !row.high.empty());
+         (row.space == ValueSpace::integer && !row.low.empty() && !row.high.empty());
 }
 
 std::optional<owl::DataValue> DataValue::read(std::string_view lexical, std::string_view datatype_iri,
@@ -347,15 +347,15 @@ std::optional<owl::DataValue> DataValue::read(std::string_view lexical, std::str
 bool DataValue::is_in(owl::Datatype type) const {
   const Row& row = rows[type.row_];
   if (row.family != family) return false;
-  if (row.shape == Shape::whole_family) return true;
+  if (row.space == ValueSpace::whole_family) return true;
   if (family == text) {
     if (canonical.front() == 'l') return row.chain == 0 || row.chain == lang_string_chain;
     return row.chain != lang_string_chain && chain_of(std::string_view(canonical).substr(1)) >= row.chain;
   }
   if (family == number) {
-    if (row.shape == Shape::rational) return true;
+    if (row.space == ValueSpace::rational) return true;
     if (canonical.find('/') != std::string::npos) return false;
-    if (row.shape == Shape::decimal) return true;
+    if (row.space == ValueSpace::decimal) return true;
     return canonical.find('.') == std::string::npos && is_at_least(canonical, row.low) &&
            is_at_most(canonical, row.high);
   }

@@ -11,7 +11,7 @@ namespace geminga::reasoner {
 namespace {
 
 constexpr std::size_t max_clauses_of_a_question = 500'000;
-constexpr std::uint32_t max_levels = 500;  // as SourceLimits::nesting, of expressions that are in no axiom
+constexpr std::uint32_t max_expression_levels = 500;  // as SourceLimits::nesting, of expressions that are in no axiom
 
 bool is_subsumed_in_el(const owl::Ontology& source, std::optional<std::span<const std::uint32_t>> axioms,
                        owl::TermId sub, owl::TermId super) {
@@ -27,8 +27,8 @@ bool is_subsumed_in_el(const owl::Ontology& source, std::optional<std::span<cons
 Answer entails(const owl::Ontology& source, std::optional<std::span<const std::uint32_t>> axioms, owl::TermId sub,
                owl::TermId super, base::Budget* budget) {
   if (source.problem()) return {Verdict::unknown, *source.problem()};
-  if (source.depth(sub) > max_levels || source.depth(super) > max_levels)
-    return {Verdict::unknown, "an expression nests over " + std::to_string(max_levels) + " levels"};
+  if (source.depth(sub) > max_expression_levels || source.depth(super) > max_expression_levels)
+    return {Verdict::unknown, "an expression nests over " + std::to_string(max_expression_levels) + " levels"};
   if (is_subsumed_in_el(source, axioms, sub, super)) return {Verdict::yes, {}};
   const auto clauses = clauses::clausify(source, axioms, std::span(&sub, 1), std::span(&super, 1));
   if (!clauses) return {Verdict::unknown, clauses.error().text};

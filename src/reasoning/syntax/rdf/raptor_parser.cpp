@@ -26,7 +26,7 @@ namespace geminga::rdf {
 namespace {
 
 /// libxml2 goes on to the end of a chunk after an error, and reports every other one in it.
-constexpr std::size_t chunk_bytes = std::size_t{1} << 16;
+constexpr std::size_t piece_bytes = std::size_t{1} << 16;
 
 /// Declared external entities are empty: libxml2 opens nothing.
 xmlParserInputPtr no_external_entity(const char*, const char*, xmlParserCtxtPtr) { return nullptr; }
@@ -272,7 +272,7 @@ void RaptorParser::World::parse_piece(std::size_t number) {
   std::size_t released = std::max(piece.begin, preamble);
   std::size_t at = number == 0 ? view.size() - base::without_mark(view).size() : piece.begin;
   while (at < end) {
-    const std::size_t next = std::min(at + chunk_bytes, end);
+    const std::size_t next = std::min(at + piece_bytes, end);
     if (!parse(view.substr(at, next - at), false)) return;
     released = file->bytes.release(released, next);
     at = next;
