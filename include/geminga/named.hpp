@@ -49,6 +49,9 @@ struct NamedSubscription {
   std::string address;
   Attributes attributes;
   std::vector<std::string> protocols{};
+  std::vector<ProviderFilter> favoured{};
+  std::string prefer{};
+  std::string rank{};
   friend bool operator==(const NamedSubscription&, const NamedSubscription&) = default;
 };
 
@@ -86,7 +89,10 @@ struct SubscriptionChange {
   std::optional<std::uint16_t> port;
   std::optional<std::string> address;
   Attributes attributes;  ///< added to those that are there; one of the same key takes its place
-  std::optional<std::vector<std::string>> protocols{};  ///< empty: any protocol again
+  std::optional<std::vector<std::string>> protocols{};    ///< empty: any protocol again
+  std::optional<std::vector<ProviderFilter>> favoured{};  ///< empty: nobody any more
+  std::optional<std::string> prefer{};                    ///< empty: nothing any more
+  std::optional<std::string> rank{};                      ///< empty: the usual order again
   friend bool operator==(const SubscriptionChange&, const SubscriptionChange&) = default;
 };
 

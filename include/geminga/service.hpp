@@ -69,8 +69,8 @@ struct Publication {
   friend bool operator==(const Publication&, const Publication&) = default;
 };
 
-/// One provider that a consumer accepts: a participant by id or by name, and perhaps one of its peers, by id or by
-/// name.
+/// One provider that a consumer accepts or favours: a participant by id or by name, and perhaps one of its peers, by id
+/// or by name.
 struct ProviderFilter {
   std::string participant;
   std::string peer;  ///< empty: any peer
@@ -89,7 +89,10 @@ struct Subscription {
   std::uint16_t port = 0;  ///< where the consumer can be reached; 0: unstated
   std::string address;     ///< as in Publication
   Attributes attributes;
-  std::vector<std::string> protocols{};  ///< only publications with one of these; empty: any
+  std::vector<std::string> protocols{};    ///< only publications with one of these; empty: any
+  std::vector<ProviderFilter> favoured{};  ///< first these providers, in this order, then all others
+  std::string prefer{};  ///< whose attributes come first (src/discovery/matching/PREFERENCES.md); empty: nobody's
+  std::string rank{};    ///< by what providers are ranked first; empty: the usual order
   friend bool operator==(const Subscription&, const Subscription&) = default;
 };
 

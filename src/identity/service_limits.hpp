@@ -22,8 +22,11 @@ inline constexpr std::size_t max_attribute_key_bytes = 64;
 inline constexpr std::size_t max_attribute_value_bytes = 255;
 /// A `where` expression, in octets.
 inline constexpr std::size_t max_where_bytes = 400;
-/// Provider filters of one subscription.
+/// Provider filters of one subscription, and providers that it favours.
 inline constexpr std::size_t max_provider_filters = 16;
+/// What it prefers, and by what it ranks, in octets.
+inline constexpr std::size_t max_prefer_bytes = 200;
+inline constexpr std::size_t max_rank_bytes = 64;
 
 }  // namespace geminga
 

@@ -34,6 +34,7 @@ struct Options {
   NamedSubscription subscription;  ///< without its identity
   std::vector<NamedIdentity> identities;
   std::vector<std::string> providers;
+  std::vector<std::string> favoured;
   std::optional<std::uint32_t> limit;
   std::uint64_t count = 0;
 };
@@ -56,6 +57,16 @@ void add_to(CLI::App& app, Options& options) {
       ->type_name("P")
       ->delimiter(',')
       ->allow_extra_args(false);
+  app.add_option("--favour", options.favoured, "First these providers, in this order, then all others")
+      ->type_name("PARTICIPANT[/PEER]")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--prefer", options.subscription.prefer,
+                 "First those whose attributes are best, e.g. 'accuracy asc by 5 cm, rate desc'")
+      ->type_name("WISHES");
+  app.add_option("--rank", options.subscription.rank,
+                 "By what providers are ranked first: favour, priority, prefer, degree, distance, with commas")
+      ->type_name("CRITERIA");
   app.add_option("--priority", options.subscription.priority, "Told to the provider")->type_name("K");
   app.add_option("--port", options.subscription.port, "Where this consumer can be reached; told to the provider")
       ->type_name("1..65535")
@@ -64,6 +75,18 @@ void add_to(CLI::App& app, Options& options) {
   app.add_option("--count", options.count, "End after this many events; 0: never")
       ->type_name("N")
       ->check(CLI::Range(0.0, 1e15).description(""));  // the sign of an unsigned number is not looked at otherwise
+}
+
+/// Throws CLI::ValidationError.
+std::vector<ProviderFilter> providers_of(const std::string& flag, const std::vector<std::string>& words) {
+  std::vector<ProviderFilter> providers;
+  for (const auto& word : words) {
+    const auto slash = word.find('/');
+    const std::string participant = word.substr(0, slash);
+    if (participant.empty()) throw CLI::ValidationError(flag, "must be PARTICIPANT or PARTICIPANT/PEER");
+    providers.push_back({participant, slash == std::string::npos ? "" : word.substr(slash + 1)});
+  }
+  return providers;
 }
 
 /// Checks what flags cannot say alone. Throws CLI::ValidationError.
@@ -85,13 +108,8 @@ void complete(Options& options) {
   }
   options.subscription.mode = options.shared.mode_or_stream();
   options.subscription.limit = options.limit;
-  for (const auto& provider : options.providers) {
-    const auto slash = provider.find('/');
-    const std::string participant = provider.substr(0, slash);
-    if (participant.empty()) throw CLI::ValidationError("--provider", "must be PARTICIPANT or PARTICIPANT/PEER");
-    const std::string peer = slash == std::string::npos ? "" : provider.substr(slash + 1);
-    options.subscription.providers.push_back({participant, peer});
-  }
+  options.subscription.providers = providers_of("--provider", options.providers);
+  options.subscription.favoured = providers_of("--favour", options.favoured);
 }
 
 std::expected<void, ClientError> begin(const Options& options, Client& client) {

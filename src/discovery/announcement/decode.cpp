@@ -179,6 +179,11 @@ Decoded<NumberedSubscription> subscription_of(const wire::Subscription& message,
   subscription.where = message.where();
   subscription.limit = message.limit();
   subscription.protocols.assign(message.protocols().begin(), message.protocols().end());
+  for (const auto& provider : message.favoured()) {
+    subscription.favoured.push_back({provider.participant(), provider.peer()});
+  }
+  subscription.prefer = message.prefer();
+  subscription.rank = message.rank();
   if (const auto fault = find_fault(subscription)) return Failure(fault->word);
   return numbered;
 }

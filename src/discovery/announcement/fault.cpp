@@ -131,27 +131,36 @@ Found protocols_fault(const std::vector<std::string>& protocols) {
   return std::nullopt;
 }
 
-Found filters_fault(const Subscription& subscription) {
+Found providers_fault(const std::vector<ProviderFilter>& providers) {
   constexpr auto word = DecodeError::bad_filter;
-  if (subscription.providers.size() > max_provider_filters) {
+  if (providers.size() > max_provider_filters) {
     return fault(word, ErrorCode::too_large,
-                 std::to_string(subscription.providers.size()) + " providers are too many: at most " +
+                 std::to_string(providers.size()) + " providers are too many: at most " +
                      std::to_string(max_provider_filters) + " can be announced");
   }
-  for (const auto& filter : subscription.providers) {
+  for (const auto& filter : providers) {
     if (!is_valid_name(filter.participant) || (!filter.peer.empty() && !is_valid_name(filter.peer))) {
       return fault(word, ErrorCode::malformed,
                    "provider " + base::printable(filter.participant + (filter.peer.empty() ? "" : "/" + filter.peer)) +
                        " is no PARTICIPANT or PARTICIPANT/PEER");
     }
   }
-  if (subscription.where.size() > max_where_bytes) {
-    return oversized(word, "where", subscription.where.size(), max_where_bytes);
-  }
-  if (!is_free_text(subscription.where)) {
-    return fault(word, ErrorCode::malformed, "where must be UTF-8 without control characters");
-  }
   return std::nullopt;
+}
+
+Found filter_fault(std::string_view what, const std::string& text, std::size_t most) {
+  if (text.size() > most) return oversized(DecodeError::bad_filter, what, text.size(), most);
+  if (is_free_text(text)) return std::nullopt;
+  return fault(DecodeError::bad_filter, ErrorCode::malformed,
+               std::string(what) + " must be UTF-8 without control characters");
+}
+
+Found filters_fault(const Subscription& subscription) {
+  if (auto found = providers_fault(subscription.providers)) return found;
+  if (auto found = filter_fault("where", subscription.where, max_where_bytes)) return found;
+  if (auto found = providers_fault(subscription.favoured)) return found;
+  if (auto found = filter_fault("prefer", subscription.prefer, max_prefer_bytes)) return found;
+  return filter_fault("rank", subscription.rank, max_rank_bytes);
 }
 
 }  // namespace

@@ -61,6 +61,11 @@ void write_common(const Service& service, TermTable& terms, Message& message) {
   }
 }
 
+void write(const ProviderFilter& filter, wire::ProviderFilter& message) {
+  message.set_participant(filter.participant);
+  message.set_peer(filter.peer);
+}
+
 }  // namespace
 
 std::string address_octets(const std::string& text) {
@@ -81,14 +86,13 @@ wire::Subscription to_wire(const NumberedSubscription& numbered, TermTable& term
   message.set_number(numbered.number);
   write_common(numbered.subscription, terms, message);
   message.set_weakest(to_wire(numbered.subscription.weakest));
-  for (const auto& filter : numbered.subscription.providers) {
-    auto* provider = message.add_providers();
-    provider->set_participant(filter.participant);
-    provider->set_peer(filter.peer);
-  }
+  for (const auto& filter : numbered.subscription.providers) write(filter, *message.add_providers());
   message.set_where(numbered.subscription.where);
   message.set_limit(numbered.subscription.limit);
   for (const auto& protocol : numbered.subscription.protocols) message.add_protocols(protocol);
+  for (const auto& favoured : numbered.subscription.favoured) write(favoured, *message.add_favoured());
+  message.set_prefer(numbered.subscription.prefer);
+  message.set_rank(numbered.subscription.rank);
   return message;
 }
 

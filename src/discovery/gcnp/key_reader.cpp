@@ -121,8 +121,8 @@ std::optional<Degree> KeyReader::degree(std::string_view key) {
   return degree;
 }
 
-std::optional<std::vector<ProviderFilter>> KeyReader::providers() {
-  const auto given = value("provider");
+std::optional<std::vector<ProviderFilter>> KeyReader::providers(std::string_view key) {
+  const auto given = value(key);
   if (!given) return std::nullopt;
   std::vector<ProviderFilter> providers;
   std::string_view rest = *given;
@@ -136,17 +136,17 @@ std::optional<std::vector<ProviderFilter>> KeyReader::providers() {
     ProviderFilter provider{std::string(item.substr(0, slash)), std::string(names_peer ? item.substr(slash + 1) : "")};
     if (provider.participant.empty() || (names_peer && provider.peer.empty()) || provider.peer.contains('/') ||
         (!is_last && rest.empty())) {
-      fail_value("provider", "PARTICIPANT or PARTICIPANT/PEER, or several of them with commas");
+      fail_value(key, "PARTICIPANT or PARTICIPANT/PEER, or several of them with commas");
       return std::nullopt;
     }
     if (provider.participant.size() > max_name_bytes || provider.peer.size() > max_name_bytes) {
       fail(ErrorCode::too_large,
-           "a name in provider is too long: at most " + std::to_string(max_name_bytes) + " octets");
+           "a name in " + std::string(key) + " is too long: at most " + std::to_string(max_name_bytes) + " octets");
       return std::nullopt;
     }
     if (providers.size() == max_provider_filters) {
       fail(ErrorCode::too_large,
-           "provider is too long: at most " + std::to_string(max_provider_filters) + " providers");
+           std::string(key) + " is too long: at most " + std::to_string(max_provider_filters) + " providers");
       return std::nullopt;
     }
     providers.push_back(std::move(provider));

@@ -38,7 +38,7 @@ class KeyReader {
   std::optional<std::string> address();
   std::optional<ChannelMode> mode();
   std::optional<Degree> degree(std::string_view key);
-  std::optional<std::vector<ProviderFilter>> providers();
+  std::optional<std::vector<ProviderFilter>> providers(std::string_view key);
   /// Words with commas; none for the empty value.
   std::optional<std::vector<std::string>> protocols();
   std::optional<ServiceKey> service_key(std::string_view key);

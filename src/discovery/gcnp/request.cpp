@@ -61,13 +61,16 @@ Request read_sub_create(KeyReader& keys) {
   subscription.mode = mode.value_or(subscription.mode);
   subscription.identity = std::move(identity).value_or(NamedIdentity{});
   subscription.weakest = keys.degree("match").value_or(Degree::narrower);
-  subscription.providers = keys.providers().value_or(std::vector<ProviderFilter>{});
+  subscription.providers = keys.providers("provider").value_or(std::vector<ProviderFilter>{});
   subscription.where = keys.text("where", max_where_bytes).value_or("");
   subscription.limit = keys.number("limit");
   subscription.priority = keys.priority().value_or(0);
   subscription.port = keys.port().value_or(0);
   subscription.address = keys.address().value_or("");
   subscription.protocols = keys.protocols().value_or(std::vector<std::string>{});
+  subscription.favoured = keys.providers("favour").value_or(std::vector<ProviderFilter>{});
+  subscription.prefer = keys.text("prefer", max_prefer_bytes).value_or("");
+  subscription.rank = keys.text("rank", max_rank_bytes).value_or("");
   subscription.attributes = keys.attributes();
   return SubCreate{std::move(subscription)};
 }
@@ -78,13 +81,16 @@ Request read_sub_modify(KeyReader& keys) {
   change.identity = keys.identity_change();
   change.mode = keys.mode();
   change.weakest = keys.degree("match");
-  change.providers = keys.providers();
+  change.providers = keys.providers("provider");
   change.where = keys.text("where", max_where_bytes);
   change.limit = keys.number("limit");
   change.priority = keys.priority();
   change.port = keys.port();
   change.address = keys.address();
   change.protocols = keys.protocols();
+  change.favoured = keys.providers("favour");
+  change.prefer = keys.text("prefer", max_prefer_bytes);
+  change.rank = keys.text("rank", max_rank_bytes);
   change.attributes = keys.attributes();
   return change;
 }
@@ -95,7 +101,7 @@ ListFilter read_list_filter(KeyReader& keys) {
   ListFilter filter;
   filter.identity = keys.identity();
   filter.mode = keys.mode();
-  filter.providers = keys.providers().value_or(std::vector<ProviderFilter>{});
+  filter.providers = keys.providers("provider").value_or(std::vector<ProviderFilter>{});
   filter.text = keys.text("filter", max_filter_bytes).value_or("");
   return filter;
 }
@@ -117,7 +123,7 @@ Request read_query_match(KeyReader& keys) {
   query.identity = keys.identity();
   query.weakest = keys.degree("degree").value_or(Degree::narrower);
   query.mode = keys.mode();
-  query.providers = keys.providers().value_or(std::vector<ProviderFilter>{});
+  query.providers = keys.providers("provider").value_or(std::vector<ProviderFilter>{});
   query.where = keys.text("where", max_where_bytes).value_or("");
   query.limit = keys.number("limit").value_or(0);
   return query;
@@ -216,9 +222,20 @@ Publication with_identity(const NamedPublication& named, Identity identity) {
 
 Subscription with_identity(const NamedSubscription& named, Identity identity) {
   const std::uint32_t usual = named.mode == ChannelMode::one_to_one ? 1 : 0;
-  return {
-      named.mode,     std::move(identity), named.weakest, named.providers,  named.where,    named.limit.value_or(usual),
-      named.priority, named.port,          named.address, named.attributes, named.protocols};
+  return {.mode = named.mode,
+          .identity = std::move(identity),
+          .weakest = named.weakest,
+          .providers = named.providers,
+          .where = named.where,
+          .limit = named.limit.value_or(usual),
+          .priority = named.priority,
+          .port = named.port,
+          .address = named.address,
+          .attributes = named.attributes,
+          .protocols = named.protocols,
+          .favoured = named.favoured,
+          .prefer = named.prefer,
+          .rank = named.rank};
 }
 
 namespace {
@@ -246,6 +263,9 @@ void apply(const SubModify& change, Subscription& subscription) {
   subscription.where = change.where.value_or(subscription.where);
   subscription.limit = change.limit.value_or(subscription.limit);
   subscription.protocols = change.protocols.value_or(subscription.protocols);
+  subscription.favoured = change.favoured.value_or(subscription.favoured);
+  subscription.prefer = change.prefer.value_or(subscription.prefer);
+  subscription.rank = change.rank.value_or(subscription.rank);
 }
 
 bool matches_text(const Statement& line, std::string_view text) {

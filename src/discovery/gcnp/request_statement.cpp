@@ -91,6 +91,9 @@ struct Writer {
     append_stated(parameters, "provider", provider_list(subscription.providers));
     append_stated(parameters, "where", subscription.where);
     append_stated(parameters, "protocol", protocol_list(subscription.protocols));
+    append_stated(parameters, "favour", provider_list(subscription.favoured));
+    append_stated(parameters, "prefer", subscription.prefer);
+    append_stated(parameters, "rank", subscription.rank);
     if (subscription.limit) append(parameters, "limit", *subscription.limit);
     if (subscription.priority != 0) append(parameters, "priority", subscription.priority);
     if (subscription.port != 0) append(parameters, "port", subscription.port);
@@ -104,6 +107,9 @@ struct Writer {
     if (change.providers) append(parameters, "provider", provider_list(*change.providers));
     if (change.where) append(parameters, "where", *change.where);
     if (change.protocols) append(parameters, "protocol", protocol_list(*change.protocols));
+    if (change.favoured) append(parameters, "favour", provider_list(*change.favoured));
+    if (change.prefer) append(parameters, "prefer", *change.prefer);
+    if (change.rank) append(parameters, "rank", *change.rank);
     if (change.limit) append(parameters, "limit", *change.limit);
     append_own_attributes(parameters, change.attributes);
   }

@@ -40,11 +40,12 @@ inline constexpr auto reserved_keys = std::to_array<std::string_view>({"mode",
                                                                        "favour",
                                                                        "prefer",
                                                                        "convert",
-                                                                       "scope"});
+                                                                       "scope",
+                                                                       "rank"});
 
 /// Keys of a subscription that have a meaning already and no effect yet: 422, so that nobody relies on what is not
 /// done.
-inline constexpr auto keys_without_effect = std::to_array<std::string_view>({"favour", "prefer", "convert", "scope"});
+inline constexpr auto keys_without_effect = std::to_array<std::string_view>({"convert", "scope"});
 
 [[nodiscard]] constexpr bool is_reserved(std::string_view key) {
   return std::ranges::find(reserved_keys, key) != reserved_keys.end();

@@ -10,8 +10,23 @@
 namespace geminga::matching {
 
 bool is_strictly_better(const Rank& a, const Rank& b) {
+  if (a.score != b.score) return a.score < b.score;
   if (a.priority != b.priority) return a.priority > b.priority;
   return a.match < b.match;
+}
+
+bool is_better_by(const Score& margins, const Rank& a, const Rank& incumbent) {
+  if (!is_strictly_better(a, incumbent)) return false;
+  const auto [its, others] = std::ranges::mismatch(a.score, incumbent.score);
+  const auto place = static_cast<std::size_t>(its - a.score.begin());
+  if (its == a.score.end() || others == incumbent.score.end() || place >= margins.size()) return true;
+  return *others - *its >= margins[place];
+}
+
+void Choice::release_waiting() {
+  for (const auto& [rank, candidate] : waiting_) dropped_.push_back(candidate.publication);
+  waiting_.clear();
+  bound_.reset();
 }
 
 void Choice::offer(const Rank& rank, const registry::StoredPublication& publication, bool is_incumbent) {
@@ -93,7 +108,7 @@ Verdict Choice::settle(const std::function<void()>& refill) {
   while (chosen_.size() > limit_) demote_worst(verdict);
   while (chosen_.size() < limit_ && best_waiting(refill) != nullptr) promote_best(verdict);
   while (const Rank* best = best_waiting(refill)) {
-    if (!is_strictly_better(*best, std::prev(chosen_.end())->first)) break;
+    if (!is_better_by(margins_, *best, std::prev(chosen_.end())->first)) break;
     promote_best(verdict);
     demote_worst(verdict);
   }

@@ -18,15 +18,23 @@
 
 namespace geminga::matching {
 
-/// Where a candidate stands: greater priority, better degree, smaller distance, then the smaller key.
+/// Where a candidate stands by what its consumer prefers, number by number, the lesser the better (preferences.hpp).
+using Score = std::vector<double>;
+
+/// Where a candidate stands: the lesser score, then greater priority, better degree, smaller distance, then the smaller
+/// key. All ranks of one subscription have scores of one length, which is 0 where it prefers nothing.
 struct Rank {
   std::int32_t priority = 0;
   Match match;
   ServiceKey key;
+  Score score{};
 };
 
-/// Whether `a` is better by more than its key, so that it may take the place of an incumbent.
+/// Whether `a` is better by more than its key.
 [[nodiscard]] bool is_strictly_better(const Rank& a, const Rank& b);
+/// Whether `a` may take the place of an incumbent: it is strictly better, and where a number of the scores decides
+/// that, it is so by its margin at least. Numbers without margin have 0.
+[[nodiscard]] bool is_better_by(const Score& margins, const Rank& a, const Rank& incumbent);
 
 struct BestFirst {
   bool operator()(const Rank& a, const Rank& b) const {
@@ -63,9 +71,9 @@ struct Verdict {
 };
 
 /// The candidates of one subscription. The chosen ones are the first `limit` in the order of Rank, except that a chosen
-/// candidate keeps its place against one that is no better by priority, degree and distance: a tie never makes a
-/// consumer change its provider. Changes are collected and take effect in settle(), so that one cause gives one
-/// verdict.
+/// candidate keeps its place against one that is no better but by its key, or by less than a margin: a tie never makes
+/// a consumer change its provider, nor does noise in a value. It is the best of the others that must be better. Changes
+/// are collected and take effect in settle(), so that one cause gives one verdict.
 ///
 /// Of those that are not chosen only the best wait here, at most `limit + max_waiting`; the others are dropped, and
 /// when it comes to them, settle() asks for all candidates again.
@@ -78,6 +86,12 @@ class Choice {
 
   /// 0 is no limit, as in Subscription::limit.
   void set_limit(std::uint32_t limit) { limit_ = limit == 0 ? unlimited : limit; }
+
+  /// By how much each number of a score must be better to push out an incumbent.
+  void set_margins(Score margins) { margins_ = std::move(margins); }
+  /// The scores mean something else from here on: those that wait are dropped, and all candidates must be offered, or
+  /// changed where they are chosen.
+  void release_waiting();
 
   /// A new candidate. `is_incumbent` tells that it was chosen before this Choice heard of it.
   void offer(const Rank& rank, const registry::StoredPublication& publication, bool is_incumbent = false);
@@ -114,6 +128,7 @@ class Choice {
   void demote_worst(Verdict& verdict);
 
   std::size_t limit_ = unlimited;
+  Score margins_;
   Ranking chosen_;
   Ranking waiting_;
   std::optional<Rank> bound_;  ///< every dropped candidate ranks here or behind; nothing: none was dropped

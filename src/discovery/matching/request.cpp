@@ -13,22 +13,10 @@ using registry::PublicationEntry;
 
 constexpr std::size_t max_shown_expression = 400;
 
-bool is_participant(const std::string& wanted, const PublicationEntry& publication) {
-  return participant_id(wanted) == publication.key.participant || wanted == publication.participant_name;
-}
-
-bool is_peer(const std::string& wanted, const PublicationEntry& publication) {
-  return base::parse_number<std::uint32_t>(wanted) == std::to_underlying(publication.key.peer) ||
-         wanted == publication.peer_name;
-}
-
-/// An empty participant stands for any, as an empty peer does.
 bool is_accepted_provider(const Subscription& subscription, const PublicationEntry& publication) {
-  const auto accepts = [&](const ProviderFilter& filter) {
-    return (filter.participant.empty() || is_participant(filter.participant, publication)) &&
-           (filter.peer.empty() || is_peer(filter.peer, publication));
-  };
-  return subscription.providers.empty() || std::ranges::any_of(subscription.providers, accepts);
+  return subscription.providers.empty() || std::ranges::any_of(subscription.providers, [&](const auto& provider) {
+           return is_of(provider, publication);
+         });
 }
 
 bool is_accepted_protocol(const Subscription& subscription, const PublicationEntry& publication) {
@@ -114,6 +102,7 @@ Request prepared(const Subscription& subscription, const vocabulary::Vocabulary&
     if (request.classes.place && !request.classes.place->is_satisfiable) request.classes.place = nullptr;
   }
   if (auto where = Where::parse(subscription.where)) request.where = std::move(*where);
+  if (auto preferences = Preferences::of(subscription)) request.preferences = std::move(*preferences);
   return request;
 }
 

@@ -6,7 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "discovery/matching/arbitration.hpp"
 #include "discovery/matching/degree.hpp"
+#include "discovery/matching/preferences.hpp"
 #include "discovery/matching/where.hpp"
 #include "discovery/registry/entry.hpp"
 #include "geminga/service.hpp"
@@ -14,10 +16,16 @@
 
 namespace geminga::matching {
 
-/// What is computed once a subscription: its classes and its parsed filter.
+/// What is computed once a subscription: its classes, its parsed filter, and what it prefers.
 struct Request {
   Classes classes;
   std::optional<Where> where;  ///< nothing: it cannot be read, and the subscription never matches
+  Preferences preferences{};   ///< none where they cannot be read
+
+  /// How such a publication, which matches, ranks among all that do.
+  [[nodiscard]] Rank rank(const registry::PublicationEntry& publication, const Match& match) const {
+    return {publication.publication.priority, match, publication.key, preferences.score(publication, match)};
+  }
 };
 
 /// `placing` may be empty: then expressions meet nothing. `from` is whose subscription it is.

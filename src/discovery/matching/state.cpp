@@ -67,14 +67,19 @@ const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const S
     of(*known).stored = known;
   } else {
     replaced_subscription_ = {known, known->entry};
+    if (of(*known).request.preferences != request.preferences) {
+      of(*known).choice.release_waiting();
+      forget_dropped(*known);
+    }
     replaced_request_ = std::move(of(*known).request);
     replaced_generation_ = of(*known).generation;
     replaced_was_clashing_ = clashing_.contains(known->identity);
     subscriptions_.replace(*known, std::move(entry), plan.filing());
   }
+  of(*known).choice.set_margins(request.preferences.margins());
+  of(*known).choice.set_limit(limit_of(known->entry));
   of(*known).request = std::move(request);
   of(*known).generation = in_force_.generation;
-  of(*known).choice.set_limit(limit_of(known->entry));
   return *known;
 }
 
@@ -228,7 +233,7 @@ void Matcher::State::judge(const StoredSubscription& subscription, const StoredP
     considered_by.erase(known);
     return;
   }
-  const Rank rank{publication.entry.publication.priority, *match, publication.entry.key};
+  const Rank rank = of(subscription).request.rank(publication.entry, *match);
   if (known != considered_by.end()) {
     choice.change(std::exchange(known->second, rank), rank);
   } else {
@@ -274,12 +279,10 @@ std::vector<Ranked> Matcher::State::match(const Subscription& asked, const Reque
                        if (of_publication_[publication.slot].leaves) return false;
                        const auto match =
                            meet(asked, request, publication.entry, classes(publication, in_force_), in_force_);
-                       if (match) ranked.push_back({&publication.entry, *match});
+                       if (match) ranked.push_back({&publication.entry, request.rank(publication.entry, *match)});
                        return false;
                      });
-  std::ranges::sort(ranked, BestFirst{}, [](const Ranked& one) {
-    return Rank{one.publication->publication.priority, one.match, one.publication->key};
-  });
+  std::ranges::sort(ranked, BestFirst{}, &Ranked::rank);
   return ranked;
 }
 

@@ -39,7 +39,7 @@ inline constexpr std::size_t max_consumers = 1024;
 /// A publication that meets a request.
 struct Ranked {
   const registry::PublicationEntry* publication = nullptr;  ///< borrowed until the next change of the matcher
-  Match match;
+  Rank rank;
 };
 
 /// Every change runs in three steps: the registry takes it, the pairs that it concerns are judged again, and each

@@ -2,104 +2,22 @@
 #include "discovery/matching/where.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <compare>
 #include <string>
 #include <utility>
 
 #include "base/text.hpp"
+#include "discovery/matching/number.hpp"
+#include "discovery/matching/stated.hpp"
+#include "discovery/matching/unit.hpp"
 #include "discovery/matching/where_parser.hpp"
-#include "geminga/attribute.hpp"
 
 namespace geminga::matching {
 namespace {
 
 using registry::PublicationEntry;
-using Value = std::optional<std::string_view>;
 
 constexpr std::size_t max_shown_bytes = 60;
-
-Value stated(std::string_view text) { return text.empty() ? std::nullopt : Value(text); }
-
-template <typename Kind>
-const Kind* identity_as(const PublicationEntry& publication) {
-  return std::get_if<Kind>(&publication.publication.identity);
-}
-
-/// Reads one field. A field that is no text is written into `room`, which the value then borrows.
-using Reader = Value (*)(const PublicationEntry&, std::string& room);
-
-/// The fields of a service, in the order of WHERE.md.
-constexpr std::array<std::pair<std::string_view, Reader>, 13> fields{{
-    {"mode", [](const PublicationEntry& p, std::string&) { return Value(to_string(p.publication.mode)); }},
-    {"id",
-     [](const PublicationEntry& p, std::string& room) {
-       const auto* numeric = identity_as<NumericIdentity>(p);
-       return numeric == nullptr ? Value() : Value(room = std::to_string(numeric->number));
-     }},
-    {"text",
-     [](const PublicationEntry& p, std::string&) {
-       const auto* text = identity_as<TextIdentity>(p);
-       return text == nullptr ? Value() : Value(text->text);
-     }},
-    {"concept",
-     [](const PublicationEntry& p, std::string&) {
-       const auto* semantic = identity_as<SemanticIdentity>(p);
-       return semantic == nullptr ? Value() : Value(semantic->concept_iri);
-     }},
-    {"representation",
-     [](const PublicationEntry& p, std::string&) {
-       const auto* semantic = identity_as<SemanticIdentity>(p);
-       return semantic == nullptr ? Value() : stated(semantic->representation_iri);
-     }},
-    {"address", [](const PublicationEntry& p, std::string&) { return stated(p.publication.address); }},
-    {"port",
-     [](const PublicationEntry& p, std::string& room) { return Value(room = std::to_string(p.publication.port)); }},
-    {"protocol", [](const PublicationEntry& p, std::string&) { return stated(p.publication.protocol); }},
-    {"priority",
-     [](const PublicationEntry& p, std::string& room) { return Value(room = std::to_string(p.publication.priority)); }},
-    {"participant",
-     [](const PublicationEntry& p, std::string& room) { return Value(room = to_string(p.key.participant)); }},
-    {"participant_name", [](const PublicationEntry& p, std::string&) { return stated(p.participant_name); }},
-    {"peer", [](const PublicationEntry& p,
-                std::string& room) { return Value(room = std::to_string(std::to_underlying(p.key.peer))); }},
-    {"name", [](const PublicationEntry& p, std::string&) { return stated(p.peer_name); }},
-}};
-
-Value attribute_of(const PublicationEntry& publication, std::string_view name) {
-  const auto& attributes = publication.publication.attributes;
-  const auto at = attributes.find(name);
-  return at == attributes.end() ? Value() : Value(at->second);
-}
-
-/// What the publication says under a key: the attribute behind `attr.`, otherwise a field, otherwise an attribute.
-Value value_of(const PublicationEntry& publication, std::string_view key, std::string& room) {
-  if (key.starts_with(attribute_prefix)) return attribute_of(publication, key.substr(attribute_prefix.size()));
-  for (const auto& [name, read] : fields) {
-    if (name == key) return read(publication, room);
-  }
-  return attribute_of(publication, key);
-}
-
-std::string_view without_plus(std::string_view number) {
-  if (number.starts_with('+')) number.remove_prefix(1);
-  return number;
-}
-
-/// Whole numbers of 64 bits are compared exactly, all others as doubles. Requires two numbers.
-std::partial_ordering compare_numbers(std::string_view a, std::string_view b) {
-  const std::string_view left = without_plus(a);
-  const std::string_view right = without_plus(b);
-  const auto whole_left = base::parse_number<std::int64_t>(left);
-  const auto whole_right = base::parse_number<std::int64_t>(right);
-  if (whole_left && whole_right) return *whole_left <=> *whole_right;
-  double one = 0;
-  double other = 0;
-  std::from_chars(left.data(), left.data() + left.size(), one);
-  std::from_chars(right.data(), right.data() + right.size(), other);
-  return one <=> other;
-}
 
 bool is_met(Where::Operator operation, std::partial_ordering order) {
   switch (operation) {
@@ -119,11 +37,54 @@ bool is_met(Where::Operator operation, std::partial_ordering order) {
   return false;
 }
 
-/// A number is compared with a number. What is no number differs from every number and is neither less nor greater.
-bool compares(std::string_view value, Where::Operator operation, std::string_view wanted, bool is_number_wanted) {
-  if (!is_number_wanted) return is_met(operation, value <=> wanted);
-  if (!is_number(value)) return operation == Where::Operator::different;
-  return is_met(operation, compare_numbers(value, wanted));
+/// Whether `text` is the pattern with something in the place of each `*`. Each piece between two of them is looked for
+/// once, behind the one before it.
+bool is_like(std::string_view text, std::string_view pattern) {
+  const auto first = pattern.find('*');
+  if (first == std::string_view::npos) return text == pattern;
+  const auto last = pattern.rfind('*');
+  const std::string_view front = pattern.substr(0, first);
+  const std::string_view back = pattern.substr(last + 1);
+  if (text.size() < front.size() + back.size() || !text.starts_with(front) || !text.ends_with(back)) return false;
+  text = text.substr(front.size(), text.size() - front.size() - back.size());
+  for (std::string_view rest = pattern.substr(first, last - first); !rest.empty();) {
+    rest.remove_prefix(1);
+    const std::string_view piece = rest.substr(0, rest.find('*'));
+    const auto at = text.find(piece);
+    if (at == std::string_view::npos) return false;
+    text.remove_prefix(at + piece.size());
+    rest.remove_prefix(piece.size());
+  }
+  return true;
+}
+
+/// What is no number, or has no unit or another kind of unit, differs from what is wanted and is neither less nor
+/// greater.
+bool compares(std::string_view value, Where::Operator operation, std::string_view wanted, Where::Wanted kind) {
+  switch (kind) {
+    case Where::Wanted::text:
+      return is_met(operation, value <=> wanted);
+    case Where::Wanted::number:
+      return is_met(operation, number(value) ? compare_numbers(value, wanted) : std::partial_ordering::unordered);
+    case Where::Wanted::quantity: {
+      const auto stated = quantity(value);
+      const auto sought = quantity(wanted);
+      return is_met(operation, stated && sought ? compare(*stated, *sought) : std::partial_ordering::unordered);
+    }
+    case Where::Wanted::pattern:
+      return is_like(value, wanted) == (operation == Where::Operator::equal);
+  }
+  return false;
+}
+
+/// Why a value cannot be compared with what is wanted at all; empty where it can.
+std::string misfit(std::string_view value, std::string_view wanted, Where::Wanted kind) {
+  if (kind == Where::Wanted::number && !number(value)) return ", which is no number";
+  if (kind != Where::Wanted::quantity) return "";
+  const auto stated = quantity(value);
+  const auto sought = quantity(wanted);
+  if (!stated) return ", which is no number with a unit";
+  return sought && stated->dimension == sought->dimension ? "" : ", which is in a unit of another kind";
 }
 
 }  // namespace
@@ -157,9 +118,9 @@ std::vector<std::uint16_t> Where::operands(std::uint16_t number) const {
 
 bool Where::leaf_holds(const Node& node, const PublicationEntry& publication) const {
   std::string room;
-  const Value value = value_of(publication, text(node.key), room);
+  const auto value = stated_under(text(node.key), publication, room);
   if (node.kind == Node::Kind::has || !value) return value.has_value();
-  return compares(*value, node.operation, text(node.value), node.is_number);
+  return compares(*value, node.operation, text(node.value), node.wanted);
 }
 
 bool Where::holds(std::uint16_t number, const PublicationEntry& publication) const {
@@ -195,13 +156,13 @@ void Where::blame(std::uint16_t number, const PublicationEntry& publication, std
 
 std::string Where::said(const Node& leaf, const PublicationEntry& publication) const {
   std::string room;
-  const Value value = value_of(publication, text(leaf.key), room);
+  const auto value = stated_under(text(leaf.key), publication, room);
   const std::string key = base::printable(text(leaf.key), max_shown_bytes);
   if (!value) return key + " is absent";
   const bool is_word = !value->empty() && value->find_first_of(" ,'") == std::string_view::npos;
   const std::string shown = base::printable(*value, max_shown_bytes);
   return key + " is " + (is_word ? shown : "'" + shown + "'") +
-         (leaf.is_number && !is_number(*value) ? ", which is no number" : "");
+         (leaf.kind == Node::Kind::comparison ? misfit(*value, text(leaf.value), leaf.wanted) : "");
 }
 
 std::string Where::misses(const PublicationEntry& publication) const {

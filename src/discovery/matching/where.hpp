@@ -38,6 +38,10 @@ class Where {
 
   enum class Operator : std::uint8_t { equal, different, less, at_most, greater, at_least };
 
+  /// What a comparison compares with: octet by octet; as a number; as a number with a unit; as a text in which each `*`
+  /// stands for any octets.
+  enum class Wanted : std::uint8_t { text, number, quantity, pattern };
+
   /// Octets of the texts that belong to the expression.
   struct Slice {
     std::uint16_t at = 0;
@@ -50,11 +54,11 @@ class Where {
   struct Node {
     enum class Kind : std::uint8_t { all_of, any_of, negation, has, comparison } kind = Kind::has;
     Operator operation = Operator::equal;
-    bool is_number = false;      ///< comparison: the value was written as a number
-    std::uint16_t first = 0;     ///< where its first operand begins; its own place where it has none
-    std::uint16_t operands = 0;  ///< all_of, any_of: two or more; negation: one
-    Slice key{};                 ///< has, comparison
-    Slice value{};               ///< comparison
+    Wanted wanted = Wanted::text;  ///< comparison; a pattern is compared with equal and different only
+    std::uint16_t first = 0;       ///< where its first operand begins; its own place where it has none
+    std::uint16_t operands = 0;    ///< all_of, any_of: two or more; negation: one
+    Slice key{};                   ///< has, comparison
+    Slice value{};                 ///< comparison
   };
 
   /// What the parser makes of a text.

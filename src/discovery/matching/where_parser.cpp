@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
+#include <string>
 #include <utility>
 
 #include "base/text.hpp"
+#include "discovery/matching/number.hpp"
+#include "discovery/matching/unit.hpp"
 
 namespace geminga::matching {
 namespace {
@@ -23,7 +24,17 @@ bool is_key_octet(char octet) {
 
 bool is_word_octet(char octet) { return is_key_octet(octet) || octet == ':' || octet == '/' || octet == '+'; }
 
-bool is_digit(char octet) { return octet >= '0' && octet <= '9'; }
+bool is_pattern_octet(char octet) { return is_word_octet(octet) || octet == '*'; }
+
+/// Signs of units are letters of other alphabets, too.
+bool is_unit_octet(char octet) {
+  return is_pattern_octet(octet) || octet == '^' || octet == '%' || static_cast<unsigned char>(octet) >= 0x80;
+}
+
+/// The run of such octets that a text begins with.
+std::string_view run_of(std::string_view text, bool (*is_one)(char octet)) {
+  return text.substr(0, static_cast<std::size_t>(std::ranges::find_if_not(text, is_one) - text.begin()));
+}
 
 char lower(char octet) { return octet >= 'A' && octet <= 'Z' ? static_cast<char>(octet - 'A' + 'a') : octet; }
 
@@ -32,49 +43,12 @@ bool is_keyword(std::string_view word, std::string_view keyword) {
   return std::ranges::equal(word, keyword, {}, lower);
 }
 
-std::size_t count_digits(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
-}
-
-void skip_sign(std::string_view& text) {
-  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
-}
-
-/// `[sign] digits [ "." digits ] [ "e" [sign] digits ]`, whatever its size.
-bool has_number_form(std::string_view text) {
-  const auto take_digits = [&text] {
-    const std::size_t count = count_digits(text);
-    text.remove_prefix(count);
-    return count != 0;
-  };
-  skip_sign(text);
-  if (!take_digits()) return false;
-  if (text.starts_with('.')) {
-    text.remove_prefix(1);
-    if (!take_digits()) return false;
-  }
-  if (text.starts_with('e') || text.starts_with('E')) {
-    text.remove_prefix(1);
-    skip_sign(text);
-    if (!take_digits()) return false;
-  }
-  return text.empty();
-}
-
 bool is_reserved(std::string_view word) {
   return std::ranges::any_of(std::array<std::string_view, 4>{"and", "or", "not", "has"},
                              [word](std::string_view keyword) { return is_keyword(word, keyword); });
 }
 
 }  // namespace
-
-bool is_number(std::string_view text) {
-  if (!has_number_form(text)) return false;
-  if (text.front() == '+') text.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
-}
 
 std::expected<Where::Parsed, Error> WhereParser::parse() {
   if (const Result root = any_of(0); !root) return std::unexpected(root.error());
@@ -136,16 +110,47 @@ WhereParser::Result WhereParser::has() {
 WhereParser::Result WhereParser::comparison() {
   const auto name = key("expected a key, 'has', 'not' or '('");
   if (!name) return std::unexpected(name.error());
+  if (auto read = set_or_pattern(*name)) return std::move(*read);
   const auto sign = operation();
   if (!sign) return std::unexpected(sign.error());
-  const auto value = literal();
+  const bool is_ordered = *sign != Where::Operator::equal && *sign != Where::Operator::different;
+  const auto value = literal(is_ordered);
   if (!value) return std::unexpected(value.error());
+  return compare(*name, *sign, *value);
+}
+
+WhereParser::Result WhereParser::compare(Where::Slice key, Where::Operator operation, const Literal& value) {
   return add(Node{.kind = Node::Kind::comparison,
-                  .operation = *sign,
-                  .is_number = value->is_number,
-                  .key = *name,
-                  .value = value->text},
+                  .operation = operation,
+                  .wanted = value.wanted,
+                  .key = key,
+                  .value = value.text},
              parsed_.nodes.size());
+}
+
+std::optional<WhereParser::Result> WhereParser::set_or_pattern(Where::Slice key) {
+  if (take_word("in")) return set(key, false);
+  if (take_word("not")) return take_word("in") ? set(key, true) : Result(wrong("expected 'in' after 'not'"));
+  if (!take_word("like")) return std::nullopt;
+  auto value = literal();
+  if (!value) return Result(std::unexpected(value.error()));
+  value->wanted = Where::Wanted::pattern;
+  return compare(key, Where::Operator::equal, *value);
+}
+
+WhereParser::Result WhereParser::set(Where::Slice key, bool is_none_of) {
+  if (!take_sign("(")) return wrong("expected '(' after 'in'");
+  const std::size_t first = parsed_.nodes.size();
+  Node node{.kind = is_none_of ? Node::Kind::all_of : Node::Kind::any_of};
+  do {
+    const auto value = literal();
+    if (!value) return std::unexpected(value.error());
+    const auto operation = is_none_of ? Where::Operator::different : Where::Operator::equal;
+    if (Result one = compare(key, operation, *value); !one) return one;
+    ++node.operands;
+  } while (take_sign(","));
+  if (!take_sign(")")) return wrong("expected ',' or ')'");
+  return node.operands == 1 ? Result() : add(node, first);
 }
 
 std::expected<Where::Slice, Error> WhereParser::key(std::string_view wanted) {
@@ -169,20 +174,41 @@ std::expected<Where::Operator, Error> WhereParser::operation() {
   for (const auto& [sign, meaning] : signs) {
     if (take_sign(sign)) return meaning;
   }
-  return wrong("expected =, !=, <, <=, > or >=");
+  return wrong("expected =, !=, <, <=, >, >=, in, not in or like");
 }
 
-std::expected<WhereParser::Literal, Error> WhereParser::literal() {
+std::expected<WhereParser::Literal, Error> WhereParser::literal(bool is_ordered) {
   skip_blanks();
   if (at_ < text_.size() && (text_[at_] == '"' || text_[at_] == '\'')) return quoted();
-  const std::string_view bare = word();
+  const std::string_view bare = run_of(text_.substr(at_), is_pattern_octet);
   if (bare.empty() || is_reserved(bare)) return wrong("expected a number, a word or a quoted text");
-  const bool is_numeric = is_number(bare);
+  if (number_length(bare) == bare.size()) return numeric(bare);
+  const bool is_pattern = bare.contains('*');
+  if (is_ordered && is_pattern) return wrong("a pattern is neither less nor greater: quote it to compare it as a text");
   // As a text it would be compared by its digits, which nobody means.
-  if (!is_numeric && has_number_form(bare))
-    return wrong("this number is out of range: quote it to compare it as a text");
+  if (is_ordered && quantity(run_of(text_.substr(at_), is_unit_octet))) {
+    return wrong("write a blank between number and unit, or quote it to compare it as a text");
+  }
   at_ += bare.size();
-  return Literal{keep(bare), is_numeric};
+  return Literal{keep(bare), is_pattern ? Where::Wanted::pattern : Where::Wanted::text};
+}
+
+std::expected<WhereParser::Literal, Error> WhereParser::numeric(std::string_view digits) {
+  if (!number(digits)) return wrong("this number is out of range: quote it to compare it as a text");
+  const std::size_t begin = at_;
+  at_ += digits.size();
+  const std::size_t end = at_;
+  skip_blanks();
+  const std::string_view sign = run_of(text_.substr(at_), is_unit_octet);
+  if (sign.empty() || is_reserved(sign)) {
+    at_ = end;
+    return Literal{keep(digits), Where::Wanted::number};
+  }
+  const std::string written = std::string(digits) + ' ' + std::string(sign);
+  if (!unit(sign)) return wrong("expected 'and', 'or', the end or a unit that is known");
+  if (!quantity(written)) return wrong("this number is out of range", begin);
+  at_ += sign.size();
+  return Literal{keep(written), Where::Wanted::quantity};
 }
 
 std::expected<WhereParser::Literal, Error> WhereParser::quoted() {
@@ -201,7 +227,7 @@ std::expected<WhereParser::Literal, Error> WhereParser::quoted() {
   if (at_ >= text_.size()) return wrong("this text has no closing quote", begin);
   ++at_;
   if (!base::is_valid_utf8(read)) return wrong("this text is no UTF-8", begin);
-  return Literal{keep(read), false};
+  return Literal{keep(read), Where::Wanted::text};
 }
 
 WhereParser::Result WhereParser::add(Node node, std::size_t first) {
@@ -220,11 +246,7 @@ void WhereParser::skip_blanks() {
   while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
 }
 
-std::string_view WhereParser::word() const {
-  const std::string_view rest = text_.substr(at_);
-  const auto end = std::ranges::find_if_not(rest, is_word_octet);
-  return rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
-}
+std::string_view WhereParser::word() const { return run_of(text_.substr(at_), is_word_octet); }
 
 bool WhereParser::take_word(std::string_view wanted) {
   skip_blanks();

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <expected>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,10 +24,10 @@ class WhereParser {
  private:
   using Result = std::expected<void, Error>;  ///< its node is the last one then
 
-  /// What a comparison compares with: a text, and a number where it was written as one.
+  /// What a comparison compares with.
   struct Literal {
     Where::Slice text;
-    bool is_number = false;
+    Where::Wanted wanted = Where::Wanted::text;
   };
 
   Result any_of(std::size_t depth);
@@ -34,13 +35,21 @@ class WhereParser {
   Result unary(std::size_t depth);
   Result has();
   Result comparison();
+  /// `in`, `not in` and `like` with what follows; nothing where none of them is here.
+  std::optional<Result> set_or_pattern(Where::Slice key);
+  /// `(` value `,` value `)`: a comparison with each, any of which holds, or, where `is_none_of`, none.
+  Result set(Where::Slice key, bool is_none_of);
+  Result compare(Where::Slice key, Where::Operator operation, const Literal& value);
   /// One or more operands joined by a word or its sign.
   Result chain(Where::Node::Kind kind, std::string_view word, std::string_view sign, std::size_t depth);
 
   std::expected<Where::Slice, Error> key(std::string_view wanted);
   std::expected<Where::Operator, Error> operation();
-  std::expected<Literal, Error> literal();
+  /// `is_ordered`: it is asked what is less or greater.
+  std::expected<Literal, Error> literal(bool is_ordered = false);
   std::expected<Literal, Error> quoted();
+  /// A number, perhaps with blanks and a unit behind it.
+  std::expected<Literal, Error> numeric(std::string_view digits);
 
   /// Adds a node whose operands are the nodes from `first` on.
   Result add(Where::Node node, std::size_t first);
@@ -57,9 +66,6 @@ class WhereParser {
   std::size_t at_ = 0;
   Where::Parsed parsed_;
 };
-
-/// Whether the text is a number as WHERE.md defines it: decimal, finite, perhaps with sign, fraction and exponent.
-[[nodiscard]] bool is_number(std::string_view text);
 
 }  // namespace geminga::matching
 

@@ -93,7 +93,10 @@ NamedSubscription named(const vocabulary::Vocabulary& vocabulary, const Subscrip
                            .port = subscription.port,
                            .address = subscription.address,
                            .attributes = subscription.attributes,
-                           .protocols = subscription.protocols};
+                           .protocols = subscription.protocols,
+                           .favoured = subscription.favoured,
+                           .prefer = subscription.prefer,
+                           .rank = subscription.rank};
 }
 
 std::string digest_word(std::uint64_t digest) { return digest == 0 ? "-" : base::to_hex(digest, 16); }

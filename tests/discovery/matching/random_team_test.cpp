@@ -127,9 +127,17 @@ class RandomTeam {
             ? request(one, identity(), static_cast<std::uint32_t>(random_.below(3)), Degree::narrower, mode())
             : known->second;
     Subscription& asked = entry.subscription;
-    switch (random_.below(10)) {
+    switch (random_.below(12)) {
       case 0:
         asked.identity = identity();
+        break;
+      case 8:
+        asked.prefer = one_of<2>({"", "rate desc"});
+        asked.rank = one_of<2>({"", "prefer"});
+        break;
+      case 9:
+        asked.favoured.clear();
+        if (random_.chance(0.5)) asked.favoured.push_back({"robot3", ""});
         break;
       case 7:
         asked.protocols.clear();

@@ -115,6 +115,63 @@ TEST(Where, DoesNotHoldWhereItsMeaningSaysSo) {
   }
 }
 
+TEST(Where, ASetHoldsOneOfItsValues) {
+  EXPECT_TRUE(accepts("camera in (rear, front)"));
+  EXPECT_TRUE(accepts("camera IN('front')"));
+  EXPECT_TRUE(accepts("rate in (10, 30.0)"));
+  EXPECT_TRUE(accepts("camera in (re*, fr*)"));
+  EXPECT_FALSE(accepts("camera in (rear, left)"));
+  EXPECT_FALSE(accepts("nothing in (rear, left)"));
+  EXPECT_TRUE(accepts("camera not in (rear, left)"));
+  EXPECT_FALSE(accepts("camera not in (rear, front)"));
+  EXPECT_FALSE(accepts("camera not in (fr*)"));
+  EXPECT_FALSE(accepts("nothing not in (rear)")) << "as !=: what is absent is not compared";
+  EXPECT_TRUE(accepts("not camera in (rear, left) and rate in (30) or has nothing"));
+}
+
+TEST(Where, APatternStandsForAnyOctetsInThePlaceOfEachStar) {
+  for (const char* pattern : {"*", "f*", "*t", "f*t", "fr*nt", "front*", "*front", "*r*n*", "f**t", "f*o*t"}) {
+    EXPECT_TRUE(accepts("camera = " + std::string(pattern))) << pattern;
+    EXPECT_FALSE(accepts("camera != " + std::string(pattern))) << pattern;
+    EXPECT_TRUE(accepts("camera like '" + std::string(pattern) + "'")) << pattern;
+  }
+  for (const char* pattern : {"r*", "*x", "fro*ont", "f*x*t", "*n*r*", "front*t", "F*"}) {
+    EXPECT_FALSE(accepts("camera = " + std::string(pattern))) << pattern;
+    EXPECT_TRUE(accepts("camera != " + std::string(pattern))) << pattern;
+  }
+  EXPECT_TRUE(accepts("empty = *"));
+  EXPECT_FALSE(accepts("nothing = *"));
+  EXPECT_FALSE(accepts("camera = 'fr*'")) << "a quoted star is a star";
+  EXPECT_TRUE(accepts("camera like front"));
+  EXPECT_TRUE(accepts("name-with.dots_1 not in (f*, g*)"));
+}
+
+TEST(Where, ComparesQuantitiesInWhateverUnitTheyAreStated) {
+  auto entry = camera();
+  const auto holds = [&entry](const std::string& stated, const std::string& expression) {
+    entry.publication.attributes["range"] = stated;
+    const auto where = Where::parse(expression);
+    EXPECT_TRUE(where) << expression << ": " << where.error().text;
+    return where && where->accepts(entry);
+  };
+  EXPECT_TRUE(holds("350 cm", "range >= 3 m"));
+  EXPECT_TRUE(holds("350cm", "range >= 3.5 m and range <= 3.5 m and range = 3.5 m"));
+  EXPECT_TRUE(holds("7 cm", "range = 0.07 m")) << "7 * 0.01 is no 0.07 for a computer";
+  EXPECT_FALSE(holds("250 cm", "range >= 3 m"));
+  EXPECT_TRUE(holds("10 km/h", "range < 3 m/s"));
+  EXPECT_TRUE(holds("25 \u00b0C", "range > 77 degF or range = 77 \u00b0F"));
+  EXPECT_TRUE(holds("1 m", "range in (2 m, 100 cm)"));
+  for (const char* odd : {"3", "350", "3 kg", "far", "", "3 foo", "m", "3 m extra"}) {
+    EXPECT_FALSE(holds(odd, "range >= 0 m or range <= 0 m or range = 0 m")) << odd;
+    EXPECT_TRUE(holds(odd, "range != 3 m")) << odd;
+  }
+  EXPECT_FALSE(holds("3 m", "range >= 1")) << "a number without a unit is no length";
+  entry.publication.attributes["range"] = "3";
+  EXPECT_EQ(Where::parse("range >= 1 m")->misses(entry), "range is 3, which is no number with a unit");
+  entry.publication.attributes["range"] = "3 kg";
+  EXPECT_EQ(Where::parse("range >= 1 m")->misses(entry), "range is '3 kg', which is in a unit of another kind");
+}
+
 TEST(Where, NotBindsTighterThanAndAndThatThanOr) {
   EXPECT_TRUE(accepts("has rate or has nothing and has nothing"));
   EXPECT_FALSE(accepts("(has rate or has nothing) and has nothing"));
@@ -139,13 +196,13 @@ TEST(Where, ReadsTheFieldsOfEachKindOfIdentity) {
 TEST(Where, SaysWhatIsWrongAtWhichOctet) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {" ", "expected a key, 'has', 'not' or '(' at octet 2"},
-      {"rate", "expected =, !=, <, <=, > or >= at octet 5"},
+      {"rate", "expected =, !=, <, <=, >, >=, in, not in or like at octet 5"},
       {"rate = ", "expected a number, a word or a quoted text at octet 8"},
       {"rate = and", "expected a number, a word or a quoted text at octet 8"},
       {"and = 1", "expected a key, 'has', 'not' or '(' at octet 1"},
       {"has", "expected a key after 'has' at octet 4"},
       {"has or", "expected a key after 'has' at octet 5"},
-      {"rate = 1 camera = 2", "expected 'and', 'or' or the end at octet 10"},
+      {"rate = 1 camera = 2", "expected 'and', 'or', the end or a unit that is known at octet 10"},
       {"(rate = 1", "expected ')' at octet 10"},
       {"rate = 1)", "expected 'and', 'or' or the end at octet 9"},
       {"a/b = 1", "a key has only letters, digits, '_', '.' and '-' at octet 2"},
@@ -153,10 +210,20 @@ TEST(Where, SaysWhatIsWrongAtWhichOctet) {
       {"rate = 'x\\", "this text has no closing quote at octet 8"},
       {"rate = 'x\\n'", "only \\\\, \\\" and \\' are escapes at octet 11"},
       {"rate = '\xff'", "this text is no UTF-8 at octet 8"},
-      {"rate ~ 1", "expected =, !=, <, <=, > or >= at octet 6"},
+      {"rate ~ 1", "expected =, !=, <, <=, >, >=, in, not in or like at octet 6"},
       {"rate = 1 or", "expected a key, 'has', 'not' or '(' at octet 12"},
       {"not", "expected a key, 'has', 'not' or '(' at octet 4"},
       {"!= 3", "expected a key, 'has', 'not' or '(' at octet 1"},
+      {"rate in 1", "expected '(' after 'in' at octet 9"},
+      {"rate in (1", "expected ',' or ')' at octet 11"},
+      {"rate in ()", "expected a number, a word or a quoted text at octet 10"},
+      {"rate in (1,)", "expected a number, a word or a quoted text at octet 12"},
+      {"rate not 1", "expected 'in' after 'not' at octet 10"},
+      {"rate like", "expected a number, a word or a quoted text at octet 10"},
+      {"rate < r*", "a pattern is neither less nor greater: quote it to compare it as a text at octet 8"},
+      {"rate < 3m", "write a blank between number and unit, or quote it to compare it as a text at octet 8"},
+      {"rate < 3 metres", "expected 'and', 'or', the end or a unit that is known at octet 10"},
+      {"rate < 1e308 km", "this number is out of range at octet 8"},
       {std::string("rate = \0", 8), "expected a number, a word or a quoted text at octet 8"},
   };
   for (const auto& [expression, text] : cases) {
@@ -279,7 +346,7 @@ TEST(Where, ASharedPageOfExamplesHolds) {
     EXPECT_EQ(accepts(expression), line.substr(end + 4).starts_with("holds")) << line;
     ++examples;
   }
-  EXPECT_EQ(examples, 8);
+  EXPECT_EQ(examples, 12);
 }
 
 }  // namespace

@@ -29,6 +29,9 @@ Line line_of(const Core& core, const registry::SubscriptionEntry& entry) {
   append_flag(line, "local", entry.is_local);
   append_flag(line, "served", core.matcher.is_served(entry));
   append_stated(line, "protocol", gcnp::protocol_list(subscription.protocols));
+  append_stated(line, "favour", gcnp::provider_list(subscription.favoured));
+  append_stated(line, "prefer", subscription.prefer);
+  append_stated(line, "rank", subscription.rank);
   gcnp::append_attributes(line, subscription.attributes);
   return line;
 }

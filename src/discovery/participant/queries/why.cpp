@@ -3,6 +3,7 @@
 
 #include "base/text.hpp"
 #include "discovery/gcnp/event.hpp"
+#include "discovery/matching/request.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 
@@ -105,23 +106,22 @@ Line check_where(const Core& core, const registry::SubscriptionEntry& request,
 /// By what the rival is ahead; empty where it is by its key alone.
 std::string lead_of(const Core& core, const registry::SubscriptionEntry& request,
                     const registry::PublicationEntry& rival, const registry::PublicationEntry& offer) {
-  const std::int32_t wanted = rival.publication.priority;
-  const std::int32_t given = offer.publication.priority;
-  if (wanted != given) {
-    return ", whose priority is " + std::to_string(wanted) + " against " + std::to_string(given);
-  }
   const auto better = core.matcher.why(request, rival);
   const auto worse = core.matcher.why(request, offer);
-  if (!better || !worse || *better == *worse) return "";
-  return ", which is " + std::string(to_string(better->degree)) + ", distance " + std::to_string(better->distance);
+  if (!better || !worse) return "";
+  return core.matcher.prepare(request.subscription)->preferences.lead(rival, *better, offer, *worse);
 }
 
 std::string outranked_words(const Core& core, const registry::SubscriptionEntry& request,
                             const registry::PublicationEntry& offer, const matching::Standing& standing) {
   if (standing.rival == nullptr) return ": it is not used";
-  const std::string lead = lead_of(core, request, *standing.rival, offer);
-  std::string text = ": outranked by " + to_string(standing.rival->key) + lead;
-  if (!lead.empty()) return text;
+  std::string text = ": outranked by " + to_string(standing.rival->key);
+  if (standing.decided == matching::Standing::Decided::by_incumbent && !request.subscription.prefer.empty()) {
+    return text + ", which was there first, and it is not better by as much as prefer asks for";
+  }
+  if (const std::string lead = lead_of(core, request, *standing.rival, offer); !lead.empty()) {
+    return text.append(", ").append(lead);
+  }
   if (standing.decided == matching::Standing::Decided::elsewhere) {
     return text + ", which is no better: the consumer's host keeps whichever was there first";
   }
@@ -139,7 +139,8 @@ Line check_arbitration(const Core& core, const registry::SubscriptionEntry& requ
   text += ", the limit is " + std::to_string(limit);
   if (!standing.is_chosen) return check("arbitration", false, text + outranked_words(core, request, offer, standing));
   if (standing.decided == matching::Standing::Decided::by_incumbent) {
-    text += ": it was there first, and none of those ahead of it is better but for its key";
+    text += ": it was there first, and none of those ahead of it is better ";
+    text += request.subscription.prefer.empty() ? "but for its key" : "by as much as prefer asks for";
   }
   return check("arbitration", true, std::move(text));
 }

@@ -1,0 +1,241 @@
+// The reader of `prefer` and `rank`, and what they make of a publication.
+#include "discovery/matching/preferences.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/text.hpp"
+#include "discovery/matching/number.hpp"
+#include "discovery/matching/stated.hpp"
+#include "geminga/attribute.hpp"
+
+namespace geminga::matching {
+namespace {
+
+using registry::PublicationEntry;
+
+constexpr std::size_t max_shown_bytes = 60;
+
+constexpr std::array<std::pair<std::string_view, Criterion>, criterion_count> criteria{
+    {{"favour", Criterion::favour},
+     {"priority", Criterion::priority},
+     {"prefer", Criterion::prefer},
+     {"degree", Criterion::degree},
+     {"distance", Criterion::distance}}};
+
+bool is_key(std::string_view text) {
+  return !text.empty() && std::ranges::all_of(text, [](char octet) {
+    return (octet >= 'a' && octet <= 'z') || (octet >= 'A' && octet <= 'Z') || (octet >= '0' && octet <= '9') ||
+           octet == '_' || octet == '.' || octet == '-';
+  });
+}
+
+std::string_view without_blanks(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
+/// Takes the first item of a list with commas, without the blanks around it.
+std::string_view take_item(std::string_view& list) {
+  const auto comma = std::min(list.find(','), list.size());
+  const std::string_view item = without_blanks(list.substr(0, comma));
+  list.remove_prefix(std::min(comma + 1, list.size()));
+  return item;
+}
+
+/// Takes the first word of a text, and the blanks behind it.
+std::string_view take_word(std::string_view& text) {
+  const std::string_view word = text.substr(0, text.find(' '));
+  text = without_blanks(text.substr(word.size()));
+  return word;
+}
+
+std::unexpected<Error> unreadable(std::string_view key, std::string_view item, std::string_view expected) {
+  return std::unexpected(Error{ErrorCode::impossible, std::string(key) + ": " + base::printable(item, max_shown_bytes) +
+                                                          " cannot be read: " + std::string(expected)});
+}
+
+std::expected<Wish, Error> read_wish(std::string_view item) {
+  constexpr std::string_view form = "write KEY asc or KEY desc, perhaps with by NUMBER [UNIT], e.g. rate desc by 5";
+  std::string_view rest = item;
+  Wish wish{.key = std::string(take_word(rest))};
+  const std::string_view direction = take_word(rest);
+  wish.is_descending = direction == "desc";
+  const std::string_view name = std::string_view(wish.key).starts_with(attribute_prefix)
+                                    ? std::string_view(wish.key).substr(attribute_prefix.size())
+                                    : std::string_view(wish.key);
+  if (!is_key(name) || (direction != "asc" && !wish.is_descending)) return unreadable("prefer", item, form);
+  if (rest.empty()) return wish;
+  if (take_word(rest) != "by") return unreadable("prefer", item, form);
+  if (const auto bare = number(rest)) {
+    wish.margin = *bare;
+    wish.dimension = Dimension{};
+  } else if (const auto stated = difference(rest)) {
+    wish.margin = stated->value;
+    wish.dimension = stated->dimension;
+  } else {
+    return unreadable("prefer", item, form);
+  }
+  if (wish.margin < 0) return unreadable("prefer", item, "what is behind by is 0 or more");
+  return wish;
+}
+
+/// What a publication says under the key of a wish, in the base unit; nothing where that is no number, or is of another
+/// kind than the wish speaks of.
+std::optional<double> value_of(const Wish& wish, const PublicationEntry& publication) {
+  std::string room;
+  const auto stated = stated_under(wish.key, publication, room);
+  if (!stated) return std::nullopt;
+  Quantity value;
+  if (const auto bare = number(*stated)) {
+    value.value = *bare;
+  } else if (const auto with_unit = quantity(*stated)) {
+    value = *with_unit;
+  } else {
+    return std::nullopt;
+  }
+  if (wish.dimension && *wish.dimension != value.dimension) return std::nullopt;
+  return value.value;
+}
+
+/// The lesser the better; what says nothing is behind all that do.
+double score_of(const Wish& wish, const PublicationEntry& publication) {
+  const auto value = value_of(wish, publication);
+  if (!value) return std::numeric_limits<double>::infinity();
+  return wish.is_descending ? -*value : *value;
+}
+
+std::string shown(const Wish& wish, const PublicationEntry& publication) {
+  std::string room;
+  return value_of(wish, publication)
+             ? base::printable(stated_under(wish.key, publication, room).value_or(""), max_shown_bytes)
+             : "none";
+}
+
+}  // namespace
+
+bool is_of(const ProviderFilter& provider, const PublicationEntry& publication) {
+  const bool is_participant = provider.participant.empty() ||
+                              participant_id(provider.participant) == publication.key.participant ||
+                              provider.participant == publication.participant_name;
+  const bool is_peer = provider.peer.empty() ||
+                       base::parse_number<std::uint32_t>(provider.peer) == std::to_underlying(publication.key.peer) ||
+                       provider.peer == publication.peer_name;
+  return is_participant && is_peer;
+}
+
+std::expected<Preferences, Error> Preferences::of(const Subscription& subscription) {
+  Preferences preferences;
+  preferences.favoured_ = subscription.favoured;
+  if (subscription.prefer.ends_with(',')) {
+    return unreadable("prefer", subscription.prefer, "nothing follows the last comma");
+  }
+  for (std::string_view rest = subscription.prefer; !rest.empty();) {
+    if (preferences.wishes_.size() == max_wishes) {
+      return unreadable("prefer", rest, "there are at most " + std::to_string(max_wishes) + " wishes");
+    }
+    auto wish = read_wish(take_item(rest));
+    if (!wish) return std::unexpected(std::move(wish.error()));
+    preferences.wishes_.push_back(std::move(*wish));
+  }
+  if (subscription.rank.ends_with(',')) return unreadable("rank", subscription.rank, "nothing follows the last comma");
+  std::size_t place = 0;
+  for (std::string_view rest = subscription.rank; !rest.empty();) {
+    const std::string_view word = take_item(rest);
+    const auto named = std::ranges::find(criteria, word, &decltype(criteria)::value_type::first);
+    const auto begin = preferences.order_.begin() + static_cast<std::ptrdiff_t>(place);
+    // Those that are named already stand before `begin`.
+    const auto at =
+        named == criteria.end() ? preferences.order_.end() : std::find(begin, preferences.order_.end(), named->second);
+    if (at == preferences.order_.end()) {
+      return unreadable("rank", word, "favour, priority, prefer, degree, distance, each once at most, with commas");
+    }
+    std::rotate(begin, at, at + 1);
+    ++place;
+  }
+  preferences.is_reordered_ = preferences.order_ != Preferences().order_;
+  return preferences;
+}
+
+double Preferences::favour(const PublicationEntry& publication) const {
+  const auto at = std::ranges::find_if(favoured_, [&](const auto& provider) { return is_of(provider, publication); });
+  return static_cast<double>(at - favoured_.begin());
+}
+
+Score Preferences::score(const PublicationEntry& publication, const Match& match) const {
+  if (is_usual()) return {};
+  Score score;
+  score.reserve(criterion_count - 1 + wishes_.size());
+  for (const Criterion criterion : order_) {
+    switch (criterion) {
+      case Criterion::favour:
+        score.push_back(favour(publication));
+        break;
+      case Criterion::priority:
+        score.push_back(-static_cast<double>(publication.publication.priority));
+        break;
+      case Criterion::prefer:
+        for (const Wish& wish : wishes_) score.push_back(score_of(wish, publication));
+        break;
+      case Criterion::degree:
+        score.push_back(static_cast<double>(match.degree));
+        break;
+      case Criterion::distance:
+        score.push_back(match.distance);
+        break;
+    }
+  }
+  return score;
+}
+
+Score Preferences::margins() const {
+  if (is_usual()) return {};
+  Score margins;
+  for (const Criterion criterion : order_) {
+    if (criterion != Criterion::prefer) {
+      margins.push_back(0);
+      continue;
+    }
+    for (const Wish& wish : wishes_) margins.push_back(wish.margin);
+  }
+  return margins;
+}
+
+std::string Preferences::lead(const PublicationEntry& better, const Match& its_match, const PublicationEntry& worse,
+                              const Match& others_match) const {
+  for (const Criterion criterion : order_) {
+    switch (criterion) {
+      case Criterion::favour:
+        if (favour(better) != favour(worse)) return "which is favoured";
+        break;
+      case Criterion::priority:
+        if (better.publication.priority == worse.publication.priority) break;
+        return "whose priority is " + std::to_string(better.publication.priority) + " against " +
+               std::to_string(worse.publication.priority);
+      case Criterion::prefer:
+        for (const Wish& wish : wishes_) {
+          if (score_of(wish, better) == score_of(wish, worse)) continue;
+          return "whose " + base::printable(wish.key) + " is " + shown(wish, better) + " against " + shown(wish, worse);
+        }
+        break;
+      case Criterion::degree:
+      case Criterion::distance:
+        if (criterion == Criterion::degree ? its_match.degree == others_match.degree
+                                           : its_match.distance == others_match.distance) {
+          break;
+        }
+        return "which is " + std::string(to_string(its_match.degree)) + ", distance " +
+               std::to_string(its_match.distance);
+    }
+  }
+  return "";
+}
+
+std::optional<Error> check_preferences(const Subscription& subscription) {
+  const auto preferences = Preferences::of(subscription);
+  return preferences ? std::nullopt : std::optional(preferences.error());
+}
+
+}  // namespace geminga::matching

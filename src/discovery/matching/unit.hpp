@@ -1,0 +1,49 @@
+// Units of measurement: what a number is a number of, as WHERE.md lists them.
+#ifndef GEMINGA_DISCOVERY_MATCHING_UNIT_HPP
+#define GEMINGA_DISCOVERY_MATCHING_UNIT_HPP
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace geminga::matching {
+
+/// The longest unit, in octets; a longer one is none.
+inline constexpr std::size_t max_unit_octets = 32;
+
+/// What can be compared with each other: the exponents of metre, kilogram, second, ampere, kelvin, candela, radian,
+/// bit, one as a share of a whole, and decibel (BIPM, The International System of Units, 2.3.3, and what robots need
+/// beside).
+using Dimension = std::array<std::int8_t, 10>;
+
+/// A value in this unit is `value * factor + offset` in the base units of its dimension.
+struct Unit {
+  double factor = 1;
+  double offset = 0;  ///< 0 but for degrees Celsius and Fahrenheit
+  Dimension dimension{};
+};
+
+/// The unit of `cm`, `m/s^2`, `kbit/s`, `°C`; nothing where it is none. Allocates nothing. O(length).
+[[nodiscard]] std::optional<Unit> unit(std::string_view text);
+
+/// A number with its unit, in base units.
+struct Quantity {
+  double value = 0;
+  Dimension dimension{};
+};
+
+/// The quantity of `3 m` or `350cm`: a number, blanks or none, a unit. Nothing where there is no unit. O(length).
+[[nodiscard]] std::optional<Quantity> quantity(std::string_view text);
+
+/// As quantity(), of a difference: 5 °C are 5 K.
+[[nodiscard]] std::optional<Quantity> difference(std::string_view text);
+
+/// Unordered where they are of different dimensions.
+[[nodiscard]] std::partial_ordering compare(const Quantity& a, const Quantity& b);
+
+}  // namespace geminga::matching
+
+#endif

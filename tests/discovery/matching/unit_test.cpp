@@ -1,0 +1,102 @@
+// The units of WHERE.md.
+#include "discovery/matching/unit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <compare>
+#include <string>
+#include <utility>
+
+namespace geminga::matching {
+namespace {
+
+bool are_equal(const std::string& a, const std::string& b) {
+  const auto one = quantity(a);
+  const auto other = quantity(b);
+  EXPECT_TRUE(one) << a;
+  EXPECT_TRUE(other) << b;
+  return one && other && compare(*one, *other) == std::partial_ordering::equivalent;
+}
+
+TEST(Unit, IsConvertedToItsBase) {
+  for (const auto& [one, other] : {std::pair{"1 km", "1000 m"},
+                                   {"1 min", "60 s"},
+                                   {"1 h", "3.6 ks"},
+                                   {"36 km/h", "10 m/s"},
+                                   {"180 deg", "3.141592653589793 rad"},
+                                   {"60 rpm", "360 deg/s"},
+                                   {"1 kWh", "3.6 MJ"},
+                                   {"1 N", "1 kg*m/s^2"},
+                                   {"1 N", "1 kg.m.s-2"},
+                                   {"1 m\u00b2", "1 m2"},
+                                   {"1 m^2", "10000 cm2"},
+                                   {"1 l", "1 dm3"},
+                                   {"1 \u00b5s", "1 us"},
+                                   {"1 KiB", "1024 B"},
+                                   {"1 kB", "8 kbit"},
+                                   {"1 Mbit/s", "125 kB/s"},
+                                   {"1 Mbps", "1 Mbit/s"},
+                                   {"30 fps", "30 Hz"},
+                                   {"50 %", "500000 ppm"},
+                                   {"0 \u00b0C", "273.15 K"},
+                                   {"212 degF", "100 degC"},
+                                   {"1 in", "25.4 mm"},
+                                   {"12 V", "12 W/A"},
+                                   {"1 Ah", "3600 C"}}) {
+    EXPECT_TRUE(are_equal(one, other)) << one << " and " << other;
+  }
+}
+
+TEST(Unit, OfAnotherKindIsNotComparable) {
+  for (const auto& [one, other] : {std::pair{"1 m", "1 s"},
+                                   {"1 m", "1 m2"},
+                                   {"1 rad", "100 %"},
+                                   {"1 Hz", "1 rpm"},
+                                   {"1 bit", "1 %"},
+                                   {"1 dB", "1 %"}}) {
+    const auto order = compare(*quantity(one), *quantity(other));
+    EXPECT_EQ(order, std::partial_ordering::unordered) << one << " and " << other;
+  }
+}
+
+TEST(Unit, ThatNobodyKnowsIsNone) {
+  for (const char* text : {"",   "x",  "metre", "Nm",     "kmin",   "kkm",    "m/",    "/s",   "m//s", "m s",
+                           " m", "m ", "m0",    "m5",     "m^",     "^2",     "2",     "m^0",  "m2-1", "\xff",
+                           "*",  ".",  "k",     "\u00b2", "degC/s", "m.degC", "kdegC", "KiHz", "Kim"}) {
+    EXPECT_FALSE(unit(text)) << text;
+  }
+}
+
+TEST(Unit, IsReadUpToItsLengthAndItsExponents) {
+  const auto repeated = [](std::size_t times) {
+    std::string text = "m";
+    for (std::size_t i = 1; i < times; ++i) text += "/m";
+    return text;
+  };
+  ASSERT_EQ(repeated(16).size(), max_unit_octets - 1);
+  EXPECT_TRUE(unit(repeated(16)));
+  EXPECT_FALSE(unit(repeated(17)));
+  EXPECT_TRUE(unit("F4"));
+  EXPECT_FALSE(unit("F4.F4")) << "s^32 is no unit that anybody means";
+  EXPECT_FALSE(unit("Tm4.Tm4.Tm4.Tm4.Tm4.Tm4.Tm4.Tm4"));
+  EXPECT_TRUE(unit("m4/m4/s4.s4"));
+}
+
+TEST(Unit, AQuantityNeedsBothAndIsFinite) {
+  for (const char* text :
+       {"3", "m", "", "3 ", " 3 m", "3 m ", "x3 m", "1e999 m", "1e308 km", "NaN m", "inf m", "3  "}) {
+    EXPECT_FALSE(quantity(text)) << text;
+  }
+  EXPECT_TRUE(quantity("3m"));
+  EXPECT_TRUE(quantity("-3.5e2   mm"));
+  EXPECT_FALSE(quantity("1e5")) << "an exponent is none";
+}
+
+TEST(Unit, ADifferenceOfTemperaturesHasNoZero) {
+  EXPECT_DOUBLE_EQ(difference("5 degC")->value, 5);
+  EXPECT_DOUBLE_EQ(difference("9 degF")->value, 5);
+  EXPECT_DOUBLE_EQ(difference("5 cm")->value, quantity("5 cm")->value);
+}
+
+}  // namespace
+}  // namespace geminga::matching
