@@ -33,6 +33,8 @@ struct NamedPublication {
   std::string protocol = "udp";
   std::int32_t priority = 0;
   Attributes attributes;
+  std::string scope{};
+  std::string for_whom{};
   friend bool operator==(const NamedPublication&, const NamedPublication&) = default;
 };
 
@@ -52,6 +54,7 @@ struct NamedSubscription {
   std::vector<ProviderFilter> favoured{};
   std::string prefer{};
   std::string rank{};
+  std::string scope{};
   friend bool operator==(const NamedSubscription&, const NamedSubscription&) = default;
 };
 
@@ -73,7 +76,9 @@ struct PublicationChange {
   std::optional<std::uint16_t> port;
   std::optional<std::string> protocol;
   std::optional<std::int32_t> priority;
-  Attributes attributes;  ///< added to those that are there; one of the same key takes its place
+  Attributes attributes;                  ///< added to those that are there; one of the same key takes its place
+  std::optional<std::string> scope{};     ///< empty: all hosts again
+  std::optional<std::string> for_whom{};  ///< empty: no condition any more
   friend bool operator==(const PublicationChange&, const PublicationChange&) = default;
 };
 
@@ -93,6 +98,7 @@ struct SubscriptionChange {
   std::optional<std::vector<ProviderFilter>> favoured{};  ///< empty: nobody any more
   std::optional<std::string> prefer{};                    ///< empty: nothing any more
   std::optional<std::string> rank{};                      ///< empty: the usual order again
+  std::optional<std::string> scope{};                     ///< empty: all hosts again
   friend bool operator==(const SubscriptionChange&, const SubscriptionChange&) = default;
 };
 

@@ -66,6 +66,8 @@ struct Publication {
   std::string protocol = "udp";
   std::int32_t priority = 0;  ///< greater wins an arbitration
   Attributes attributes;
+  std::string scope{};     ///< which hosts it is for (src/discovery/matching/SCOPE.md); empty: all
+  std::string for_whom{};  ///< a condition on the consumer (src/discovery/matching/WHERE.md); empty: none
   friend bool operator==(const Publication&, const Publication&) = default;
 };
 
@@ -93,6 +95,7 @@ struct Subscription {
   std::vector<ProviderFilter> favoured{};  ///< first these providers, in this order, then all others
   std::string prefer{};  ///< whose attributes come first (src/discovery/matching/PREFERENCES.md); empty: nobody's
   std::string rank{};    ///< by what providers are ranked first; empty: the usual order
+  std::string scope{};   ///< from which hosts (src/discovery/matching/SCOPE.md); empty: all
   friend bool operator==(const Subscription&, const Subscription&) = default;
 };
 

@@ -20,7 +20,9 @@ inline constexpr std::size_t max_accepted_protocols = 8;
 inline constexpr std::size_t max_attributes = 32;
 inline constexpr std::size_t max_attribute_key_bytes = 64;
 inline constexpr std::size_t max_attribute_value_bytes = 255;
-/// A `where` expression, in octets.
+/// A scope, in octets.
+inline constexpr std::size_t max_scope_bytes = 200;
+/// A `where` or `for` expression, in octets.
 inline constexpr std::size_t max_where_bytes = 400;
 /// Provider filters of one subscription, and providers that it favours.
 inline constexpr std::size_t max_provider_filters = 16;

@@ -141,10 +141,10 @@ void put_again(benchmark::State& state) {
 
 void answer(benchmark::State& state) {
   auto& providers = team<Providers>(state.range(0));
-  const Subscription request = wish(0, rare).subscription;
+  const registry::SubscriptionEntry request = wish(0, rare);
   for (auto _ : state) {
-    const auto prepared = providers.matcher.prepare(request);
-    const auto candidates = providers.matcher.candidates(request, *prepared, answers);
+    const auto prepared = providers.matcher.prepare(request.subscription);
+    const auto candidates = providers.matcher.candidates(request.subscription, *prepared, answers);
     const auto meets = [&](const ServiceKey& one) {
       return providers.matcher.meets(request, *prepared, *providers.matcher.find_publication(one)).has_value();
     };

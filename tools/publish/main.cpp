@@ -54,6 +54,10 @@ void add_to(CLI::App& app, Options& options) {
          "An attribute, also one whose name is near a key: as the word attr.KEY=VALUE; may be given several times")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  app.add_option("--scope", options.publication.scope, "Only consumers on these hosts: host, any, HOST[/PEER], !HOST")
+      ->type_name("SCOPE");
+  app.add_option("--for", options.publication.for_whom, "Only consumers that fit, e.g. \"name = robot*\"")
+      ->type_name("EXPRESSION");
   app.add_option("--priority", options.publication.priority, "Greater wins where several providers match")
       ->type_name("K");
 }

@@ -57,6 +57,8 @@ void add_to(CLI::App& app, Options& options) {
       ->type_name("P")
       ->delimiter(',')
       ->allow_extra_args(false);
+  app.add_option("--scope", options.subscription.scope, "Only services on these hosts: host, any, HOST[/PEER], !HOST")
+      ->type_name("SCOPE");
   app.add_option("--favour", options.favoured, "First these providers, in this order, then all others")
       ->type_name("PARTICIPANT[/PEER]")
       ->delimiter(',')

@@ -160,6 +160,8 @@ Decoded<NumberedPublication> publication_of(const wire::Publication& message, co
   numbered.number = message.number();
   if (const auto read = read_common(message, terms, numbered.publication); !read) return Failure(read.error());
   if (!message.protocol().empty()) numbered.publication.protocol = message.protocol();
+  numbered.publication.scope = message.scope();
+  numbered.publication.for_whom = message.for_whom();
   if (const auto fault = find_fault(numbered.publication)) return Failure(fault->word);
   return numbered;
 }
@@ -184,6 +186,7 @@ Decoded<NumberedSubscription> subscription_of(const wire::Subscription& message,
   }
   subscription.prefer = message.prefer();
   subscription.rank = message.rank();
+  subscription.scope = message.scope();
   if (const auto fault = find_fault(subscription)) return Failure(fault->word);
   return numbered;
 }

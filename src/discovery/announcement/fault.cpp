@@ -160,7 +160,8 @@ Found filters_fault(const Subscription& subscription) {
   if (auto found = filter_fault("where", subscription.where, max_where_bytes)) return found;
   if (auto found = providers_fault(subscription.favoured)) return found;
   if (auto found = filter_fault("prefer", subscription.prefer, max_prefer_bytes)) return found;
-  return filter_fault("rank", subscription.rank, max_rank_bytes);
+  if (auto found = filter_fault("rank", subscription.rank, max_rank_bytes)) return found;
+  return filter_fault("scope", subscription.scope, max_scope_bytes);
 }
 
 }  // namespace
@@ -185,6 +186,8 @@ std::optional<Fault> find_fault(const Publication& publication) {
   }
   if (auto found = address_fault(publication.address)) return found;
   if (auto found = protocol_fault(publication.protocol)) return found;
+  if (auto found = filter_fault("scope", publication.scope, max_scope_bytes)) return found;
+  if (auto found = filter_fault("for", publication.for_whom, max_where_bytes)) return found;
   return attributes_fault(publication.attributes);
 }
 

@@ -78,6 +78,8 @@ wire::Publication to_wire(const NumberedPublication& numbered, TermTable& terms)
   message.set_number(numbered.number);
   write_common(numbered.publication, terms, message);
   if (numbered.publication.protocol != "udp") message.set_protocol(numbered.publication.protocol);
+  message.set_scope(numbered.publication.scope);
+  message.set_for_whom(numbered.publication.for_whom);
   return message;
 }
 
@@ -93,6 +95,7 @@ wire::Subscription to_wire(const NumberedSubscription& numbered, TermTable& term
   for (const auto& favoured : numbered.subscription.favoured) write(favoured, *message.add_favoured());
   message.set_prefer(numbered.subscription.prefer);
   message.set_rank(numbered.subscription.rank);
+  message.set_scope(numbered.subscription.scope);
   return message;
 }
 

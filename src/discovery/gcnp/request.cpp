@@ -33,6 +33,8 @@ Request read_pub_create(KeyReader& keys) {
   publication.address = keys.address().value_or("");
   publication.protocol = keys.text("protocol", max_protocol_bytes).value_or("udp");
   publication.priority = keys.priority().value_or(0);
+  publication.scope = keys.text("scope", max_scope_bytes).value_or("");
+  publication.for_whom = keys.text("for", max_where_bytes).value_or("");
   publication.attributes = keys.attributes();
   return PubCreate{std::move(publication)};
 }
@@ -45,6 +47,8 @@ Request read_pub_modify(KeyReader& keys) {
   change.port = keys.port();
   change.protocol = keys.text("protocol", max_protocol_bytes);
   change.priority = keys.priority();
+  change.scope = keys.text("scope", max_scope_bytes);
+  change.for_whom = keys.text("for", max_where_bytes);
   change.attributes = keys.attributes();
   return change;
 }
@@ -71,6 +75,7 @@ Request read_sub_create(KeyReader& keys) {
   subscription.favoured = keys.providers("favour").value_or(std::vector<ProviderFilter>{});
   subscription.prefer = keys.text("prefer", max_prefer_bytes).value_or("");
   subscription.rank = keys.text("rank", max_rank_bytes).value_or("");
+  subscription.scope = keys.text("scope", max_scope_bytes).value_or("");
   subscription.attributes = keys.attributes();
   return SubCreate{std::move(subscription)};
 }
@@ -91,6 +96,7 @@ Request read_sub_modify(KeyReader& keys) {
   change.favoured = keys.providers("favour");
   change.prefer = keys.text("prefer", max_prefer_bytes);
   change.rank = keys.text("rank", max_rank_bytes);
+  change.scope = keys.text("scope", max_scope_bytes);
   change.attributes = keys.attributes();
   return change;
 }
@@ -217,7 +223,15 @@ std::expected<Request, Error> read_request(const Statement& statement) {
 }
 
 Publication with_identity(const NamedPublication& named, Identity identity) {
-  return {named.mode, std::move(identity), named.address, named.port, named.protocol, named.priority, named.attributes};
+  return {.mode = named.mode,
+          .identity = std::move(identity),
+          .address = named.address,
+          .port = named.port,
+          .protocol = named.protocol,
+          .priority = named.priority,
+          .attributes = named.attributes,
+          .scope = named.scope,
+          .for_whom = named.for_whom};
 }
 
 Subscription with_identity(const NamedSubscription& named, Identity identity) {
@@ -235,7 +249,8 @@ Subscription with_identity(const NamedSubscription& named, Identity identity) {
           .protocols = named.protocols,
           .favoured = named.favoured,
           .prefer = named.prefer,
-          .rank = named.rank};
+          .rank = named.rank,
+          .scope = named.scope};
 }
 
 namespace {
@@ -246,6 +261,7 @@ void apply_common(const Change& change, Service& service) {
   service.address = change.address.value_or(service.address);
   service.port = change.port.value_or(service.port);
   service.priority = change.priority.value_or(service.priority);
+  service.scope = change.scope.value_or(service.scope);
   for (const auto& [key, value] : change.attributes) service.attributes.insert_or_assign(key, value);
 }
 
@@ -254,6 +270,7 @@ void apply_common(const Change& change, Service& service) {
 void apply(const PubModify& change, Publication& publication) {
   apply_common(change, publication);
   publication.protocol = change.protocol.value_or(publication.protocol);
+  publication.for_whom = change.for_whom.value_or(publication.for_whom);
 }
 
 void apply(const SubModify& change, Subscription& subscription) {

@@ -70,12 +70,16 @@ struct Writer {
     append_stated(parameters, "address", publication.address);
     if (publication.protocol != "udp") append(parameters, "protocol", publication.protocol);
     if (publication.priority != 0) append(parameters, "priority", publication.priority);
+    append_stated(parameters, "scope", publication.scope);
+    append_stated(parameters, "for", publication.for_whom);
     append_own_attributes(parameters, publication.attributes);
   }
   void operator()(const PubModify& change) const {
     auto& parameters = begin("pub", "modify");
     append_common_change(parameters, change);
     if (change.protocol) append(parameters, "protocol", *change.protocol);
+    if (change.scope) append(parameters, "scope", *change.scope);
+    if (change.for_whom) append(parameters, "for", *change.for_whom);
     append_own_attributes(parameters, change.attributes);
   }
   void operator()(const PubRemove&) const { begin("pub", "remove"); }
@@ -94,6 +98,7 @@ struct Writer {
     append_stated(parameters, "favour", provider_list(subscription.favoured));
     append_stated(parameters, "prefer", subscription.prefer);
     append_stated(parameters, "rank", subscription.rank);
+    append_stated(parameters, "scope", subscription.scope);
     if (subscription.limit) append(parameters, "limit", *subscription.limit);
     if (subscription.priority != 0) append(parameters, "priority", subscription.priority);
     if (subscription.port != 0) append(parameters, "port", subscription.port);
@@ -110,6 +115,7 @@ struct Writer {
     if (change.favoured) append(parameters, "favour", provider_list(*change.favoured));
     if (change.prefer) append(parameters, "prefer", *change.prefer);
     if (change.rank) append(parameters, "rank", *change.rank);
+    if (change.scope) append(parameters, "scope", *change.scope);
     if (change.limit) append(parameters, "limit", *change.limit);
     append_own_attributes(parameters, change.attributes);
   }

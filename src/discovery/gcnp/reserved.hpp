@@ -41,11 +41,12 @@ inline constexpr auto reserved_keys = std::to_array<std::string_view>({"mode",
                                                                        "prefer",
                                                                        "convert",
                                                                        "scope",
-                                                                       "rank"});
+                                                                       "rank",
+                                                                       "for"});
 
 /// Keys of a subscription that have a meaning already and no effect yet: 422, so that nobody relies on what is not
 /// done.
-inline constexpr auto keys_without_effect = std::to_array<std::string_view>({"convert", "scope"});
+inline constexpr auto keys_without_effect = std::to_array<std::string_view>({"convert"});
 
 [[nodiscard]] constexpr bool is_reserved(std::string_view key) {
   return std::ranges::find(reserved_keys, key) != reserved_keys.end();

@@ -79,7 +79,7 @@ std::shared_ptr<const Request> Matcher::prepare(const Subscription& asked) const
   return std::make_shared<const Request>(prepared(asked, vocabulary(), state_->placing_));
 }
 
-std::optional<Match> Matcher::meets(const Subscription& asked, const Request& request,
+std::optional<Match> Matcher::meets(const registry::SubscriptionEntry& asked, const Request& request,
                                     const registry::PublicationEntry& publication) const {
   return state_->meets(asked, request, publication);
 }
@@ -99,8 +99,9 @@ std::optional<std::vector<ServiceKey>> Matcher::candidates(const Subscription& a
 std::expected<Match, std::string> Matcher::why(const registry::SubscriptionEntry& request,
                                                const registry::PublicationEntry& offer) const {
   ++state_->judged_;
-  return explained(request.subscription, state_->prepare(request), offer,
-                   classes_of(offer.publication.identity, vocabulary()), vocabulary());
+  const Audience audience = Audience::of(offer.publication);
+  const Classes classes = classes_of(offer.publication.identity, vocabulary());
+  return explained(request, state_->prepare(request), {offer, audience, classes}, vocabulary());
 }
 
 bool Matcher::walk_publications(const std::optional<ServiceKey>& after, const VisitPublication& visit) const {

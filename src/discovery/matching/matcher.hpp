@@ -108,13 +108,14 @@ class Matcher {
   [[nodiscard]] std::shared_ptr<const Request> prepare(const Subscription& asked) const;
   /// How a publication of the registry meets `asked`, from which `request` was prepared; its mode and its identity may
   /// have been set to the publication's own since.
-  [[nodiscard]] std::optional<Match> meets(const Subscription& asked, const Request& request,
+  [[nodiscard]] std::optional<Match> meets(const registry::SubscriptionEntry& asked, const Request& request,
                                            const registry::PublicationEntry& publication) const;
   /// The publications whose identity may meet the request's, in no particular order; nothing where they are more than
   /// `most`.
   [[nodiscard]] std::optional<std::vector<ServiceKey>> candidates(const Subscription& asked, const Request& request,
                                                                   std::size_t most) const;
-  /// How this offer meets this request by identity, mode, provider and filter; the error says what does not fit.
+  /// How this offer meets this request by identity, mode, provider, scope and conditions; the error says what does not
+  /// fit.
   [[nodiscard]] std::expected<Match, std::string> why(const registry::SubscriptionEntry& request,
                                                       const registry::PublicationEntry& offer) const;
   /// How a publication stands in the arbitration of a subscription, both known here; nothing where they do not match.

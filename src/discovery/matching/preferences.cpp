@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "discovery/matching/items.hpp"
 #include "discovery/matching/number.hpp"
 #include "discovery/matching/stated.hpp"
 #include "geminga/attribute.hpp"
@@ -14,8 +15,6 @@ namespace geminga::matching {
 namespace {
 
 using registry::PublicationEntry;
-
-constexpr std::size_t max_shown_bytes = 60;
 
 constexpr std::array<std::pair<std::string_view, Criterion>, criterion_count> criteria{
     {{"favour", Criterion::favour},
@@ -31,20 +30,6 @@ bool is_key(std::string_view text) {
   });
 }
 
-std::string_view without_blanks(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
-
-/// Takes the first item of a list with commas, without the blanks around it.
-std::string_view take_item(std::string_view& list) {
-  const auto comma = std::min(list.find(','), list.size());
-  const std::string_view item = without_blanks(list.substr(0, comma));
-  list.remove_prefix(std::min(comma + 1, list.size()));
-  return item;
-}
-
 /// Takes the first word of a text, and the blanks behind it.
 std::string_view take_word(std::string_view& text) {
   const std::string_view word = text.substr(0, text.find(' '));
@@ -53,7 +38,7 @@ std::string_view take_word(std::string_view& text) {
 }
 
 std::unexpected<Error> unreadable(std::string_view key, std::string_view item, std::string_view expected) {
-  return std::unexpected(Error{ErrorCode::impossible, std::string(key) + ": " + base::printable(item, max_shown_bytes) +
+  return std::unexpected(Error{ErrorCode::impossible, std::string(key) + ": " + base::printable(item, max_shown_item) +
                                                           " cannot be read: " + std::string(expected)});
 }
 
@@ -86,7 +71,7 @@ std::expected<Wish, Error> read_wish(std::string_view item) {
 /// kind than the wish speaks of.
 std::optional<double> value_of(const Wish& wish, const PublicationEntry& publication) {
   std::string room;
-  const auto stated = stated_under(wish.key, publication, room);
+  const auto stated = Stated(publication).under(wish.key, room);
   if (!stated) return std::nullopt;
   Quantity value;
   if (const auto bare = number(*stated)) {
@@ -110,7 +95,7 @@ double score_of(const Wish& wish, const PublicationEntry& publication) {
 std::string shown(const Wish& wish, const PublicationEntry& publication) {
   std::string room;
   return value_of(wish, publication)
-             ? base::printable(stated_under(wish.key, publication, room).value_or(""), max_shown_bytes)
+             ? base::printable(Stated(publication).under(wish.key, room).value_or(""), max_shown_item)
              : "none";
 }
 

@@ -10,6 +10,7 @@ namespace geminga::matching {
 namespace {
 
 using registry::PublicationEntry;
+using registry::SubscriptionEntry;
 
 constexpr std::size_t max_shown_expression = 400;
 
@@ -22,6 +23,23 @@ bool is_accepted_provider(const Subscription& subscription, const PublicationEnt
 bool is_accepted_protocol(const Subscription& subscription, const PublicationEntry& publication) {
   return subscription.protocols.empty() ||
          std::ranges::find(subscription.protocols, publication.publication.protocol) != subscription.protocols.end();
+}
+
+/// Whether each is in the scope of the other.
+bool is_in_scope(const SubscriptionEntry& subscription, const Request& request, const Offer& offer) {
+  const Party consumer = party(subscription);
+  const Party provider = party(offer.entry);
+  return request.scope && request.scope->admits(consumer, provider) && offer.audience.scope &&
+         offer.audience.scope->admits(provider, consumer);
+}
+
+std::string scope_misfit(const SubscriptionEntry& subscription, const Request& request, const Offer& offer) {
+  if (!request.scope || !offer.audience.scope) return "scope: it cannot be read";
+  return request.scope->admits(party(subscription), party(offer.entry))
+             ? "scope: the provider's, " + base::printable(offer.entry.publication.scope, max_shown_expression) +
+                   ", does not admit the consumer"
+             : "scope: the consumer's, " + base::printable(subscription.subscription.scope, max_shown_expression) +
+                   ", does not admit the provider";
 }
 
 std::string kind_of(const Identity& identity) {
@@ -103,48 +121,59 @@ Request prepared(const Subscription& subscription, const vocabulary::Vocabulary&
   }
   if (auto where = Where::parse(subscription.where)) request.where = std::move(*where);
   if (auto preferences = Preferences::of(subscription)) request.preferences = std::move(*preferences);
+  auto scope = Scope::of(subscription.scope);
+  request.scope = scope ? std::optional(std::move(*scope)) : std::nullopt;
   return request;
 }
 
-std::optional<Match> meets(const Subscription& subscription, const Request& request,
-                           const PublicationEntry& publication, const Classes& offered,
+std::optional<Match> meets(const SubscriptionEntry& subscription, const Request& request, const Offer& offer,
                            const vocabulary::Vocabulary& vocabulary) {
-  if (subscription.mode != publication.publication.mode || !request.where) return std::nullopt;
-  if (!is_accepted_provider(subscription, publication)) return std::nullopt;
-  if (!is_accepted_protocol(subscription, publication)) return std::nullopt;
+  const Subscription& asked = subscription.subscription;
+  const PublicationEntry& entry = offer.entry;
+  if (asked.mode != entry.publication.mode || !request.where) return std::nullopt;
+  if (!is_accepted_provider(asked, entry) || !is_accepted_protocol(asked, entry)) return std::nullopt;
+  if (!is_in_scope(subscription, request, offer)) return std::nullopt;
   const auto match =
-      degree_of_identity(publication.publication.identity, offered, subscription.identity, request.classes, vocabulary);
-  if (!match || match->degree > subscription.weakest || !request.where->accepts(publication)) return std::nullopt;
+      degree_of_identity(entry.publication.identity, offer.classes, asked.identity, request.classes, vocabulary);
+  if (!match || match->degree > asked.weakest || !request.where->accepts(entry)) return std::nullopt;
+  if (!offer.audience.condition || !offer.audience.condition->accepts(subscription)) return std::nullopt;
   return match;
 }
 
-std::expected<Match, std::string> explained(const Subscription& subscription, const Request& request,
-                                            const PublicationEntry& publication, const Classes& offered,
-                                            const vocabulary::Vocabulary& vocabulary) {
-  if (const auto match = meets(subscription, request, publication, offered, vocabulary)) return *match;
+std::expected<Match, std::string> explained(const SubscriptionEntry& subscription, const Request& request,
+                                            const Offer& offer, const vocabulary::Vocabulary& vocabulary) {
+  if (const auto match = meets(subscription, request, offer, vocabulary)) return *match;
+  const Subscription& asked = subscription.subscription;
+  const Publication& offered = offer.entry.publication;
   std::string why;
   const auto say = [&why](const std::string& misfit) { why += (why.empty() ? "" : "; ") + misfit; };
-  const auto degree =
-      degree_of_identity(publication.publication.identity, offered, subscription.identity, request.classes, vocabulary);
+  const auto degree = degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary);
   if (!degree) {
-    say(identity_misfit(publication.publication.identity, offered, subscription.identity, request.classes, vocabulary));
-  } else if (degree->degree > subscription.weakest) {
+    say(identity_misfit(offered.identity, offer.classes, asked.identity, request.classes, vocabulary));
+  } else if (degree->degree > asked.weakest) {
     say("degree: " + std::string(to_string(degree->degree)) + ", but at least " +
-        std::string(to_string(subscription.weakest)) + " is asked for");
+        std::string(to_string(asked.weakest)) + " is asked for");
   }
-  if (subscription.mode != publication.publication.mode) {
-    say("mode: " + std::string(to_string(publication.publication.mode)) + " is offered, " +
-        std::string(to_string(subscription.mode)) + " is asked for");
+  if (asked.mode != offered.mode) {
+    say("mode: " + std::string(to_string(offered.mode)) + " is offered, " + std::string(to_string(asked.mode)) +
+        " is asked for");
   }
-  if (!is_accepted_provider(subscription, publication)) say("provider: it is not among those that are asked for");
-  if (!is_accepted_protocol(subscription, publication)) {
-    say("protocol: " + base::printable(publication.publication.protocol) + " is offered, and none of those asked for");
+  if (!is_accepted_provider(asked, offer.entry)) say("provider: it is not among those that are asked for");
+  if (!is_accepted_protocol(asked, offer.entry)) {
+    say("protocol: " + base::printable(offered.protocol) + " is offered, and none of those asked for");
   }
+  if (!is_in_scope(subscription, request, offer)) say(scope_misfit(subscription, request, offer));
   if (!request.where) {
     say("filter: it cannot be read");
-  } else if (!request.where->accepts(publication)) {
-    say("filter: " + base::printable(subscription.where, max_shown_expression) +
-        " does not hold: " + request.where->misses(publication));
+  } else if (!request.where->accepts(offer.entry)) {
+    say("filter: " + base::printable(asked.where, max_shown_expression) +
+        " does not hold: " + request.where->misses(offer.entry));
+  }
+  if (!offer.audience.condition) {
+    say("for: it cannot be read");
+  } else if (!offer.audience.condition->accepts(subscription)) {
+    say("for: " + base::printable(offered.for_whom, max_shown_expression) +
+        " does not hold: " + offer.audience.condition->misses(subscription));
   }
   return std::unexpected(why);
 }

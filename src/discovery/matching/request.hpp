@@ -7,8 +7,10 @@
 #include <string>
 
 #include "discovery/matching/arbitration.hpp"
+#include "discovery/matching/audience.hpp"
 #include "discovery/matching/degree.hpp"
 #include "discovery/matching/preferences.hpp"
+#include "discovery/matching/scope.hpp"
 #include "discovery/matching/where.hpp"
 #include "discovery/registry/entry.hpp"
 #include "geminga/service.hpp"
@@ -19,8 +21,9 @@ namespace geminga::matching {
 /// What is computed once a subscription: its classes, its parsed filter, and what it prefers.
 struct Request {
   Classes classes;
-  std::optional<Where> where;  ///< nothing: it cannot be read, and the subscription never matches
-  Preferences preferences{};   ///< none where they cannot be read
+  std::optional<Where> where;            ///< nothing: it cannot be read, and the subscription never matches
+  Preferences preferences{};             ///< none where they cannot be read
+  std::optional<Scope> scope = Scope();  ///< nothing: it cannot be read, and the subscription never matches
 
   /// How such a publication, which matches, ranks among all that do.
   [[nodiscard]] Rank rank(const registry::PublicationEntry& publication, const Match& match) const {
@@ -32,16 +35,21 @@ struct Request {
 [[nodiscard]] Request prepared(const Subscription& subscription, const vocabulary::Vocabulary& vocabulary,
                                const Placing& placing = {}, ParticipantId from = {});
 
-/// How the publication meets the subscription by mode, provider, identity and filter; nothing where it does not.
-/// `subscription` is what `request` was prepared from, `offered` the classes of the publication's identity.
-[[nodiscard]] std::optional<Match> meets(const Subscription& subscription, const Request& request,
-                                         const registry::PublicationEntry& publication, const Classes& offered,
-                                         const vocabulary::Vocabulary& vocabulary);
+/// A publication with what is computed of it. Borrows all.
+struct Offer {
+  const registry::PublicationEntry& entry;
+  const Audience& audience;
+  const Classes& classes;
+};
+
+/// How the offer meets the subscription by mode, provider, protocol, scope, identity and conditions of both; nothing
+/// where it does not. `subscription` is what `request` was prepared from.
+[[nodiscard]] std::optional<Match> meets(const registry::SubscriptionEntry& subscription, const Request& request,
+                                         const Offer& offer, const vocabulary::Vocabulary& vocabulary);
 
 /// The same with everything that does not fit in words, joined by "; ".
-[[nodiscard]] std::expected<Match, std::string> explained(const Subscription& subscription, const Request& request,
-                                                          const registry::PublicationEntry& publication,
-                                                          const Classes& offered,
+[[nodiscard]] std::expected<Match, std::string> explained(const registry::SubscriptionEntry& subscription,
+                                                          const Request& request, const Offer& offer,
                                                           const vocabulary::Vocabulary& vocabulary);
 
 }  // namespace geminga::matching

@@ -14,7 +14,7 @@ std::optional<Standing> Matcher::State::standing(const StoredSubscription& subsc
                                                  const StoredPublication& publication) {
   // While the vocabulary changes: its step is taken now, so that choice and ranking are by the same vocabulary.
   if (edition_of(subscription).generation != in_force_.generation) rematch(subscription);
-  const auto ranked = match(subscription.entry.subscription, of_subscription_[subscription.slot].request);
+  const auto ranked = match(subscription.entry, of_subscription_[subscription.slot].request);
   const auto at = std::ranges::find(ranked, &publication.entry, &Ranked::publication);
   if (at == ranked.end()) return std::nullopt;
   Standing standing{.rank = static_cast<std::size_t>(at - ranked.begin()) + 1, .candidates = ranked.size()};

@@ -15,23 +15,22 @@ std::optional<Match> Matcher::State::meets(const StoredSubscription& subscriptio
                                            const StoredPublication& publication) const {
   const Edition& edition = edition_of(subscription);
   if (of_publication_[publication.slot].leaves || of_subscription_[subscription.slot].is_leaving) return std::nullopt;
-  return meet(subscription.entry.subscription, of_subscription_[subscription.slot].request, publication.entry,
-              classes(publication, edition), edition);
+  return meet(subscription.entry, of_subscription_[subscription.slot].request, publication, edition);
 }
 
-std::optional<Match> Matcher::State::meets(const Subscription& asked, const Request& request,
+std::optional<Match> Matcher::State::meets(const SubscriptionEntry& asked, const Request& request,
                                            const PublicationEntry& publication) const {
   const StoredPublication* stored = publications_.find(publication.key);
   if (stored == nullptr || of_publication_[stored->slot].leaves) return std::nullopt;
-  return meet(asked, request, stored->entry, classes(*stored, in_force_), in_force_);
+  return meet(asked, request, *stored, in_force_);
 }
 
-std::optional<Match> Matcher::State::meet(const Subscription& asked, const Request& request,
-                                          const PublicationEntry& offered, const Classes& classes,
-                                          const Edition& edition) const {
+std::optional<Match> Matcher::State::meet(const SubscriptionEntry& asked, const Request& request,
+                                          const StoredPublication& offered, const Edition& edition) const {
   ++judged_;
-  if (is_kept_apart(offered.publication.identity, asked.identity)) return std::nullopt;
-  return matching::meets(asked, request, offered, classes, edition.vocabulary);
+  if (is_kept_apart(offered.entry.publication.identity, asked.subscription.identity)) return std::nullopt;
+  const Audience& audience = of_publication_[offered.slot].audience;
+  return matching::meets(asked, request, {offered.entry, audience, classes(offered, edition)}, edition.vocabulary);
 }
 
 void Matcher::State::file(const StoredPublication& stored, const Edition& edition) {
@@ -52,6 +51,7 @@ const StoredPublication& Matcher::State::store(PublicationEntry entry, const Sto
     replaced_publication_ = {known, known->entry};
     publications_.replace(*known, std::move(entry), nowhere);
   }
+  of(*known).audience = Audience::of(known->entry.publication);
   file(*known, in_force_);
   if (is_known_by_both()) file(*known, other_);
   return *known;
@@ -217,7 +217,8 @@ bool Matcher::State::was_chosen_unseen(const StoredPublication& publication) con
       replaced_was_clashing_ && before.subscription.identity.index() != publication.entry.publication.identity.index();
   return !is_of_interest(before, publication.entry) && before.subscription.mode != ChannelMode::one_to_many_stream &&
          !was_kept_apart &&
-         matching::meets(before.subscription, replaced_request_, publication.entry, classes(publication, edition),
+         matching::meets(before, replaced_request_,
+                         {publication.entry, of_publication_[publication.slot].audience, classes(publication, edition)},
                          edition.vocabulary);
 }
 
@@ -272,13 +273,13 @@ void Matcher::State::forget_dropped(const StoredSubscription& subscription) {
   }
 }
 
-std::vector<Ranked> Matcher::State::match(const Subscription& asked, const Request& request) const {
+std::vector<Ranked> Matcher::State::match(const SubscriptionEntry& entry, const Request& request) const {
+  const Subscription& asked = entry.subscription;
   std::vector<Ranked> ranked;
   visit_publications(publications_, asked.identity, request.classes, asked.weakest, in_force_,
                      [&](const StoredPublication& publication) {
                        if (of_publication_[publication.slot].leaves) return false;
-                       const auto match =
-                           meet(asked, request, publication.entry, classes(publication, in_force_), in_force_);
+                       const auto match = meet(entry, request, publication, in_force_);
                        if (match) ranked.push_back({&publication.entry, request.rank(publication.entry, *match)});
                        return false;
                      });
@@ -290,13 +291,12 @@ bool Matcher::State::is_served(const SubscriptionEntry& subscription) const {
   const Subscription& asked = subscription.subscription;
   const Request request = prepare(subscription);
   bool served = false;
-  visit_publications(
-      publications_, asked.identity, request.classes, asked.weakest, in_force_,
-      [&](const StoredPublication& publication) {
-        served = !of_publication_[publication.slot].leaves &&
-                 meet(asked, request, publication.entry, classes(publication, in_force_), in_force_).has_value();
-        return served;
-      });
+  visit_publications(publications_, asked.identity, request.classes, asked.weakest, in_force_,
+                     [&](const StoredPublication& publication) {
+                       served = !of_publication_[publication.slot].leaves &&
+                                meet(subscription, request, publication, in_force_).has_value();
+                       return served;
+                     });
   return served;
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "discovery/matching/arbitration.hpp"
+#include "discovery/matching/audience.hpp"
 #include "discovery/matching/candidates.hpp"
 #include "discovery/matching/clash.hpp"
 #include "discovery/matching/matcher.hpp"
@@ -66,10 +67,10 @@ class Matcher::State {
     return prepared(entry.subscription, in_force_.vocabulary, placing_, entry.key.participant);
   }
 
-  [[nodiscard]] std::vector<Ranked> match(const Subscription& asked, const Request& request) const;
+  [[nodiscard]] std::vector<Ranked> match(const registry::SubscriptionEntry& entry, const Request& request) const;
   [[nodiscard]] std::optional<Standing> standing(const registry::StoredSubscription& subscription,
                                                  const registry::StoredPublication& publication);
-  [[nodiscard]] std::optional<Match> meets(const Subscription& asked, const Request& request,
+  [[nodiscard]] std::optional<Match> meets(const registry::SubscriptionEntry& asked, const Request& request,
                                            const registry::PublicationEntry& publication) const;
   [[nodiscard]] std::vector<ServiceKey> chosen(const ServiceKey& subscription) const;
   [[nodiscard]] std::vector<ServiceKey> consumers(const ServiceKey& publication) const;
@@ -105,7 +106,8 @@ class Matcher::State {
 
  private:
   struct OfPublication {
-    std::array<Classes, 2> classes;               ///< by generation
+    std::array<Classes, 2> classes;  ///< by generation
+    Audience audience;
     std::map<std::uint32_t, Rank> considered_by;  ///< by the slot of the subscription whose candidate it is
     std::optional<Reason> leaves;                 ///< it is about to be erased, for this reason
   };
@@ -166,9 +168,8 @@ class Matcher::State {
   [[nodiscard]] static bool is_of_interest(const registry::SubscriptionEntry& subscription,
                                            const registry::PublicationEntry& publication);
   /// The one place where a pair is judged, and counted.
-  [[nodiscard]] std::optional<Match> meet(const Subscription& asked, const Request& request,
-                                          const registry::PublicationEntry& offered, const Classes& classes,
-                                          const Edition& edition) const;
+  [[nodiscard]] std::optional<Match> meet(const registry::SubscriptionEntry& asked, const Request& request,
+                                          const registry::StoredPublication& offered, const Edition& edition) const;
   /// Whether a number and a concept do not meet because the number is that of another concept, too.
   [[nodiscard]] bool is_kept_apart(const Identity& offered, const Identity& requested) const;
   /// Finds out whether the number is that of two concepts, after what has come or gone. Gives the subscriptions that

@@ -1,4 +1,4 @@
-// The fields of a service, and its attributes.
+// The fields of a service or of a request, and its attributes.
 #include "discovery/matching/stated.hpp"
 
 #include <array>
@@ -10,69 +10,84 @@ namespace geminga::matching {
 namespace {
 
 using registry::PublicationEntry;
+using registry::SubscriptionEntry;
 using Value = std::optional<std::string_view>;
 
-Value stated(std::string_view text) { return text.empty() ? std::nullopt : Value(text); }
+const Publication& service_of(const PublicationEntry& entry) { return entry.publication; }
+const Subscription& service_of(const SubscriptionEntry& entry) { return entry.subscription; }
 
-template <typename Kind>
-const Kind* identity_as(const PublicationEntry& publication) {
-  return std::get_if<Kind>(&publication.publication.identity);
+Value unless_empty(std::string_view text) { return text.empty() ? std::nullopt : Value(text); }
+
+template <typename Kind, typename Entry>
+const Kind* identity_as(const Entry& entry) {
+  return std::get_if<Kind>(&service_of(entry).identity);
 }
 
-/// Reads one field. A field that is no text is written into `room`, which the value then borrows.
-using Reader = Value (*)(const PublicationEntry&, std::string& room);
+/// Reads one field.
+template <typename Entry>
+using Reader = Value (*)(const Entry&, std::string& room);
 
-/// The fields of a service, in the order of WHERE.md.
-constexpr std::array<std::pair<std::string_view, Reader>, 13> fields{{
-    {"mode", [](const PublicationEntry& p, std::string&) { return Value(to_string(p.publication.mode)); }},
+/// What both have, in the order of WHERE.md.
+template <typename Entry>
+constexpr std::array<std::pair<std::string_view, Reader<Entry>>, 12> fields{{
+    {"mode", [](const Entry& e, std::string&) { return Value(to_string(service_of(e).mode)); }},
     {"id",
-     [](const PublicationEntry& p, std::string& room) {
-       const auto* numeric = identity_as<NumericIdentity>(p);
+     [](const Entry& e, std::string& room) {
+       const auto* numeric = identity_as<NumericIdentity>(e);
        return numeric == nullptr ? Value() : Value(room = std::to_string(numeric->number));
      }},
     {"text",
-     [](const PublicationEntry& p, std::string&) {
-       const auto* text = identity_as<TextIdentity>(p);
+     [](const Entry& e, std::string&) {
+       const auto* text = identity_as<TextIdentity>(e);
        return text == nullptr ? Value() : Value(text->text);
      }},
     {"concept",
-     [](const PublicationEntry& p, std::string&) {
-       const auto* semantic = identity_as<SemanticIdentity>(p);
+     [](const Entry& e, std::string&) {
+       const auto* semantic = identity_as<SemanticIdentity>(e);
        return semantic == nullptr ? Value() : Value(semantic->concept_iri);
      }},
     {"representation",
-     [](const PublicationEntry& p, std::string&) {
-       const auto* semantic = identity_as<SemanticIdentity>(p);
-       return semantic == nullptr ? Value() : stated(semantic->representation_iri);
+     [](const Entry& e, std::string&) {
+       const auto* semantic = identity_as<SemanticIdentity>(e);
+       return semantic == nullptr ? Value() : unless_empty(semantic->representation_iri);
      }},
-    {"address", [](const PublicationEntry& p, std::string&) { return stated(p.publication.address); }},
+    {"address", [](const Entry& e, std::string&) { return unless_empty(service_of(e).address); }},
     {"port",
-     [](const PublicationEntry& p, std::string& room) { return Value(room = std::to_string(p.publication.port)); }},
-    {"protocol", [](const PublicationEntry& p, std::string&) { return stated(p.publication.protocol); }},
+     [](const Entry& e, std::string& room) {
+       return service_of(e).port == 0 ? Value() : Value(room = std::to_string(service_of(e).port));
+     }},
     {"priority",
-     [](const PublicationEntry& p, std::string& room) { return Value(room = std::to_string(p.publication.priority)); }},
-    {"participant",
-     [](const PublicationEntry& p, std::string& room) { return Value(room = to_string(p.key.participant)); }},
-    {"participant_name", [](const PublicationEntry& p, std::string&) { return stated(p.participant_name); }},
-    {"peer", [](const PublicationEntry& p,
-                std::string& room) { return Value(room = std::to_string(std::to_underlying(p.key.peer))); }},
-    {"name", [](const PublicationEntry& p, std::string&) { return stated(p.peer_name); }},
+     [](const Entry& e, std::string& room) { return Value(room = std::to_string(service_of(e).priority)); }},
+    {"participant", [](const Entry& e, std::string& room) { return Value(room = to_string(e.key.participant)); }},
+    {"participant_name", [](const Entry& e, std::string&) { return unless_empty(e.participant_name); }},
+    {"peer",
+     [](const Entry& e, std::string& room) { return Value(room = std::to_string(std::to_underlying(e.key.peer))); }},
+    {"name", [](const Entry& e, std::string&) { return unless_empty(e.peer_name); }},
 }};
 
-Value attribute_of(const PublicationEntry& publication, std::string_view name) {
-  const auto& attributes = publication.publication.attributes;
+Value attribute_of(const Attributes& attributes, std::string_view name) {
   const auto at = attributes.find(name);
   return at == attributes.end() ? Value() : Value(at->second);
 }
 
+template <typename Entry>
+Value under(const Entry& entry, std::string_view key, std::string& room) {
+  const Attributes& attributes = service_of(entry).attributes;
+  if (key.starts_with(attribute_prefix)) return attribute_of(attributes, key.substr(attribute_prefix.size()));
+  for (const auto& [name, read] : fields<Entry>) {
+    if (name == key) return read(entry, room);
+  }
+  // A subscription accepts several protocols, and is asked for none.
+  if constexpr (std::is_same_v<Entry, PublicationEntry>) {
+    if (key == "protocol") return unless_empty(entry.publication.protocol);
+  }
+  return attribute_of(attributes, key);
+}
+
 }  // namespace
 
-Value stated_under(std::string_view key, const PublicationEntry& publication, std::string& room) {
-  if (key.starts_with(attribute_prefix)) return attribute_of(publication, key.substr(attribute_prefix.size()));
-  for (const auto& [name, read] : fields) {
-    if (name == key) return read(publication, room);
-  }
-  return attribute_of(publication, key);
+Value Stated::under(std::string_view key, std::string& room) const {
+  return std::visit([&](const auto* entry) { return matching::under(*entry, key, room); }, entry_);
 }
 
 }  // namespace geminga::matching

@@ -1,4 +1,4 @@
-// Evaluates `where` expressions against publications.
+// Evaluates `where` expressions.
 #include "discovery/matching/where.hpp"
 
 #include <algorithm>
@@ -8,14 +8,12 @@
 
 #include "base/text.hpp"
 #include "discovery/matching/number.hpp"
-#include "discovery/matching/stated.hpp"
+#include "discovery/matching/pattern.hpp"
 #include "discovery/matching/unit.hpp"
 #include "discovery/matching/where_parser.hpp"
 
 namespace geminga::matching {
 namespace {
-
-using registry::PublicationEntry;
 
 constexpr std::size_t max_shown_bytes = 60;
 
@@ -35,27 +33,6 @@ bool is_met(Where::Operator operation, std::partial_ordering order) {
       return order >= 0;
   }
   return false;
-}
-
-/// Whether `text` is the pattern with something in the place of each `*`. Each piece between two of them is looked for
-/// once, behind the one before it.
-bool is_like(std::string_view text, std::string_view pattern) {
-  const auto first = pattern.find('*');
-  if (first == std::string_view::npos) return text == pattern;
-  const auto last = pattern.rfind('*');
-  const std::string_view front = pattern.substr(0, first);
-  const std::string_view back = pattern.substr(last + 1);
-  if (text.size() < front.size() + back.size() || !text.starts_with(front) || !text.ends_with(back)) return false;
-  text = text.substr(front.size(), text.size() - front.size() - back.size());
-  for (std::string_view rest = pattern.substr(first, last - first); !rest.empty();) {
-    rest.remove_prefix(1);
-    const std::string_view piece = rest.substr(0, rest.find('*'));
-    const auto at = text.find(piece);
-    if (at == std::string_view::npos) return false;
-    text.remove_prefix(at + piece.size());
-    rest.remove_prefix(piece.size());
-  }
-  return true;
 }
 
 /// What is no number, or has no unit or another kind of unit, differs from what is wanted and is neither less nor
@@ -91,9 +68,10 @@ std::string misfit(std::string_view value, std::string_view wanted, Where::Wante
 
 std::expected<Where, Error> Where::parse(std::string_view expression) {
   if (expression.size() > max_where_octets) {
-    return std::unexpected(Error{ErrorCode::too_large, "where: longer than 4096 octets: ask for less at once"});
+    return std::unexpected(
+        Error{ErrorCode::too_large, std::string(parse_error_prefix) + "longer than 4096 octets: ask for less at once"});
   }
-  if (expression.empty()) return Where({});
+  if (expression.empty()) return Where();
   auto parsed = WhereParser(expression).parse();
   if (!parsed) return std::unexpected(std::move(parsed.error()));
   parsed->nodes.shrink_to_fit();
@@ -101,8 +79,8 @@ std::expected<Where, Error> Where::parse(std::string_view expression) {
   return Where(std::move(*parsed));
 }
 
-bool Where::accepts(const PublicationEntry& publication) const {
-  return parsed_.nodes.empty() || holds(static_cast<std::uint16_t>(parsed_.nodes.size() - 1), publication);
+bool Where::accepts(const Stated& stated) const {
+  return parsed_.nodes.empty() || holds(static_cast<std::uint16_t>(parsed_.nodes.size() - 1), stated);
 }
 
 std::vector<std::uint16_t> Where::operands(std::uint16_t number) const {
@@ -116,29 +94,29 @@ std::vector<std::uint16_t> Where::operands(std::uint16_t number) const {
   return places;
 }
 
-bool Where::leaf_holds(const Node& node, const PublicationEntry& publication) const {
+bool Where::leaf_holds(const Node& node, const Stated& stated) const {
   std::string room;
-  const auto value = stated_under(text(node.key), publication, room);
+  const auto value = stated.under(text(node.key), room);
   if (node.kind == Node::Kind::has || !value) return value.has_value();
   return compares(*value, node.operation, text(node.value), node.wanted);
 }
 
-bool Where::holds(std::uint16_t number, const PublicationEntry& publication) const {
+bool Where::holds(std::uint16_t number, const Stated& stated) const {
   const Node& node = parsed_.nodes[number];
-  if (node.operands == 0) return leaf_holds(node, publication);
-  if (node.kind == Node::Kind::negation) return !holds(static_cast<std::uint16_t>(number - 1), publication);
+  if (node.operands == 0) return leaf_holds(node, stated);
+  if (node.kind == Node::Kind::negation) return !holds(static_cast<std::uint16_t>(number - 1), stated);
   // All of them hold until one does not; any of them holds as soon as one does. Their order does not matter.
   const bool decides = node.kind == Node::Kind::any_of;
   std::uint16_t end = number;
   for (std::uint16_t left = node.operands; left > 0; --left) {
     const auto last = static_cast<std::uint16_t>(end - 1);
-    if (holds(last, publication) == decides) return decides;
+    if (holds(last, stated) == decides) return decides;
     end = parsed_.nodes[last].first;
   }
   return !decides;
 }
 
-void Where::blame(std::uint16_t number, const PublicationEntry& publication, std::vector<const Node*>& leaves) const {
+void Where::blame(std::uint16_t number, const Stated& stated, std::vector<const Node*>& leaves) const {
   const Node& node = parsed_.nodes[number];
   if (node.operands == 0) {
     const bool is_known =
@@ -146,17 +124,17 @@ void Where::blame(std::uint16_t number, const PublicationEntry& publication, std
     if (!is_known) leaves.push_back(&node);
     return;
   }
-  const bool value = holds(number, publication);
+  const bool value = holds(number, stated);
   // One operand is enough to make `any_of` true and `all_of` false; otherwise all of them together do it.
   const bool is_by_one = node.kind != Node::Kind::negation && value == (node.kind == Node::Kind::any_of);
   for (const std::uint16_t operand : operands(number)) {
-    if (!is_by_one || holds(operand, publication) == value) blame(operand, publication, leaves);
+    if (!is_by_one || holds(operand, stated) == value) blame(operand, stated, leaves);
   }
 }
 
-std::string Where::said(const Node& leaf, const PublicationEntry& publication) const {
+std::string Where::said(const Node& leaf, const Stated& stated) const {
   std::string room;
-  const auto value = stated_under(text(leaf.key), publication, room);
+  const auto value = stated.under(text(leaf.key), room);
   const std::string key = base::printable(text(leaf.key), max_shown_bytes);
   if (!value) return key + " is absent";
   const bool is_word = !value->empty() && value->find_first_of(" ,'") == std::string_view::npos;
@@ -165,20 +143,21 @@ std::string Where::said(const Node& leaf, const PublicationEntry& publication) c
          (leaf.kind == Node::Kind::comparison ? misfit(*value, text(leaf.value), leaf.wanted) : "");
 }
 
-std::string Where::misses(const PublicationEntry& publication) const {
-  if (accepts(publication)) return "";
+std::string Where::misses(const Stated& stated) const {
+  if (accepts(stated)) return "";
   std::vector<const Node*> leaves;
-  blame(static_cast<std::uint16_t>(parsed_.nodes.size() - 1), publication, leaves);
+  blame(static_cast<std::uint16_t>(parsed_.nodes.size() - 1), stated, leaves);
   std::string words;
   for (std::size_t i = 0; i < leaves.size() && i < max_missed_keys; ++i) {
-    words += (i == 0 ? "" : ", ") + said(*leaves[i], publication);
+    words += (i == 0 ? "" : ", ") + said(*leaves[i], stated);
   }
   return leaves.size() > max_missed_keys ? words + ", ..." : words;
 }
 
-std::optional<Error> check_where(std::string_view expression) {
-  const auto parsed = Where::parse(expression);
-  return parsed ? std::nullopt : std::optional(parsed.error());
+std::optional<Error> check_where(std::string_view expression, std::string_view key) {
+  auto parsed = Where::parse(expression);
+  if (parsed) return std::nullopt;
+  return Error{parsed.error().code, std::string(key) + ": " + parsed.error().text.substr(parse_error_prefix.size())};
 }
 
 }  // namespace geminga::matching

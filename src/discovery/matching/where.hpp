@@ -1,4 +1,4 @@
-// The `where` filter of a subscription: a small expression over a publication's attributes and fields (WHERE.md).
+// Conditions of one side on the other, `where` and `for`: a small expression over attributes and fields (WHERE.md).
 #ifndef GEMINGA_DISCOVERY_MATCHING_WHERE_HPP
 #define GEMINGA_DISCOVERY_MATCHING_WHERE_HPP
 
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "discovery/registry/entry.hpp"
+#include "discovery/matching/stated.hpp"
 #include "geminga/error.hpp"
 
 namespace geminga::matching {
@@ -27,14 +27,16 @@ inline constexpr std::size_t max_missed_keys = 8;
 /// octets for each octet of its text at most.
 class Where {
  public:
+  /// Accepts everything.
+  Where() = default;
   /// Reads an expression; the empty one accepts everything. The error names the octet, counted from 1. O(length).
   [[nodiscard]] static std::expected<Where, Error> parse(std::string_view expression);
 
-  /// Whether the publication passes. Allocates nothing for attributes. O(length of the expression).
-  [[nodiscard]] bool accepts(const registry::PublicationEntry& publication) const;
-  /// What the publication says under each key that keeps it from passing: "rate is 33, camera is absent". At most
+  /// Whether the other side passes. Allocates nothing for attributes. O(length of the expression).
+  [[nodiscard]] bool accepts(const Stated& stated) const;
+  /// What it says under each key that keeps it from passing: "rate is 33, camera is absent". At most
   /// max_missed_keys of them. Empty where it passes.
-  [[nodiscard]] std::string misses(const registry::PublicationEntry& publication) const;
+  [[nodiscard]] std::string misses(const Stated& stated) const;
 
   enum class Operator : std::uint8_t { equal, different, less, at_most, greater, at_least };
 
@@ -73,18 +75,18 @@ class Where {
     return std::string_view(parsed_.texts).substr(slice.at, slice.size);
   }
   [[nodiscard]] std::vector<std::uint16_t> operands(std::uint16_t number) const;
-  [[nodiscard]] bool holds(std::uint16_t number, const registry::PublicationEntry& publication) const;
-  [[nodiscard]] bool leaf_holds(const Node& node, const registry::PublicationEntry& publication) const;
+  [[nodiscard]] bool holds(std::uint16_t number, const Stated& stated) const;
+  [[nodiscard]] bool leaf_holds(const Node& node, const Stated& stated) const;
   /// Collects the leaves that make this node what it is, each key once, in the order of the text.
-  void blame(std::uint16_t number, const registry::PublicationEntry& publication,
-             std::vector<const Node*>& leaves) const;
-  [[nodiscard]] std::string said(const Node& leaf, const registry::PublicationEntry& publication) const;
+  void blame(std::uint16_t number, const Stated& stated, std::vector<const Node*>& leaves) const;
+  [[nodiscard]] std::string said(const Node& leaf, const Stated& stated) const;
 
   Parsed parsed_;  ///< no nodes: accepts everything
 };
 
-/// Reads a `where` expression and says what is wrong with it at which octet; used to refuse a bad one with 422.
-[[nodiscard]] std::optional<Error> check_where(std::string_view expression);
+/// Reads an expression and says what is wrong with it at which octet; used to refuse a bad one with 422. `key` is the
+/// one that it was stated under.
+[[nodiscard]] std::optional<Error> check_where(std::string_view expression, std::string_view key = "where");
 
 }  // namespace geminga::matching
 

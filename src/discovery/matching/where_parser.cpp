@@ -263,8 +263,8 @@ bool WhereParser::take_sign(std::string_view wanted) {
 }
 
 std::unexpected<Error> WhereParser::wrong(std::string_view what, std::size_t at) const {
-  return std::unexpected(
-      Error{ErrorCode::impossible, "where: " + std::string(what) + " at octet " + std::to_string(at + 1)});
+  return std::unexpected(Error{ErrorCode::impossible, std::string(parse_error_prefix) + std::string(what) +
+                                                          " at octet " + std::to_string(at + 1)});
 }
 
 }  // namespace geminga::matching

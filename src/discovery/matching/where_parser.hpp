@@ -14,6 +14,9 @@
 
 namespace geminga::matching {
 
+/// What every error of the reader begins with.
+inline constexpr std::string_view parse_error_prefix = "where: ";
+
 class WhereParser {
  public:
   /// Borrows the expression. Requires at most max_where_octets of it.

@@ -79,7 +79,9 @@ NamedPublication named(const vocabulary::Vocabulary& vocabulary, const Publicati
                           .port = publication.port,
                           .protocol = publication.protocol,
                           .priority = publication.priority,
-                          .attributes = publication.attributes};
+                          .attributes = publication.attributes,
+                          .scope = publication.scope,
+                          .for_whom = publication.for_whom};
 }
 
 NamedSubscription named(const vocabulary::Vocabulary& vocabulary, const Subscription& subscription) {
@@ -96,7 +98,8 @@ NamedSubscription named(const vocabulary::Vocabulary& vocabulary, const Subscrip
                            .protocols = subscription.protocols,
                            .favoured = subscription.favoured,
                            .prefer = subscription.prefer,
-                           .rank = subscription.rank};
+                           .rank = subscription.rank,
+                           .scope = subscription.scope};
 }
 
 std::string digest_word(std::uint64_t digest) { return digest == 0 ? "-" : base::to_hex(digest, 16); }

@@ -2,11 +2,23 @@
 #include <utility>
 
 #include "discovery/announcement/announceable.hpp"
+#include "discovery/matching/scope.hpp"
+#include "discovery/matching/where.hpp"
 #include "discovery/participant/identities.hpp"
 #include "discovery/participant/own_services.hpp"
 #include "discovery/participant/statements.hpp"
 
 namespace geminga::participant {
+namespace {
+
+/// What must hold of a publication beside what its statement says by itself.
+Refusal check(const Publication& publication) {
+  if (auto refusal = announcement::check(publication)) return refusal;
+  if (auto refusal = matching::check_scope(publication.scope)) return refusal;
+  return matching::check_where(publication.for_whom, "for");
+}
+
+}  // namespace
 
 Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubCreate& create) {
   if (auto refusal = check_new(core, session, id, session.publications.size())) return refusal;
@@ -18,7 +30,7 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubCreate
                            .is_in_force = !must_wait,
                            .is_awaited = must_wait};
   if (identity) stated.publication.identity = std::move(*identity);
-  if (auto refusal = announcement::check(stated.publication)) return refusal;
+  if (auto refusal = check(stated.publication)) return refusal;
   if (auto refusal = make_room(core, session)) return refusal;
   enter(core, session, id, session.publications.emplace(id, std::move(stated)).first->second);
   return std::nullopt;
@@ -41,7 +53,7 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubModify
   if (identity) stated.publication.identity = std::move(*identity);
   stated.is_in_force = !must_wait;
   stated.is_awaited = must_wait;
-  if (auto refusal = announcement::check(stated.publication)) return refusal;
+  if (auto refusal = check(stated.publication)) return refusal;
   if (must_wait) suspend(core, session, id, found->second);
   found->second = std::move(stated);
   enter(core, session, id, found->second);

@@ -3,6 +3,7 @@
 
 #include "discovery/announcement/announceable.hpp"
 #include "discovery/matching/preferences.hpp"
+#include "discovery/matching/scope.hpp"
 #include "discovery/participant/identities.hpp"
 #include "discovery/participant/own_services.hpp"
 #include "discovery/participant/statements.hpp"
@@ -14,7 +15,8 @@ namespace {
 Refusal check(const Subscription& subscription) {
   if (auto refusal = announcement::check(subscription)) return refusal;
   if (auto refusal = matching::check_where(subscription.where)) return refusal;
-  return matching::check_preferences(subscription);
+  if (auto refusal = matching::check_preferences(subscription)) return refusal;
+  return matching::check_scope(subscription.scope);
 }
 
 /// The limit where none is stated: one provider for a channel between two, every one otherwise.

@@ -48,6 +48,10 @@ TEST(Announceable, KeepsEachNamedLimitOfAPublication) {
   });
   expect_limit(max_protocol_bytes,
                [](std::size_t n) { return code_of([&](Publication& p) { p.protocol = std::string(n, 'p'); }); });
+  expect_limit(max_scope_bytes,
+               [](std::size_t n) { return code_of([&](Publication& p) { p.scope = std::string(n, 's'); }); });
+  expect_limit(max_where_bytes,
+               [](std::size_t n) { return code_of([&](Publication& p) { p.for_whom = std::string(n, 'w'); }); });
   expect_limit(max_attribute_key_bytes,
                [](std::size_t n) { return code_of([&](Publication& p) { p.attributes[std::string(n, 'k')] = "v"; }); });
   expect_limit(max_attribute_value_bytes,
@@ -78,6 +82,9 @@ TEST(Announceable, KeepsEachNamedLimitOfASubscription) {
   });
   expect_limit(max_rank_bytes, [](std::size_t n) {
     return subscription_code_of([&](Subscription& s) { s.rank = std::string(n, 'r'); });
+  });
+  expect_limit(max_scope_bytes, [](std::size_t n) {
+    return subscription_code_of([&](Subscription& s) { s.scope = std::string(n, 's'); });
   });
   expect_limit(max_accepted_protocols, [](std::size_t n) {
     return subscription_code_of([&](Subscription& s) { s.protocols.assign(n, "udp"); });

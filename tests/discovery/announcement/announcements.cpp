@@ -69,6 +69,8 @@ Publication random_publication(Random& random) {
   publication.protocol = random.chance(0.7) ? "udp" : random_text(random, 1, max_protocol_bytes, "abc/+-1");
   publication.priority = static_cast<std::int32_t>(random.next());
   publication.attributes = random_attributes(random);
+  publication.scope = random_text(random, 0, 20, "abc,!/*");
+  publication.for_whom = random_text(random, 0, 40, "abc<>=&|() 0123\"");
   return publication;
 }
 
@@ -98,6 +100,7 @@ Subscription random_subscription(Random& random) {
   }
   subscription.prefer = random_text(random, 0, 40, "abc desc,by0123");
   subscription.rank = random_text(random, 0, 20, "abc,");
+  subscription.scope = random_text(random, 0, 20, "abc,!/*");
   return subscription;
 }
 

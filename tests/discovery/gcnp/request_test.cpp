@@ -95,7 +95,7 @@ TEST(Request, RefusesEveryReservedKeyAsAnAttributeWithoutItsPrefix) {
     const std::string word(key);
     const auto request = read(line + word + "=3");
     if (request) {
-      EXPECT_THAT((std::vector<std::string_view>{"priority", "protocol"}), testing::Contains(key));
+      EXPECT_THAT((std::vector<std::string_view>{"priority", "protocol", "scope", "for"}), testing::Contains(key));
     } else if (key != "address") {
       EXPECT_EQ(request.error().code, ErrorCode::malformed) << word;
     }
@@ -146,7 +146,7 @@ TEST(Request, SaysWhichKeyWasMeant) {
   EXPECT_THAT(text("5 pub create mode=oto id=1 port=1 where=x"), HasSubstr("is written attr.where"));
   EXPECT_EQ(text("5 query match limti=3"), "limti is no key of query match: did you mean limit?");
   EXPECT_EQ(text("5 query services colour=red"), "colour is no key of query services");
-  EXPECT_EQ(text("5 sub create mode=oto id=1 scope=team"), "scope has no effect yet in this version: leave it out");
+  EXPECT_EQ(text("5 sub create mode=oto id=1 convert=yes"), "convert has no effect yet in this version: leave it out");
 }
 
 TEST(Request, KeepsTheBareFormOfWhatIsNearNoKey) {
@@ -197,6 +197,9 @@ TEST(Request, HasTextsUpToTheirLimits) {
       {"5 sub create mode=oto id=1 where=", max_where_bytes},
       {"5 sub create mode=oto id=1 prefer=", max_prefer_bytes},
       {"5 sub create mode=oto id=1 rank=", max_rank_bytes},
+      {"5 sub create mode=oto id=1 scope=", max_scope_bytes},
+      {"5 pub create mode=oto id=1 port=1 scope=", max_scope_bytes},
+      {"5 pub create mode=oto id=1 port=1 for=", max_where_bytes},
       {"5 sub create mode=oto id=1 provider=", max_name_bytes},
       {"5 sub create mode=oto id=1 provider=a/", max_name_bytes},
       {"5 query services filter=", max_filter_bytes},

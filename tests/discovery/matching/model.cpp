@@ -30,8 +30,9 @@ bool Model::is_kept_apart(const Identity& offered, const Identity& requested) co
 std::optional<Match> Model::meets(const SubscriptionEntry& subscription, const PublicationEntry& publication) const {
   if (is_kept_apart(publication.publication.identity, subscription.subscription.identity)) return std::nullopt;
   const bool is_former = former.contains(subscription.key);
-  return matching::meets(subscription.subscription, requests_.at(subscription.key), publication,
-                         (is_former ? former_classes_ : classes_).at(publication.key),
+  const Audience audience = Audience::of(publication.publication);
+  return matching::meets(subscription, requests_.at(subscription.key),
+                         {publication, audience, (is_former ? former_classes_ : classes_).at(publication.key)},
                          is_former ? former_ontology : ontology);
 }
 

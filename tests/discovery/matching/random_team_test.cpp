@@ -89,7 +89,14 @@ class RandomTeam {
     const ServiceKey one = some_key(false);
     const auto known = model_.publications.find(one);
     PublicationEntry entry = known == model_.publications.end() ? offer(one, identity(), 0, mode()) : known->second;
-    switch (random_.below(7)) {
+    switch (random_.below(9)) {
+      case 6:
+        if (crowd_ != Crowd::packed) entry.publication.scope = one_of<4>({"", "host", "!host", "robot4,,"});
+        break;
+      case 7:
+        if (crowd_ == Crowd::packed) break;
+        entry.publication.for_whom = one_of<4>({"", "priority >= 1", "participant_name = *3", "peer"});
+        break;
       case 0:
         entry.publication.identity = identity();
         break;
@@ -127,13 +134,16 @@ class RandomTeam {
             ? request(one, identity(), static_cast<std::uint32_t>(random_.below(3)), Degree::narrower, mode())
             : known->second;
     Subscription& asked = entry.subscription;
-    switch (random_.below(12)) {
+    switch (random_.below(13)) {
       case 0:
         asked.identity = identity();
         break;
       case 8:
         asked.prefer = one_of<2>({"", "rate desc"});
         asked.rank = one_of<2>({"", "prefer"});
+        break;
+      case 10:
+        if (crowd_ != Crowd::packed) asked.scope = one_of<4>({"", "host", "!robot1", "robot*/module1, !host"});
         break;
       case 9:
         asked.favoured.clear();
@@ -301,7 +311,7 @@ class RandomTeam {
       for (const auto& [offer_key, publication] : model_.publications) {
         if (model_.meets(entry, publication)) meeting.push_back(offer_key);
       }
-      ASSERT_EQ(matched(matcher_, entry.subscription), meeting) << name(one);
+      ASSERT_EQ(matched(matcher_, entry), meeting) << name(one);
       ASSERT_EQ(matcher_.is_served(entry), !meeting.empty()) << name(one);
     }
   }

@@ -98,15 +98,23 @@ inline void place_again(Matcher& matcher) {
 }
 
 /// The publications that meet a request, in ascending order of key, found as `query match` finds them.
-inline std::vector<ServiceKey> matched(const Matcher& matcher, const Subscription& asked) {
+inline std::vector<ServiceKey> matched(const Matcher& matcher, const registry::SubscriptionEntry& entry) {
+  const Subscription& asked = entry.subscription;
   const auto request = matcher.prepare(asked);
   const auto candidates = matcher.candidates(asked, *request, matcher.publication_count());
   std::vector<ServiceKey> keys;
   for (const ServiceKey& one : candidates.value_or(keys)) {
-    if (matcher.meets(asked, *request, *matcher.find_publication(one))) keys.push_back(one);
+    if (matcher.meets(entry, *request, *matcher.find_publication(one))) keys.push_back(one);
   }
   std::ranges::sort(keys);
   return keys;
+}
+
+/// The same, asked for by a peer of this host.
+inline std::vector<ServiceKey> matched(const Matcher& matcher, const Subscription& asked) {
+  registry::SubscriptionEntry entry = request(key(here, 1, 0), asked.identity);
+  entry.subscription = asked;
+  return matched(matcher, entry);
 }
 
 inline std::vector<std::string> told(Matcher& matcher) {

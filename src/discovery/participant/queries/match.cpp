@@ -36,12 +36,17 @@ Line line_of(const Core& core, const registry::PublicationEntry& entry, const ma
 class Ranking {
  public:
   Ranking(const Core& core, Subscription asked, const gcnp::QueryMatch& query)
-      : asked_(std::move(asked)),
-        request_(core.matcher.prepare(asked_)),
+      : asked_{.key = {.participant = core.id, .peer = {}},
+               .subscription = std::move(asked),
+               .peer_name = {},
+               .participant_name = core.name(),
+               .is_local = true,
+               .updated = {}},
+        request_(core.matcher.prepare(asked_.subscription)),
         is_any_identity_(!query.identity),
         mode_(query.mode),
         limit_(query.limit) {
-    if (!is_any_identity_) candidates_ = core.matcher.candidates(asked_, *request_, max_candidates);
+    if (!is_any_identity_) candidates_ = core.matcher.candidates(asked_.subscription, *request_, max_candidates);
   }
 
   bool operator()(Core& core, Piece& piece) {
@@ -77,15 +82,15 @@ class Ranking {
 
   void judge(const Core& core, const registry::PublicationEntry& entry) {
     if (mode_ && *mode_ != entry.publication.mode) return;
-    asked_.mode = entry.publication.mode;
+    asked_.subscription.mode = entry.publication.mode;
     // Without an identity each is asked for by its own, so that the rest of the request decides.
-    if (is_any_identity_) asked_.identity = entry.publication.identity;
+    if (is_any_identity_) asked_.subscription.identity = entry.publication.identity;
     if (const auto match = core.matcher.meets(asked_, *request_, entry)) {
       found_.push_back({entry.publication.priority, *match, entry.key});
     }
   }
 
-  Subscription asked_;
+  registry::SubscriptionEntry asked_;  ///< as of a peer of this host that has no name
   std::shared_ptr<const matching::Request> request_;
   bool is_any_identity_;
   std::optional<ChannelMode> mode_;

@@ -32,6 +32,7 @@ Line line_of(const Core& core, const registry::SubscriptionEntry& entry) {
   append_stated(line, "favour", gcnp::provider_list(subscription.favoured));
   append_stated(line, "prefer", subscription.prefer);
   append_stated(line, "rank", subscription.rank);
+  append_stated(line, "scope", subscription.scope);
   gcnp::append_attributes(line, subscription.attributes);
   return line;
 }

@@ -20,6 +20,8 @@ Line line_of(const Core& core, const registry::PublicationEntry& entry) {
   append(line, "age", age(core, entry));
   append_flag(line, "local", entry.is_local);
   append_flag(line, "used", core.matcher.is_used(entry));
+  append_stated(line, "scope", entry.publication.scope);
+  append_stated(line, "for", entry.publication.for_whom);
   gcnp::append_attributes(line, entry.publication.attributes);
   return line;
 }

@@ -46,6 +46,15 @@ registry::SubscriptionEntry only(const registry::SubscriptionEntry& request, con
   one.subscription.providers.clear();
   one.subscription.where.clear();
   one.subscription.protocols.clear();
+  one.subscription.scope.clear();
+  return one;
+}
+
+/// The offer to everybody.
+registry::PublicationEntry for_all(const registry::PublicationEntry& offer) {
+  registry::PublicationEntry one = offer;
+  one.publication.scope.clear();
+  one.publication.for_whom.clear();
   return one;
 }
 
@@ -68,7 +77,7 @@ Line check_identity(const Core& core, const registry::SubscriptionEntry& request
   registry::SubscriptionEntry one = only(request, offer);
   one.subscription.identity = request.subscription.identity;
   one.subscription.weakest = request.subscription.weakest;
-  const auto match = core.matcher.why(one, offer);
+  const auto match = core.matcher.why(one, for_all(offer));
   const std::string pair = "offered is " + words(core, offer.publication.identity) + ", asked for is " +
                            words(core, request.subscription.identity) + ": ";
   if (!match) return check("identity", false, pair + match.error() + nearest(core, request, offer));
@@ -81,7 +90,7 @@ Line check_provider(const Core& core, const registry::SubscriptionEntry& request
   if (request.subscription.providers.empty()) return check("provider", true, "any provider is accepted");
   registry::SubscriptionEntry one = only(request, offer);
   one.subscription.providers = request.subscription.providers;
-  const bool is_ok = core.matcher.why(one, offer).has_value();
+  const bool is_ok = core.matcher.why(one, for_all(offer)).has_value();
   return check("provider", is_ok,
                peer_word(offer.key) + (is_ok ? " is accepted by " : " is none of ") +
                    gcnp::provider_list(request.subscription.providers));
@@ -99,8 +108,27 @@ Line check_where(const Core& core, const registry::SubscriptionEntry& request,
   if (request.subscription.where.empty()) return check("where", true, "there is no filter");
   registry::SubscriptionEntry one = only(request, offer);
   one.subscription.where = request.subscription.where;
-  const auto match = core.matcher.why(one, offer);
+  const auto match = core.matcher.why(one, for_all(offer));
   return check("where", match.has_value(), match ? "the attributes meet " + request.subscription.where : match.error());
+}
+
+/// The scopes of both.
+Line check_scope(const Core& core, const registry::SubscriptionEntry& request,
+                 const registry::PublicationEntry& offer) {
+  registry::SubscriptionEntry one = only(request, offer);
+  one.subscription.scope = request.subscription.scope;
+  registry::PublicationEntry other = offer;
+  other.publication.for_whom.clear();
+  const auto match = core.matcher.why(one, other);
+  return check("scope", match.has_value(), match ? "each is in the scope of the other" : match.error());
+}
+
+/// The provider's condition.
+Line check_for(const Core& core, const registry::SubscriptionEntry& request, const registry::PublicationEntry& offer) {
+  registry::PublicationEntry other = offer;
+  other.publication.scope.clear();
+  const auto match = core.matcher.why(only(request, offer), other);
+  return check("for", match.has_value(), match ? "the consumer meets " + offer.publication.for_whom : match.error());
 }
 
 /// By what the rival is ahead; empty where it is by its key alone.
@@ -164,6 +192,10 @@ Answered answer(Core& core, const gcnp::QueryWhy& query) {
                 check_provider(core, *request, *offer), check_protocol(request->subscription, offer->publication),
                 check_where(core, *request, *offer)},
       .end = {}};
+  if (!request->subscription.scope.empty() || !offer->publication.scope.empty()) {
+    answer.lines.push_back(check_scope(core, *request, *offer));
+  }
+  if (!offer->publication.for_whom.empty()) answer.lines.push_back(check_for(core, *request, *offer));
   const auto standing = match ? core.matcher.standing(request->key, offer->key) : std::nullopt;
   if (standing) {
     answer.looked_through = standing->candidates;

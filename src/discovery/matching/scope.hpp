@@ -1,0 +1,58 @@
+// Which hosts somebody deals with: `scope` of a publication or a subscription (SCOPE.md).
+#ifndef GEMINGA_DISCOVERY_MATCHING_SCOPE_HPP
+#define GEMINGA_DISCOVERY_MATCHING_SCOPE_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geminga/error.hpp"
+#include "geminga/service.hpp"
+
+namespace geminga::matching {
+
+/// How many entries a scope may have; one more is refused with 422.
+inline constexpr std::size_t max_scope_entries = 16;
+
+/// A provider or a consumer: whose service it is, and by which names. Borrows them.
+struct Party {
+  ServiceKey key;
+  std::string_view participant_name;
+  std::string_view peer_name;
+};
+
+/// A value: copies and moves.
+class Scope {
+ public:
+  /// Everybody.
+  Scope() = default;
+  /// Reads a scope; the empty one is everybody. The error (422) says what cannot be read.
+  [[nodiscard]] static std::expected<Scope, Error> of(std::string_view text);
+
+  /// Whether who stated it deals with the other one: an entry admits it, or there is none that admits anybody, and none
+  /// excludes it. O(length).
+  [[nodiscard]] bool admits(const Party& own, const Party& other) const;
+
+ private:
+  struct Entry {
+    enum class Host : std::uint8_t { own, any, named } host = Host::any;
+    bool excludes = false;
+    std::string participant;  ///< named: an identifier, a name or a pattern
+    std::string peer;         ///< an identifier, a name or a pattern; empty: any
+  };
+  [[nodiscard]] static std::optional<Entry> entry(std::string_view text);
+  [[nodiscard]] static bool suits(const Entry& entry, const Party& own, const Party& other);
+
+  std::vector<Entry> entries_;
+};
+
+/// Reads a scope; used to refuse a bad one with 422.
+[[nodiscard]] std::optional<Error> check_scope(std::string_view text);
+
+}  // namespace geminga::matching
+
+#endif
