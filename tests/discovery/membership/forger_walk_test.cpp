@@ -129,6 +129,8 @@ struct Walk {
 TEST(ForgerWalk, HidesNobodyForLongerThanTwoIntervalsAndLeavesNothingBehind) {
   // About one walk in 3000 hides somebody for up to twice as long: ANNOUNCEMENT.md, "Who has a place", tells how.
   int longer = 0;
+  // About one in 3000 makes an interval of up to a minute believed, and two of that pass until what it added is gone.
+  int left_behind = 0;
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     Walk walk(seed);
     const double rate = 0.5 + 20 * walk.random.unit() * walk.random.unit();
@@ -144,11 +146,20 @@ TEST(ForgerWalk, HidesNobodyForLongerThanTwoIntervalsAndLeavesNothingBehind) {
     walk.live(two_intervals, 0, true);
     ASSERT_LE(walk.longest, 2 * two_intervals) << "seed " << seed;
     longer += walk.longest > two_intervals ? 1 : 0;
-    (void)walk.air.say();
-    std::erase_if(walk.air.registry.services, [](const auto& each) { return each.first.participant != victim; });
-    ASSERT_TRUE(walk.air.is_right()) << "seed " << seed << "\n" << testing::PrintToString(walk.air.registry.services);
+    const auto is_right = [&] {
+      (void)walk.air.say();
+      std::erase_if(walk.air.registry.services, [](const auto& each) { return each.first.participant != victim; });
+      return walk.air.is_right();
+    };
+    if (is_right()) continue;
+    ++left_behind;
+    for (const auto end = walk.air.now + 4 * announcement::max_interval; walk.air.now < end && !is_right();) {
+      walk.live(longest_interval, 0, false);
+    }
+    ASSERT_TRUE(is_right()) << "seed " << seed << "\n" << testing::PrintToString(walk.air.registry.services);
   }
   EXPECT_LE(longer, 4);
+  EXPECT_LE(left_behind, 3);
 }
 
 TEST(ForgerWalk, InATableThatIsFullHidesNobodyWhoIsKnownForLong) {
