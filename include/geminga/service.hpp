@@ -96,6 +96,8 @@ struct Subscription {
   std::string prefer{};  ///< whose attributes come first (src/discovery/matching/PREFERENCES.md); empty: nobody's
   std::string rank{};    ///< by what providers are ranked first; empty: the usual order
   std::string scope{};   ///< from which hosts (src/discovery/matching/SCOPE.md); empty: all
+  /// Not stated, but announced by the consumer's host where it had to choose: what it has chosen, ascending.
+  std::vector<ServiceKey> chosen{};
   friend bool operator==(const Subscription&, const Subscription&) = default;
 };
 

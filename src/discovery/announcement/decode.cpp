@@ -187,6 +187,9 @@ Decoded<NumberedSubscription> subscription_of(const wire::Subscription& message,
   subscription.prefer = message.prefer();
   subscription.rank = message.rank();
   subscription.scope = message.scope();
+  for (const auto& chosen : message.chosen()) {
+    subscription.chosen.push_back({ParticipantId{chosen.participant()}, PeerId{chosen.peer()}, chosen.number()});
+  }
   if (const auto fault = find_fault(subscription)) return Failure(fault->word);
   return numbered;
 }

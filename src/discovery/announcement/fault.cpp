@@ -2,6 +2,7 @@
 #include "discovery/announcement/fault.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -155,6 +156,18 @@ Found filter_fault(std::string_view what, const std::string& text, std::size_t m
                std::string(what) + " must be UTF-8 without control characters");
 }
 
+/// Keys that exist, in ascending order, each once.
+Found chosen_fault(const std::vector<ServiceKey>& chosen) {
+  const bool are_keys = std::ranges::all_of(chosen, [](const ServiceKey& key) {
+    return key.participant != ParticipantId{} && key.peer != PeerId{} && key.number != 0;
+  });
+  if (are_keys && chosen.size() <= max_announced_choice &&
+      std::ranges::adjacent_find(chosen, std::greater_equal()) == chosen.end()) {
+    return std::nullopt;
+  }
+  return fault(DecodeError::bad_identifier, ErrorCode::malformed, "what is chosen is no list of services");
+}
+
 Found filters_fault(const Subscription& subscription) {
   if (auto found = providers_fault(subscription.providers)) return found;
   if (auto found = filter_fault("where", subscription.where, max_where_bytes)) return found;
@@ -192,6 +205,7 @@ std::optional<Fault> find_fault(const Publication& publication) {
 }
 
 std::optional<Fault> find_fault(const Subscription& subscription) {
+  if (auto found = chosen_fault(subscription.chosen)) return found;
   if (auto found = identity_fault(subscription.identity)) return found;
   if (auto found = address_fault(subscription.address)) return found;
   if (auto found = attributes_fault(subscription.attributes)) return found;

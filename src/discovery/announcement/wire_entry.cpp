@@ -1,6 +1,8 @@
 // Writes one service into its message.
 #include "discovery/announcement/wire_entry.hpp"
 
+#include <utility>
+
 #include "base/address.hpp"
 
 namespace geminga::announcement {
@@ -96,6 +98,12 @@ wire::Subscription to_wire(const NumberedSubscription& numbered, TermTable& term
   message.set_prefer(numbered.subscription.prefer);
   message.set_rank(numbered.subscription.rank);
   message.set_scope(numbered.subscription.scope);
+  for (const ServiceKey& key : numbered.subscription.chosen) {
+    auto* chosen = message.add_chosen();
+    chosen->set_participant(std::to_underlying(key.participant));
+    chosen->set_peer(std::to_underlying(key.peer));
+    chosen->set_number(key.number);
+  }
   return message;
 }
 

@@ -107,6 +107,8 @@ class Choice {
   /// Those that were dropped since the last call: candidates no more, until they are offered again.
   [[nodiscard]] Dropped take_dropped() { return std::exchange(dropped_, {}); }
 
+  /// Whether it had to choose: there may be candidates that it has not chosen.
+  [[nodiscard]] bool is_contested() const { return !waiting_.empty() || bound_; }
   [[nodiscard]] bool is_chosen(const Rank& rank) const { return chosen_.contains(rank); }
   /// Best first.
   [[nodiscard]] std::vector<Verdict::Come> chosen() const;

@@ -117,6 +117,10 @@ bool Matcher::walk_subscriptions(const std::optional<ServiceKey>& after, const V
 std::size_t Matcher::publication_count() const { return state_->publications_.size(); }
 std::size_t Matcher::subscription_count() const { return state_->subscriptions_.size(); }
 std::vector<ServiceKey> Matcher::chosen(const ServiceKey& subscription) const { return state_->chosen(subscription); }
+std::vector<ServiceKey> Matcher::announced_choice(const ServiceKey& subscription) const {
+  return state_->announced_choice(subscription);
+}
+bool Matcher::take_choice_change() { return std::exchange(state_->has_choice_changed_, false); }
 std::vector<ServiceKey> Matcher::consumers(const ServiceKey& publication) const {
   return state_->consumers(publication);
 }

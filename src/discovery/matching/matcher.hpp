@@ -40,9 +40,9 @@ struct Request;
 /// filed under. Its degree is that of a class in its place.
 ///
 /// Providers are told of consumers in the modes oto and otm/pubsub only (paper section 3), and only of those whose
-/// choice they are in. Every host computes the choice of every consumer from its own view; nothing is asked for over
-/// the air. Who is chosen follows from announced facts except between candidates that are equal in all but their key,
-/// where the incumbent stays; there a host that came later may see another one chosen until something changes.
+/// choice they are in. A consumer's host that had to choose announces what it has chosen (Subscription::chosen), and
+/// the providers' hosts follow it. Until they hear of it, and where nothing had to be chosen, every host computes the
+/// choice from its own view; nothing is asked for over the air.
 ///
 /// A peer is never told of the end of its own request: after its subscription is removed there are no dels for it.
 class Matcher {
@@ -130,6 +130,11 @@ class Matcher {
   [[nodiscard]] std::size_t subscription_count() const;
   /// What a local subscription is given, best first; nothing where it is not known.
   [[nodiscard]] std::vector<ServiceKey> chosen(const ServiceKey& subscription) const;
+  /// What its host announces of the choice of a local subscription, ascending: what it is given, where it has a limit
+  /// of max_announced_choice at most, its providers are told, and more may match than it admits; else nothing.
+  [[nodiscard]] std::vector<ServiceKey> announced_choice(const ServiceKey& subscription) const;
+  /// Whether announced_choice() of any subscription has changed since the last call.
+  [[nodiscard]] bool take_choice_change();
   /// Whom a local publication is told of, in no particular order.
   [[nodiscard]] std::vector<ServiceKey> consumers(const ServiceKey& publication) const;
   /// The match of a pair that stands in chosen().

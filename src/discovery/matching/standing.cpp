@@ -24,6 +24,13 @@ std::optional<Standing> Matcher::State::standing(const StoredSubscription& subsc
   standing.is_chosen = is_within;
   if (!is_within) standing.rival = ranked[limit - 1].publication;
   if (limit == 0) return standing;
+  if (!subscription.entry.is_local && !subscription.entry.subscription.chosen.empty()) {
+    standing.decided = Standing::Decided::by_consumer;
+    standing.is_chosen = is_announced_choice(subscription.entry, publication.entry);
+    const auto* rival = publications_.find(subscription.entry.subscription.chosen.back());
+    standing.rival = standing.is_chosen || rival == nullptr ? nullptr : &rival->entry;
+    return standing;
+  }
   if (!subscription.entry.is_local &&
       (limit_of(subscription.entry) == 0 || subscription.entry.subscription.mode == ChannelMode::one_to_many_stream)) {
     standing.decided = Standing::Decided::elsewhere;  // no choice of it is kept here

@@ -15,6 +15,7 @@ struct Standing {
   enum class Decided : std::uint8_t {
     by_rank,       ///< the best up to the limit are chosen
     by_incumbent,  ///< one that was there first keeps its place against one that is no better but for its key
+    by_consumer,   ///< its consumer's host has announced its choice
     elsewhere,     ///< its consumer is on another host, which is not asked; this is what it chooses if nobody was first
   };
 

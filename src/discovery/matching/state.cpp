@@ -66,6 +66,9 @@ const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const S
     of(*known) = {};
     of(*known).stored = known;
   } else {
+    registry::SubscriptionEntry but_for_choice = entry;
+    but_for_choice.subscription.chosen = known->entry.subscription.chosen;
+    replaced_is_silent_ = known->entry.same_as(but_for_choice);
     replaced_subscription_ = {known, known->entry};
     if (of(*known).request.preferences != request.preferences) {
       of(*known).choice.release_waiting();
@@ -200,13 +203,21 @@ void Matcher::State::forget(const StoredSubscription& subscription, Reason reaso
 std::uint32_t Matcher::State::limit_of(const SubscriptionEntry& subscription) {
   const std::uint32_t limit = subscription.subscription.limit;
   if (subscription.is_local) return limit == 0 ? max_given : std::min(limit, max_given);
+  if (!subscription.subscription.chosen.empty()) return 0;  // nothing is left to choose
   return limit <= max_counted_providers ? limit : 0;
 }
 
 bool Matcher::State::is_of_interest(const SubscriptionEntry& subscription, const PublicationEntry& publication) {
   if (subscription.is_local) return true;
   if (subscription.subscription.mode == ChannelMode::one_to_many_stream) return false;  // its provider is not told
+  if (!subscription.subscription.chosen.empty()) {
+    return publication.is_local && is_announced_choice(subscription, publication);
+  }
   return publication.is_local || limit_of(subscription) != 0;  // without a limit nobody stands in another's way
+}
+
+bool Matcher::State::is_announced_choice(const SubscriptionEntry& subscription, const PublicationEntry& publication) {
+  return std::ranges::binary_search(subscription.subscription.chosen, publication.key);
 }
 
 bool Matcher::State::was_chosen_unseen(const StoredPublication& publication) const {
@@ -215,8 +226,9 @@ bool Matcher::State::was_chosen_unseen(const StoredPublication& publication) con
   const Edition& edition = edition_of(replaced_generation_);
   const bool was_kept_apart =
       replaced_was_clashing_ && before.subscription.identity.index() != publication.entry.publication.identity.index();
-  return !is_of_interest(before, publication.entry) && before.subscription.mode != ChannelMode::one_to_many_stream &&
-         !was_kept_apart &&
+  const bool was_announced = before.subscription.chosen.empty() || is_announced_choice(before, publication.entry);
+  return was_announced && !is_of_interest(before, publication.entry) &&
+         before.subscription.mode != ChannelMode::one_to_many_stream && !was_kept_apart &&
          matching::meets(before, replaced_request_,
                          {publication.entry, of_publication_[publication.slot].audience, classes(publication, edition)},
                          edition.vocabulary);
@@ -225,12 +237,14 @@ bool Matcher::State::was_chosen_unseen(const StoredPublication& publication) con
 void Matcher::State::judge(const StoredSubscription& subscription, const StoredPublication& publication) {
   auto& considered_by = of(publication).considered_by;
   auto& choice = of(subscription).choice;
-  const auto match =
-      is_of_interest(subscription.entry, publication.entry) ? meets(subscription, publication) : std::nullopt;
+  const bool is_interesting = is_of_interest(subscription.entry, publication.entry);
   const auto known = considered_by.find(subscription.slot);
-  if (!match) {
+  if (!is_interesting && known == considered_by.end()) return;
+  const auto match = meets(subscription, publication);
+  if (!match || !is_interesting) {
     if (known == considered_by.end()) return;
-    choice.withdraw(known->second, of(publication).leaves.value_or(Reason::changed));
+    const Reason reason = match ? Reason::outranked : Reason::changed;  // its consumer has chosen others
+    choice.withdraw(known->second, of(publication).leaves.value_or(reason));
     considered_by.erase(known);
     return;
   }

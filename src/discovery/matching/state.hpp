@@ -103,6 +103,11 @@ class Matcher::State {
     std::set<Id32> numbers;  ///< clashing ones of those that were erased
   };
   std::deque<Departure> departures_;
+  bool has_choice_changed_ = false;  ///< Matcher::take_choice_change()
+  [[nodiscard]] std::vector<ServiceKey> announced_choice(const ServiceKey& subscription) const {
+    const auto* stored = subscriptions_.find(subscription);
+    return stored == nullptr ? std::vector<ServiceKey>() : of_subscription_[stored->slot].announced_choice;
+  }
 
  private:
   struct OfPublication {
@@ -117,6 +122,7 @@ class Matcher::State {
     Choice choice;
     registry::Generation generation = registry::Generation::even;  ///< of the edition that it is judged by
     bool is_leaving = false;                                       ///< it is about to be erased
+    std::vector<ServiceKey> announced_choice;                      ///< Matcher::announced_choice()
   };
   /// How far the change to another vocabulary is. A subscription is judged by one of them at any time, and filed in its
   /// index alone; what is offered is known by both from the beginning of `filing` to the end of `rematching`.
@@ -167,6 +173,11 @@ class Matcher::State {
   /// Whether the pair can ever cause an event or decide about another one that can.
   [[nodiscard]] static bool is_of_interest(const registry::SubscriptionEntry& subscription,
                                            const registry::PublicationEntry& publication);
+  /// Of a consumer on another host that has announced its choice: whether this is in it.
+  [[nodiscard]] static bool is_announced_choice(const registry::SubscriptionEntry& subscription,
+                                                const registry::PublicationEntry& publication);
+  /// What a subscription of our own has to announce after it was settled.
+  void note_choice(const registry::StoredSubscription& subscription);
   /// The one place where a pair is judged, and counted.
   [[nodiscard]] std::optional<Match> meet(const registry::SubscriptionEntry& asked, const Request& request,
                                           const registry::StoredPublication& offered, const Edition& edition) const;
@@ -241,6 +252,7 @@ class Matcher::State {
   Replaced<registry::SubscriptionEntry> replaced_subscription_;
   Request replaced_request_;
   registry::Generation replaced_generation_ = registry::Generation::even;  ///< of the edition of replaced_request_
+  bool replaced_is_silent_ = false;                       ///< nothing changed but the choice that is announced
   bool replaced_was_clashing_ = false;                    ///< whether its number was that of two concepts
   const registry::StoredSubscription* untold_ = nullptr;  ///< its own consumer gets no events (Telling::providers)
 };

@@ -1,6 +1,9 @@
 // From verdicts to events: who is told, of what, in which order.
 
+#include <algorithm>
+
 #include "discovery/matching/state.hpp"
+#include "identity/service_limits.hpp"
 
 namespace geminga::matching {
 
@@ -20,7 +23,7 @@ void Matcher::State::settle(const StoredSubscription& subscription) {
   for (const auto& kept : verdict.kept) {
     const bool is_other_match = kept.told != kept.match;
     const bool is_other_publication = replaced_publication_.stored == kept.publication;
-    const bool is_other_subscription = replaced_subscription_.stored == &subscription;
+    const bool is_other_subscription = replaced_subscription_.stored == &subscription && !replaced_is_silent_;
     if (is_other_match || is_other_publication) {
       tell_consumer(Change::modify, subscription, *kept.publication, kept.match);
     }
@@ -34,6 +37,21 @@ void Matcher::State::settle(const StoredSubscription& subscription) {
   }
   // Last, so that a consumer has the better one before the worse one goes, and is never without.
   for (const auto& gone : verdict.outranked) tell_gone(gone);
+  if (subscription.entry.is_local) note_choice(subscription);
+}
+
+void Matcher::State::note_choice(const StoredSubscription& subscription) {
+  const Subscription& asked = subscription.entry.subscription;
+  auto& known = of(subscription);
+  std::vector<ServiceKey> choice;
+  const bool is_told = asked.limit != 0 && asked.mode != ChannelMode::one_to_many_stream;
+  if (is_told && asked.limit <= max_announced_choice && known.choice.is_contested()) {
+    for (const auto& one : known.choice.chosen()) choice.push_back(one.publication->entry.key);
+    std::ranges::sort(choice);
+  }
+  if (choice == known.announced_choice) return;
+  known.announced_choice = std::move(choice);
+  has_choice_changed_ = true;
 }
 
 void Matcher::State::tell_consumer(Change change, const StoredSubscription& subscription,

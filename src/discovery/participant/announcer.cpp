@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/address.hpp"
+#include "discovery/announcement/announceable.hpp"
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/limits.hpp"
 #include "discovery/announcement/on_interface.hpp"
@@ -297,7 +298,13 @@ announcement::Announcement Announcer::state() const {
       if (stated.is_in_force) peer.publications.push_back({.number = number, .publication = stated.publication});
     }
     for (const auto& [number, stated] : session->subscriptions) {
-      if (stated.is_in_force) peer.subscriptions.push_back({.number = number, .subscription = stated.subscription});
+      if (!stated.is_in_force) continue;
+      peer.subscriptions.push_back({.number = number, .subscription = stated.subscription});
+      auto& subscription = peer.subscriptions.back().subscription;
+      subscription.chosen =
+          core_.matcher.announced_choice({.participant = claim_.id(), .peer = session->peer(), .number = number});
+      // Where there is no room for it, the others go on computing the choice themselves.
+      if (announcement::check(subscription)) subscription.chosen.clear();
     }
     if (!peer.publications.empty() || !peer.subscriptions.empty()) state.peers.push_back(std::move(peer));
   }

@@ -192,6 +192,7 @@ void deliver_events(Core& core) {
     if (session == nullptr || session->peer() != event.to.peer) session = core.find(event.to.peer);
     if (session != nullptr) deliver(core, *session, event, said);  // else its peer has gone
   }
+  core.is_changed |= core.matcher.take_choice_change();
   for (const matching::Clash& clash : core.matcher.take_clashes()) {
     Session* told = core.find(clash.to.peer);
     if (told == nullptr || core.backlog(*told) > core.settings.limits.unread) continue;

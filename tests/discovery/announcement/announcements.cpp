@@ -101,6 +101,9 @@ Subscription random_subscription(Random& random) {
   subscription.prefer = random_text(random, 0, 40, "abc desc,by0123");
   subscription.rank = random_text(random, 0, 20, "abc,");
   subscription.scope = random_text(random, 0, 20, "abc,!/*");
+  for (std::uint32_t number = 1; number < random.below(4); ++number) {
+    subscription.chosen.push_back({ParticipantId{7}, PeerId{number}, static_cast<std::uint32_t>(1 + random.below(9))});
+  }
   return subscription;
 }
 

@@ -112,6 +112,14 @@ TEST(Decode, RefusesEachViolationInAServiceByItsWord) {
   const auto set_filters = [](M& m, int count) {
     for (int i = 0; i < count; ++i) subscription(m).add_providers()->set_participant("p");
   };
+  const auto set_chosen = [](M& m, int count) {
+    for (int i = 0; i < count; ++i) {
+      auto* chosen = subscription(m).add_chosen();
+      chosen->set_participant(7);
+      chosen->set_peer(1);
+      chosen->set_number(static_cast<std::uint32_t>(i + 1));
+    }
+  };
   expect({
       {"number 0", [](M& m) { publication(m).set_number(0); }, DecodeError::bad_identifier},
       {"number twice", [](M& m) { publication(m).set_number(43); }, DecodeError::bad_identifier},
@@ -193,6 +201,20 @@ TEST(Decode, RefusesEachViolationInAServiceByItsWord) {
       {"prefer of 201", [](M& m) { subscription(m).set_prefer(std::string(201, 'p')); }, DecodeError::bad_filter},
       {"rank of 64", [](M& m) { subscription(m).set_rank(std::string(64, 'r')); }, {}},
       {"rank of 65", [](M& m) { subscription(m).set_rank(std::string(65, 'r')); }, DecodeError::bad_filter},
+      {"16 chosen", [&](M& m) { set_chosen(m, 16); }, {}},
+      {"17 chosen", [&](M& m) { set_chosen(m, 17); }, DecodeError::bad_identifier},
+      {"chosen of nobody",
+       [&](M& m) {
+         set_chosen(m, 1);
+         subscription(m).mutable_chosen(0)->set_participant(0);
+       },
+       DecodeError::bad_identifier},
+      {"chosen twice",
+       [&](M& m) {
+         set_chosen(m, 2);
+         subscription(m).mutable_chosen(0)->set_number(2);
+       },
+       DecodeError::bad_identifier},
       {"scope of 201", [](M& m) { subscription(m).set_scope(std::string(201, 's')); }, DecodeError::bad_filter},
       {"scope of 201 of a publication", [](M& m) { publication(m).set_scope(std::string(201, 's')); },
        DecodeError::bad_filter},

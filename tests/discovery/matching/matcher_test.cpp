@@ -8,6 +8,7 @@
 
 #include "discovery/matching/taxonomy.hpp"
 #include "discovery/matching/team.hpp"
+#include "identity/service_limits.hpp"
 
 namespace geminga::matching {
 namespace {
@@ -276,6 +277,61 @@ TEST(Matcher, CollidingIdentitiesNeverMatchInWhateverOrderTheyCome) {
       } while (std::ranges::next_permutation(order).found);
     }
   }
+}
+
+TEST(Matcher, AProviderFollowsTheChoiceThatItsConsumerAnnounces) {
+  Matcher matcher;
+  auto wish = request(key(2, 1, 1), ball, 1);
+  matcher.put(wish);
+  matcher.put(offer(key(here, 1, 1), ball));
+  EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 sub add p2.1.1 exact 0"));
+  // By its own view the smaller key would win.
+  wish.subscription.chosen = {key(3, 1, 1)};
+  matcher.put(wish);
+  EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 sub del p2.1.1 outranked"));
+  matcher.put(offer(key(3, 1, 1), ball, -5));
+  EXPECT_THAT(told(matcher), IsEmpty());
+  wish.subscription.chosen = {key(here, 1, 1), key(3, 1, 1)};
+  matcher.put(wish);
+  EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 sub add p2.1.1 exact 0"));
+  wish.subscription.chosen = {key(here, 1, 1)};
+  matcher.put(wish);
+  EXPECT_THAT(told(matcher), IsEmpty()) << "nothing that the provider sees has changed";
+  matcher.remove_publication(key(3, 1, 1), Reason::left);
+  wish.subscription.chosen = {};
+  matcher.put(wish);
+  EXPECT_THAT(told(matcher), IsEmpty()) << "it was chosen, and is the only one now";
+}
+
+TEST(Matcher, AnnouncesAChoiceOnlyWhereItHadToChoose) {
+  Matcher matcher;
+  matcher.put(request(key(here, 1, 1), ball, 1));
+  EXPECT_FALSE(matcher.take_choice_change());
+  matcher.put(offer(key(3, 1, 1), ball));
+  EXPECT_FALSE(matcher.take_choice_change());
+  matcher.put(offer(key(2, 1, 1), ball));
+  EXPECT_TRUE(matcher.take_choice_change());
+  EXPECT_FALSE(matcher.take_choice_change());
+  EXPECT_THAT(matcher.announced_choice(key(here, 1, 1)), ElementsAre(key(3, 1, 1))) << "it was there first";
+  matcher.put(offer(key(2, 1, 1), ball, 1));
+  EXPECT_TRUE(matcher.take_choice_change());
+  EXPECT_THAT(matcher.announced_choice(key(here, 1, 1)), ElementsAre(key(2, 1, 1)));
+  matcher.remove_publication(key(3, 1, 1), Reason::left);
+  EXPECT_TRUE(matcher.take_choice_change());
+  EXPECT_THAT(matcher.announced_choice(key(here, 1, 1)), IsEmpty());
+  // Whose providers are not told, who takes all, and who takes more than are announced.
+  matcher.put(request(key(here, 1, 2), ball, 0));
+  matcher.put(request(key(here, 1, 3), ball, 1, Degree::narrower, one_to_many_stream));
+  matcher.put(request(key(here, 1, 4), ball, max_announced_choice));
+  matcher.put(request(key(here, 1, 5), ball, max_announced_choice + 1));
+  for (std::uint32_t host = 3; host < 30; ++host) {
+    matcher.put(offer(key(host, 1, 1), ball));
+    matcher.put(offer(key(host, 1, 2), ball, 0, one_to_many_stream));
+  }
+  EXPECT_THAT(matcher.announced_choice(key(here, 1, 2)), IsEmpty());
+  EXPECT_THAT(matcher.announced_choice(key(here, 1, 3)), IsEmpty());
+  EXPECT_EQ(matcher.announced_choice(key(here, 1, 4)).size(), max_announced_choice);
+  EXPECT_THAT(matcher.announced_choice(key(here, 1, 5)), IsEmpty());
 }
 
 TEST(Matcher, OnlyTheProtocolsThatAreAskedForMatch) {

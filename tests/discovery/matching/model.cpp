@@ -16,7 +16,10 @@ bool is_same(const Told& a, const Told& b) {
   if (a.about.index() == 0) {
     return std::get<0>(a.about)->same_as(*std::get<0>(b.about));
   }
-  return std::get<1>(a.about)->same_as(*std::get<1>(b.about));
+  // Nobody is told what has been chosen, only whether he has been.
+  SubscriptionEntry one = *std::get<1>(a.about);
+  one.subscription.chosen = std::get<1>(b.about)->subscription.chosen;
+  return one.same_as(*std::get<1>(b.about));
 }
 
 bool Model::is_kept_apart(const Identity& offered, const Identity& requested) const {
@@ -78,6 +81,12 @@ void Model::work_out() {
     std::ranges::sort(candidates);
     std::uint32_t limit = subscription.subscription.limit;
     if (!subscription.is_local && limit > 16) limit = 0;  // max_counted_providers: such a consumer takes all
+    if (!subscription.is_local && !asked.chosen.empty()) {
+      std::erase_if(candidates, [&](const Sorted& one) {
+        return std::ranges::find(asked.chosen, std::get<ServiceKey>(one)) == asked.chosen.end();
+      });
+      limit = 0;
+    }
     if (limit != 0 && candidates.size() > limit) candidates.resize(limit);
     for (const auto& [order, match, is_new, offer_key] : candidates) chosen_[key].emplace(offer_key, match);
   }

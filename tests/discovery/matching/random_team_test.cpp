@@ -134,7 +134,14 @@ class RandomTeam {
             ? request(one, identity(), static_cast<std::uint32_t>(random_.below(3)), Degree::narrower, mode())
             : known->second;
     Subscription& asked = entry.subscription;
-    switch (random_.below(13)) {
+    switch (random_.below(14)) {
+      case 11:
+        asked.chosen.clear();
+        if (is_local(one) || random_.chance(0.4)) break;
+        for (int i = 0; i < 3; ++i) asked.chosen.push_back(some_key(false));
+        std::ranges::sort(asked.chosen);
+        asked.chosen.erase(std::ranges::unique(asked.chosen).begin(), asked.chosen.end());
+        break;
       case 0:
         asked.identity = identity();
         break;

@@ -142,8 +142,14 @@ std::string lead_of(const Core& core, const registry::SubscriptionEntry& request
 
 std::string outranked_words(const Core& core, const registry::SubscriptionEntry& request,
                             const registry::PublicationEntry& offer, const matching::Standing& standing) {
-  if (standing.rival == nullptr) return ": it is not used";
+  if (standing.rival == nullptr) {
+    return standing.decided == matching::Standing::Decided::by_consumer ? ": the consumer's host has chosen another"
+                                                                        : ": it is not used";
+  }
   std::string text = ": outranked by " + to_string(standing.rival->key);
+  if (standing.decided == matching::Standing::Decided::by_consumer) {
+    return text + ", which the consumer's host has chosen";
+  }
   if (standing.decided == matching::Standing::Decided::by_incumbent && !request.subscription.prefer.empty()) {
     return text + ", which was there first, and it is not better by as much as prefer asks for";
   }
