@@ -29,10 +29,11 @@ LoadError unreadable(const std::string& file, std::string text) {
   return {base::printable(file, 4096), 0, std::move(text), true};
 }
 
-bool is_ontology_name(std::string_view name) {
+bool is_wanted_name(std::string_view name, std::span<const std::string_view> also) {
   name = name_without_gz(name);
   if (name.starts_with("catalog-v")) return false;
-  return std::ranges::any_of(extensions, [&](std::string_view extension) { return name.ends_with(extension); });
+  const auto is_ending = [&](std::string_view extension) { return name.ends_with(extension); };
+  return std::ranges::any_of(extensions, is_ending) || std::ranges::any_of(also, is_ending);
 }
 
 /// Whether a file that is only XML by its name says early that it is about RDF or OWL.
@@ -47,8 +48,8 @@ bool is_ontology_xml(const fs::path& path) {
 /// One folder that was named, with all below it.
 class Walk {
  public:
-  Walk(std::string folder, const Limits& limits, Listing& listing)
-      : folder_(std::move(folder)), limits_(limits), listing_(listing) {}
+  Walk(std::string folder, const Limits& limits, std::span<const std::string_view> also, Listing& listing)
+      : folder_(std::move(folder)), limits_(limits), also_(also), listing_(listing) {}
 
   std::optional<LoadError> run() {
     std::error_code error;
@@ -97,7 +98,7 @@ class Walk {
       return std::nullopt;
     }
     const std::string name = path.filename().string();
-    if (!is_ontology_name(name)) {
+    if (!is_wanted_name(name, also_)) {
       if (!name.starts_with("catalog-v")) listing_.skipped.push_back(path.string());
       return std::nullopt;
     }
@@ -113,6 +114,7 @@ class Walk {
 
   const std::string folder_;
   const Limits& limits_;
+  std::span<const std::string_view> also_;
   Listing& listing_;
   fs::path inside_;
   std::size_t entries_ = 0;
@@ -120,13 +122,14 @@ class Walk {
 
 }  // namespace
 
-std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments, const Limits& limits) {
+std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments, const Limits& limits,
+                                             std::span<const std::string_view> also) {
   Listing listing;
   for (const std::string& argument : arguments) {
     std::error_code error;
     if (!fs::is_directory(argument, error)) {
       listing.files.push_back(argument);
-    } else if (auto failed = Walk(argument, limits, listing).run()) {
+    } else if (auto failed = Walk(argument, limits, also, listing).run()) {
       return std::unexpected(std::move(*failed));
     }
   }

@@ -6,6 +6,7 @@
 #include <expected>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reasoning/syntax/error.hpp"
@@ -25,8 +26,9 @@ struct Listing {
 /// A file stands for itself. A folder stands for every ontology file in it and in the folders below (.ttl .nt .rdf .owl
 /// .xml .owx .omn .ofn .fss, also with .gz), except hidden files and Protégé's catalogues. A file that is named twice
 /// counts once. A folder without any ontology file is an error, and so is one with a link to a file outside of it.
-[[nodiscard]] std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments,
-                                                           const Limits& limits);
+/// `also` are further endings of names that count, also with .gz.
+[[nodiscard]] std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments, const Limits& limits,
+                                                           std::span<const std::string_view> also = {});
 
 }  // namespace geminga::syntax
 

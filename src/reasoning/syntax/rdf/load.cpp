@@ -14,6 +14,7 @@
 #include "base/text.hpp"
 #include "reasoning/syntax/files.hpp"
 #include "reasoning/syntax/inflate.hpp"
+#include "reasoning/syntax/rdf/base_iri.hpp"
 #include "reasoning/syntax/rdf/catalog.hpp"
 #include "reasoning/syntax/rdf/graph.hpp"
 #include "reasoning/syntax/rdf/mapping.hpp"
@@ -27,22 +28,6 @@ namespace {
 
 /// The most different ontologies that are imported. Imports beyond it are ignored.
 constexpr std::size_t max_imports = 1000;
-
-/// What a file's relative IRIs are relative to: its name without its folder, so that they are the same on every robot.
-std::string base_iri(const std::string& path) {
-  std::string iri = "file:///";
-  for (const char c : std::filesystem::path(syntax::name_without_gz(path)).filename().string()) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool is_plain =
-        (byte > 0x20 && byte < 0x7f && std::string_view("<>\"{}|\\^`%#?").find(c) == std::string_view::npos);
-    if (is_plain) {
-      iri += c;
-    } else {
-      iri += '%' + base::to_hex(byte, 2);
-    }
-  }
-  return iri;
-}
 
 /// Ontology headers: what the files call themselves, and what they import.
 class Headers {

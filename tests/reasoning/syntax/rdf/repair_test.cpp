@@ -1,0 +1,55 @@
+// What is mended in RDF/XML, and what is left alone.
+#include "reasoning/syntax/rdf/repair.hpp"
+
+#include <gtest/gtest.h>
+
+namespace geminga::rdf {
+namespace {
+
+TEST(Repair, LeavesUtf8Alone) {
+  EXPECT_FALSE(in_utf8("<a>caf\xc3\xa9</a>"));
+  EXPECT_FALSE(in_utf8("<?xml version='1.0' encoding='UTF-8'?><a>caf\xc3\xa9</a>"));
+  EXPECT_FALSE(in_utf8(""));
+  EXPECT_FALSE(in_utf8("<?xml version='1.0' encoding='UTF-16'?><a/>")) << "another encoding is not guessed";
+}
+
+TEST(Repair, TakesWesternEncodingsForWindows1252) {
+  EXPECT_EQ(in_utf8("<?xml version='1.0' encoding='WINDOWS-1252'?>\n<a>\xe9 \x80 \x93</a>"),
+            "<?xml version='1.0'                        ?>\n<a>\xc3\xa9 \xe2\x82\xac \xe2\x80\x9c</a>");
+  EXPECT_EQ(in_utf8("<?xml version=\"1.0\" encoding=\"iso-8859-1\"?><a>\xff</a>"),
+            "<?xml version=\"1.0\"                      ?><a>\xc3\xbf</a>");
+  EXPECT_EQ(in_utf8("<?xml version='1.0' encoding='windows-1252'?><a>\xc3\xa9</a>"),
+            "<?xml version='1.0'                        ?><a>\xc3\xa9</a>")
+      << "a file that is UTF-8 all through is UTF-8, whatever it says";
+}
+
+TEST(Repair, TakesOctetsThatAreNoUtf8ForWindows1252) {
+  EXPECT_EQ(in_utf8("<a>caf\xe9 \xc3\xa9 \x99</a>"), "<a>caf\xc3\xa9 \xc3\xa9 \xe2\x84\xa2</a>");
+}
+
+TEST(Repair, MakesNamesThatXmlForbidsRelativeIris) {
+  EXPECT_EQ(with_legal_names("<c rdf:ID=\"4WheeledCar\"/>\n<c rdf:ID = 'a b'/>"),
+            "<c rdf:about=\"#4WheeledCar\"/>\n<c rdf:about='#a b'/>");
+  EXPECT_EQ(with_legal_names("<c rdf:ID=\"Car\"/>"), "<c rdf:ID=\"Car\"/>");
+  EXPECT_EQ(with_legal_names("<c rdf:ID=\"Car\"/><c rdf:ID=\"Car\"/>"), "<c rdf:ID=\"Car\"/><c rdf:about=\"#Car\"/>");
+  EXPECT_EQ(with_legal_names("<c rdf:ID=\"open"), "<c rdf:ID=\"open");
+  EXPECT_EQ(with_legal_names("<c rdf:ID"), "<c rdf:ID");
+}
+
+TEST(Repair, EscapesAmpersandsThatBeginNoReference) {
+  EXPECT_EQ(with_legal_names("<a>B & B &amp; &xsd;x &#x41; &#65; &; AT&T</a>"),
+            "<a>B &amp; B &amp; &xsd;x &#x41; &#65; &amp;; AT&amp;T</a>");
+  EXPECT_EQ(with_legal_names("<!-- a & b --><![CDATA[ & ]]>&"), "<!-- a & b --><![CDATA[ & ]]>&amp;");
+  EXPECT_EQ(with_legal_names("a\x01z\n"), "a z\n");
+}
+
+TEST(Repair, MendsCommentsAndWhatStandsBeforeTheDeclaration) {
+  EXPECT_EQ(with_legal_names("<!-- a -- b ---><c/>"), "<!-- a  - b  --><c/>");
+  EXPECT_EQ(with_legal_names("<!--open"), "<!--open-->");
+  EXPECT_EQ(with_legal_names("<!---->\n<!-- - -->"), "<!---->\n<!-- - -->");
+  EXPECT_EQ(with_legal_names("\n <?xml version='1.0'?><c/>"), "<?xml version='1.0'?><c/>");
+  EXPECT_EQ(with_legal_names("\n <c/>"), "\n <c/>");
+}
+
+}  // namespace
+}  // namespace geminga::rdf
