@@ -27,9 +27,10 @@ struct Choice {
   std::function<Exit()> run;
   /// What must be done before this program shuts itself in, e.g. starting another; Exit::yes where it goes on.
   std::function<Exit()> prepare;
-  std::vector<std::string> outputs;  ///< files that it writes
-  unsigned memory_limit_mib = 0;     ///< 0: none
-  WorkLimits limits;                 ///< of those that search
+  std::vector<std::string> outputs;   ///< files that it writes
+  std::vector<std::string> readable;  ///< what it reads beside what the command line names
+  unsigned memory_limit_mib = 0;      ///< 0: none
+  WorkLimits limits;                  ///< of those that search
 };
 
 void add_check(CLI::App& program, Choice& choice);
@@ -45,6 +46,7 @@ void add_infer(CLI::App& program, Choice& choice);
 void add_convert(CLI::App& program, Choice& choice);
 void add_merge(CLI::App& program, Choice& choice);
 void add_query(CLI::App& program, Choice& choice);
+void add_rank(CLI::App& program, Choice& choice);
 
 }  // namespace geminga::ontology
 

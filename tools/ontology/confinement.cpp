@@ -19,8 +19,10 @@ void add_sources(const std::string& file, std::vector<std::string>& readable) {
 
 }  // namespace
 
-void shut_in(const CLI::App& command, const std::vector<std::string>& outputs) {
+void shut_in(const CLI::App& command, const std::vector<std::string>& outputs,
+             const std::vector<std::string>& readable) {
   cage::Freedom freedom;
+  freedom.readable = readable;
   freedom.readable.push_back(shipped_ontologies().string());
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& word : option->results()) {

@@ -12,9 +12,11 @@ class App;
 namespace geminga::ontology {
 
 /// Closes the cage (src/env/cage): from now on nothing but what the command line names can be read, with the sources
-/// that a compiled form names and the ontologies that ship, and nothing but the folders of `outputs` can be written to.
+/// that a compiled form names, the ontologies that ship and `readable`, and nothing but the folders of `outputs` can be
+/// written to.
 /// Where the kernel has neither seccomp nor Landlock nothing is forbidden; Redland is still told to open nothing.
-void shut_in(const CLI::App& command, const std::vector<std::string>& outputs);
+void shut_in(const CLI::App& command, const std::vector<std::string>& outputs,
+             const std::vector<std::string>& readable);
 
 }  // namespace geminga::ontology
 

@@ -32,6 +32,7 @@ Examples:
   geminga-ontology convert oeo.omn -o oeo.ttl
   geminga-ontology merge team/ -o team.owl
   geminga-ontology query team/ 'SELECT ?class WHERE { ?class rdfs:subClassOf soccer:BallInfo }'
+  geminga-ontology rank --services services/ --requests queries/ --ontologies ontology/
 
 FILES are RDF/XML, Turtle, N-Triples, OWL functional syntax, OWL Manchester syntax or OWL/XML, also packed by gzip
 (.gz), or folders of them, with all below. Nothing is fetched from a network: owl:imports are looked for among the
@@ -59,7 +60,7 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   Choice choice;
   for (const auto add : {add_check, add_classify, add_subsumes, add_entails, add_consistent, add_explain, add_id,
-                         add_compile, add_draw, add_infer, add_convert, add_merge, add_query})
+                         add_compile, add_draw, add_infer, add_convert, add_merge, add_query, add_rank})
     add(program, choice);
   try {
     program.parse(argc, argv);
@@ -77,7 +78,7 @@ int run(int argc, char** argv) {
   if (choice.prepare) {
     if (const Exit prepared = choice.prepare(); prepared != Exit::yes) return static_cast<int>(prepared);
   }
-  shut_in(*program.get_subcommands().front(), choice.outputs);
+  shut_in(*program.get_subcommands().front(), choice.outputs, choice.readable);
   return static_cast<int>(choice.run());
 }
 

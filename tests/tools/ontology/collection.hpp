@@ -1,0 +1,15 @@
+// Writes OWL-S services as the public collections have them.
+#ifndef GEMINGA_TESTS_TOOLS_ONTOLOGY_COLLECTION_HPP
+#define GEMINGA_TESTS_TOOLS_ONTOLOGY_COLLECTION_HPP
+
+#include <string>
+#include <vector>
+
+namespace geminga::ontology {
+
+/// A profile whose parameters have these types, as the text of a file.
+[[nodiscard]] std::string owls(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
+
+}  // namespace geminga::ontology
+
+#endif
