@@ -22,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 1> owls_endings{".owls"};
+constexpr std::array<std::string_view, 2> old_endings{".daml", ".rdfs"};  ///< of ontologies
 
 bool is_owls(std::string_view path) { return syntax::name_without_gz(path).ends_with(".owls"); }
 
@@ -108,13 +109,13 @@ std::expected<RankedCollection, std::string> RankedCollection::read(const Collec
   if (const auto problem = collection.list(paths.requests, collection.requests_, ontologies))
     return std::unexpected(*problem);
   if (!paths.ontologies.empty()) {
-    auto listing = syntax::list_files(paths.ontologies, {});
+    auto listing = syntax::list_files(paths.ontologies, {}, old_endings);
     if (!listing) return std::unexpected(syntax::to_string(listing.error()));
     std::ranges::move(listing->files, std::back_inserter(ontologies));
     std::ranges::move(listing->folders, std::back_inserter(collection.folders_));
   }
   for (const std::string& folder : paths.guessed) {
-    auto listing = syntax::list_files(std::span(&folder, 1), {});
+    auto listing = syntax::list_files(std::span(&folder, 1), {}, old_endings);
     if (!listing) continue;  // a folder of something else that has this name
     std::ranges::move(listing->files, std::back_inserter(ontologies));
     std::ranges::move(listing->folders, std::back_inserter(collection.folders_));

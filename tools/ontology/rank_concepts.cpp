@@ -82,6 +82,46 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 27> datatype
     {"gYear", "instant"},
 }};
 
+/// How much documents have in common.
+class Documents {
+ public:
+  /// A name that stands in more documents than this says little about any two of them.
+  static constexpr std::size_t max_with_one_name = 64;
+
+  Documents(const std::vector<std::string>& iris, const std::map<std::string, std::vector<std::uint32_t>>& by_name) {
+    for (const auto& [name, numbers] : by_name) {
+      for (const std::uint32_t number : numbers) ++size_[document_of(iris[number])];
+      const std::size_t some = std::min(numbers.size(), max_with_one_name);
+      for (std::size_t a = 0; a < some; ++a) {
+        for (std::size_t b = a + 1; b < some; ++b)
+          ++shared_[pair_of(document_of(iris[numbers[a]]), document_of(iris[numbers[b]]))];
+      }
+    }
+  }
+
+  /// Whether the documents of two IRIs are copies of one: four fifths of the classes of the smaller one are in the
+  /// other, and they have the same file name, or enough classes that this is no accident.
+  [[nodiscard]] bool are_one(std::string_view a, std::string_view b) const {
+    constexpr std::size_t no_accident = 10;
+    const std::string_view first = document_of(a);
+    const std::string_view second = document_of(b);
+    const auto found = shared_.find(pair_of(first, second));
+    if (first == second || found == shared_.end()) return false;
+    if (found->second < no_accident && file_of(first) != file_of(second)) return false;
+    return 5 * found->second >= 4 * std::min(size_.find(first)->second, size_.find(second)->second);
+  }
+
+ private:
+  using Pair = std::pair<std::string_view, std::string_view>;
+
+  static std::string_view document_of(std::string_view iri) { return parts(iri).first; }
+  static std::string file_of(std::string_view document) { return key_of(document.substr(document.rfind('/') + 1), {}); }
+  static Pair pair_of(std::string_view a, std::string_view b) { return a < b ? Pair{a, b} : Pair{b, a}; }
+
+  std::map<std::string_view, std::size_t> size_;
+  std::map<Pair, std::size_t> shared_;
+};
+
 }  // namespace
 
 std::string last_two_parts(std::string_view iri) {
@@ -127,41 +167,33 @@ void ConceptNames::index() {
 }
 
 void ConceptNames::join_documents() {
-  // How many declared classes each document has, and how many any two of them share by name.
-  std::map<std::string_view, std::size_t> size;
-  std::map<std::pair<std::string_view, std::string_view>, std::size_t> shared;
-  const auto document_of = [&](std::uint32_t number) { return parts(classes_.iris[number]).first; };
-  constexpr std::size_t max_documents = 16;  // of one file name
-  for (const auto& [key, numbers] : by_key_) {
-    std::vector<std::string_view> documents;
-    for (const std::uint32_t number : numbers) {
-      if (!classes_.is_declared[number]) continue;
-      ++size[document_of(number)];
-      if (documents.size() < max_documents) documents.push_back(document_of(number));
-    }
-    for (std::size_t a = 0; a < documents.size(); ++a) {
-      for (std::size_t b = a + 1; b < documents.size(); ++b) ++shared[std::minmax(documents[a], documents[b])];
-    }
+  std::map<std::string, std::vector<std::uint32_t>> declared_by_name;
+  for (std::uint32_t number = 0; number < classes_.iris.size(); ++number) {
+    if (classes_.is_declared[number]) declared_by_name[decoded(parts(classes_.iris[number]).second)].push_back(number);
   }
-  const auto are_one = [&](std::uint32_t a, std::uint32_t b) {
-    const auto found = shared.find(std::minmax(document_of(a), document_of(b)));
-    const std::size_t smaller = std::min(size[document_of(a)], size[document_of(b)]);
-    return found != shared.end() && 5 * found->second >= 4 * smaller;
-  };
+  const Documents documents(classes_.iris, declared_by_name);
   const auto equate = [&](std::uint32_t a, std::uint32_t b) {
     classes_.inclusions.emplace_back(a, b);
     classes_.inclusions.emplace_back(b, a);
   };
+  for (const auto& [name, declared] : declared_by_name) {
+    const std::size_t some = std::min(declared.size(), Documents::max_with_one_name);
+    for (std::size_t a = 0; a < some; ++a) {
+      for (std::size_t b = a + 1; b < some; ++b) {
+        if (documents.are_one(classes_.iris[declared[a]], classes_.iris[declared[b]])) equate(declared[a], declared[b]);
+      }
+    }
+  }
+  // What is only mentioned means what is declared, where that is one class.
   for (const auto& [key, numbers] : by_key_) {
-    std::vector<std::uint32_t> declared;
-    std::ranges::copy_if(numbers, std::back_inserter(declared),
-                         [&](std::uint32_t number) { return classes_.is_declared[number]; });
-    if (declared.empty()) continue;
-    const bool is_one = std::ranges::all_of(
-        declared, [&](std::uint32_t other) { return other == declared.front() || are_one(declared.front(), other); });
-    if (!is_one) continue;
+    const auto is_declared = [&](std::uint32_t number) { return classes_.is_declared[number]; };
+    const auto first = std::ranges::find_if(numbers, is_declared);
+    if (first == numbers.end()) continue;
+    const bool is_one = std::ranges::all_of(numbers, [&](std::uint32_t other) {
+      return !is_declared(other) || other == *first || documents.are_one(classes_.iris[*first], classes_.iris[other]);
+    });
     for (const std::uint32_t number : numbers) {
-      if (number != declared.front()) equate(declared.front(), number);
+      if (is_one && !is_declared(number)) equate(*first, number);
     }
   }
 }

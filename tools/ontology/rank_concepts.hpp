@@ -16,9 +16,9 @@ namespace geminga::ontology {
 
 /// The names of a collection's classes.
 ///
-/// One ontology is often published under several URLs, and named with `%20`, with spaces, or in other letters. So a
-/// name that no ontology declares means the class with the same last two parts (`books#Book`), where only one is
-/// declared; and two documents of one file name that have most of their classes in common are one.
+/// One ontology is often published under several URLs, copied under another name, and named with `%20`, with spaces, or
+/// in other letters. So a name that no ontology declares means the class with the same last two parts (`books#Book`),
+/// where only one is declared; and classes of one name are one where their documents have most classes in common.
 class ConceptNames {
  public:
   explicit ConceptNames(CollectionClasses classes);

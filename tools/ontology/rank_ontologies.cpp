@@ -189,7 +189,10 @@ class Collection {
 
   /// Whether anything was concluded. Without that there is what the files say.
   bool add_inferred(const owl::Ontology& source, const std::string& path) {
+    // Most of what a ranking uses is told, so that what is hard to find is not worth minutes.
+    constexpr std::uint64_t default_steps = 200'000'000;
     WorkLimits limits = limits_;
+    if (limits.steps == WorkLimits::default_steps) limits.steps = default_steps;
     limits.steps = std::max<std::uint64_t>(1, limits.steps / std::max<std::size_t>(1, parts_.size()));
     base::Budget budget = budget_of(limits);
     if (source.problem()) {
@@ -205,6 +208,7 @@ class Collection {
       classes_.remarks.push_back(path + ": contradicts itself: it counts as it is written");
       return false;
     }
+    if (found->is_cut_off) classes_.remarks.push_back(path + ": not all that follows was found within the limits");
     const auto iri = [&](taxonomy::ClassNumber number) {
       return source.name(found->classes[static_cast<std::size_t>(number)]);
     };

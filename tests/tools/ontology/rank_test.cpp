@@ -183,6 +183,24 @@ TEST(Rank, KnowsAnOntologyByItsFileAndJoinsItsCopies) {
   EXPECT_FALSE(narrower.empty());
 }
 
+TEST(Rank, TakesADocumentThatHasTheSameClassesForACopyUnlessTheyAreFew) {
+  const Shop shop;
+  for (const auto& [file, count] : {std::pair("few", 9), std::pair("many", 10)}) {
+    for (const std::string part : {"one", "other"}) {
+      std::string classes = "<owl:Class rdf:ID='Root'/>";
+      for (int at = 1; at < count; ++at) classes += below("C" + std::to_string(at), "#Root");
+      const std::string name = std::string(file) + part;
+      shop.write("ontology/" + name + ".owl", ontology("http://127.0.0.1/ontology/" + name + ".owl", classes));
+    }
+    const std::string base = "http://127.0.0.1/ontology/" + std::string(file);
+    shop.service(std::string(file) + "_service", {}, {base + "one.owl#C1"});
+    shop.request(std::string(file) + "_request", {}, {base + "other.owl#C1"});
+  }
+  const std::string out = shop.rank().out;
+  EXPECT_THAT(out, HasSubstr("many_request.owls\t1\tmany_service.owls\t1.000000000\n"));
+  EXPECT_THAT(out, Not(HasSubstr("\tfew_service.owls\t1.0")));
+}
+
 TEST(Rank, SaysWhichTypesAreInNoOntologyAndMatchesThemByName) {
   const Shop shop;
   shop.service("map", {books("Book")}, {"http://127.0.0.1/ontology/none.owl#Map"});
