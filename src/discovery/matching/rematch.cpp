@@ -78,7 +78,9 @@ void Matcher::State::rematch(const StoredSubscription& subscription) {
   subscriptions_.unfile(subscription, of(subscription).generation);
   of(subscription).generation = in_force_.generation;
   if (of(subscription).is_leaving) return;
-  auto& known = of(subscription).request.classes = prepare(subscription.entry).classes;
+  Request request = prepare(subscription.entry);
+  of(subscription).request.signature = std::move(request.signature);
+  const auto& known = of(subscription).request.classes = std::move(request.classes);
   const FilingPlan plan = FilingPlan::of_subscription(known, subscription.entry.subscription.weakest, in_force_);
   subscriptions_.refile(subscription, plan.filing());
   filed_ += 1 + plan.size();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "discovery/matching/representation.hpp"
 
 namespace geminga::matching {
 namespace {
@@ -123,6 +124,7 @@ Request prepared(const Subscription& subscription, const vocabulary::Vocabulary&
   if (auto preferences = Preferences::of(subscription)) request.preferences = std::move(*preferences);
   auto scope = Scope::of(subscription.scope);
   request.scope = scope ? std::optional(std::move(*scope)) : std::nullopt;
+  if (has_signature(subscription.attributes)) request.signature = signature_of(subscription.attributes, vocabulary);
   return request;
 }
 
@@ -137,7 +139,10 @@ std::optional<Match> meets(const SubscriptionEntry& subscription, const Request&
       degree_of_identity(entry.publication.identity, offer.classes, asked.identity, request.classes, vocabulary);
   if (!match || match->degree > asked.weakest || !request.where->accepts(entry)) return std::nullopt;
   if (!offer.audience.condition || !offer.audience.condition->accepts(subscription)) return std::nullopt;
-  return match;
+  if (!request.signature) return match;
+  const auto by_signature = degree_of_signature(signature_of(entry.publication.attributes, vocabulary),
+                                                *request.signature, asked.weakest, vocabulary);
+  return by_signature ? std::optional(combined(*match, *by_signature)) : std::nullopt;
 }
 
 std::expected<Match, std::string> explained(const SubscriptionEntry& subscription, const Request& request,
@@ -174,6 +179,11 @@ std::expected<Match, std::string> explained(const SubscriptionEntry& subscriptio
   } else if (!offer.audience.condition->accepts(subscription)) {
     say("for: " + base::printable(offered.for_whom, max_shown_expression) +
         " does not hold: " + offer.audience.condition->misses(subscription));
+  }
+  if (request.signature) {
+    const std::string misfit =
+        signature_misfit(signature_of(offered.attributes, vocabulary), *request.signature, asked.weakest, vocabulary);
+    if (!misfit.empty()) say("signature: " + misfit);
   }
   return std::unexpected(why);
 }

@@ -11,6 +11,7 @@
 #include "discovery/matching/degree.hpp"
 #include "discovery/matching/preferences.hpp"
 #include "discovery/matching/scope.hpp"
+#include "discovery/matching/signature.hpp"
 #include "discovery/matching/where.hpp"
 #include "discovery/registry/entry.hpp"
 #include "geminga/service.hpp"
@@ -23,6 +24,7 @@ struct Request {
   Classes classes;
   std::optional<Where> where;            ///< nothing: it cannot be read, and the subscription never matches
   Preferences preferences{};             ///< none where they cannot be read
+  std::optional<Signature> signature{};  ///< nothing: none is stated
   std::optional<Scope> scope = Scope();  ///< nothing: it cannot be read, and the subscription never matches
 
   /// How such a publication, which matches, ranks among all that do.
@@ -42,8 +44,8 @@ struct Offer {
   const Classes& classes;
 };
 
-/// How the offer meets the subscription by mode, provider, protocol, scope, identity and conditions of both; nothing
-/// where it does not. `subscription` is what `request` was prepared from.
+/// How the offer meets the subscription by mode, provider, protocol, scope, identity, conditions of both and
+/// signature; nothing where it does not. `subscription` is what `request` was prepared from.
 [[nodiscard]] std::optional<Match> meets(const registry::SubscriptionEntry& subscription, const Request& request,
                                          const Offer& offer, const vocabulary::Vocabulary& vocabulary);
 

@@ -20,6 +20,21 @@ std::expected<ClassNumber, std::string> Vocabulary::find(std::string_view name) 
   return std::unexpected(found.error().text + compiled::did_you_mean(compiled::find_similar(*ontology_, name, limits)));
 }
 
+std::optional<ClassNumber> Vocabulary::find_term(std::string_view name) const {
+  if (!is_loaded()) return std::nullopt;
+  if (name.starts_with('<')) return name.ends_with('>') ? find_iri(name.substr(1, name.size() - 2)) : std::nullopt;
+  const std::size_t colon = name.find(':');
+  if (colon != std::string_view::npos) {
+    const auto prefixes = ontology_->prefixes();
+    const std::string_view word = name.substr(0, colon);
+    auto prefix = std::ranges::lower_bound(prefixes, word, {}, [](const auto& one) { return one.first; });
+    for (; prefix != prefixes.end() && prefix->first == word; ++prefix) {
+      if (const auto found = find_iri(std::string(prefix->second) + std::string(name.substr(colon + 1)))) return found;
+    }
+  }
+  return find_iri(name);
+}
+
 bool Vocabulary::is_expression(std::string_view name) const {
   return is_loaded() && manchester::is_compound(name) && !ontology_->find(name);
 }

@@ -54,6 +54,9 @@ class Vocabulary {
   [[nodiscard]] std::optional<ClassNumber> find_iri(std::string_view iri) const {
     return is_loaded() ? ontology_->find_iri(iri) : std::nullopt;
   }
+  /// The class of `prefix:Name`, `<IRI>` or a bare IRI, or nothing. Looks for no label and no likely meaning, so that
+  /// it may be asked often.
+  [[nodiscard]] std::optional<ClassNumber> find_term(std::string_view name) const;
   /// Whether a text is meant as a class expression: it is not the name of a class, and more than one word. It may be
   /// wrong all the same.
   [[nodiscard]] bool is_expression(std::string_view name) const;

@@ -85,11 +85,18 @@ class RandomTeam {
   /// In the midst of the others, so that ties are won by smaller and by greater keys.
   static bool is_local(const ServiceKey& of) { return of.participant == ParticipantId{3}; }
 
+  void state_signature(Attributes& attributes) {
+    const char* side = one_of<2>({"inputs", "outputs"});
+    const std::string name = one_of<6>({"", "Tracked", "Ball", "OwnBall", "New", "Robot"});
+    attributes.erase(side);
+    if (!name.empty()) attributes[side] = "<http://example.org/" + name + '>';
+  }
+
   void put_publication() {
     const ServiceKey one = some_key(false);
     const auto known = model_.publications.find(one);
     PublicationEntry entry = known == model_.publications.end() ? offer(one, identity(), 0, mode()) : known->second;
-    switch (random_.below(9)) {
+    switch (random_.below(10)) {
       case 6:
         if (crowd_ != Crowd::packed) entry.publication.scope = one_of<4>({"", "host", "!host", "robot4,,"});
         break;
@@ -111,6 +118,9 @@ class RandomTeam {
         break;
       case 3:
         entry.publication.attributes["rate"] = std::to_string(random_.below(4));
+        break;
+      case 8:
+        state_signature(entry.publication.attributes);
         break;
       case 4:
         entry.publication.port = static_cast<std::uint16_t>(5000 + random_.below(2));
@@ -134,7 +144,7 @@ class RandomTeam {
             ? request(one, identity(), static_cast<std::uint32_t>(random_.below(3)), Degree::narrower, mode())
             : known->second;
     Subscription& asked = entry.subscription;
-    switch (random_.below(14)) {
+    switch (random_.below(15)) {
       case 11:
         asked.chosen.clear();
         if (is_local(one) || random_.chance(0.4)) break;
@@ -159,6 +169,9 @@ class RandomTeam {
       case 7:
         asked.protocols.clear();
         if (crowd_ != Crowd::packed && random_.chance(0.5)) asked.protocols.push_back(one_of<2>({"udp", "tcp"}));
+        break;
+      case 12:
+        if (crowd_ != Crowd::packed) state_signature(asked.attributes);
         break;
       case 1:
         asked.priority = static_cast<std::int32_t>(random_.below(2));

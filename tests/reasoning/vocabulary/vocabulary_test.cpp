@@ -82,6 +82,15 @@ TEST(Vocabulary, LivesAsLongAsOneOfItsCopies) {
   EXPECT_EQ(copy.iri(*copy.find("t:Ball")), "https://t.example/#Ball");
 }
 
+TEST(Vocabulary, FindsTermsByPrefixAndIriAndByNothingElse) {
+  const Vocabulary robots(owl::loaded(owl::robots));
+  for (const char* name : {"t:Ball", "<https://t.example/#Ball>", "https://t.example/#Ball"})
+    EXPECT_EQ(robots.find_term(name), *robots.find("t:Ball")) << name;
+  for (const char* name : {"", "<", "<>", "<t:Ball>", "t:", "t:Bal", "u:Ball", "Ball", ":Ball"})
+    EXPECT_FALSE(robots.find_term(name)) << name;
+  EXPECT_FALSE(Vocabulary().find_term("t:Ball"));
+}
+
 TEST(Vocabulary, ExplainsWhatIsSubsumedAndWhatIsNot) {
   const Vocabulary robots(owl::loaded(owl::robots));
   const auto why = robots.explain(*robots.find("t:SharedBallInfo"), *robots.find("t:TrackedObject"));

@@ -4,6 +4,7 @@
 #include "base/text.hpp"
 #include "discovery/gcnp/event.hpp"
 #include "discovery/matching/request.hpp"
+#include "discovery/matching/signature.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 
@@ -47,6 +48,10 @@ registry::SubscriptionEntry only(const registry::SubscriptionEntry& request, con
   one.subscription.where.clear();
   one.subscription.protocols.clear();
   one.subscription.scope.clear();
+  for (const std::string_view key : {matching::inputs_attribute, matching::outputs_attribute}) {
+    if (const auto stated = one.subscription.attributes.find(key); stated != one.subscription.attributes.end())
+      one.subscription.attributes.erase(stated);
+  }
   return one;
 }
 
@@ -131,6 +136,19 @@ Line check_for(const Core& core, const registry::SubscriptionEntry& request, con
   return check("for", match.has_value(), match ? "the consumer meets " + offer.publication.for_whom : match.error());
 }
 
+/// Only where the subscription states what it gives or needs.
+Line check_signature(const Core& core, const registry::SubscriptionEntry& request,
+                     const registry::PublicationEntry& offer) {
+  registry::SubscriptionEntry one = only(request, offer);
+  one.subscription.attributes = request.subscription.attributes;
+  one.subscription.weakest = request.subscription.weakest;
+  const auto match = core.matcher.why(one, for_all(offer));
+  if (!match) return check("signature", false, match.error());
+  return check("signature", true,
+               "inputs and outputs are " + std::string(to_string(match->degree)) + ", distance " +
+                   std::to_string(match->distance));
+}
+
 /// By what the rival is ahead; empty where it is by its key alone.
 std::string lead_of(const Core& core, const registry::SubscriptionEntry& request,
                     const registry::PublicationEntry& rival, const registry::PublicationEntry& offer) {
@@ -202,6 +220,8 @@ Answered answer(Core& core, const gcnp::QueryWhy& query) {
     answer.lines.push_back(check_scope(core, *request, *offer));
   }
   if (!offer->publication.for_whom.empty()) answer.lines.push_back(check_for(core, *request, *offer));
+  if (matching::has_signature(request->subscription.attributes))
+    answer.lines.push_back(check_signature(core, *request, *offer));
   const auto standing = match ? core.matcher.standing(request->key, offer->key) : std::nullopt;
   if (standing) {
     answer.looked_through = standing->candidates;
