@@ -81,12 +81,19 @@ void RankedCollection::read_file(const std::string& path, const std::string& bel
   auto document = owls::read_profiles(path);
   if (!document) return problems_.push_back(syntax::to_string(document.error()));
   if (document->profiles.empty() && !is_owls(path)) return others.push_back(path);
-  if (document->broken_off)
-    problems_.push_back(syntax::to_string(*document->broken_off) + ": only what stands before counts");
-  if (document->profiles.empty()) {
-    if (!document->broken_off) problems_.push_back(base::printable(path, 4096) + ": holds no profile of a service");
-    return;
+  const auto lacks_type = [](const owls::Profile& profile) {
+    const auto is_unstated = [](const std::string& type) { return type.empty(); };
+    return std::ranges::any_of(profile.inputs, is_unstated) || std::ranges::any_of(profile.outputs, is_unstated);
+  };
+  if (document->broken_off) {
+    // Types stand behind the profiles that name them. A profile without them would be ranked for what it is not.
+    const bool is_half = document->profiles.empty() || std::ranges::any_of(document->profiles, lacks_type);
+    problems_.push_back(syntax::to_string(*document->broken_off) +
+                        (is_half ? ": it is not ranked" : ": only what stands before counts"));
+    if (is_half) return;
   }
+  if (document->profiles.empty())
+    return problems_.push_back(base::printable(path, 4096) + ": holds no profile of a service");
   for (owls::Profile& profile : document->profiles) described.push_back({below, path, std::move(profile), {}});
 }
 

@@ -147,29 +147,44 @@ class Collection {
     while (!open.empty()) {
       const std::size_t at = open.back();
       open.pop_back();
-      for (const std::string& import : parts_[at].imports) {
-        const auto found = find_import(import);
-        if (found && closure.insert(*found).second) open.push_back(*found);
+      for (const std::size_t found : imported_[at]) {
+        if (closure.insert(found).second) open.push_back(found);
       }
     }
     return closure;
   }
 
-  /// A closure that holds others says all that these do. Where it contradicts itself they are asked for themselves.
-  void classify_all() {
-    std::vector<std::set<std::size_t>> closures;
-    for (std::size_t part = 0; part < parts_.size(); ++part) closures.push_back(closure_of(part));
-    std::vector<std::size_t> order;
-    for (std::size_t part = 0; part < parts_.size(); ++part) {
-      if (parts_[part].has_triples) order.push_back(part);
+  void find_imports() {
+    for (const Part& part : parts_) {
+      std::set<std::size_t> found;
+      for (const std::string& import : part.imports) {
+        if (const auto at = find_import(import)) found.insert(*at);
+      }
+      imported_.emplace_back(found.begin(), found.end());
     }
-    std::ranges::stable_sort(order, std::greater{}, [&](std::size_t part) { return closures[part].size(); });
+  }
+
+  /// What nobody imports comes first: its closure says all that those of its imports do. Where one contradicts itself,
+  /// they are asked for themselves.
+  void classify_all() {
+    find_imports();
+    std::vector<bool> is_imported(parts_.size());
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      for (const std::size_t other : imported_[part]) is_imported[other] = is_imported[other] || other != part;
+    }
+    std::vector<std::size_t> order;
+    for (const bool wanted : {false, true}) {
+      for (std::size_t part = 0; part < parts_.size(); ++part) {
+        if (parts_[part].has_triples && is_imported[part] == wanted) order.push_back(part);
+      }
+    }
     std::vector<bool> is_done(parts_.size());
     for (const std::size_t part : order) {
       if (is_done[part]) continue;
       is_done[part] = true;
-      if (!classify(closures[part], part)) continue;
-      for (const std::size_t member : closures[part]) is_done[member] = true;
+      const std::set<std::size_t> closure = closure_of(part);
+      if (!classify(closure, part)) continue;
+      for (const std::size_t member : closure) is_done[member] = true;
     }
   }
 
@@ -257,10 +272,11 @@ class Collection {
   const WorkLimits& limits_;
   CollectionClasses classes_;
   std::vector<Part> parts_;
-  std::map<std::string, std::size_t> names_;       ///< IRIs
-  std::map<std::string, std::size_t> paths_;       ///< of files
-  std::map<std::string, std::size_t> file_names_;  ///< in lower case, without folders
-  std::map<std::string, std::string> catalog_;     ///< from IRIs to paths
+  std::vector<std::vector<std::size_t>> imported_;  ///< by part
+  std::map<std::string, std::size_t> names_;        ///< IRIs
+  std::map<std::string, std::size_t> paths_;        ///< of files
+  std::map<std::string, std::size_t> file_names_;   ///< in lower case, without folders
+  std::map<std::string, std::string> catalog_;      ///< from IRIs to paths
 };
 
 }  // namespace

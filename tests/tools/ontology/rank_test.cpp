@@ -132,15 +132,18 @@ TEST(Rank, NamesAndCountsWhatIsBrokenAndGoesOn) {
   const Shop shop;
   shop.write("services/1.1/broken.owls", "<rdf:RDF xmlns:rdf='http://www.w3.org/1999/02/22-rdf-syntax-ns#'><oops");
   shop.write("services/1.1/empty.owls", ontology("http://e/", ""));
+  const std::string whole = owls({books("Book")}, {prices("Price")});
+  shop.write("services/1.1/cut.owls", whole.substr(0, whole.find("<process:Output")));
   shop.write("ontology/bad.owl", "<!DOCTYPE r [<!ENTITY e SYSTEM 'file:///etc/passwd'>]><r/>");
   const Outcome outcome = shop.rank();
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.err, HasSubstr("broken.owls"));
   EXPECT_THAT(outcome.err, HasSubstr("empty.owls: holds no profile of a service"));
+  EXPECT_THAT(outcome.err, HasSubstr("cut.owls:"));
   EXPECT_THAT(outcome.err, HasSubstr("bad.owl"));
-  EXPECT_THAT(outcome.err, HasSubstr("3 files are not right: all others are ranked"));
+  EXPECT_THAT(outcome.err, HasSubstr("4 files are not right: all others are ranked"));
   EXPECT_THAT(shop.order(), ElementsAre("book_price", "print_taxedprice", "novel_price", "book_author"));
-  EXPECT_EQ(boost::json::parse(shop.rank({"--json"}).out).at("problems").as_array().size(), 3U);
+  EXPECT_EQ(boost::json::parse(shop.rank({"--json"}).out).at("problems").as_array().size(), 4U);
 }
 
 TEST(Rank, EndsWhereNothingCanBeRead) {

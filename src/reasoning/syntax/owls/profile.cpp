@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -34,7 +35,13 @@ bool is_about_parameters(std::string_view predicate, std::string_view word) {
 
 class Reading {
  public:
-  explicit Reading(const Graph& graph) : graph_(graph) {}
+  explicit Reading(const Graph& graph) : graph_(graph) {
+    for (std::uint32_t number = 0; number < graph.triple_count(); ++number) {
+      const rdf::Triple& triple = graph.triple(number);
+      if (graph.is_iri(triple.subject) && is_about_parameters(graph.text(triple.predicate), "parameterType"))
+        described_.emplace(fragment_of(triple.subject), triple.subject);
+    }
+  }
 
   std::vector<NodeId> profiles() const {
     return subjects([&](std::string_view predicate, std::string_view object) {
@@ -61,9 +68,9 @@ class Reading {
       const std::string_view predicate = graph_.text(triple.predicate);
       const bool is_any = is_about_parameters(predicate, "hasParameter");
       if (is_about_parameters(predicate, "hasInput") || (is_any && has_type(triple.object, "Input"))) {
-        profile.inputs.push_back(type_of(triple.object));
+        profile.inputs.push_back(type_of(triple.object, of));
       } else if (is_about_parameters(predicate, "hasOutput") || (is_any && has_type(triple.object, "Output"))) {
-        profile.outputs.push_back(type_of(triple.object));
+        profile.outputs.push_back(type_of(triple.object, of));
       }
     }
     return profile;
@@ -103,8 +110,13 @@ class Reading {
 
   /// The IRI that is said of a parameter. A collection may also name the class in place of the parameter, or as another
   /// of its types.
-  std::string type_of(NodeId parameter) const {
+  std::string type_of(NodeId parameter, NodeId profile) const {
     if (graph_.is_literal(parameter)) return absolute(graph_.text(parameter), parameter);
+    if (graph_.is_iri(parameter) && graph_.about(parameter).empty()) {
+      // Files that were moved name their parameters by two URLs.
+      const auto same = described_.find(fragment_of(parameter));
+      if (same != described_.end()) parameter = same->second;
+    }
     const auto about = graph_.about(parameter);
     for (const std::uint32_t number : about) {
       const rdf::Triple& triple = graph_.triple(number);
@@ -118,8 +130,20 @@ class Reading {
           is_word(iri, "Process", "Input") || is_word(iri, "Process", "Output") || is_word(iri, "Process", "Parameter");
       if (graph_.is_iri(type) && !is_of_owls && rdf::word_of(type) == Word::none) return std::string(iri);
     }
-    const bool is_described = !about.empty();
-    return graph_.is_iri(parameter) && !is_described ? std::string(graph_.text(parameter)) : std::string();
+    // A parameter of the same file that is not described is one that was forgotten.
+    const bool is_elsewhere =
+        about.empty() && graph_.is_iri(parameter) && document_of(parameter) != document_of(profile);
+    return is_elsewhere ? std::string(graph_.text(parameter)) : std::string();
+  }
+
+  [[nodiscard]] std::string_view fragment_of(NodeId node) const {
+    const std::string_view text = graph_.text(node);
+    return text.substr(std::min(text.find('#'), text.size()));
+  }
+
+  [[nodiscard]] std::string_view document_of(NodeId node) const {
+    const std::string_view text = graph_.text(node);
+    return text.substr(0, text.find('#'));
   }
 
   /// Without white space; a mere fragment is one of the file.
@@ -127,11 +151,11 @@ class Reading {
     std::string iri(base::trimmed(written));
     std::erase_if(iri, [](char c) { return c == '\n' || c == '\r' || c == '\t'; });
     if (!iri.starts_with('#') || !graph_.is_iri(parameter)) return iri;
-    const std::string_view own = graph_.text(parameter);
-    return std::string(own.substr(0, own.find('#'))) + iri;
+    return std::string(document_of(parameter)) + iri;
   }
 
   const Graph& graph_;
+  std::map<std::string_view, NodeId> described_;  ///< parameters that have a type, by their fragments
 };
 
 }  // namespace

@@ -88,7 +88,7 @@ class Mender {
         put("&amp;", 1);
       } else if (is_attribute(rest)) {
         identifier(rest);
-      } else if (byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r') {
+      } else if (byte != 0 && byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r') {
         put(" ", 1);
       } else {
         put(rest.substr(0, 1), 1);
@@ -152,6 +152,85 @@ class Mender {
   std::set<std::string, std::less<>> seen_;
 };
 
+/// The prefixes of the names in all tags, and those that some tag declares.
+struct Prefixes {
+  std::set<std::string, std::less<>> used;
+  std::set<std::string, std::less<>> declared{"xml", "xmlns"};
+  std::size_t root_name_end = 0;  ///< of the first element; 0: there is none
+};
+
+/// Where a tag ends, its brackets included. Takes the prefixes of its names.
+std::size_t read_tag(std::string_view xml, std::size_t begin, Prefixes& prefixes) {
+  std::size_t at = begin + 1;
+  while (at < xml.size() && xml[at] != '>') {
+    if (xml[at] == '"' || xml[at] == '\'') {
+      const std::size_t close = xml.find(xml[at], at + 1);
+      if (close == std::string_view::npos) return xml.size();
+      at = close + 1;
+      continue;
+    }
+    const std::size_t end = std::min(xml.find_first_of(" \t\r\n=/>\"'", at), xml.size());
+    const std::string_view name = xml.substr(at, end - at);
+    if (const std::size_t colon = name.find(':');
+        colon != std::string_view::npos && is_xml_name(name.substr(0, colon))) {
+      prefixes.used.emplace(name.substr(0, colon));
+      if (name.starts_with("xmlns:")) prefixes.declared.emplace(name.substr(6));
+    }
+    if (prefixes.root_name_end == 0 && at == begin + 1 && !name.empty()) prefixes.root_name_end = end;
+    at = std::max(end, at + 1);
+  }
+  return std::min(at + 1, xml.size());
+}
+
+Prefixes prefixes_of(std::string_view xml) {
+  Prefixes prefixes;
+  std::size_t at = 0;
+  while ((at = xml.find('<', at)) != std::string_view::npos) {
+    const std::string_view rest = xml.substr(at);
+    const std::string_view end = rest.starts_with("<!--")        ? "-->"
+                                 : rest.starts_with("<![CDATA[") ? "]]>"
+                                 : rest.starts_with("<?")        ? "?>"
+                                 : rest.starts_with("<!DOCTYPE") ? (rest.find('[') < rest.find('>') ? "]" : ">")
+                                                                 : "";
+    if (end.empty()) {
+      at = rest.starts_with("</") ? at + 2 : read_tag(xml, at, prefixes);
+    } else {
+      const std::size_t found = xml.find(end, at);
+      if (found == std::string_view::npos) break;
+      at = found + end.size();
+    }
+  }
+  return prefixes;
+}
+
+/// What a prefix means in every file of the field; any other gets an IRI of its own.
+std::string usual_meaning(std::string_view prefix) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> usual{
+      {{"rdf", "http://www.w3.org/1999/02/22-rdf-syntax-ns#"},
+       {"rdfs", "http://www.w3.org/2000/01/rdf-schema#"},
+       {"owl", "http://www.w3.org/2002/07/owl#"},
+       {"xsd", "http://www.w3.org/2001/XMLSchema#"},
+       {"service", "http://www.daml.org/services/owl-s/1.1/Service.owl#"},
+       {"profile", "http://www.daml.org/services/owl-s/1.1/Profile.owl#"},
+       {"process", "http://www.daml.org/services/owl-s/1.1/Process.owl#"},
+       {"grounding", "http://www.daml.org/services/owl-s/1.1/Grounding.owl#"}}};
+  for (const auto& [name, iri] : usual) {
+    if (name == prefix) return std::string(iri);
+  }
+  return "urn:geminga:undeclared:" + std::string(prefix) + '#';
+}
+
+void declare_prefixes(std::string& xml) {
+  const Prefixes prefixes = prefixes_of(xml);
+  if (prefixes.root_name_end == 0) return;
+  std::string declarations;
+  for (const std::string& prefix : prefixes.used) {
+    if (prefixes.declared.contains(prefix)) continue;
+    declarations.append(" xmlns:").append(prefix).append("=\"").append(usual_meaning(prefix)).append("\"");
+  }
+  xml.insert(prefixes.root_name_end, declarations);
+}
+
 }  // namespace
 
 std::optional<std::string> in_utf8(std::string_view xml) {
@@ -184,7 +263,9 @@ std::optional<std::string> in_utf8(std::string_view xml) {
 std::string with_legal_names(std::string_view xml) {
   const std::size_t begin = xml.find_first_not_of(" \t\r\n");
   if (begin != std::string_view::npos && xml.substr(begin).starts_with("<?xml")) xml.remove_prefix(begin);
-  return Mender(xml).run();
+  std::string mended = Mender(xml).run();
+  declare_prefixes(mended);
+  return mended;
 }
 
 }  // namespace geminga::rdf

@@ -90,6 +90,15 @@ TEST(Profile, MayLackInputsOutputsAndTypes) {
   EXPECT_THAT(found->profiles[0].outputs, ElementsAre(""));
 }
 
+TEST(Profile, FindsParametersThatAreNamedByAnotherUrlOfTheFile) {
+  const auto found =
+      read(document("<profile:Profile rdf:ID=\"P\"><profile:hasInput rdf:resource=\"http://elsewhere/s.owls#_A\"/>"
+                    "<profile:hasInput rdf:resource=\"#_FORGOTTEN\"/></profile:Profile>" +
+                    parameter("Input", "_A", "http://o#A")));
+  ASSERT_TRUE(found && found->profiles.size() == 1);
+  EXPECT_THAT(found->profiles[0].inputs, testing::UnorderedElementsAre("http://o#A", ""));
+}
+
 TEST(Profile, IsReadFromTheProcessWhereThereIsNoneOrABareOne) {
   const std::string process =
       "<process:AtomicProcess rdf:ID=\"A\"><process:hasInput rdf:resource=\"#_A\"/></process:AtomicProcess>" +

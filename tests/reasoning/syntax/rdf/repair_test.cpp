@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace geminga::rdf {
 namespace {
 
@@ -28,12 +32,14 @@ TEST(Repair, TakesOctetsThatAreNoUtf8ForWindows1252) {
 }
 
 TEST(Repair, MakesNamesThatXmlForbidsRelativeIris) {
-  EXPECT_EQ(with_legal_names("<c rdf:ID=\"4WheeledCar\"/>\n<c rdf:ID = 'a b'/>"),
-            "<c rdf:about=\"#4WheeledCar\"/>\n<c rdf:about='#a b'/>");
-  EXPECT_EQ(with_legal_names("<c rdf:ID=\"Car\"/>"), "<c rdf:ID=\"Car\"/>");
-  EXPECT_EQ(with_legal_names("<c rdf:ID=\"Car\"/><c rdf:ID=\"Car\"/>"), "<c rdf:ID=\"Car\"/><c rdf:about=\"#Car\"/>");
-  EXPECT_EQ(with_legal_names("<c rdf:ID=\"open"), "<c rdf:ID=\"open");
-  EXPECT_EQ(with_legal_names("<c rdf:ID"), "<c rdf:ID");
+  const std::string root = "<r xmlns:rdf='x'/>";
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"<c rdf:ID=\"4WheeledCar\"/>\n<c rdf:ID = 'a b'/>", "<c rdf:about=\"#4WheeledCar\"/>\n<c rdf:about='#a b'/>"},
+      {"<c rdf:ID=\"Car\"/>", "<c rdf:ID=\"Car\"/>"},
+      {"<c rdf:ID=\"Car\"/><c rdf:ID=\"Car\"/>", "<c rdf:ID=\"Car\"/><c rdf:about=\"#Car\"/>"},
+      {"<c rdf:ID=\"open", "<c rdf:ID=\"open"},
+      {"<c rdf:ID", "<c rdf:ID"}};
+  for (const auto& [written, mended] : cases) EXPECT_EQ(with_legal_names(root + written), root + mended);
 }
 
 TEST(Repair, EscapesAmpersandsThatBeginNoReference) {
@@ -41,6 +47,15 @@ TEST(Repair, EscapesAmpersandsThatBeginNoReference) {
             "<a>B &amp; B &amp; &xsd;x &#x41; &#65; &amp;; AT&amp;T</a>");
   EXPECT_EQ(with_legal_names("<!-- a & b --><![CDATA[ & ]]>&"), "<!-- a & b --><![CDATA[ & ]]>&amp;");
   EXPECT_EQ(with_legal_names("a\x01z\n"), "a z\n");
+}
+
+TEST(Repair, DeclaresPrefixesThatNobodyDeclares) {
+  EXPECT_EQ(with_legal_names("<rdf:RDF>\n<x:a y:b='z:c' rdf:ID='d'/><!-- <v:w/> --></rdf:RDF>"),
+            "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" xmlns:x=\"urn:geminga:undeclared:x#\" "
+            "xmlns:y=\"urn:geminga:undeclared:y#\">\n<x:a y:b='z:c' rdf:ID='d'/><!-- <v:w/> --></rdf:RDF>");
+  for (const char* whole : {"<?xml version='1.0'?><!DOCTYPE r [<!ENTITY e 'f:g'>]><r:a xmlns:r='u#' xml:lang='en'/>",
+                            "<a", "<a b='", "<", "</r:a>", "no tag", "<!DOCTYPE", "<a><![CDATA[<r:b/>]]></a>"})
+    EXPECT_EQ(with_legal_names(whole), whole);
 }
 
 TEST(Repair, MendsCommentsAndWhatStandsBeforeTheDeclaration) {
