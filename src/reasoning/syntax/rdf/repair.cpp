@@ -60,21 +60,37 @@ bool is_xml_name(std::string_view name) {
   return !name.empty() && is_letter(static_cast<unsigned char>(name.front())) && std::ranges::all_of(name, continues);
 }
 
-/// Whether a reference to a character or an entity begins at this ampersand.
-bool begins_reference(std::string_view rest) {
+using Names = std::set<std::string, std::less<>>;
+
+/// Those of XML and those that a DOCTYPE declares.
+Names entities_of(std::string_view xml) {
+  constexpr std::string_view declaration = "<!ENTITY";
+  Names names{"amp", "lt", "gt", "quot", "apos"};
+  for (std::size_t at = xml.find(declaration); at != std::string_view::npos; at = xml.find(declaration, at + 1)) {
+    const std::size_t begin = xml.find_first_not_of(" \t\r\n", at + declaration.size());
+    if (begin == std::string_view::npos) break;
+    names.emplace(xml.substr(begin, xml.find_first_of(" \t\r\n>", begin) - begin));
+  }
+  return names;
+}
+
+/// Whether a reference to a character or a known entity begins at this ampersand.
+bool begins_reference(std::string_view rest, const Names& entities) {
   constexpr std::size_t longest = 64;
   const std::size_t end = rest.substr(0, longest).find(';');
   if (end == std::string_view::npos) return false;
   std::string_view name = rest.substr(1, end - 1);
   if (name.starts_with("#x")) return name.find_first_not_of("0123456789abcdefABCDEF", 2) == std::string_view::npos;
   if (name.starts_with('#')) return name.find_first_not_of("0123456789", 1) == std::string_view::npos;
-  return is_xml_name(name);
+  return entities.contains(name);
 }
 
 /// Copies a text piece by piece.
 class Mender {
  public:
-  explicit Mender(std::string_view xml) : xml_(xml) { out_.reserve(xml.size() + xml.size() / 64); }
+  explicit Mender(std::string_view xml) : xml_(xml), entities_(entities_of(xml)) {
+    out_.reserve(xml.size() + xml.size() / 64);
+  }
 
   std::string run() {
     while (place_ < xml_.size()) {
@@ -84,7 +100,7 @@ class Mender {
         comment();
       } else if (rest.starts_with("<![CDATA[")) {
         copy_behind("]]>", 9);
-      } else if (rest.front() == '&' && !begins_reference(rest)) {
+      } else if (rest.front() == '&' && !begins_reference(rest, entities_)) {
         put("&amp;", 1);
       } else if (is_attribute(rest)) {
         identifier(rest);
@@ -149,13 +165,14 @@ class Mender {
   std::string_view xml_;
   std::size_t place_ = 0;
   std::string out_;
-  std::set<std::string, std::less<>> seen_;
+  Names entities_;
+  Names seen_;
 };
 
 /// The prefixes of the names in all tags, and those that some tag declares.
 struct Prefixes {
-  std::set<std::string, std::less<>> used;
-  std::set<std::string, std::less<>> declared{"xml", "xmlns"};
+  Names used;
+  Names declared{"xml", "xmlns"};
   std::size_t root_name_end = 0;  ///< of the first element; 0: there is none
 };
 

@@ -14,9 +14,10 @@ namespace geminga::rdf {
 [[nodiscard]] std::optional<std::string> in_utf8(std::string_view xml);
 
 /// The same text with rdf:about in place of each rdf:ID that XML does not allow as a name or that was given before,
-/// with `&amp;` for an ampersand that begins no reference, spaces for control characters but NUL and for doubled dashes
-/// in comments, nothing before the XML declaration, and a declaration of each prefix that no tag declares: of those of
-/// RDF, OWL and OWL-S their own, of others one that is made up. Lines stay but for those before the XML declaration.
+/// with `&amp;` for an ampersand that begins no reference to anything, spaces for control characters but NUL and for
+/// doubled dashes in comments, nothing before the XML declaration, and a declaration of each prefix that no tag
+/// declares: of those of RDF, OWL and OWL-S their own, of others one that is made up. Lines stay but for those before
+/// the XML declaration.
 [[nodiscard]] std::string with_legal_names(std::string_view xml);
 
 }  // namespace geminga::rdf

@@ -44,7 +44,10 @@ TEST(Repair, MakesNamesThatXmlForbidsRelativeIris) {
 
 TEST(Repair, EscapesAmpersandsThatBeginNoReference) {
   EXPECT_EQ(with_legal_names("<a>B & B &amp; &xsd;x &#x41; &#65; &; AT&T</a>"),
-            "<a>B &amp; B &amp; &xsd;x &#x41; &#65; &amp;; AT&amp;T</a>");
+            "<a>B &amp; B &amp; &amp;xsd;x &#x41; &#65; &amp;; AT&amp;T</a>");
+  EXPECT_EQ(with_legal_names("<!DOCTYPE a [<!ENTITY xsd 'x'><!ENTITY"), "<!DOCTYPE a [<!ENTITY xsd 'x'><!ENTITY");
+  EXPECT_EQ(with_legal_names("<!DOCTYPE a [<!ENTITY xsd 'x'>]><a b='&xsd;&xs;'/>"),
+            "<!DOCTYPE a [<!ENTITY xsd 'x'>]><a b='&xsd;&amp;xs;'/>");
   EXPECT_EQ(with_legal_names("<!-- a & b --><![CDATA[ & ]]>&"), "<!-- a & b --><![CDATA[ & ]]>&amp;");
   EXPECT_EQ(with_legal_names("a\x01z\n"), "a z\n");
 }
