@@ -102,9 +102,9 @@ void add_rank(CLI::App& program, Choice& choice) {
       "Exit status: 0 ranked; 2 wrong usage, or nothing could be read; 4 the time was over before anything was "
       "ranked.\n"
       "\nExamples:\n"
-      "  geminga-ontology rank --services owls-tc/services --requests owls-tc/queries --ontologies owls-tc/ontology\n"
-      "  geminga-ontology rank --services services --requests book_price.owls --limit 10 --reasons\n"
-      "  geminga-ontology rank --services services --requests queries --format trec > geminga.run");
+      "  geminga-ontology rank --services services/ --requests queries/ --ontologies ontology/\n"
+      "  geminga-ontology rank --services services/ --requests queries/ball.owls --limit 10 --reasons\n"
+      "  geminga-ontology rank --services services/ --requests queries/ --format trec > geminga.run");
   command->callback([request, &choice] {
     if (request->paths.ontologies.empty()) {
       request->paths.guessed = guess_ontologies(request->paths);

@@ -99,6 +99,10 @@ void RankedCollection::read_file(const std::string& path, const std::string& bel
 
 std::optional<std::string> RankedCollection::list(const std::vector<std::string>& arguments,
                                                   std::vector<Described>& described, std::vector<std::string>& others) {
+  for (const std::string& argument : arguments) {
+    std::error_code error;
+    if (!fs::exists(argument, error)) return base::printable(argument, 4096) + ": there is no such file or folder";
+  }
   const auto listing = syntax::list_files(arguments, {}, owls_endings);
   if (!listing) return syntax::to_string(listing.error());
   folders_.insert(folders_.end(), listing->folders.begin(), listing->folders.end());

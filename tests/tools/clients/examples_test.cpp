@@ -8,6 +8,7 @@
 #include <fstream>
 #include <regex>
 #include <sstream>
+#include <utility>
 
 #include "tools/clients/bench.hpp"
 
@@ -84,6 +85,15 @@ class Examples : public testing::Test {
     std::ofstream(folder_ / "pizza.owl") << "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n"
                                          << "<urn:p#Margherita> rdfs:subClassOf <urn:p#Pizza> .\n";
     std::ofstream(folder_ / "unnamed.rq") << "SELECT ?c WHERE { ?c a <http://www.w3.org/2002/07/owl#Class> }\n";
+    for (const auto& [name, concept_name] :
+         {std::pair("services", "SharedBallInfo"), std::pair("queries", "BallInfo")}) {
+      fs::create_directory(folder_ / name);
+      std::ofstream(folder_ / name / "ball.owls")
+          << "<rdf:RDF xmlns:rdf='http://www.w3.org/1999/02/22-rdf-syntax-ns#' "
+          << "xmlns:profile='http://www.daml.org/services/owl-s/1.1/Profile.owl#'><profile:Profile>"
+          << "<profile:hasOutput rdf:resource='https://geminga.example/soccer#" << concept_name << "'/>"
+          << "</profile:Profile></rdf:RDF>\n";
+    }
     EXPECT_EQ(start("geminga-ontology compile team/ -o team.geminga")->wait(), 0);
     provide();
   }

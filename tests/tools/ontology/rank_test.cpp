@@ -150,7 +150,11 @@ TEST(Rank, EndsWhereNothingCanBeRead) {
   const Shop shop;
   const Outcome none = shop.program.run({"rank", "--services", "nowhere", "--requests", "c/queries"});
   EXPECT_EQ(none.status, 2);
-  EXPECT_THAT(none.err, HasSubstr("no service that can be read"));
+  EXPECT_THAT(none.err, HasSubstr("nowhere: there is no such file or folder"));
+  shop.program.write("none.owls", ontology("http://e/", ""));
+  const Outcome empty = shop.program.run({"rank", "--services", "none.owls", "--requests", "c/queries"});
+  EXPECT_EQ(empty.status, 2);
+  EXPECT_THAT(empty.err, HasSubstr("no service that can be read"));
   std::filesystem::create_directories(shop.program.folder() / "bare");
   EXPECT_EQ(shop.program.run({"rank", "--services", "bare", "--requests", "c/queries"}).status, 2);
   EXPECT_EQ(shop.program.run({"rank", "--services", "c/services"}).status, 2);
