@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/time.hpp"
+#include "discovery/announcement/heard_list.hpp"
 #include "discovery/announcement/limits.hpp"
 #include "geminga/service.hpp"
 
@@ -56,14 +57,6 @@ struct PeerState {
   friend bool operator==(const PeerState&, const PeerState&) = default;
 };
 
-/// How lately a participant was heard by somebody, in shares of the interval that it announces.
-enum class HeardWithin : std::uint8_t {
-  longer,    ///< not within one interval
-  interval,  ///< within one
-  half,      ///< within half of one
-  quarter,   ///< within a quarter of one
-};
-
 /// How lately a participant has heard each of those that it knows. It names none of them: who knows the same ones knows
 /// their order.
 struct Witness {
@@ -71,7 +64,7 @@ struct Witness {
   std::uint16_t members = 0;
   /// By ascending identifier of all of them, its own included (as `longer`). decode() fills it up to a multiple of four
   /// with `longer`. Empty: nothing is witnessed.
-  std::vector<HeardWithin> heard;
+  HeardList heard;
   friend bool operator==(const Witness&, const Witness&) = default;
 };
 

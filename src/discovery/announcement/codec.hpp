@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <expected>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,9 @@ inline constexpr std::size_t decode_error_count = 20;
 /// Unknown fields are ignored (a newer minor version). Linear in the size of the datagram; allocates at most a small
 /// multiple of it (each octet of the term table may be repeated once an entry). Reads bytes from anywhere.
 [[nodiscard]] std::expected<Announcement, DecodeError> decode(std::span<const std::byte> datagram);
+/// The same into an announcement whose memory is used again: where it and the last one are presences, nothing is
+/// allocated. Nothing: it was read; else what is in it is of no use.
+[[nodiscard]] std::optional<DecodeError> decode(std::span<const std::byte> datagram, Announcement& announcement);
 
 using Datagram = std::vector<std::byte>;
 

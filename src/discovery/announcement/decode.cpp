@@ -23,8 +23,38 @@ using Decoded = std::expected<Value, DecodeError>;
 
 bool parse(std::span<const std::byte> datagram, wire::Announcement& message) {
   // protobuf writes a line to standard error for each bad text; a sender must not be able to fill our log.
-  const google::protobuf::LogSilencer silence;
+  static const google::protobuf::LogSilencer silence;
   return message.ParseFromArray(datagram.data(), static_cast<int>(datagram.size()));
+}
+
+/// The message that datagrams are parsed into, one after the other. It keeps the memory of a presence, and none of what
+/// has many small pieces.
+class Scratch {
+ public:
+  Scratch() = default;
+  ~Scratch() {
+    if (message_.peers_size() + message_.terms_size() + message_.namespaces_size() > 0) message_ = {};
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  [[nodiscard]] wire::Announcement& message() { return message_; }
+
+ private:
+  static thread_local wire::Announcement message_;
+};
+thread_local wire::Announcement Scratch::message_;
+
+/// As it is made, but that it keeps its memory.
+void reset(Announcement& announcement) {
+  Announcement fresh;
+  fresh.witness.heard = std::move(announcement.witness.heard);
+  fresh.lacks = std::move(announcement.lacks);
+  fresh.doubts = std::move(announcement.doubts);
+  fresh.witness.heard.clear();
+  fresh.lacks.clear();
+  fresh.doubts.clear();
+  announcement = std::move(fresh);
 }
 
 /// A name that may be left out.
@@ -226,43 +256,30 @@ Decoded<PeerState> peer_of(const wire::Peer& message, Kind kind, const std::vect
   return peer;
 }
 
-Decoded<Witness> witness_of(const std::string& octets) {
-  Witness witness;
-  if (octets.empty()) return witness;
+Decoded<void> read_witness(const std::string& octets, Witness& witness) {
+  if (octets.empty()) return {};
   constexpr std::size_t most = witness_bytes(max_participants + 1);
   if (octets.size() < witness_bytes(1) || octets.size() > most) return Failure(DecodeError::bad_witness);
-  const auto octet = [&octets](std::size_t i) { return static_cast<std::uint8_t>(octets[i]); };
-  witness.members = static_cast<std::uint16_t>(octet(0) | octet(1) << 8);
-  for (std::size_t i = 2; i < octets.size(); ++i) {
-    for (unsigned shift = 0; shift < 8; shift += 2) {
-      witness.heard.push_back(static_cast<HeardWithin>((octet(i) >> shift) & 3));
-    }
-  }
-  return witness;
+  const std::span all(reinterpret_cast<const std::uint8_t*>(octets.data()), octets.size());
+  witness.members = static_cast<std::uint16_t>(all[0] | all[1] << 8);
+  witness.heard.assign_octets(all.subspan(2));
+  return {};
 }
 
-Decoded<std::vector<ParticipantId>> named_of(const google::protobuf::RepeatedField<std::uint32_t>& ids) {
+Decoded<void> read_named(const google::protobuf::RepeatedField<std::uint32_t>& ids, std::vector<ParticipantId>& named) {
   if (ids.size() > static_cast<int>(max_named)) return Failure(DecodeError::bad_witness);
-  std::vector<ParticipantId> named;
   for (const auto id : ids) {
     if (id == 0) return Failure(DecodeError::bad_witness);
     named.push_back(ParticipantId{id});
   }
-  return named;
+  return {};
 }
 
 /// What only a presence says.
 Decoded<void> read_presence(const wire::Announcement& message, Announcement& announcement) {
-  auto witness = witness_of(message.witness());
-  if (!witness) return Failure(witness.error());
-  announcement.witness = std::move(*witness);
-  auto lacks = named_of(message.lacks());
-  if (!lacks) return Failure(lacks.error());
-  announcement.lacks = std::move(*lacks);
-  auto doubts = named_of(message.doubts());
-  if (!doubts) return Failure(doubts.error());
-  announcement.doubts = std::move(*doubts);
-  return {};
+  if (const auto read = read_witness(message.witness(), announcement.witness); !read) return read;
+  if (const auto read = read_named(message.lacks(), announcement.lacks); !read) return read;
+  return read_named(message.doubts(), announcement.doubts);
 }
 
 Decoded<void> read_header(const wire::Announcement& message, Announcement& announcement) {
@@ -318,26 +335,33 @@ constexpr std::array<std::string_view, decode_error_count> words = {
 
 std::string_view to_string(DecodeError error) { return words[std::to_underlying(error)]; }
 
-std::expected<Announcement, DecodeError> decode(std::span<const std::byte> datagram) {
-  if (datagram.size() > max_datagram_bytes) return Failure(DecodeError::too_large);
-  wire::Announcement message;
-  if (!parse(datagram, message)) return Failure(DecodeError::not_protobuf);
-  Announcement announcement;
-  if (const auto read = read_header(message, announcement); !read) return Failure(read.error());
+std::optional<DecodeError> decode(std::span<const std::byte> datagram, Announcement& announcement) {
+  if (datagram.size() > max_datagram_bytes) return DecodeError::too_large;
+  Scratch scratch;
+  wire::Announcement& message = scratch.message();
+  if (!parse(datagram, message)) return DecodeError::not_protobuf;
+  reset(announcement);
+  if (const auto read = read_header(message, announcement); !read) return read.error();
   if (announcement.kind == Kind::presence) {
-    if (const auto read = read_presence(message, announcement); !read) return Failure(read.error());
-    return announcement;
+    if (const auto read = read_presence(message, announcement); !read) return read.error();
+    return std::nullopt;
   }
   const auto terms = terms_of(message);
-  if (!terms) return Failure(terms.error());
+  if (!terms) return terms.error();
   std::vector<std::uint32_t> ids;
   for (const auto& entry : message.peers()) {
     auto peer = peer_of(entry, announcement.kind, *terms);
-    if (!peer) return Failure(peer.error());
+    if (!peer) return peer.error();
     ids.push_back(entry.id());
     announcement.peers.push_back(std::move(*peer));
   }
-  if (!are_identifiers(std::move(ids))) return Failure(DecodeError::bad_identifier);
+  if (!are_identifiers(std::move(ids))) return DecodeError::bad_identifier;
+  return std::nullopt;
+}
+
+std::expected<Announcement, DecodeError> decode(std::span<const std::byte> datagram) {
+  std::expected<Announcement, DecodeError> announcement;
+  if (const auto error = decode(datagram, *announcement)) return Failure(*error);
   return announcement;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "discovery/announcement/limits.hpp"
 
@@ -61,21 +62,22 @@ void WaitingList::put(ParticipantId id, announcement::BootNonce boot, std::uint6
   place_of(key) = {key, sequence, standing};
 }
 
-void Admission::insert(ParticipantId id, Place& place) {
+void Admission::insert(Place& place) {
   auto& share = shares_[place.source];
   const auto before = share.count++;
   if (!share.unseasoned.empty()) by_count_.erase({before, place.source});
+  place.filed = place.standing;
   if (place.is_seasoned) {
     ++share.seasoned;
   } else {
-    share.unseasoned.emplace(place.standing.rank(), id);
-    unseasoned_.emplace(place.standing.rank(), id);
+    share.unseasoned.emplace(place.filed.rank(), place.id);
+    unseasoned_.emplace(place.filed.rank(), place.id);
   }
   if (!share.unseasoned.empty()) by_count_.emplace(share.count, place.source);
-  by_silence_.emplace(place.standing.last, id);
+  by_silence_.emplace(place.filed.last, place.id);
 }
 
-void Admission::erase(ParticipantId id, const Place& place) {
+void Admission::erase(const Place& place) {
   const auto found = shares_.find(place.source);
   auto& share = found->second;
   if (!share.unseasoned.empty()) by_count_.erase({share.count, place.source});
@@ -83,35 +85,45 @@ void Admission::erase(ParticipantId id, const Place& place) {
   if (place.is_seasoned) {
     --share.seasoned;
   } else {
-    share.unseasoned.erase({place.standing.rank(), id});
-    unseasoned_.erase({place.standing.rank(), id});
+    share.unseasoned.erase({place.filed.rank(), place.id});
+    unseasoned_.erase({place.filed.rank(), place.id});
   }
   if (!share.unseasoned.empty()) by_count_.emplace(share.count, place.source);
-  by_silence_.erase({place.standing.last, id});
+  by_silence_.erase({place.filed.last, place.id});
   if (share.count == 0) shares_.erase(found);
 }
 
-void Admission::add(ParticipantId id, const std::string& source, const Standing& standing) {
+Admission::Place& Admission::add(ParticipantId id, const std::string& source, const Standing& standing) {
   auto& place = places_[id];
-  place = {source, standing, false, ++added_};
-  insert(id, place);
+  place = {.id = id, .source = source, .standing = standing, .filed = standing, .added = ++added_};
+  insert(place);
+  return place;
 }
 
-void Admission::update(ParticipantId id, const Standing& standing) {
-  auto& place = places_.at(id);
+void Admission::update(Place& place, const Standing& standing) {
   if (place.standing.last == standing.last) return;
-  erase(id, place);
   place.standing = standing;
-  const auto share = shares_.find(place.source);
-  const auto others = share == shares_.end() ? 0 : share->second.seasoned;
-  place.is_seasoned |=
-      standing.last - standing.first >= announcement::seasoned_after && others < announcement::max_seasoned_per_source;
-  insert(id, place);
+  if (!std::exchange(place.is_moved, true)) moved_.push_back(&place);
+  if (place.is_seasoned || standing.last - standing.first < announcement::seasoned_after) return;
+  if (shares_.find(place.source)->second.seasoned >= announcement::max_seasoned_per_source) return;
+  erase(place);
+  place.is_seasoned = true;
+  insert(place);
+}
+
+void Admission::refile() {
+  for (auto* place : moved_) {
+    erase(*place);
+    place->is_moved = false;
+    insert(*place);
+  }
+  moved_.clear();
 }
 
 void Admission::remove(ParticipantId id) {
+  refile();
   const auto place = places_.find(id);
-  erase(id, place->second);
+  erase(place->second);
   places_.erase(place);
 }
 
@@ -134,13 +146,15 @@ std::optional<ParticipantId> Admission::from_greedier(std::string_view source) c
 }
 
 Admission::Decision Admission::decide(const announcement::Announcement& newcomer, const Arrival& arrival) {
+  refile();
   if (const auto gives_way = from_greedier(arrival.source)) return {gives_way, std::nullopt};
   const auto standing = waiting_.hear(newcomer, arrival.now);
   if (!standing) return {};
   return {decide(arrival.source, *standing, arrival.now), standing};
 }
 
-std::optional<ParticipantId> Admission::decide(std::string_view source, const Standing& standing, Instant now) const {
+std::optional<ParticipantId> Admission::decide(std::string_view source, const Standing& standing, Instant now) {
+  refile();
   if (const auto gives_way = from_greedier(source)) return gives_way;
   const auto own = shares_.find(source);
   // If the newcomer's address has no place, every other address has exactly one.
@@ -156,7 +170,7 @@ std::optional<ParticipantId> Admission::decide(std::string_view source, const St
   return std::nullopt;
 }
 
-std::optional<ParticipantId> Admission::decide_return(std::string_view source, Standing standing, Instant now) const {
+std::optional<ParticipantId> Admission::decide_return(std::string_view source, Standing standing, Instant now) {
   standing.hear(now);
   if (const auto gives_way = decide(source, standing, now)) return gives_way;
   if (!standing.is_proved()) return std::nullopt;

@@ -43,13 +43,26 @@ class WaitingList {
 };
 
 /// Shares the places out among source addresses, and those of one address among its participants by their standing.
-/// Costs of all calls are logarithmic. Deterministic for its secret and its calls.
+/// Costs of all calls are logarithmic; who was heard is put in its new order when somebody asks for that, and so costs
+/// next to nothing while there are places enough. Deterministic for its secret and its calls.
 class Admission {
  public:
+  /// One that is taken.
+  struct Place {
+    ParticipantId id{};
+    std::string source;
+    Standing standing;
+    Standing filed;  ///< the one by which it is in order
+    bool is_seasoned = false;
+    bool is_moved = false;    ///< it has another standing since then
+    std::uint64_t added = 0;  ///< counts all that ever had a place
+  };
+
   void set_secret(std::uint64_t secret) { waiting_.set_secret(secret); }
 
-  void add(ParticipantId id, const std::string& source, const Standing& standing);
-  void update(ParticipantId id, const Standing& standing);
+  /// The place stays where it is until it is removed.
+  Place& add(ParticipantId id, const std::string& source, const Standing& standing);
+  void update(Place& place, const Standing& standing);
   void remove(ParticipantId id);
   /// Remembers somebody who was removed for a newcomer, and may come back.
   void remember(ParticipantId id, announcement::BootNonce boot, std::uint64_t sequence, const Standing& standing) {
@@ -68,27 +81,23 @@ class Admission {
   [[nodiscard]] Decision decide(const announcement::Announcement& newcomer, const Arrival& arrival);
   /// The same for somebody of whom this standing is known.
   [[nodiscard]] std::optional<ParticipantId> decide(std::string_view source, const Standing& standing,
-                                                    base::Instant now) const;
+                                                    base::Instant now);
   /// The same for somebody who had a place until somebody else said that it was gone. If all else fails, whoever was
   /// added last gives way, since its place was free only because of a lie. Looks at every place.
   [[nodiscard]] std::optional<ParticipantId> decide_return(std::string_view source, Standing standing,
-                                                           base::Instant now) const;
+                                                           base::Instant now);
 
  private:
   using Ranked = std::set<std::pair<base::Instant, ParticipantId>>;
-  struct Place {
-    std::string source;
-    Standing standing;
-    bool is_seasoned = false;
-    std::uint64_t added = 0;  ///< counts all that ever had a place
-  };
   struct Share {
     std::size_t count = 0;
     std::size_t seasoned = 0;
     Ranked unseasoned;  ///< by rank: the first gives way first
   };
-  void insert(ParticipantId id, Place& place);
-  void erase(ParticipantId id, const Place& place);
+  void insert(Place& place);
+  void erase(const Place& place);
+  /// Puts all in order who were heard.
+  void refile();
   [[nodiscard]] const Share* greediest() const;
   [[nodiscard]] std::optional<ParticipantId> from_greedier(std::string_view source) const;
 
@@ -97,6 +106,7 @@ class Admission {
   std::set<std::pair<std::size_t, std::string>> by_count_;  ///< sources with somebody who may give way
   Ranked unseasoned_;                                       ///< those of all shares
   Ranked by_silence_;                                       ///< all, by when they were last heard
+  std::vector<Place*> moved_;                               ///< which are not in order
   std::uint64_t added_ = 0;
   WaitingList waiting_;
 };

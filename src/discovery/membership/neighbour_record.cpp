@@ -129,7 +129,11 @@ void NeighbourRecord::take_in(NeighbourWay& way, const announcement::Announcemen
     take_revision(way, announcement, now, changes);
     services_.apply(announcement, moment(now, true), changes);
   }
-  services_.tell(moment(now, true), changes);
+  if (announcement.kind == announcement::Kind::presence) {
+    services_.affirm(moment(now, true), changes);
+  } else {
+    services_.tell(moment(now, true), changes);
+  }
 }
 
 void NeighbourRecord::take_state(NeighbourWay& way, const announcement::Announcement& announcement,
@@ -142,6 +146,7 @@ void NeighbourRecord::take_state(NeighbourWay& way, const announcement::Announce
     header_.affirm(now);
   } else if (!is_contested_ || !header_.is_held(now, held)) {
     header_.replace(std::move(header), now, held);
+    is_anew_ = true;
     services_.set_name(header_.value().name);
   }
   take_interval(announcement, now);
@@ -235,7 +240,7 @@ void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
     way.roll_back(now, at.hold);
     way.assembly().clear();
   }
-  header_.roll_back(now, at.hold);
+  is_anew_ |= header_.roll_back(now, at.hold);
   interval_.roll_back(now, at.hold);
   services_.set_name(header_.value().name);
   choose_address();

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/time.hpp"
@@ -88,6 +89,10 @@ class NeighbourRecord {
   /// When we last heard it ourselves.
   [[nodiscard]] base::Instant heard() const { return life_.heard(); }
   [[nodiscard]] const std::string& name() const { return header_.value().name; }
+  /// Whether what it says of itself has changed since the last call.
+  [[nodiscard]] bool take_anew() { return std::exchange(is_anew_, false); }
+  /// When a datagram last proved that a complete revision is as it was.
+  [[nodiscard]] base::Instant affirmed() const { return affirmed_; }
   /// The time between two of its announcements, as it says.
   [[nodiscard]] base::Duration interval() const { return interval_.value(); }
   /// Whether its newest state is not known, or not certain, or not what it says of one of its ways, or had no room.
@@ -172,6 +177,7 @@ class NeighbourRecord {
   bool has_spoken_ = false;
   Standing standing_;
   Settled<Header> header_;
+  bool is_anew_ = false;        ///< it is not the same since take_anew()
   AnnouncedInterval interval_;  ///< what it keeps: that of the header, stretched
   LifeSigns life_;
   std::uint64_t revision_;       ///< the one that is believed

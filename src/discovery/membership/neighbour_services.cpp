@@ -68,6 +68,7 @@ bool NeighbourServices::denies_removal(const announcement::Announcement& change,
 
 void NeighbourServices::apply(const announcement::Announcement& announcement, const Moment& moment,
                               std::vector<Change>& changes) {
+  catch_up();
   if (announcement.part == 0 && announcement.kind == announcement::Kind::state) is_short_ = false;
   for_each_service(announcement, [&](ServiceNumber number, const auto& service, const std::string& peer_name) {
     apply_one(number, service, peer_name, announcement.revision, moment, changes);
@@ -205,6 +206,7 @@ Instant NeighbourServices::lapse(const Moment& moment, std::vector<Change>& chan
 }
 
 void NeighbourServices::expire(const Moment& moment, std::vector<Change>& changes) {
+  catch_up();
   for (auto position = entries_.begin(); position != entries_.end();) {
     auto& [number, entry] = *position;
     if (!entry.offer.value() || entry.deadline > moment.now) {
@@ -217,6 +219,7 @@ void NeighbourServices::expire(const Moment& moment, std::vector<Change>& change
 }
 
 void NeighbourServices::roll_back(Instant affirmed, const Moment& moment, std::vector<Change>& changes) {
+  catch_up();
   for (auto position = entries_.begin(); position != entries_.end();) {
     auto& [number, entry] = *position;
     const bool was_there = entry.offer.value().has_value();
@@ -257,6 +260,7 @@ bool NeighbourServices::give_way(std::vector<Change>& changes) {
 void NeighbourServices::tell(const Moment& moment, std::vector<Change>& changes) {
   const bool is_all = moment.is_heard && moment.is_complete && moment.now - refreshed_ >= moment.refresh;
   if (!is_all && !has_changes_) return;
+  catch_up();
   if (is_all) refreshed_ = moment.now;
   for (auto& [number, entry] : entries_) {
     if (!entry.offer.value()) continue;
@@ -269,6 +273,24 @@ void NeighbourServices::tell(const Moment& moment, std::vector<Change>& changes)
     if (entry.is_changed) put(number, entry, changes);
   }
   has_changes_ = false;
+}
+
+void NeighbourServices::affirm(const Moment& moment, std::vector<Change>& changes) {
+  if (!moment.is_complete || has_changes_ || room_.tells_affirmed()) return tell(moment, changes);
+  if (moment.now - refreshed_ < moment.refresh) return;
+  refreshed_ = moment.now;
+  // Whatever was there when it was affirmed the last time was heard of long enough ago.
+  affirmed_ = {moment.now, moment.deadline, affirmed_ ? base::Duration::zero() : moment.refresh};
+}
+
+void NeighbourServices::catch_up() {
+  if (!affirmed_) return;
+  for (auto& [number, entry] : entries_) {
+    if (!entry.offer.value() || affirmed_->at - entry.heard < affirmed_->refresh) continue;
+    entry.heard = affirmed_->at;
+    entry.deadline = affirmed_->deadline;
+  }
+  affirmed_.reset();
 }
 
 void NeighbourServices::put(ServiceNumber number, Entry& entry, std::vector<Change>& changes) const {
@@ -289,6 +311,7 @@ void NeighbourServices::put(ServiceNumber number, Entry& entry, std::vector<Chan
 }
 
 void NeighbourServices::shorten(Instant deadline) {
+  catch_up();
   for (auto& [number, entry] : entries_) entry.deadline = std::min(entry.deadline, deadline);
 }
 
@@ -332,7 +355,8 @@ std::size_t NeighbourServices::publications() const {
   }));
 }
 
-Instant NeighbourServices::earliest_deadline() const {
+Instant NeighbourServices::earliest_deadline() {
+  catch_up();
   auto next = base::never;
   for (const auto& [number, entry] : entries_) {
     if (entry.offer.value()) next = std::min(next, entry.deadline);

@@ -67,6 +67,8 @@ class NeighbourServices {
   bool give_way(std::vector<Change>& changes);
   /// Tells what has changed, and again what was heard of and not told for a while.
   void tell(const Moment& moment, std::vector<Change>& changes);
+  /// Tells what has changed. What was affirmed is there for longer, and is not told again unless the room wants that.
+  void affirm(const Moment& moment, std::vector<Change>& changes);
   /// The participant was removed and is back: tells all of its services again, as new ones.
   void forget_told();
   void clear();
@@ -82,7 +84,7 @@ class NeighbourServices {
   [[nodiscard]] std::size_t size() const { return present_; }
   [[nodiscard]] std::size_t publications() const;
   /// When expire() has something to do.
-  [[nodiscard]] base::Instant earliest_deadline() const;
+  [[nodiscard]] base::Instant earliest_deadline();
 
  private:
   struct Offer {
@@ -108,6 +110,8 @@ class NeighbourServices {
   template <typename Service>
   void apply_one(ServiceNumber number, const Service& service, const std::string& peer_name, std::uint64_t revision,
                  const Moment& moment, std::vector<Change>& changes);
+  /// Enters what was affirmed.
+  void catch_up();
   void add(ServiceNumber number, Offer offer, std::uint64_t revision, const Moment& moment);
   [[nodiscard]] bool take_room();
   void untell(ServiceNumber number, Entry& entry, Departure reason, std::vector<Change>& changes) const;
@@ -126,7 +130,14 @@ class NeighbourServices {
   std::size_t present_ = 0;
   bool is_short_ = false;
   bool has_changes_ = false;
-  base::Instant refreshed_;  ///< when tell() last looked at all
+  base::Instant refreshed_;  ///< when tell() last looked at all, or affirm() would have
+  /// All that is there was affirmed at an instant, which is not entered yet.
+  struct Affirmed {
+    base::Instant at;
+    base::Instant deadline;
+    base::Duration refresh;  ///< zero: of all; else of what was not heard of within it
+  };
+  std::optional<Affirmed> affirmed_;
 };
 
 }  // namespace geminga::membership

@@ -2,7 +2,6 @@
 #include "discovery/membership/neighbour_table.hpp"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -14,6 +13,8 @@
 #include "discovery/membership/names.hpp"
 #include "discovery/membership/neighbour_record.hpp"
 #include "discovery/membership/questions.hpp"
+#include "discovery/membership/records.hpp"
+#include "discovery/membership/timetable.hpp"
 #include "discovery/membership/witnesses.hpp"
 
 namespace geminga::membership {
@@ -22,7 +23,7 @@ using base::Instant;
 
 class NeighbourTable::State final : private ServiceRoom {
  public:
-  explicit State(std::string group) : group_(std::move(group)) {}
+  State(std::string group, bool tells_affirmed) : ServiceRoom(tells_affirmed), group_(std::move(group)) {}
 
   Hearing hear(const announcement::Announcement& announcement, const Arrival& arrival) {
     if (announcement.group != group_) return Hearing::other_group;
@@ -49,12 +50,8 @@ class NeighbourTable::State final : private ServiceRoom {
   }
 
   void expire(Instant now) {
-    std::set<ParticipantId> due;
-    for (const auto& [instant, id] : due_) {
-      if (instant > now) break;
-      due.insert(id);
-    }
-    for (const auto id : due) {
+    if (timetable_.next() > now) return;
+    for (const auto id : timetable_.due(now)) {
       const auto known = records_.find(id);
       known->second.record->ask_witnesses(now);
       if (known->second.record->deadline() <= now) {
@@ -98,7 +95,7 @@ class NeighbourTable::State final : private ServiceRoom {
     return shared == ours.size();
   }
 
-  [[nodiscard]] std::optional<double> loss() const { return loss_of(records_); }
+  [[nodiscard]] std::optional<double> loss() const { return records_.loss(); }
 
   void forget_interface(env::InterfaceIndex interface) {
     for (auto& known : records_) {
@@ -115,16 +112,14 @@ class NeighbourTable::State final : private ServiceRoom {
 
   void set_secret(std::uint64_t secret) { admission_.set_secret(secret); }
 
-  [[nodiscard]] Instant next_deadline() const { return due_.empty() ? base::never : due_.begin()->first; }
-  [[nodiscard]] const NeighbourRecord* find(ParticipantId id) const {
-    const auto known = records_.find(id);
-    return known == records_.end() ? nullptr : known->second.record.get();
-  }
+  [[nodiscard]] Instant next_deadline() const { return timetable_.next(); }
+  [[nodiscard]] const NeighbourRecord* find(ParticipantId id) const { return records_.record(id); }
   void for_each(const std::function<void(const Neighbour&)>& visit) const {
     for (const auto& [id, known] : records_) visit(known.record->snapshot());
   }
   [[nodiscard]] std::size_t size() const { return records_.size(); }
   [[nodiscard]] std::size_t seasoned() const { return admission_.seasoned(); }
+  [[nodiscard]] std::uint64_t roster() const { return roster_; }
   [[nodiscard]] Witnesses& witnesses() { return witnesses_; }
   using ServiceRoom::refused;
 
@@ -141,7 +136,7 @@ class NeighbourTable::State final : private ServiceRoom {
     auto& record = *holder->second.record;
     const bool is_new = record.is_bound(announcement, arrival);  // a copy says nothing of the present
     const auto hearing = record.hear(announcement, arrival, changes);
-    admission_.update(holder->first, record.standing());
+    admission_.update(*holder->second.place, record.standing());
     set_due(*holder, arrival.now);
     if (is_new && hearing == Hearing::known && witnesses_.hear(announcement, arrival.now)) {
       for (const auto id : std::set(questions_.doubted())) {  // all others look it up when their deadline comes
@@ -244,13 +239,13 @@ class NeighbourTable::State final : private ServiceRoom {
                       const Arrival& arrival) {
     auto& record = *holder->second.record;
     const auto hearing = record.hear(announcement, arrival, changes);
-    const auto since = claims_.find(announcement, arrival);
-    if (hearing != Hearing::known && since && *since < record.since()) {
+    const auto since = hearing == Hearing::known ? std::nullopt : claims_.find(announcement, arrival);
+    if (since && *since < record.since()) {
       // Somebody at another address anticipated the claimant's first state, with its boot nonce.
       (void)remove(holder, Departure::expired);
       return hear_newcomer(announcement, arrival, *since);
     }
-    admission_.update(holder->first, record.standing());
+    admission_.update(*holder->second.place, record.standing());
     set_due(*holder, arrival.now);
     return hearing;
   }
@@ -272,12 +267,16 @@ class NeighbourTable::State final : private ServiceRoom {
 
   void add(std::unique_ptr<NeighbourRecord> one, const announcement::Announcement& announcement,
            const Arrival& arrival) {
-    auto known = records_.try_emplace(announcement.participant, Known{std::move(one), base::never}).first;
-    auto& record = *known->second.record;
-    witnesses_.add(known->first, record.boot());
-    admission_.add(known->first, record.source(), record.standing());
+    const auto id = announcement.participant;
+    auto& record = *one;
+    const auto known = records_.add(id, {.record = std::move(one),
+                                         .slot = timetable_.take(id),
+                                         .place = &admission_.add(id, record.source(), record.standing())});
+    ++roster_;
+    witnesses_.add(id, record.boot());
+    names_.update(id, record.name(), record.source());
     (void)record.hear(announcement, arrival, changes);
-    admission_.update(known->first, record.standing());
+    admission_.update(*known->second.place, record.standing());
     set_due(*known, arrival.now);
   }
 
@@ -291,7 +290,8 @@ class NeighbourTable::State final : private ServiceRoom {
   std::unique_ptr<NeighbourRecord> remove(Records::iterator known, Departure reason) {
     changes.emplace_back(RemoveParticipant{known->first, reason});
     admission_.remove(known->first);
-    due_.erase({known->second.due, known->first});
+    timetable_.give(known->second.slot);
+    ++roster_;
     questions_.forget(known->first);
     auto record = std::move(known->second.record);
     witnesses_.remove(known->first);
@@ -301,14 +301,15 @@ class NeighbourTable::State final : private ServiceRoom {
   }
 
   void set_due(Records::value_type& known, Instant now) {
-    questions_.update(known.first, *known.second.record, now);
-    names_.update(known.first, known.second.record->name(), known.second.record->source());
-    witnesses_.update(known.first, known.second.record->heard(), known.second.record->interval());
-    const auto next = known.second.record->next_deadline();
-    if (next == known.second.due) return;
-    due_.erase({known.second.due, known.first});
-    known.second.due = next;
-    due_.emplace(next, known.first);
+    auto& record = *known.second.record;
+    questions_.update(known.first, record, now);
+    if (record.take_anew()) {
+      names_.update(known.first, record.name(), record.source());
+      ++roster_;
+    }
+    witnesses_.update(known.first, record.heard(), record.interval());
+    records_.count(known.second);
+    timetable_.set(known.second.slot, record.next_deadline());
   }
 
   // A stranger is given nothing.
@@ -320,6 +321,7 @@ class NeighbourTable::State final : private ServiceRoom {
     if (asks == records_.end() || !asks->second.record->standing().is_confirmed) return false;
     auto* greediest = find_greediest(records_, admission_, *asks->second.record);
     was_room_found_ = greediest != nullptr && greediest->services().give_way(changes);
+    if (was_room_found_) questions_.note_short(greediest->services().owner().id);
     return was_room_found_;
   }
 
@@ -334,16 +336,17 @@ class NeighbourTable::State final : private ServiceRoom {
   Names names_;
   Turn turn_ = 0;
   Records records_;
-  std::set<std::pair<Instant, ParticipantId>> due_;  ///< when expire() has something to do for whom
-  bool is_room_sought_ = false;                      ///< for the datagram that is being taken in
+  Timetable timetable_;          ///< when expire() has something to do for whom
+  std::uint64_t roster_ = 0;     ///< counts changes of who is known
+  bool is_room_sought_ = false;  ///< for the datagram that is being taken in
   bool was_room_found_ = false;
 };
 
-NeighbourTable::NeighbourTable(std::string group) : state_(std::make_unique<State>(std::move(group))) {}
+NeighbourTable::NeighbourTable(std::string group, Affirmed affirmed)
+    : state_(std::make_unique<State>(std::move(group), affirmed == Affirmed::told)) {}
 NeighbourTable::~NeighbourTable() = default;
 
 void NeighbourTable::set_self(ParticipantId id, announcement::BootNonce boot) { state_->set_self(id, boot); }
-
 void NeighbourTable::set_secret(std::uint64_t secret) { state_->set_secret(secret); }
 
 Hearing NeighbourTable::hear(const announcement::Announcement& announcement, const Arrival& arrival) {
@@ -351,13 +354,9 @@ Hearing NeighbourTable::hear(const announcement::Announcement& announcement, con
 }
 
 void NeighbourTable::expire(base::Instant now) { state_->expire(now); }
-
 void NeighbourTable::postpone(base::Instant until) { state_->postpone(until); }
-
 Report NeighbourTable::report(base::Instant now) { return state_->report(now); }
-
 bool NeighbourTable::lacks_anybody(base::Instant now) { return state_->lacks_anybody(now); }
-
 bool NeighbourTable::doubts_anybody() const { return state_->doubts_anybody(); }
 
 bool NeighbourTable::differs_newly(const announcement::Announcement& presence, base::Instant now) {
@@ -373,9 +372,7 @@ bool NeighbourTable::hear_doubts(const std::vector<ParticipantId>& doubts, base:
 }
 
 std::optional<double> NeighbourTable::loss() const { return state_->loss(); }
-
 base::Instant NeighbourTable::next_deadline() const { return state_->next_deadline(); }
-
 void NeighbourTable::forget_interface(env::InterfaceIndex interface) { state_->forget_interface(interface); }
 
 std::vector<Change> NeighbourTable::take_changes() { return std::exchange(state_->changes, {}); }
@@ -390,10 +387,14 @@ std::optional<Neighbour> NeighbourTable::find(ParticipantId id) const {
 
 void NeighbourTable::for_each(const std::function<void(const Neighbour&)>& visit) const { state_->for_each(visit); }
 
+std::optional<base::Instant> NeighbourTable::affirmed(ParticipantId id) const {
+  const auto* known = state_->find(id);
+  return known == nullptr ? std::nullopt : std::optional(known->affirmed());
+}
+
+std::uint64_t NeighbourTable::roster() const { return state_->roster(); }
 std::size_t NeighbourTable::size() const { return state_->size(); }
-
 std::size_t NeighbourTable::seasoned() const { return state_->seasoned(); }
-
 std::uint64_t NeighbourTable::refused_services() const { return state_->refused(); }
 
 }  // namespace geminga::membership

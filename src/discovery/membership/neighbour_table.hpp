@@ -26,8 +26,9 @@ enum class Departure : std::uint8_t {
   left,       ///< its participant said goodbye
 };
 
-/// A remote publication is there, has changed, or was heard of again (then only `heard` differs). The
-/// address is never empty unless nothing is known of the sender; an IPv6 link-local one carries our interface as zone.
+/// A remote publication is there, has changed, or was said again (then only `heard` differs); that a presence affirms
+/// it is told by NeighbourTable::affirmed(). The address is never empty unless nothing is known of the sender; an IPv6
+/// link-local one carries our interface as zone.
 struct PutPublication {
   ServiceKey key;
   Publication publication;
@@ -117,7 +118,9 @@ inline constexpr base::Duration goodbye_memory = std::chrono::seconds(10);
 /// path is alive and none of a better rank (address_rank()) turns up.
 class NeighbourTable {
  public:
-  explicit NeighbourTable(std::string group);
+  /// Whether what a presence affirms is told as a change of `heard`, or only by affirmed().
+  enum class Affirmed : std::uint8_t { told, known };
+  explicit NeighbourTable(std::string group, Affirmed affirmed = Affirmed::told);
   ~NeighbourTable();
   NeighbourTable(const NeighbourTable&) = delete;
   NeighbourTable& operator=(const NeighbourTable&) = delete;
@@ -165,6 +168,11 @@ class NeighbourTable {
 
   [[nodiscard]] bool is_known(ParticipantId id) const;
   [[nodiscard]] std::optional<Neighbour> find(ParticipantId id) const;
+  /// When a datagram last proved that all is there which somebody known was last heard to offer and to ask for.
+  [[nodiscard]] std::optional<base::Instant> affirmed(ParticipantId id) const;
+  /// Counts how often somebody came or went, or said something else of itself: the same number, the same participants
+  /// with the same names and ontologies.
+  [[nodiscard]] std::uint64_t roster() const;
   /// In ascending order of identifier.
   void for_each(const std::function<void(const Neighbour&)>& visit) const;
   [[nodiscard]] std::size_t size() const;

@@ -15,7 +15,7 @@ constexpr std::size_t stranger_places = 4;
 void keep(std::set<ParticipantId>& set, ParticipantId id, bool is_in) {
   if (is_in) {
     set.insert(id);
-  } else {
+  } else if (!set.empty()) {
     set.erase(id);
   }
 }
@@ -25,11 +25,13 @@ void keep(std::set<ParticipantId>& set, ParticipantId id, bool is_in) {
 void Questions::update(ParticipantId id, const NeighbourRecord& record, base::Instant now) {
   keep(missed_, id, record.is_missed(now));
   keep(doubted_, id, record.is_doubted());
+  keep(named_, id, record.is_lacking() || record.is_doubted());
 }
 
 void Questions::forget(ParticipantId id) {
   missed_.erase(id);
   doubted_.erase(id);
+  named_.erase(id);
 }
 
 void Questions::name(Records& records, base::Instant now, Report& report) {
@@ -37,18 +39,17 @@ void Questions::name(Records& records, base::Instant now, Report& report) {
   for (const auto& stranger : strangers_.all() | std::views::reverse | std::views::take(stranger_places)) {
     report.lacks.push_back(stranger.id);
   }
-  auto known = records.lower_bound(next_);
-  for (std::size_t visited = 0; visited < records.size(); ++visited, ++known) {
-    if (known == records.end()) known = records.begin();
-    auto& record = *known->second.record;
-    if (!record.is_lacking() && !record.is_doubted()) continue;
+  auto one = named_.lower_bound(next_);
+  for (std::size_t visited = 0; visited < named_.size(); ++visited, ++one) {
+    if (one == named_.end()) one = named_.begin();
+    auto& record = *records.find(*one)->second.record;
     if (std::max(report.lacks.size(), report.doubts.size()) == announcement::max_named) {
-      next_ = known->first;
+      next_ = *one;
       return;
     }
-    if (record.is_lacking()) report.lacks.push_back(known->first);
+    if (record.is_lacking()) report.lacks.push_back(*one);
     if (record.is_doubted()) {
-      report.doubts.push_back(known->first);
+      report.doubts.push_back(*one);
       record.ask(now);
     }
   }

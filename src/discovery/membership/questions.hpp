@@ -15,6 +15,8 @@ class Questions {
  public:
   /// Something has happened to a known participant.
   void update(ParticipantId id, const NeighbourRecord& record, base::Instant now);
+  /// Something that it said had to give way.
+  void note_short(ParticipantId id) { named_.insert(id); }
   /// It is not known any more.
   void forget(ParticipantId id);
   /// The presence of somebody whose state is not known was heard; or his state.
@@ -32,6 +34,7 @@ class Questions {
  private:
   std::set<ParticipantId> missed_;
   std::set<ParticipantId> doubted_;
+  std::set<ParticipantId> named_;  ///< doubted, or lacked, be it said at once or when we speak anyway
   Strangers strangers_;
   ParticipantId next_{};  ///< with whom the next report begins
 };

@@ -12,7 +12,11 @@ class NeighbourServices;
 /// Asked for more room in the pool when it is full.
 class ServiceRoom {
  public:
+  explicit ServiceRoom(bool tells_affirmed) : tells_affirmed_(tells_affirmed) {}
   virtual ~ServiceRoom() = default;
+
+  /// Whether what a presence affirms is told again.
+  [[nodiscard]] bool tells_affirmed() const { return tells_affirmed_; }
 
   /// Takes room for one more service of a participant that has `count`; false: there is none, and it was counted.
   [[nodiscard]] bool take(const NeighbourServices& who, std::size_t count);
@@ -29,6 +33,7 @@ class ServiceRoom {
   virtual bool make_room(const NeighbourServices& who) = 0;
 
  private:
+  bool tells_affirmed_;
   std::size_t pool_ = 0;
   std::uint64_t refused_ = 0;
 };

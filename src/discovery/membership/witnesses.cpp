@@ -41,29 +41,44 @@ Duration age_of(HeardWithin within, Duration interval) {
 }  // namespace
 
 void Witnesses::set_self(ParticipantId id, announcement::BootNonce boot) {
+  settle();
   self_ = id;
   self_fold_ = fold_of(id, boot);
+  begin_anew();
 }
 
-Witnesses::Members::const_iterator Witnesses::find(ParticipantId id) const {
-  return std::ranges::lower_bound(others_, id, {}, &Member::id);
+std::size_t Witnesses::place_of(ParticipantId id) const {
+  return static_cast<std::size_t>(std::ranges::lower_bound(ids_, id) - ids_.begin());
+}
+
+void Witnesses::begin_anew() {
+  own_place_ = place_of(self_);
+  pending_.resize(ids_.size() + 1);
 }
 
 void Witnesses::add(ParticipantId id, announcement::BootNonce boot) {
-  others_.insert(find(id), Member{id, boot, {}, {}, {}, 0, {}});
+  settle();
+  const auto place = static_cast<std::ptrdiff_t>(place_of(id));
+  ids_.insert(ids_.begin() + place, id);
+  others_.insert(others_.begin() + place, Member{boot, {}, {}, {}, 0, {}});
   others_fold_ ^= fold_of(id, boot);
+  begin_anew();
 }
 
 void Witnesses::remove(ParticipantId id) {
-  const auto member = find(id);
-  others_fold_ ^= fold_of(id, member->boot);
-  others_.erase(member);
+  settle();
+  const auto place = static_cast<std::ptrdiff_t>(place_of(id));
+  others_fold_ ^= fold_of(id, others_[static_cast<std::size_t>(place)].boot);
+  ids_.erase(ids_.begin() + place);
+  others_.erase(others_.begin() + place);
+  begin_anew();
 }
 
 void Witnesses::update(ParticipantId id, Instant heard, Duration interval) {
-  auto& member = others_[static_cast<std::size_t>(find(id) - others_.cbegin())];
-  member.heard = heard;
-  member.interval = interval;
+  const auto place = place_of(id);
+  if (others_[place].interval != interval) settle();  // what is pending was said of the one before
+  others_[place].heard = heard;
+  others_[place].interval = interval;
 }
 
 std::uint16_t Witnesses::fold() const { return static_cast<std::uint16_t>(others_fold_ ^ self_fold_); }
@@ -74,16 +89,18 @@ HeardWithin Witnesses::testimony(const Member& member, Instant now) const {
 }
 
 bool Witnesses::has_heard(ParticipantId id, Instant now) const {
-  const auto member = find(id);
-  const bool is_known = member != others_.cend() && member->id == id;
-  return is_known && testimony(*member, now) != HeardWithin::longer;
+  const auto place = place_of(id);
+  return is_at(place, id) && testimony(others_[place], now) != HeardWithin::longer;
 }
 
 announcement::Witness Witnesses::say(Instant now) const {
   announcement::Witness witness{.members = fold(), .heard = {}};
   witness.heard.reserve(others_.size() + 1);
-  for (const auto& member : others_) witness.heard.push_back(testimony(member, now));
-  witness.heard.insert(witness.heard.begin() + (find(self_) - others_.cbegin()), HeardWithin::longer);
+  for (std::size_t place = 0; place < others_.size(); ++place) {
+    if (place == own_place_) witness.heard.push_back(HeardWithin::longer);
+    witness.heard.push_back(testimony(others_[place], now));
+  }
+  if (own_place_ == others_.size()) witness.heard.push_back(HeardWithin::longer);
   return witness;
 }
 
@@ -91,9 +108,9 @@ bool Witnesses::differs_newly(const announcement::Announcement& presence, Instan
   const auto note = [now](std::uint16_t& said, Instant& changed, std::uint16_t fold) {
     if (std::exchange(said, fold) != fold) changed = now;
   };
-  const auto place = find(presence.participant);
-  if (place == others_.cend() || place->id != presence.participant) return false;
-  auto& member = others_[static_cast<std::size_t>(place - others_.cbegin())];
+  const auto place = place_of(presence.participant);
+  if (!is_at(place, presence.participant)) return false;
+  auto& member = others_[place];
   note(member.said_fold, member.fold_changed, presence.witness.members);
   note(said_fold_, fold_changed_, fold());
   return presence.witness.members != fold() && now - std::max(member.fold_changed, fold_changed_) < 2 * member.interval;
@@ -102,19 +119,31 @@ bool Witnesses::differs_newly(const announcement::Announcement& presence, Instan
 bool Witnesses::hear(const announcement::Announcement& presence, Instant now) {
   const auto& heard = presence.witness.heard;
   const auto count = others_.size() + 1;
-  if (presence.witness.members != fold() || (heard.size() + 3) / 4 != (count + 3) / 4) return false;
+  if (presence.witness.members != fold() || heard.octets().size() != (count + 3) / 4) return false;
   words_[next_word_++ % words_.size()] = {presence.participant, now};
-  const auto take = [now](Member& member, HeardWithin within) {
-    if (within == HeardWithin::longer) return;
-    member.seen = std::max(member.seen, now - age_of(within, member.interval));
-  };
-  const auto own_place = static_cast<std::size_t>(find(self_) - others_.cbegin());
-  for (std::size_t i = 0; i < own_place; ++i) take(others_[i], heard[i]);
-  for (std::size_t i = own_place; i < others_.size(); ++i) take(others_[i], heard[i + 1]);
+  if (pending_.is_full()) settle();
+  pending_.add(heard.octets(), now);
   return true;
 }
 
-Instant Witnesses::seen(ParticipantId id) const { return find(id)->seen; }
+void Witnesses::settle() {
+  pending_.read([this](std::size_t place, HeardWithin within, Instant said) {
+    if (place == own_place_ || place > others_.size()) return;
+    auto& member = others_[place < own_place_ ? place : place - 1];
+    member.seen = std::max(member.seen, said - age_of(within, member.interval));
+  });
+  pending_.clear();
+}
+
+Instant Witnesses::seen(ParticipantId id) const {
+  const auto place = place_of(id);
+  const auto& member = others_[place];
+  auto seen = member.seen;
+  pending_.read_one(place < own_place_ ? place : place + 1, [&](HeardWithin within, Instant said) {
+    seen = std::max(seen, said - age_of(within, member.interval));
+  });
+  return seen;
+}
 
 std::size_t Witnesses::words(ParticipantId id, Instant now, Duration interval) const {
   const auto in_window = [&](Instant begin, Instant end) {

@@ -9,12 +9,13 @@
 
 #include "base/time.hpp"
 #include "discovery/announcement/announcement.hpp"
+#include "discovery/membership/pending_words.hpp"
 
 namespace geminga::membership {
 
 /// The words of witnesses name nobody: both sides must know the same participants, which a fold of them shows
-/// (ANNOUNCEMENT.md, "Witnesses"). A word of thousands costs one pass over a flat list, and touches nobody's record:
-/// what was said of somebody is looked up when its deadline comes.
+/// (ANNOUNCEMENT.md, "Witnesses"). A word of thousands is copied, and touches nobody's record: what was said of
+/// somebody is looked up when its deadline comes.
 class Witnesses {
  public:
   void set_self(ParticipantId id, announcement::BootNonce boot);
@@ -43,7 +44,6 @@ class Witnesses {
 
  private:
   struct Member {
-    ParticipantId id{};
     announcement::BootNonce boot{};
     base::Duration interval{};
     base::Instant heard;           ///< by us
@@ -55,15 +55,25 @@ class Witnesses {
     ParticipantId from{};
     base::Instant at;
   };
-  using Members = std::vector<Member>;
   [[nodiscard]] announcement::HeardWithin testimony(const Member& member, base::Instant now) const;
-  [[nodiscard]] Members::const_iterator find(ParticipantId id) const;
+  /// Its place among the others, or the one that it would get.
+  [[nodiscard]] std::size_t place_of(ParticipantId id) const;
+  [[nodiscard]] bool is_at(std::size_t place, ParticipantId id) const {
+    return place < ids_.size() && ids_[place] == id;
+  }
+  /// Reads what is pending, since places or intervals change.
+  void settle();
+  /// The others are not the same ones any more.
+  void begin_anew();
   [[nodiscard]] std::uint16_t fold() const;
 
   ParticipantId self_{};
   std::uint64_t self_fold_ = 0;
   std::uint64_t others_fold_ = 0;
-  Members others_;               ///< by ascending identifier
+  std::vector<ParticipantId> ids_;  ///< of the others, ascending
+  std::vector<Member> others_;      ///< in the same order
+  std::size_t own_place_ = 0;       ///< among them
+  PendingWords pending_;
   std::uint16_t said_fold_ = 0;  ///< ours, when somebody's was compared with it
   base::Instant fold_changed_{};
   base::Instant distrusted_until_ = base::Instant::min();

@@ -40,7 +40,7 @@ Core::Core(env::Env& the_env, Settings the_settings, vocabulary::Vocabulary the_
                 const bool is_own = from == ParticipantId{} || from == id;
                 return expressions.place(by, expression, is_own ? std::nullopt : std::optional(from), env.now());
               }),
-      neighbours(settings.group),
+      neighbours(settings.group, membership::NeighbourTable::Affirmed::known),
       seal([this] { return env.random_bits(); }) {}
 
 std::string Core::name() const { return settings.name.empty() ? to_string(id) : settings.name; }

@@ -51,6 +51,7 @@ struct Core {
   Expressions expressions;
   matching::Matcher matcher;
   membership::NeighbourTable neighbours;
+  announcement::Announcement heard;  ///< the last one; its memory is used again
   NeighbourQueue neighbour_queue;
   Counters counters;
   Contest contest;

@@ -35,7 +35,7 @@ struct Counters {
   std::uint64_t contested = 0;     ///< datagrams of others under our identifier, which we kept
   std::uint64_t contradicted = 0;  ///< datagrams with our boot nonce that we have not sent
   std::array<std::uint64_t, announcement::decode_error_count> undecodable{};  ///< by DecodeError
-  std::map<membership::Hearing, std::uint64_t> hearings;
+  std::array<std::uint64_t, membership::hearing_count> hearings{};            ///< by Hearing
   std::map<env::InterfaceIndex, InterfaceCounters> interfaces;
 };
 

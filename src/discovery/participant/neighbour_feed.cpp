@@ -107,27 +107,28 @@ Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceInde
       .interface = interface, .interface_name = on->name, .source = source, .now = core.env.now()};
   const auto opened = core.seal.open(datagram, arrival);
   if (!opened) {
-    if (opened.error() == sealing::Rejection::own) ++core.counters.hearings[membership::Hearing::own];
+    if (opened.error() == sealing::Rejection::own)
+      ++core.counters.hearings.at(std::to_underlying(membership::Hearing::own));
     return Announcer::Consequence::nothing;
   }
-  const auto announcement = announcement::decode(opened->text);
-  if (!announcement) {
-    ++core.counters.undecodable.at(static_cast<std::size_t>(announcement.error()));
+  const announcement::Announcement& announcement = core.heard;
+  if (const auto error = announcement::decode(opened->text, core.heard)) {
+    ++core.counters.undecodable.at(static_cast<std::size_t>(*error));
     return Announcer::Consequence::nothing;
   }
-  if (!core.seal.attribute(*opened, announcement->participant, arrival)) return Announcer::Consequence::nothing;
-  if (core.id != announcer.id() && announcement->participant == core.id) {
+  if (!core.seal.attribute(*opened, announcement.participant, arrival)) return Announcer::Consequence::nothing;
+  if (core.id != announcer.id() && announcement.participant == core.id) {
     // Whoever else has the identifier that we are giving up is heard once our own services have another one.
-    ++core.counters.hearings[membership::Hearing::clash];
+    ++core.counters.hearings.at(std::to_underlying(membership::Hearing::clash));
     return Announcer::Consequence::nothing;
   }
   const membership::Hearing hearing = core.neighbours.hear(
-      *announcement, {.interface = interface, .interface_name = on->name, .source = source, .now = core.env.now()});
-  ++core.counters.hearings[hearing];
+      announcement, {.interface = interface, .interface_name = on->name, .source = source, .now = core.env.now()});
+  ++core.counters.hearings.at(std::to_underlying(hearing));
   feed(core);
   if (core.expressions.take_waiting(core.vocabulary(), core.env.now())) core.ontology_change.place_again();
   return announcer.heard(
-      {.announcement = *announcement, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
+      {.announcement = announcement, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
 }
 
 void expire(Core& core) {

@@ -23,6 +23,8 @@ void OntologyWatch::look(Core& core) {
   const bool is_waiting_for_ours = !core.vocabulary().is_loaded() && core.ontology_state.is_loading;
   if (now < next_look_ || is_waiting_for_ours) return;
   next_look_ = now + ontology_look_interval;
+  const bool is_known = std::exchange(roster_, core.neighbours.roster()) == roster_ && own_ == core.digest();
+  if (is_known) return;
   Others others;
   core.neighbours.for_each([&](const membership::Neighbour& one) {
     if (one.ontology_digest != core.digest()) others.emplace(one.id, one.ontology_digest);

@@ -22,14 +22,16 @@ inline constexpr std::size_t max_named_others = 8;
 /// A line a change, never one a second: whoever is at the robot reads it once, and queries show what still differs.
 class OntologyWatch {
  public:
-  /// To be called at the end of any event; does nothing before its interval has gone by. O(participants).
+  /// To be called at the end of any event; does nothing before its interval has gone by, or while nobody comes, goes or
+  /// says anything else. O(participants).
   void look(Core& core);
 
  private:
   using Others = std::map<ParticipantId, std::uint64_t>;  ///< the digest of each that differs
 
   base::Instant next_look_{};
-  std::uint64_t own_ = 0;  ///< our digest when it was looked at last
+  std::uint64_t roster_ = 0;  ///< of the table of neighbours, when it was looked at last
+  std::uint64_t own_ = 0;     ///< our digest when it was looked at last
   Others others_;
 };
 

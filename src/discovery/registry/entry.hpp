@@ -16,7 +16,8 @@ struct PublicationEntry {
   std::string peer_name;
   std::string participant_name;
   bool is_local = false;  ///< offered by a peer of this very participant
-  base::Instant updated;  ///< last heard; shown as `age`. When it expires is the neighbour table's to decide.
+  base::Instant
+      updated;  ///< last said; when it was affirmed since then, and when it expires, the neighbour table knows
   /// Whether a consumer would see a difference; provenance times do not count.
   [[nodiscard]] bool same_as(const PublicationEntry& other) const {
     return key == other.key && publication == other.publication && peer_name == other.peer_name &&

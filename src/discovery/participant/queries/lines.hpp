@@ -2,6 +2,7 @@
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_LINES_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_LINES_HPP
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -24,7 +25,9 @@ inline void append_flag(Line& line, std::string_view key, bool value) { append(l
 /// How long ago an entry was last heard; 0 for one of our own.
 template <typename Entry>
 [[nodiscard]] std::string age(const Core& core, const Entry& entry) {
-  return entry.is_local ? "0.000" : seconds(core.env.now() - entry.updated);
+  if (entry.is_local) return "0.000";
+  const auto affirmed = core.neighbours.affirmed(entry.key.participant);
+  return seconds(core.env.now() - std::max(entry.updated, affirmed.value_or(entry.updated)));
 }
 
 /// `mode address port protocol priority`, as in events.

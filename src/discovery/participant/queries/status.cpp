@@ -35,8 +35,10 @@ void append_counters(Line& line, const Counters& counters) {
     append(line, "rejected_" + std::string(announcement::to_string(static_cast<announcement::DecodeError>(i))),
            counters.undecodable.at(i));
   }
-  for (const auto& [hearing, count] : counters.hearings) {
-    append(line, "heard_" + std::string(membership::to_string(hearing)), count);
+  for (std::size_t i = 0; i < counters.hearings.size(); ++i) {
+    if (counters.hearings.at(i) == 0) continue;
+    append(line, "heard_" + std::string(membership::to_string(static_cast<membership::Hearing>(i))),
+           counters.hearings.at(i));
   }
 }
 
