@@ -80,8 +80,8 @@ class AsioEnv::State {
             receive(interface, source, datagram);
           });
     }
-    scan();
-    if (!watch_) watch_ = std::make_unique<LinkWatch>(context_, [this] { scan(); });
+    const bool is_well = scan();
+    watch_ = std::make_unique<LinkWatch>(context_, is_well, [this] { return scan(); });
   }
 
   void serve(EventSink& sink) {
@@ -136,8 +136,9 @@ class AsioEnv::State {
     tell([&](EventSink& sink) { sink.on_datagram(interface, source.to_string(), datagram); });
   }
 
-  /// Compares the interfaces with those in use, and joins what is new or came back.
-  void scan() {
+  /// Compares the interfaces with those in use, and joins what is new or came back. Whether all are there that were
+  /// asked for, and all of them can be used.
+  bool scan() {
     const std::vector<Link> found = scan_links(settings_.interfaces);
     bool is_changed =
         std::erase_if(links_, [&](const auto& entry) {
@@ -156,9 +157,13 @@ class AsioEnv::State {
     std::vector<Interface> seen;
     for (const Link& link : found) seen.push_back(link.interface);
     say_missing(seen);
-    if (!is_changed && seen == interfaces_) return;
+    const bool is_well = missing_.empty() && std::ranges::all_of(links_, [](const auto& entry) {
+                           return entry.second->is_sound() && entry.second->last_send_error() == 0;
+                         });
+    if (!is_changed && seen == interfaces_) return is_well;
     interfaces_ = std::move(seen);
     tell([](EventSink& sink) { sink.on_interfaces_changed(); });
+    return is_well;
   }
 
   /// Whether it can be used.

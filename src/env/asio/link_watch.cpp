@@ -34,15 +34,15 @@ int open_reports() {
 
 class LinkWatch::State : public std::enable_shared_from_this<LinkWatch::State> {
  public:
-  State(net::io_context& context, std::function<void()> look)
-      : look_(std::move(look)), timer_(context), reports_(context) {}
+  State(net::io_context& context, bool is_well, Look look)
+      : look_(std::move(look)), timer_(context), reports_(context), is_well_(is_well) {}
 
   void start() {
     if (const int fd = open_reports(); fd >= 0) {
       reports_.assign(fd);
       await_report();
     }
-    look_at(std::chrono::steady_clock::now() + link_scan_period);
+    look_at(std::chrono::steady_clock::now() + period());
   }
 
   void stop() {
@@ -53,6 +53,10 @@ class LinkWatch::State : public std::enable_shared_from_this<LinkWatch::State> {
   }
 
  private:
+  [[nodiscard]] std::chrono::seconds period() const {
+    return is_well_ && reports_.is_open() ? link_rescan_period : link_scan_period;
+  }
+
   void await_report() {
     reports_.async_wait(net::posix::stream_descriptor::wait_read,
                         [self = shared_from_this()](const boost::system::error_code& error) {
@@ -76,20 +80,22 @@ class LinkWatch::State : public std::enable_shared_from_this<LinkWatch::State> {
     timer_.async_wait([self = shared_from_this()](const boost::system::error_code& error) {
       if (error || self->is_stopped_) return;
       self->last_look_ = std::chrono::steady_clock::now();
-      self->look_at(self->last_look_ + link_scan_period);
-      self->look_();
+      self->is_well_ = self->look_();
+      if (self->is_stopped_) return;
+      self->look_at(self->last_look_ + self->period());
     });
   }
 
-  std::function<void()> look_;
+  Look look_;
   net::steady_timer timer_;
   net::posix::stream_descriptor reports_;
   std::chrono::steady_clock::time_point last_look_;
+  bool is_well_;
   bool is_stopped_ = false;
 };
 
-LinkWatch::LinkWatch(net::io_context& context, std::function<void()> look)
-    : state_(std::make_shared<State>(context, std::move(look))) {
+LinkWatch::LinkWatch(net::io_context& context, bool is_well, Look look)
+    : state_(std::make_shared<State>(context, is_well, std::move(look))) {
   state_->start();
 }
 LinkWatch::~LinkWatch() { state_->stop(); }
