@@ -124,6 +124,32 @@ TEST(Loss, HealsAPartitionSoon) {
   EXPECT_LE(rejoined(0.5, 53), milliseconds(2500));
 }
 
+/// How long it takes from the first word of somebody who has not heard a change for two intervals until the one who
+/// made it speaks.
+base::Duration repeated_for_who_missed_it(std::uint64_t seed) {
+  Robots robots(World::seed_or(seed), 4, {}, patient);
+  robots.start();
+  EXPECT_TRUE(robots.team.settle(seconds(30)));
+  robots.world.run_for(minutes(1));
+  const Host& changes = robots.host(0);
+  const Host& misses = robots.host(1);
+  robots.world.cut(changes, misses);
+  robots.module(0).offer("late", stream);
+  robots.world.run_for(seconds(4));
+  base::Instant asked = base::never;
+  base::Instant repeated = base::never;
+  robots.world.on_transmit = [&](const Host& sender, std::string_view) {
+    if (&sender == &misses) asked = std::min(asked, robots.world.now());
+    if (&sender == &changes && asked != base::never) repeated = std::min(repeated, robots.world.now());
+  };
+  robots.world.run_for(seconds(10));
+  return repeated - asked;
+}
+
+TEST(Loss, OfAllThatOneHostSaysOfAChangeIsFoundOutByWhatItSaysOfWhomItHears) {
+  for (std::uint64_t seed = 60; seed < 65; ++seed) EXPECT_LE(repeated_for_who_missed_it(seed), milliseconds(200));
+}
+
 /// Octets a second that one of so many hosts sends while nothing changes, with 42 octets of headers for each frame.
 double steady_traffic(int count, double loss, std::uint64_t seed) {
   Robots robots(World::seed_or(seed), count, {.loss = loss, .longest_delay = milliseconds(5)}, patient);

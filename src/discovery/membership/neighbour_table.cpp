@@ -348,11 +348,9 @@ NeighbourTable::~NeighbourTable() = default;
 
 void NeighbourTable::set_self(ParticipantId id, announcement::BootNonce boot) { state_->set_self(id, boot); }
 void NeighbourTable::set_secret(std::uint64_t secret) { state_->set_secret(secret); }
-
 Hearing NeighbourTable::hear(const announcement::Announcement& announcement, const Arrival& arrival) {
   return state_->hear(announcement, arrival);
 }
-
 void NeighbourTable::expire(base::Instant now) { state_->expire(now); }
 void NeighbourTable::postpone(base::Instant until) { state_->postpone(until); }
 Report NeighbourTable::report(base::Instant now) { return state_->report(now); }
@@ -363,6 +361,11 @@ bool NeighbourTable::differs_newly(const announcement::Announcement& presence, b
   return state_->witnesses().differs_newly(presence, now);
 }
 
+bool NeighbourTable::misses_us(const announcement::Announcement& presence, base::Instant since, base::Duration interval,
+                               base::Instant now) {
+  return state_->witnesses().misses_us(presence, since, interval, now);
+}
+
 bool NeighbourTable::is_heard_lately(ParticipantId id, base::Instant now) const {
   return state_->witnesses().has_heard(id, now);
 }
@@ -370,13 +373,10 @@ bool NeighbourTable::is_heard_lately(ParticipantId id, base::Instant now) const 
 bool NeighbourTable::hear_doubts(const std::vector<ParticipantId>& doubts, base::Instant now) {
   return state_->hear_doubts(doubts, now);
 }
-
 std::optional<double> NeighbourTable::loss() const { return state_->loss(); }
 base::Instant NeighbourTable::next_deadline() const { return state_->next_deadline(); }
 void NeighbourTable::forget_interface(env::InterfaceIndex interface) { state_->forget_interface(interface); }
-
 std::vector<Change> NeighbourTable::take_changes() { return std::exchange(state_->changes, {}); }
-
 bool NeighbourTable::is_known(ParticipantId id) const { return state_->find(id) != nullptr; }
 
 std::optional<Neighbour> NeighbourTable::find(ParticipantId id) const {
@@ -391,7 +391,6 @@ std::optional<base::Instant> NeighbourTable::affirmed(ParticipantId id) const {
   const auto* known = state_->find(id);
   return known == nullptr ? std::nullopt : std::optional(known->affirmed());
 }
-
 std::uint64_t NeighbourTable::roster() const { return state_->roster(); }
 std::size_t NeighbourTable::size() const { return state_->size(); }
 std::size_t NeighbourTable::seasoned() const { return state_->seasoned(); }

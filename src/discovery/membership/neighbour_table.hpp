@@ -118,7 +118,7 @@ inline constexpr base::Duration goodbye_memory = std::chrono::seconds(10);
 /// path is alive and none of a better rank (address_rank()) turns up.
 class NeighbourTable {
  public:
-  /// Whether what a presence affirms is told as a change of `heard`, or only by affirmed().
+  /// Whether what is heard again is told as a change of `heard`, or only by affirmed().
   enum class Affirmed : std::uint8_t { told, known };
   explicit NeighbourTable(std::string group, Affirmed affirmed = Affirmed::told);
   ~NeighbourTable();
@@ -161,6 +161,9 @@ class NeighbourTable {
   bool hear_doubts(const std::vector<ParticipantId>& doubts, base::Instant now);
   /// Whether somebody known, who says this, knows other participants than we do, and one of us only of late.
   [[nodiscard]] bool differs_newly(const announcement::Announcement& presence, base::Instant now);
+  /// Whether somebody known, who says this, may have heard nothing of us since then (Witnesses::misses_us()).
+  [[nodiscard]] bool misses_us(const announcement::Announcement& presence, base::Instant since, base::Duration interval,
+                               base::Instant now);
   /// Whether we testify that we have heard it ourselves within one of its intervals.
   [[nodiscard]] bool is_heard_lately(ParticipantId id, base::Instant now) const;
   /// The share of all participants' last datagrams that was lost, in [0, 1); nothing: too few were heard.

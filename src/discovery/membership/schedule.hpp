@@ -84,7 +84,9 @@ inline constexpr std::int64_t proof_capacity = 40;
 inline constexpr int proofs_per_interval = 4;
 inline constexpr base::Duration proof_spacing = std::chrono::milliseconds(30);
 /// Presences for who may not know us, and for whom none of our words came through: so many at once, then one in an
-/// interval. None so soon after anything else that we said.
+/// interval. None so soon after anything else that we said. For so many intervals after a change who says that he has
+/// not heard us counts among them, since he may not know of it.
+inline constexpr int doubtful_intervals = 8;
 inline constexpr std::int64_t differing_capacity = 24;
 inline constexpr base::Duration differing_spacing = std::chrono::milliseconds(150);
 /// Whoever knows more of a doubted participant than the one who doubts leaves it this time to answer for itself, and up
@@ -147,8 +149,8 @@ class Schedule {
   void challenge(bool is_open, base::Instant now);
   /// Somebody else doubts all whom we doubt: the answer will be for us, too.
   void asked_by_another(base::Instant now);
-  /// Somebody does not know the same participants as we do, perhaps not us: our presence is due soon, so that he can
-  /// say that he lacks our state.
+  /// Somebody does not know the same participants as we do, perhaps not us, or has not heard us since we changed: our
+  /// presence is due soon, so that he can say that he lacks our state.
   void differ(base::Instant now);
   /// Somebody doubts that we live: our presence is due.
   void doubted(base::Instant now);

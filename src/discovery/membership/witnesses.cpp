@@ -60,7 +60,7 @@ void Witnesses::add(ParticipantId id, announcement::BootNonce boot) {
   settle();
   const auto place = static_cast<std::ptrdiff_t>(place_of(id));
   ids_.insert(ids_.begin() + place, id);
-  others_.insert(others_.begin() + place, Member{boot, {}, {}, {}, 0, {}});
+  others_.insert(others_.begin() + place, Member{boot, {}, {}, {}, 0, {}, {}});
   others_fold_ ^= fold_of(id, boot);
   begin_anew();
 }
@@ -116,13 +116,25 @@ bool Witnesses::differs_newly(const announcement::Announcement& presence, Instan
   return presence.witness.members != fold() && now - std::max(member.fold_changed, fold_changed_) < 2 * member.interval;
 }
 
+bool Witnesses::is_of_same(const announcement::Witness& witness) const {
+  constexpr auto per_octet = announcement::HeardList::per_octet;
+  return witness.members == fold() && witness.heard.octets().size() == (others_.size() + 1 + per_octet - 1) / per_octet;
+}
+
+bool Witnesses::misses_us(const announcement::Announcement& presence, Instant since, Duration interval, Instant now) {
+  const auto place = place_of(presence.participant);
+  if (!is_at(place, presence.participant) || !is_of_same(presence.witness)) return false;
+  auto& heard_us = others_[place].heard_us;
+  const auto within = presence.witness.heard[own_place_];
+  if (within != HeardWithin::longer) heard_us = std::max(heard_us, now - age_of(within, interval));
+  return within == HeardWithin::longer && heard_us < since;
+}
+
 bool Witnesses::hear(const announcement::Announcement& presence, Instant now) {
-  const auto& heard = presence.witness.heard;
-  const auto count = others_.size() + 1;
-  if (presence.witness.members != fold() || heard.octets().size() != (count + 3) / 4) return false;
+  if (!is_of_same(presence.witness)) return false;
   words_[next_word_++ % words_.size()] = {presence.participant, now};
   if (pending_.is_full()) settle();
-  pending_.add(heard.octets(), now);
+  pending_.add(presence.witness.heard.octets(), now);
   return true;
 }
 

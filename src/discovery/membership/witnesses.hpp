@@ -34,6 +34,10 @@ class Witnesses {
   /// Whether somebody known, who says this, knows other ones than we do, and one of us has not done so for long: not
   /// for two of its intervals. Some never hear each other, and need not be told again and again.
   [[nodiscard]] bool differs_newly(const announcement::Announcement& presence, base::Instant now);
+  /// Whether somebody known, who says this, has not heard us for one of our intervals, and has never said that it has
+  /// heard us since `since`: so it may not know what we have changed then.
+  [[nodiscard]] bool misses_us(const announcement::Announcement& presence, base::Instant since, base::Duration interval,
+                               base::Instant now);
   /// Takes in what somebody known says of them; whether it speaks of the same ones.
   bool hear(const announcement::Announcement& presence, base::Instant now);
   /// The latest instant at or after which somebody else has heard it; the beginning of time: nobody said so.
@@ -50,12 +54,15 @@ class Witnesses {
     base::Instant seen;            ///< by others
     std::uint16_t said_fold = 0;   ///< of those that it knows
     base::Instant fold_changed{};  ///< when it first said so
+    base::Instant heard_us{};      ///< it has, then or later
   };
   struct Word {
     ParticipantId from{};
     base::Instant at;
   };
   [[nodiscard]] announcement::HeardWithin testimony(const Member& member, base::Instant now) const;
+  /// Whether a word is about the same ones, so that each place has its meaning.
+  [[nodiscard]] bool is_of_same(const announcement::Witness& witness) const;
   /// Its place among the others, or the one that it would get.
   [[nodiscard]] std::size_t place_of(ParticipantId id) const;
   [[nodiscard]] bool is_at(std::size_t place, ParticipantId id) const {

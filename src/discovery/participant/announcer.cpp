@@ -84,6 +84,7 @@ void Announcer::announce() {
   if (!claim_.is_held()) return;
   if (std::exchange(core_.is_changed, false)) {
     ++revision_;
+    changed_ = now;
     schedule_.set_loss(core_.neighbours.loss());
     schedule_.changed(is_new_to_others() ? membership::Schedule::Say::state : membership::Schedule::Say::change, now);
   }
@@ -187,7 +188,9 @@ void Announcer::heard_presence(const Heard& heard) {
     }
   }
   if (heard.hearing != membership::Hearing::known) return;
-  if (core_.neighbours.differs_newly(presence, now)) schedule_.differ(now);
+  const bool misses_us = core_.neighbours.misses_us(presence, changed_, interval(), now);
+  const bool may_lack_change = misses_us && now - changed_ < membership::doubtful_intervals * interval();
+  if (core_.neighbours.differs_newly(presence, now) || may_lack_change) schedule_.differ(now);
   if (core_.neighbours.doubts_anybody() && core_.neighbours.hear_doubts(presence.doubts, now)) {
     schedule_.asked_by_another(now);
   }
@@ -262,6 +265,10 @@ std::string Announcer::failure() const {
   return "no participant identifier could be claimed: each of " + std::to_string(membership::max_claim_attempts) +
          " was announced by somebody else at once, the last by " + clash_from_ +
          ": a program there forges announcements: find that host, or keep it off this network";
+}
+
+base::Duration Announcer::interval() const {
+  return announcement::stretched(schedule_options(core_.settings).interval, doublings_);
 }
 
 announcement::Announcement Announcer::header(announcement::Kind kind, ParticipantId id) const {

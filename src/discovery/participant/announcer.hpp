@@ -74,6 +74,8 @@ class Announcer {
   Consequence heard_clash(const Heard& heard);
   void heard_own(const Heard& heard);
   void report(const Heard& heard);
+  /// That others are told of.
+  [[nodiscard]] base::Duration interval() const;
   [[nodiscard]] announcement::Announcement header(announcement::Kind kind, ParticipantId id) const;
   [[nodiscard]] announcement::Announcement presence();
   [[nodiscard]] announcement::Announcement state() const;
@@ -83,6 +85,7 @@ class Announcer {
   membership::IdentifierClaim claim_;
   membership::Schedule schedule_;
   std::uint64_t revision_ = 0;
+  base::Instant changed_{};     ///< when that came
   std::uint8_t doublings_ = 0;  ///< of the interval
   ChangeLog log_;
   std::vector<env::Interface> announced_on_;  ///< the interfaces that the state was last told of

@@ -86,6 +86,25 @@ TEST(Witnesses, DifferNewlyForTwoIntervalsAndAgainWhenSomethingChanges) {
   EXPECT_FALSE(ours.differs_newly(presence, now + seconds(12))) << "unknown";
 }
 
+TEST(Witnesses, TellWhoMayNotHaveHeardWhatWeChanged) {
+  auto ours = member_of(4, 1, now);
+  const auto changed = now - milliseconds(100);
+  const auto misses = [&](base::Instant heard, base::Instant at) {
+    auto theirs = member_of(4, 2, heard);
+    announcement::Announcement presence;
+    presence.participant = ParticipantId{2};
+    presence.witness = theirs.say(at);
+    return ours.misses_us(presence, changed, seconds(2), at);
+  };
+  EXPECT_TRUE(misses(now - seconds(5), now)) << "not for an interval";
+  EXPECT_FALSE(misses(now - milliseconds(200), now)) << "of late, but perhaps before that";
+  EXPECT_TRUE(misses(now - milliseconds(200), now + seconds(3)));
+  EXPECT_FALSE(misses(now + seconds(4), now + seconds(5))) << "after that";
+  EXPECT_FALSE(misses(now + seconds(4), now + seconds(9))) << "it knew, and has only missed a presence since then";
+  auto stranger = presence_of(3, member_of(5, 3, now - seconds(5)));
+  EXPECT_FALSE(ours.misses_us(stranger, changed, seconds(2), now)) << "it knows others, so places have no meaning";
+}
+
 TEST(Witnesses, DoNotTestifyByWhatMayHaveBeenSaidWhileTheySlept) {
   auto ours = member_of(3, 1, now);
   ours.distrust_until(now);
