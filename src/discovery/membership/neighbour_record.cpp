@@ -129,11 +129,7 @@ void NeighbourRecord::take_in(NeighbourWay& way, const announcement::Announcemen
     take_revision(way, announcement, now, changes);
     services_.apply(announcement, moment(now, true), changes);
   }
-  if (announcement.kind == announcement::Kind::presence) {
-    services_.affirm(moment(now, true), changes);
-  } else {
-    services_.tell(moment(now, true), changes);
-  }
+  services_.tell(moment(now, true), changes);
 }
 
 void NeighbourRecord::take_state(NeighbourWay& way, const announcement::Announcement& announcement,

@@ -96,7 +96,7 @@ void NeighbourServices::apply_one(ServiceNumber number, const Service& service, 
     entry.is_changed = true;
   }
   entry.revision = revision;
-  has_changes_ |= entry.is_changed || moment.now - entry.heard >= moment.refresh;
+  has_changes_ |= entry.is_changed || (tells_again(moment) && moment.now - entry.heard >= moment.refresh);
 }
 
 void NeighbourServices::add(ServiceNumber number, Offer offer, std::uint64_t revision, const Moment& moment) {
@@ -260,6 +260,12 @@ bool NeighbourServices::give_way(std::vector<Change>& changes) {
 void NeighbourServices::tell(const Moment& moment, std::vector<Change>& changes) {
   const bool is_all = moment.is_heard && moment.is_complete && moment.now - refreshed_ >= moment.refresh;
   if (!is_all && !has_changes_) return;
+  if (!has_changes_ && !tells_again(moment)) {
+    refreshed_ = moment.now;
+    // Whatever was there when it was affirmed the last time was heard of long enough ago.
+    affirmed_ = {moment.now, moment.deadline, affirmed_ ? base::Duration::zero() : moment.refresh};
+    return;
+  }
   catch_up();
   if (is_all) refreshed_ = moment.now;
   for (auto& [number, entry] : entries_) {
@@ -268,19 +274,11 @@ void NeighbourServices::tell(const Moment& moment, std::vector<Change>& changes)
     if (is_heard_of && (entry.is_changed || moment.now - entry.heard >= moment.refresh)) {
       entry.heard = moment.now;
       entry.deadline = moment.deadline;
-      entry.is_changed = true;
+      entry.is_changed |= tells_again(moment);
     }
     if (entry.is_changed) put(number, entry, changes);
   }
   has_changes_ = false;
-}
-
-void NeighbourServices::affirm(const Moment& moment, std::vector<Change>& changes) {
-  if (!moment.is_complete || has_changes_ || room_.tells_affirmed()) return tell(moment, changes);
-  if (moment.now - refreshed_ < moment.refresh) return;
-  refreshed_ = moment.now;
-  // Whatever was there when it was affirmed the last time was heard of long enough ago.
-  affirmed_ = {moment.now, moment.deadline, affirmed_ ? base::Duration::zero() : moment.refresh};
 }
 
 void NeighbourServices::catch_up() {

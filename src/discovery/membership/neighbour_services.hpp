@@ -65,10 +65,9 @@ class NeighbourServices {
   void roll_back(base::Instant affirmed, const Moment& moment, std::vector<Change>& changes);
   /// Removes one service to make room for somebody else's; false: there is nothing beyond the reserve.
   bool give_way(std::vector<Change>& changes);
-  /// Tells what has changed, and again what was heard of and not told for a while.
+  /// Tells what has changed; and again what was heard of and not told for a while, if the room wants that or not all is
+  /// known.
   void tell(const Moment& moment, std::vector<Change>& changes);
-  /// Tells what has changed. What was affirmed is there for longer, and is not told again unless the room wants that.
-  void affirm(const Moment& moment, std::vector<Change>& changes);
   /// The participant was removed and is back: tells all of its services again, as new ones.
   void forget_told();
   void clear();
@@ -110,6 +109,8 @@ class NeighbourServices {
   template <typename Service>
   void apply_one(ServiceNumber number, const Service& service, const std::string& peer_name, std::uint64_t revision,
                  const Moment& moment, std::vector<Change>& changes);
+  /// Whether what was heard again is told again: who knows when all was affirmed need not be told of each.
+  [[nodiscard]] bool tells_again(const Moment& moment) const { return room_.tells_affirmed() || !moment.is_complete; }
   /// Enters what was affirmed.
   void catch_up();
   void add(ServiceNumber number, Offer offer, std::uint64_t revision, const Moment& moment);
@@ -130,7 +131,7 @@ class NeighbourServices {
   std::size_t present_ = 0;
   bool is_short_ = false;
   bool has_changes_ = false;
-  base::Instant refreshed_;  ///< when tell() last looked at all, or affirm() would have
+  base::Instant refreshed_;  ///< when tell() last looked at all, or would have
   /// All that is there was affirmed at an instant, which is not entered yet.
   struct Affirmed {
     base::Instant at;

@@ -15,7 +15,7 @@ class ServiceRoom {
   explicit ServiceRoom(bool tells_affirmed) : tells_affirmed_(tells_affirmed) {}
   virtual ~ServiceRoom() = default;
 
-  /// Whether what a presence affirms is told again.
+  /// Whether what is heard again is told again.
   [[nodiscard]] bool tells_affirmed() const { return tells_affirmed_; }
 
   /// Takes room for one more service of a participant that has `count`; false: there is none, and it was counted.
