@@ -307,6 +307,7 @@ class Daemon::State final : private env::EventSink {
   [[nodiscard]] std::string interface_words() const {
     std::vector<std::string> words;
     for (const env::Interface& interface : env_.interfaces()) {
+      if (interface.twin_of) continue;
       words.push_back(interface.name + (interface.addresses.empty() ? "" : " " + interface.addresses.front()));
     }
     return words.empty() ? "none: nobody can be heard" : base::joined(words, ", ");

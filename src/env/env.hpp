@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,7 +21,7 @@ inline constexpr std::size_t max_datagram_bytes = 1232;
 /// What sealing may add to a text: an announcement leaves so much of a datagram free, sealed or not.
 inline constexpr std::size_t max_envelope_bytes = 32;
 
-/// The kernel's number of a network interface; never reused while a participant lives.
+/// The number of a network interface, the kernel's but for twins; never reused while a participant lives.
 enum class InterfaceIndex : std::uint32_t {};
 
 /// A network interface that announcements go out on.
@@ -30,6 +31,9 @@ struct Interface {
   /// Numeric addresses that are valid there, IPv4 before IPv6, without scope. May be empty while it comes up.
   std::vector<std::string> addresses;
   bool is_loopback = false;
+  /// Where this is the IPv6 side of an interface that speaks IPv4, too (its *twin*): that one. What is said there is
+  /// said here only as far as somebody needs it.
+  std::optional<InterfaceIndex> twin_of{};
   friend bool operator==(const Interface&, const Interface&) = default;
 };
 

@@ -168,11 +168,23 @@ void Host::attach(const std::string& interface, std::uint32_t segment, bool is_l
   event([](participant::Participant& participant) { participant.on_interfaces_changed(); });
 }
 
+void Host::attach_ipv6(const std::string& interface, std::uint32_t segment) {
+  const auto other = std::ranges::find(interfaces_, interface, &env::Interface::name);
+  env::Interface added{.index = env::InterfaceIndex(next_interface_++),
+                       .name = interface,
+                       .addresses = {"fe80::" + std::to_string(number_)}};
+  if (other != interfaces_.end()) added.twin_of = other->index;
+  ports_.push_back(Port{.index = added.index, .segment = segment, .address = added.addresses.front()});
+  interfaces_.push_back(std::move(added));
+  event([](participant::Participant& participant) { participant.on_interfaces_changed(); });
+}
+
 void Host::detach(const std::string& interface) {
-  const auto found = std::ranges::find(interfaces_, interface, &env::Interface::name);
-  if (found == interfaces_.end()) return;
-  std::erase_if(ports_, [&](const Port& port) { return port.index == found->index; });
-  interfaces_.erase(found);
+  if (std::ranges::find(interfaces_, interface, &env::Interface::name) == interfaces_.end()) return;
+  std::erase_if(interfaces_, [&](const env::Interface& one) { return one.name == interface; });
+  std::erase_if(ports_, [&](const Port& port) {
+    return std::ranges::find(interfaces_, port.index, &env::Interface::index) == interfaces_.end();
+  });
   event([](participant::Participant& participant) { participant.on_interfaces_changed(); });
 }
 
@@ -309,7 +321,13 @@ std::uint64_t Host::random_bits() {
 void Host::send(env::InterfaceIndex interface, std::span<const std::byte> datagram) {
   ++datagrams_sent_;
   octets_sent_ += datagram.size();
+  if (const Port* on = port(interface)) ++sent_on_[on->segment];
   world_.transmit(*this, interface, std::string_view(reinterpret_cast<const char*>(datagram.data()), datagram.size()));
+}
+
+std::uint64_t Host::datagrams_sent_on(std::uint32_t segment) const {
+  const auto found = sent_on_.find(segment);
+  return found == sent_on_.end() ? 0 : found->second;
 }
 
 void Host::write(env::StreamId stream, std::string_view bytes) {

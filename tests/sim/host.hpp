@@ -81,6 +81,8 @@ class Host final : public env::Env {
   [[nodiscard]] std::uint16_t take_port() { return next_port_++; }
 
   void attach(const std::string& interface, std::uint32_t segment, bool is_loopback = false);
+  /// The interface speaks IPv6, too, which another network carries; one that is not there speaks nothing else.
+  void attach_ipv6(const std::string& interface, std::uint32_t segment);
   void detach(const std::string& interface);
   [[nodiscard]] const std::vector<Port>& ports() const { return ports_; }
   [[nodiscard]] const Port* port(env::InterfaceIndex index) const;
@@ -94,6 +96,8 @@ class Host final : public env::Env {
   /// What it has sent since it was made.
   [[nodiscard]] std::uint64_t datagrams_sent() const { return datagrams_sent_; }
   [[nodiscard]] std::uint64_t octets_sent() const { return octets_sent_; }
+  /// The datagrams among them that went out over this network.
+  [[nodiscard]] std::uint64_t datagrams_sent_on(std::uint32_t segment) const;
 
   /// The client's side of a connection.
   void from_client(env::StreamId stream, std::string bytes);
@@ -146,6 +150,7 @@ class Host final : public env::Env {
   std::vector<Waiting> waiting_;
   std::uint64_t datagrams_sent_ = 0;
   std::uint64_t octets_sent_ = 0;
+  std::map<std::uint32_t, std::uint64_t> sent_on_;
   std::uint16_t next_port_ = 5000;
   std::uint64_t next_stream_ = 1;
   std::uint32_t next_interface_ = 2;

@@ -128,11 +128,11 @@ void World::transmit(const Host& sender, env::InterfaceIndex interface, std::str
   depart(flight);
 }
 
-void World::inject(const std::string& source, std::string_view datagram) {
+void World::inject(const std::string& source, std::string_view datagram, std::uint32_t segment) {
   const std::uint32_t flight = take_off(source, datagram);
   for (const auto& receiver : hosts_) {
     for (const Host::Port& to : receiver->ports()) {
-      if (to.segment == 0) add_arrival(flight, *receiver, to.index);
+      if (to.segment == segment) add_arrival(flight, *receiver, to.index);
     }
   }
   depart(flight);

@@ -77,8 +77,8 @@ class World {
   /// Hands a datagram to everybody on the sender's network, the sender too, as multicast does.
   void transmit(const Host& sender, env::InterfaceIndex interface, std::string_view datagram);
 
-  /// Hands a datagram to everybody on the network 0, as if it came from this address.
-  void inject(const std::string& source, std::string_view datagram);
+  /// Hands a datagram to everybody on a network, as if it came from this address.
+  void inject(const std::string& source, std::string_view datagram, std::uint32_t segment = 0);
   /// Called with each datagram that a host sends, before anybody hears it: for who listens in on the air.
   std::function<void(const Host& sender, std::string_view datagram)> on_transmit;
 

@@ -191,6 +191,34 @@ TEST(Team, WithoutIpv4MeetsOverIpv6) {
   EXPECT_THAT(field(interfaces[0], "addresses"), testing::StartsWith("fe80::"));
 }
 
+TEST(Team, WithBothFamiliesIsHeardByWhoHasNoIpv4) {
+  Lab lab(3);
+  if (!lab.has_namespaces()) GTEST_SKIP() << "the loopback interface keeps its IPv4";
+  lab.take_ipv4(2);
+  lab.start_all(quick);
+  for (const std::size_t host : {0U, 1U, 2U}) ASSERT_TRUE(lab.wait_for_participants(host, 3)) << lab.way();
+  Talk ipv6_alone = lab.talk(2);
+  ipv6_alone.say("1 sub create mode=otm/stream id=5");
+  Talk both = lab.talk(1);
+  both.say("1 sub create mode=otm/stream id=5");
+  Talk provider = lab.talk(0);
+  provider.say("1 pub create mode=otm/stream id=5 port=5000");
+  const auto told = ipv6_alone.line_with({"1 pub add"});
+  ASSERT_TRUE(told);
+  EXPECT_THAT(field(*told, "address"), testing::StartsWith("fe80::")) << "one that it can reach";
+  const auto told_on_ipv4 = both.line_with({"1 pub add"});
+  ASSERT_TRUE(told_on_ipv4);
+  EXPECT_EQ(field(*told_on_ipv4, "address"), lab.address_of(0));
+  const auto interfaces = lab.talk(0).query("interfaces");
+  ASSERT_THAT(interfaces, SizeIs(1));
+  EXPECT_EQ(field(interfaces[0], "ipv6"), "spoken");
+  lab.daemon(2).signal(SIGTERM);
+  for (const std::size_t host : {0U, 1U}) {
+    EXPECT_TRUE(lab.talk(host).wait_until(
+        "interfaces", [](const auto& lines) { return lines.size() == 1 && field(lines[0], "ipv6") == "silent"; }));
+  }
+}
+
 TEST(Team, MeetsByNamedPeersWhereMulticastDoesNotPass) {
   Lab lab(2);
   const auto port = [&](std::size_t host) { return std::to_string(lab.udp_port() + 1 + static_cast<int>(host)); };

@@ -73,6 +73,9 @@ struct Witness {
   return std::max(interval, std::min<base::Duration>(max_interval, interval * (1 << doublings)));
 }
 
+/// Set in `link` where the sender says the same over IPv4 on that interface, under the number without it.
+inline constexpr std::uint32_t twin_link = std::uint32_t{1} << 31U;
+
 /// One announcement. encode() splits it into datagrams, decode() makes one of each datagram; for `claim` and `goodbye`
 /// revision, addresses and peers stay empty, for `presence` and `change` what their docstrings say.
 struct Announcement {
@@ -80,7 +83,7 @@ struct Announcement {
   std::string group;            ///< the negotiation group; participants of another one ignore it
   ParticipantId participant{};  ///< never 0
   BootNonce boot{};
-  std::uint32_t link = 0;      ///< the sender's number of the interface that it went out on
+  std::uint32_t link = 0;      ///< the sender's number of the interface that it went out on; see twin_link
   std::uint64_t sequence = 0;  ///< counts the sender's datagrams on that interface, so that others can measure loss
   base::Duration interval = std::chrono::seconds(2);  ///< between two of them, on average; whole milliseconds
   /// How often that is doubled because many share the air (stretched()). A presence says this anew.

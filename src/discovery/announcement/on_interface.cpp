@@ -9,6 +9,11 @@
 namespace geminga::announcement {
 namespace {
 
+std::uint32_t link_of(const env::Interface& interface) {
+  const auto number = static_cast<std::uint32_t>(interface.twin_of.value_or(interface.index));
+  return interface.twin_of ? number | twin_link : number;
+}
+
 /// The canonical text without its zone; what is no address stays as it is.
 std::string without_zone(const std::string& text) {
   auto address = base::parse_address(text);
@@ -36,7 +41,7 @@ bool is_announced_on(std::string_view text, const env::Interface& interface, std
 }
 
 Announcement on_interface(Announcement state, const env::Interface& interface, std::span<const env::Interface> ours) {
-  state.link = static_cast<std::uint32_t>(interface.index);
+  state.link = link_of(interface);
   state.addresses.clear();
   for (const auto& text : interface.addresses) {
     if (state.addresses.size() == max_addresses) break;

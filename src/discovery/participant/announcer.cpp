@@ -92,6 +92,7 @@ void Announcer::announce() {
   if (doublings < doublings_ || !schedule_.is_slowing()) doublings_ = doublings;
   schedule_.set_doublings(doublings_, now);
   schedule_.ask(core_.neighbours.lacks_anybody(now), core_.neighbours.doubts_anybody(), now);
+  be_silent_on_twins();
   schedule_.challenge(core_.seal.asks(now) || core_.seal.is_asked(now), now);
   for (;;) {
     switch (schedule_.take(now)) {
@@ -111,6 +112,12 @@ void Announcer::announce() {
         send(presence());
         break;
     }
+  }
+}
+
+void Announcer::be_silent_on_twins() {
+  for (const env::Interface& interface : core_.env.interfaces()) {
+    if (!core_.speaks_on(interface)) core_.seal.be_silent_on(interface.index);
   }
 }
 
@@ -322,6 +329,8 @@ std::size_t Announcer::send(const announcement::Announcement& announcement) {
   std::size_t most = 0;
   const auto& interfaces = core_.env.interfaces();
   for (const env::Interface& interface : interfaces) {
+    // Whoever speaks IPv6 alone hears of us by the first word, and answers it.
+    if (!core_.speaks_on(interface) && sequences_.contains(interface.index)) continue;
     std::uint64_t& sequence = sequences_[interface.index];
     const auto encode = [&](const announcement::Announcement& all) {
       announcement::Announcement here = announcement::on_interface(all, interface, interfaces);

@@ -62,8 +62,10 @@ class Announcer {
   [[nodiscard]] ParticipantId id() const { return claim_.id(); }
 
  private:
-  /// Sends on all interfaces; returns the most datagrams that one of them took.
+  /// Sends on all interfaces that we speak on; returns the most datagrams that one of them took.
   std::size_t send(const announcement::Announcement& announcement);
+  /// Nothing is owed where we do not speak.
+  void be_silent_on_twins();
   [[nodiscard]] bool is_new_to_others();
   /// Takes down what is announced at present. Done when it is sent and not with every change.
   void update_log(base::Instant now);

@@ -67,6 +67,12 @@ const env::Interface* Core::find(env::InterfaceIndex index) const {
   return found == interfaces.end() ? nullptr : &*found;
 }
 
+bool Core::speaks_on(const env::Interface& interface) {
+  if (!interface.twin_of) return true;
+  const base::Instant now = env.now();
+  return twins.is_needed(interface.index, now) || seal.asks_only_on(interface.index, *interface.twin_of, now);
+}
+
 std::size_t Core::peer_count() const {
   return static_cast<std::size_t>(
       std::ranges::count_if(sessions, [](const auto& entry) { return !entry.second->is_leaving; }));

@@ -21,6 +21,7 @@
 #include "discovery/participant/ontology_watch.hpp"
 #include "discovery/participant/session.hpp"
 #include "discovery/participant/settings.hpp"
+#include "discovery/participant/twins.hpp"
 #include "discovery/participant/work.hpp"
 #include "discovery/sealing/seal.hpp"
 #include "env/env.hpp"
@@ -57,6 +58,7 @@ struct Core {
   Contest contest;
   /// Everything that goes out or comes in on the air passes it.
   sealing::Seal seal;
+  Twins twins;
   Phase phase = Phase::created;
   /// What our peers know us by; 0 until an identifier is held. After a clash it stays until another one is held.
   ParticipantId id{};
@@ -78,6 +80,8 @@ struct Core {
   /// In ascending order of peer.
   [[nodiscard]] std::vector<const Session*> peers() const;
   [[nodiscard]] const env::Interface* find(env::InterfaceIndex index) const;
+  /// Whether all that we say is said on this interface, too: not on a twin where nobody speaks IPv6 alone.
+  [[nodiscard]] bool speaks_on(const env::Interface& interface);
   /// Peers whose connection is not over.
   [[nodiscard]] std::size_t peer_count() const;
   /// Publications and subscriptions of all peers.

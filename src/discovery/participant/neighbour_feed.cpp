@@ -1,8 +1,10 @@
 #include "discovery/participant/neighbour_feed.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "discovery/announcement/codec.hpp"
+#include "discovery/announcement/limits.hpp"
 #include "discovery/participant/own_services.hpp"
 #include "discovery/participant/telling.hpp"
 
@@ -66,6 +68,16 @@ void return_next(Core& core) {
   return_one(core, *session->second, number);
 }
 
+/// Who speaks IPv6 alone is spoken to for as long as he may live.
+void hear_on_twin(Core& core, const announcement::Announcement& announcement, const env::Interface& on,
+                  membership::Hearing hearing) {
+  using membership::Hearing;
+  if (!on.twin_of || hearing == Hearing::own || hearing == Hearing::clash || hearing == Hearing::other_group) return;
+  const auto known = core.neighbours.find(announcement.participant);
+  const base::Duration interval = std::max(known ? known->interval : base::Duration(0), core.settings.interval);
+  core.twins.hear(announcement, on, core.env.now() + announcement::contest_intervals * interval);
+}
+
 void feed_next(Core& core) {
   if (core.matcher.depart_next()) return;
   if (!core.returning.empty()) return return_next(core);
@@ -122,9 +134,12 @@ Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceInde
     ++core.counters.hearings.at(std::to_underlying(membership::Hearing::clash));
     return Announcer::Consequence::nothing;
   }
+  const bool is_about_us = announcement.participant == announcer.id();  // it may be a lie, and others hear it
+  if (!is_about_us && Twins::is_said_twice(announcement, *on)) return Announcer::Consequence::nothing;
   const membership::Hearing hearing = core.neighbours.hear(
       announcement, {.interface = interface, .interface_name = on->name, .source = source, .now = core.env.now()});
   ++core.counters.hearings.at(std::to_underlying(hearing));
+  hear_on_twin(core, announcement, *on, hearing);
   feed(core);
   if (core.expressions.take_waiting(core.vocabulary(), core.env.now())) core.ontology_change.place_again();
   return announcer.heard(

@@ -59,6 +59,19 @@ bool Challenges::asks(base::Instant now) {
   return !asked_.empty();
 }
 
+bool Challenges::asks_only_on(env::InterfaceIndex interface, env::InterfaceIndex other, base::Instant now) {
+  forget_silent(now);
+  const auto is_asked_on = [&](Session session, env::InterfaceIndex on) {
+    return std::ranges::any_of(asked_, [&](const Asked& one) { return one.session == session && one.interface == on; });
+  };
+  return std::ranges::any_of(
+      asked_, [&](const Asked& one) { return one.interface == interface && !is_asked_on(one.session, other); });
+}
+
+void Challenges::forget_owed(env::InterfaceIndex interface) {
+  std::erase_if(owed_, [&](const Owed& one) { return one.interface == interface; });
+}
+
 bool Challenges::is_asked(base::Instant now) const {
   return std::ranges::any_of(owed_, [&](const Owed& one) { return !one.is_carried && now - one.since < asking_time; });
 }

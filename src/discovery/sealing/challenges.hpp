@@ -34,6 +34,11 @@ class Challenges {
   /// Whether somebody waits for a proof of ours that nothing has carried yet.
   [[nodiscard]] bool is_asked(base::Instant now) const;
 
+  /// Whether somebody is asked on this interface who was not heard on the other one.
+  [[nodiscard]] bool asks_only_on(env::InterfaceIndex interface, env::InterfaceIndex other, base::Instant now);
+  /// Nothing is said on this interface: what is owed there is not said.
+  void forget_owed(env::InterfaceIndex interface);
+
   /// What the next datagram on this interface says, in at most `room` octets; it counts as said. `keys` are named where
   /// there are several.
   [[nodiscard]] Greeting greeting(env::InterfaceIndex interface, const Keyring& keys, std::size_t room,

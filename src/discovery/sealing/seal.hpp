@@ -87,6 +87,13 @@ class Seal {
   /// Whether somebody waits for a proof of ours: something is to be said at once.
   [[nodiscard]] bool is_asked(base::Instant now) const { return is_sealing() && challenges_.is_asked(now); }
 
+  /// Whether somebody is to be asked on this interface who was not heard on the other one.
+  [[nodiscard]] bool asks_only_on(env::InterfaceIndex interface, env::InterfaceIndex other, base::Instant now) {
+    return is_sealing() && challenges_.asks_only_on(interface, other, now);
+  }
+  /// Nothing is said on this interface.
+  void be_silent_on(env::InterfaceIndex interface) { challenges_.forget_owed(interface); }
+
   /// How this participant seals; nothing: it has not been heard sealed, or it is forgotten.
   [[nodiscard]] std::optional<Sealing> sealing_of(ParticipantId participant) const;
   [[nodiscard]] const Ledger& ledger() const { return ledger_; }

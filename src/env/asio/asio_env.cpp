@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "base/assert.hpp"
+#include "env/asio/families.hpp"
 #include "env/asio/link_watch.hpp"
 #include "env/asio/links.hpp"
 #include "env/asio/multicast.hpp"
@@ -139,23 +140,24 @@ class AsioEnv::State {
   /// Compares the interfaces with those in use, and joins what is new or came back. Whether all are there that were
   /// asked for, and all of them can be used.
   bool scan() {
-    const std::vector<Link> found = scan_links(settings_.interfaces);
-    bool is_changed =
-        std::erase_if(links_, [&](const auto& entry) {
-          return std::ranges::none_of(found, [&](const Link& link) { return link.interface.index == entry.first; });
-        }) > 0;
-    for (const Link& link : found) {
+    const std::vector<Link> links = scan_links(settings_.interfaces);
+    const std::vector<Joined> found = by_family(links, groups_);
+    bool is_changed = std::erase_if(links_, [&](const auto& entry) {
+                        return std::ranges::none_of(
+                            found, [&](const Joined& one) { return one.link.interface.index == entry.first; });
+                      }) > 0;
+    for (const auto& [link, groups] : found) {
       const auto in_use = links_.find(link.interface.index);
       const bool was_open = in_use != links_.end();
       if (was_open && in_use->second->is_sound() && in_use->second->update(link)) continue;
       const bool was_sound = was_open && in_use->second->is_sound();
       if (was_open) links_.erase(in_use);
-      const bool is_sound = open(link);
+      const bool is_sound = open(link, groups);
       is_changed = is_changed || !was_open || was_sound || is_sound;
     }
-    if (unicast_) unicast_->set_links(found);
+    if (unicast_) unicast_->set_links(links);
     std::vector<Interface> seen;
-    for (const Link& link : found) seen.push_back(link.interface);
+    for (const Joined& one : found) seen.push_back(one.link.interface);
     say_missing(seen);
     const bool is_well = missing_.empty() && std::ranges::all_of(links_, [](const auto& entry) {
                            return entry.second->is_sound() && entry.second->last_send_error() == 0;
@@ -167,9 +169,9 @@ class AsioEnv::State {
   }
 
   /// Whether it can be used.
-  bool open(const Link& link) {
+  bool open(const Link& link, const std::vector<address>& groups) {
     auto opened = std::make_unique<MulticastLink>(
-        context_, link, groups_, settings_.port, air_counts_,
+        context_, link, groups, settings_.port, air_counts_,
         [this, index = link.interface.index](const address& source, std::span<const std::byte> datagram) {
           receive(index, source, datagram);
         });
@@ -201,11 +203,14 @@ class AsioEnv::State {
     int& last = send_errors_[link.link().interface.index];
     if (link.last_send_error() == last) return;
     last = link.last_send_error();
-    const std::string& name = link.link().interface.name;
+    const bool is_twin = link.link().interface.twin_of.has_value();
+    const std::string name = link.link().interface.name + (is_twin ? " over IPv6" : "");
     if (last == 0) {
       log_.write(base::LogLevel::info, "sending on " + name + " works again");
     } else {
-      log_.write(base::LogLevel::warning, "cannot send on " + name + ": " + std::generic_category().message(last));
+      // An address of IPv6 that has just been taken is tried for a second before it can be used.
+      log_.write(is_twin ? base::LogLevel::info : base::LogLevel::warning,
+                 "cannot send on " + name + ": " + std::generic_category().message(last));
     }
   }
 

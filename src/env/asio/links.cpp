@@ -71,8 +71,9 @@ bool share_prefix(const ip::address& a, const Prefix& prefix) {
 
 bool is_link_local(const ip::address& address) { return address.is_v6() && address.to_v6().is_link_local(); }
 
-/// What is announced of the addresses: IPv4 first, then IPv6, link-local only where there is nothing else.
-std::vector<std::string> announced(const std::vector<Prefix>& prefixes) {
+}  // namespace
+
+std::vector<std::string> announced_addresses(const std::vector<Prefix>& prefixes) {
   std::vector<std::string> addresses;
   const auto take = [&](auto&& wanted) {
     for (const Prefix& prefix : prefixes) {
@@ -86,8 +87,6 @@ std::vector<std::string> announced(const std::vector<Prefix>& prefixes) {
   if (addresses.empty()) take([](const ip::address& address) { return is_link_local(address); });
   return addresses;
 }
-
-}  // namespace
 
 std::optional<ip::address_v4> Link::first_v4() const {
   const auto found = std::ranges::find_if(prefixes, [](const Prefix& prefix) { return prefix.address.is_v4(); });
@@ -135,7 +134,7 @@ std::vector<Link> scan_links(const std::vector<std::string>& names) {
     const auto link = std::ranges::find_if(links, [&](const Link& l) { return l.interface.name == name; });
     if (link != links.end()) link->prefixes.push_back(*prefix);
   }
-  for (Link& link : links) link.interface.addresses = announced(link.prefixes);
+  for (Link& link : links) link.interface.addresses = announced_addresses(link.prefixes);
   return links;
 }
 

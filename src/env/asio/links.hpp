@@ -38,6 +38,10 @@ inline constexpr std::size_t max_links = 16;
 /// The most addresses of one interface that are announced. More would only make announcements longer.
 inline constexpr std::size_t max_addresses_per_link = 4;
 
+/// What is announced of the addresses: IPv4 first, then IPv6, link-local only where there is nothing else; at most
+/// max_addresses_per_link.
+[[nodiscard]] std::vector<std::string> announced_addresses(const std::vector<Prefix>& prefixes);
+
 /// The interfaces that are up and running and can multicast, without the loopback; or, where `names` is not empty,
 /// those with these names, whatever they are, as long as they are up. Ordered by index. An IPv6 link-local address is
 /// announced only where there is no other address: without a scope nobody else can use it. Cost: two netlink dumps.

@@ -91,7 +91,8 @@ struct MulticastLink::Sockets : std::enable_shared_from_this<MulticastLink::Sock
   int send_error = 0;
   bool is_closed = false;
 
-  [[nodiscard]] int index() const { return static_cast<int>(link.interface.index); }
+  /// The kernel's.
+  [[nodiscard]] int index() const { return static_cast<int>(link.interface.twin_of.value_or(link.interface.index)); }
 
   void open_receiver(net::io_context& context, const address& group, std::uint16_t port) {
     udp::socket socket(context);

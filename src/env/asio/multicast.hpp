@@ -25,9 +25,9 @@ inline constexpr int max_datagrams_per_turn = 32;
 /// socket of this host has joined. One sending socket a family with a port of its own, so that our own echo can be told
 /// from what another daemon of this host says.
 ///
-/// Sends on IPv4 where the interface has an IPv4 address and there is an IPv4 group, on IPv6 otherwise, and receives on
-/// both. Sending on both would say everything twice to nearly everybody, and a datagram saved is air time of the whole
-/// team; a host without IPv4 address still hears the IPv4 group, because a group is joined by index, not by address.
+/// Sends on one family: on IPv4 where the interface has an IPv4 address and there is an IPv4 group, on IPv6 otherwise;
+/// receives on all groups that it is given. An interface that speaks both is two of these (env/asio/families.hpp),
+/// since nearly everybody would hear what is said on both twice, and a datagram saved is air time of the whole team.
 class MulticastLink {
  public:
   /// Takes one datagram with its sender. May not destroy the MulticastLink.

@@ -137,5 +137,19 @@ TEST(OnInterface, AnnouncesAtMostTheNamedNumberOfAddresses) {
   }
 }
 
+TEST(OnInterface, ATwinIsNumberedAfterItsInterfaceAndSaysWhatCanBeReachedThere) {
+  const Interface own{.index = InterfaceIndex{3}, .name = "wlan0", .addresses = {"10.0.0.1"}};
+  const Interface twin{.index = InterfaceIndex{77}, .name = "wlan0", .addresses = {"fe80::1"}, .twin_of = own.index};
+  const std::vector<Interface> ours{own, twin};
+  EXPECT_EQ(on_interface({}, own, ours).link, 3U);
+  const Announcement there = on_interface({}, twin, ours);
+  EXPECT_EQ(there.link, twin_link | 3U);
+  EXPECT_THAT(there.addresses, testing::ElementsAre("fe80::1"));
+  EXPECT_TRUE(is_announced_on("10.0.0.1", own, ours));
+  EXPECT_FALSE(is_announced_on("10.0.0.1", twin, ours)) << "who speaks IPv6 alone cannot reach it";
+  EXPECT_TRUE(is_announced_on("fe80::1%wlan0", twin, ours));
+  EXPECT_TRUE(is_announced_on("203.0.113.7", twin, ours));
+}
+
 }  // namespace
 }  // namespace geminga::announcement

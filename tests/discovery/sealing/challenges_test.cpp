@@ -149,5 +149,29 @@ TEST(Challenges, GoWithTheKeysOfWhoHasSeveral) {
   EXPECT_THAT(talk.say(later).keys, ElementsAre(key_of(1).id(), key_of(2).id()));
 }
 
+TEST(Challenges, KnowWhoWasHeardOnOneInterfaceAlone) {
+  Talk talk;
+  EXPECT_FALSE(talk.challenges.asks_only_on(lan, wlan, later));
+  talk.challenges.ask(other(7), lan, later);
+  EXPECT_TRUE(talk.challenges.asks_only_on(lan, wlan, later));
+  EXPECT_FALSE(talk.challenges.asks_only_on(wlan, lan, later));
+  talk.challenges.ask(other(7), wlan, later);
+  EXPECT_FALSE(talk.challenges.asks_only_on(lan, wlan, later));
+  talk.challenges.ask(other(8), lan, later);
+  EXPECT_TRUE(talk.challenges.asks_only_on(lan, wlan, later));
+  EXPECT_FALSE(talk.challenges.asks_only_on(lan, wlan, later + asking_time));
+}
+
+TEST(Challenges, OweNothingWhereNothingIsSaid) {
+  Talk talk;
+  const Greeting asking{.calls_everybody = true, .challenge = Challenge(5)};
+  talk.challenges.hear(asking, other(7), lan, later);
+  talk.challenges.forget_owed(wlan);
+  EXPECT_TRUE(talk.challenges.is_asked(later));
+  talk.challenges.forget_owed(lan);
+  EXPECT_FALSE(talk.challenges.is_asked(later));
+  EXPECT_TRUE(talk.say(later, much, lan).is_empty());
+}
+
 }  // namespace
 }  // namespace geminga::sealing

@@ -1,4 +1,7 @@
 // `query interfaces` and `query peers`: what a participant speaks over, and with whom on its host.
+#include <algorithm>
+#include <optional>
+
 #include "base/text.hpp"
 #include "discovery/participant/queries/lines.hpp"
 
@@ -6,14 +9,23 @@ namespace geminga::participant {
 
 Answered answer(Core& core, const gcnp::QueryInterfaces&) {
   Answer answer{.kind = "interfaces", .lines = {}, .end = {}};
-  for (const env::Interface& interface : core.env.interfaces()) {
-    const InterfaceCounters& counters = core.counters.interfaces[interface.index];
+  const auto& interfaces = core.env.interfaces();
+  for (const env::Interface& interface : interfaces) {
+    if (interface.twin_of) continue;
+    InterfaceCounters counters = core.counters.interfaces[interface.index];
+    const auto twin = std::ranges::find(interfaces, std::optional(interface.index), &env::Interface::twin_of);
+    if (twin != interfaces.end()) {
+      const InterfaceCounters& there = core.counters.interfaces[twin->index];
+      counters.sent += there.sent;
+      counters.received += there.received;
+    }
     Line line;
     append(line, "name", interface.name);
     append_flag(line, "loopback", interface.is_loopback);
     append_stated(line, "addresses", base::joined(interface.addresses, ","));
     append(line, "sent", counters.sent);
     append(line, "received", counters.received);
+    if (twin != interfaces.end()) append(line, "ipv6", core.speaks_on(*twin) ? "spoken" : "silent");
     answer.lines.push_back(std::move(line));
   }
   return answer;

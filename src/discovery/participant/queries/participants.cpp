@@ -27,6 +27,7 @@ Line ourselves(const Core& core) {
   }
   std::vector<std::string> addresses;
   for (const env::Interface& interface : core.env.interfaces()) {
+    if (interface.twin_of) continue;
     addresses.insert(addresses.end(), interface.addresses.begin(), interface.addresses.end());
   }
   Line line;
