@@ -178,5 +178,19 @@ TEST(Families, ALieOverIpv6AboutWhoSpeaksBothIsContradictedThere) {
   EXPECT_TRUE(robots.team.is_right()) << robots.team.complaints();
 }
 
+TEST(Families, OfWhomOneSpeaksIpv6AloneNobodyIsTakenForDeaf) {
+  Families robots(7);
+  robots.add_both("a");
+  robots.add_both("b");
+  robots.add_ipv6("c");
+  robots.switch_all_on();
+  robots.world.run_for(minutes(1));
+  for (const auto& host : robots.world.hosts()) {
+    for (const std::string& line : robots.ask(*host, "participants")) {
+      EXPECT_EQ(line.find("hears_us"), std::string::npos) << line;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace geminga::sim

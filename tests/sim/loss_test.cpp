@@ -174,5 +174,33 @@ TEST(Loss, CostsFewOctets) {
   is_within(steady_traffic(30, 0.3, 34), 70);
 }
 
+TEST(OneWay, WhoseMulticastsAreFilteredIsToldSo) {
+  Robots robots(World::seed_or(71), 4, {});
+  robots.team.is_excused = true;
+  robots.start();
+  robots.world.run_for(seconds(10));
+  for (std::size_t i = 1; i < 4; ++i) robots.world.cut(robots.host(0), robots.host(i));
+  const auto ask = [&](Host& host, const std::string& query) {
+    Client& client = robots.world.add_client("asker");
+    client.connect(host);
+    client.say("1 query " + query);
+    robots.world.run_for(milliseconds(1));
+    client.hang_up();
+    return client.lines;
+  };
+  const auto deaf = [&](Host& host) {
+    return std::ranges::count_if(ask(host, "participants"),
+                                 [](const std::string& line) { return line.contains(" hears_us=0"); });
+  };
+  EXPECT_EQ(deaf(robots.host(0)), 0);
+  robots.world.run_for(seconds(30));
+  EXPECT_EQ(deaf(robots.host(0)), 3) << "they do not even know it any more";
+  EXPECT_THAT(ask(robots.host(0), "status"), testing::Contains(testing::HasSubstr(" unheard_by=3 ")));
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(deaf(robots.host(i)), 0);
+  for (std::size_t i = 1; i < 4; ++i) robots.world.mend(robots.host(0), robots.host(i));
+  robots.world.run_for(seconds(10));
+  EXPECT_EQ(deaf(robots.host(0)), 0);
+}
+
 }  // namespace
 }  // namespace geminga::sim

@@ -238,6 +238,10 @@ void Lab::join(std::size_t host) {
   visit(host, [] { ip({"link", "set", "wlan0", "up"}); });
 }
 
+void Lab::keep_multicasts_from(std::size_t host) {
+  ip({"link", "set", "dev", port_of(host), "type", "bridge_slave", "mcast_flood", "off"});
+}
+
 void Lab::take_ipv4(std::size_t host) {
   visit(host, [] { ip({"-4", "address", "flush", "dev", "wlan0"}); });
 }

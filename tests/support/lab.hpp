@@ -60,6 +60,10 @@ class Lab {
   void part(std::size_t border);
   void heal();
 
+  /// From now on the bridge keeps multicasts from the host, as a switch that snoops on IGMP may: it hears nobody, and
+  /// all hear it. Only with namespaces.
+  void keep_multicasts_from(std::size_t host);
+
   /// Takes the host's IPv4 address away. Only with namespaces.
   void take_ipv4(std::size_t host);
 

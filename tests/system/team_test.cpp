@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 
+#include <algorithm>
 #include <csignal>
 #include <set>
 
@@ -235,6 +236,35 @@ TEST(Team, MeetsByNamedPeersWhereMulticastDoesNotPass) {
   const auto told = consumer.line_with({"1 pub add"});
   ASSERT_TRUE(told);
   EXPECT_EQ(field(*told, "address"), lab.address_of(0));
+}
+
+TEST(Team, NoticesWhomItsMulticastsDoNotReachAndMeetsItByName) {
+  Lab lab(3);
+  if (!lab.has_namespaces()) GTEST_SKIP() << "the loopback interface keeps nothing from anybody";
+  lab.keep_multicasts_from(2);
+  lab.start_all(quick);
+  ASSERT_TRUE(lab.wait_for_participants(0, 3)) << lab.way();
+  Talk talk = lab.talk(0);
+  EXPECT_TRUE(talk.wait_until("participants", [](const auto& lines) {
+    return std::ranges::any_of(lines, [](const std::string& line) {
+      return field(line, "name") == "robot2" && field(line, "hears_us") == "0";
+    });
+  })) << testing::PrintToString(talk.query("participants"));
+  const auto status = talk.query("status");
+  ASSERT_THAT(status, SizeIs(1));
+  EXPECT_EQ(field(status[0], "unheard_by"), "1");
+  EXPECT_THAT(lab.talk(2).query("participants"), SizeIs(1));
+  for (const std::size_t host : {0U, 2U}) {
+    lab.daemon(host).signal(SIGTERM);
+    EXPECT_EQ(lab.daemon(host).wait(), 0);
+    auto flags = quick;
+    flags.insert(flags.end(), {"--peer", lab.address_of(2 - host)});
+    lab.start(host, flags);
+  }
+  EXPECT_TRUE(lab.wait_for_participants(2, 2)) << "it hears whom it names";
+  EXPECT_TRUE(lab.talk(0).wait_until("status", [](const auto& lines) {
+    return lines.size() == 1 && field(lines[0], "participants") == "3" && field(lines[0], "unheard_by").empty();
+  }));
 }
 
 TEST(Team, KeepsGroupsApart) {

@@ -29,7 +29,10 @@ shell::Table table_of_participants(const std::vector<Record>& records) {
     shown.add({std::string(record["id"]), std::string(record["name"]), std::string(record["addresses"]),
                shell::duration_words(record["heard"]), shell::duration_words(record["interval"]), loss,
                std::string(record["publications"]), std::string(record["subscriptions"]),
-               std::string(record["ontology"]), is_self ? "(this host)" : " "});
+               std::string(record["ontology"]),
+               is_self                     ? "(this host)"
+               : record["hears_us"] == "0" ? "(does not hear us)"
+                                           : " "});
   }
   return shown;
 }

@@ -98,6 +98,7 @@ struct Neighbour {
   double loss = 0;  ///< of the best path
   std::size_t publications = 0;
   std::size_t subscriptions = 0;
+  bool is_deaf = false;      ///< it says that it has not heard us for long, though we hear it
   bool is_complete = false;  ///< all parts of its newest revision were heard
 };
 

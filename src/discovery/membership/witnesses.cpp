@@ -60,7 +60,9 @@ void Witnesses::add(ParticipantId id, announcement::BootNonce boot) {
   settle();
   const auto place = static_cast<std::ptrdiff_t>(place_of(id));
   ids_.insert(ids_.begin() + place, id);
-  others_.insert(others_.begin() + place, Member{boot, {}, {}, {}, 0, {}, {}});
+  Member member;
+  member.boot = boot;
+  others_.insert(others_.begin() + place, member);
   others_fold_ ^= fold_of(id, boot);
   begin_anew();
 }
@@ -130,7 +132,32 @@ bool Witnesses::misses_us(const announcement::Announcement& presence, Instant si
   return within == HeardWithin::longer && heard_us < since;
 }
 
+void Witnesses::hear_of_us(const announcement::Announcement& presence, Instant now) {
+  const auto place = place_of(presence.participant);
+  if (!is_at(place, presence.participant) || presence.witness.heard.octets().empty()) return;
+  Member& member = others_[place];
+  // It knows all whom we know and not us, or nobody but itself. Whether others know us they do not say.
+  const std::uint16_t known_to_it = presence.witness.members;
+  const bool is_deaf = is_of_same(presence.witness)
+                           ? presence.witness.heard[own_place_] == HeardWithin::longer
+                           : known_to_it == static_cast<std::uint16_t>(others_fold_) ||
+                                 known_to_it == static_cast<std::uint16_t>(fold_of(presence.participant, member.boot));
+  if (!is_deaf) {
+    member.deaf_since = member.deaf_until = base::never;
+    return;
+  }
+  if (member.deaf_since == base::never) member.deaf_since = now;
+  member.deaf_until = now;
+}
+
+bool Witnesses::is_deaf_to_us(ParticipantId id) const {
+  const auto place = place_of(id);
+  if (!is_at(place, id) || others_[place].deaf_since == base::never) return false;
+  return others_[place].deaf_until - others_[place].deaf_since >= deaf_intervals * others_[place].interval;
+}
+
 bool Witnesses::hear(const announcement::Announcement& presence, Instant now) {
+  hear_of_us(presence, now);
   if (!is_of_same(presence.witness)) return false;
   words_[next_word_++ % words_.size()] = {presence.participant, now};
   if (pending_.is_full()) settle();

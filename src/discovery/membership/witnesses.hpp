@@ -13,6 +13,10 @@
 
 namespace geminga::membership {
 
+/// Who says for so many of its intervals that it has not heard us is deaf to us: at 50 % loss one in thirty says so by
+/// chance, at 30 % one in four hundred.
+inline constexpr int deaf_intervals = 4;
+
 /// The words of witnesses name nobody: both sides must know the same participants, which a fold of them shows
 /// (ANNOUNCEMENT.md, "Witnesses"). A word of thousands is copied, and touches nobody's record: what was said of
 /// somebody is looked up when its deadline comes.
@@ -40,6 +44,8 @@ class Witnesses {
                                base::Instant now);
   /// Takes in what somebody known says of them; whether it speaks of the same ones.
   bool hear(const announcement::Announcement& presence, base::Instant now);
+  /// Whether somebody known, whom we hear, has said for deaf_intervals of its own that it does not hear us.
+  [[nodiscard]] bool is_deaf_to_us(ParticipantId id) const;
   /// The latest instant at or after which somebody else has heard it; the beginning of time: nobody said so.
   [[nodiscard]] base::Instant seen(ParticipantId id) const;
   /// How many words of others than itself were heard within `interval`, or within the one before it where that is more;
@@ -55,6 +61,9 @@ class Witnesses {
     std::uint16_t said_fold = 0;   ///< of those that it knows
     base::Instant fold_changed{};  ///< when it first said so
     base::Instant heard_us{};      ///< it has, then or later
+    /// When it began to say that it has not heard us, and when it last said so; never: it does not.
+    base::Instant deaf_since = base::never;
+    base::Instant deaf_until = base::never;
   };
   struct Word {
     ParticipantId from{};
@@ -73,6 +82,8 @@ class Witnesses {
   /// The others are not the same ones any more.
   void begin_anew();
   [[nodiscard]] std::uint16_t fold() const;
+  /// Takes in what somebody known says of us.
+  void hear_of_us(const announcement::Announcement& presence, base::Instant now);
 
   ParticipantId self_{};
   std::uint64_t self_fold_ = 0;

@@ -124,5 +124,54 @@ TEST(Witnesses, TakeNothingBack) {
   EXPECT_EQ(ours.seen(ParticipantId{3}), now - milliseconds(500));
 }
 
+/// What `ours` makes of it when a robot says each interval, from `begin` on, that it heard us that long ago.
+void say_of_us(Witnesses& ours, Witnesses& theirs, base::Instant begin, base::Instant end, base::Duration age) {
+  for (base::Instant at = begin; at <= end; at += seconds(2)) {
+    theirs.update(ParticipantId{1}, at - age, seconds(2));
+    announcement::Announcement presence;
+    presence.participant = ParticipantId{2};
+    presence.witness = theirs.say(at);
+    (void)ours.hear(presence, at);
+  }
+}
+
+TEST(Witnesses, KnowWhoIsDeafToUsAfterFourIntervals) {
+  auto ours = member_of(3, 1, now);
+  auto theirs = member_of(3, 2, now);
+  say_of_us(ours, theirs, now, now + seconds(20), milliseconds(100));
+  EXPECT_FALSE(ours.is_deaf_to_us(ParticipantId{2}));
+  say_of_us(ours, theirs, now + seconds(22), now + seconds(28), seconds(5));
+  EXPECT_FALSE(ours.is_deaf_to_us(ParticipantId{2})) << "three intervals may be loss";
+  say_of_us(ours, theirs, now + seconds(30), now + seconds(30), seconds(5));
+  EXPECT_TRUE(ours.is_deaf_to_us(ParticipantId{2}));
+  EXPECT_FALSE(ours.is_deaf_to_us(ParticipantId{3})) << "it has said nothing";
+  EXPECT_FALSE(ours.is_deaf_to_us(ParticipantId{9}));
+  say_of_us(ours, theirs, now + seconds(32), now + seconds(32), milliseconds(100));
+  EXPECT_FALSE(ours.is_deaf_to_us(ParticipantId{2})) << "one word is enough to be heard again";
+}
+
+TEST(Witnesses, KnowWhoIsDeafToUsThoughItDoesNotKnowUs) {
+  auto ours = member_of(3, 1, now);
+  Witnesses theirs;
+  theirs.set_self(ParticipantId{2}, BootNonce{2});
+  theirs.add(ParticipantId{3}, BootNonce{3});
+  for (int i = 0; i <= 4; ++i) {
+    EXPECT_FALSE(ours.is_deaf_to_us(ParticipantId{2}));
+    EXPECT_FALSE(ours.hear(presence_of(2, theirs), now + i * seconds(2)));
+  }
+  EXPECT_TRUE(ours.is_deaf_to_us(ParticipantId{2}));
+  theirs.add(ParticipantId{4}, BootNonce{4});
+  EXPECT_FALSE(ours.hear(presence_of(2, theirs), now + seconds(10)));
+  EXPECT_FALSE(ours.is_deaf_to_us(ParticipantId{2})) << "who knows others says nothing of us";
+}
+
+TEST(Witnesses, KnowWhoIsDeafToUsSinceItKnowsNobody) {
+  auto ours = member_of(5, 1, now);
+  Witnesses theirs;
+  theirs.set_self(ParticipantId{2}, BootNonce{2});
+  for (int i = 0; i <= 4; ++i) (void)ours.hear(presence_of(2, theirs), now + i * seconds(2));
+  EXPECT_TRUE(ours.is_deaf_to_us(ParticipantId{2}));
+}
+
 }  // namespace
 }  // namespace geminga::membership

@@ -56,6 +56,7 @@ Line line_of(const Core& core, const membership::Neighbour& neighbour) {
   append(line, "publications", neighbour.publications);
   append(line, "subscriptions", neighbour.subscriptions);
   append_flag(line, "self", false);
+  if (neighbour.is_deaf) append_flag(line, "hears_us", false);
   return line;
 }
 

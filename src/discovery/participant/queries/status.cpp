@@ -72,6 +72,13 @@ void append_contest(Line& line, const Core& core) {
   append(line, "contested_from", core.contest.from());
 }
 
+/// How many say that they do not hear us, though we hear them.
+void append_deaf(Line& line, const Core& core) {
+  std::size_t deaf = 0;
+  core.neighbours.for_each([&](const membership::Neighbour& one) { deaf += one.is_deaf ? 1 : 0; });
+  if (deaf != 0) append(line, "unheard_by", deaf);
+}
+
 }  // namespace
 
 Answered answer(Core& core, const gcnp::QueryStatus&) {
@@ -101,6 +108,7 @@ Answered answer(Core& core, const gcnp::QueryStatus&) {
   append_counters(line, core.counters);
   append_ontology_state(line, core);
   append_contest(line, core);
+  append_deaf(line, core);
   append_sealing(line, core.seal);
   const Expressions::Counts& expressions = core.expressions.counts();
   if (expressions.classified != 0) append(line, "expressions_classified", expressions.classified);
