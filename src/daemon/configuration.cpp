@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 #include "base/text.hpp"
 #include "discovery/announcement/announceable.hpp"
@@ -16,6 +17,8 @@ namespace geminga::daemon {
 namespace {
 
 constexpr std::uint16_t default_port = 4717;
+/// Instead of a host: whoever has the team's key.
+constexpr std::string_view any_peer = "*";
 constexpr std::array<std::pair<std::string_view, base::LogLevel>, 4> log_levels{{{"debug", base::LogLevel::debug},
                                                                                  {"info", base::LogLevel::info},
                                                                                  {"warning", base::LogLevel::warning},
@@ -48,6 +51,7 @@ class Resolver {
     read_gcnp();
     read_air();
     read_sealing();
+    admit_guests();
     read_interval();
     read_logging();
     if (!errors_.empty()) return std::unexpected(std::move(errors_));
@@ -188,6 +192,10 @@ class Resolver {
       }
     }
     for (const Stated& text : list("peer", env::max_unicast_peers)) {
+      if (text.text == any_peer) {
+        any_peer_ = text;
+        continue;
+      }
       const auto peer = env::parse_host_port(text.text, air.port);
       if (!peer) {
         fail(text, peer.error());
@@ -237,6 +245,15 @@ class Resolver {
     }
   }
 
+  /// Where only what is sealed is heard, who has the key need not be named.
+  void admit_guests() {
+    const bool is_sealed = result_.sealing.mode >= sealing::Mode::authenticated;
+    result_.admits_any_peer = any_peer_.has_value();
+    result_.air.admits_guests = is_sealed && (any_peer_ || !result_.air.peers.empty());
+    if (!any_peer_ || is_sealed) return;
+    fail(*any_peer_, "'*' admits whoever has the team's key: give --key-file, and no --sealing but authenticated");
+  }
+
   void read_interval() {
     const Stated* text = single("interval");
     if (text == nullptr) return;
@@ -271,6 +288,7 @@ class Resolver {
 
   const std::vector<const Layer*>& layers_;
   Configuration result_;
+  std::optional<Stated> any_peer_;
   std::vector<std::string> errors_;
 };
 
@@ -315,6 +333,7 @@ std::string to_toml(const Configuration& configuration) {
   for (const GcnpAddress& address : configuration.gcnp) gcnp.push_back(env::to_string(address.endpoint));
   std::vector<std::string> peers;
   for (const env::HostPort& peer : configuration.air.peers) peers.push_back(env::to_string(peer));
+  if (configuration.admits_any_peer) peers.emplace_back(any_peer);
   const auto milliseconds = std::chrono::duration_cast<std::chrono::milliseconds>(configuration.interval).count();
   const std::string fraction = std::to_string(1000 + milliseconds % 1000).substr(1);
   std::string text;

@@ -336,6 +336,10 @@ class Daemon::State final : private env::EventSink {
     append("dropped_no_peer", dropped.no_peer);
     append("dropped_wrong_way", dropped.wrong_way);
     append("dropped_overrun", dropped.overrun);
+    const env::UnicastCounts unicast = env_.unicast_counts();
+    append("peers_named", unicast.named);
+    append("peers_silent", unicast.silent);
+    append("peers_unnamed", unicast.guests);
     if (!configuration_failure_.empty()) line.push_back({"configuration_failed", configuration_failure_});
     return line;
   }

@@ -34,7 +34,8 @@ inline constexpr std::array<Key, 16> keys{{
      "Use only this network interface; may be given many times. The loopback is used only when named: --interface lo",
      ""},
     {"peer", Kind::texts, "HOST[:PORT]",
-     "Send copies to this host, where multicast does not pass; the other side names us too. May be given many times",
+     "Send copies to this host, where multicast does not pass; without a team key the other side names us, too. '*': "
+     "speak with whoever has the key. May be given many times",
      ""},
     {"name", Kind::text, "NAME", "What the team calls this participant (default: the host's name)", ""},
     {"gcnp", Kind::texts, "ADDRESS:PORT",

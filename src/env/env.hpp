@@ -59,6 +59,13 @@ class Env {
   /// Multicasts one datagram on one interface. What cannot be sent is lost, like anything on the air.
   virtual void send(InterfaceIndex interface, std::span<const std::byte> datagram) = 0;
 
+  /// Within the event of a datagram: whether it came to us alone from somebody whom nobody has named (--peer). All
+  /// others hear us anyway.
+  [[nodiscard]] virtual bool is_sender_unnamed() const { return false; }
+  /// Then: he is sent copies of what goes out for this long, or, where that is 0, of one datagram which is not much
+  /// larger than his. For all others it does nothing.
+  virtual void answer_sender(base::Duration time) { (void)time; }
+
   /// Queues bytes to a client. Who writes looks at unsent(): a client for which far too much waits is closed by the
   /// world, and on_stream_closed() says so.
   virtual void write(StreamId stream, std::string_view bytes) = 0;

@@ -95,6 +95,7 @@ TEST(Configuration, RefusesAWrongValueWithItsPlace) {
       {{"multicast", "192.0.2.1"}, "is no multicast group"},
       {{"multicast", "x"}, "is no IP address"},
       {{"peer", "239.1.1.1"}, "use --multicast"},
+      {{"peer", "*"}, "whoever has the team's key"},
       {{"peer", "a b"}, "neither an IP address nor a host name"},
       {{"interface", ""}, "is no name of an interface"},
       {{"interface", "sixteen-octets-x"}, "is no name of an interface"},
@@ -159,6 +160,21 @@ TEST(Configuration, HasAMostOfEveryList) {
 
 TEST(Configuration, SaysEverythingThatIsWrongAtOnce) {
   EXPECT_THAT(resolved(layer_of({{"port", "x"}, {"interval", "y"}, {"log-level", "z"}})).error(), SizeIs(3));
+}
+
+TEST(Configuration, AdmitsUnnamedPeersOnlyWhereAllIsSealedAndSomePeerIsNamed) {
+  const auto admits = [](const std::vector<std::pair<std::string, std::string>>& values) {
+    const auto result = resolved(layer_of(values));
+    return result && result->air.admits_guests;
+  };
+  EXPECT_TRUE(admits({{"peer", "*"}, {"key-file", "/k"}}));
+  EXPECT_TRUE(admits({{"peer", "robot2"}, {"key-file", "/k"}}));
+  EXPECT_TRUE(admits({{"peer", "robot2"}, {"key-file", "/k"}, {"sealing", "authenticated"}}));
+  EXPECT_FALSE(admits({{"peer", "robot2"}, {"key-file", "/k"}, {"sealing", "mixed"}}));
+  EXPECT_FALSE(admits({{"peer", "robot2"}}));
+  EXPECT_FALSE(admits({{"key-file", "/k"}}));
+  EXPECT_FALSE(resolved(layer_of({{"peer", "*"}, {"key-file", "/k"}, {"sealing", "mixed"}})));
+  EXPECT_THAT(to_toml(*resolved(layer_of({{"peer", "*"}, {"key-file", "/k"}}))), testing::HasSubstr("peer = [\"*\"]"));
 }
 
 TEST(Configuration, PrintedAsTomlConfiguresTheSame) {

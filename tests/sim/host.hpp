@@ -36,6 +36,10 @@ class Host final : public env::Env {
   base::Duration preparing_takes{};
   /// What it has written into its log.
   std::vector<std::string> logged;
+  /// Whether all that it hears came to it alone, from hosts that it has not named.
+  bool hears_strangers_alone = false;
+  /// For how long it wished to answer each of these that it wished to answer.
+  std::vector<base::Duration> answered;
   /// The identifiers that random_bits() gives first, to bring about a clash.
   std::vector<std::uint64_t> forced_bits;
 
@@ -112,6 +116,10 @@ class Host final : public env::Env {
   [[nodiscard]] std::uint64_t random_bits() override;
   [[nodiscard]] const std::vector<env::Interface>& interfaces() const override { return interfaces_; }
   void send(env::InterfaceIndex interface, std::span<const std::byte> datagram) override;
+  [[nodiscard]] bool is_sender_unnamed() const override { return hears_strangers_alone; }
+  void answer_sender(base::Duration time) override {
+    if (hears_strangers_alone) answered.push_back(time);
+  }
   void write(env::StreamId stream, std::string_view bytes) override;
   [[nodiscard]] std::size_t unsent(env::StreamId stream) const override;
   void want(env::StreamId stream, bool is_wanted) override;

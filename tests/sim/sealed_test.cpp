@@ -287,5 +287,29 @@ TEST(Sealed, TeamsOfOtherKeysOnOneLinkDoNotSeeEachOther) {
   EXPECT_THAT(team.ask(team.host(3), "participants"), testing::SizeIs(2));
 }
 
+TEST(SealedTeam, AnswersWhoeverHasTheKeyAndForLongOnlyWhoHasProvedItself) {
+  Sealed robots(41, 2, 0, policy(Mode::encrypted, {1}));
+  robots.host(0).hears_strangers_alone = true;
+  robots.start_together();
+  const std::vector<base::Duration>& answered = robots.host(0).answered;
+  ASSERT_GE(answered.size(), 2U);
+  EXPECT_EQ(answered.front(), base::Duration(0)) << "it has proved nothing, and is to hear what it is asked";
+  EXPECT_EQ(answered.back(), seconds(10)) << "as long as it may live";
+  robots.world.run_for(seconds(2));
+  const auto before = answered.size();
+  robots.world.inject("10.0.0.77", "G no seal at all that would open by any key of the team");
+  robots.world.inject("10.0.0.77", "plain");
+  robots.world.run_for(milliseconds(1));
+  EXPECT_EQ(answered.size(), before);
+}
+
+TEST(SealedTeam, WithoutKeysNobodyIsAnsweredAlone) {
+  Robots robots(World::seed_or(42), 3, {});
+  for (const auto& host : robots.world.hosts()) host->hears_strangers_alone = true;
+  robots.start();
+  robots.world.run_for(seconds(10));
+  for (const auto& host : robots.world.hosts()) EXPECT_TRUE(host->answered.empty());
+}
+
 }  // namespace
 }  // namespace geminga::sim

@@ -132,5 +132,68 @@ TEST(Sealed, DaemonsRefuseAKeyThatOthersCanRead) {
   EXPECT_THAT(good.said, AllOf(HasSubstr("key-file = [\"" + key + "\"]\n"), HasSubstr("sealing = \"mixed\"\n")));
 }
 
+/// Two daemons that no multicast joins: other groups and other ports.
+std::vector<std::string> apart(const Lab& lab, std::size_t host, const Folder& folder) {
+  return {"--interval",  "0.1",
+          "--key-file",  folder.path("team.key"),
+          "--port",      std::to_string(lab.udp_port() + 1 + static_cast<int>(host)),
+          "--multicast", "239.192.47.2" + std::to_string(host)};
+}
+
+TEST(Sealed, OneSideThatNamesTheOtherIsEnoughWhereMulticastDoesNotPass) {
+  const Folder folder;
+  make_key(folder.path("team.key"));
+  make_key(folder.path("other.key"));
+  Lab lab(3);
+  auto base = apart(lab, 0, folder);
+  base.insert(base.end(), {"--peer", "*"});
+  lab.start(0, base);
+  const std::string at = lab.address_of(0) + ':' + std::to_string(lab.udp_port() + 1);
+  auto robot = apart(lab, 1, folder);
+  robot.insert(robot.end(), {"--peer", at});
+  lab.start(1, robot);
+  lab.start(2, {"--interval", "0.1", "--key-file", folder.path("other.key"), "--port",
+                std::to_string(lab.udp_port() + 3), "--multicast", "239.192.47.22", "--peer", at});
+  for (const std::size_t host : {0U, 1U}) ASSERT_TRUE(lab.wait_for_participants(host, 2)) << lab.way();
+  Talk consumer = lab.talk(1);
+  consumer.say("1 sub create mode=otm/stream id=5");
+  Talk provider = lab.talk(0);
+  provider.say("1 pub create mode=otm/stream id=5 port=5000");
+  EXPECT_TRUE(consumer.line_with({"1 pub add"}));
+  const auto status = provider.query("status");
+  ASSERT_EQ(status.size(), 1U);
+  EXPECT_EQ(field(status[0], "peers_unnamed"), "1") << status[0];
+  EXPECT_TRUE(lab.wait_for_participants(2, 1)) << "who has another key is nobody's guest";
+}
+
+TEST(Sealed, APeerThatMovesIsHeardFromWhereItIsNow) {
+  const Folder folder;
+  make_key(folder.path("team.key"));
+  Lab lab(2);
+  if (!lab.has_namespaces()) GTEST_SKIP() << "the loopback interface keeps its address";
+  for (const std::size_t host : {0U, 1U}) {
+    auto flags = apart(lab, host, folder);
+    const std::size_t other = 1 - host;
+    flags.insert(flags.end(),
+                 {"--peer", lab.address_of(other) + ':' + std::to_string(lab.udp_port() + 1 + int(other))});
+    lab.start(host, flags);
+  }
+  for (const std::size_t host : {0U, 1U}) ASSERT_TRUE(lab.wait_for_participants(host, 2)) << lab.way();
+  Talk consumer = lab.talk(0);
+  consumer.say("1 sub create mode=otm/stream id=5");
+  Talk provider = lab.talk(1);
+  provider.say("1 pub create mode=otm/stream id=5 port=5000");
+  ASSERT_TRUE(consumer.line_with({"1 pub add"}));
+  for (const auto& words : {std::vector<std::string>{"flush", "dev", "wlan0"},
+                            std::vector<std::string>{"add", "10.47.17.99/24", "dev", "wlan0"}}) {
+    std::vector<std::string> line{"/bin/ip", "-4", "address"};
+    line.insert(line.end(), words.begin(), words.end());
+    ASSERT_EQ(run(lab.on(1, line)).status, 0);
+  }
+  const auto moved = consumer.line_with({"1 pub modify", "address=10.47.17.99"});
+  EXPECT_TRUE(moved) << "though nobody has named it there";
+  EXPECT_TRUE(lab.wait_for_participants(1, 2));
+}
+
 }  // namespace
 }  // namespace geminga::system

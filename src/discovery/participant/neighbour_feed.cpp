@@ -68,14 +68,19 @@ void return_next(Core& core) {
   return_one(core, *session->second, number);
 }
 
-/// Who speaks IPv6 alone is spoken to for as long as he may live.
-void hear_on_twin(Core& core, const announcement::Announcement& announcement, const env::Interface& on,
-                  membership::Hearing hearing) {
+/// Who would not hear us otherwise is spoken to for as long as he may live: who speaks IPv6 alone, and who has proved
+/// that he is of the team and sends to us alone.
+void speak_to(Core& core, const announcement::Announcement& announcement, const env::Interface& on,
+              membership::Hearing hearing, bool is_sealed) {
   using membership::Hearing;
-  if (!on.twin_of || hearing == Hearing::own || hearing == Hearing::clash || hearing == Hearing::other_group) return;
+  if (hearing == Hearing::own || hearing == Hearing::clash || hearing == Hearing::other_group) return;
+  const bool is_guest = is_sealed && core.env.is_sender_unnamed();
+  if (!on.twin_of && !is_guest) return;
   const auto known = core.neighbours.find(announcement.participant);
-  const base::Duration interval = std::max(known ? known->interval : base::Duration(0), core.settings.interval);
-  core.twins.hear(announcement, on, core.env.now() + announcement::contest_intervals * interval);
+  const base::Duration time =
+      announcement::contest_intervals * std::max(known ? known->interval : base::Duration(0), core.settings.interval);
+  core.twins.hear(announcement, on, core.env.now() + time);
+  if (is_guest && announcement.kind != announcement::Kind::goodbye) core.env.answer_sender(time);
 }
 
 void feed_next(Core& core) {
@@ -121,6 +126,8 @@ Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceInde
   if (!opened) {
     if (opened.error() == sealing::Rejection::own)
       ++core.counters.hearings.at(std::to_underlying(membership::Hearing::own));
+    // He has to hear what he is asked.
+    if (opened.error() == sealing::Rejection::unproved) core.env.answer_sender(base::Duration(0));
     return Announcer::Consequence::nothing;
   }
   const announcement::Announcement& announcement = core.heard;
@@ -139,7 +146,7 @@ Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceInde
   const membership::Hearing hearing = core.neighbours.hear(
       announcement, {.interface = interface, .interface_name = on->name, .source = source, .now = core.env.now()});
   ++core.counters.hearings.at(std::to_underlying(hearing));
-  hear_on_twin(core, announcement, *on, hearing);
+  speak_to(core, announcement, *on, hearing, opened->session.has_value());
   feed(core);
   if (core.expressions.take_waiting(core.vocabulary(), core.env.now())) core.ontology_change.place_again();
   return announcer.heard(

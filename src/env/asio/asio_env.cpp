@@ -74,9 +74,9 @@ class AsioEnv::State {
     links_.clear();
     problems_.clear();
     unicast_.reset();
-    if (!settings_.peers.empty()) {
+    if (!settings_.peers.empty() || settings_.admits_guests) {
       unicast_ = std::make_unique<Unicast>(
-          context_, settings_.peers, settings_.port, log_, air_counts_,
+          context_, settings_.peers, settings_.admits_guests, settings_.port, log_, air_counts_,
           [this](InterfaceIndex interface, const address& source, std::span<const std::byte> datagram) {
             receive(interface, source, datagram);
           });
@@ -103,6 +103,12 @@ class AsioEnv::State {
     }
     if (unicast_) unicast_->send(interface, datagram);
   }
+
+  [[nodiscard]] bool is_sender_unnamed() const { return unicast_ && unicast_->is_sender_unnamed(); }
+  void answer_sender(base::Duration time) {
+    if (unicast_) unicast_->answer_sender(time);
+  }
+  [[nodiscard]] UnicastCounts unicast_counts() const { return unicast_ ? unicast_->counts() : UnicastCounts{}; }
 
   net::io_context& context_;
   base::LogSink& log_;
@@ -252,6 +258,7 @@ void AsioEnv::serve(EventSink& sink) { state_->serve(sink); }
 void AsioEnv::stop_listening() { state_->streams_.stop_listening(); }
 void AsioEnv::event(const std::function<void()>& action) { state_->event(action); }
 const AirCounts& AsioEnv::air_counts() const { return state_->air_counts_; }
+UnicastCounts AsioEnv::unicast_counts() const { return state_->unicast_counts(); }
 bool AsioEnv::is_writing() const { return state_->streams_.is_writing(); }
 
 base::Instant AsioEnv::now() const { return state_->now_; }
@@ -268,6 +275,8 @@ std::uint64_t AsioEnv::random_bits() {
 
 const std::vector<Interface>& AsioEnv::interfaces() const { return state_->interfaces_; }
 void AsioEnv::send(InterfaceIndex interface, std::span<const std::byte> datagram) { state_->send(interface, datagram); }
+bool AsioEnv::is_sender_unnamed() const { return state_->is_sender_unnamed(); }
+void AsioEnv::answer_sender(base::Duration time) { state_->answer_sender(time); }
 void AsioEnv::write(StreamId stream, std::string_view bytes) { state_->streams_.write(stream, bytes); }
 std::size_t AsioEnv::unsent(StreamId stream) const { return state_->streams_.unsent(stream); }
 void AsioEnv::want(StreamId stream, bool is_wanted) { state_->streams_.want(stream, is_wanted); }

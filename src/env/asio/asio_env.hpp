@@ -12,6 +12,7 @@
 #include "env/asio/endpoint.hpp"
 #include "env/asio/event_sink.hpp"
 #include "env/asio/reception.hpp"
+#include "env/asio/unicast.hpp"
 #include "env/env.hpp"
 
 namespace boost::asio {
@@ -20,15 +21,14 @@ class io_context;
 
 namespace geminga::env {
 
-/// The most hosts that unicast copies go to.
-inline constexpr std::size_t max_unicast_peers = 64;
-
 /// Which interfaces, groups and hosts are spoken with.
 struct AirSettings {
   std::vector<std::string> interfaces;  ///< empty: every one that can multicast, without the loopback
   std::vector<std::string> groups;      ///< numeric multicast addresses
   std::uint16_t port = 0;
   std::vector<HostPort> peers;  ///< unicast copies go there
+  /// What others send to us alone is heard, too: all that is heard is sealed.
+  bool admits_guests = false;
   friend bool operator==(const AirSettings&, const AirSettings&) = default;
 };
 
@@ -58,6 +58,8 @@ class AsioEnv final : public Env {
   void event(const std::function<void()>& action);
   /// The datagrams that were not handed over.
   [[nodiscard]] const AirCounts& air_counts() const;
+  /// The hosts that are spoken to alone.
+  [[nodiscard]] UnicastCounts unicast_counts() const;
   /// Whether bytes for a client are still on their way.
   [[nodiscard]] bool is_writing() const;
 
@@ -66,6 +68,8 @@ class AsioEnv final : public Env {
   [[nodiscard]] std::uint64_t random_bits() override;
   [[nodiscard]] const std::vector<Interface>& interfaces() const override;
   void send(InterfaceIndex interface, std::span<const std::byte> datagram) override;
+  [[nodiscard]] bool is_sender_unnamed() const override;
+  void answer_sender(base::Duration time) override;
   void write(StreamId stream, std::string_view bytes) override;
   [[nodiscard]] std::size_t unsent(StreamId stream) const override;
   void want(StreamId stream, bool is_wanted) override;

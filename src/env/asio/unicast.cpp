@@ -13,7 +13,9 @@
 #include <string>
 
 #include "env/asio/event_sink.hpp"
+#include "env/asio/guests.hpp"
 #include "env/asio/multicast.hpp"
+#include "env/asio/named_peer.hpp"
 
 namespace geminga::env {
 namespace {
@@ -21,13 +23,6 @@ namespace {
 namespace net = boost::asio;
 using net::ip::address;
 using net::ip::udp;
-
-struct Peer {
-  HostPort name;
-  std::optional<udp::endpoint> endpoint;
-  std::optional<address> via;  // our own address on the way there; nothing: no route through an interface in use
-  std::string complaint;       // the last one, so that it is said once
-};
 
 /// Our own address on the kernel's route to the endpoint. Sends nothing.
 std::optional<address> source_towards(net::io_context& context, const udp::endpoint& endpoint) {
@@ -46,26 +41,20 @@ std::optional<address> source_towards(net::io_context& context, const udp::endpo
 
 class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
  public:
-  State(net::io_context& context, std::vector<HostPort> peers, std::uint16_t port, base::LogSink& log,
-        AirCounts& counts, Receive receive)
+  State(net::io_context& context, std::vector<HostPort> peers, bool admits_guests, std::uint16_t port,
+        base::LogSink& log, AirCounts& counts, Receive receive)
       : context_(context),
         port_(port),
+        admits_guests_(admits_guests),
         log_(log),
         counts_(counts),
         receive_(std::move(receive)),
         resolver_(context),
         timer_(context) {
-    for (HostPort& peer : peers) peers_.push_back({std::move(peer), std::nullopt, std::nullopt, {}});
+    for (HostPort& peer : peers) peers_.emplace_back(std::move(peer), Clock::now());
   }
 
-  void start() {
-    for (Peer& peer : peers_) {
-      boost::system::error_code error;
-      const address numeric = net::ip::make_address(peer.name.host, error);
-      if (!error) peer.endpoint = udp::endpoint(numeric, peer.name.port);
-    }
-    resolve_names();
-  }
+  void start() { resolve_names(); }
 
   void stop() {
     is_stopped_ = true;
@@ -95,18 +84,31 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
   }
 
   void send(InterfaceIndex interface, std::span<const std::byte> datagram) {
-    for (const Peer& peer : peers_) {
-      if (!peer.endpoint || !peer.via) continue;
-      const auto found = sockets_.find(*peer.via);
-      if (found == sockets_.end() || found->second->interface != interface) continue;
-      (void)::sendto(found->second->socket.native_handle(), datagram.data(), datagram.size(),
-                     MSG_DONTWAIT | MSG_NOSIGNAL, peer.endpoint->data(), static_cast<socklen_t>(peer.endpoint->size()));
+    for (const NamedPeer& peer : peers_) {
+      if (const Route* route = peer.route()) send(interface, *route, datagram);
     }
+    for (const Route& route : guests_.take_routes(datagram.size(), interface, Clock::now())) {
+      send(interface, route, datagram);
+    }
+  }
+
+  [[nodiscard]] bool is_sender_unnamed() const { return speaking_.has_value(); }
+  void answer_sender(base::Duration time) {
+    if (speaking_) guests_.answer(*speaking_, time, Clock::now());
+  }
+
+  [[nodiscard]] UnicastCounts counts() const {
+    UnicastCounts counts{.named = peers_.size(), .silent = 0, .guests = guests_.count(Clock::now())};
+    for (const NamedPeer& peer : peers_) {
+      if (!peer.is_ourselves() && !peer.was_heard_since(Clock::now() - peer_silence)) ++counts.silent;
+    }
+    return counts;
   }
 
  private:
   struct Socket {
     udp::socket socket;
+    address own;
     InterfaceIndex interface;
     Receiver receiver;
   };
@@ -118,7 +120,7 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
   }
 
   void open(const address& own, InterfaceIndex interface) {
-    auto socket = std::make_shared<Socket>(udp::socket(context_), interface, Receiver());
+    auto socket = std::make_shared<Socket>(udp::socket(context_), own, interface, Receiver());
     boost::system::error_code error;
     socket->socket.open(own.is_v4() ? udp::v4() : udp::v6(), error);
     if (!error && own.is_v6()) socket->socket.set_option(net::ip::v6_only(true), error);
@@ -146,6 +148,14 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
                               });
   }
 
+  void send(InterfaceIndex interface, const Route& route, std::span<const std::byte> datagram) {
+    if (!route.via) return;
+    const auto found = sockets_.find(*route.via);
+    if (found == sockets_.end() || found->second->interface != interface) return;
+    (void)::sendto(found->second->socket.native_handle(), datagram.data(), datagram.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
+                   route.to.data(), static_cast<socklen_t>(route.to.size()));
+  }
+
   void drain(Socket& socket) {
     std::array<std::byte, max_datagram_bytes + 1> buffer;
     for (int turn = 0; turn < max_datagrams_per_turn && !is_stopped_; ++turn) {
@@ -153,111 +163,108 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
       if (!reception && errno == ECONNREFUSED) continue;  // a peer that is not there yet
       if (!reception) return;
       const address from = reception->from.address();
-      const auto peer = std::ranges::find_if(
-          peers_, [&](const Peer& each) { return each.endpoint && each.endpoint->address() == from; });
-      if (peer == peers_.end()) {
-        ++counts_.no_peer;
-      } else if (!can_come_in(*peer, InterfaceIndex{reception->interface})) {
-        ++counts_.wrong_way;
+      const auto peer = std::ranges::find_if(peers_, [&](const NamedPeer& each) { return each.is_at(from); });
+      const bool is_named = peer != peers_.end() && can_come_in(*peer, from, InterfaceIndex{reception->interface});
+      if (is_named) {
+        peer->heard_from(from, Clock::now());
+      } else if (!admits_guests_) {
+        ++(peer == peers_.end() ? counts_.no_peer : counts_.wrong_way);
+        continue;
       } else {
-        receive_(socket.interface, from, std::span(buffer).first(reception->size));
+        speaking_ = Guests::Sender{
+            .to = reception->from, .via = socket.own, .interface = socket.interface, .octets = reception->size};
       }
+      receive_(socket.interface, from, std::span(buffer).first(reception->size));
+      speaking_.reset();
     }
   }
 
-  /// Whether what this peer sends can come in on that interface.
-  [[nodiscard]] bool can_come_in(const Peer& peer, InterfaceIndex interface) const {
-    const address& from = peer.endpoint->address();
+  /// Whether what this peer sends from one of its addresses can come in on that interface.
+  [[nodiscard]] bool can_come_in(const NamedPeer& peer, const address& from, InterfaceIndex interface) const {
     // Another daemon of this host: the kernel lets nothing in from outside that has an address of ours as its source.
     if (sockets_.contains(from)) return true;
-    const auto way = peer.via ? sockets_.find(*peer.via) : sockets_.end();
+    const auto via = peer.via(from);
+    const auto way = via ? sockets_.find(*via) : sockets_.end();
     if (way != sockets_.end() && way->second->interface == interface) return true;
     return std::ranges::any_of(
         links_, [&](const Link& link) { return link.interface.index == interface && link.has_network_of(from); });
   }
 
   void find_routes() {
-    for (Peer& peer : peers_) {
-      peer.via.reset();
-      if (!peer.endpoint) continue;
-      const auto source = source_towards(context_, *peer.endpoint);
-      const bool is_self = source == peer.endpoint->address() && peer.endpoint->port() == port_;
-      if (source && !is_self && sockets_.contains(*source)) peer.via = source;
-      const bool is_mute = !peer.via && !is_self;
+    for (NamedPeer& peer : peers_) {
+      peer.find_routes(port_, [&](const udp::endpoint& to) -> std::optional<address> {
+        const auto source = source_towards(context_, to);
+        return source && sockets_.contains(*source) ? source : std::nullopt;
+      });
+      const bool is_mute = peer.is_resolved() && !peer.is_ourselves() && !(peer.route() && peer.route()->via);
+      if (!peer.is_resolved()) continue;
       say(base::LogLevel::warning, peer.complaint,
-          is_mute ? "peer " + to_string(peer.name) + ": no route through an interface in use" : "");
+          is_mute ? "peer " + to_string(peer.name()) + ": no route through an interface in use" : "");
     }
   }
 
-  /// Resolves one name after the other, then waits. Names alone cost a thread (of the resolver).
+  /// Resolves the names that are due, one after the other, then waits. Names alone cost a thread (of the resolver).
   void resolve_names(std::size_t number = 0) {
-    const auto is_name = [](const Peer& peer) {
-      boost::system::error_code error;
-      net::ip::make_address(peer.name.host, error);
-      return static_cast<bool>(error);
-    };
-    while (number < peers_.size() && !is_name(peers_[number])) ++number;
+    while (number < peers_.size() && !peers_[number].is_due(Clock::now())) ++number;
     if (number == peers_.size()) return wait_and_resolve();
-    resolver_.async_resolve(peers_[number].name.host, "", net::ip::resolver_base::flags{},
+    resolver_.async_resolve(peers_[number].name().host, "", net::ip::resolver_base::flags{},
                             [self = shared_from_this(), number](const boost::system::error_code& error,
                                                                 const udp::resolver::results_type& results) {
                               if (self->is_stopped_) return;
                               self->take(self->peers_[number], error, results);
                               self->resolve_names(number + 1);
                             });
-    has_names_ = true;
   }
 
   void wait_and_resolve() {
-    if (!has_names_) return;
-    const bool is_complete = std::ranges::all_of(peers_, [](const Peer& peer) { return peer.endpoint.has_value(); });
-    timer_.expires_after(is_complete ? resolve_refresh : resolve_retry);
+    if (std::ranges::none_of(peers_, &NamedPeer::is_by_name)) return;
+    timer_.expires_after(resolve_retry);
     timer_.async_wait([self = shared_from_this()](const boost::system::error_code& error) {
       if (!error && !self->is_stopped_) self->resolve_names();
     });
   }
 
-  /// Takes the first IPv4 address, else the first; a name that resolves no more keeps its last address.
-  void take(Peer& peer, const boost::system::error_code& error, const udp::resolver::results_type& results) {
-    if (error || results.empty()) {
+  void take(NamedPeer& peer, const boost::system::error_code& error, const udp::resolver::results_type& results) {
+    std::vector<address> found;
+    if (!error)
+      std::ranges::transform(results, std::back_inserter(found),
+                             [](const auto& one) { return one.endpoint().address(); });
+    peer.take(found, Clock::now());
+    if (found.empty()) {
       say(base::LogLevel::warning, peer.complaint,
-          "peer " + to_string(peer.name) + " cannot be resolved: " + error.message() + ": will try again");
+          "peer " + to_string(peer.name()) + " cannot be resolved: " + error.message() + ": will try again");
       return;
     }
-    peer.complaint.clear();
-    udp::endpoint chosen = results.begin()->endpoint();
-    for (const auto& result : results) {
-      if (!result.endpoint().address().is_v4()) continue;
-      chosen = result.endpoint();
-      break;
-    }
-    chosen.port(peer.name.port);
-    peer.endpoint = chosen;
     find_routes();
   }
 
   net::io_context& context_;
   std::uint16_t port_;
+  bool admits_guests_;
   base::LogSink& log_;
   AirCounts& counts_;
   Receive receive_;
   udp::resolver resolver_;
   net::steady_timer timer_;
-  std::vector<Peer> peers_;
+  std::vector<NamedPeer> peers_;
+  Guests guests_;
+  std::optional<Guests::Sender> speaking_;  ///< who has sent what is being handed over, where nobody names him
   std::vector<Link> links_;
   std::map<address, std::shared_ptr<Socket>> sockets_;  // by our own address
   std::map<address, std::string> complaints_;
-  bool has_names_ = false;
   bool is_stopped_ = false;
 };
 
-Unicast::Unicast(net::io_context& context, std::vector<HostPort> peers, std::uint16_t port, base::LogSink& log,
-                 AirCounts& counts, Receive receive)
-    : state_(std::make_shared<State>(context, std::move(peers), port, log, counts, std::move(receive))) {
+Unicast::Unicast(net::io_context& context, std::vector<HostPort> peers, bool admits_guests, std::uint16_t port,
+                 base::LogSink& log, AirCounts& counts, Receive receive)
+    : state_(std::make_shared<State>(context, std::move(peers), admits_guests, port, log, counts, std::move(receive))) {
   state_->start();
 }
 Unicast::~Unicast() { state_->stop(); }
 void Unicast::set_links(const std::vector<Link>& links) { state_->set_links(links); }
+bool Unicast::is_sender_unnamed() const { return state_->is_sender_unnamed(); }
+void Unicast::answer_sender(base::Duration time) { state_->answer_sender(time); }
+UnicastCounts Unicast::counts() const { return state_->counts(); }
 void Unicast::send(InterfaceIndex interface, std::span<const std::byte> datagram) { state_->send(interface, datagram); }
 
 }  // namespace geminga::env

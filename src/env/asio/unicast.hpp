@@ -18,9 +18,15 @@
 
 namespace geminga::env {
 
-/// Between two attempts to resolve a name that could not be resolved, and between two looks at one that could.
-inline constexpr std::chrono::seconds resolve_retry{5};
-inline constexpr std::chrono::seconds resolve_refresh{300};
+/// The most hosts that are named.
+inline constexpr std::size_t max_unicast_peers = 64;
+
+/// Hosts that are spoken to alone.
+struct UnicastCounts {
+  std::size_t named = 0;   ///< by --peer
+  std::size_t silent = 0;  ///< those of them that were not heard for peer_silence
+  std::size_t guests = 0;  ///< that nobody named, and who have the team's key
+};
 
 /// The unicast side of all interfaces. One socket an own address, bound to that address and the UDP port, without
 /// address sharing: a second daemon of this host cannot steal our datagrams (it is told that the address is in use),
@@ -29,15 +35,16 @@ inline constexpr std::chrono::seconds resolve_refresh{300};
 /// addresses that are valid on the way there. Only datagrams from the peers' own addresses are taken, and only where
 /// the peer can be: on the interface that the route to it leads through, or on one whose network it is in. So a spoofed
 /// source from another network says nothing in a peer's name, whatever the kernel's rp_filter lets pass. Both sides
-/// name each other.
+/// name each other. Where guests are admitted (env/asio/guests.hpp) what comes from elsewhere is handed over, too,
+/// since the receiver judges it by its seal, and one side that names the other is enough.
 class Unicast {
  public:
   using Receive = std::function<void(InterfaceIndex interface, const boost::asio::ip::address& source,
                                      std::span<const std::byte> datagram)>;
 
   /// What is not taken is added to `counts`, which is borrowed for the life of this object.
-  Unicast(boost::asio::io_context& context, std::vector<HostPort> peers, std::uint16_t port, base::LogSink& log,
-          AirCounts& counts, Receive receive);
+  Unicast(boost::asio::io_context& context, std::vector<HostPort> peers, bool admits_guests, std::uint16_t port,
+          base::LogSink& log, AirCounts& counts, Receive receive);
   ~Unicast();
   Unicast(const Unicast&) = delete;
   Unicast& operator=(const Unicast&) = delete;
@@ -45,6 +52,10 @@ class Unicast {
   /// The interfaces as they are now; also looks at the routes again. To be called regularly.
   void set_links(const std::vector<Link>& links);
   void send(InterfaceIndex interface, std::span<const std::byte> datagram);
+  /// Env::is_sender_unnamed(), Env::answer_sender().
+  [[nodiscard]] bool is_sender_unnamed() const;
+  void answer_sender(base::Duration time);
+  [[nodiscard]] UnicastCounts counts() const;
 
  private:
   class State;

@@ -1,0 +1,52 @@
+// Hosts that nobody has named and that send to us alone, with the team's key.
+#ifndef GEMINGA_ENV_ASIO_GUESTS_HPP
+#define GEMINGA_ENV_ASIO_GUESTS_HPP
+
+#include <boost/asio/ip/udp.hpp>
+#include <cstddef>
+#include <vector>
+
+#include "base/time.hpp"
+#include "env/asio/named_peer.hpp"
+#include "env/env.hpp"
+
+namespace geminga::env {
+
+/// Who is spoken to because he has proved himself; of more the one gives way that would go first.
+inline constexpr std::size_t max_guests = 64;
+/// Who has not proved himself is answered by one datagram of at most so many times the octets of his own, so that a
+/// recording from a forged address strikes nobody harder than the recording itself; and all of them together by so many
+/// a second.
+inline constexpr std::size_t max_answer_ratio = 3;
+inline constexpr std::size_t max_answers_per_second = 32;
+
+class Guests {
+ public:
+  struct Sender {
+    boost::asio::ip::udp::endpoint to;
+    boost::asio::ip::address via;  ///< our own address that it was sent to
+    InterfaceIndex interface{};
+    std::size_t octets = 0;  ///< of its datagram
+  };
+
+  /// From now on for this long; 0: with one datagram.
+  void answer(const Sender& sender, base::Duration time, Clock::time_point now);
+  /// Where a datagram of this size goes that goes out on this interface.
+  [[nodiscard]] std::vector<Route> take_routes(std::size_t octets, InterfaceIndex interface, Clock::time_point now);
+  /// Those that have proved themselves.
+  [[nodiscard]] std::size_t count(Clock::time_point now) const;
+
+ private:
+  struct Guest {
+    Sender sender;
+    Clock::time_point until;
+  };
+  std::vector<Guest> guests_;
+  std::vector<Sender> answered_once_;
+  std::size_t answers_ = 0;     ///< since `second_`
+  Clock::time_point second_{};  ///< when the last second began
+};
+
+}  // namespace geminga::env
+
+#endif
