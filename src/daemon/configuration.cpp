@@ -107,6 +107,10 @@ class Resolver {
     if (announcement::is_valid_name(host_name)) result_.name = host_name;
     read_name("name", result_.name);
     read_name("group", result_.group);
+    if (const Stated* folder = single("state-folder")) {
+      if (folder->text.empty()) fail(*folder, "an empty path: name a folder");
+      result_.state_folder = folder->text;
+    }
   }
 
   void read_prefixes() {
@@ -347,6 +351,7 @@ std::string to_toml(const Configuration& configuration) {
   if (!configuration.gcnp_socket.empty()) text += line("gcnp-socket", quoted(configuration.gcnp_socket));
   text += line("port", std::to_string(configuration.air.port));
   text += line("multicast", quoted(configuration.air.groups));
+  if (!configuration.state_folder.empty()) text += line("state-folder", quoted(configuration.state_folder));
   text += line("key-file", quoted(configuration.key_files));
   text += line("sealing", quoted(to_string(configuration.sealing.mode)));
   text += line("interval", std::to_string(milliseconds / 1000) + '.' + fraction);

@@ -42,6 +42,7 @@ struct Configuration {
   std::string gcnp_socket;        ///< path of a Unix socket; empty: none
   env::AirSettings air;
   bool admits_any_peer = false;  ///< who has the key need not be named, and nobody else has to be
+  std::string state_folder;      ///< empty: nothing is kept
   std::vector<std::string> key_files;
   /// The mode, which is plain where there are no key files, and only there; who has read those puts the keys in.
   sealing::Policy sealing;

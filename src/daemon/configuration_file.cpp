@@ -113,7 +113,8 @@ class Reader {
       errors_.push_back(origin + ": " + std::string(key.name) + " must be " + std::string(wanted(key.kind)));
       return;
     }
-    if ((key.name == "ontology" || key.name == "gcnp-socket" || key.name == "key-file") && !text->empty()) {
+    if ((key.name == "ontology" || key.name == "gcnp-socket" || key.name == "key-file" || key.name == "state-folder") &&
+        !text->empty()) {
       *text = (std::filesystem::path(path_).parent_path() / *text).string();
     }
     values.push_back({std::move(*text), origin});

@@ -12,6 +12,7 @@
 #include "base/text.hpp"
 #include "daemon/ontology_loader.hpp"
 #include "daemon/preparation.hpp"
+#include "daemon/state_folder.hpp"
 #include "daemon/usage.hpp"
 #include "discovery/participant/participant.hpp"
 
@@ -136,6 +137,7 @@ class Daemon::State final : private env::EventSink {
     settings.interval = configuration_.interval;
     settings.sealing = configuration_.sealing;
     settings.version = GEMINGA_VERSION;
+    settings.lasting = lasting();
     env_.event([&] {
       participant_ = std::make_unique<participant::Participant>(env_, settings, vocabulary_);
       participant_->set_status_source([this] { return status(); });
@@ -146,6 +148,15 @@ class Daemon::State final : private env::EventSink {
     env_.serve(*this);
     after_event();
     if (must_reload_) reload();
+  }
+
+  /// Who we are in all our lives; 0: nothing is kept.
+  [[nodiscard]] std::uint32_t lasting() {
+    if (configuration_.state_folder.empty()) return 0;
+    const auto identity = lasting_identity(configuration_.state_folder, [this] { return env_.random_bits(); });
+    if (identity) return *identity;
+    log_.write(LogLevel::warning, identity.error() + ": going on without an identity that lasts");
+    return 0;
   }
 
   /// Puts in force what was loaded. A load that failed is reported and changes nothing else.
@@ -278,8 +289,9 @@ class Daemon::State final : private env::EventSink {
     log_.set(configuration_.log_level, configuration_.log_format);
     if (configuration_.name != before.name || configuration_.group != before.group ||
         configuration_.gcnp != before.gcnp || configuration_.gcnp_socket != before.gcnp_socket ||
-        configuration_.interval != before.interval) {
-      log_.write(LogLevel::warning, "name, group, gcnp, gcnp-socket and interval take effect at the next start");
+        configuration_.interval != before.interval || configuration_.state_folder != before.state_folder) {
+      log_.write(LogLevel::warning,
+                 "name, group, gcnp, gcnp-socket, interval and state-folder take effect at the next start");
     }
     if (configuration_.air != before.air) env_.open_air(configuration_.air);
     if (configuration_.sealing != before.sealing) {

@@ -29,6 +29,20 @@ const Key* find_key(std::string_view name) {
   return found == keys.end() ? nullptr : found;
 }
 
+Layer read_service(const char* const* environment) {
+  Layer layer;
+  constexpr std::string_view variable = "STATE_DIRECTORY";
+  for (const char* const* entry = environment; *entry != nullptr; ++entry) {
+    const std::string_view assignment(*entry);
+    if (!assignment.starts_with(variable) || assignment.substr(variable.size(), 1) != "=") continue;
+    const std::string_view folders = assignment.substr(variable.size() + 1);
+    const std::string_view first = folders.substr(0, folders.find(':'));
+    if (!first.empty()) layer.values["state-folder"] = {{std::string(first), std::string(variable)}};
+    break;
+  }
+  return layer;
+}
+
 Layer read_environment(const char* const* environment) {
   Layer layer;
   for (const Key& key : keys) {

@@ -26,7 +26,7 @@ struct Key {
   std::string_view refused;  ///< not empty: the key is known but cannot be used yet, and this says why
 };
 
-inline constexpr std::array<Key, 16> keys{{
+inline constexpr std::array<Key, 17> keys{{
     {"ontology", Kind::texts, "FILE-OR-FOLDER",
      "Ontology to load; a folder means every ontology file in it. May be given many times", ""},
     {"group", Kind::text, "NAME", "Only participants of the same group see each other (default: default)", ""},
@@ -60,6 +60,10 @@ inline constexpr std::array<Key, 16> keys{{
      "How, where there is a key: encrypted, authenticated, or on the way there prepared, then mixed (default: "
      "encrypted)",
      ""},
+    {"state-folder", Kind::text, "FOLDER",
+     "Keep there who this daemon is, so that the team knows its next life at once (default: $STATE_DIRECTORY, as "
+     "systemd sets it; else nothing is kept)",
+     ""},
     {"http", Kind::text, "ADDRESS:PORT", "", "the HTTP side is not there yet: start without it"},
     {"log-level", Kind::text, "LEVEL", "debug, info, warning or error (default: info)", ""},
     {"log-format", Kind::text, "FORMAT", "text or json (default: text)", ""},
@@ -83,6 +87,9 @@ struct Layer {
 
 /// What the variables GEMINGA_... state; lists are separated by commas. `environment` is as main() gets it.
 [[nodiscard]] Layer read_environment(const char* const* environment);
+/// What systemd gives a service: the first folder of $STATE_DIRECTORY (systemd.exec(5), StateDirectory=). Weaker than
+/// all that the owner states.
+[[nodiscard]] Layer read_service(const char* const* environment);
 
 }  // namespace geminga::daemon
 

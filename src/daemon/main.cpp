@@ -30,8 +30,8 @@ std::string host_name() {
   return name.data();
 }
 
-/// Flags over environment over file, with the keys that they name.
-std::expected<Configuration, Errors> configure(const Layer& flags, const Layer& environment) {
+/// Flags over environment over file over what the service is given, with the keys that they name.
+std::expected<Configuration, Errors> configure(const Layer& flags, const Layer& environment, const Layer& service) {
   Layer file;
   for (const Layer* layer : {&flags, &environment}) {
     const auto path = layer->values.find("config");
@@ -41,7 +41,7 @@ std::expected<Configuration, Errors> configure(const Layer& flags, const Layer& 
     file = std::move(*read);
     break;
   }
-  auto configuration = geminga::daemon::resolve({&flags, &environment, &file}, host_name());
+  auto configuration = geminga::daemon::resolve({&flags, &environment, &file, &service}, host_name());
   if (!configuration) return configuration;
   auto keys = geminga::daemon::read_keys(configuration->key_files);
   if (!keys) return std::unexpected(std::move(keys.error()));
@@ -82,7 +82,8 @@ int serve(int argc, char** argv) {
   }
   if (flags->key_to_generate) return make_key(*flags->key_to_generate);
   const Layer environment = geminga::daemon::read_environment(environ);
-  const auto reread = [&] { return configure(flags->layer, environment); };
+  const Layer service = geminga::daemon::read_service(environ);
+  const auto reread = [&] { return configure(flags->layer, environment, service); };
   const auto configuration = reread();
   if (!configuration) return refuse(configuration.error());
   geminga::daemon::Log log(configuration->log_level, configuration->log_format);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "support/lab.hpp"
+#include "system/folder.hpp"
 
 namespace geminga::system {
 namespace {
@@ -277,6 +278,38 @@ TEST(Team, KeepsGroupsApart) {
   Talk yellow = lab.talk(1);
   EXPECT_TRUE(hears(yellow, 10));
   EXPECT_THAT(yellow.query("participants"), SizeIs(1));
+}
+
+TEST(Team, KnowsTheNextLifeOfWhoKeepsItsIdentityThoughNameAndAddressAreOthers) {
+  const Folder folder;
+  Lab lab(3);
+  const std::vector<std::string> flags{"--interval", "30"};  // so that no deadline is the reason
+  auto keeping = flags;
+  keeping.insert(keeping.end(), {"--state-folder", folder.path("state")});
+  lab.start(2, flags);
+  lab.start(0, keeping);
+  ASSERT_TRUE(lab.wait_for_participants(2, 2)) << lab.way();
+  lab.daemon(0).signal(SIGKILL);
+  EXPECT_EQ(lab.daemon(0).wait(), 128 + SIGKILL);
+  lab.start(1, keeping);
+  EXPECT_TRUE(lab.talk(2).wait_until("participants", [](const auto& lines) {
+    return lines.size() == 2 &&
+           std::ranges::any_of(lines, [](const std::string& line) { return field(line, "name") == "robot1"; });
+  }));
+}
+
+TEST(Team, KeepsBothOfACopiedDisk) {
+  const Folder folder;
+  Lab lab(3);
+  lab.start(2, quick);
+  for (const std::size_t host : {0U, 1U}) {
+    lab.start(host, {"--interval", "0.1", "--state-folder", folder.path("state")});
+  }
+  for (const std::size_t host : {0U, 1U, 2U}) EXPECT_TRUE(lab.wait_for_participants(host, 3)) << lab.way();
+  EXPECT_TRUE(lab.daemon(0).wait_for("has our lasting identity, too")) << lab.daemon(0).said();
+  Talk watcher = lab.talk(2);
+  EXPECT_TRUE(hears(watcher, 40));
+  EXPECT_THAT(watcher.query("participants"), SizeIs(3));
 }
 
 }  // namespace

@@ -90,6 +90,7 @@ struct Announcement {
   std::uint8_t doublings = 0;
   std::string name;                    ///< the participant's; empty: its identifier
   std::uint64_t ontology_digest = 0;   ///< 0: none is loaded
+  std::uint32_t lasting = 0;           ///< the sender's identity in all its lives; 0: it has none that lasts
   std::vector<std::string> addresses;  ///< numeric, valid on this interface, best first, without zone
 
   std::uint64_t revision = 0;    ///< grows with every change of the state; the same on all interfaces

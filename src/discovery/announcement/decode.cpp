@@ -307,6 +307,7 @@ Decoded<void> read_header(const wire::Announcement& message, Announcement& annou
   if (message.doublings() > max_doublings) return Failure(DecodeError::bad_interval);
   announcement.doublings = static_cast<std::uint8_t>(message.doublings());
   announcement.ontology_digest = message.ontology_digest();
+  announcement.lasting = message.lasting();
   announcement.revision = message.revision();
   announcement.since = message.since();
   if (*kind == Kind::change && announcement.since >= announcement.revision) return Failure(DecodeError::bad_change);

@@ -57,6 +57,7 @@ wire::Announcement header_of(const Announcement& announcement) {
   header.set_interval_ms(static_cast<std::uint32_t>(announcement.interval / std::chrono::milliseconds(1)));
   header.set_name(std::string(base::first_characters(announcement.name, max_name_bytes)));
   header.set_ontology_digest(announcement.ontology_digest);
+  header.set_lasting(announcement.lasting);
   for (const auto& address : announcement.addresses) {
     if (header.addresses_size() == static_cast<int>(max_addresses)) break;
     if (auto octets = address_octets(address); !octets.empty()) header.add_addresses(std::move(octets));

@@ -23,7 +23,7 @@ constexpr Duration min_refresh_time = std::chrono::milliseconds(20);
 
 NeighbourRecord::Header NeighbourRecord::header_of(const announcement::Announcement& announcement) {
   return {announcement.name.empty() ? to_string(announcement.participant) : announcement.name,
-          announcement.ontology_digest, announcement.interval};
+          announcement.ontology_digest, announcement.interval, announcement.lasting};
 }
 
 NeighbourRecord::NeighbourRecord(const announcement::Announcement& first, const Arrival& arrival, Turn since,
@@ -211,10 +211,11 @@ void NeighbourRecord::ask_witnesses(Instant now) {
   if (last != ways_.all().end()) last->deadline = std::max(last->deadline, life_.deadline());
 }
 
-void NeighbourRecord::succeed(const Arrival& arrival) {
-  const bool is_same = std::ranges::any_of(ways_.all(), [&](const NeighbourWay& way) {
-    return way.is_on(arrival.interface) && way.source() == arrival.source;
-  });
+void NeighbourRecord::succeed(std::uint32_t lasting, const Arrival& arrival) {
+  const bool is_same =
+      (lasting != 0 && lasting == this->lasting()) || std::ranges::any_of(ways_.all(), [&](const NeighbourWay& way) {
+        return way.is_on(arrival.interface) && way.source() == arrival.source;
+      });
   if (!is_same || is_contested_) return;
   life_.succeed(arrival.now, lasting_interval(arrival.now));
 }

@@ -81,7 +81,7 @@ class NeighbourRecord {
   /// Somebody of its name claims an identifier, or is new, at the address of one of its ways: its own next life, if it
   /// does not show that it lives. Until then it is doubted, and its deadline is near. Once in contest_intervals at
   /// most.
-  void succeed(const Arrival& arrival);
+  void succeed(std::uint32_t lasting, const Arrival& arrival);
   /// We say in a presence that we doubt it.
   void ask(base::Instant now) { life_.ask(now, answer_time(known_loss())); }
   [[nodiscard]] std::optional<base::Instant> succeeded() const { return life_.succeeded(); }
@@ -93,6 +93,8 @@ class NeighbourRecord {
   [[nodiscard]] bool take_anew() { return std::exchange(is_anew_, false); }
   /// When a datagram last proved that a complete revision is as it was.
   [[nodiscard]] base::Instant affirmed() const { return affirmed_; }
+  /// Of all its lives; 0: it has none that lasts.
+  [[nodiscard]] std::uint32_t lasting() const { return header_.value().lasting; }
   /// The time between two of its announcements, as it says.
   [[nodiscard]] base::Duration interval() const { return interval_.value(); }
   /// Whether its newest state is not known, or not certain, or not what it says of one of its ways, or had no room.
@@ -129,6 +131,7 @@ class NeighbourRecord {
     std::string name;
     std::uint64_t ontology_digest = 0;
     base::Duration interval{};
+    std::uint32_t lasting = 0;
     friend bool operator==(const Header&, const Header&) = default;
   };
   /// Who wants this identifier in another life.

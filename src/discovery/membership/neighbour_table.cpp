@@ -165,13 +165,12 @@ class NeighbourTable::State final : private ServiceRoom {
     return Hearing::claim;
   }
 
-  /// Whoever of this name was at this address may have been started again.
+  /// Whoever of this name was at this address, or has this lasting identity, may have been started again.
   void succeed(const announcement::Announcement& newcomer, const Arrival& arrival) {
-    if (newcomer.name.empty()) return;
-    for (const auto id : names_.find({newcomer.name, std::string(arrival.source)})) {
+    for (const auto id : names_.find({newcomer.name, std::string(arrival.source)}, newcomer.lasting)) {
       auto& known = *records_.find(id);
       if (known.second.record->boot() == newcomer.boot) continue;  // it only takes another identifier
-      known.second.record->succeed(arrival);
+      known.second.record->succeed(newcomer.lasting, arrival);
       set_due(known, arrival.now);
     }
   }
@@ -274,7 +273,7 @@ class NeighbourTable::State final : private ServiceRoom {
                                          .place = &admission_.add(id, record.source(), record.standing())});
     ++roster_;
     witnesses_.add(id, record.boot());
-    names_.update(id, record.name(), record.source());
+    names_.update(id, {record.name(), record.source()}, record.lasting());
     (void)record.hear(announcement, arrival, changes);
     admission_.update(*known->second.place, record.standing());
     set_due(*known, arrival.now);
@@ -304,7 +303,7 @@ class NeighbourTable::State final : private ServiceRoom {
     auto& record = *known.second.record;
     questions_.update(known.first, record, now);
     if (record.take_anew()) {
-      names_.update(known.first, record.name(), record.source());
+      names_.update(known.first, {record.name(), record.source()}, record.lasting());
       ++roster_;
     }
     witnesses_.update(known.first, record.heard(), record.interval());

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/address.hpp"
+#include "base/text.hpp"
 #include "discovery/announcement/announceable.hpp"
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/limits.hpp"
@@ -158,7 +159,9 @@ Announcer::Consequence Announcer::heard(const Heard& heard) {
     case membership::Hearing::newcomer:
     case membership::Hearing::claim:
       schedule_.newcomer(core_.env.now());
-      if (seems_next_life(heard)) schedule_.deny(core_.env.now());
+      if (!seems_next_life(heard)) return Consequence::nothing;
+      schedule_.deny(core_.env.now());
+      if (has_our_lasting_identity(heard)) report_copy(heard);
       return Consequence::nothing;
     case membership::Hearing::known:
     case membership::Hearing::stranger:
@@ -174,10 +177,30 @@ Announcer::Consequence Announcer::heard(const Heard& heard) {
   }
 }
 
-/// Somebody begins under our name and from our address: others may take us for gone, since we were started again.
+/// Somebody begins under our name and from our address, or with our lasting identity: others may take us for gone,
+/// since we were started again.
 bool Announcer::seems_next_life(const Heard& heard) const {
-  return claim_.is_held() && heard.announcement.name == core_.settings.name && !core_.settings.name.empty() &&
-         heard.announcement.boot != boot_ && may_be_ours(core_.env, heard.source);
+  if (!claim_.is_held() || heard.announcement.boot == boot_) return false;
+  const std::string& name = core_.settings.name;
+  return has_our_lasting_identity(heard) ||
+         (!name.empty() && heard.announcement.name == name && may_be_ours(core_.env, heard.source));
+}
+
+bool Announcer::has_our_lasting_identity(const Heard& heard) const {
+  return heard.announcement.lasting != 0 && heard.announcement.lasting == core_.settings.lasting;
+}
+
+/// We live, so it is not our next life.
+void Announcer::report_copy(const Heard& heard) {
+  const base::Instant now = core_.env.now();
+  if (copy_reported_ && now - *copy_reported_ < copy_report_spacing) return;
+  copy_reported_ = now;
+  core_.log(
+      base::LogLevel::warning,
+      (heard.announcement.name.empty() ? "a participant" : base::printable(heard.announcement.name)) + " (" +
+          origin(heard) +
+          ") has our lasting identity, too, so one of us is a copy of the other's disk: remove the file `identity` "
+          "from its state folder and start it again");
 }
 
 /// Somebody tells what he has heard of us and of others.
@@ -288,6 +311,7 @@ announcement::Announcement Announcer::header(announcement::Kind kind, Participan
   header.doublings = doublings_;
   header.name = core_.settings.name;
   header.ontology_digest = core_.digest();
+  header.lasting = core_.settings.lasting;
   return header;
 }
 

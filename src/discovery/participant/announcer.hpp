@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,9 @@ struct Heard {
   std::string_view source;
   const env::Interface& on;
 };
+
+/// Between two lines in the log about copies of our disk.
+inline constexpr base::Duration copy_report_spacing = std::chrono::minutes(10);
 
 class Announcer {
  public:
@@ -72,6 +76,8 @@ class Announcer {
   [[nodiscard]] announcement::Announcement whole_state() const;
   [[nodiscard]] announcement::Announcement change() const;
   [[nodiscard]] bool seems_next_life(const Heard& heard) const;
+  [[nodiscard]] bool has_our_lasting_identity(const Heard& heard) const;
+  void report_copy(const Heard& heard);
   void heard_presence(const Heard& heard);
   Consequence heard_clash(const Heard& heard);
   void heard_own(const Heard& heard);
@@ -93,7 +99,8 @@ class Announcer {
   std::vector<env::Interface> announced_on_;  ///< the interfaces that the state was last told of
   std::map<env::InterfaceIndex, std::uint64_t> sequences_;
   SentDatagrams sent_;
-  std::string clash_from_;  ///< where the last clash was heard
+  std::string clash_from_;                      ///< where the last clash was heard
+  std::optional<base::Instant> copy_reported_;  ///< when somebody else with our lasting identity was told of last
   bool is_stopping_ = false;
   ParticipantId farewell_{};  ///< whose goodbye is said after stop(); 0: nobody knows us
 };

@@ -48,6 +48,9 @@ struct Settings {
   /// What the team calls this participant, e.g. the host's name: announcement::is_valid_name(). Empty: its identifier
   /// is its name.
   std::string name;
+  /// The same in all lives of this participant, so that the next one takes the place of the last at once; 0: nothing
+  /// lasts.
+  std::uint32_t lasting = 0;
   /// Only participants of the same group see each other.
   std::string group = "default";
   /// Time between two announcements of an unchanged state. Shorter: a lost participant is noticed sooner. Longer: fewer

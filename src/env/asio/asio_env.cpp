@@ -212,10 +212,11 @@ class AsioEnv::State {
     const bool is_twin = link.link().interface.twin_of.has_value();
     const std::string name = link.link().interface.name + (is_twin ? " over IPv6" : "");
     if (last == 0) {
-      log_.write(base::LogLevel::info, "sending on " + name + " works again");
+      log_.write(is_twin ? base::LogLevel::debug : base::LogLevel::info, "sending on " + name + " works again");
     } else {
-      // An address of IPv6 that has just been taken is tried for a second before it can be used.
-      log_.write(is_twin ? base::LogLevel::info : base::LogLevel::warning,
+      // A twin says one word, perhaps while its address is still being tried (RFC 4862, 5.4), and then nothing for
+      // long.
+      log_.write(is_twin ? base::LogLevel::debug : base::LogLevel::warning,
                  "cannot send on " + name + ": " + std::generic_category().message(last));
     }
   }

@@ -176,6 +176,7 @@ Announcement random_announcement(Random& random, std::size_t max_services) {
   made.interval = std::chrono::milliseconds(50 + random.below(59'950));
   made.name = random.chance(0.2) ? std::string() : random_name(random);
   made.ontology_digest = random.chance(0.2) ? 0 : random.next();
+  made.lasting = random.chance(0.5) ? 0 : static_cast<std::uint32_t>(random.next());
   made.revision = random.below(1'000);
   static constexpr std::string_view addresses[] = {"10.0.0.7", "169.254.3.4", "fe80::1:2", "2001:db8::17", "127.0.0.1"};
   for (auto count = random.below(4); count > 0; --count) made.addresses.emplace_back(addresses[random.below(5)]);
@@ -208,6 +209,7 @@ Announcement random_change(Random& random) {
   made.kind = Kind::change;
   made.name.clear();
   made.ontology_digest = 0;
+  made.lasting = 0;
   made.interval = Announcement{}.interval;
   made.addresses.clear();
   made.doublings = static_cast<std::uint8_t>(random.below(max_doublings + 1));

@@ -102,15 +102,15 @@ TEST_F(Succession, BeginsWithTheFirstStateWhereTheClaimsWereLost) {
 
 TEST(Names, FindsThoseOfOneNameAtOneAddressAndNobodyWhereTheyAreMany) {
   Names names;
-  for (std::uint32_t id = 1; id <= max_namesakes; ++id) names.update(ParticipantId{id}, "robot1", address);
-  names.update(ParticipantId{100}, "robot1", "10.0.0.9");
-  names.update(ParticipantId{101}, "robot2", address);
-  EXPECT_EQ(names.find({"robot1", address}).size(), max_namesakes);
-  names.update(ParticipantId{101}, "robot1", address);
-  EXPECT_THAT(names.find({"robot1", address}), ::testing::IsEmpty());
+  for (std::uint32_t id = 1; id <= max_namesakes; ++id) names.update(ParticipantId{id}, {"robot1", address}, 0);
+  names.update(ParticipantId{100}, {"robot1", "10.0.0.9"}, 0);
+  names.update(ParticipantId{101}, {"robot2", address}, 0);
+  EXPECT_EQ(names.find({"robot1", address}, 0).size(), max_namesakes);
+  names.update(ParticipantId{101}, {"robot1", address}, 0);
+  EXPECT_THAT(names.find({"robot1", address}, 0), ::testing::IsEmpty());
   names.remove(ParticipantId{1});
-  EXPECT_EQ(names.find({"robot1", address}).size(), max_namesakes);
-  EXPECT_THAT(names.find({"robot2", address}), ::testing::IsEmpty());
+  EXPECT_EQ(names.find({"robot1", address}, 0).size(), max_namesakes);
+  EXPECT_THAT(names.find({"robot2", address}, 0), ::testing::IsEmpty());
 }
 
 TEST_F(Succession, IsTriedOnceInFiveIntervalsHoweverOftenItIsClaimed) {
@@ -129,6 +129,71 @@ TEST(AnswerTime, GrowsWithTheLossAndIsNeverEndless) {
   EXPECT_LT(answer_time(0.3), milliseconds(1500));
   EXPECT_LT(answer_time(0.5), milliseconds(3500));
   EXPECT_LT(answer_time(1), seconds(10));
+}
+
+TEST(Names, FindsThoseOfOneLastingIdentityWhateverTheyAreCalled) {
+  Names names;
+  for (std::uint32_t id = 1; id <= max_namesakes; ++id) {
+    names.update(ParticipantId{id}, {"robot" + std::to_string(id), address}, 7);
+  }
+  names.update(ParticipantId{100}, {"", address}, 0);
+  names.update(ParticipantId{101}, {"other", address}, 8);
+  EXPECT_EQ(names.find({"new", "10.0.0.9"}, 7).size(), max_namesakes);
+  EXPECT_EQ(names.find({"robot1", address}, 7).size(), max_namesakes) << "each once";
+  EXPECT_THAT(names.find({"other", address}, 7), ::testing::SizeIs(max_namesakes + 1));
+  EXPECT_THAT(names.find({"", address}, 0), ::testing::IsEmpty()) << "nothing is no name and no identity";
+  names.update(ParticipantId{101}, {"other", address}, 7);
+  EXPECT_THAT(names.find({"new", "10.0.0.9"}, 7), ::testing::IsEmpty()) << "copies of one disk, all over a fleet";
+  names.remove(ParticipantId{1});
+  EXPECT_EQ(names.find({"new", "10.0.0.9"}, 7).size(), max_namesakes);
+}
+
+/// A next life at another address, of another name.
+announcement::Announcement moved_life(std::uint32_t lasting) {
+  auto claim = next_life();
+  claim.name = "renamed";
+  claim.lasting = lasting;
+  return claim;
+}
+
+struct LastingSuccession : ::testing::Test {
+  LastingSuccession() {
+    rig.source = address;
+    auto state = speaker(1, 1);
+    state.lasting = 7;
+    for (int i = 0; i < 20; ++i) (void)rig.hear(state, now = rig_start + i * seconds(2));
+    now += milliseconds(700);
+    rig.source = "10.0.0.9";
+  }
+  TableRig rig;
+  base::Instant now;
+};
+
+TEST_F(LastingSuccession, IsOfAnyNameFromAnyAddress) {
+  ASSERT_EQ(rig.hear(moved_life(7), now), Hearing::claim);
+  EXPECT_THAT(rig.table.report(now).doubts, ::testing::ElementsAre(former));
+  rig.table.expire(now + least_answer_time - base::Duration(1));
+  EXPECT_TRUE(rig.table.is_known(former));
+  rig.table.expire(now + least_answer_time);
+  EXPECT_FALSE(rig.table.is_known(former));
+}
+
+TEST_F(LastingSuccession, OfACopyOfADiskIsDenied) {
+  (void)rig.hear(moved_life(7), now);
+  (void)rig.table.report(now);
+  rig.source = address;
+  auto state = speaker(1, 1);
+  state.lasting = 7;
+  (void)rig.hear(state, now + milliseconds(50));
+  rig.table.expire(now + seconds(3));
+  EXPECT_TRUE(rig.table.is_known(former));
+}
+
+TEST_F(LastingSuccession, IsNotOfAnotherIdentityOrOfNone) {
+  for (const std::uint32_t lasting : {0U, 8U}) {
+    (void)rig.hear(moved_life(lasting), now);
+    EXPECT_THAT(rig.table.report(now).doubts, ::testing::IsEmpty());
+  }
 }
 
 }  // namespace

@@ -1,0 +1,107 @@
+#include "daemon/state_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "base/text.hpp"
+#include "env/asio/descriptor.hpp"
+
+namespace geminga::daemon {
+namespace {
+
+constexpr std::string_view file_comment =
+    "# Who this daemon is to its team, in all its lives. Not to be copied to another host: without this file it draws\n"
+    "# another one.\n";
+constexpr std::string_view file_keyword = "identity ";
+constexpr std::size_t identity_digits = 8;
+
+std::string errno_words() { return std::generic_category().message(errno); }
+
+/// Reads until the end or the limit. Nothing with errno.
+std::optional<std::string> text_of(int descriptor) {
+  std::string text(max_identity_file_bytes + 1, '\0');
+  std::size_t size = 0;
+  while (size < text.size()) {
+    const ssize_t got = ::read(descriptor, text.data() + size, text.size() - size);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return std::nullopt;
+    if (got == 0) break;
+    size += static_cast<std::size_t>(got);
+  }
+  text.resize(size);
+  return text;
+}
+
+/// Lines that begin with `#`, and one line `identity XXXXXXXX`.
+std::optional<std::uint32_t> identity_in(std::string_view text) {
+  if (text.size() > max_identity_file_bytes) return std::nullopt;
+  std::optional<std::uint32_t> identity;
+  while (!text.empty()) {
+    const auto end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.empty() || line.starts_with('#')) continue;
+    if (identity || !line.starts_with(file_keyword) || line.size() != file_keyword.size() + identity_digits)
+      return std::nullopt;
+    std::uint32_t number = 0;
+    const auto read = std::from_chars(line.data() + file_keyword.size(), line.data() + line.size(), number, 16);
+    if (read.ec != std::errc() || read.ptr != line.data() + line.size() || number == 0) return std::nullopt;
+    identity = number;
+  }
+  return identity;
+}
+
+/// Beside its place first, so that nobody finds half of it. False with errno.
+bool write_whole(const std::string& path, std::string_view text) {
+  const std::string draft = path + ".new";
+  {
+    const env::Descriptor file(::open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0644));
+    if (file.get() < 0) return false;
+    while (!text.empty()) {
+      const ssize_t put = ::write(file.get(), text.data(), text.size());
+      if (put < 0 && errno == EINTR) continue;
+      if (put < 0) return false;
+      text.remove_prefix(static_cast<std::size_t>(put));
+    }
+    if (::fsync(file.get()) != 0) return false;
+  }
+  return ::rename(draft.c_str(), path.c_str()) == 0;
+}
+
+}  // namespace
+
+std::expected<std::uint32_t, std::string> lasting_identity(const std::string& folder,
+                                                           const std::function<std::uint64_t()>& random_bits) {
+  const std::string path = folder + '/' + identity_file;
+  const std::string shown = base::printable(path, 4096);
+  // A FIFO would wait for a writer without O_NONBLOCK.
+  const env::Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  if (file.get() >= 0) {
+    const auto text = text_of(file.get());
+    if (!text) return std::unexpected(shown + ": " + errno_words());
+    if (const auto identity = identity_in(*text)) return *identity;
+    return std::unexpected(shown + ": is no identity: remove it, and another one is drawn");
+  }
+  if (errno != ENOENT) return std::unexpected(shown + ": " + errno_words());
+  if (::mkdir(folder.c_str(), 0755) != 0 && errno != EEXIST) return std::unexpected(shown + ": " + errno_words());
+  std::uint32_t identity = 0;
+  while (identity == 0) identity = static_cast<std::uint32_t>(random_bits());
+  std::array<char, identity_digits + 1> hexadecimal{};
+  std::snprintf(hexadecimal.data(), hexadecimal.size(), "%08x", identity);
+  if (!write_whole(path, std::string(file_comment) + std::string(file_keyword) + hexadecimal.data() + '\n')) {
+    return std::unexpected(shown + ": " + errno_words());
+  }
+  return identity;
+}
+
+}  // namespace geminga::daemon
