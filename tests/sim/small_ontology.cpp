@@ -74,6 +74,23 @@ compiled::Ontology make(bool has_ball) {
   return writer.finish();
 }
 
+/// As the whole one, by somebody who writes `Bal`.
+compiled::Ontology make_misspelt() {
+  Writer writer;
+  writer.sub("TrackedObject", "Information");
+  writer.sub("Bal", "TrackedObject");
+  return writer.finish();
+}
+
+/// A long way up, from Level100 to Level220.
+compiled::Ontology make_deep() {
+  Writer writer;
+  for (int level = 100; level < 220; ++level) {
+    writer.sub(("Level" + std::to_string(level)).c_str(), ("Level" + std::to_string(level + 1)).c_str());
+  }
+  return writer.finish();
+}
+
 /// For class expressions: cameras that observe balls, and a lidar.
 compiled::Ontology make_sensors(bool has_ball, bool is_damaged = false) {
   Writer writer;
@@ -96,11 +113,14 @@ compiled::Ontology make_sensors(bool has_ball, bool is_damaged = false) {
 vocabulary::Vocabulary small_ontology(std::string_view name) {
   static const vocabulary::Vocabulary whole(make(true));
   static const vocabulary::Vocabulary without_ball(make(false));
+  static const vocabulary::Vocabulary misspelt(make_misspelt());
   static const vocabulary::Vocabulary sensors(make_sensors(true));
   static const vocabulary::Vocabulary blind(make_sensors(false));
   static const vocabulary::Vocabulary damaged(make_sensors(true, true));
   if (name == "damaged") return damaged;
   if (name == "soccer") return whole;
+  if (name == "misspelt") return misspelt;
+  if (name == "deep") return vocabulary::Vocabulary(make_deep());
   if (name == "sensors") return sensors;
   if (name == "blind") return blind;
   return name == "ballless" ? without_ball : vocabulary::Vocabulary();

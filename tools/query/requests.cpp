@@ -24,13 +24,15 @@ shell::Table table_of_requests(const std::vector<Record>& records) {
                       {"WHERE", false, 10, 2},
                       {"LIMIT", true, 0, 6},
                       {"AGE", true, 0, 7},
+                      {"WHY", false, 20},
                       {"REQUEST", false, 0, 1}});
   for (const auto& record : records) {
     const auto limit = record["limit"] == "0" ? "" : std::string(record["limit"]);
     shown.add({shell::who(record["consumer"], record["name"], record["participant_name"]),
                shell::identity_words(record), std::string(record["match"]), std::string(record["mode"]),
                record["served"] == "1" ? "yes" : "no", std::string(record["provider"]), std::string(record["where"]),
-               limit, shell::duration_words(record["age"]), std::string(record["subscription"])});
+               limit, shell::duration_words(record["age"]), std::string(record["because"]),
+               std::string(record["subscription"])});
   }
   return shown;
 }
@@ -55,7 +57,7 @@ void add_requests(CLI::App& app, Run& selected) {
   CLI::App* command = app.add_subcommand("requests", "Every known subscription");
   const auto flags = std::make_shared<RequestsFlags>();
   command->add_option("FILTER", flags->words, filter_meaning);
-  CLI::Option* unmatched = command->add_flag("--unmatched", flags->unmatched, "Only those that nobody serves");
+  CLI::Option* unmatched = command->add_flag("--unmatched", flags->unmatched, "Only those that nobody serves, and why");
   command->add_flag("--unused", flags->unused, "Instead, the publications that nobody asks for")->excludes(unmatched);
   command->footer(
       "Examples:\n  geminga-query requests\n  geminga-query requests --unmatched\n  geminga-query requests --unused "

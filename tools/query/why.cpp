@@ -1,10 +1,17 @@
-// geminga-query why: why a subscription and a publication match or do not.
+// geminga-query why: why a request and a service match or do not, or why nobody answers a request.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
 #include <iostream>
 #include <memory>
+#include <span>
+#include <sstream>
 
 #include "query/command.hpp"
 #include "query/listing.hpp"
+#include "shell/describe.hpp"
 #include "shell/json.hpp"
 #include "shell/report.hpp"
 #include "shell/table.hpp"
@@ -12,27 +19,179 @@
 namespace geminga::query {
 namespace {
 
-struct Pair {
+using Parameters = std::vector<std::pair<std::string, std::string>>;
+
+/// What is asked: the parameters of `query why` (src/discovery/participant/QUERIES.md).
+struct Question {
   std::string subscription;
   std::string service;
+  Parameters parameters;  ///< beside these two
+
+  [[nodiscard]] const std::string* find(std::string_view key) const {
+    const auto at = std::ranges::find(parameters, key, &Parameters::value_type::first);
+    return at == parameters.end() ? nullptr : &at->second;
+  }
+  [[nodiscard]] bool has_any(std::initializer_list<std::string_view> keys) const {
+    return std::ranges::any_of(keys, [&](std::string_view key) { return find(key) != nullptr; });
+  }
+  [[nodiscard]] bool has_service() const {
+    return !service.empty() ||
+           std::ranges::any_of(parameters, [](const auto& one) { return one.first.starts_with("offer."); });
+  }
 };
+
+struct Flag {
+  const char* name;
+  const char* key;
+  const char* type;
+  const char* meaning;
+};
+
+constexpr auto request_flags = std::to_array<Flag>({
+    {"--concept", "concept", "C", "This concept: prefix:Name, <IRI>, a label or a class expression"},
+    {"--representation", "representation", "R", "In this representation"},
+    {"--id", "id", "N", "This number instead of a concept"},
+    {"--text", "text", "NAME", "This text instead of a concept"},
+    {"--mode", "mode", "oto|otm/stream|otm/pubsub", "In this mode; any unless told"},
+    {"--match,--degree", "match", "DEGREE", "The weakest degree that counts: exact, equivalent, narrower, broader"},
+    {"--where", "where", "EXPRESSION", "Whose attributes fit"},
+    {"--protocol", "protocol", "P,...", "In one of these protocols"},
+    {"--provider", "provider", "PARTICIPANT[/PEER],...", "From one of these"},
+    {"--favour", "favour", "PARTICIPANT[/PEER],...", "First from these, then from all others"},
+    {"--prefer", "prefer", "WISHES", "Those whose attributes are best, e.g. 'rate desc'"},
+    {"--rank", "rank", "CRITERIA", "By what providers are ranked first"},
+    {"--scope", "scope", "HOSTS", "From these hosts: host, group, any, names, and ! before what is excluded"},
+    {"--limit", "limit", "N", "From so many at most; unless told from one where the mode is oto, else from all"},
+});
+
+constexpr auto offer_flags = std::to_array<Flag>({
+    {"--offer-concept", "offer.concept", "C", "This concept"},
+    {"--offer-representation", "offer.representation", "R", "In this representation"},
+    {"--offer-id", "offer.id", "N", "This number instead of a concept"},
+    {"--offer-text", "offer.text", "NAME", "This text instead of a concept"},
+    {"--offer-mode", "offer.mode", "oto|otm/stream|otm/pubsub", "In this mode; that of the request unless told"},
+    {"--offer-protocol", "offer.protocol", "P", "In this protocol"},
+    {"--offer-provider", "offer.provider", "PARTICIPANT[/PEER]", "By this one; by somebody here unless told"},
+    {"--offer-priority", "offer.priority", "K", "With this priority"},
+    {"--offer-scope", "offer.scope", "HOSTS", "For these hosts"},
+    {"--offer-for", "offer.for", "EXPRESSION", "For consumers whose attributes fit"},
+    {"--offer-address", "offer.address", "A", "At this address"},
+    {"--offer-port", "offer.port", "P", "At this port"},
+});
+
+void add_flags(CLI::App& command, const std::shared_ptr<Question>& question, std::span<const Flag> flags,
+               const char* group) {
+  for (const Flag& flag : flags) {
+    command
+        .add_option_function<std::string>(
+            flag.name,
+            [question, key = flag.key](const std::string& value) { question->parameters.emplace_back(key, value); },
+            flag.meaning)
+        ->type_name(flag.type)
+        ->group(group);
+  }
+}
+
+constexpr const char* request_group = "What might be asked for, instead of SUBSCRIPTION";
+constexpr const char* offer_group = "What might be offered, instead of SERVICE";
+
+void add_attributes(CLI::App& command, const std::shared_ptr<Question>& question, const char* name, const char* prefix,
+                    const char* meaning, const char* group) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          name,
+          [question, prefix](const std::vector<std::string>& words) {
+            for (const std::string& word : words) {
+              const auto pair = shell::key_and_value(word);
+              if (!pair) throw CLI::ValidationError(word, "is no attribute: write KEY=VALUE");
+              question->parameters.emplace_back(prefix + pair->first, pair->second);
+            }
+          },
+          meaning)
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false)
+      ->group(group);
+}
+
+/// Throws CLI::ValidationError where it is not one question.
+void check(const Question& question) {
+  const bool is_imagined = question.has_any({"concept", "id", "text"});
+  if (!is_imagined && question.subscription.empty()) {
+    throw CLI::ValidationError(
+        "SUBSCRIPTION", "is missing: name a request, or say with --concept, --id or --text what might be asked for");
+  }
+  if (is_imagined && !question.subscription.empty()) {
+    throw CLI::ValidationError("SUBSCRIPTION",
+                               "does not go with --concept, --id or --text: --service names a service, "
+                               "--offer-concept and its like say what might be offered");
+  }
+}
 
 /// A pair that fits, whose consumer has better ones.
 bool is_outranked(const Answer& answer) { return answer.end["outranked"] == "1"; }
 
-void print_json(const Pair& pair, const Answer& answer, bool is_match) {
-  boost::json::object object{{"subscription", pair.subscription},
-                             {"service", pair.service},
-                             {"matches", is_match},
-                             {"outranked", is_outranked(answer)}};
-  for (const auto& member : shell::to_json(answer.end)) {
-    if (member.key() == "degree" || member.key() == "distance") object[member.key()] = member.value();
+/// Those of the record, the axioms one by one.
+boost::json::object object_of(const Record& record) {
+  auto object = shell::to_json(record);
+  if (record["proof"].empty()) return object;
+  boost::json::array proof;
+  std::istringstream lines{std::string(record["proof"])};
+  for (std::string line; std::getline(lines, line);) proof.emplace_back(line);
+  object["proof"] = std::move(proof);
+  return object;
+}
+
+boost::json::array array_of(const std::vector<Record>& records) {
+  boost::json::array array;
+  for (const Record& record : records) array.push_back(object_of(record));
+  return array;
+}
+
+/// What was asked about: the words of those that are there, and what somebody might state.
+boost::json::object asked(const Question& question) {
+  boost::json::object object;
+  boost::json::object request;
+  boost::json::object offer;
+  if (!question.subscription.empty()) object["subscription"] = question.subscription;
+  if (!question.service.empty()) object["service"] = question.service;
+  for (const auto& [key, value] : question.parameters) {
+    if (key.starts_with("offer.")) {
+      offer[key.substr(6)] = value;
+    } else {
+      request[key] = value;
+    }
   }
-  object["checks"] = shell::to_json(answer.records);
+  if (!request.empty()) object["request"] = std::move(request);
+  if (!offer.empty()) object["offer"] = std::move(offer);
+  return object;
+}
+
+void print_json(const Question& question, const Answer& answer) {
+  boost::json::object object = asked(question);
+  if (question.has_service()) {
+    object["matches"] = answer.end["matches"] == "1";
+    object["outranked"] = is_outranked(answer);
+  }
+  for (const auto& member : shell::to_json(answer.end)) {
+    if (member.key() != "count" && !object.contains(member.key())) object[member.key()] = member.value();
+  }
+  object[question.has_service() ? "checks" : "services"] = array_of(answer.records);
   shell::print(std::cout, object);
 }
 
-void print_words(const Context& context, const Answer& answer, bool is_match) {
+void print_mend(const Context& context, std::string_view code, std::string_view mend) {
+  if (mend.empty()) return;
+  std::cout << coloured(context.terminal, shell::Colour::dim, shell::printable(code)) << ": " << shell::printable(mend)
+            << '\n';
+}
+
+void print_proof(const Record& record) {
+  std::istringstream lines{std::string(record["proof"])};
+  for (std::string line; std::getline(lines, line);) std::cout << "  " << shell::printable(line) << '\n';
+}
+
+void print_pair(const Context& context, const Answer& answer) {
+  const bool is_match = answer.end["matches"] == "1";
   std::cout << (is_match
                     ? coloured(context.terminal, shell::Colour::green, "yes") + ": they match"
                     : coloured(context.terminal, shell::Colour::red, "no") +
@@ -47,33 +206,87 @@ void print_words(const Context& context, const Answer& answer, bool is_match) {
     table.add({std::string(record["check"]), record["ok"] == "1" ? "yes" : "no", std::string(record["text"])});
   }
   if (!table.is_empty()) table.print(std::cout, context.terminal);
+  for (const auto& record : answer.records) {
+    if (!record["proof"].empty()) {
+      std::cout << "because\n";
+      print_proof(record);
+    }
+  }
+  for (const auto& record : answer.records) print_mend(context, record["code"], record["mend"]);
+}
+
+void print_request(const Context& context, const Answer& answer) {
+  const Record& end = answer.end;
+  if (end["served"] == "1") {
+    std::cout << coloured(context.terminal, shell::Colour::green, "yes") << ": " << shell::printable(end["matching"])
+              << " of the " << shell::printable(end["offers"]) << " services that are known "
+              << (end["matching"] == "1" ? "meets it\n" : "meet it\n");
+  } else {
+    const bool is_one = end["offers"] == "1";
+    std::cout << coloured(context.terminal, shell::Colour::red, "no") << ": " << shell::printable(end["text"]) << " ("
+              << shell::printable(end["offers"]) << (is_one ? " service is known)\n" : " services are known)\n");
+    print_mend(context, end["code"], end["mend"]);
+  }
+  shell::Table table({{"PROVIDER", false, 12},
+                      {"OFFERS", false, 16},
+                      {"MODE", false, 0, 3},
+                      {"OK"},
+                      {"WHY", false, 20},
+                      {"SERVICE", false, 0, 2}});
+  for (const auto& record : answer.records) {
+    table.add({shell::who(record["provider"], record["name"], record["participant_name"]),
+               std::string(record["offered"]), std::string(record["mode"]), record["ok"] == "1" ? "yes" : "no",
+               std::string(record["text"]), std::string(record["service"])});
+  }
+  if (!table.is_empty()) table.print(std::cout, context.terminal);
+}
+
+shell::ExitStatus answer_to(const Context& context, Client& client, const Question& question) {
+  if (refuses_watch(context, "why")) return shell::ExitStatus::wrong_use;
+  Parameters parameters = question.parameters;
+  if (!question.subscription.empty()) parameters.emplace_back("subscription", question.subscription);
+  if (!question.service.empty()) parameters.emplace_back("service", question.service);
+  const auto answer = client.query("why", parameters);
+  if (!answer) return shell::report(program, answer.error());
+  const bool is_yes = answer->end[question.has_service() ? "matches" : "served"] == "1";
+  if (context.common.is_json) {
+    print_json(question, *answer);
+  } else if (question.has_service()) {
+    print_pair(context, *answer);
+  } else {
+    print_request(context, *answer);
+  }
+  return is_yes ? shell::ExitStatus::found : shell::ExitStatus::nothing;
 }
 
 }  // namespace
 
 void add_why(CLI::App& app, Run& selected) {
-  CLI::App* command = app.add_subcommand("why", "Why a request and a service match or do not");
-  const auto pair = std::make_shared<Pair>();
-  command->add_option("SUBSCRIPTION", pair->subscription, "The word in the column REQUEST of geminga-query requests")
-      ->required();
-  command->add_option("SERVICE", pair->service, "The word in the column SERVICE of geminga-query services")->required();
+  CLI::App* command =
+      app.add_subcommand("why", "Why a request and a service match or do not; or why nobody answers a request");
+  const auto question = std::make_shared<Question>();
+  command->add_option("SUBSCRIPTION", question->subscription,
+                      "The word in the column REQUEST of geminga-query requests");
+  CLI::Option* service = command->add_option(
+      "SERVICE", question->service,
+      "The word in the column SERVICE of geminga-query services; without it: why nobody answers, or who");
+  command->add_option("--service", question->service, "The same as SERVICE")->type_name("WORD")->excludes(service);
+  add_flags(*command, question, request_flags, request_group);
+  add_flags(*command, question, offer_flags, offer_group);
+  add_attributes(*command, question, "--attribute", "attr.", "With this attribute; may be given several times",
+                 request_group);
+  add_attributes(*command, question, "--offer-attribute", "offer.attr.",
+                 "With this attribute; may be given several times", offer_group);
   command->footer(
-      "Example: geminga-query why 5e6f7a8b/2/1 1a2b3c4d/1/42\n"
-      "Exit status 0: they match; 1: they do not, better ones take the places that the limit leaves, or one is not "
-      "known.");
-  command->callback([pair, &selected] {
-    selected = [pair](const Context& context, Client& client) {
-      if (refuses_watch(context, "why")) return shell::ExitStatus::wrong_use;
-      const auto answer = client.query("why", {{"subscription", pair->subscription}, {"service", pair->service}});
-      if (!answer) return shell::report(program, answer.error());
-      const bool is_match = answer->end["matches"] == "1";
-      if (context.common.is_json) {
-        print_json(*pair, *answer, is_match);
-      } else {
-        print_words(context, *answer, is_match);
-      }
-      return is_match ? shell::ExitStatus::found : shell::ExitStatus::nothing;
-    };
+      "Examples:\n  geminga-query why 5e6f7a8b/2/1\n  geminga-query why 5e6f7a8b/2/1 1a2b3c4d/1/42\n"
+      "  geminga-query why --concept soccer:BallInfo --representation soccer:PolarFieldFrame --where 'rate >= 50'\n"
+      "  geminga-query why --concept soccer:BallInfo --mode oto --service 1a2b3c4d/1/42\n"
+      "  geminga-query why 5e6f7a8b/2/1 --offer-concept soccer:BallInfo --offer-attribute rate=30\n"
+      "Exit status 0: they match, or somebody answers; 1: they do not, better ones take the places that the limit "
+      "leaves, nobody answers, or one is not known.");
+  command->callback([question, &selected] {
+    check(*question);
+    selected = [question](const Context& context, Client& client) { return answer_to(context, client, *question); };
   });
 }
 

@@ -46,7 +46,8 @@ Welcome welcome_of(const gcnp::Statement& hello) {
 Record record_of(const gcnp::Statement& message) {
   Record record;
   record.kind = message.subcommand;
-  const bool is_service = message.has("service") || message.has("subscription");
+  // `why` tells of services too, but of none of their attributes.
+  const bool is_service = message.subcommand != "why" && (message.has("service") || message.has("subscription"));
   for (const auto& parameter : message.parameters) {
     const auto attribute = is_service ? gcnp::shown_attribute(parameter.key) : std::nullopt;
     if (attribute) {

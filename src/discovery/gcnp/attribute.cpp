@@ -52,11 +52,12 @@ std::optional<std::string_view> mistyped_key(std::string_view word, std::span<co
 
 std::optional<std::string_view> shown_attribute(std::string_view key) {
   if (key.starts_with(attribute_prefix)) return key.substr(attribute_prefix.size());
-  return is_reserved(key) ? std::nullopt : std::optional(key);
+  return is_reserved(key) || is_key_of_lines(key) ? std::nullopt : std::optional(key);
 }
 
 std::string shown_key(std::string_view attribute) {
-  const bool is_bare = !is_reserved(attribute) && !attribute.starts_with(attribute_prefix);
+  const bool is_bare =
+      !is_reserved(attribute) && !is_key_of_lines(attribute) && !attribute.starts_with(attribute_prefix);
   return std::string(is_bare ? "" : attribute_prefix) + std::string(attribute);
 }
 

@@ -223,6 +223,18 @@ std::optional<NamedIdentity> KeyReader::identity() {
   return ConceptNames{std::move(names.concept_name).value_or(""), std::move(names.representation_name).value_or("")};
 }
 
+Statement KeyReader::behind(std::string_view prefix) {
+  Statement inner{
+      .id = statement_.id, .command = statement_.command, .subcommand = statement_.subcommand, .parameters = {}};
+  for (std::size_t i = 0; i < taken_.size(); ++i) {
+    const Parameter& parameter = statement_.parameters[i];
+    if (taken_[i] || !parameter.key.starts_with(prefix)) continue;
+    taken_[i] = true;
+    inner.parameters.push_back({parameter.key.substr(prefix.size()), parameter.value});
+  }
+  return inner;
+}
+
 void KeyReader::refuse_without_effect() {
   for (const std::string_view key : keys_without_effect) {
     if (take(key) == nullptr) continue;

@@ -47,6 +47,8 @@ class KeyReader {
   /// At most one of `id`, `text`, and `concept` with or without `representation`.
   std::optional<IdentityChange> identity_change();
   std::optional<NamedIdentity> identity();
+  /// Takes the parameters whose keys begin with this: a statement of their own, without it.
+  Statement behind(std::string_view prefix);
   /// 422 where one of keys_without_effect is there.
   void refuse_without_effect();
   /// Every key that is left, as attribute_name() takes it; to be called after all others.

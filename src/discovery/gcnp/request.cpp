@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "discovery/gcnp/attribute.hpp"
 #include "discovery/gcnp/key_reader.hpp"
 #include "discovery/gcnp/limits.hpp"
 
@@ -55,6 +56,19 @@ Request read_pub_modify(KeyReader& keys) {
 
 Request read_pub_remove(KeyReader&) { return PubRemove{}; }
 
+/// What a subscription may say beside its mode and identity.
+void read_wishes(KeyReader& keys, NamedSubscription& subscription) {
+  subscription.weakest = keys.degree("match").value_or(Degree::narrower);
+  subscription.providers = keys.providers("provider").value_or(std::vector<ProviderFilter>{});
+  subscription.where = keys.text("where", max_where_bytes).value_or("");
+  subscription.limit = keys.number("limit");
+  subscription.protocols = keys.protocols().value_or(std::vector<std::string>{});
+  subscription.favoured = keys.providers("favour").value_or(std::vector<ProviderFilter>{});
+  subscription.prefer = keys.text("prefer", max_prefer_bytes).value_or("");
+  subscription.rank = keys.text("rank", max_rank_bytes).value_or("");
+  subscription.scope = keys.text("scope", max_scope_bytes).value_or("");
+}
+
 Request read_sub_create(KeyReader& keys) {
   NamedSubscription subscription;
   keys.refuse_without_effect();
@@ -64,18 +78,10 @@ Request read_sub_create(KeyReader& keys) {
   keys.require(identity.has_value(), "an identity", identity_hint);
   subscription.mode = mode.value_or(subscription.mode);
   subscription.identity = std::move(identity).value_or(NamedIdentity{});
-  subscription.weakest = keys.degree("match").value_or(Degree::narrower);
-  subscription.providers = keys.providers("provider").value_or(std::vector<ProviderFilter>{});
-  subscription.where = keys.text("where", max_where_bytes).value_or("");
-  subscription.limit = keys.number("limit");
+  read_wishes(keys, subscription);
   subscription.priority = keys.priority().value_or(0);
   subscription.port = keys.port().value_or(0);
   subscription.address = keys.address().value_or("");
-  subscription.protocols = keys.protocols().value_or(std::vector<std::string>{});
-  subscription.favoured = keys.providers("favour").value_or(std::vector<ProviderFilter>{});
-  subscription.prefer = keys.text("prefer", max_prefer_bytes).value_or("");
-  subscription.rank = keys.text("rank", max_rank_bytes).value_or("");
-  subscription.scope = keys.text("scope", max_scope_bytes).value_or("");
   subscription.attributes = keys.attributes();
   return SubCreate{std::move(subscription)};
 }
@@ -143,12 +149,64 @@ Request read_query_explain(KeyReader& keys) {
   return QueryExplain{std::move(sub).value_or(""), std::move(super).value_or("")};
 }
 
+HypotheticalOffer read_offer(KeyReader& keys, const Statement& stated) {
+  HypotheticalOffer offer;
+  KeyReader inner(stated);
+  auto identity = inner.identity();
+  inner.require(identity.has_value(), "an identity", "say offer.id=N, offer.text=NAME or offer.concept=C");
+  const auto mode = inner.mode();
+  offer.is_any_mode = !mode;
+  offer.publication.mode = mode.value_or(ChannelMode::one_to_one);
+  offer.publication.identity = std::move(identity).value_or(NamedIdentity{});
+  offer.publication.port = inner.port().value_or(0);
+  offer.publication.address = inner.address().value_or("");
+  offer.publication.protocol = inner.text("protocol", max_protocol_bytes).value_or("udp");
+  offer.publication.priority = inner.priority().value_or(0);
+  offer.publication.scope = inner.text("scope", max_scope_bytes).value_or("");
+  offer.publication.for_whom = inner.text("for", max_where_bytes).value_or("");
+  if (auto providers = inner.providers("provider"); providers && !providers->empty()) {
+    if (providers->size() > 1) inner.fail(ErrorCode::malformed, "provider: one service has one provider");
+    offer.provider = std::move(providers->front());
+  }
+  offer.publication.attributes = inner.attributes();
+  if (stated.has("")) inner.fail(ErrorCode::malformed, "a key is missing behind offer.");
+  if (inner.error()) keys.fail(inner.error()->code, "offer: " + inner.error()->text);
+  return offer;
+}
+
 Request read_query_why(KeyReader& keys) {
+  QueryWhy query;
   const auto subscription = keys.service_key("subscription");
   const auto service = keys.service_key("service");
-  keys.require(subscription.has_value(), "subscription", "say subscription=PARTICIPANT/PEER/NUMBER");
-  keys.require(service.has_value(), "service", "say service=PARTICIPANT/PEER/NUMBER");
-  return QueryWhy{subscription.value_or(ServiceKey{}), service.value_or(ServiceKey{})};
+  const Statement offered = keys.behind(offer_prefix);
+  if (subscription) {
+    query.request = *subscription;
+  } else {
+    HypotheticalRequest asked;
+    keys.refuse_without_effect();
+    auto identity = keys.identity();
+    keys.require(identity.has_value(), "subscription",
+                 "say subscription=PARTICIPANT/PEER/NUMBER, or what might be asked for as in sub create");
+    asked.subscription.identity = std::move(identity).value_or(NamedIdentity{});
+    const auto mode = keys.mode();
+    asked.is_any_mode = !mode;
+    asked.subscription.mode = mode.value_or(ChannelMode::one_to_one);
+    read_wishes(keys, asked.subscription);
+    // With their prefix only, so that a key that is none is told.
+    for (const auto& [name, value] : keys.behind(attribute_prefix).parameters) {
+      asked.subscription.attributes.emplace(name, value.value_or(""));
+    }
+    query.request = std::move(asked);
+  }
+  if (service && !offered.parameters.empty()) {
+    keys.fail(ErrorCode::malformed, "service and offer. together: one service at a time");
+  }
+  if (service) {
+    query.offer = *service;
+  } else if (!offered.parameters.empty()) {
+    query.offer = read_offer(keys, offered);
+  }
+  return query;
 }
 
 Request read_query_ontology(KeyReader&) { return QueryOntology{}; }

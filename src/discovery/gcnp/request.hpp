@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -66,6 +67,9 @@ struct ListFilter {
   friend bool operator==(const ListFilter&, const ListFilter&) = default;
 };
 
+/// Before the keys of a service that nobody offers, in `query why`.
+inline constexpr std::string_view offer_prefix = "offer.";
+
 /// `N query KIND ...`; the answers are specified in src/discovery/participant/QUERIES.md.
 struct QueryParticipants {
   friend bool operator==(const QueryParticipants&, const QueryParticipants&) = default;
@@ -95,9 +99,23 @@ struct QueryExplain {
   std::string super;
   friend bool operator==(const QueryExplain&, const QueryExplain&) = default;
 };
+/// A request that nobody has stated: what it would be given. Its keys are those of `sub create`.
+struct HypotheticalRequest {
+  NamedSubscription subscription;
+  bool is_any_mode = false;  ///< no mode was stated: it takes each offer's own
+  friend bool operator==(const HypotheticalRequest&, const HypotheticalRequest&) = default;
+};
+/// A service that nobody offers: who would take it. Its keys are those of `pub create` behind `offer.`.
+struct HypotheticalOffer {
+  NamedPublication publication;
+  bool is_any_mode = false;  ///< no mode was stated: it has that of the request
+  ProviderFilter provider;   ///< by whom; nobody: by a peer of this participant
+  friend bool operator==(const HypotheticalOffer&, const HypotheticalOffer&) = default;
+};
+/// Why a request and an offer meet or do not; without an offer why nobody answers the request, or who does.
 struct QueryWhy {
-  ServiceKey subscription;
-  ServiceKey service;
+  std::variant<ServiceKey, HypotheticalRequest> request;
+  std::variant<std::monostate, ServiceKey, HypotheticalOffer> offer;
   friend bool operator==(const QueryWhy&, const QueryWhy&) = default;
 };
 struct QueryOntology {

@@ -45,6 +45,45 @@ void append_common_change(Parameters& parameters, const Change& change) {
   if (change.priority) append(parameters, "priority", *change.priority);
 }
 
+void append_wishes(Parameters& parameters, const NamedSubscription& subscription) {
+  if (subscription.weakest != Degree::narrower) {
+    append(parameters, "match", std::string(to_string(subscription.weakest)));
+  }
+  append_stated(parameters, "provider", provider_list(subscription.providers));
+  append_stated(parameters, "where", subscription.where);
+  append_stated(parameters, "protocol", protocol_list(subscription.protocols));
+  append_stated(parameters, "favour", provider_list(subscription.favoured));
+  append_stated(parameters, "prefer", subscription.prefer);
+  append_stated(parameters, "rank", subscription.rank);
+  append_stated(parameters, "scope", subscription.scope);
+  if (subscription.limit) append(parameters, "limit", *subscription.limit);
+}
+
+void append_request(Parameters& parameters, const HypotheticalRequest& request) {
+  append_identity(parameters, request.subscription.identity);
+  if (!request.is_any_mode) append(parameters, "mode", std::string(to_string(request.subscription.mode)));
+  append_wishes(parameters, request.subscription);
+  for (const auto& [name, value] : request.subscription.attributes) {
+    append(parameters, std::string(attribute_prefix) + name, value);
+  }
+}
+
+void append_offer(Parameters& parameters, const HypotheticalOffer& offer) {
+  Parameters own;
+  const NamedPublication& publication = offer.publication;
+  append_identity(own, publication.identity);
+  if (!offer.is_any_mode) append(own, "mode", std::string(to_string(publication.mode)));
+  if (publication.port != 0) append(own, "port", publication.port);
+  append_stated(own, "address", publication.address);
+  if (publication.protocol != "udp") append(own, "protocol", publication.protocol);
+  if (publication.priority != 0) append(own, "priority", publication.priority);
+  if (!offer.provider.participant.empty()) append(own, "provider", provider_list({offer.provider}));
+  append_stated(own, "scope", publication.scope);
+  append_stated(own, "for", publication.for_whom);
+  append_own_attributes(own, publication.attributes);
+  for (Parameter& one : own) parameters.push_back({std::string(offer_prefix) + one.key, std::move(one.value)});
+}
+
 struct Writer {
   Statement& statement;
 
@@ -89,17 +128,7 @@ struct Writer {
     const NamedSubscription& subscription = create.subscription;
     append(parameters, "mode", std::string(to_string(subscription.mode)));
     append_identity(parameters, subscription.identity);
-    if (subscription.weakest != Degree::narrower) {
-      append(parameters, "match", std::string(to_string(subscription.weakest)));
-    }
-    append_stated(parameters, "provider", provider_list(subscription.providers));
-    append_stated(parameters, "where", subscription.where);
-    append_stated(parameters, "protocol", protocol_list(subscription.protocols));
-    append_stated(parameters, "favour", provider_list(subscription.favoured));
-    append_stated(parameters, "prefer", subscription.prefer);
-    append_stated(parameters, "rank", subscription.rank);
-    append_stated(parameters, "scope", subscription.scope);
-    if (subscription.limit) append(parameters, "limit", *subscription.limit);
+    append_wishes(parameters, subscription);
     if (subscription.priority != 0) append(parameters, "priority", subscription.priority);
     if (subscription.port != 0) append(parameters, "port", subscription.port);
     append_stated(parameters, "address", subscription.address);
@@ -149,8 +178,10 @@ struct Writer {
   }
   void operator()(const QueryWhy& query) const {
     auto& parameters = begin("query", "why");
-    append(parameters, "subscription", to_string(query.subscription));
-    append(parameters, "service", to_string(query.service));
+    if (const auto* key = std::get_if<ServiceKey>(&query.request)) append(parameters, "subscription", to_string(*key));
+    if (const auto* asked = std::get_if<HypotheticalRequest>(&query.request)) append_request(parameters, *asked);
+    if (const auto* key = std::get_if<ServiceKey>(&query.offer)) append(parameters, "service", to_string(*key));
+    if (const auto* offer = std::get_if<HypotheticalOffer>(&query.offer)) append_offer(parameters, *offer);
   }
   void operator()(const QueryOntology&) const { begin("query", "ontology"); }
   void operator()(const QueryStatus&) const { begin("query", "status"); }

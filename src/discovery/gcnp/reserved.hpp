@@ -48,6 +48,14 @@ inline constexpr auto reserved_keys = std::to_array<std::string_view>({"mode",
 /// done.
 inline constexpr auto keys_without_effect = std::to_array<std::string_view>({"convert"});
 
+/// Keys of the daemon's own lines that a client may all the same state as attributes: these are written `attr.NAME` in
+/// every line of the daemon, so that no attribute can be taken for them. Words are only ever appended.
+inline constexpr auto keys_of_lines = std::to_array<std::string_view>({"why", "because"});
+
+[[nodiscard]] constexpr bool is_key_of_lines(std::string_view key) {
+  return std::ranges::find(keys_of_lines, key) != keys_of_lines.end();
+}
+
 [[nodiscard]] constexpr bool is_reserved(std::string_view key) {
   return std::ranges::find(reserved_keys, key) != reserved_keys.end();
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "discovery/matching/obstacle.hpp"
 #include "discovery/matching/state.hpp"
 
 namespace geminga::matching {
@@ -75,6 +76,22 @@ std::optional<Standing> Matcher::standing(const ServiceKey& subscription, const 
   return state_->standing(*asked, *offered);
 }
 
+std::optional<Standing> Matcher::standing(const ServiceKey& subscription, const ServiceKey& publication,
+                                          const Place& place) {
+  const StoredSubscription* asked = state_->subscriptions_.find(subscription);
+  const StoredPublication* offered = state_->publications_.find(publication);
+  if (asked == nullptr || offered == nullptr) return std::nullopt;
+  return state_->standing(*asked, *offered, place);
+}
+
+std::size_t Matcher::counted_limit(const registry::SubscriptionEntry& subscription) {
+  return State::counted_limit(subscription);
+}
+
+std::shared_ptr<const Request> Matcher::prepare(const registry::SubscriptionEntry& asked) const {
+  return std::make_shared<const Request>(state_->prepare(asked));
+}
+
 std::shared_ptr<const Request> Matcher::prepare(const Subscription& asked) const {
   return std::make_shared<const Request>(prepared(asked, vocabulary(), state_->placing_));
 }
@@ -96,9 +113,28 @@ std::optional<std::vector<ServiceKey>> Matcher::candidates(const Subscription& a
   return keys;
 }
 
+std::vector<ServiceKey> Matcher::some_candidates(const Subscription& asked, const Request& request,
+                                                 std::size_t most) const {
+  std::vector<ServiceKey> keys;
+  visit_publications(state_->publications_, asked.identity, request.classes, asked.weakest, state_->in_force_,
+                     [&](const StoredPublication& publication) {
+                       if (keys.size() < most) keys.push_back(publication.entry.key);
+                       return keys.size() >= most;
+                     });
+  return keys;
+}
+
+Finding Matcher::examine(const registry::SubscriptionEntry& asked, const Request& request,
+                         const registry::PublicationEntry& offer) const {
+  return state_->examine(asked, request, offer);
+}
+
 std::expected<Match, std::string> Matcher::why(const registry::SubscriptionEntry& request,
                                                const registry::PublicationEntry& offer) const {
   ++state_->judged_;
+  if (state_->is_kept_apart(offer.publication.identity, request.subscription.identity)) {
+    return std::unexpected("identity: the number is that of two different services, and nobody is connected by it");
+  }
   const Audience audience = Audience::of(offer.publication);
   const Classes classes = classes_of(offer.publication.identity, vocabulary());
   return explained(request, state_->prepare(request), {offer, audience, classes}, vocabulary());

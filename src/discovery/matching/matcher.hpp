@@ -24,6 +24,8 @@
 namespace geminga::matching {
 
 struct Request;
+struct Finding;
+struct Place;
 
 /// Holds the registry, matches and arbitrates. Not thread-safe. Feeding it is idempotent: a put of what is there
 /// already only moves its age and causes no event. No event is ever doubled: per (to, about) the stream is add
@@ -106,6 +108,7 @@ class Matcher {
 
   /// What meets() needs of a request, for as long as the ontology stays.
   [[nodiscard]] std::shared_ptr<const Request> prepare(const Subscription& asked) const;
+  [[nodiscard]] std::shared_ptr<const Request> prepare(const registry::SubscriptionEntry& asked) const;
   /// How a publication of the registry meets `asked`, from which `request` was prepared; its mode and its identity may
   /// have been set to the publication's own since.
   [[nodiscard]] std::optional<Match> meets(const registry::SubscriptionEntry& asked, const Request& request,
@@ -114,6 +117,13 @@ class Matcher {
   /// `most`.
   [[nodiscard]] std::optional<std::vector<ServiceKey>> candidates(const Subscription& asked, const Request& request,
                                                                   std::size_t most) const;
+  /// The same up to `most` of them: the first that are found.
+  [[nodiscard]] std::vector<ServiceKey> some_candidates(const Subscription& asked, const Request& request,
+                                                        std::size_t most) const;
+  /// What stands between an offer and `asked`, from which `request` was prepared; either may be one that nobody has
+  /// stated.
+  [[nodiscard]] Finding examine(const registry::SubscriptionEntry& asked, const Request& request,
+                                const registry::PublicationEntry& offer) const;
   /// How this offer meets this request by identity, mode, provider, scope and conditions; the error says what does not
   /// fit.
   [[nodiscard]] std::expected<Match, std::string> why(const registry::SubscriptionEntry& request,
@@ -121,6 +131,11 @@ class Matcher {
   /// How a publication stands in the arbitration of a subscription, both known here; nothing where they do not match.
   /// While the vocabulary changes, this is also the subscription's step.
   [[nodiscard]] std::optional<Standing> standing(const ServiceKey& subscription, const ServiceKey& publication);
+  /// The same where its place is known already, so that nobody is ranked. Nothing where one of them is not known.
+  [[nodiscard]] std::optional<Standing> standing(const ServiceKey& subscription, const ServiceKey& publication,
+                                                 const Place& place);
+  /// The limit of a subscription that is known, as standing() counts it; 0 is none.
+  [[nodiscard]] static std::size_t counted_limit(const registry::SubscriptionEntry& subscription);
   /// Those behind `after`, or all, in ascending order of key, until `visit` gives false. Whether all were visited.
   using VisitPublication = std::function<bool(const registry::PublicationEntry&)>;
   using VisitSubscription = std::function<bool(const registry::SubscriptionEntry&)>;

@@ -15,25 +15,6 @@ using registry::SubscriptionEntry;
 
 constexpr std::size_t max_shown_expression = 400;
 
-bool is_accepted_provider(const Subscription& subscription, const PublicationEntry& publication) {
-  return subscription.providers.empty() || std::ranges::any_of(subscription.providers, [&](const auto& provider) {
-           return is_of(provider, publication);
-         });
-}
-
-bool is_accepted_protocol(const Subscription& subscription, const PublicationEntry& publication) {
-  return subscription.protocols.empty() ||
-         std::ranges::find(subscription.protocols, publication.publication.protocol) != subscription.protocols.end();
-}
-
-/// Whether each is in the scope of the other.
-bool is_in_scope(const SubscriptionEntry& subscription, const Request& request, const Offer& offer) {
-  const Party consumer = party(subscription);
-  const Party provider = party(offer.entry);
-  return request.scope && request.scope->admits(consumer, provider) && offer.audience.scope &&
-         offer.audience.scope->admits(provider, consumer);
-}
-
 std::string scope_misfit(const SubscriptionEntry& subscription, const Request& request, const Offer& offer) {
   if (!request.scope || !offer.audience.scope) return "scope: it cannot be read";
   return request.scope->admits(party(subscription), party(offer.entry))
@@ -112,6 +93,25 @@ std::string identity_misfit(const Identity& offered, const Classes& offered_clas
 }
 
 }  // namespace
+
+bool is_accepted_provider(const Subscription& subscription, const PublicationEntry& publication) {
+  return subscription.providers.empty() || std::ranges::any_of(subscription.providers, [&](const auto& provider) {
+           return is_of(provider, publication);
+         });
+}
+
+bool is_accepted_protocol(const Subscription& subscription, const PublicationEntry& publication) {
+  return subscription.protocols.empty() ||
+         std::ranges::find(subscription.protocols, publication.publication.protocol) != subscription.protocols.end();
+}
+
+/// Whether each is in the scope of the other.
+bool is_in_scope(const SubscriptionEntry& subscription, const Request& request, const Offer& offer) {
+  const Party consumer = party(subscription);
+  const Party provider = party(offer.entry);
+  return request.scope && request.scope->admits(consumer, provider) && offer.audience.scope &&
+         offer.audience.scope->admits(provider, consumer);
+}
 
 Request prepared(const Subscription& subscription, const vocabulary::Vocabulary& vocabulary, const Placing& placing,
                  ParticipantId from) {

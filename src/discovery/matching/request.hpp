@@ -44,6 +44,15 @@ struct Offer {
   const Classes& classes;
 };
 
+/// Whether it is by one of the providers that are asked for, or speaks one of the protocols; always where none are.
+[[nodiscard]] bool is_accepted_provider(const Subscription& subscription,
+                                        const registry::PublicationEntry& publication);
+[[nodiscard]] bool is_accepted_protocol(const Subscription& subscription,
+                                        const registry::PublicationEntry& publication);
+/// Whether each is in the scope of the other.
+[[nodiscard]] bool is_in_scope(const registry::SubscriptionEntry& subscription, const Request& request,
+                               const Offer& offer);
+
 /// How the offer meets the subscription by mode, provider, protocol, scope, identity, conditions of both and
 /// signature; nothing where it does not. `subscription` is what `request` was prepared from.
 [[nodiscard]] std::optional<Match> meets(const registry::SubscriptionEntry& subscription, const Request& request,

@@ -17,12 +17,24 @@ std::optional<Standing> Matcher::State::standing(const StoredSubscription& subsc
   const auto ranked = match(subscription.entry, of_subscription_[subscription.slot].request);
   const auto at = std::ranges::find(ranked, &publication.entry, &Ranked::publication);
   if (at == ranked.end()) return std::nullopt;
-  Standing standing{.rank = static_cast<std::size_t>(at - ranked.begin()) + 1, .candidates = ranked.size()};
-  const std::size_t limit =
-      subscription.entry.is_local ? limit_of(subscription.entry) : subscription.entry.subscription.limit;
+  const std::size_t limit = counted_limit(subscription.entry);
+  Place place{.rank = static_cast<std::size_t>(at - ranked.begin()) + 1, .candidates = ranked.size()};
+  if (limit != 0 && place.rank > limit) place.last = ranked[limit - 1].publication;
+  return standing(subscription, publication, place);
+}
+
+std::size_t Matcher::State::counted_limit(const registry::SubscriptionEntry& subscription) {
+  return subscription.is_local ? limit_of(subscription) : subscription.subscription.limit;
+}
+
+Standing Matcher::State::standing(const StoredSubscription& subscription, const StoredPublication& publication,
+                                  const Place& place) {
+  if (edition_of(subscription).generation != in_force_.generation) rematch(subscription);
+  Standing standing{.rank = place.rank, .candidates = place.candidates};
+  const std::size_t limit = counted_limit(subscription.entry);
   const bool is_within = limit == 0 || standing.rank <= limit;
   standing.is_chosen = is_within;
-  if (!is_within) standing.rival = ranked[limit - 1].publication;
+  if (!is_within) standing.rival = place.last;
   if (limit == 0) return standing;
   if (!subscription.entry.is_local && !subscription.entry.subscription.chosen.empty()) {
     standing.decided = Standing::Decided::by_consumer;

@@ -9,6 +9,15 @@
 
 namespace geminga::matching {
 
+/// Where a publication ranks among all that match a subscription.
+struct Place {
+  std::size_t rank = 0;        ///< from 1
+  std::size_t candidates = 0;  ///< how many match
+  /// The last within the limit, where the publication is not; null where that is not known. Borrowed until the next
+  /// change of the matcher.
+  const registry::PublicationEntry* last = nullptr;
+};
+
 /// Of a pair that matches.
 struct Standing {
   /// Why a publication that ranks behind the limit is chosen all the same, or one within it is not.

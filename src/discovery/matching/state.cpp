@@ -33,6 +33,20 @@ std::optional<Match> Matcher::State::meet(const SubscriptionEntry& asked, const 
   return matching::meets(asked, request, {offered.entry, audience, classes(offered, edition)}, edition.vocabulary);
 }
 
+Finding Matcher::State::examine(const SubscriptionEntry& asked, const Request& request,
+                                const PublicationEntry& offered) const {
+  ++judged_;
+  const bool is_apart = is_kept_apart(offered.publication.identity, asked.subscription.identity);
+  const StoredPublication* stored = publications_.find(offered.key);
+  if (stored != nullptr && &stored->entry == &offered) {
+    const Offer offer{offered, of_publication_[stored->slot].audience, classes(*stored, in_force_)};
+    return matching::examine(asked, request, offer, in_force_.vocabulary, is_apart);
+  }
+  const Audience audience = Audience::of(offered.publication);
+  const Classes its = classes_of(offered.publication.identity, in_force_.vocabulary);
+  return matching::examine(asked, request, {offered, audience, its}, in_force_.vocabulary, is_apart);
+}
+
 void Matcher::State::file(const StoredPublication& stored, const Edition& edition) {
   auto& known = of(stored).classes[std::to_underlying(edition.generation)];
   known = classes_of(stored.entry.publication.identity, edition.vocabulary);

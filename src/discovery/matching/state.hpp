@@ -17,6 +17,7 @@
 #include "discovery/matching/candidates.hpp"
 #include "discovery/matching/clash.hpp"
 #include "discovery/matching/matcher.hpp"
+#include "discovery/matching/obstacle.hpp"
 #include "discovery/matching/request.hpp"
 #include "discovery/matching/standing.hpp"
 #include "discovery/registry/fields.hpp"
@@ -70,13 +71,22 @@ class Matcher::State {
   [[nodiscard]] std::vector<Ranked> match(const registry::SubscriptionEntry& entry, const Request& request) const;
   [[nodiscard]] std::optional<Standing> standing(const registry::StoredSubscription& subscription,
                                                  const registry::StoredPublication& publication);
+  [[nodiscard]] Standing standing(const registry::StoredSubscription& subscription,
+                                  const registry::StoredPublication& publication, const Place& place);
+  /// The limit that ranks are compared with; 0 is none.
+  [[nodiscard]] static std::size_t counted_limit(const registry::SubscriptionEntry& subscription);
   [[nodiscard]] std::optional<Match> meets(const registry::SubscriptionEntry& asked, const Request& request,
                                            const registry::PublicationEntry& publication) const;
+  [[nodiscard]] Finding examine(const registry::SubscriptionEntry& asked, const Request& request,
+                                const registry::PublicationEntry& offered) const;
   [[nodiscard]] std::vector<ServiceKey> chosen(const ServiceKey& subscription) const;
   [[nodiscard]] std::vector<ServiceKey> consumers(const ServiceKey& publication) const;
   [[nodiscard]] std::optional<Match> given(const ServiceKey& subscription, const ServiceKey& publication) const;
   [[nodiscard]] bool is_served(const registry::SubscriptionEntry& subscription) const;
   [[nodiscard]] bool is_used(const registry::PublicationEntry& publication) const;
+
+  /// Whether a number and a concept do not meet because the number is that of another concept, too.
+  [[nodiscard]] bool is_kept_apart(const Identity& offered, const Identity& requested) const;
 
   Edition in_force_;
   Placing placing_;
@@ -181,8 +191,6 @@ class Matcher::State {
   /// The one place where a pair is judged, and counted.
   [[nodiscard]] std::optional<Match> meet(const registry::SubscriptionEntry& asked, const Request& request,
                                           const registry::StoredPublication& offered, const Edition& edition) const;
-  /// Whether a number and a concept do not meet because the number is that of another concept, too.
-  [[nodiscard]] bool is_kept_apart(const Identity& offered, const Identity& requested) const;
   /// Finds out whether the number is that of two concepts, after what has come or gone. Gives the subscriptions that
   /// must be judged anew. `newcomer` is whose coming it is; null: somebody has gone.
   [[nodiscard]] std::vector<const registry::StoredSubscription*> review(Id32 number, const ServiceKey* newcomer);

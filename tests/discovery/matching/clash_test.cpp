@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "discovery/matching/obstacle.hpp"
 #include "discovery/matching/team.hpp"
 
 namespace geminga::matching {
@@ -52,6 +53,22 @@ TEST(Clash, ANumberMeetsTheConceptWhoseHashItIs) {
   matcher.put(offer(key(2, 1, 7), TextIdentity{"a text"}));
   matcher.put(request(key(here, 1, 1), NumericIdentity{id32(TextIdentity{"a text"})}));
   EXPECT_THAT(told(matcher), IsEmpty()) << "a text has no part in this";
+}
+
+TEST(Clash, IsWhyTheTwoDoNotMeet) {
+  const auto [one, other] = twins();
+  Matcher matcher;
+  const auto asks = request(key(here, 1, 1), NumericIdentity{id32(one)});
+  matcher.put(asks);
+  matcher.put(offer(key(2, 1, 1), one));
+  const auto* offered = matcher.find_publication(key(2, 1, 1));
+  EXPECT_TRUE(matcher.why(asks, *offered));
+  EXPECT_TRUE(matcher.examine(asks, *matcher.prepare(asks), *offered).meets());
+  matcher.put(offer(key(3, 1, 1), other));
+  const auto why = matcher.why(asks, *offered);
+  ASSERT_FALSE(why);
+  EXPECT_THAT(why.error(), HasSubstr("that of two different services"));
+  EXPECT_EQ(matcher.examine(asks, *matcher.prepare(asks), *offered).first(), Obstacle::clash);
 }
 
 TEST(Clash, AProviderThatAClashKeptApartIsNoIncumbentWhenItEnds) {

@@ -192,6 +192,70 @@ TEST_F(Query, SaysOfAnOutrankedPairThatItDoesNotMatch) {
   EXPECT_EQ(document.at("outranked"), true);
 }
 
+TEST_F(Query, SaysWhyNobodyAnswers) {
+  peer_.say("5 sub create mode=otm/stream concept=soccer:SharedBallInfo where=\"rate > 60\"");
+  EXPECT_THAT(peer_.lines_until_pong(), IsEmpty());
+  const std::string request = word({"requests", "rate > 60"}, "subscription");
+  const auto shown = bench_.query({"why", request});
+  EXPECT_EQ(shown.status, 1) << shown.errors;
+  EXPECT_THAT(shown.out, StartsWith("no: "));
+  EXPECT_THAT(shown.out, HasSubstr("rate > 60 does not hold: rate is 30 (2 services are known)\nwhere: ask for less"));
+  EXPECT_THAT(shown.out, HasSubstr("PROVIDER"));
+  const auto document = bench_.json({"why", request});
+  EXPECT_EQ(document.at("subscription").as_string(), request);
+  EXPECT_EQ(document.at("served"), false);
+  EXPECT_EQ(document.at("offers").as_int64(), 2);
+  EXPECT_EQ(document.at("matching").as_int64(), 0);
+  EXPECT_EQ(document.at("code"), "where");
+  EXPECT_EQ(document.at("services").at(0).at("code"), "where");
+  EXPECT_EQ(document.at("services").at(0).at("ok"), false);
+  EXPECT_EQ(document.at("services").at(0).as_object().contains("attributes"), false);
+  const auto served = bench_.query({"why", word({"requests", "rate > 10"}, "subscription")});
+  EXPECT_EQ(served.status, 0);
+  EXPECT_THAT(served.out, StartsWith("yes: 1 of the 2 services that are known meets it\n"));
+}
+
+TEST_F(Query, SaysInWordsWhyEachRequestIsUnmatched) {
+  peer_.say("5 sub create mode=otm/stream concept=soccer:SharedBallInfo match=exact protocol=tcp why=attribute");
+  EXPECT_THAT(peer_.lines_until_pong(), IsEmpty());
+  EXPECT_THAT(bench_.query({"requests", "--unmatched"}).out, HasSubstr("udp is none of tcp"));
+  const auto unmatched = bench_.json({"requests", "--unmatched", "protocol=tcp"}).at(0).as_object();
+  EXPECT_EQ(unmatched.at("why"), "protocol");
+  EXPECT_THAT(std::string(unmatched.at("because").as_string()), HasSubstr("ask with protocol=udp too"));
+  EXPECT_EQ(unmatched.at("attributes").at("why"), "attribute");
+  EXPECT_THAT(bench_.query({"requests"}).out, Not(HasSubstr("WHY")));
+  EXPECT_FALSE(bench_.json({"requests", "protocol=tcp"}).at(0).as_object().contains("because"));
+}
+
+TEST_F(Query, SaysWhatWouldBeIfSomebodyAskedOrOffered) {
+  const std::string ball = word({"services", "mode=otm/stream"}, "service");
+  const std::string request = word({"requests", "mode=otm/stream"}, "subscription");
+  const auto yes = bench_.query({"why", "--concept", "soccer:TrackedObject", "--service", ball});
+  EXPECT_EQ(yes.status, 0) << yes.errors;
+  EXPECT_THAT(yes.out, StartsWith("yes: they match, degree narrower"));
+  EXPECT_THAT(yes.out, HasSubstr("because\n  soccer:SharedBallInfo SubClassOf soccer:BallInfo\n"));
+  const auto pair = bench_.json({"why", "--concept", "soccer:BallInfo", "--match", "exact", "--service", ball});
+  EXPECT_EQ(pair.at("matches"), false);
+  EXPECT_EQ(pair.at("code"), "degree");
+  EXPECT_EQ(pair.at("service").as_string(), ball);
+  EXPECT_EQ(pair.at("request").at("concept"), "soccer:BallInfo");
+  EXPECT_TRUE(pair.at("checks").at(1).at("proof").is_array());
+  const auto offered =
+      bench_.query({"why", request, "--offer-concept", "soccer:BallInfo", "--offer-attribute", "rate=5"});
+  EXPECT_EQ(offered.status, 1);
+  EXPECT_THAT(offered.out, HasSubstr("\nwhere: ask for less in where"));
+  const auto both = bench_.json({"why", "--text", "camera", "--offer-text", "camrea", "--offer-mode", "oto"});
+  EXPECT_EQ(both.at("code"), "similar_text");
+  EXPECT_EQ(both.at("offer").at("text"), "camrea");
+  EXPECT_EQ(bench_.query({"why", "--id", "77"}).status, 1);
+  EXPECT_EQ(bench_.json({"why", "--id", "77"}).at("code"), "nobody");
+  EXPECT_EQ(bench_.query({"why", "--text", "lonely"}).status, 0);
+  const auto mistyped = bench_.query({"why", "--concept", "soccer:BalInfo"});
+  EXPECT_EQ(mistyped.status, 2);
+  EXPECT_THAT(mistyped.errors, HasSubstr("did you mean soccer:BallInfo"));
+  EXPECT_EQ(bench_.query({"why", "--concept", "soccer:BallInfo", "--mode", "otm"}).status, 2);
+}
+
 TEST_F(Query, TellsOfTheOntologyAndTheStatus) {
   const auto ontology = bench_.query({"ontology"});
   EXPECT_EQ(ontology.status, 0);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "discovery/gcnp/statement.hpp"
@@ -26,11 +27,16 @@ class Piece {
   /// Says `N msg KIND ...`.
   void tell(Line line);
   /// Counts one entry that was looked at, told of or not.
-  void look_at_one();
+  void look_at_one() { look_at(1); }
+  /// Counts so many, or other work that is as much.
+  void look_at(std::size_t entries);
+  /// What the line `N msg end` says more, when all has been told.
+  void conclude(Line end) { end_ = std::move(end); }
   /// Whether this piece has done its share of work.
   [[nodiscard]] bool is_full() const;
   [[nodiscard]] std::size_t told() const { return told_; }
   [[nodiscard]] std::size_t looked_at() const { return looked_at_; }
+  [[nodiscard]] const Line& end() const { return end_; }
 
  private:
   Core& core_;
@@ -39,6 +45,7 @@ class Piece {
   Work begin_;
   std::size_t told_ = 0;
   std::size_t looked_at_ = 0;
+  Line end_;
 };
 
 /// Tells more until the piece is full or nothing is left; gives whether all has been told. It keeps its place by the

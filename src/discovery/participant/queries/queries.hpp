@@ -30,7 +30,6 @@ using Answered = std::expected<Answer, Error>;
 // None of these changes anything. Cost: linear in what they look through, which is little.
 [[nodiscard]] Answered answer(Core& core, const gcnp::QueryParticipants& query);
 [[nodiscard]] Answered answer(Core& core, const gcnp::QueryExplain& query);
-[[nodiscard]] Answered answer(Core& core, const gcnp::QueryWhy& query);
 [[nodiscard]] Answered answer(Core& core, const gcnp::QueryOntology& query);
 [[nodiscard]] Answered answer(Core& core, const gcnp::QueryStatus& query);
 [[nodiscard]] Answered answer(Core& core, const gcnp::QueryInterfaces& query);
@@ -41,6 +40,7 @@ using Answered = std::expected<Answer, Error>;
 [[nodiscard]] std::expected<Answering, Error> begin(Core& core, const gcnp::QueryServices& query);
 [[nodiscard]] std::expected<Answering, Error> begin(Core& core, const gcnp::QueryRequests& query);
 [[nodiscard]] std::expected<Answering, Error> begin(Core& core, const gcnp::QueryMatch& query);
+[[nodiscard]] std::expected<Answering, Error> begin(Core& core, const gcnp::QueryWhy& query);
 /// An answer that is ready, to be told piece by piece.
 [[nodiscard]] Answering telling(Answer answer);
 

@@ -15,9 +15,9 @@ void Piece::tell(Line line) {
   ++told_;
 }
 
-void Piece::look_at_one() {
-  core_.worked += cost_of_entry;
-  ++looked_at_;
+void Piece::look_at(std::size_t entries) {
+  core_.worked += entries * cost_of_entry;
+  looked_at_ += entries;
 }
 
 bool Piece::is_full() const { return core_.work() - begin_ >= work_in_step; }
@@ -53,6 +53,7 @@ void proceed_answer(Core& core, Session& session) {
   statement.parameters.clear();
   append(statement.parameters, "count", answering.told);
   statement.parameters.insert(statement.parameters.end(), answering.end.begin(), answering.end.end());
+  statement.parameters.insert(statement.parameters.end(), piece.end().begin(), piece.end().end());
   session.say(statement);
   session.gate.charge(answering.looked_at / work_per_statement);
   session.answering.reset();

@@ -5,11 +5,13 @@
 #include "discovery/gcnp/event.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
+#include "discovery/participant/queries/reasons.hpp"
 
 namespace geminga::participant {
 namespace {
 
-Line line_of(const Core& core, const registry::SubscriptionEntry& entry) {
+/// `reason` says why nobody serves it, where that was asked for.
+Line line_of(const Core& core, const registry::SubscriptionEntry& entry, const Reason* reason) {
   const Subscription& subscription = entry.subscription;
   Line line;
   append(line, "subscription", to_string(entry.key));
@@ -33,6 +35,10 @@ Line line_of(const Core& core, const registry::SubscriptionEntry& entry) {
   append_stated(line, "prefer", subscription.prefer);
   append_stated(line, "rank", subscription.rank);
   append_stated(line, "scope", subscription.scope);
+  if (reason != nullptr) {
+    append(line, "why", std::string(to_string(reason->obstacle)));
+    append(line, "because", reason->text + (reason->mend.empty() ? "" : ": " + reason->mend));
+  }
   gcnp::append_attributes(line, subscription.attributes);
   return line;
 }
@@ -43,20 +49,27 @@ std::expected<Answering, Error> begin(Core& core, const gcnp::QueryRequests& que
   if (query.unused) return begin(core, gcnp::QueryServices{.filter = query.filter, .unused = true});
   auto sieve = Sieve::make(core, query.filter);
   if (!sieve) return std::unexpected(sieve.error());
-  return Answering{.kind = "requests",
-                   .proceed = [sieve = std::move(*sieve), is_unmatched_only = query.unmatched,
-                               last = std::optional<ServiceKey>()](Core& all, Piece& piece) mutable {
-                     return all.matcher.walk_subscriptions(last, [&](const registry::SubscriptionEntry& entry) {
-                       last = entry.key;
-                       piece.look_at_one();
-                       const bool passes = sieve.passes(all, entry.key, entry.participant_name, entry.peer_name,
-                                                        entry.subscription.identity, entry.subscription.mode) &&
-                                           !(is_unmatched_only && all.matcher.is_served(entry));
-                       Line line = passes ? line_of(all, entry) : Line{};
-                       if (passes && sieve.passes(line)) piece.tell(std::move(line));
-                       return !piece.is_full();
-                     });
-                   }};
+  return Answering{
+      .kind = "requests",
+      .proceed = [sieve = std::move(*sieve), is_unmatched_only = query.unmatched, last = std::optional<ServiceKey>(),
+                  reasons = Reasons()](Core& all, Piece& piece) mutable {
+        return all.matcher.walk_subscriptions(last, [&](const registry::SubscriptionEntry& entry) {
+          last = entry.key;
+          piece.look_at_one();
+          const bool passes = sieve.passes(all, entry.key, entry.participant_name, entry.peer_name,
+                                           entry.subscription.identity, entry.subscription.mode) &&
+                              !(is_unmatched_only && all.matcher.is_served(entry));
+          Line line = passes ? line_of(all, entry, nullptr) : Line{};
+          if (passes && sieve.passes(line)) {
+            if (is_unmatched_only) {
+              const Reason reason = reasons.likely(all, piece, entry);
+              line = line_of(all, entry, &reason);
+            }
+            piece.tell(std::move(line));
+          }
+          return !piece.is_full();
+        });
+      }};
 }
 
 }  // namespace geminga::participant

@@ -1,0 +1,200 @@
+// The walk through a pair, and how near it came.
+#include "discovery/matching/obstacle.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/edit_distance.hpp"
+#include "discovery/matching/representation.hpp"
+
+namespace geminga::matching {
+namespace {
+
+using registry::PublicationEntry;
+
+constexpr auto words = std::to_array<std::string_view>({"none",
+                                                        "kind",
+                                                        "number",
+                                                        "text",
+                                                        "similar_text",
+                                                        "clash",
+                                                        "no_ontology",
+                                                        "unknown_concept",
+                                                        "unknown_offer",
+                                                        "unsatisfiable",
+                                                        "unclassified",
+                                                        "unrelated",
+                                                        "representation",
+                                                        "representation_unstated",
+                                                        "unknown_representation",
+                                                        "broader",
+                                                        "degree",
+                                                        "mode",
+                                                        "protocol",
+                                                        "provider",
+                                                        "scope",
+                                                        "where",
+                                                        "for",
+                                                        "signature",
+                                                        "unreadable",
+                                                        "outranked",
+                                                        "incumbent",
+                                                        "nobody",
+                                                        "ontology_differs"});
+static_assert(words.size() == std::to_underlying(Obstacle::ontology_differs) + 1U);
+
+bool is_similar(const std::string& a, const std::string& b) {
+  const std::size_t limit = base::tolerated_slips(a);
+  return base::edit_distance(a, b, limit) <= limit;
+}
+
+/// Why two names have no degree; `unknown_asked` and `unknown_offered` say so of this kind of name.
+Obstacle of_names(const std::string& offered, const std::string& requested, const vocabulary::Vocabulary& vocabulary,
+                  Obstacle unknown_asked, Obstacle unknown_offered, Obstacle different) {
+  if (!vocabulary.is_loaded()) return Obstacle::no_ontology;
+  const auto asked_class = vocabulary.find_iri(requested);
+  const auto offered_class = vocabulary.find_iri(offered);
+  if (!asked_class) return unknown_asked;
+  if (!offered_class) return unknown_offered;
+  if (!vocabulary.is_satisfiable(*asked_class) || !vocabulary.is_satisfiable(*offered_class)) {
+    return Obstacle::unsatisfiable;
+  }
+  return different;
+}
+
+/// Of two semantic identities that do not match at all.
+Obstacle of_semantics(const SemanticIdentity& offer, const Classes& offered, const SemanticIdentity& request,
+                      const Classes& requested, const vocabulary::Vocabulary& vocabulary) {
+  const bool is_expression = has_expression(request) && offer.concept_iri != request.concept_iri;
+  const auto by_concept = is_expression ? degree_of_expression(offered.concept_class, requested.place.get(), vocabulary)
+                                        : degree_of_name(offer.concept_iri, offered.concept_class, request.concept_iri,
+                                                         requested.concept_class, vocabulary);
+  if (by_concept && offer.representation_iri.empty()) return Obstacle::representation_unstated;
+  if (by_concept) {
+    return of_names(offer.representation_iri, request.representation_iri, vocabulary, Obstacle::unknown_representation,
+                    Obstacle::unknown_representation, Obstacle::representation);
+  }
+  if (!is_expression) {
+    return of_names(offer.concept_iri, request.concept_iri, vocabulary, Obstacle::unknown_concept,
+                    Obstacle::unknown_offer, Obstacle::unrelated);
+  }
+  if (!vocabulary.is_loaded()) return Obstacle::no_ontology;
+  if (!requested.place) return Obstacle::unclassified;
+  return vocabulary.find_iri(offer.concept_iri) ? Obstacle::unrelated : Obstacle::unknown_offer;
+}
+
+/// Of two identities that do not match at all.
+Obstacle of_identities(const Identity& offered, const Classes& offered_classes, const Identity& requested,
+                       const Classes& requested_classes, const vocabulary::Vocabulary& vocabulary) {
+  if (offered.index() != requested.index()) return Obstacle::kind;
+  if (std::holds_alternative<NumericIdentity>(offered)) return Obstacle::number;
+  if (const auto* text = std::get_if<TextIdentity>(&offered)) {
+    return is_similar(std::get<TextIdentity>(requested).text, text->text) ? Obstacle::similar_text : Obstacle::text;
+  }
+  return of_semantics(std::get<SemanticIdentity>(offered), offered_classes, std::get<SemanticIdentity>(requested),
+                      requested_classes, vocabulary);
+}
+
+/// How far apart two identities are. Below `first_far` the concept fits.
+constexpr unsigned first_far = 10;
+unsigned stage_of(Obstacle identity) {
+  switch (identity) {
+    case Obstacle::none:
+      return 0;
+    case Obstacle::clash:
+      return 1;
+    case Obstacle::broader:
+    case Obstacle::degree:
+      return 2;
+    case Obstacle::representation:
+    case Obstacle::representation_unstated:
+    case Obstacle::unknown_representation:
+      return 3;
+    case Obstacle::similar_text:
+      return 4;
+    case Obstacle::unclassified:
+    case Obstacle::unsatisfiable:
+      return first_far;
+    case Obstacle::unrelated:
+      return first_far + 1;
+    case Obstacle::unknown_concept:
+    case Obstacle::unknown_offer:
+    case Obstacle::no_ontology:
+      return first_far + 2;
+    case Obstacle::text:
+    case Obstacle::number:
+      return first_far + 3;
+    default:
+      return first_far + 4;
+  }
+}
+
+}  // namespace
+
+std::string_view to_string(Obstacle obstacle) { return words[std::to_underlying(obstacle)]; }
+
+Obstacle Finding::first() const {
+  if (identity != Obstacle::none) return identity;
+  if (!is_mode_met) return Obstacle::mode;
+  if (!is_protocol_met) return Obstacle::protocol;
+  if (!is_provider_met) return Obstacle::provider;
+  if (!is_readable) return Obstacle::unreadable;
+  if (!is_scope_met) return Obstacle::scope;
+  if (!is_where_met) return Obstacle::where;
+  if (!is_for_met) return Obstacle::for_whom;
+  return is_signature_met ? Obstacle::none : Obstacle::signature;
+}
+
+std::size_t Finding::count() const {
+  const auto met = {identity == Obstacle::none,
+                    is_mode_met,
+                    is_protocol_met,
+                    is_provider_met,
+                    is_scope_met,
+                    is_where_met,
+                    is_for_met,
+                    is_signature_met};
+  return static_cast<std::size_t>(std::ranges::count(met, false));
+}
+
+std::tuple<unsigned, std::size_t, unsigned, Match> Finding::remoteness() const {
+  const unsigned stage = stage_of(identity);
+  return {stage < first_far ? 0 : stage, count(), stage, match.value_or(Match{})};
+}
+
+bool Finding::is_near() const { return stage_of(identity) < first_far; }
+
+Finding examine(const registry::SubscriptionEntry& subscription, const Request& request, const Offer& offer,
+                const vocabulary::Vocabulary& vocabulary, bool is_kept_apart) {
+  const Subscription& asked = subscription.subscription;
+  const Publication& offered = offer.entry.publication;
+  Finding finding;
+  finding.is_mode_met = asked.mode == offered.mode;
+  finding.is_protocol_met = is_accepted_protocol(asked, offer.entry);
+  finding.is_provider_met = is_accepted_provider(asked, offer.entry);
+  finding.is_readable = request.where && request.scope && offer.audience.scope && offer.audience.condition;
+  finding.is_scope_met = is_in_scope(subscription, request, offer);
+  finding.is_where_met = request.where && request.where->accepts(offer.entry);
+  finding.is_for_met = offer.audience.condition && offer.audience.condition->accepts(subscription);
+  std::optional<Match> by_signature;
+  if (request.signature) {
+    by_signature = degree_of_signature(signature_of(offered.attributes, vocabulary), *request.signature, asked.weakest,
+                                       vocabulary);
+    finding.is_signature_met = by_signature.has_value();
+  }
+  if (is_kept_apart) {
+    finding.identity = Obstacle::clash;
+    return finding;
+  }
+  finding.match = degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary);
+  if (!finding.match) {
+    finding.identity = of_identities(offered.identity, offer.classes, asked.identity, request.classes, vocabulary);
+  } else if (finding.match->degree > asked.weakest) {
+    finding.identity = finding.match->degree == Degree::broader ? Obstacle::broader : Obstacle::degree;
+  }
+  if (finding.match && by_signature) finding.match = combined(*finding.match, *by_signature);
+  return finding;
+}
+
+}  // namespace geminga::matching

@@ -1,0 +1,136 @@
+#include "discovery/participant/queries/arbitration.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "discovery/participant/queries/lines.hpp"
+
+namespace geminga::participant {
+namespace {
+
+using matching::Obstacle;
+using matching::Standing;
+using registry::PublicationEntry;
+
+std::string place_of(std::size_t place, std::size_t candidates, std::uint32_t limit) {
+  return "it ranks " + std::to_string(place) + " of " + std::to_string(candidates) +
+         (limit == 0 ? ", and there is no limit" : ", the limit is " + std::to_string(limit));
+}
+
+std::string mend_of(std::size_t place) {
+  return "ask with a limit of at least " + std::to_string(place) +
+         ", or with favour, prefer or rank so that it is ahead";
+}
+
+/// By its identity; the rest of an offer that meets the request does not matter here.
+std::optional<matching::Match> match_of(const Core& core, const Asked& asked, const PublicationEntry& offer) {
+  return core.matcher.examine(asked.entry, *asked.request, offer).match;
+}
+
+/// By what the rival is ahead; empty where it is by its key alone.
+std::string lead_of(const Core& core, const Asked& asked, const PublicationEntry& rival,
+                    const PublicationEntry& offer) {
+  const auto better = match_of(core, asked, rival);
+  const auto worse = match_of(core, asked, offer);
+  if (!better || !worse) return "";
+  return asked.request->preferences.lead(rival, *better, offer, *worse);
+}
+
+Check refused(Obstacle obstacle, std::string text, std::size_t place) {
+  return {"arbitration", obstacle, std::move(text), mend_of(place)};
+}
+
+Check outranked_known(const Core& core, const Asked& asked, const PublicationEntry& offer, const Standing& standing,
+                      std::string text) {
+  const bool is_by_consumer = standing.decided == Standing::Decided::by_consumer;
+  if (standing.rival == nullptr) {
+    text += is_by_consumer ? ": the consumer's host has chosen another" : ": it is not used";
+    return refused(Obstacle::outranked, std::move(text), standing.rank);
+  }
+  text += ": outranked by " + to_string(standing.rival->key);
+  if (is_by_consumer) {
+    return refused(Obstacle::outranked, text + ", which the consumer's host has chosen", standing.rank);
+  }
+  if (standing.decided == Standing::Decided::by_incumbent && !asked.entry.subscription.prefer.empty()) {
+    text += ", which was there first, and it is not better by as much as prefer asks for";
+    return refused(Obstacle::incumbent, std::move(text), standing.rank);
+  }
+  if (const std::string lead = lead_of(core, asked, *standing.rival, offer); !lead.empty()) {
+    return refused(Obstacle::outranked, text.append(", ").append(lead), standing.rank);
+  }
+  if (standing.decided == Standing::Decided::elsewhere) {
+    text += ", which is no better: the consumer's host keeps whichever was there first";
+  } else if (standing.decided == Standing::Decided::by_incumbent || standing.rival->key > offer.key) {
+    text += ", which was there first and is no worse";
+  } else {
+    text += ", which is as good and was there first or has the smaller key";
+  }
+  return refused(Obstacle::incumbent, std::move(text), standing.rank);
+}
+
+/// Against what a consumer has already. The last that it has must be pushed out.
+Check against_incumbent(const Core& core, const Asked& asked, const PublicationEntry& offer, const matching::Rank& rank,
+                        const PublicationEntry& incumbent, std::size_t place, std::string text) {
+  const auto match = match_of(core, asked, incumbent);
+  const auto& preferences = asked.request->preferences;
+  if (!match) return {"arbitration", Obstacle::none, std::move(text)};
+  const matching::Rank other = asked.request->rank(incumbent, *match);
+  if (matching::is_better_by(preferences.margins(), rank, other)) {
+    return {"arbitration", Obstacle::none, text + ": it takes the place of " + to_string(incumbent.key)};
+  }
+  text += ": outranked by " + to_string(incumbent.key);
+  if (matching::is_strictly_better(rank, other)) {
+    text += ", which was there first, and it is not better by as much as prefer asks for";
+    return refused(Obstacle::incumbent, std::move(text), place);
+  }
+  const std::string lead = preferences.lead(incumbent, *match, offer, rank.match);
+  if (!lead.empty()) return refused(Obstacle::outranked, text.append(", ").append(lead), place);
+  return refused(Obstacle::incumbent, text + ", which was there first and is no worse", place);
+}
+
+}  // namespace
+
+Check check_arbitration(const Core& core, const Asked& asked, const PublicationEntry& offer, const Standing& standing) {
+  const std::uint32_t limit = asked.entry.subscription.limit;
+  std::string text = place_of(standing.rank, standing.candidates, limit);
+  if (limit == 0) return {"arbitration", Obstacle::none, std::move(text)};
+  if (!standing.is_chosen) return outranked_known(core, asked, offer, standing, std::move(text));
+  if (standing.decided == Standing::Decided::by_incumbent) {
+    text += ": it was there first, and none of those ahead of it is better ";
+    text += asked.entry.subscription.prefer.empty() ? "but for its key" : "by as much as prefer asks for";
+  }
+  return {"arbitration", Obstacle::none, std::move(text)};
+}
+
+Check check_arbitration(const Core& core, const Survey& survey, const PublicationEntry& offer,
+                        const matching::Rank& rank, bool is_offer_living) {
+  const Asked& asked = survey.asked();
+  const std::uint32_t limit = asked.entry.subscription.limit;
+  const std::size_t place = survey.ahead() + 1;
+  const std::size_t candidates = survey.matching() + (is_offer_living ? 0 : 1);
+  std::string text = place_of(place, candidates, limit);
+  if (limit == 0) return {"arbitration", Obstacle::none, std::move(text)};
+  const auto chosen = asked.is_living ? core.matcher.chosen(asked.entry.key) : std::vector<ServiceKey>();
+  if (!chosen.empty() && chosen.size() >= limit) {
+    const auto* incumbent = core.matcher.find_publication(chosen.back());
+    if (incumbent != nullptr) {
+      return against_incumbent(core, asked, offer, rank, *incumbent, place, std::move(text));
+    }
+  }
+  if (place <= limit) return {"arbitration", Obstacle::none, std::move(text)};
+  const auto at = std::next(survey.best().begin(),
+                            static_cast<std::ptrdiff_t>(std::min<std::size_t>(limit, survey.best().size()) - 1));
+  return outranked(core, asked, offer, place, candidates, core.matcher.find_publication(at->key));
+}
+
+Check outranked(const Core& core, const Asked& asked, const PublicationEntry& offer, std::size_t place,
+                std::size_t candidates, const PublicationEntry* rival) {
+  std::string text = place_of(place, candidates, asked.entry.subscription.limit);
+  if (rival == nullptr) return refused(Obstacle::outranked, text + ": it is not used", place);
+  text += ": outranked by " + to_string(rival->key);
+  const std::string lead = lead_of(core, asked, *rival, offer);
+  if (!lead.empty()) return refused(Obstacle::outranked, text.append(", ").append(lead), place);
+  return refused(Obstacle::incumbent, text + ", which is as good and was there first or has the smaller key", place);
+}
+
+}  // namespace geminga::participant

@@ -1,0 +1,334 @@
+#include "discovery/participant/queries/checks.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "base/text.hpp"
+#include "discovery/gcnp/event.hpp"
+#include "discovery/participant/naming.hpp"
+#include "discovery/participant/queries/lines.hpp"
+#include "reasoning/vocabulary/explanation.hpp"
+
+namespace geminga::participant {
+namespace {
+
+using matching::Obstacle;
+using registry::PublicationEntry;
+using registry::SubscriptionEntry;
+
+/// Octets of the words that say what is missing.
+constexpr std::size_t max_nearest_bytes = 2000;
+
+constexpr const char* newer_elsewhere = "another host knows more of scopes and conditions: update a whole team";
+
+/// The request with everything taken away but one aspect, so that each can be judged by itself.
+SubscriptionEntry only(const SubscriptionEntry& request, const PublicationEntry& offer) {
+  SubscriptionEntry one = request;
+  one.subscription.mode = offer.publication.mode;
+  one.subscription.identity = offer.publication.identity;
+  one.subscription.weakest = Degree::broader;
+  one.subscription.providers.clear();
+  one.subscription.where.clear();
+  one.subscription.protocols.clear();
+  one.subscription.scope.clear();
+  for (const std::string_view key : {matching::inputs_attribute, matching::outputs_attribute}) {
+    if (const auto at = one.subscription.attributes.find(key); at != one.subscription.attributes.end()) {
+      one.subscription.attributes.erase(at);
+    }
+  }
+  return one;
+}
+
+/// The offer to everybody.
+PublicationEntry for_all(const PublicationEntry& offer) {
+  PublicationEntry one = offer;
+  one.publication.scope.clear();
+  one.publication.for_whom.clear();
+  return one;
+}
+
+const SemanticIdentity* semantic(const Identity& identity) { return std::get_if<SemanticIdentity>(&identity); }
+
+/// A name as a client writes it.
+std::string short_name(const Core& core, const std::string& iri) {
+  return core.vocabulary().short_name(std::string_view(iri));
+}
+
+Check check_mode(const Asked& asked, const PublicationEntry& offer) {
+  const std::string offers(to_string(offer.publication.mode));
+  if (asked.is_any_mode) return {"mode", Obstacle::none, "any mode is accepted, " + offers + " is offered"};
+  const ChannelMode wanted = asked.entry.subscription.mode;
+  if (wanted == offer.publication.mode) return {"mode", Obstacle::none, "both are " + offers};
+  return {"mode", Obstacle::mode, "offered is " + offers + ", asked for is " + std::string(to_string(wanted)),
+          "ask with mode=" + offers + ", or offer it with mode=" + std::string(to_string(wanted))};
+}
+
+/// What is missing where two known concepts do not match; empty where that is not what is wrong.
+std::string nearest(const Core& core, const SubscriptionEntry& request, const PublicationEntry& offer) {
+  const auto* asked = semantic(request.subscription.identity);
+  const auto* offered = semantic(offer.publication.identity);
+  if (asked == nullptr || offered == nullptr) return "";
+  const auto& vocabulary = core.vocabulary();
+  const auto sub = vocabulary.find_iri(offered->concept_iri);
+  const auto super = vocabulary.find_iri(asked->concept_iri);
+  if (!sub || !super || vocabulary.is_subsumed(*sub, *super)) return "";
+  const auto why_not = vocabulary.why_not(*sub, *super);
+  return "; " + (why_not ? base::printable(*why_not, max_nearest_bytes) : why_not.error().text);
+}
+
+/// Adds the axioms by which the first name is below the second; nothing where they are one, or it is not.
+void add_proof(const Core& core, const std::string& sub_iri, const std::string& super_iri, std::string& proof) {
+  if (sub_iri == super_iri) return;
+  const auto& vocabulary = core.vocabulary();
+  const auto sub = vocabulary.find_iri(sub_iri);
+  const auto super = vocabulary.find_iri(super_iri);
+  if (!sub || !super || !vocabulary.is_subsumed(*sub, *super)) return;
+  const auto explanation = vocabulary.explain(*sub, *super);
+  if (!explanation) return;
+  for (const auto& axiom : explanation->axioms) {
+    const std::string line = base::printable(axiom.text, max_proof_bytes);
+    if (proof.size() + line.size() + 1 > max_proof_bytes) return;
+    proof += (proof.empty() ? "" : "\n") + line;
+  }
+}
+
+/// Why the degree is what it is: below what is asked for, or for a broader one above.
+std::string proof_of(const Core& core, const Identity& offered, const Identity& requested) {
+  const auto* offer = semantic(offered);
+  const auto* request = semantic(requested);
+  std::string proof;
+  if (offer == nullptr || request == nullptr || !core.vocabulary().is_loaded()) return proof;
+  const auto add = [&](const std::string& one, const std::string& other) {
+    const std::size_t before = proof.size();
+    add_proof(core, one, other, proof);
+    if (proof.size() == before) add_proof(core, other, one, proof);
+  };
+  add(offer->concept_iri, request->concept_iri);
+  if (!offer->representation_iri.empty() && !request->representation_iri.empty()) {
+    add(offer->representation_iri, request->representation_iri);
+  }
+  return proof;
+}
+
+/// What would mend an identity that does not fit.
+std::string mend_identity(const Core& core, Obstacle obstacle, const Identity& offered, const Identity& requested,
+                          std::optional<matching::Match> match) {
+  const auto* offer = semantic(offered);
+  const auto* request = semantic(requested);
+  switch (obstacle) {
+    case Obstacle::kind:
+      return "ask for it by the kind of identity that is offered, or offer it by the one that is asked for";
+    case Obstacle::number:
+    case Obstacle::text:
+      return "use one " + std::string(to_string(obstacle)) + " on both sides";
+    case Obstacle::similar_text:
+      return "write one text on both sides: they differ by few letters";
+    case Obstacle::clash:
+      return "ask for the concept and offer the concept, not the number";
+    case Obstacle::no_ontology:
+      return "start gemingad with --ontology";
+    case Obstacle::unknown_concept:
+    case Obstacle::unknown_offer:
+    case Obstacle::unknown_representation:
+      return "load the same ontologies on every host: geminga-query ontology says who has others";
+    case Obstacle::unsatisfiable:
+      return "mend the ontology: geminga-ontology check says why nothing can be one";
+    case Obstacle::unclassified:
+      return "ask for a named concept, or load an ontology that knows all names of the expression";
+    case Obstacle::unrelated:
+      return "ask for " + (offer == nullptr ? "" : short_name(core, offer->concept_iri)) +
+             " or for something above it, or say in the ontology that it is subsumed";
+    case Obstacle::representation_unstated:
+      return "state representation=" + (request == nullptr ? "" : short_name(core, request->representation_iri)) +
+             " in the offer, or ask without a representation";
+    case Obstacle::representation: {
+      const std::string other = offer == nullptr ? "" : short_name(core, offer->representation_iri);
+      return "ask with representation=" + other + ", or without: nothing converts " + other + " to " +
+             (request == nullptr ? "" : short_name(core, request->representation_iri));
+    }
+    case Obstacle::broader:
+    case Obstacle::degree:
+      return "ask with match=" + std::string(to_string(match ? match->degree : Degree::broader));
+    default:
+      return "";
+  }
+}
+
+Check check_identity(const Core& core, const Asked& asked, const PublicationEntry& offer, Depth depth) {
+  const Identity& offered = offer.publication.identity;
+  const Identity& requested = asked.entry.subscription.identity;
+  SubscriptionEntry one = only(asked.entry, offer);
+  one.subscription.identity = requested;
+  one.subscription.weakest = asked.entry.subscription.weakest;
+  const auto match = core.matcher.why(one, for_all(offer));
+  const std::string pair = "offered is " + words(core, offered) + ", asked for is " + words(core, requested) + ": ";
+  if (match) {
+    return {"identity", Obstacle::none,
+            pair + std::string(to_string(match->degree)) + ", distance " + std::to_string(match->distance), "",
+            depth == Depth::search ? proof_of(core, offered, requested) : ""};
+  }
+  const auto finding = core.matcher.examine(one, *asked.request, offer);
+  // An expression may have found its place since.
+  const Obstacle obstacle = finding.identity == Obstacle::none ? Obstacle::unclassified : finding.identity;
+  Check check{"identity", obstacle, match.error(), mend_identity(core, obstacle, offered, requested, finding.match)};
+  if (depth == Depth::search) {
+    check.text.insert(0, pair);
+  } else if (obstacle == Obstacle::broader || obstacle == Obstacle::degree) {
+    const std::string degree(to_string(finding.match ? finding.match->degree : Degree::broader));
+    check.text = words(core, offered) + " is " + degree + ", but at least " +
+                 std::string(to_string(one.subscription.weakest)) + " is asked for";
+  }
+  if (depth == Depth::search) {
+    check.text += nearest(core, asked.entry, offer);
+    check.proof = proof_of(core, offered, requested);
+  }
+  return check;
+}
+
+Check check_provider(const Asked& asked, const PublicationEntry& offer) {
+  const auto& providers = asked.entry.subscription.providers;
+  if (providers.empty()) return {"provider", Obstacle::none, "any provider is accepted"};
+  const bool is_ok = matching::is_accepted_provider(asked.entry.subscription, offer);
+  Check check{"provider", is_ok ? Obstacle::none : Obstacle::provider,
+              peer_word(offer.key) + (is_ok ? " is accepted by " : " is none of ") + gcnp::provider_list(providers)};
+  if (!is_ok) {
+    const std::string& by_name = offer.participant_name;
+    check.mend = "ask with provider=" + (by_name.empty() ? peer_word(offer.key) : by_name) +
+                 " too, or with favour= instead, which shuts nobody out";
+  }
+  return check;
+}
+
+Check check_protocol(const Subscription& asked, const PublicationEntry& offer) {
+  if (asked.protocols.empty()) return {"protocol", Obstacle::none, "any protocol is accepted"};
+  const std::string& offered = offer.publication.protocol;
+  const bool is_ok = matching::is_accepted_protocol(asked, offer);
+  return {"protocol", is_ok ? Obstacle::none : Obstacle::protocol,
+          offered + (is_ok ? " is accepted by " : " is none of ") + gcnp::protocol_list(asked.protocols),
+          is_ok ? "" : "ask with protocol=" + offered + " too, or without protocol"};
+}
+
+Check check_where(const Core& core, const Asked& asked, const PublicationEntry& offer) {
+  const std::string& where = asked.entry.subscription.where;
+  if (where.empty()) return {"where", Obstacle::none, "there is no filter"};
+  SubscriptionEntry one = only(asked.entry, offer);
+  one.subscription.where = where;
+  const auto match = core.matcher.why(one, for_all(offer));
+  if (match) return {"where", Obstacle::none, "the attributes meet " + where};
+  const bool is_readable = asked.request->where.has_value();
+  return {"where", is_readable ? Obstacle::where : Obstacle::unreadable, match.error(),
+          is_readable ? "ask for less in where, or offer what it asks for" : newer_elsewhere};
+}
+
+/// The scopes of both.
+Check check_scope(const Core& core, const Asked& asked, const PublicationEntry& offer) {
+  SubscriptionEntry one = only(asked.entry, offer);
+  one.subscription.scope = asked.entry.subscription.scope;
+  PublicationEntry other = offer;
+  other.publication.for_whom.clear();
+  const auto match = core.matcher.why(one, other);
+  if (match) return {"scope", Obstacle::none, "each is in the scope of the other"};
+  const bool is_readable = asked.request->scope && matching::Scope::of(offer.publication.scope);
+  return {"scope", is_readable ? Obstacle::scope : Obstacle::unreadable, match.error(),
+          is_readable ? "widen that scope, or leave it out" : newer_elsewhere};
+}
+
+/// The provider's condition.
+Check check_for(const Core& core, const Asked& asked, const PublicationEntry& offer) {
+  PublicationEntry other = offer;
+  other.publication.scope.clear();
+  const auto match = core.matcher.why(only(asked.entry, offer), other);
+  if (match) return {"for", Obstacle::none, "the consumer meets " + offer.publication.for_whom};
+  const bool is_readable = matching::Where::parse(offer.publication.for_whom).has_value();
+  return {
+      "for", is_readable ? Obstacle::for_whom : Obstacle::unreadable, match.error(),
+      is_readable ? "state in the request what the provider asks for, or ask for less in its for" : newer_elsewhere};
+}
+
+/// Only where the request states what it gives or needs.
+Check check_signature(const Core& core, const Asked& asked, const PublicationEntry& offer) {
+  SubscriptionEntry one = only(asked.entry, offer);
+  one.subscription.attributes = asked.entry.subscription.attributes;
+  one.subscription.weakest = asked.entry.subscription.weakest;
+  const auto match = core.matcher.why(one, for_all(offer));
+  if (!match) {
+    return {"signature", Obstacle::signature, match.error(),
+            "state in inputs all that the service needs, and in outputs no more than it produces"};
+  }
+  return {"signature", Obstacle::none,
+          "inputs and outputs are " + std::string(to_string(match->degree)) + ", distance " +
+              std::to_string(match->distance)};
+}
+
+}  // namespace
+
+std::string words(const Core& core, const Identity& identity) {
+  Line line;
+  gcnp::append_identity(line, named(core.vocabulary(), identity));
+  std::string text;
+  for (const gcnp::Parameter& one : line) text += (text.empty() ? "" : " ") + one.key + "=" + one.value.value_or("");
+  return text;
+}
+
+std::vector<Check> checks_of(const Core& core, const Asked& asked, const PublicationEntry& offer, Depth depth) {
+  std::vector<Check> checks{check_mode(asked, offer), check_identity(core, asked, offer, depth),
+                            check_provider(asked, offer), check_protocol(asked.entry.subscription, offer),
+                            check_where(core, asked, offer)};
+  const Publication& offered = offer.publication;
+  if (!asked.entry.subscription.scope.empty() || !offered.scope.empty()) {
+    checks.push_back(check_scope(core, asked, offer));
+  }
+  if (!offered.for_whom.empty()) checks.push_back(check_for(core, asked, offer));
+  if (matching::has_signature(asked.entry.subscription.attributes)) {
+    checks.push_back(check_signature(core, asked, offer));
+  }
+  return checks;
+}
+
+const Check* first_obstacle(const std::vector<Check>& checks) {
+  for (const std::string_view what :
+       {"identity", "mode", "protocol", "provider", "scope", "where", "for", "signature", "arbitration"}) {
+    const auto at = std::ranges::find(checks, what, &Check::what);
+    if (at != checks.end() && !at->is_ok()) return &*at;
+  }
+  return nullptr;
+}
+
+Check misfit_of(const Core& core, const Asked& asked, const PublicationEntry& offer, Obstacle obstacle) {
+  switch (obstacle) {
+    case Obstacle::mode:
+      return check_mode(asked, offer);
+    case Obstacle::protocol:
+      return check_protocol(asked.entry.subscription, offer);
+    case Obstacle::provider:
+      return check_provider(asked, offer);
+    case Obstacle::scope:
+      return check_scope(core, asked, offer);
+    case Obstacle::where:
+      return check_where(core, asked, offer);
+    case Obstacle::for_whom:
+      return check_for(core, asked, offer);
+    case Obstacle::signature:
+      return check_signature(core, asked, offer);
+    case Obstacle::unreadable: {
+      for (Check check :
+           {check_scope(core, asked, offer), check_where(core, asked, offer), check_for(core, asked, offer)}) {
+        if (check.obstacle == Obstacle::unreadable) return check;
+      }
+      return check_where(core, asked, offer);
+    }
+    default:
+      return check_identity(core, asked, offer, Depth::words);
+  }
+}
+
+void append_check(Line& line, const Check& check) {
+  append(line, "check", std::string(check.what));
+  append_flag(line, "ok", check.is_ok());
+  append(line, "text", check.text);
+  if (!check.is_ok()) append(line, "code", std::string(to_string(check.obstacle)));
+  append_stated(line, "mend", check.mend);
+  append_stated(line, "proof", check.proof);
+}
+
+}  // namespace geminga::participant

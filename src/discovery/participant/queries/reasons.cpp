@@ -1,0 +1,159 @@
+#include "discovery/participant/queries/reasons.hpp"
+
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "discovery/participant/naming.hpp"
+#include "discovery/participant/queries/lines.hpp"
+
+namespace geminga::participant {
+namespace {
+
+using matching::Obstacle;
+using registry::PublicationEntry;
+
+constexpr std::size_t max_shown_bytes = 400;
+
+std::string shown(const Core& core, const std::string& iri) {
+  return base::printable(core.vocabulary().short_name(std::string_view(iri)), max_shown_bytes);
+}
+
+/// The consumer's participant where it is another one with another ontology.
+std::optional<membership::Neighbour> other_ontology(const Core& core, const Asked& asked) {
+  auto consumer = core.neighbours.find(asked.entry.key.participant);
+  return consumer && consumer->ontology_digest != core.digest() ? std::move(consumer) : std::nullopt;
+}
+
+std::string digests(const Core& core, const membership::Neighbour& consumer) {
+  return base::printable(consumer.name) + " has the ontology " + digest_word(consumer.ontology_digest) +
+         ", this host has " + digest_word(core.digest());
+}
+
+/// A name that is asked for and that the ontology does not know.
+const std::string* unknown_name(const Core& core, const SemanticIdentity& asked) {
+  const auto& vocabulary = core.vocabulary();
+  if (!has_expression(asked) && !vocabulary.find_iri(asked.concept_iri)) return &asked.concept_iri;
+  const bool is_stated = !asked.representation_iri.empty();
+  return is_stated && !vocabulary.find_iri(asked.representation_iri) ? &asked.representation_iri : nullptr;
+}
+
+Reason of_nobody(const Core& core, const Asked& asked) {
+  const Identity& identity = asked.entry.subscription.identity;
+  const bool is_concept = std::holds_alternative<SemanticIdentity>(identity);
+  Reason reason{
+      Obstacle::nobody,
+      "nobody offers " + words(core, identity) + (is_concept ? ", nor anything below or above it" : std::string()),
+      "start who offers it; geminga-query services shows what is there"};
+  if (const auto consumer = is_concept ? other_ontology(core, asked) : std::nullopt) {
+    reason.text += "; " + digests(core, *consumer);
+  }
+  return reason;
+}
+
+std::string offered_representations(const Core& core, const Nearest& nearest) {
+  std::vector<std::string> names;
+  for (const std::string& iri : nearest.representations) names.push_back(shown(core, iri));
+  return base::joined(names, ", ");
+}
+
+}  // namespace
+
+void Nearest::consider(const PublicationEntry& offer, const matching::Finding& finding) {
+  if (finding.meets()) return;  // it is about to be gone
+  Misfit one{offer.key, finding};
+  if (!misfit || one < *misfit) misfit = one;
+  const auto* semantic = std::get_if<SemanticIdentity>(&offer.publication.identity);
+  if (finding.identity != Obstacle::representation || representations.size() >= max_told_representations) return;
+  if (std::ranges::find(representations, semantic->representation_iri) == representations.end()) {
+    representations.push_back(semantic->representation_iri);
+  }
+}
+
+Reason Reasons::of_unknown_name(Core& core, Piece& piece, const Asked& asked, const std::string& iri,
+                                Obstacle obstacle) {
+  Reason reason{obstacle, shown(core, iri) + " is unknown to the ontology",
+                "correct the name, or load an ontology that has it"};
+  if (searches_left_ > 0) {
+    --searches_left_;
+    core.worked += cost_of_unknown_name;
+    piece.look_at(cost_of_searched_name);
+    const auto found = core.vocabulary().find(core.vocabulary().short_name(std::string_view(iri)));
+    if (!found) reason.text = base::printable(found.error(), max_shown_bytes);
+  }
+  if (const auto consumer = other_ontology(core, asked)) {
+    reason.obstacle = Obstacle::ontology_differs;
+    reason.text += "; " + digests(core, *consumer);
+    reason.mend = "load the same ontologies on every host: geminga-query ontology says who has others";
+  }
+  return reason;
+}
+
+/// What is wrong with the request itself, whatever is offered.
+std::optional<Reason> Reasons::of_request(Core& core, Piece& piece, const Asked& asked) {
+  if (!asked.request->where || !asked.request->scope) {
+    return Reason{Obstacle::unreadable, "its condition or its scope cannot be read here",
+                  "its consumer's host knows more of conditions than this one: update a whole team"};
+  }
+  const auto* semantic = std::get_if<SemanticIdentity>(&asked.entry.subscription.identity);
+  if (semantic == nullptr) return std::nullopt;
+  if (!core.vocabulary().is_loaded()) {
+    return Reason{Obstacle::no_ontology, "no ontology is loaded here, and nobody offers the very same names",
+                  "start gemingad with --ontology"};
+  }
+  if (const std::string* unknown = unknown_name(core, *semantic)) {
+    const bool is_concept = unknown == &semantic->concept_iri;
+    return of_unknown_name(core, piece, asked, *unknown,
+                           is_concept ? Obstacle::unknown_concept : Obstacle::unknown_representation);
+  }
+  if (has_expression(*semantic) && !asked.request->classes.place) {
+    Reason reason{Obstacle::unclassified,
+                  "the expression is unknown to the ontology, unsatisfiable, or waits to be classified",
+                  "ask again in a second, or ask for a named concept"};
+    if (const auto consumer = other_ontology(core, asked)) reason.text += "; " + digests(core, *consumer);
+    return reason;
+  }
+  if (!has_expression(*semantic) && !asked.request->classes.concept_class) {
+    return Reason{Obstacle::unsatisfiable, shown(core, semantic->concept_iri) + " is unsatisfiable: nothing can be one",
+                  "mend the ontology: geminga-ontology check says why"};
+  }
+  return std::nullopt;
+}
+
+Reason Reasons::of(Core& core, Piece& piece, const Asked& asked, const Nearest& nearest) {
+  const bool is_near = nearest.misfit && nearest.misfit->finding.is_near();
+  const auto* offer = is_near ? core.matcher.find_publication(nearest.misfit->key) : nullptr;
+  if (offer == nullptr) {
+    auto reason = of_request(core, piece, asked);
+    return reason ? std::move(*reason) : of_nobody(core, asked);
+  }
+  const Check check = misfit_of(core, asked, *offer, nearest.misfit->finding.first());
+  Reason reason{check.obstacle, to_string(offer->key) + ": " + check.text, check.mend};
+  if (check.obstacle == Obstacle::representation && nearest.representations.size() > 1) {
+    reason.text += "; offered are " + offered_representations(core, nearest);
+  }
+  return reason;
+}
+
+Reason Reasons::likely(Core& core, Piece& piece, const registry::SubscriptionEntry& request) {
+  Asked asked{.entry = request, .request = core.matcher.prepare(request)};
+  Subscription wider = request.subscription;
+  wider.weakest = Degree::broader;
+  Nearest nearest;
+  const auto consider = [&](const PublicationEntry& offer) {
+    nearest.consider(offer, core.matcher.examine(asked.entry, *asked.request, offer));
+  };
+  for (const ServiceKey& key : core.matcher.some_candidates(wider, *asked.request, max_examined_offers)) {
+    if (const auto* offer = core.matcher.find_publication(key)) consider(*offer);
+  }
+  if (!nearest.misfit && std::holds_alternative<TextIdentity>(request.subscription.identity)) {
+    std::size_t left = max_compared_offers;
+    core.matcher.walk_publications(std::nullopt, [&](const PublicationEntry& offer) {
+      core.worked += cost_of_entry;
+      consider(offer);
+      return --left > 0;
+    });
+  }
+  return of(core, piece, asked, nearest);
+}
+
+}  // namespace geminga::participant

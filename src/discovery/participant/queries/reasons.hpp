@@ -1,0 +1,71 @@
+// Why nobody answers a request: the likely reason, from the offer that comes nearest or from the request itself.
+#ifndef GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_REASONS_HPP
+#define GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_REASONS_HPP
+
+#include <compare>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "discovery/participant/queries/checks.hpp"
+
+namespace geminga::participant {
+
+/// Of the offers whose concept is above or below what a request asks for, so many are looked at for its reason in
+/// `requests unmatched=1`; they are enough to say what is wrong, and each request there costs so much at most.
+inline constexpr std::size_t max_examined_offers = 64;
+/// And so many texts that are offered are compared with one that nobody offers.
+inline constexpr std::size_t max_compared_offers = 256;
+/// How many representations are named that are offered instead of the one that is asked for.
+inline constexpr std::size_t max_told_representations = 4;
+/// For so many unknown names of one answer those are looked for that they may have been meant for; that takes up to
+/// milliseconds each.
+inline constexpr std::size_t max_searched_names = 16;
+/// What such a search counts as, in entries.
+inline constexpr std::size_t cost_of_searched_name = 160;
+
+/// An offer that does not meet a request.
+struct Misfit {
+  ServiceKey key;
+  matching::Finding finding;
+  friend bool operator<(const Misfit& a, const Misfit& b) {
+    const auto order = a.finding.remoteness() <=> b.finding.remoteness();
+    return order == 0 ? a.key < b.key : order < 0;
+  }
+};
+
+/// What was found among the offers.
+struct Nearest {
+  std::optional<Misfit> misfit;
+  std::vector<std::string> representations;  ///< IRIs of those offered with a concept that fits, each once
+  /// Takes another offer into account that does not meet the request.
+  void consider(const registry::PublicationEntry& offer, const matching::Finding& finding);
+};
+
+struct Reason {
+  matching::Obstacle obstacle = matching::Obstacle::nobody;
+  std::string text;
+  std::string mend;
+};
+
+/// Finds the reasons of one answer.
+class Reasons {
+ public:
+  /// From what is known already; the nearest offer may be gone since.
+  [[nodiscard]] Reason of(Core& core, Piece& piece, const Asked& asked, const Nearest& nearest);
+  /// From a bounded look at what may come near, all in one piece. It counts as work, and towards the statements of the
+  /// client no more than the request itself does.
+  [[nodiscard]] Reason likely(Core& core, Piece& piece, const registry::SubscriptionEntry& request);
+
+ private:
+  [[nodiscard]] std::optional<Reason> of_request(Core& core, Piece& piece, const Asked& asked);
+  [[nodiscard]] Reason of_unknown_name(Core& core, Piece& piece, const Asked& asked, const std::string& iri,
+                                       matching::Obstacle obstacle);
+
+  std::size_t searches_left_ = max_searched_names;
+};
+
+}  // namespace geminga::participant
+
+#endif

@@ -1,0 +1,85 @@
+#include "discovery/participant/queries/sides.hpp"
+
+#include <utility>
+
+#include "base/text.hpp"
+#include "discovery/matching/preferences.hpp"
+#include "discovery/matching/scope.hpp"
+#include "discovery/participant/identities.hpp"
+
+namespace geminga::participant {
+namespace {
+
+Error unknown(const std::string& what, const ServiceKey& key, const std::string& command) {
+  return {ErrorCode::unknown_request,
+          "there is no " + what + " " + to_string(key) + ": geminga-query " + command + " lists them"};
+}
+
+std::expected<Asked, Error> stated(const Core& core, const ServiceKey& key) {
+  const auto* entry = core.matcher.find_subscription(key);
+  if (entry == nullptr) return std::unexpected(unknown("subscription", key, "requests"));
+  return Asked{.entry = *entry, .request = core.matcher.prepare(*entry)};
+}
+
+/// As if a peer of this participant asked for it.
+std::expected<Asked, Error> imagined(Core& core, const gcnp::HypotheticalRequest& request) {
+  auto identity = resolve_asked(core, request.subscription.identity);
+  if (!identity) return std::unexpected(identity.error());
+  Asked asked{.entry = {}, .request = {}, .is_any_mode = request.is_any_mode, .is_living = false};
+  NamedSubscription named = request.subscription;
+  if (request.is_any_mode && !named.limit) named.limit = 0;
+  asked.entry.key.participant = core.id;
+  asked.entry.participant_name = core.name();
+  asked.entry.is_local = true;
+  asked.entry.updated = core.env.now();
+  asked.entry.subscription = gcnp::with_identity(named, std::move(*identity));
+  if (auto error = matching::check_where(named.where)) return std::unexpected(std::move(*error));
+  if (auto error = matching::check_preferences(asked.entry.subscription)) return std::unexpected(std::move(*error));
+  if (auto error = matching::check_scope(named.scope)) return std::unexpected(std::move(*error));
+  asked.request = core.matcher.prepare(asked.entry);
+  return asked;
+}
+
+/// As if the provider that it names offered it, else a peer of this participant.
+std::expected<Offered, Error> imagined(Core& core, const gcnp::HypotheticalOffer& offer, const Asked& asked) {
+  auto identity = resolve_offered(core, offer.publication.identity);
+  if (!identity) return std::unexpected(Error{identity.error().code, "offer: " + identity.error().text});
+  if (auto error = matching::check_scope(offer.publication.scope)) return std::unexpected(std::move(*error));
+  if (auto error = matching::check_where(offer.publication.for_whom, "for")) return std::unexpected(std::move(*error));
+  Offered offered{.entry = {}, .is_living = false};
+  auto& entry = offered.entry;
+  entry.publication = gcnp::with_identity(offer.publication, std::move(*identity));
+  if (offer.is_any_mode) entry.publication.mode = asked.entry.subscription.mode;
+  const ProviderFilter& provider = offer.provider;
+  entry.key.participant = provider.participant.empty() ? core.id : ParticipantId{};
+  entry.participant_name = provider.participant.empty() ? core.name() : provider.participant;
+  if (const auto id = participant_id(provider.participant)) entry.key.participant = *id;
+  entry.key.peer = PeerId{base::parse_number<std::uint32_t>(provider.peer).value_or(0)};
+  entry.peer_name = provider.peer;
+  entry.is_local = entry.key.participant == core.id;
+  entry.updated = core.env.now();
+  return offered;
+}
+
+}  // namespace
+
+std::expected<Asked, Error> asked_of(Core& core, const gcnp::QueryWhy& query) {
+  if (const auto* key = std::get_if<ServiceKey>(&query.request)) return stated(core, *key);
+  return imagined(core, std::get<gcnp::HypotheticalRequest>(query.request));
+}
+
+std::expected<std::optional<Offered>, Error> offered_of(Core& core, const gcnp::QueryWhy& query, const Asked& asked) {
+  if (const auto* key = std::get_if<ServiceKey>(&query.offer)) {
+    const auto* entry = core.matcher.find_publication(*key);
+    if (entry == nullptr) return std::unexpected(unknown("service", *key, "services"));
+    return Offered{.entry = *entry};
+  }
+  if (const auto* offer = std::get_if<gcnp::HypotheticalOffer>(&query.offer)) {
+    auto offered = imagined(core, *offer, asked);
+    if (!offered) return std::unexpected(std::move(offered.error()));
+    return std::move(*offered);
+  }
+  return std::nullopt;
+}
+
+}  // namespace geminga::participant

@@ -1,0 +1,26 @@
+// The two sides of `query why`, each of which may be one that nobody has stated.
+#ifndef GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_SIDES_HPP
+#define GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_SIDES_HPP
+
+#include <expected>
+#include <optional>
+
+#include "discovery/participant/queries/checks.hpp"
+
+namespace geminga::participant {
+
+/// An offer that is asked about.
+struct Offered {
+  registry::PublicationEntry entry;
+  bool is_living = true;
+};
+
+/// 404 where there is none, 422 where a name or a text cannot be understood.
+[[nodiscard]] std::expected<Asked, Error> asked_of(Core& core, const gcnp::QueryWhy& query);
+/// Nothing where no offer is asked about. One without mode has the mode of the request, or `oto`.
+[[nodiscard]] std::expected<std::optional<Offered>, Error> offered_of(Core& core, const gcnp::QueryWhy& query,
+                                                                      const Asked& asked);
+
+}  // namespace geminga::participant
+
+#endif

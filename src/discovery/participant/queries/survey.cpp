@@ -1,0 +1,55 @@
+#include "discovery/participant/queries/survey.hpp"
+
+#include <iterator>
+#include <utility>
+
+namespace geminga::participant {
+
+using registry::PublicationEntry;
+
+Survey::Survey(const Core& core, Asked asked, matching::Rank offer)
+    : asked_(std::move(asked)),
+      offer_(std::move(offer)),
+      candidates_(core.matcher.candidates(asked_.entry.subscription, *asked_.request, max_ranked_at_once)) {}
+
+bool Survey::proceed(Core& core, Piece& piece) {
+  if (candidates_) {
+    for (const ServiceKey& key : *candidates_) {
+      piece.look_at_one();
+      if (const auto* offer = core.matcher.find_publication(key)) look(core, *offer);
+    }
+    return true;
+  }
+  return core.matcher.walk_publications(last_, [&](const PublicationEntry& offer) {
+    last_ = offer.key;
+    ++seen_;
+    piece.look_at_one();
+    look(core, offer);
+    return !piece.is_full();
+  });
+}
+
+void Survey::look(Core& core, const PublicationEntry& offer) {
+  registry::SubscriptionEntry& asked = asked_.entry;
+  if (asked_.is_any_mode) asked.subscription.mode = offer.publication.mode;
+  const auto finding = core.matcher.examine(asked, *asked_.request, offer);
+  if (finding.meets()) {
+    // One that is about to be gone meets nothing any more.
+    const auto match = core.matcher.meets(asked, *asked_.request, offer);
+    if (match) take(asked_.request->rank(offer, *match));
+    return;
+  }
+  nearest_.consider(offer, finding);
+  if (!finding.is_near()) return;
+  misfits_.insert({offer.key, finding});
+  if (misfits_.size() > max_told_misfits) misfits_.erase(std::prev(misfits_.end()));
+}
+
+void Survey::take(const matching::Rank& rank) {
+  ++matching_;
+  if (offer_ && matching::BestFirst{}(rank, *offer_)) ++ahead_;
+  best_.insert(rank);
+  if (best_.size() > max_ranked_matches) best_.erase(std::prev(best_.end()));
+}
+
+}  // namespace geminga::participant
