@@ -52,13 +52,19 @@ struct Label {
   std::string_view language;
 };
 
-/// The labels of classes by text, then class, then language; each once.
-std::vector<Label> labels_of_classes(const CompilerInput& input) {
-  const owl::Ontology& source = input.source;
-  std::vector<std::uint32_t> class_of_name(source.name_count(), none);
+/// The class of each name, or none.
+std::vector<std::uint32_t> classes_by_name(const CompilerInput& input) {
+  std::vector<std::uint32_t> class_of_name(input.source.name_count(), none);
   for (std::uint32_t number = 0; number < input.classification.class_count(); ++number) {
     class_of_name[static_cast<std::size_t>(input.classification.classes[number])] = number;
   }
+  return class_of_name;
+}
+
+/// The labels of classes by text, then class, then language; each once.
+std::vector<Label> labels_of_classes(const CompilerInput& input) {
+  const owl::Ontology& source = input.source;
+  const std::vector<std::uint32_t> class_of_name = classes_by_name(input);
   std::vector<Label> labels;
   for (const owl::Ontology::Label& label : source.labels()) {
     const std::uint32_t number = class_of_name[static_cast<std::size_t>(label.entity)];
@@ -169,6 +175,17 @@ void write_signatures(const form::LabelsT& labels, form::TaxonomyT& out) {
     const std::uint32_t label = labels.label_of_class[number];
     out.signatures.push_back(label == none ? 0 : signature_of(row(texts, labels.end, label)));
   }
+}
+
+void write_conversions(const CompilerInput& input, form::TaxonomyT& out) {
+  if (input.source.conversions().empty()) return;
+  const std::vector<std::uint32_t> class_of_name = classes_by_name(input);
+  for (const owl::Ontology::Conversion& one : input.source.conversions()) {
+    const std::uint32_t from = class_of_name[static_cast<std::size_t>(one.from)];
+    const std::uint32_t to = class_of_name[static_cast<std::size_t>(one.to)];
+    if (from != none && to != none) out.conversions.emplace_back(from, to, one.cost);
+  }
+  std::ranges::sort(out.conversions, {}, [](const form::Conversion& one) { return std::pair(one.from(), one.to()); });
 }
 
 void write_labels(const CompilerInput& input, form::LabelsT& out) {

@@ -178,6 +178,21 @@ void check_taxonomy(const taxonomy::ClassifiedView& view, Checker& check) {
   check.expect(wrong == 0, "the intervals of a class", view.reach);
 }
 
+void check_conversions(std::span<const taxonomy::Conversion> conversions, const taxonomy::ClassifiedView& view,
+                       Checker& check) {
+  check.expect(conversions.size() <= owl::max_conversions, "the number of conversions", conversions);
+  const std::uint32_t count = view.class_count();
+  for (std::size_t at = 0; at < conversions.size(); ++at) {
+    const taxonomy::Conversion& one = conversions[at];
+    check.expect(one.from < count && one.to < count, "a class that is converted", conversions, at);
+    check.expect(one.cost >= 1 && one.cost <= owl::max_conversion_cost, "the cost of a conversion", conversions, at);
+    if (at == 0) continue;
+    const taxonomy::Conversion& before = conversions[at - 1];
+    const bool ascends = before.from < one.from || (before.from == one.from && before.to < one.to);
+    check.expect(ascends, "the order of conversions", conversions, at);
+  }
+}
+
 void check_labels(const LabelsView& labels, const taxonomy::ClassifiedView& taxonomy, Checker& check) {
   check.ends(labels.end, labels.text.size(), "the end of a label");
   check.borders(labels.class_begin, labels.end.size(), labels.classes.size(), "the border of classes of a label");

@@ -13,6 +13,7 @@ static_assert(std::endian::native == std::endian::little, "the compiled form is 
 static_assert(sizeof(taxonomy::Interval) == sizeof(form::Interval));
 static_assert(sizeof(taxonomy::Reach) == sizeof(form::Reach));
 static_assert(sizeof(taxonomy::EquivalentMember) == sizeof(form::Member));
+static_assert(sizeof(taxonomy::Conversion) == sizeof(form::Conversion));
 
 template <typename Element>
 std::span<const std::uint32_t> numbers(const flatbuffers::Vector<Element>* vector) {
@@ -69,8 +70,10 @@ std::expected<TaxonomySection, CompiledError> view_taxonomy(const Container& fil
   view.further = structs<taxonomy::Interval>(root.further());
   Checker check(file.file());
   check_taxonomy(view, check);
+  const TaxonomySection section{&root, view};
+  if (!check.failed()) check_conversions(conversions_of(section), view, check);
   if (check.failed()) return std::unexpected(check.error());
-  return TaxonomySection{&root, view};
+  return section;
 }
 
 std::expected<LabelsView, CompiledError> view_labels(const Container& file, const taxonomy::ClassifiedView& taxonomy) {
@@ -151,6 +154,11 @@ std::span<const std::uint64_t> signatures_of(const TaxonomySection& taxonomy) {
   const auto* const signatures = taxonomy.root->signatures();
   if (signatures == nullptr) return {};
   return {reinterpret_cast<const std::uint64_t*>(signatures->Data()), signatures->size()};
+}
+
+std::span<const taxonomy::Conversion> conversions_of(const TaxonomySection& taxonomy) {
+  const auto* const conversions = taxonomy.root->conversions();
+  return conversions == nullptr ? std::span<const taxonomy::Conversion>() : structs<taxonomy::Conversion>(conversions);
 }
 
 std::uint32_t counted_axioms(const TaxonomySection& taxonomy) { return taxonomy.root->axioms(); }

@@ -16,6 +16,7 @@
 #include "reasoning/owl/left_out.hpp"
 #include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/taxonomy/classified_view.hpp"
+#include "reasoning/taxonomy/conversion.hpp"
 
 namespace geminga::compiled {
 
@@ -60,6 +61,8 @@ struct LabelsView {
 [[nodiscard]] std::vector<std::pair<std::string_view, std::string_view>> prefixes_of(const TaxonomySection& taxonomy);
 /// Two for each class, of its local name and of its label (similar.hpp). Empty if the file has none.
 [[nodiscard]] std::span<const std::uint64_t> signatures_of(const TaxonomySection& taxonomy);
+/// Which representation can be turned into which, ascending by pairs of classes.
+[[nodiscard]] std::span<const taxonomy::Conversion> conversions_of(const TaxonomySection& taxonomy);
 /// The number of different axioms, without declarations.
 [[nodiscard]] std::uint32_t counted_axioms(const TaxonomySection& taxonomy);
 

@@ -361,6 +361,8 @@ std::vector<taxonomy::ClassNumber> Ontology::children(taxonomy::ClassNumber numb
   return to_classes(mapped_->taxonomy.view.children_of(mapped_->node(number)));
 }
 
+std::span<const taxonomy::Conversion> Ontology::conversions() const { return conversions_of(mapped_->taxonomy); }
+
 const taxonomy::ClassifiedView& Ontology::view() const { return mapped_->taxonomy.view; }
 const taxonomy::ClassifiedView& Ontology::axioms() const { return mapped_->need_axioms(); }
 modules::ModuleIndex Ontology::module_index() const { return modules::ModuleIndex(axioms()); }

@@ -17,6 +17,7 @@
 #include "reasoning/owl/left_out.hpp"
 #include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/taxonomy/class_number.hpp"
+#include "reasoning/taxonomy/conversion.hpp"
 #include "reasoning/taxonomy/interval.hpp"
 #include "reasoning/taxonomy/reach.hpp"
 
@@ -116,6 +117,8 @@ class Ontology {
   [[nodiscard]] std::vector<taxonomy::ClassNumber> parents(taxonomy::ClassNumber number) const;
   [[nodiscard]] std::vector<taxonomy::ClassNumber> children(taxonomy::ClassNumber number) const;
 
+  /// Which representation is declared to be turned into which (reasoning/owl/conversion.hpp).
+  [[nodiscard]] std::span<const taxonomy::Conversion> conversions() const;
   /// Two for each class, of its local name and of its label (similar.hpp). Empty if the form has none.
   [[nodiscard]] std::span<const std::uint64_t> signatures() const;
   /// The taxonomy as numbers, without terms and axioms.

@@ -2,6 +2,7 @@
 #include "reasoning/owl/canonical.hpp"
 
 #include <algorithm>
+#include <string>
 #include <tuple>
 
 #include "base/hash.hpp"
@@ -13,6 +14,18 @@ namespace {
 using Hash = ContentHashes::Hash;
 
 Hash hash_words(std::span<const std::uint64_t> words) { return base::hash128(base::octets_of(words)); }
+
+/// One for each conversion, ascending: hosts that convert differently do not match alike.
+std::vector<std::uint64_t> words_of_conversions(const Ontology& source) {
+  std::vector<std::uint64_t> words;
+  for (const Ontology::Conversion& one : source.conversions()) {
+    std::string text(source.name(one.from));
+    text.append(" ").append(source.name(one.to)).append(" ").append(std::to_string(one.cost));
+    words.push_back(base::hash64(text));
+  }
+  std::ranges::sort(words);
+  return words;
+}
 
 }  // namespace
 
@@ -185,6 +198,7 @@ std::uint64_t digest(const Ontology& source) {
     words.push_back(high);
     words.push_back(low);
   }
+  for (const std::uint64_t word : words_of_conversions(source)) words.push_back(word);
   return base::hash64(base::octets_of(std::span(words)));
 }
 

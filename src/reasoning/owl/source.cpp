@@ -8,6 +8,7 @@
 
 #include "base/assert.hpp"
 #include "base/hash.hpp"
+#include "base/text.hpp"
 #include "reasoning/owl/datatypes.hpp"
 
 namespace geminga::owl {
@@ -227,6 +228,28 @@ void Ontology::add_label(std::string_view entity_iri, std::string_view text, std
   if (text.empty() || text.size() > limits_.name_bytes || problem_) return;
   labels_.push_back(
       {intern(entity_iri, limits_.name_bytes), intern(text, limits_.name_bytes), intern(language, limits_.name_bytes)});
+}
+
+void Ontology::add_conversion(std::string_view from_iri, std::string_view to_iri, std::string_view cost, FileId file,
+                              std::uint32_t line) {
+  if (problem_) return;
+  const auto number = cost.empty() ? std::optional(usual_conversion_cost) : base::parse_number<std::uint32_t>(cost);
+  if (!number || *number == 0 || *number > max_conversion_cost) {
+    leave_out("geminga:conversionCost that is no whole number from 1 to " + std::to_string(max_conversion_cost), file,
+              line);
+    return;
+  }
+  const Conversion added{intern(from_iri, limits_.name_bytes), intern(to_iri, limits_.name_bytes), *number, file, line};
+  const auto known = std::ranges::find_if(
+      conversions_, [&](const Conversion& one) { return one.from == added.from && one.to == added.to; });
+  if (known != conversions_.end()) {
+    if (added.cost < known->cost) *known = added;
+    return;
+  }
+  if (conversions_.size() >= limits_.conversions) {
+    return fail("the ontology has more than " + std::to_string(limits_.conversions) + " conversions");
+  }
+  conversions_.push_back(added);
 }
 
 void Ontology::add_prefix(std::string_view prefix, std::string_view iri) {

@@ -14,6 +14,7 @@
 
 #include "base/interner.hpp"
 #include "reasoning/owl/axiom.hpp"
+#include "reasoning/owl/conversion.hpp"
 #include "reasoning/owl/loaded_file.hpp"
 
 namespace geminga::owl {
@@ -27,6 +28,7 @@ struct SourceLimits {
   std::size_t arguments = std::size_t{1} << 24;       ///< arguments of all terms, and of all axioms
   std::size_t axioms = std::size_t{1} << 23;
   std::size_t files = 10'000;
+  std::size_t conversions = max_conversions;
   /// Levels of nested class expressions; an axiom with more is left out and named, it is not a problem.
   std::uint32_t nesting = 500;
 };
@@ -45,6 +47,13 @@ class Ontology {
     NameId entity{};
     NameId text{};
     NameId language{};  ///< the empty name: none
+  };
+  struct Conversion {
+    NameId from{};
+    NameId to{};
+    std::uint32_t cost = usual_conversion_cost;  ///< 1 to max_conversion_cost
+    FileId file{};
+    std::uint32_t line = 0;
   };
   struct Prefix {
     NameId prefix{};  ///< without the colon
@@ -99,6 +108,11 @@ class Ontology {
     add(kind, std::span<const TermId>(arguments.begin(), arguments.size()), file, line);
   }
   void add_label(std::string_view entity_iri, std::string_view text, std::string_view language = {});
+  /// That one representation can be turned into another (reasoning/owl/conversion.hpp). Of two statements about one
+  /// pair the lower cost counts. `cost` is as it is written, empty where none is; one that is no whole number from 1 to
+  /// max_conversion_cost is left out with its conversion, and named.
+  void add_conversion(std::string_view from_iri, std::string_view to_iri, std::string_view cost, FileId file,
+                      std::uint32_t line);
   void add_prefix(std::string_view prefix, std::string_view iri);
   /// Notes something that was read and that no axiom can express. `construct` is a short name like "swrl:Imp".
   void leave_out(std::string_view construct, FileId file, std::uint32_t line, std::uint32_t count = 1);
@@ -126,6 +140,8 @@ class Ontology {
   [[nodiscard]] std::size_t ill_typed_count() const { return ill_typed_.size(); }
   [[nodiscard]] Axiom ill_typed(std::size_t index) const { return axiom_of(ill_typed_[index]); }
   [[nodiscard]] std::span<const Label> labels() const { return labels_; }
+  /// Of different pairs, in the order of reading.
+  [[nodiscard]] std::span<const Conversion> conversions() const { return conversions_; }
   [[nodiscard]] std::span<const Prefix> prefixes() const { return prefixes_; }
   [[nodiscard]] std::span<const LoadedFile> files() const { return files_; }
   [[nodiscard]] std::span<const Omission> omissions() const { return omissions_; }
@@ -173,6 +189,7 @@ class Ontology {
   std::vector<AxiomRecord> ill_typed_;
   std::vector<TermId> axiom_arguments_;
   std::vector<Label> labels_;
+  std::vector<Conversion> conversions_;
   std::vector<Prefix> prefixes_;
   std::vector<LoadedFile> files_;
   std::vector<Omission> omissions_;

@@ -1,6 +1,7 @@
 #include "reasoning/taxonomy/classification.hpp"
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -28,6 +29,13 @@ std::vector<owl::LeftOut> left_out(const owl::Ontology& source, const Classifica
   for (const UnusedAxiom& unused : classification.unused) {
     const owl::Axiom axiom = source.axiom(unused.axiom);
     add(unused.construct, axiom.file, axiom.line, 1);
+  }
+  const std::set<owl::NameId> classes = source.conversions().empty()
+                                            ? std::set<owl::NameId>()
+                                            : std::set(classification.classes.begin(), classification.classes.end());
+  for (const owl::Ontology::Conversion& one : source.conversions()) {
+    if (classes.contains(one.from) && classes.contains(one.to)) continue;
+    add("geminga:convertsTo of what is no class", one.file, one.line, 1);
   }
   std::vector<owl::LeftOut> result;
   for (const auto& [construct, place] : places) {

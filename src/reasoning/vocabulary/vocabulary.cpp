@@ -9,8 +9,12 @@
 
 namespace geminga::vocabulary {
 
+Vocabulary::Vocabulary(std::shared_ptr<const compiled::Ontology> ontology) : ontology_(std::move(ontology)) {
+  if (ontology_ != nullptr) conversions_ = std::make_shared<const Conversions>(ontology_);
+}
+
 Vocabulary::Vocabulary(compiled::Ontology ontology)
-    : ontology_(std::make_shared<const compiled::Ontology>(std::move(ontology))) {}
+    : Vocabulary(std::make_shared<const compiled::Ontology>(std::move(ontology))) {}
 
 std::expected<ClassNumber, std::string> Vocabulary::find(std::string_view name) const {
   const auto found = ontology_->find(name);

@@ -16,6 +16,7 @@
 #include "reasoning/compiled/ontology.hpp"
 #include "reasoning/placement/expression.hpp"
 #include "reasoning/taxonomy/class_number.hpp"
+#include "reasoning/vocabulary/conversions.hpp"
 
 namespace geminga::vocabulary {
 
@@ -39,7 +40,7 @@ class Vocabulary {
   /// Without an ontology.
   Vocabulary() = default;
   /// Null: without an ontology.
-  explicit Vocabulary(std::shared_ptr<const compiled::Ontology> ontology) : ontology_(std::move(ontology)) {}
+  explicit Vocabulary(std::shared_ptr<const compiled::Ontology> ontology);
   explicit Vocabulary(compiled::Ontology ontology);
 
   [[nodiscard]] bool is_loaded() const { return ontology_ != nullptr; }
@@ -98,6 +99,12 @@ class Vocabulary {
     return placement::distance_down(place, sub, *ontology_);
   }
 
+  /// How what is in the representation `offered` can be turned into `requested`, at the least cost; null where that is
+  /// not possible. Both must be satisfiable. An answer is remembered.
+  [[nodiscard]] std::shared_ptr<const Chain> conversion(ClassNumber offered, ClassNumber requested) const {
+    return conversions_->cheapest(offered, requested);
+  }
+
   // Class expressions. They need the saturated ontology and tables of its names, which take seconds to make for a large
   // one.
 
@@ -135,6 +142,7 @@ class Vocabulary {
   friend class OntologyMark;
 
   std::shared_ptr<const compiled::Ontology> ontology_;
+  std::shared_ptr<const Conversions> conversions_;  ///< null: without an ontology
   std::shared_ptr<const ExpressionReader> reader_;  ///< borrows the ontology; null: not prepared
 };
 

@@ -7,9 +7,12 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <tuple>
+#include <utility>
 
 #include "base/random.hpp"
 #include "reasoning/compiled/compile.hpp"
+#include "reasoning/compiled/compiled_view.hpp"
 #include "reasoning/compiled/container.hpp"
 #include "reasoning/modules/module.hpp"
 #include "support/written.hpp"
@@ -25,6 +28,9 @@ std::vector<std::byte> small() {
       "SubClassOf(D B)\nDisjointClasses(E C)\nSubClassOf(X C)\nSubClassOf(Y X)\nSubClassOf(Y D)\n"
       "SubClassOf(A ObjectUnionOf(D E))");
   source.add_label("https://t.example/#A", "a");
+  source.add_conversion("https://t.example/#X", "https://t.example/#Y", "7", owl::FileId{0}, 1);
+  source.add_conversion("https://t.example/#A", "https://t.example/#B", "", owl::FileId{0}, 2);
+  source.add_conversion("https://t.example/#A", "https://t.example/#Unknown", "", owl::FileId{0}, 3);
   return compile(source, owl::classified(source));
 }
 
@@ -54,6 +60,7 @@ void ask_everything(const Ontology& ontology) {
   (void)ontology.left_out();
   (void)ontology.gaps();
   (void)ontology.digest();
+  (void)ontology.conversions();
   for (const char* name : {"t:A", "a", "owl:Thing", "nobody", "<x>"}) (void)ontology.find(name);
   const std::uint32_t count = std::min(ontology.class_count(), 12U);
   for (std::uint32_t one = 0; one < count; ++one) {
@@ -79,6 +86,45 @@ void ask_everything(const Ontology& ontology) {
 }
 
 TEST(Compiled, IsReadBack) { EXPECT_EQ(refusal(small()), ""); }
+
+TEST(Compiled, HasTheConversionsBetweenItsClassesByTheirNumbers) {
+  const auto ontology = Ontology::from_bytes(small());
+  ASSERT_TRUE(ontology);
+  const auto number = [&](const char* name) { return static_cast<std::uint32_t>(*ontology->find(name)); };
+  ASSERT_EQ(ontology->conversions().size(), 2U);
+  const taxonomy::Conversion& first = ontology->conversions()[0];
+  EXPECT_EQ(std::tuple(first.from, first.to, first.cost), std::tuple(number("t:A"), number("t:B"), 1U));
+  const taxonomy::Conversion& second = ontology->conversions()[1];
+  EXPECT_EQ(std::tuple(second.from, second.to, second.cost), std::tuple(number("t:X"), number("t:Y"), 7U));
+  const auto left_out = ontology->left_out();
+  const auto unknown = std::ranges::find(left_out, "geminga:convertsTo of what is no class", &owl::LeftOut::construct);
+  ASSERT_NE(unknown, left_out.end());
+  EXPECT_EQ(unknown->first, "written.ofn:3");
+}
+
+TEST(Compiled, IsRefusedWhereANumberOfAConversionIsWrong) {
+  const auto refused = [](const auto& change) {
+    std::vector<std::byte> bytes = small();
+    const auto view = view_taxonomy(*Container::open(bytes));
+    EXPECT_TRUE(view);
+    const auto conversions = conversions_of(*view);
+    const auto at = reinterpret_cast<const std::byte*>(conversions.data()) - bytes.data();
+    change(reinterpret_cast<taxonomy::Conversion*>(bytes.data() + at), view->view.class_count());
+    seal(bytes);
+    return refusal(std::move(bytes));
+  };
+  using taxonomy::Conversion;
+  EXPECT_EQ(refused([](Conversion*, std::uint32_t) {}), "");
+  EXPECT_EQ(refused([](Conversion* all, std::uint32_t count) { all[1].to = count - 1; }), "");
+  EXPECT_THAT(refused([](Conversion* all, std::uint32_t count) { all[1].to = count; }), HasSubstr("is converted"));
+  EXPECT_THAT(refused([](Conversion* all, std::uint32_t count) { all[1].from = count; }), HasSubstr("is converted"));
+  EXPECT_THAT(refused([](Conversion* all, std::uint32_t) { all[0].cost = 0; }), HasSubstr("the cost of a conversion"));
+  EXPECT_EQ(refused([](Conversion* all, std::uint32_t) { all[0].cost = owl::max_conversion_cost; }), "");
+  EXPECT_THAT(refused([](Conversion* all, std::uint32_t) { all[0].cost = owl::max_conversion_cost + 1; }),
+              HasSubstr("the cost of a conversion"));
+  EXPECT_THAT(refused([](Conversion* all, std::uint32_t) { std::swap(all[0], all[1]); }), HasSubstr("the order"));
+  EXPECT_THAT(refused([](Conversion* all, std::uint32_t) { all[1] = all[0]; }), HasSubstr("the order"));
+}
 
 TEST(Compiled, IsRefusedWithEveryBitFlipped) {
   const std::vector<std::byte> whole = small();

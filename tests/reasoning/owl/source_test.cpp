@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "reasoning/el/classify.hpp"
+#include "reasoning/owl/canonical.hpp"
 
 namespace geminga::owl {
 namespace {
@@ -167,6 +168,55 @@ TEST(Ontology, KeepsNamesThatAreLongerThanALabelMayBeOutOfLabels) {
   source.add_label("urn:a", std::string(101, 'x'));
   EXPECT_FALSE(source.problem());
   EXPECT_TRUE(source.labels().empty());
+}
+
+TEST(Conversions, HaveACostFromOneUpAndTheLowestOfAPairCounts) {
+  Ontology source;
+  const FileId file = source.add_file("a.ttl");
+  source.add_conversion("urn:a", "urn:b", "5", file, 1);
+  source.add_conversion("urn:a", "urn:b", "3", file, 2);
+  source.add_conversion("urn:a", "urn:b", "4", file, 3);
+  source.add_conversion("urn:b", "urn:a", "", file, 4);
+  source.add_conversion("urn:c", "urn:d", "1", file, 5);
+  source.add_conversion("urn:d", "urn:c", "1000000", file, 6);
+  std::vector<std::uint32_t> costs;
+  for (const auto& one : source.conversions()) costs.push_back(one.cost);
+  EXPECT_EQ(costs, (std::vector<std::uint32_t>{3, 1, 1, max_conversion_cost}));
+  for (const char* wrong : {"0", "-1", "1000001", "1.5", "two", "99999999999999999999"}) {
+    source.add_conversion("urn:e", "urn:f", wrong, file, 7);
+  }
+  EXPECT_EQ(source.conversions().size(), 4U);
+  ASSERT_EQ(source.omissions().size(), 1U);
+  EXPECT_EQ(source.omissions()[0].count, 6U);
+  EXPECT_THAT(source.name(source.omissions()[0].construct), HasSubstr("geminga:conversionCost"));
+}
+
+TEST(Conversions, AreLimited) {
+  Ontology source;
+  const FileId file = source.add_file("a.ttl");
+  const auto add = [&](std::size_t number) {
+    source.add_conversion("urn:a", "urn:" + std::to_string(number), "", file, 1);
+  };
+  for (std::size_t number = 0; number < max_conversions; ++number) add(number);
+  add(0);
+  EXPECT_FALSE(source.problem());
+  add(max_conversions);
+  ASSERT_TRUE(source.problem());
+  EXPECT_THAT(*source.problem(), HasSubstr("more than 1024 conversions"));
+}
+
+TEST(Conversions, ArePartOfTheDigestInAnyOrder) {
+  const auto digest_of = [](const std::vector<std::pair<const char*, const char*>>& conversions, const char* cost) {
+    Ontology source;
+    const FileId file = source.add_file("a.ttl");
+    for (const auto& [from, to] : conversions) source.add_conversion(from, to, cost, file, 1);
+    return digest(source);
+  };
+  EXPECT_EQ(digest_of({{"urn:a", "urn:b"}, {"urn:b", "urn:a"}}, ""),
+            digest_of({{"urn:b", "urn:a"}, {"urn:a", "urn:b"}}, "1"));
+  EXPECT_NE(digest_of({{"urn:a", "urn:b"}}, "1"), digest_of({{"urn:a", "urn:b"}}, "2"));
+  EXPECT_NE(digest_of({{"urn:a", "urn:b"}}, "1"), digest_of({{"urn:b", "urn:a"}}, "1"));
+  EXPECT_NE(digest_of({{"urn:a", "urn:b"}}, "1"), digest_of({}, "1"));
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ void Parser::annotation_list(std::string_view subject) {
   ++annotation_depth_;
   do {
     parts_ = 0;
+    if (annotation_depth_ == 1) cost_.clear();
     if (is_section("Annotations:")) annotations();
     annotation(subject);
   } while (!failed() && take_comma());
@@ -69,6 +70,7 @@ void Parser::annotation(std::string_view subject) {
     const bool is_label = property == rdfs_label || property == skos_pref_label;
     const bool is_of_name = !read.subject.empty() && !subject.starts_with("_:");
     if (is_label && is_text && is_of_name) source_.add_label(subject, last_text_, last_language_);
+    if (property == owl::conversion_cost) cost_ = last_text_;
     if (!annotations_.is_wanted()) return;
     read.is_literal = true;
     read.value = last_text_;
@@ -77,7 +79,12 @@ void Parser::annotation(std::string_view subject) {
   } else if (is_name() && tokens_.token().text.starts_with("_:")) {
     read.value = source_.name_of(individual());
   } else {
+    const std::uint32_t line = this->line();
     read.value = iri("an IRI, a blank node or a literal");
+    const bool is_of_name = !read.subject.empty() && !subject.starts_with("_:");
+    if (!failed() && property == owl::converts_to && is_of_name) {
+      source_.add_conversion(subject, read.value, cost_, file_, line);
+    }
   }
   if (!failed()) annotations_.add(std::move(read), annotation_depth_);
 }

@@ -24,8 +24,10 @@ bool Parser::annotation() {
   tokens_.advance();
   bool is_read = expect(TokenKind::open, "'(' behind Annotation") && annotations() && iri(property_name);
   std::string property(annotations_.is_wanted() && is_read ? iri_ : std::string_view());
+  const bool is_cost = is_read && iri_ == owl::conversion_cost;
   const TokenKind kind = tokens_.token().kind;
   is_read = is_read && annotation_value();
+  if (is_read && is_cost && kind == TokenKind::string) cost_ = lexical_;
   if (is_read && annotations_.is_wanted()) {
     owl::Annotation read = owl::annotation_of({}, std::move(property));
     if (is_of_ontology_ && depth_ == 1) {
@@ -60,12 +62,14 @@ bool Parser::annotation_value() {
 bool Parser::annotation_assertion() {
   if (!iri(property_name)) return false;
   const bool is_label = iri_ == rdfs_label || iri_ == skos_pref_label;
+  const bool is_conversion = iri_ == owl::converts_to;
+  const std::uint32_t line = tokens_.line();
   std::string property(annotations_.is_wanted() ? iri_ : std::string_view());
   std::string subject;
   const bool is_of_blank = tokens_.is(TokenKind::node_id);
   if (is_name()) {
     if (!iri("an IRI")) return false;
-    if (is_label || annotations_.is_wanted()) subject = iri_;
+    if (is_label || is_conversion || annotations_.is_wanted()) subject = iri_;
   } else {
     if (is_of_blank && annotations_.is_wanted()) subject = blank_name(tokens_.token().text);
     if (!expect(TokenKind::node_id, "an IRI or a blank node")) return false;
@@ -73,6 +77,8 @@ bool Parser::annotation_assertion() {
   const TokenKind value = tokens_.token().kind;
   if (!annotation_value()) return false;
   if (is_label && !is_of_blank && value == TokenKind::string) source_.add_label(subject, lexical_, language_);
+  const bool is_name_value = value == TokenKind::full_iri || value == TokenKind::prefixed_name;
+  if (is_conversion && !is_of_blank && is_name_value) source_.add_conversion(subject, iri_, cost_, file_, line);
   if (annotations_.is_wanted()) keep(owl::annotation_of(std::move(subject), std::move(property)), value, 0);
   return true;
 }

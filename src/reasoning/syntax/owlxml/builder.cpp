@@ -139,6 +139,7 @@ Listener::Refusal Builder::open_element(std::string_view name, std::span<const A
                   : "the axiom <" + std::string(name) + "> within another element";
   if (is_top) {
     obstacle_ = nullptr;
+    cost_.clear();
     annotations_.begin();
   }
   switch (form) {

@@ -116,6 +116,7 @@ class Builder final : public Listener {
   std::string text_;                ///< of the element that is open and may hold one
   std::string literal_datatype_;    ///< of the literal that is open
   std::string literal_language_;    ///< of the literal that is open
+  std::string cost_;                ///< of a conversion, as an annotation of the axiom that is open says
   std::string facet_iri_;           ///< of the facet restriction that is open
   const char* obstacle_ = nullptr;  ///< what in the current axiom has no term
 };

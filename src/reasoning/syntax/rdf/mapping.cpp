@@ -2,8 +2,10 @@
 #include "reasoning/syntax/rdf/mapping.hpp"
 
 #include <cstdint>
+#include <map>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "reasoning/syntax/rdf/axiom_mapper.hpp"
 
@@ -27,6 +29,47 @@ void add_labels(const NodeTypes& types, const ExpressionMapper& expressions, con
       ontology.add_label(graph.text(node), label.text,
                          label.language == NodeId{} ? std::string_view() : graph.text(label.language));
     }
+  }
+}
+
+/// The node of an IRI; none where no triple has it.
+NodeId node_named(const Graph& graph, std::string_view iri) {
+  for (std::uint32_t number = 0; number < graph.node_count(); ++number) {
+    if (graph.is_iri(NodeId{number}) && graph.text(NodeId{number}) == iri) return NodeId{number};
+  }
+  return NodeId{};
+}
+
+/// The object of a subject's only triple with this predicate; none otherwise.
+NodeId only(const Graph& graph, NodeId subject, Word predicate) {
+  const auto found = graph.about(subject, predicate);
+  return found.size() == 1 ? graph.triple(found.front()).object : NodeId{};
+}
+
+/// Conversions are annotations of classes, and their costs annotations of those.
+void add_conversions(const Graph& graph, const std::vector<owl::FileId>& files, owl::Ontology& ontology) {
+  const NodeId converts = node_named(graph, owl::converts_to);
+  if (converts == NodeId{}) return;
+  const NodeId costs = node_named(graph, owl::conversion_cost);
+  std::vector<std::uint32_t> conversions;
+  std::map<std::pair<NodeId, NodeId>, NodeId> cost_of;
+  for (std::uint32_t number = 0; number < graph.triple_count(); ++number) {
+    const Triple& triple = graph.triple(number);
+    if (triple.predicate == converts && graph.is_iri(triple.subject) && graph.is_iri(triple.object)) {
+      conversions.push_back(number);
+    } else if (costs != NodeId{} && triple.predicate == costs &&
+               only(graph, triple.subject, Word::owl_annotated_property) == converts) {
+      cost_of.emplace(std::pair(only(graph, triple.subject, Word::owl_annotated_source),
+                                only(graph, triple.subject, Word::owl_annotated_target)),
+                      triple.object);
+    }
+  }
+  for (const std::uint32_t number : conversions) {
+    const Triple& triple = graph.triple(number);
+    const auto cost = cost_of.find({triple.subject, triple.object});
+    ontology.add_conversion(graph.text(triple.subject), graph.text(triple.object),
+                            cost == cost_of.end() ? std::string_view() : graph.text(cost->second),
+                            files[graph.file_of(number)], triple.line);
   }
 }
 
@@ -57,6 +100,7 @@ void leave_out_unused(TripleReader& triples, const NodeTypes& types, DataRangeMa
 }  // namespace
 
 void map_to_axioms(const Graph& graph, owl::Ontology& ontology, std::vector<owl::FileId> files) {
+  add_conversions(graph, files, ontology);
   TripleReader triples(graph);
   const NodeTypes types(triples);
   DataRangeMapper ranges(triples, ontology);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "reasoning/syntax/frames/reading.hpp"
+#include "reasoning/syntax/rdf/functional.hpp"
 
 namespace geminga::frames {
 namespace {
@@ -107,6 +108,19 @@ TEST(Frames, LetAnUndeclaredPropertyHaveTheKindOfItsValues) {
                   "SubClassOf(:A DataMaxCardinality(1 :p xsd:string))", "SubClassOf(:A ObjectMaxCardinality(1 :p))",
                   "SubClassOf(:A DataAllValuesFrom(:p DataComplementOf(DataOneOf(\"a\"))))",
                   "SubClassOf(:A ObjectHasSelf(:p))"));
+}
+
+TEST(Frames, HaveConversionsWithTheirCosts) {
+  const Reading reading(
+      "Prefix: : <http://e/> Prefix: g: <https://geminga.example/core#> Ontology:\n"
+      "AnnotationProperty: g:convertsTo\n"
+      "Class: A\n  Annotations: g:convertsTo B, Annotations: g:conversionCost 7 g:convertsTo C,\n"
+      "    Annotations: g:conversionCost \"8\"^^xsd:integer g:convertsTo D, g:convertsTo E, g:convertsTo _:x\n"
+      "  SubClassOf: Annotations: g:convertsTo F B\nClass: B Class: C Class: D Class: E Class: F\n");
+  ASSERT_EQ(reading.error, "");
+  EXPECT_THAT(rdf::conversions(reading.source),
+              ElementsAre("http://e/A > http://e/B 1, line 4", "http://e/A > http://e/C 7, line 4",
+                          "http://e/A > http://e/D 8, line 5", "http://e/A > http://e/E 1, line 5"));
 }
 
 TEST(Frames, HaveAnnotationsThatMayNestAndKeepLabels) {

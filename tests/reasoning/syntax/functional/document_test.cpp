@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "reasoning/syntax/functional/reading.hpp"
+#include "reasoning/syntax/rdf/functional.hpp"
 
 namespace geminga::functional {
 namespace {
@@ -92,6 +93,20 @@ TEST(Document, DeclaresAnEntityOnce) {
   EXPECT_THAT(reading.axioms(), ElementsAre("Declaration(:A)", "Declaration(:A)"));
   EXPECT_EQ(reading.source.kind(reading.source.axiom(0).arguments[0]), owl::TermKind::named_class);
   EXPECT_EQ(reading.source.kind(reading.source.axiom(1).arguments[0]), owl::TermKind::individual);
+}
+
+TEST(Document, CollectsConversionsWithTheirCosts) {
+  const Reading reading(
+      "Prefix(:=<http://e/>) Prefix(g:=<https://geminga.example/core#>) Ontology(<http://e>\n"
+      "AnnotationAssertion(g:convertsTo :A :B)\n"
+      "AnnotationAssertion(Annotation(g:conversionCost \"7\"^^xsd:integer) g:convertsTo :A <http://e/C>)\n"
+      "AnnotationAssertion(g:convertsTo :B :A)\nAnnotationAssertion(g:convertsTo _:b :A)\n"
+      "AnnotationAssertion(g:convertsTo :A _:b)\nAnnotationAssertion(g:convertsTo :A \"x\")\n"
+      "SubClassOf(Annotation(g:conversionCost \"3\") :A :B)\nAnnotationAssertion(g:convertsTo :C :A))");
+  ASSERT_EQ(reading.error, "");
+  EXPECT_THAT(rdf::conversions(reading.source),
+              ElementsAre("http://e/A > http://e/B 1, line 2", "http://e/A > http://e/C 7, line 3",
+                          "http://e/B > http://e/A 1, line 4", "http://e/C > http://e/A 1, line 9"));
 }
 
 TEST(Document, CollectsLabels) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "reasoning/syntax/owlxml/reading.hpp"
+#include "reasoning/syntax/rdf/functional.hpp"
 
 namespace geminga::owlxml {
 namespace {
@@ -45,6 +46,21 @@ TEST(Elements, WithoutABaseAreRelativeToTheNameOfTheOntology) {
       "<Ontology xmlns=\"http://www.w3.org/2002/07/owl#\" ontologyIRI=\"http://e/o\"><Declaration><Class "
       "IRI=\"#A\"/></Declaration></Ontology>");
   EXPECT_THAT(reading.axioms(), ElementsAre("Declaration(:o#A)"));
+}
+
+TEST(Elements, OfConversionsKeepTheirCosts) {
+  const std::string converts = "<AnnotationProperty IRI=\"https://geminga.example/core#convertsTo\"/>";
+  const Reading reading(ontology(
+      "<AnnotationAssertion>" + converts + "<IRI>A</IRI><IRI>B</IRI></AnnotationAssertion>\n" +
+      "<AnnotationAssertion><Annotation><AnnotationProperty IRI=\"https://geminga.example/core#conversionCost\"/>" +
+      "<Literal>7</Literal></Annotation>" + converts + "<IRI>A</IRI><IRI>C</IRI></AnnotationAssertion>\n" +
+      "<AnnotationAssertion>" + converts + "<IRI>B</IRI><IRI>A</IRI></AnnotationAssertion>\n" +
+      "<AnnotationAssertion>" + converts + "<IRI>B</IRI><Literal>A</Literal></AnnotationAssertion>\n" +
+      "<AnnotationAssertion>" + converts + "<AnonymousIndividual nodeID=\"_:b\"/><IRI>A</IRI></AnnotationAssertion>"));
+  ASSERT_EQ(reading.error, "");
+  EXPECT_THAT(rdf::conversions(reading.source),
+              ElementsAre("http://e/A > http://e/B 1, line 2", "http://e/A > http://e/C 7, line 3",
+                          "http://e/B > http://e/A 1, line 4"));
 }
 
 TEST(Elements, OfAnnotationsKeepLabelsAndNothingElse) {

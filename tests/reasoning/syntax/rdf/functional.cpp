@@ -89,4 +89,13 @@ std::vector<std::string> labels(const owl::Ontology& source) {
   return lines;
 }
 
+std::vector<std::string> conversions(const owl::Ontology& source) {
+  std::vector<std::string> lines;
+  for (const owl::Ontology::Conversion& one : source.conversions()) {
+    lines.push_back(std::string(source.name(one.from)) + " > " + std::string(source.name(one.to)) + ' ' +
+                    std::to_string(one.cost) + ", line " + std::to_string(one.line));
+  }
+  return lines;
+}
+
 }  // namespace geminga::rdf

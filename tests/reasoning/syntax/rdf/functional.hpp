@@ -17,6 +17,8 @@ namespace geminga::rdf {
 [[nodiscard]] std::vector<std::string> functional_with_left_out(const owl::Ontology& source);
 /// "IRI text" or "IRI text@en".
 [[nodiscard]] std::vector<std::string> labels(const owl::Ontology& source);
+/// "IRI > IRI COST, line N"
+[[nodiscard]] std::vector<std::string> conversions(const owl::Ontology& source);
 
 }  // namespace geminga::rdf
 

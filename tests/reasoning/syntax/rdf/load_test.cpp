@@ -136,6 +136,22 @@ TEST(Labels, OfClassesAreKeptWithTheirLanguage) {
                                                     "http://e/B undeclared@"));
 }
 
+TEST(Conversions, AreReadWithTheCostsOfTheirAnnotations) {
+  const auto loaded = load_text(
+      "a.ttl", std::string(turtle_prefixes) +
+                   "@prefix g: <https://geminga.example/core#> .\n"
+                   ":A a owl:Class ; g:convertsTo :B , :C , _:b , \"D\" .\n:B a owl:Class . :C a owl:Class .\n"
+                   "[] a owl:Axiom ; owl:annotatedSource :A ; owl:annotatedProperty g:convertsTo ;\n"
+                   "   owl:annotatedTarget :C ; g:conversionCost 7 .\n"
+                   "[] a owl:Axiom ; owl:annotatedSource :A ; owl:annotatedProperty rdfs:comment ;\n"
+                   "   owl:annotatedTarget :B ; g:conversionCost 9 .\n_:c g:convertsTo :A .\n");
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  EXPECT_FALSE(loaded->source.problem());
+  EXPECT_THAT(conversions(loaded->source),
+              testing::UnorderedElementsAre(testing::StartsWith("http://e/A > http://e/B 1,"),
+                                            testing::StartsWith("http://e/A > http://e/C 7,")));
+}
+
 TEST(Load, ReadsIso88591WhereXmlSaysSo) {
   const std::string text =
       "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n<rdf:RDF "

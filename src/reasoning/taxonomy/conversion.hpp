@@ -1,0 +1,18 @@
+// One declared step from a representation to another, as classes by number.
+#ifndef GEMINGA_REASONING_TAXONOMY_CONVERSION_HPP
+#define GEMINGA_REASONING_TAXONOMY_CONVERSION_HPP
+
+#include <cstdint>
+
+namespace geminga::taxonomy {
+
+/// What is in `from` can be turned into something in `to`.
+struct Conversion {
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+  std::uint32_t cost = 1;  ///< 1 to owl::max_conversion_cost
+};
+
+}  // namespace geminga::taxonomy
+
+#endif
