@@ -37,6 +37,8 @@ struct ServiceEvent {
   Degree degree = Degree::exact;
   std::uint32_t distance = 0;  ///< taxonomy edges between what was asked for and what was found
   std::string reason;          ///< after `del`: "withdrawn", "expired", "left", "outranked", ...
+  std::string convert{};   ///< how its representation is turned into what was asked for: "A>B>C"; empty: it need not be
+  std::uint32_t cost = 0;  ///< of that
   friend bool operator==(const ServiceEvent&, const ServiceEvent&) = default;
 };
 

@@ -55,6 +55,7 @@ struct NamedSubscription {
   std::string prefer{};
   std::string rank{};
   std::string scope{};
+  std::uint32_t convert = 0;
   friend bool operator==(const NamedSubscription&, const NamedSubscription&) = default;
 };
 
@@ -99,6 +100,7 @@ struct SubscriptionChange {
   std::optional<std::string> prefer{};                    ///< empty: nothing any more
   std::optional<std::string> rank{};                      ///< empty: the usual order again
   std::optional<std::string> scope{};                     ///< empty: all hosts again
+  std::optional<std::uint32_t> convert{};                 ///< 0: not at all any more
   friend bool operator==(const SubscriptionChange&, const SubscriptionChange&) = default;
 };
 

@@ -98,6 +98,7 @@ struct Subscription {
   std::string scope{};   ///< from which hosts (src/discovery/matching/SCOPE.md); empty: all
   /// Not stated, but announced by the consumer's host where it had to choose: what it has chosen, ascending.
   std::vector<ServiceKey> chosen{};
+  std::uint32_t convert = 0;  ///< the largest cost of converting (src/discovery/matching/CONVERSIONS.md); 0: not at all
   friend bool operator==(const Subscription&, const Subscription&) = default;
 };
 

@@ -17,11 +17,12 @@ constexpr std::array<std::pair<ChannelMode, std::string_view>, 3> modes{{
     {ChannelMode::one_to_many_pubsub, "otm/pubsub"},
 }};
 
-constexpr std::array<std::pair<Degree, std::string_view>, 4> degrees{{
+constexpr std::array<std::pair<Degree, std::string_view>, 5> degrees{{
     {Degree::exact, "exact"},
     {Degree::equivalent, "equivalent"},
     {Degree::narrower, "narrower"},
     {Degree::broader, "broader"},
+    {Degree::converted, "converted"},
 }};
 
 template <typename Table, typename Value>

@@ -9,7 +9,7 @@ TEST(ServiceWords, EveryWordReadsBack) {
   for (const auto mode : {ChannelMode::one_to_one, ChannelMode::one_to_many_stream, ChannelMode::one_to_many_pubsub}) {
     EXPECT_EQ(channel_mode(to_string(mode)), mode);
   }
-  for (const auto d : {Degree::exact, Degree::equivalent, Degree::narrower, Degree::broader}) {
+  for (const auto d : {Degree::exact, Degree::equivalent, Degree::narrower, Degree::broader, Degree::converted}) {
     EXPECT_EQ(degree(to_string(d)), d);
   }
   EXPECT_FALSE(channel_mode("otm"));

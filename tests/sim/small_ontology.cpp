@@ -36,6 +36,9 @@ class Writer {
     const owl::TermId some = source_.term(owl::TermKind::object_some_values_from, {role, named(filler)});
     source_.add(owl::AxiomKind::sub_class_of, {named(sub), some}, file_, ++line_);
   }
+  void convert(const char* from, const char* to, const char* cost) {
+    source_.add_conversion(std::string(soccer) + from, std::string(soccer) + to, cost, file_, ++line_);
+  }
   void disjoint(const char* a, const char* b) {
     source_.add(owl::AxiomKind::disjoint_classes, {named(a), named(b)}, file_, ++line_);
   }
@@ -91,6 +94,27 @@ compiled::Ontology make_deep() {
   return writer.finish();
 }
 
+/// Balls in frames that are turned into each other; the other form: by another way for the same cost.
+compiled::Ontology make_frames(bool is_other_way) {
+  Writer writer;
+  writer.sub("Ball", "TrackedObject");
+  writer.sub("RobotPolar", "RobotFrame");
+  writer.sub("MyRobotPolar", "RobotPolar");
+  writer.sub("FieldPolar", "FieldFrame");
+  writer.sub("FieldCartesian", "FieldFrame");
+  writer.sub("RobotCartesian", "RobotFrame");
+  writer.sub("CameraPixels", "CameraFrame");
+  writer.convert("RobotPolar", "RobotCartesian", "1");
+  writer.convert("FieldCartesian", "FieldPolar", "1");
+  if (is_other_way) {
+    writer.convert("RobotPolar", "FieldPolar", "10");
+    writer.convert("FieldPolar", "FieldCartesian", "1");
+  } else {
+    writer.convert("RobotCartesian", "FieldCartesian", "10");
+  }
+  return writer.finish();
+}
+
 /// For class expressions: cameras that observe balls, and a lidar.
 compiled::Ontology make_sensors(bool has_ball, bool is_damaged = false) {
   Writer writer;
@@ -117,6 +141,10 @@ vocabulary::Vocabulary small_ontology(std::string_view name) {
   static const vocabulary::Vocabulary sensors(make_sensors(true));
   static const vocabulary::Vocabulary blind(make_sensors(false));
   static const vocabulary::Vocabulary damaged(make_sensors(true, true));
+  static const vocabulary::Vocabulary frames(make_frames(false));
+  static const vocabulary::Vocabulary other_frames(make_frames(true));
+  if (name == "frames") return frames;
+  if (name == "other-frames") return other_frames;
   if (name == "damaged") return damaged;
   if (name == "soccer") return whole;
   if (name == "misspelt") return misspelt;

@@ -11,6 +11,7 @@ namespace geminga::sim {
 /// `soccer` (see small_ontology.cpp for its classes), or `ballless`: the same without soccer:Ball and everything below;
 /// `sensors`, for class expressions, or `blind`: the same without soccer:Ball; `misspelt`, with soccer:Bal;
 /// `deep`, for long proofs.
+/// `frames`, for conversions, or `other-frames`: over another chain of the same cost.
 /// `damaged` is `sensors` from a compiled form whose axioms are damaged.
 /// Without an ontology for `none`.
 [[nodiscard]] vocabulary::Vocabulary small_ontology(std::string_view name);

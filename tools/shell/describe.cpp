@@ -117,7 +117,9 @@ std::string gone_line(std::string_view name, const ServiceKey& key, std::string_
 std::string line_of(const ServiceEvent& event) {
   if (event.change == Change::del) return gone_line("", event.service, event.reason);
   return sign(event.change) + who(peer_word(event.service), event.peer_name, event.participant_name) +
-         details(event, event.publication) + "  " + to_string(event.service);
+         details(event, event.publication) +
+         (event.convert.empty() ? "" : "  by " + event.convert + " cost " + std::to_string(event.cost)) + "  " +
+         to_string(event.service);
 }
 
 std::string line_of(const ConsumerEvent& event) {

@@ -134,6 +134,10 @@ json::object to_json(const ServiceEvent& event) {
   if (event.change == Change::del) return object;
   object["protocol"] = event.publication.protocol;
   object["priority"] = event.publication.priority;
+  if (!event.convert.empty()) {
+    object["convert"] = event.convert;
+    object["cost"] = event.cost;
+  }
   object["attributes"] = to_object(event.publication.attributes);
   return object;
 }

@@ -110,7 +110,8 @@ void add_degree(CLI::App& app, Degree& degree) {
          "--degree",
          [&degree](const std::string& word) {
            const auto value = geminga::degree(word);
-           if (!value) throw CLI::ValidationError("--degree", "must be exact, equivalent, narrower or broader");
+           if (!value || *value == Degree::converted)
+             throw CLI::ValidationError("--degree", "must be exact, equivalent, narrower or broader");
            degree = *value;
          },
          "The weakest degree of match that counts (narrower unless told)")

@@ -1,6 +1,8 @@
 // geminga-subscribe: asks for services from a shell and prints the events.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,18 @@ struct Options {
   std::uint64_t count = 0;
 };
 
+/// Throws CLI::ValidationError.
+std::uint32_t accepted_cost(const std::string& word) {
+  if (word == "yes") return any_cost;
+  if (word == "no") return 0;
+  std::uint32_t cost = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), cost);
+  if (error != std::errc() || end != word.data() + word.size()) {
+    throw CLI::ValidationError("--convert", "must be yes, no or the largest cost");
+  }
+  return cost;
+}
+
 void add_to(CLI::App& app, Options& options) {
   app.add_option("CONCEPT", options.concepts,
                  "prefix:Name, <IRI>, a label or a class expression; several are asked for together");
@@ -69,6 +83,10 @@ void add_to(CLI::App& app, Options& options) {
   app.add_option("--rank", options.subscription.rank,
                  "By what providers are ranked first: favour, priority, prefer, degree, distance, with commas")
       ->type_name("CRITERIA");
+  app.add_option_function<std::string>(
+         "--convert", [&options](const std::string& word) { options.subscription.convert = accepted_cost(word); },
+         "Also services whose representation can be converted: yes, no or the largest cost")
+      ->type_name("yes|no|COST");
   app.add_option("--priority", options.subscription.priority, "Told to the provider")->type_name("K");
   app.add_option("--port", options.subscription.port, "Where this consumer can be reached; told to the provider")
       ->type_name("1..65535")

@@ -220,6 +220,7 @@ Decoded<NumberedSubscription> subscription_of(const wire::Subscription& message,
   for (const auto& chosen : message.chosen()) {
     subscription.chosen.push_back({ParticipantId{chosen.participant()}, PeerId{chosen.peer()}, chosen.number()});
   }
+  subscription.convert = message.convert();
   if (const auto fault = find_fault(subscription)) return Failure(fault->word);
   return numbered;
 }

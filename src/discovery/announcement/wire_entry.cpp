@@ -30,6 +30,8 @@ wire::Degree to_wire(Degree degree) {
       return wire::DEGREE_NARROWER;
     case Degree::broader:
       return wire::DEGREE_BROADER;
+    case Degree::converted:
+      break;  // nobody asks for it by degree
   }
   return wire::DEGREE_NARROWER;
 }
@@ -104,6 +106,7 @@ wire::Subscription to_wire(const NumberedSubscription& numbered, TermTable& term
     chosen->set_peer(std::to_underlying(key.peer));
     chosen->set_number(key.number);
   }
+  message.set_convert(numbered.subscription.convert);
   return message;
 }
 

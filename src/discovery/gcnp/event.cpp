@@ -56,7 +56,16 @@ Statement to_statement(std::uint32_t request, const ServiceEvent& event) {
   append(parameters, "protocol", publication.protocol);
   append(parameters, "priority", publication.priority);
   append_stated(parameters, "participant_name", event.participant_name);
-  append_attributes(parameters, publication.attributes);
+  if (event.convert.empty()) {
+    append_attributes(parameters, publication.attributes);
+    return statement;
+  }
+  append(parameters, "convert", event.convert);
+  append(parameters, cost_key, event.cost);
+  // Not reserved, but here it would stand twice.
+  for (const auto& [name, value] : publication.attributes) {
+    append(parameters, name == cost_key ? std::string(attribute_prefix) + name : shown_key(name), value);
+  }
   return statement;
 }
 

@@ -16,9 +16,12 @@
 
 namespace geminga::gcnp {
 
+/// The cost of a conversion. A key only where `convert` is one, too, and otherwise an attribute.
+inline constexpr std::string_view cost_key = "cost";
+
 /// `N pub add|modify service=S provider=PARTICIPANT/PEER name=... IDENTITY degree=D distance=K mode=M address=A port=P
-/// protocol=... priority=K participant_name=... [attributes]`, or `N pub del service=S reason=...`. `request` is the
-/// subscription that is told. A name that is empty is left out.
+/// protocol=... priority=K participant_name=... [convert=A>B cost=K] [attributes]`, or `N pub del service=S
+/// reason=...`. `request` is the subscription that is told. A name that is empty is left out.
 [[nodiscard]] Statement to_statement(std::uint32_t request, const ServiceEvent& event);
 
 /// `N sub add|modify subscription=S consumer=PARTICIPANT/PEER name=... IDENTITY degree=D distance=K mode=M address=A

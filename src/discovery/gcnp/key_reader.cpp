@@ -117,8 +117,19 @@ std::optional<Degree> KeyReader::degree(std::string_view key) {
   const auto given = value(key);
   if (!given) return std::nullopt;
   const auto degree = geminga::degree(*given);
-  if (!degree) fail_value(key, "exact, equivalent, narrower or broader");
-  return degree;
+  if (degree && *degree != Degree::converted) return degree;
+  fail_value(key, "exact, equivalent, narrower or broader");
+  return std::nullopt;
+}
+
+std::optional<std::uint32_t> KeyReader::conversion() {
+  const auto given = value("convert");
+  if (!given) return std::nullopt;
+  if (*given == "yes") return any_cost;
+  if (*given == "no") return 0;
+  const auto cost = base::parse_number<std::uint32_t>(*given);
+  if (!cost) fail_value("convert", "yes, no or the largest cost");
+  return cost;
 }
 
 std::optional<std::vector<ProviderFilter>> KeyReader::providers(std::string_view key) {
@@ -233,13 +244,6 @@ Statement KeyReader::behind(std::string_view prefix) {
     inner.parameters.push_back({parameter.key.substr(prefix.size()), parameter.value});
   }
   return inner;
-}
-
-void KeyReader::refuse_without_effect() {
-  for (const std::string_view key : keys_without_effect) {
-    if (take(key) == nullptr) continue;
-    fail(ErrorCode::impossible, std::string(key) + " has no effect yet in this version: leave it out");
-  }
 }
 
 std::optional<std::string> KeyReader::attribute(std::string_view key) {

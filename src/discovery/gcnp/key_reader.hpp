@@ -38,6 +38,8 @@ class KeyReader {
   std::optional<std::string> address();
   std::optional<ChannelMode> mode();
   std::optional<Degree> degree(std::string_view key);
+  /// The largest cost of `convert=yes|no|COST`.
+  std::optional<std::uint32_t> conversion();
   std::optional<std::vector<ProviderFilter>> providers(std::string_view key);
   /// Words with commas; none for the empty value.
   std::optional<std::vector<std::string>> protocols();
@@ -49,8 +51,6 @@ class KeyReader {
   std::optional<NamedIdentity> identity();
   /// Takes the parameters whose keys begin with this: a statement of their own, without it.
   Statement behind(std::string_view prefix);
-  /// 422 where one of keys_without_effect is there.
-  void refuse_without_effect();
   /// Every key that is left, as attribute_name() takes it; to be called after all others.
   Attributes attributes();
   /// 400 where a key is left, with the key of this statement that it is a slip of.

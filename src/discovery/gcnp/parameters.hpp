@@ -30,6 +30,8 @@ inline void append_stated(std::vector<Parameter>& parameters, std::string_view k
 [[nodiscard]] std::string provider_list(const std::vector<ProviderFilter>& providers);
 
 /// `udp,tcp`, as in a subscription's `protocol=`.
+/// The value of `convert=` for the largest accepted cost: "no", "yes" for any_cost, or the number.
+[[nodiscard]] std::string conversion_word(std::uint32_t cost);
 [[nodiscard]] std::string protocol_list(const std::vector<std::string>& protocols);
 
 }  // namespace geminga::gcnp

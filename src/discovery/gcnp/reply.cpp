@@ -35,7 +35,9 @@ NamedIdentity identity_of(const Statement& statement) {
 
 Attributes attributes_of(const Statement& statement) {
   Attributes attributes;
+  const bool is_converted = statement.value("convert").has_value();
   for (const auto& parameter : statement.parameters) {
+    if (is_converted && parameter.key == cost_key) continue;
     if (const auto name = shown_attribute(parameter.key)) attributes.emplace(*name, parameter.value.value_or(""));
   }
   return attributes;
@@ -77,7 +79,11 @@ std::expected<Reply, Error> read_service_event(const Statement& statement, Chang
   if (!service) return std::unexpected(no_event("service"));
   event.service = *service;
   if (auto error = fill(statement, event, event.publication)) return std::unexpected(std::move(*error));
-  if (change != Change::del) event.publication.protocol = statement.value("protocol").value_or("udp");
+  if (change != Change::del) {
+    event.publication.protocol = statement.value("protocol").value_or("udp");
+    event.convert = statement.value("convert").value_or("");
+    if (!event.convert.empty()) event.cost = number_of<std::uint32_t>(statement, cost_key);
+  }
   return Event{statement.id, std::move(event)};
 }
 

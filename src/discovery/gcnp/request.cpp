@@ -67,11 +67,11 @@ void read_wishes(KeyReader& keys, NamedSubscription& subscription) {
   subscription.prefer = keys.text("prefer", max_prefer_bytes).value_or("");
   subscription.rank = keys.text("rank", max_rank_bytes).value_or("");
   subscription.scope = keys.text("scope", max_scope_bytes).value_or("");
+  subscription.convert = keys.conversion().value_or(0);
 }
 
 Request read_sub_create(KeyReader& keys) {
   NamedSubscription subscription;
-  keys.refuse_without_effect();
   const auto mode = keys.mode();
   keys.require(mode.has_value(), "mode", mode_hint);
   auto identity = keys.identity();
@@ -88,7 +88,6 @@ Request read_sub_create(KeyReader& keys) {
 
 Request read_sub_modify(KeyReader& keys) {
   SubModify change;
-  keys.refuse_without_effect();
   change.identity = keys.identity_change();
   change.mode = keys.mode();
   change.weakest = keys.degree("match");
@@ -103,6 +102,7 @@ Request read_sub_modify(KeyReader& keys) {
   change.prefer = keys.text("prefer", max_prefer_bytes);
   change.rank = keys.text("rank", max_rank_bytes);
   change.scope = keys.text("scope", max_scope_bytes);
+  change.convert = keys.conversion();
   change.attributes = keys.attributes();
   return change;
 }
@@ -183,7 +183,6 @@ Request read_query_why(KeyReader& keys) {
     query.request = *subscription;
   } else {
     HypotheticalRequest asked;
-    keys.refuse_without_effect();
     auto identity = keys.identity();
     keys.require(identity.has_value(), "subscription",
                  "say subscription=PARTICIPANT/PEER/NUMBER, or what might be asked for as in sub create");
@@ -308,7 +307,8 @@ Subscription with_identity(const NamedSubscription& named, Identity identity) {
           .favoured = named.favoured,
           .prefer = named.prefer,
           .rank = named.rank,
-          .scope = named.scope};
+          .scope = named.scope,
+          .convert = named.convert};
 }
 
 namespace {
@@ -341,6 +341,7 @@ void apply(const SubModify& change, Subscription& subscription) {
   subscription.favoured = change.favoured.value_or(subscription.favoured);
   subscription.prefer = change.prefer.value_or(subscription.prefer);
   subscription.rank = change.rank.value_or(subscription.rank);
+  subscription.convert = change.convert.value_or(subscription.convert);
 }
 
 bool matches_text(const Statement& line, std::string_view text) {

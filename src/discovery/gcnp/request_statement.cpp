@@ -56,6 +56,7 @@ void append_wishes(Parameters& parameters, const NamedSubscription& subscription
   append_stated(parameters, "prefer", subscription.prefer);
   append_stated(parameters, "rank", subscription.rank);
   append_stated(parameters, "scope", subscription.scope);
+  if (subscription.convert != 0) append(parameters, "convert", conversion_word(subscription.convert));
   if (subscription.limit) append(parameters, "limit", *subscription.limit);
 }
 
@@ -145,6 +146,7 @@ struct Writer {
     if (change.prefer) append(parameters, "prefer", *change.prefer);
     if (change.rank) append(parameters, "rank", *change.rank);
     if (change.scope) append(parameters, "scope", *change.scope);
+    if (change.convert) append(parameters, "convert", conversion_word(*change.convert));
     if (change.limit) append(parameters, "limit", *change.limit);
     append_own_attributes(parameters, change.attributes);
   }
@@ -197,6 +199,11 @@ Statement to_statement(std::uint32_t id, const Request& request) {
   statement.id = id;
   std::visit(Writer{statement}, request);
   return statement;
+}
+
+std::string conversion_word(std::uint32_t cost) {
+  if (cost == 0) return "no";
+  return cost == any_cost ? "yes" : std::to_string(cost);
 }
 
 std::string protocol_list(const std::vector<std::string>& protocols) { return base::joined(protocols, ","); }

@@ -44,10 +44,6 @@ inline constexpr auto reserved_keys = std::to_array<std::string_view>({"mode",
                                                                        "rank",
                                                                        "for"});
 
-/// Keys of a subscription that have a meaning already and no effect yet: 422, so that nobody relies on what is not
-/// done.
-inline constexpr auto keys_without_effect = std::to_array<std::string_view>({"convert"});
-
 /// Keys of the daemon's own lines that a client may all the same state as attributes: these are written `attr.NAME` in
 /// every line of the daemon, so that no attribute can be taken for them. Words are only ever appended.
 inline constexpr auto keys_of_lines = std::to_array<std::string_view>({"why", "because"});

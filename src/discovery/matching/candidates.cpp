@@ -34,8 +34,8 @@ FilingPlan FilingPlan::of_publication(const Classes& classes, const Edition& edi
 }
 
 FilingPlan FilingPlan::of_subscription(const Classes& classes, Degree weakest, const Edition& edition) {
-  if (classes.place) return {*classes.place, weakest >= Degree::broader, edition};
-  return {classes.concept_class, weakest >= Degree::broader, edition};
+  if (classes.place) return {*classes.place, weakest == Degree::broader, edition};
+  return {classes.concept_class, weakest == Degree::broader, edition};
 }
 
 void add_subscriptions_for(const registry::Subscriptions& subscriptions, const Identity& offered,

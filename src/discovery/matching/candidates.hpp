@@ -60,7 +60,7 @@ void visit_publications_around(const registry::Publications& publications, const
     return visit_all(publications.below(std::to_underlying(number), edition.generation));
   };
   if (place.equivalent ? below(*place.equivalent) : std::ranges::any_of(place.children, below)) return;
-  if (weakest < Degree::broader) return;
+  if (weakest != Degree::broader) return;
   for (const vocabulary::ClassNumber wider : edition.vocabulary.subsumers(place)) {
     if (visit_all(publications.own(std::to_underlying(wider), edition.generation))) return;
   }
@@ -95,7 +95,7 @@ void visit_publications(const registry::Publications& publications, const Identi
     visit_all(publications.with_concept(semantic->concept_iri));
   } else {
     const vocabulary::ClassNumber wanted = *classes.concept_class;
-    if (visit_all(publications.below(std::to_underlying(wanted), edition.generation)) || weakest < Degree::broader)
+    if (visit_all(publications.below(std::to_underlying(wanted), edition.generation)) || weakest != Degree::broader)
       return;
     for (const vocabulary::ClassNumber wider : edition.vocabulary.subsumers(wanted)) {
       if (edition.vocabulary.is_subsumed(wider, wanted)) continue;  // visited already

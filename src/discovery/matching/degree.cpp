@@ -56,24 +56,30 @@ bool is_number_of(const Identity& number, const Identity& named) {
          numeric->number == id32(named);
 }
 
+std::optional<Match> degree_of_concept(const SemanticIdentity& offered, const Classes& offered_classes,
+                                       const SemanticIdentity& requested, const Classes& requested_classes,
+                                       const vocabulary::Vocabulary& vocabulary) {
+  if (has_expression(requested) && offered.concept_iri != requested.concept_iri) {
+    return degree_of_expression(offered_classes.concept_class, requested_classes.place.get(), vocabulary);
+  }
+  return degree_of_name(offered.concept_iri, offered_classes.concept_class, requested.concept_iri,
+                        requested_classes.concept_class, vocabulary);
+}
+
 std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
                                         const Identity& requested, const Classes& requested_classes,
-                                        const vocabulary::Vocabulary& vocabulary) {
+                                        const vocabulary::Vocabulary& vocabulary, std::uint32_t convert) {
   const auto* offer = std::get_if<SemanticIdentity>(&offered);
   const auto* request = std::get_if<SemanticIdentity>(&requested);
   if (offer == nullptr || request == nullptr) {
     const bool is_met = offered == requested || is_number_of(offered, requested) || is_number_of(requested, offered);
     return is_met ? std::optional(Match{Degree::exact, 0}) : std::nullopt;
   }
-  const bool is_expression = has_expression(*request) && offer->concept_iri != request->concept_iri;
-  const auto by_concept =
-      is_expression ? degree_of_expression(offered_classes.concept_class, requested_classes.place.get(), vocabulary)
-                    : degree_of_name(offer->concept_iri, offered_classes.concept_class, request->concept_iri,
-                                     requested_classes.concept_class, vocabulary);
+  const auto by_concept = degree_of_concept(*offer, offered_classes, *request, requested_classes, vocabulary);
   if (!by_concept) return std::nullopt;
-  const auto by_representation =
-      degree_of_representation(offer->representation_iri, offered_classes.representation_class,
-                               request->representation_iri, requested_classes.representation_class, vocabulary);
+  const auto by_representation = degree_of_representation(
+      offer->representation_iri, offered_classes.representation_class, request->representation_iri,
+      requested_classes.representation_class, vocabulary, convert);
   if (!by_representation) return std::nullopt;
   // An identity whose concept has no class here is met exactly or not at all, whatever its representations.
   const bool has_classes =

@@ -20,7 +20,15 @@ namespace geminga::matching {
 struct Match {
   Degree degree = Degree::exact;
   std::uint32_t distance = 0;  ///< taxonomy edges of the concept plus those of the representation
-  friend auto operator<=>(const Match&, const Match&) = default;
+  std::uint32_t cost = 0;      ///< of turning the representation into what is asked for; 0: it need not be
+  std::uint32_t chain = 0;     ///< vocabulary::Chain::mark of how; 0: it need not be
+  friend bool operator==(const Match&, const Match&) = default;
+  /// The better one first: by degree, cost and distance. Different chains of one cost are equally good.
+  friend std::weak_ordering operator<=>(const Match& a, const Match& b) {
+    if (a.degree != b.degree) return weakness(a.degree) <=> weakness(b.degree);
+    if (a.cost != b.cost) return a.cost <=> b.cost;
+    return a.distance <=> b.distance;
+  }
 };
 
 /// The classes of a semantic identity in one vocabulary. A name that the vocabulary does not know has no class here,
@@ -59,12 +67,19 @@ using Placing = std::function<std::shared_ptr<const vocabulary::Place>(
 /// Whether the first is a number and the second a concept with that 32-bit identity.
 [[nodiscard]] bool is_number_of(const Identity& number, const Identity& named);
 
+/// The degree of the concept alone, offered and requested, however weak.
+[[nodiscard]] std::optional<Match> degree_of_concept(const SemanticIdentity& offered, const Classes& offered_classes,
+                                                     const SemanticIdentity& requested,
+                                                     const Classes& requested_classes,
+                                                     const vocabulary::Vocabulary& vocabulary);
+
 /// The degree of the whole identity, however weak; the caller compares it with what the subscription allows. Identities
 /// of different kinds never match, with one exception: a number matches exactly the concept whose 32-bit identity it
-/// is. Numbers and texts match only when they are equal.
+/// is. Numbers and texts match only when they are equal. `convert` is the largest cost of conversions that counts.
 [[nodiscard]] std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
                                                       const Identity& requested, const Classes& requested_classes,
-                                                      const vocabulary::Vocabulary& vocabulary);
+                                                      const vocabulary::Vocabulary& vocabulary,
+                                                      std::uint32_t convert = 0);
 
 }  // namespace geminga::matching
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "discovery/matching/obstacle.hpp"
+#include "discovery/matching/representation.hpp"
 #include "discovery/matching/state.hpp"
 
 namespace geminga::matching {
@@ -52,6 +53,12 @@ bool Matcher::depart_next() { return state_->depart_next(); }
 bool Matcher::is_departing() const { return !state_->departures_.empty(); }
 
 const vocabulary::Vocabulary& Matcher::vocabulary() const { return state_->in_force_.vocabulary; }
+
+std::string Matcher::chain_words(const ServiceKey& subscription, const Identity& offered) const {
+  const StoredSubscription* asked = state_->subscriptions_.find(subscription);
+  if (asked == nullptr) return "";
+  return matching::chain_words(offered, asked->entry.subscription.identity, state_->edition_of(*asked).vocabulary);
+}
 
 void Matcher::begin_vocabulary(vocabulary::Vocabulary next) { state_->begin_vocabulary(std::move(next)); }
 

@@ -78,6 +78,8 @@ class Matcher {
   [[nodiscard]] bool is_departing() const;
   /// The vocabulary in force, by which all questions to the matcher are answered.
   [[nodiscard]] const vocabulary::Vocabulary& vocabulary() const;
+  /// How a converted representation is turned into what this subscription asks for: "A>B>C" in short names.
+  [[nodiscard]] std::string chain_words(const ServiceKey& subscription, const Identity& offered) const;
   /// Begins to put another vocabulary in the place of the one in force. That is work over the whole registry. It is
   /// done in steps, and between them everything else may go on:
   ///

@@ -187,10 +187,11 @@ Finding examine(const registry::SubscriptionEntry& subscription, const Request& 
     finding.identity = Obstacle::clash;
     return finding;
   }
-  finding.match = degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary);
+  finding.match =
+      degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary, asked.convert);
   if (!finding.match) {
     finding.identity = of_identities(offered.identity, offer.classes, asked.identity, request.classes, vocabulary);
-  } else if (finding.match->degree > asked.weakest) {
+  } else if (!is_accepted_degree(asked, request, offer, *finding.match, vocabulary)) {
     finding.identity = finding.match->degree == Degree::broader ? Obstacle::broader : Obstacle::degree;
   }
   if (finding.match && by_signature) finding.match = combined(*finding.match, *by_signature);

@@ -144,6 +144,17 @@ std::expected<Preferences, Error> Preferences::of(const Subscription& subscripti
   return preferences;
 }
 
+namespace {
+
+/// The degree, and between those who are converted the cost: less than the distance between two degrees.
+double place_of(const Match& match) {
+  constexpr double of_cost = 0x1p-24;
+  static_assert(vocabulary::max_chain_cost * of_cost < 1);
+  return weakness(match.degree) + match.cost * of_cost;
+}
+
+}  // namespace
+
 double Preferences::favour(const PublicationEntry& publication) const {
   const auto at = std::ranges::find_if(favoured_, [&](const auto& provider) { return is_of(provider, publication); });
   return static_cast<double>(at - favoured_.begin());
@@ -165,7 +176,7 @@ Score Preferences::score(const PublicationEntry& publication, const Match& match
         for (const Wish& wish : wishes_) score.push_back(score_of(wish, publication));
         break;
       case Criterion::degree:
-        score.push_back(static_cast<double>(match.degree));
+        score.push_back(place_of(match));
         break;
       case Criterion::distance:
         score.push_back(match.distance);
@@ -207,12 +218,13 @@ std::string Preferences::lead(const PublicationEntry& better, const Match& its_m
         break;
       case Criterion::degree:
       case Criterion::distance:
-        if (criterion == Criterion::degree ? its_match.degree == others_match.degree
+        if (criterion == Criterion::degree ? place_of(its_match) == place_of(others_match)
                                            : its_match.distance == others_match.distance) {
           break;
         }
         return "which is " + std::string(to_string(its_match.degree)) + ", distance " +
-               std::to_string(its_match.distance);
+               std::to_string(its_match.distance) +
+               (its_match.cost == 0 ? "" : ", cost " + std::to_string(its_match.cost));
     }
   }
   return "";

@@ -1,7 +1,6 @@
 // Representations: the consumer's side decides.
 #include "discovery/matching/representation.hpp"
 
-#include <algorithm>
 #include <limits>
 
 namespace geminga::matching {
@@ -10,17 +9,35 @@ std::optional<Match> degree_of_representation(const std::string& offered_iri,
                                               std::optional<taxonomy::ClassNumber> offered,
                                               const std::string& requested_iri,
                                               std::optional<taxonomy::ClassNumber> requested,
-                                              const vocabulary::Vocabulary& vocabulary) {
+                                              const vocabulary::Vocabulary& vocabulary, std::uint32_t convert) {
   if (requested_iri.empty()) return Match{Degree::exact, 0};
   if (offered_iri.empty()) return std::nullopt;
-  return degree_of_name(offered_iri, offered, requested_iri, requested, vocabulary);
+  const auto as_it_is = degree_of_name(offered_iri, offered, requested_iri, requested, vocabulary);
+  const bool may_be_converted = convert != 0 && offered && requested;
+  if (!may_be_converted || (as_it_is && is_weaker(Degree::converted, as_it_is->degree))) return as_it_is;
+  const auto chain = vocabulary.conversion(*offered, *requested);
+  if (chain == nullptr || chain->cost > convert) return as_it_is;
+  return Match{Degree::converted, chain->distance, chain->cost, chain->mark};
 }
 
-Match combined(const Match& by_concept, const Match& by_representation) {
+std::string chain_words(const Identity& offered, const Identity& requested, const vocabulary::Vocabulary& vocabulary) {
+  const auto from = classes_of(offered, vocabulary).representation_class;
+  const auto to = classes_of(requested, vocabulary).representation_class;
+  const auto chain = from && to ? vocabulary.conversion(*from, *to) : nullptr;
+  std::string words;
+  if (chain == nullptr) return words;
+  for (const taxonomy::ClassNumber number : chain->classes) {
+    words += (words.empty() ? "" : ">") + vocabulary.short_name(number);
+  }
+  return words;
+}
+
+Match combined(const Match& one, const Match& other) {
   constexpr auto farthest = std::numeric_limits<std::uint32_t>::max();
-  const bool fits = by_concept.distance <= farthest - by_representation.distance;
-  return {std::max(by_concept.degree, by_representation.degree),
-          fits ? by_concept.distance + by_representation.distance : farthest};
+  const bool fits = one.distance <= farthest - other.distance;
+  const Match& converted = one.cost != 0 ? one : other;
+  return {is_weaker(one.degree, other.degree) ? one.degree : other.degree,
+          fits ? one.distance + other.distance : farthest, converted.cost, converted.chain};
 }
 
 }  // namespace geminga::matching

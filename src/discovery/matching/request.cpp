@@ -24,36 +24,21 @@ std::string scope_misfit(const SubscriptionEntry& subscription, const Request& r
                    ", does not admit the provider";
 }
 
-std::string kind_of(const Identity& identity) {
-  if (std::holds_alternative<NumericIdentity>(identity)) return "a number";
-  return std::holds_alternative<TextIdentity>(identity) ? "a text" : "a concept";
-}
-
-std::string named(const vocabulary::Vocabulary& vocabulary, const std::string& iri) {
-  if (iri.find('<') != std::string::npos) return base::printable(iri, max_shown_expression);
-  return vocabulary.short_name(std::string_view(iri));
-}
-
-/// Why a name of the ontology has no part in subsumption; empty where it has.
-std::string without_class(const vocabulary::Vocabulary& vocabulary, const std::string& iri) {
-  if (!vocabulary.is_loaded()) return "no ontology is loaded";
-  const auto number = vocabulary.find_iri(iri);
-  if (!number) return named(vocabulary, iri) + " is unknown to the ontology";
-  return vocabulary.is_satisfiable(*number) ? "" : named(vocabulary, iri) + " is unsatisfiable";
-}
-
-std::string unrelated(const vocabulary::Vocabulary& vocabulary, const std::string& offered,
-                      const std::string& requested) {
-  std::string why = named(vocabulary, offered) + " is offered, " + named(vocabulary, requested) + " is asked for";
-  for (const auto* iri : {&offered, &requested}) {
-    const std::string reason = without_class(vocabulary, *iri);
-    if (!reason.empty()) return why.append(", and ").append(reason);
-  }
-  return why + ", and neither subsumes the other";
+/// Why a representation that does not fit is not converted either.
+std::string conversion_misfit(const Classes& offered, const Classes& requested, std::uint32_t convert,
+                              const vocabulary::Vocabulary& vocabulary) {
+  if (!offered.representation_class || !requested.representation_class) return "";
+  const auto chain = vocabulary.conversion(*offered.representation_class, *requested.representation_class);
+  if (chain == nullptr) return convert == 0 ? "" : "; no conversion leads from one to the other";
+  if (convert == 0)
+    return "; it can be converted, cost " + std::to_string(chain->cost) + ": accept that by convert=yes";
+  return "; converting costs " + std::to_string(chain->cost) + ", and at most " + std::to_string(convert) +
+         " is accepted";
 }
 
 std::string identity_misfit(const Identity& offered, const Classes& offered_classes, const Identity& requested,
-                            const Classes& requested_classes, const vocabulary::Vocabulary& vocabulary) {
+                            const Classes& requested_classes, std::uint32_t convert,
+                            const vocabulary::Vocabulary& vocabulary) {
   if (offered.index() != requested.index()) {
     return "identity: " + kind_of(offered) + " is offered, " + kind_of(requested) + " is asked for";
   }
@@ -89,10 +74,46 @@ std::string identity_misfit(const Identity& offered, const Classes& offered_clas
                      requested_classes.representation_class, vocabulary)) {
     why = "representation: it is not the same, and the concept has no class by which to compare";
   }
-  return why;
+  return why + conversion_misfit(offered_classes, requested_classes, convert, vocabulary);
 }
 
 }  // namespace
+
+bool is_accepted_degree(const Subscription& asked, const Request& request, const Offer& offer, const Match& match,
+                        const vocabulary::Vocabulary& vocabulary) {
+  if (match.cost == 0) return !is_weaker(match.degree, asked.weakest);
+  const auto by_concept = degree_of_concept(std::get<SemanticIdentity>(offer.entry.publication.identity), offer.classes,
+                                            std::get<SemanticIdentity>(asked.identity), request.classes, vocabulary);
+  return by_concept && !is_weaker(by_concept->degree, asked.weakest);
+}
+
+std::string kind_of(const Identity& identity) {
+  if (std::holds_alternative<NumericIdentity>(identity)) return "a number";
+  return std::holds_alternative<TextIdentity>(identity) ? "a text" : "a concept";
+}
+
+std::string named(const vocabulary::Vocabulary& vocabulary, const std::string& iri) {
+  if (iri.find('<') != std::string::npos) return base::printable(iri, max_shown_expression);
+  return vocabulary.short_name(std::string_view(iri));
+}
+
+/// Why a name of the ontology has no part in subsumption; empty where it has.
+std::string without_class(const vocabulary::Vocabulary& vocabulary, const std::string& iri) {
+  if (!vocabulary.is_loaded()) return "no ontology is loaded";
+  const auto number = vocabulary.find_iri(iri);
+  if (!number) return named(vocabulary, iri) + " is unknown to the ontology";
+  return vocabulary.is_satisfiable(*number) ? "" : named(vocabulary, iri) + " is unsatisfiable";
+}
+
+std::string unrelated(const vocabulary::Vocabulary& vocabulary, const std::string& offered,
+                      const std::string& requested) {
+  std::string why = named(vocabulary, offered) + " is offered, " + named(vocabulary, requested) + " is asked for";
+  for (const auto* iri : {&offered, &requested}) {
+    const std::string reason = without_class(vocabulary, *iri);
+    if (!reason.empty()) return why.append(", and ").append(reason);
+  }
+  return why + ", and neither subsumes the other";
+}
 
 bool is_accepted_provider(const Subscription& subscription, const PublicationEntry& publication) {
   return subscription.providers.empty() || std::ranges::any_of(subscription.providers, [&](const auto& provider) {
@@ -135,9 +156,10 @@ std::optional<Match> meets(const SubscriptionEntry& subscription, const Request&
   if (asked.mode != entry.publication.mode || !request.where) return std::nullopt;
   if (!is_accepted_provider(asked, entry) || !is_accepted_protocol(asked, entry)) return std::nullopt;
   if (!is_in_scope(subscription, request, offer)) return std::nullopt;
-  const auto match =
-      degree_of_identity(entry.publication.identity, offer.classes, asked.identity, request.classes, vocabulary);
-  if (!match || match->degree > asked.weakest || !request.where->accepts(entry)) return std::nullopt;
+  const auto match = degree_of_identity(entry.publication.identity, offer.classes, asked.identity, request.classes,
+                                        vocabulary, asked.convert);
+  if (!match || !is_accepted_degree(asked, request, offer, *match, vocabulary)) return std::nullopt;
+  if (!request.where->accepts(entry)) return std::nullopt;
   if (!offer.audience.condition || !offer.audience.condition->accepts(subscription)) return std::nullopt;
   if (!request.signature) return match;
   const auto by_signature = degree_of_signature(signature_of(entry.publication.attributes, vocabulary),
@@ -152,10 +174,11 @@ std::expected<Match, std::string> explained(const SubscriptionEntry& subscriptio
   const Publication& offered = offer.entry.publication;
   std::string why;
   const auto say = [&why](const std::string& misfit) { why += (why.empty() ? "" : "; ") + misfit; };
-  const auto degree = degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary);
+  const auto degree =
+      degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary, asked.convert);
   if (!degree) {
-    say(identity_misfit(offered.identity, offer.classes, asked.identity, request.classes, vocabulary));
-  } else if (degree->degree > asked.weakest) {
+    say(identity_misfit(offered.identity, offer.classes, asked.identity, request.classes, asked.convert, vocabulary));
+  } else if (!is_accepted_degree(asked, request, offer, *degree, vocabulary)) {
     say("degree: " + std::string(to_string(degree->degree)) + ", but at least " +
         std::string(to_string(asked.weakest)) + " is asked for");
   }

@@ -53,6 +53,11 @@ struct Offer {
 [[nodiscard]] bool is_in_scope(const registry::SubscriptionEntry& subscription, const Request& request,
                                const Offer& offer);
 
+/// Whether the degree counts for the subscription. A representation that is converted is accepted as such, and `match`
+/// limits the concept alone.
+[[nodiscard]] bool is_accepted_degree(const Subscription& asked, const Request& request, const Offer& offer,
+                                      const Match& match, const vocabulary::Vocabulary& vocabulary);
+
 /// How the offer meets the subscription by mode, provider, protocol, scope, identity, conditions of both and
 /// signature; nothing where it does not. `subscription` is what `request` was prepared from.
 [[nodiscard]] std::optional<Match> meets(const registry::SubscriptionEntry& subscription, const Request& request,

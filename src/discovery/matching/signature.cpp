@@ -41,7 +41,7 @@ std::optional<Match> best(const Parameter& required, const Parameters& there, De
   std::optional<Match> found;
   for (const Parameter& one : there) {
     const auto match = degree_of_name(one.name, one.number, required.name, required.number, vocabulary);
-    if (match && match->degree <= weakest && (!found || *match < *found)) found = match;
+    if (match && !is_weaker(match->degree, weakest) && (!found || *match < *found)) found = match;
   }
   return found;
 }

@@ -105,6 +105,11 @@ class Matcher::State {
     return of_subscription_[stored.slot].is_leaving;
   }
 
+  /// The one that a subscription is judged by.
+  [[nodiscard]] const Edition& edition_of(const registry::StoredSubscription& subscription) const {
+    return edition_of(of_subscription_[subscription.slot].generation);
+  }
+
   /// What is left of a departure. What is in it is judged as if it were gone already.
   struct Departure {
     std::vector<const registry::StoredPublication*> publications;
@@ -150,10 +155,6 @@ class Matcher::State {
   }
   [[nodiscard]] const Edition& edition_of(registry::Generation generation) const {
     return generation == in_force_.generation ? in_force_ : other_;
-  }
-  /// The one that a subscription is judged by.
-  [[nodiscard]] const Edition& edition_of(const registry::StoredSubscription& subscription) const {
-    return edition_of(of_subscription_[subscription.slot].generation);
   }
   [[nodiscard]] bool is_known_by_both() const { return stage_ == Stage::filing || stage_ == Stage::rematching; }
   /// Looks up what is offered in a vocabulary, and files it by that.

@@ -99,7 +99,8 @@ NamedSubscription named(const vocabulary::Vocabulary& vocabulary, const Subscrip
                            .favoured = subscription.favoured,
                            .prefer = subscription.prefer,
                            .rank = subscription.rank,
-                           .scope = subscription.scope};
+                           .scope = subscription.scope,
+                           .convert = subscription.convert};
 }
 
 std::string digest_word(std::uint64_t digest) { return digest == 0 ? "-" : base::to_hex(digest, 16); }

@@ -52,11 +52,20 @@ struct Said {
   SaidOf<registry::SubscriptionEntry>& of(const registry::SubscriptionEntry*) { return subscription; }
 };
 
-void fill(const Core& core, const registry::PublicationEntry& entry, ServiceEvent& told) {
-  told.publication = named(core.vocabulary(), entry.publication);
+ServiceKey own_key(const Core& core, const Session& session, std::uint32_t number) {
+  return ServiceKey{.participant = core.id, .peer = session.peer(), .number = number};
 }
 
-void fill(const Core& core, const registry::SubscriptionEntry& entry, ConsumerEvent& told) {
+void fill(const Core& core, const ServiceKey& own, const registry::PublicationEntry& entry,
+          const matching::Match& match, ServiceEvent& told) {
+  told.publication = named(core.vocabulary(), entry.publication);
+  if (match.cost == 0) return;
+  told.convert = core.matcher.chain_words(own, entry.publication.identity);
+  told.cost = match.cost;
+}
+
+void fill(const Core& core, const ServiceKey&, const registry::SubscriptionEntry& entry, const matching::Match&,
+          ConsumerEvent& told) {
   told.subscribed = named(core.vocabulary(), entry.subscription);
 }
 
@@ -89,7 +98,7 @@ void say(Core& core, Session& session, std::uint32_t number, const News& news,
     told.participant_name = entry->participant_name;
     told.degree = news.match.degree;
     told.distance = news.match.distance;
-    fill(core, *entry, told);
+    fill(core, own_key(core, session, number), *entry, news.match, told);
   }
   std::string line = gcnp::to_line(gcnp::to_statement(number, told));
   session.say(line);
@@ -139,10 +148,6 @@ void deliver(Core& core, Session& session, const matching::Event& event, Said& s
         tell(core, session, number, std::move(news), about, said);
       },
       event.about);
-}
-
-ServiceKey own_key(const Core& core, const Session& session, std::uint32_t number) {
-  return ServiceKey{.participant = core.id, .peer = session.peer(), .number = number};
 }
 
 /// An entry of the registry as an event has it, without a copy: for the length of one call.

@@ -104,6 +104,7 @@ Subscription random_subscription(Random& random) {
   for (std::uint32_t number = 1; number < random.below(4); ++number) {
     subscription.chosen.push_back({ParticipantId{7}, PeerId{number}, static_cast<std::uint32_t>(1 + random.below(9))});
   }
+  subscription.convert = random.chance(0.5) ? 0 : static_cast<std::uint32_t>(random.next());
   return subscription;
 }
 

@@ -35,6 +35,25 @@ TEST(ServiceEvent, IsTheSameAfterWritingAndReading) {
   }
 }
 
+TEST(ServiceEvent, OfAConvertedMatchSaysByWhichChainAndCost) {
+  ServiceEvent event = service_event();
+  event.degree = Degree::converted;
+  event.convert = "s:Robot>s:Field";
+  event.cost = 12;
+  event.publication.attributes["cost"] = "3 euros";
+  const std::string line = to_line(to_statement(7, event));
+  EXPECT_THAT(line, HasSubstr(" convert=s:Robot>s:Field cost=12 "));
+  EXPECT_THAT(line, HasSubstr(" attr.cost=\"3 euros\""));
+  EXPECT_EQ(read(line), (Event{7, event}));
+  // Where nothing is converted, cost is the name of an attribute as any other.
+  event.degree = Degree::narrower;
+  event.convert.clear();
+  event.cost = 0;
+  const std::string other = to_line(to_statement(7, event));
+  EXPECT_THAT(other, HasSubstr(" cost=\"3 euros\""));
+  EXPECT_EQ(read(other), (Event{7, event}));
+}
+
 TEST(ServiceEvent, OfADeletionHasServiceAndReasonOnly) {
   ServiceEvent event = service_event();
   event.change = Change::del;

@@ -83,6 +83,30 @@ TEST(Request, OfAModifyChangesOnlyWhatIsGiven) {
   EXPECT_EQ(subscription.limit, 4U);
 }
 
+TEST(Request, SaysWhatConversionsMayCost) {
+  const auto accepted = [](const std::string& words) {
+    const auto request = read("5 sub create mode=oto concept=s:Ball " + words);
+    EXPECT_TRUE(request) << words;
+    if (!request) return std::uint32_t{7};
+    EXPECT_EQ(read_request(to_statement(5, *request)), request);
+    return std::get<SubCreate>(*request).subscription.convert;
+  };
+  EXPECT_EQ(accepted(""), 0U);
+  EXPECT_EQ(accepted("convert=no"), 0U);
+  EXPECT_EQ(accepted("convert=0"), 0U);
+  EXPECT_EQ(accepted("convert=1"), 1U);
+  EXPECT_EQ(accepted("convert=4294967294"), 4294967294U);
+  EXPECT_EQ(accepted("convert=4294967295"), any_cost);
+  EXPECT_EQ(accepted("convert=yes"), any_cost);
+  Subscription subscription;
+  apply(std::get<SubModify>(*read("5 sub modify convert=3")), subscription);
+  EXPECT_EQ(subscription.convert, 3U);
+  apply(std::get<SubModify>(*read("5 sub modify limit=3")), subscription);
+  EXPECT_EQ(subscription.convert, 3U);
+  apply(std::get<SubModify>(*read("5 sub modify convert=no")), subscription);
+  EXPECT_EQ(subscription.convert, 0U);
+}
+
 TEST(Request, OfAModifyMayNameARepresentationAlone) {
   const auto request = read("5 pub modify representation=s:Polar");
   ASSERT_TRUE(request);
@@ -146,7 +170,8 @@ TEST(Request, SaysWhichKeyWasMeant) {
   EXPECT_THAT(text("5 pub create mode=oto id=1 port=1 where=x"), HasSubstr("is written attr.where"));
   EXPECT_EQ(text("5 query match limti=3"), "limti is no key of query match: did you mean limit?");
   EXPECT_EQ(text("5 query services colour=red"), "colour is no key of query services");
-  EXPECT_EQ(text("5 sub create mode=oto id=1 convert=yes"), "convert has no effect yet in this version: leave it out");
+  EXPECT_THAT(text("5 sub create mode=oto id=1 convert=perhaps"), HasSubstr("yes, no or the largest cost"));
+  EXPECT_THAT(text("5 sub create mode=oto id=1 match=converted"), HasSubstr("exact, equivalent, narrower or broader"));
 }
 
 TEST(Request, KeepsTheBareFormOfWhatIsNearNoKey) {

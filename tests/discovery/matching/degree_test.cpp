@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "discovery/matching/representation.hpp"
 #include "discovery/matching/taxonomy.hpp"
@@ -150,6 +154,76 @@ TEST(Degree, DistancesThatDoNotFitStayAtTheGreatest) {
   constexpr auto greatest = std::numeric_limits<std::uint32_t>::max();
   EXPECT_EQ(combined({narrower, greatest - 1}, {exact, 1}), (Match{narrower, greatest}));
   EXPECT_EQ(combined({narrower, greatest}, {broader, 1}), (Match{broader, greatest}));
+}
+
+/// Frames that are turned into each other: robot and field cost 10, polar and cartesian 1.
+vocabulary::Vocabulary frames() {
+  Taxonomy taxonomy;
+  taxonomy.sub("OwnBall", "Ball").sub("Field", "Frame").sub("Robot", "Frame").sub("FieldPolar", "Field");
+  taxonomy.sub("RobotPolar", "Robot").sub("MyRobotPolar", "RobotPolar").sub("FieldOfPlay", "Field");
+  taxonomy.convert("RobotPolar", "Robot").convert("Robot", "Field", 10).convert("Field", "FieldPolar");
+  taxonomy.convert("Ghost", "FieldPolar").unsatisfiable("Ghost").convert("Robot", "Ghost");
+  return taxonomy.classified();
+}
+
+std::string turned(const Identity& offered, const Identity& requested, std::uint32_t convert) {
+  static const vocabulary::Vocabulary ontology = frames();
+  const auto match = degree_of_identity(offered, classes_of(offered, ontology), requested,
+                                        classes_of(requested, ontology), ontology, convert);
+  if (!match) return "none";
+  const std::string words = std::string(to_string(match->degree)) + " " + std::to_string(match->distance);
+  if (match->cost == 0) return words;
+  return words + " " + chain_words(offered, requested, ontology) + " " + std::to_string(match->cost);
+}
+
+TEST(Degree, IsConvertedWhereADeclaredChainLeadsToWhatIsAskedFor) {
+  const Identity polar = semantic("Ball", "RobotPolar");
+  const std::string e = "<http://example.org/";
+  EXPECT_EQ(turned(polar, semantic("Ball", "FieldPolar"), 0), "none");
+  EXPECT_EQ(turned(polar, semantic("Ball", "FieldPolar"), 10), "none");
+  // RobotPolar is below Robot, so that the first step need not be taken.
+  EXPECT_EQ(turned(polar, semantic("Ball", "FieldPolar"), 11),
+            "converted 1 " + e + "Robot>>" + e + "Field>>" + e + "FieldPolar> 11");
+  EXPECT_EQ(turned(semantic("OwnBall", "MyRobotPolar"), semantic("Ball", "Field"), any_cost),
+            "converted 3 " + e + "Robot>>" + e + "Field> 10");
+  EXPECT_EQ(turned(semantic("Ball", "Robot"), semantic("OwnBall", "FieldPolar"), any_cost),
+            "broader 1 " + e + "Robot>>" + e + "Field>>" + e + "FieldPolar> 11")
+      << "broader is the weaker of the two";
+}
+
+TEST(Degree, IsConvertedOnlyWhereNothingBetterHolds) {
+  EXPECT_EQ(turned(semantic("Ball", "RobotPolar"), semantic("Ball", "Robot"), any_cost), "narrower 1");
+  EXPECT_EQ(turned(semantic("Ball", "Field"), semantic("Ball", "Field"), any_cost), "exact 0");
+  EXPECT_EQ(turned(semantic("Ball", "Field"), semantic("Ball", "FieldPolar"), 0), "broader 1");
+  EXPECT_EQ(turned(semantic("Ball", "Field"), semantic("Ball", "FieldPolar"), 1),
+            "converted 0 <http://example.org/Field>><http://example.org/FieldPolar> 1");
+  EXPECT_EQ(turned(semantic("Ball", "Frame"), semantic("Ball", "FieldPolar"), any_cost), "broader 2");
+  EXPECT_EQ(turned(semantic("Ball", "FieldPolar"), semantic("Ball", "FieldOfPlay"), any_cost), "none");
+  EXPECT_EQ(turned(semantic("Ball"), semantic("Ball", "Field"), any_cost), "none");
+  EXPECT_EQ(turned(semantic("Ball", "Robot"), semantic("Ball"), any_cost), "exact 0");
+  EXPECT_EQ(turned(semantic("Ball", "Ghost"), semantic("Ball", "FieldPolar"), any_cost), "none");
+  EXPECT_EQ(turned(semantic("Ball", "Robot"), semantic("Ball", "Ghost"), any_cost), "none");
+  EXPECT_EQ(turned(semantic("Unknown", "Robot"), semantic("Unknown", "Field"), any_cost), "none");
+  EXPECT_EQ(turned(TextIdentity{"a"}, TextIdentity{"a"}, any_cost), "exact 0");
+}
+
+TEST(Degree, StaysConvertedBesideWhateverIsCombinedWithIt) {
+  const Match by_chain{converted, 1, 5, 9};
+  EXPECT_EQ(combined(by_chain, {narrower, 2}), (Match{converted, 3, 5, 9}));
+  EXPECT_EQ(combined({narrower, 2}, by_chain), (Match{converted, 3, 5, 9}));
+  EXPECT_EQ(combined(by_chain, {broader, 2}), (Match{broader, 3, 5, 9}));
+}
+
+TEST(Degree, OrdersConvertedBeforeBroaderAndByCost) {
+  const std::vector<Match> order = {{exact, 9},           {equivalent, 0},      {narrower, 1},
+                                    {narrower, 2},        {converted, 5, 1, 7}, {converted, 6, 1, 3},
+                                    {converted, 0, 2, 1}, {broader, 0},         {broader, 0, 3, 1}};
+  EXPECT_TRUE(std::ranges::is_sorted(order));
+  EXPECT_EQ(std::ranges::adjacent_find(order, std::ranges::greater_equal()), order.end());
+  EXPECT_FALSE((Match{converted, 1, 1, 1} < Match{converted, 1, 1, 2}));
+  EXPECT_NE((Match{converted, 1, 1, 1}), (Match{converted, 1, 1, 2}));
+  EXPECT_TRUE(is_weaker(broader, converted));
+  EXPECT_TRUE(is_weaker(converted, narrower));
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ class RandomTeam {
             ? request(one, identity(), static_cast<std::uint32_t>(random_.below(3)), Degree::narrower, mode())
             : known->second;
     Subscription& asked = entry.subscription;
-    switch (random_.below(15)) {
+    switch (random_.below(17)) {
       case 11:
         asked.chosen.clear();
         if (is_local(one) || random_.chance(0.4)) break;
@@ -161,6 +161,9 @@ class RandomTeam {
         break;
       case 10:
         if (crowd_ != Crowd::packed) asked.scope = one_of<4>({"", "host", "!robot1", "robot*/module1, !host"});
+        break;
+      case 13:
+        asked.convert = std::array{0U, 1U, 3U, any_cost}[random_.below(4)];
         break;
       case 9:
         asked.favoured.clear();
@@ -353,10 +356,13 @@ class RandomTeam {
 };
 
 TEST(RandomTeam, IsToldExactlyWhatWorkingEverythingOutSays) {
-  const auto first = soccer();
+  const auto first = soccer([](Taxonomy& frames) {
+    frames.sub("NewFrame", "Frame").convert("PolarFieldFrame", "NewFrame").convert("NewFrame", "PolarFieldFrame", 2);
+  });
   Taxonomy taxonomy;
   taxonomy.sub("OwnBall", "Round").sub("Round", "Tracked").sub("OwnRobot", "Robot").sub("Robot", "Team");
   taxonomy.equivalent("Team", "Round").sub("New", "Ball").sub("Frame", "FieldFrame").unsatisfiable("Sphere");
+  taxonomy.convert("NewFrame", "Pitch", 2).convert("FieldFrame", "PolarFieldFrame", 3);
   const auto second = taxonomy.classified();
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -2,6 +2,7 @@
 #ifndef GEMINGA_TESTS_DISCOVERY_MATCHING_TAXONOMY_HPP
 #define GEMINGA_TESTS_DISCOVERY_MATCHING_TAXONOMY_HPP
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -34,6 +35,10 @@ class Taxonomy {
     source_.add(owl::AxiomKind::equivalent_classes, {named(a), named(b)}, file_, ++line_);
     return *this;
   }
+  Taxonomy& convert(std::string_view from, std::string_view to, int cost = 1) {
+    source_.add_conversion(iri(from), iri(to), std::to_string(cost), file_, ++line_);
+    return *this;
+  }
   Taxonomy& unsatisfiable(std::string_view name) {
     source_.add(owl::AxiomKind::sub_class_of, {named(name), source_.named_class(owl::owl_nothing)}, file_, ++line_);
     return *this;
@@ -55,11 +60,12 @@ class Taxonomy {
 
 /// Tracked things and frames as in robot soccer: an own ball is a ball is a tracked object, a sphere is just another
 /// word for a ball, nothing can be a ghost.
-inline vocabulary::Vocabulary soccer() {
+inline vocabulary::Vocabulary soccer(const std::function<void(Taxonomy&)>& add = {}) {
   Taxonomy taxonomy;
   taxonomy.sub("Ball", "Tracked").sub("OwnBall", "Ball").sub("Robot", "Tracked").equivalent("Sphere", "Ball");
   taxonomy.sub("FieldFrame", "Frame").sub("PolarFieldFrame", "FieldFrame").equivalent("Pitch", "FieldFrame");
   taxonomy.sub("Ghost", "Ball").unsatisfiable("Ghost").unsatisfiable("Phantom");
+  if (add) add(taxonomy);
   return taxonomy.classified();
 }
 

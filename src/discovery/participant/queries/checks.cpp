@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "discovery/gcnp/event.hpp"
+#include "discovery/matching/representation.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 #include "reasoning/vocabulary/explanation.hpp"
@@ -110,6 +111,16 @@ std::string proof_of(const Core& core, const Identity& offered, const Identity& 
   return proof;
 }
 
+/// What it costs to turn the one representation into the other; nothing where nothing does.
+std::optional<std::uint32_t> cost_of_conversion(const Core& core, const SemanticIdentity& offered,
+                                                const SemanticIdentity& requested) {
+  const auto from = core.vocabulary().find_iri(offered.representation_iri);
+  const auto to = core.vocabulary().find_iri(requested.representation_iri);
+  if (!from || !to) return std::nullopt;
+  const auto chain = core.vocabulary().conversion(*from, *to);
+  return chain == nullptr ? std::nullopt : std::optional(chain->cost);
+}
+
 /// What would mend an identity that does not fit.
 std::string mend_identity(const Core& core, Obstacle obstacle, const Identity& offered, const Identity& requested,
                           std::optional<matching::Match> match) {
@@ -143,6 +154,9 @@ std::string mend_identity(const Core& core, Obstacle obstacle, const Identity& o
              " in the offer, or ask without a representation";
     case Obstacle::representation: {
       const std::string other = offer == nullptr ? "" : short_name(core, offer->representation_iri);
+      const auto cost =
+          offer == nullptr || request == nullptr ? std::nullopt : cost_of_conversion(core, *offer, *request);
+      if (cost) return "ask with convert=" + std::to_string(*cost) + ", the cost of turning it into what is asked for";
       return "ask with representation=" + other + ", or without: nothing converts " + other + " to " +
              (request == nullptr ? "" : short_name(core, request->representation_iri));
     }
@@ -152,6 +166,14 @@ std::string mend_identity(const Core& core, Obstacle obstacle, const Identity& o
     default:
       return "";
   }
+}
+
+/// ", by A>B, cost 1" where the representation is converted.
+std::string conversion_of(const Core& core, const Identity& offered, const Identity& requested,
+                          const matching::Match& match) {
+  if (match.cost == 0) return "";
+  return ", by " + matching::chain_words(offered, requested, core.vocabulary()) + ", cost " +
+         std::to_string(match.cost);
 }
 
 Check check_identity(const Core& core, const Asked& asked, const PublicationEntry& offer, Depth depth) {
@@ -164,8 +186,9 @@ Check check_identity(const Core& core, const Asked& asked, const PublicationEntr
   const std::string pair = "offered is " + words(core, offered) + ", asked for is " + words(core, requested) + ": ";
   if (match) {
     return {"identity", Obstacle::none,
-            pair + std::string(to_string(match->degree)) + ", distance " + std::to_string(match->distance), "",
-            depth == Depth::search ? proof_of(core, offered, requested) : ""};
+            pair + std::string(to_string(match->degree)) + ", distance " + std::to_string(match->distance) +
+                conversion_of(core, offered, requested, *match),
+            "", depth == Depth::search ? proof_of(core, offered, requested) : ""};
   }
   const auto finding = core.matcher.examine(one, *asked.request, offer);
   // An expression may have found its place since.

@@ -35,6 +35,7 @@ Line line_of(const Core& core, const registry::SubscriptionEntry& entry, const R
   append_stated(line, "prefer", subscription.prefer);
   append_stated(line, "rank", subscription.rank);
   append_stated(line, "scope", subscription.scope);
+  if (subscription.convert != 0) append(line, "convert", gcnp::conversion_word(subscription.convert));
   if (reason != nullptr) {
     append(line, "why", std::string(to_string(reason->obstacle)));
     append(line, "because", reason->text + (reason->mend.empty() ? "" : ": " + reason->mend));

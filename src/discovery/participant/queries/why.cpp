@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "discovery/matching/representation.hpp"
 #include "discovery/participant/queries/arbitration.hpp"
 #include "discovery/participant/queries/lines.hpp"
 #include "discovery/participant/queries/sides.hpp"
@@ -37,7 +38,7 @@ class PairAnswer {
       append_check(line, checks_[told_]);
       piece.tell(std::move(line));
     }
-    piece.conclude(end());
+    piece.conclude(end(core));
     return true;
   }
 
@@ -70,7 +71,7 @@ class PairAnswer {
     }
   }
 
-  [[nodiscard]] Line end() const {
+  [[nodiscard]] Line end(const Core& core) const {
     const Check* obstacle = first_obstacle(checks_);
     const bool is_outranked = obstacle != nullptr && obstacle->what == "arbitration";
     Line line;
@@ -78,6 +79,12 @@ class PairAnswer {
     if (match_ && (obstacle == nullptr || is_outranked)) {
       append(line, "degree", std::string(to_string(match_->degree)));
       append(line, "distance", match_->distance);
+      if (match_->cost != 0) {
+        append(line, "convert",
+               matching::chain_words(offer_.entry.publication.identity, asked_.entry.subscription.identity,
+                                     core.vocabulary()));
+        append(line, "cost", match_->cost);
+      }
     }
     if (is_outranked) append_flag(line, "outranked", true);
     if (obstacle != nullptr) append(line, "code", std::string(to_string(obstacle->obstacle)));
