@@ -24,6 +24,34 @@ std::string scope_misfit(const SubscriptionEntry& subscription, const Request& r
                    ", does not admit the provider";
 }
 
+std::string kind_of(const Identity& identity) {
+  if (std::holds_alternative<NumericIdentity>(identity)) return "a number";
+  return std::holds_alternative<TextIdentity>(identity) ? "a text" : "a concept";
+}
+
+std::string named(const vocabulary::Vocabulary& vocabulary, const std::string& iri) {
+  if (iri.find('<') != std::string::npos) return base::printable(iri, max_shown_expression);
+  return vocabulary.short_name(std::string_view(iri));
+}
+
+/// Why a name of the ontology has no part in subsumption; empty where it has.
+std::string without_class(const vocabulary::Vocabulary& vocabulary, const std::string& iri) {
+  if (!vocabulary.is_loaded()) return "no ontology is loaded";
+  const auto number = vocabulary.find_iri(iri);
+  if (!number) return named(vocabulary, iri) + " is unknown to the ontology";
+  return vocabulary.is_satisfiable(*number) ? "" : named(vocabulary, iri) + " is unsatisfiable";
+}
+
+std::string unrelated(const vocabulary::Vocabulary& vocabulary, const std::string& offered,
+                      const std::string& requested) {
+  std::string why = named(vocabulary, offered) + " is offered, " + named(vocabulary, requested) + " is asked for";
+  for (const auto* iri : {&offered, &requested}) {
+    const std::string reason = without_class(vocabulary, *iri);
+    if (!reason.empty()) return why.append(", and ").append(reason);
+  }
+  return why + ", and neither subsumes the other";
+}
+
 /// Why a representation that does not fit is not converted either.
 std::string conversion_misfit(const Classes& offered, const Classes& requested, std::uint32_t convert,
                               const vocabulary::Vocabulary& vocabulary) {
@@ -85,34 +113,6 @@ bool is_accepted_degree(const Subscription& asked, const Request& request, const
   const auto by_concept = degree_of_concept(std::get<SemanticIdentity>(offer.entry.publication.identity), offer.classes,
                                             std::get<SemanticIdentity>(asked.identity), request.classes, vocabulary);
   return by_concept && !is_weaker(by_concept->degree, asked.weakest);
-}
-
-std::string kind_of(const Identity& identity) {
-  if (std::holds_alternative<NumericIdentity>(identity)) return "a number";
-  return std::holds_alternative<TextIdentity>(identity) ? "a text" : "a concept";
-}
-
-std::string named(const vocabulary::Vocabulary& vocabulary, const std::string& iri) {
-  if (iri.find('<') != std::string::npos) return base::printable(iri, max_shown_expression);
-  return vocabulary.short_name(std::string_view(iri));
-}
-
-/// Why a name of the ontology has no part in subsumption; empty where it has.
-std::string without_class(const vocabulary::Vocabulary& vocabulary, const std::string& iri) {
-  if (!vocabulary.is_loaded()) return "no ontology is loaded";
-  const auto number = vocabulary.find_iri(iri);
-  if (!number) return named(vocabulary, iri) + " is unknown to the ontology";
-  return vocabulary.is_satisfiable(*number) ? "" : named(vocabulary, iri) + " is unsatisfiable";
-}
-
-std::string unrelated(const vocabulary::Vocabulary& vocabulary, const std::string& offered,
-                      const std::string& requested) {
-  std::string why = named(vocabulary, offered) + " is offered, " + named(vocabulary, requested) + " is asked for";
-  for (const auto* iri : {&offered, &requested}) {
-    const std::string reason = without_class(vocabulary, *iri);
-    if (!reason.empty()) return why.append(", and ").append(reason);
-  }
-  return why + ", and neither subsumes the other";
 }
 
 bool is_accepted_provider(const Subscription& subscription, const PublicationEntry& publication) {
