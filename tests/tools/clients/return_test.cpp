@@ -88,6 +88,7 @@ TEST(Return, OfAKilledDaemonTakesItsServicesAway) {
   provider.say("1 pub create mode=otm/stream text=camera port=5000");
   ASSERT_TRUE(subscribe->wait_for("+ eye@robot0")) << subscribe->said();
   bench.lab().daemon(0).signal(SIGKILL);
+  EXPECT_EQ(bench.lab().daemon(0).wait(), 128 + SIGKILL);  // its port is free then, and not before
   ASSERT_TRUE(subscribe->wait_for("trying again")) << subscribe->said();
   bench.start_daemon();
   ASSERT_TRUE(subscribe->wait_for("unconfirmed")) << subscribe->said();
@@ -106,6 +107,7 @@ TEST(Return, TakesTheConsumersOfAPublicationAway) {
   consumer.say("1 sub create mode=otm/pubsub text=camera port=6000");
   ASSERT_TRUE(publish->wait_for("+ world@robot0")) << publish->said();
   bench.lab().daemon(0).signal(SIGKILL);
+  EXPECT_EQ(bench.lab().daemon(0).wait(), 128 + SIGKILL);  // its port is free then, and not before
   ASSERT_TRUE(publish->wait_for("trying again")) << publish->said();
   bench.start_daemon();
   ASSERT_TRUE(publish->wait_for("unconfirmed")) << publish->said();
