@@ -1,0 +1,50 @@
+"""Geminga: service discovery for teams of mobile robots, with channels. This is the asyncio front; geminga.blocking is the other.
+
+    async with geminga.connect("vision") as node:
+        async with node.publish(concept="soccer:BallInfo", mode="otm/pubsub") as ball:
+            ball.send(b"...")
+"""
+
+from __future__ import annotations
+
+from .core.identity import identity
+from .core.mailbox import Message
+from .core.match import Match
+from .errors import Closed, GemingaError, MessageTooLarge, PortTaken, Refused
+from .happening import Connected, ConsumerChanged, Disconnected, Happening, Problem, ProviderChanged
+from .node import Node, OnEvent
+from .publisher import Publisher
+from .subscriber import Subscriber
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "Closed",
+    "Connected",
+    "ConsumerChanged",
+    "Disconnected",
+    "GemingaError",
+    "Happening",
+    "Match",
+    "Message",
+    "MessageTooLarge",
+    "Node",
+    "OnEvent",
+    "PortTaken",
+    "Problem",
+    "ProviderChanged",
+    "Publisher",
+    "Refused",
+    "Subscriber",
+    "connect",
+    "identity",
+]
+
+
+def connect(name: str = "", connect: str | None = None, on_event: OnEvent | None = None) -> Node:
+    """A node of this name, at the daemon that `connect`, $GEMINGA_CONNECT or the usual port says: enter it by `async with`.
+
+    `connect` is ADDRESS:PORT, [ADDRESS]:PORT, /PATH or unix:PATH. `on_event` is called in the event loop with what happens.
+    Raises ValueError for an address that is none; a daemon that is not there is no error.
+    """
+    return Node(name, connect, on_event)

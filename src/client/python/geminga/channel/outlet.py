@@ -1,0 +1,33 @@
+"""What a publisher sends through, whatever its mode and protocol."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from ..core.counterparts import Counterpart
+
+
+class Outlet(Protocol):
+    """`targets` is empty where sending reaches nobody. Not thread-safe."""
+
+    @property
+    def targets(self) -> object:
+        """Whoever is sent to."""
+
+    def open(self, counterpart: Counterpart) -> None:
+        """A consumer came, or its address or port changed."""
+
+    def close(self, counterpart: Counterpart) -> None:
+        """A consumer went."""
+
+    def send(self, header: bytes, payload: bytes) -> int:
+        """Sends a message to all, and says for how many it was left out."""
+
+    async def drain(self) -> None:
+        """Waits until there is room for more."""
+
+    async def end(self, last: int) -> None:
+        """Sends what waits and takes leave behind the message with this sequence, then closes all."""
+
+    def abort(self) -> None:
+        """Closes all at once."""

@@ -1,0 +1,32 @@
+"""The functions of the application that turn one representation into another."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+Conversion = Callable[[bytes], bytes]
+
+
+class ConversionError(Exception):
+    """A conversion is missing, or failed. `step` is the one: `A>B`."""
+
+    def __init__(self, step: str, text: str) -> None:
+        super().__init__(f"{step}: {text}")
+        self.step = step
+
+
+def convert(payload: bytes, path: Sequence[str], conversions: Mapping[str, Conversion]) -> bytes:
+    """Applies `A>B`, `B>C`, ... for the path A, B, C, ..., or `A>C` alone where that is given. Raises ConversionError."""
+    if len(path) < 2:
+        return payload
+    whole = f"{path[0]}>{path[-1]}"
+    steps = [whole] if whole in conversions else [f"{a}>{b}" for a, b in zip(path, path[1:])]
+    for step in steps:
+        function = conversions.get(step)
+        if function is None:
+            raise ConversionError(step, "no function for this conversion was given")
+        try:
+            payload = function(payload)
+        except Exception as error:  # The application's own.
+            raise ConversionError(step, f"the function failed: {error}") from error
+    return payload

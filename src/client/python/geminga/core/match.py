@@ -1,0 +1,78 @@
+"""What the daemon tells of a service that suits a request, or of a consumer that suits a publication."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+from .life import KEY, read_life
+from .reserved import attribute_of
+from .statement import Statement
+
+_NAME = re.compile(r"<[^<>]*>|[^<>]+")  # between names stands ">", too
+
+
+@dataclass(frozen=True, slots=True)
+class Match:
+    """A provider as a subscriber is told of it, or a consumer as a publisher is. What is not stated is empty or 0."""
+
+    word: str  #: PARTICIPANT/PEER/NUMBER
+    life: int  #: of its channel; 0 where it has none
+    name: str
+    participant_name: str
+    address: str
+    port: int
+    protocol: str
+    mode: str
+    degree: str
+    distance: int
+    priority: int
+    id: int | None
+    text: str | None
+    concept: str | None
+    representation: str | None
+    convert: tuple[str, ...] = ()  #: the representations from what is offered to what is asked for
+    cost: int = 0
+    attributes: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def conversions(self) -> list[str]:
+        """`A>B`, `B>C`: the steps of `convert`."""
+        return [f"{before}>{after}" for before, after in zip(self.convert, self.convert[1:])]
+
+
+def _number(text: str, least: int, most: int) -> int:
+    digits = text[1:] if text.startswith("-") else text
+    if not digits.isascii() or not digits.isdigit() or len(digits) > 10:
+        return 0
+    return int(text) if least <= int(text) <= most else 0
+
+
+def read_match(line: Statement) -> Match:
+    """Reads `pub add`, `pub modify`, `sub add` or `sub modify`. What cannot be read counts as not stated."""
+    convert = tuple(_NAME.findall(line.get("convert")))
+    attributes = {}
+    for key, value in line.parameters.items():
+        name = None if convert and key == "cost" else attribute_of(key)
+        if name is not None:
+            attributes[name] = value or ""
+    return Match(
+        word=line.get("service" if line.command == "pub" else "subscription"),
+        life=read_life(attributes.get(KEY, "")),
+        name=line.get("name"),
+        participant_name=line.get("participant_name"),
+        address=line.get("address"),
+        port=_number(line.get("port"), 1, 65535),
+        protocol=line.get("protocol") or "udp",
+        mode=line.get("mode"),
+        degree=line.get("degree"),
+        distance=_number(line.get("distance"), 0, 0xFFFFFFFF),
+        priority=_number(line.get("priority"), -(2**31), 2**31 - 1),
+        id=_number(line.get("id"), 0, 0xFFFFFFFF) if "id" in line.parameters else None,
+        text=line.parameters.get("text"),
+        concept=line.parameters.get("concept"),
+        representation=line.parameters.get("representation"),
+        convert=convert,
+        cost=_number(line.get("cost"), 0, 0xFFFFFFFF) if convert else 0,
+        attributes=attributes,
+    )

@@ -1,0 +1,52 @@
+"""What a session found in what the daemon said."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .request import Request
+from .statement import ErrorLine, Statement
+
+
+@dataclass(frozen=True, slots=True)
+class Welcome:
+    """The daemon answered hello."""
+
+    participant: str
+    participant_name: str
+
+
+@dataclass(eq=False, slots=True)
+class Asked:
+    """A statement whose answer is awaited. It ends in one Settled."""
+
+    request: Request
+    before: dict[str, str] | None  #: the parameters before a modify; None of a create
+
+
+@dataclass(frozen=True, slots=True)
+class Settled:
+    """The daemon has taken what was asked, or refused it."""
+
+    asked: Asked
+    error: ErrorLine | None
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """`add`, `modify` or `del` for a request."""
+
+    request: Request
+    line: Statement
+
+
+@dataclass(frozen=True, slots=True)
+class Complaint:
+    """An error that no statement waits for. `is_gone`: the daemon does not have the request any more."""
+
+    request: Request | None
+    error: ErrorLine
+    is_gone: bool
+
+
+Report = Welcome | Settled | Told | Complaint

@@ -1,0 +1,65 @@
+"""A publication or subscription as this library states it, whatever becomes of the daemon."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import Enum
+
+from .statement import Statement
+
+
+class State(Enum):
+    """How a request stands with the daemon."""
+
+    WAITING = "not stated yet, or again to be stated"
+    STATED = "stated; no answer yet"
+    TAKEN = "the daemon has it"
+    REFUSED = "refused or taken back; it is not stated again"
+    REMOVED = "withdrawn"
+
+
+@dataclass(eq=False, slots=True)
+class Request:
+    """`command` is `pub` or `sub`. `parameters` are what holds now, as `create` would say it."""
+
+    number: int
+    command: str
+    parameters: dict[str, str] = field(default_factory=dict)
+    state: State = State.WAITING
+
+    def create(self) -> Statement:
+        """The statement that makes it."""
+        return Statement(self.number, self.command, "create", dict(self.parameters))
+
+    def modify(self, changes: dict[str, str]) -> Statement:
+        """The statement that changes it."""
+        return Statement(self.number, self.command, "modify", dict(changes))
+
+    def remove(self) -> Statement:
+        """The statement that withdraws it."""
+        return Statement(self.number, self.command, "remove")
+
+    @property
+    def is_wanted(self) -> bool:
+        """Whether it is stated when a daemon is there."""
+        return self.state not in (State.REFUSED, State.REMOVED)
+
+
+IDENTITY_KEYS = ("id", "text", "concept", "representation")
+
+
+def changed(parameters: dict[str, str], changes: dict[str, str]) -> dict[str, str]:
+    """What `create` has to say after `modify` with these changes: an empty value takes a key back."""
+    after = dict(parameters)
+    if any(key in changes for key in ("id", "text")):
+        for key in IDENTITY_KEYS:
+            after.pop(key, None)
+    elif "concept" in changes:
+        after.pop("id", None)
+        after.pop("text", None)
+    for key, value in changes.items():
+        if value == "" and not key.startswith("attr."):
+            after.pop(key, None)
+        else:
+            after[key] = value
+    return after

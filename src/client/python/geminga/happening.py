@@ -1,0 +1,56 @@
+"""What the application is told beside messages."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from .core.match import Match
+
+if TYPE_CHECKING:
+    from .publisher import Publisher
+    from .subscriber import Subscriber
+
+
+@dataclass(frozen=True, slots=True)
+class Connected:
+    """The daemon was reached."""
+
+    participant: str
+    participant_name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Disconnected:
+    """The daemon is gone. Channels go on, and the node comes back to it by itself."""
+
+
+@dataclass(frozen=True, slots=True)
+class ProviderChanged:
+    """`change` is `added`, `modified` or `removed`; the last has a reason."""
+
+    subscriber: Subscriber
+    change: str
+    provider: Match
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class ConsumerChanged:
+    """`change` is `added`, `modified` or `removed`; the last has a reason. Consumers of `otm/stream` are not told."""
+
+    publisher: Publisher
+    change: str
+    consumer: Match
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """Something to look at: a request that was taken back, a conversion without a function, a provider without a channel."""
+
+    source: Publisher | Subscriber | None
+    text: str
+
+
+Happening = Connected | Disconnected | ProviderChanged | ConsumerChanged | Problem

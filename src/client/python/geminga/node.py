@@ -1,0 +1,270 @@
+"""A program's place at its daemon: what it offers and asks for."""
+
+from __future__ import annotations
+
+import asyncio
+from collections import deque
+from collections.abc import AsyncIterator, Callable, Mapping
+from types import TracebackType
+
+from .core.converter import Conversion
+from .core.mailbox import MAX_MESSAGES
+from .core.report import Asked, Complaint, Report, Settled, Told, Welcome
+from .core.request import Request
+from .core.session import Session
+from .core.statement import ErrorLine
+from .daemon_link import DaemonLink
+from .endpoint import endpoints
+from .errors import Closed, Refused
+from .happening import Connected, Disconnected, Happening, Problem
+from .opening import Channel, Opening
+from .parameters import Attributes, Words, check_mode, parameters
+from .publisher import Publisher
+from .request_owner import RequestOwner
+from .subscriber import Subscriber
+
+#: What waits for each events() that is not read; the newest are lost beyond.
+MAX_HAPPENINGS = 4096
+
+OnEvent = Callable[[Happening], None]
+
+
+class Node:
+    """Made by geminga.connect(), used by `async with`. Belongs to the event loop where it is entered; not thread-safe.
+
+    The daemon may start later, stop and come back: the node states all requests again, and channels go on meanwhile.
+    """
+
+    def __init__(self, name: str = "", connect: str | None = None, on_event: OnEvent | None = None) -> None:
+        self._endpoints = endpoints(connect)
+        self._session = Session(name)
+        self._on_event = on_event
+        self._link: DaemonLink | None = None
+        self._owners: dict[int, RequestOwner] = {}
+        self._asking: dict[int, asyncio.Future[None]] = {}
+        self._readers: list[_Happenings] = []
+        self._is_closed = False
+        self.loop: asyncio.AbstractEventLoop
+
+    async def __aenter__(self) -> Node:
+        self.open()
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        await self.close()
+
+    def open(self) -> None:
+        """Begins to look for the daemon. Must be called in a running event loop; `async with` calls it."""
+        self.loop = asyncio.get_running_loop()
+        self._link = DaemonLink(self.loop, self._session, self._endpoints, self._take, self._lost)
+
+    @property
+    def is_connected(self) -> bool:
+        """Whether the daemon is there."""
+        return self._link is not None and self._link.is_connected
+
+    def publish(
+        self,
+        *,
+        mode: str,
+        id: int | None = None,
+        text: str | None = None,
+        concept: str | None = None,
+        representation: str | None = None,
+        protocol: str = "udp",
+        port: int = 0,
+        address: str | None = None,
+        priority: int | None = None,
+        scope: Words | None = None,
+        for_: str | None = None,
+        attributes: Attributes | None = None,
+    ) -> Opening[Publisher]:
+        """Offers a service: `await` it, or enter it. The keys are those of `pub create`; port 0 means any.
+
+        It is there when the daemon has taken it, or at once where no daemon is. Raises Refused; PortTaken; ValueError for
+        what cannot be said.
+        """
+        said = parameters(
+            attributes, mode=mode, id=id, text=text, concept=concept, representation=representation, protocol=protocol,
+            port=port, address=address, priority=priority, scope=scope, for_=for_,
+        )  # fmt: skip
+        return Opening(self._make(lambda: Publisher(self, said), mode))
+
+    def subscribe(
+        self,
+        *,
+        mode: str,
+        id: int | None = None,
+        text: str | None = None,
+        concept: str | None = None,
+        representation: str | None = None,
+        match: str | None = None,
+        provider: Words | None = None,
+        favour: Words | None = None,
+        prefer: Words | None = None,
+        rank: Words | None = None,
+        scope: Words | None = None,
+        where: str | None = None,
+        convert: str | int | None = None,
+        conversions: Mapping[str, Conversion] | None = None,
+        protocol: Words | None = None,
+        limit: int | None = None,
+        priority: int | None = None,
+        port: int = 0,
+        address: str | None = None,
+        attributes: Attributes | None = None,
+        queue: int = MAX_MESSAGES,
+        keep: str = "newest",
+    ) -> Opening[Subscriber]:
+        """Asks for services: `await` it, or enter it. The keys are those of `sub create`; port 0 means any.
+
+        `conversions` are functions from octets to octets by `A>B`, as events name representations. `queue` and `keep` are
+        told in Subscriber. Raises as publish() does.
+        """
+        said = parameters(
+            attributes, mode=mode, id=id, text=text, concept=concept, representation=representation, match=match,
+            provider=provider, favour=favour, prefer=prefer, rank=rank, scope=scope, where=where, convert=convert,
+            protocol=protocol, limit=limit, priority=priority, port=port or None, address=address,
+        )  # fmt: skip
+        return Opening(self._make(lambda: Subscriber(self, said, conversions, queue, keep), mode))
+
+    async def events(self) -> AsyncIterator[Happening]:
+        """What happens from now on, until the node is closed. At most 4096 wait for who does not read."""
+        reader = _Happenings()
+        self._readers.append(reader)
+        try:
+            while True:
+                while reader.waiting:
+                    yield reader.waiting.popleft()
+                if self._is_closed:
+                    return
+                reader.woken = self.loop.create_future()
+                await reader.woken
+        finally:
+            self._readers.remove(reader)
+
+    async def close(self) -> None:
+        """Withdraws all, and waits until what was sent over TCP has been taken."""
+        if self._is_closed or self._link is None:
+            return
+        self._is_closed = True
+        try:
+            await asyncio.gather(*(owner.close() for owner in list(self._owners.values())))
+            await self._link.close()
+        finally:
+            for owner in list(self._owners.values()):
+                owner.abort()
+            self._link.abort()
+            self._wake_readers()
+
+    # What publishers and subscribers call
+
+    def create(self, owner: RequestOwner, command: str, said: dict[str, str]) -> Request:
+        """States a request of this owner."""
+        request = self._session.create(command, said).request
+        self._owners[request.number] = owner
+        self._flush()
+        return request
+
+    async def modify(self, request: Request, changes: dict[str, str]) -> None:
+        """Changes a request. Raises Refused."""
+        asked = self._session.modify(request, changes)
+        self._flush()
+        if asked is not None:
+            future = self._asking[id(asked)] = self.loop.create_future()
+            try:
+                await future
+            finally:
+                self._asking.pop(id(asked), None)
+
+    def remove(self, request: Request) -> None:
+        """Withdraws a request."""
+        self._owners.pop(request.number, None)
+        self._session.remove(request)
+        self._flush()
+
+    def tell(self, happening: Happening) -> None:
+        """Tells the application."""
+        if self._on_event is not None:
+            try:
+                self._on_event(happening)
+            except Exception as error:  # The application's own; the channels go on.
+                self.loop.call_exception_handler({"message": "on_event failed", "exception": error})
+        for reader in self._readers:
+            if len(reader.waiting) < MAX_HAPPENINGS:
+                reader.waiting.append(happening)
+        self._wake_readers()
+
+    # Inside
+
+    async def _make(self, make: Callable[[], Channel], mode: str) -> Channel:
+        if self._is_closed or self._link is None:
+            raise Closed("the node is not open")
+        check_mode(mode)
+        channel = make()
+        if self._link.is_connected:
+            try:
+                await channel.accepted()
+            except BaseException:
+                channel.abort()
+                raise
+        return channel
+
+    def _flush(self) -> None:
+        if self._link is not None:
+            self._link.flush()
+
+    def _wake_readers(self) -> None:
+        for reader in self._readers:
+            if reader.woken is not None and not reader.woken.done():
+                reader.woken.set_result(None)
+
+    def _take(self, report: Report) -> None:
+        if isinstance(report, Welcome):
+            self.tell(Connected(report.participant, report.participant_name))
+            for owner in list(self._owners.values()):
+                owner.daemon_back()
+        elif isinstance(report, Told):
+            owner = self._owners.get(report.request.number)
+            if owner is not None:
+                owner.told(report.line)
+        elif isinstance(report, Settled):
+            self._settle(report.asked, report.error)
+        elif isinstance(report, Complaint):
+            self._complain(report)
+
+    def _settle(self, asked: Asked, error: ErrorLine | None) -> None:
+        if asked.before is None:
+            owner = self._owners.get(asked.request.number)
+            if owner is not None:
+                owner.settled(error)
+            return
+        future = self._asking.get(id(asked))
+        if future is not None and not future.done():
+            if error is None:
+                future.set_result(None)
+            else:
+                future.set_exception(Refused(error.code, error.text))
+
+    def _complain(self, complaint: Complaint) -> None:
+        owner = None if complaint.request is None else self._owners.get(complaint.request.number)
+        if owner is not None:
+            owner.complain(complaint.error, complaint.is_gone)
+        else:
+            self.tell(Problem(None, f"{complaint.error.code} {complaint.error.text}"))
+
+    def _lost(self) -> None:
+        for owner in list(self._owners.values()):
+            owner.daemon_lost()
+        if not self._is_closed:
+            self.tell(Disconnected())
+
+
+class _Happenings:
+    """What waits for one events()."""
+
+    def __init__(self) -> None:
+        self.waiting: deque[Happening] = deque()
+        self.woken: asyncio.Future[None] | None = None

@@ -1,0 +1,182 @@
+"""A service with a channel: sends to whoever is matched."""
+
+from __future__ import annotations
+
+import asyncio
+from types import TracebackType
+from typing import TYPE_CHECKING
+
+from .channel import sockets
+from .channel.multicast_outlet import MulticastOutlet
+from .channel.outlet import Outlet
+from .channel.stream_outlet import StreamOutlet
+from .channel.tcp_outlet import TcpOutlet
+from .channel.udp_outlet import UdpOutlet
+from .core.counterparts import LOST, Change, Counterpart, Counterparts
+from .core.frame import HEADER, MAGIC, MAX_TCP_PAYLOAD, MAX_UDP_PAYLOAD, VERSION, Kind
+from .core.match import Match
+from .errors import Closed, MessageTooLarge
+from .happening import ConsumerChanged
+from .request_owner import RequestOwner
+
+if TYPE_CHECKING:
+    from .node import Node
+
+_pack = HEADER.pack
+_MESSAGE = int(Kind.MESSAGE)
+
+
+class Publisher(RequestOwner):
+    """Made by Node.publish(). Belongs to the event loop of its node; not thread-safe."""
+
+    def __init__(self, node: Node, said: dict[str, str]) -> None:
+        protocol = said.setdefault("protocol", "udp")
+        if protocol not in ("udp", "tcp"):
+            raise ValueError("protocol is udp or tcp")
+        super().__init__(node, Counterparts(protocol))
+        self._is_stream = said["mode"] == "otm/stream"
+        self._is_tcp = protocol == "tcp"
+        self._joined: set[int] = set()
+        self._sequence = 0
+        self._left_out = 0
+        self._max_payload = MAX_TCP_PAYLOAD if protocol == "tcp" else MAX_UDP_PAYLOAD
+        self._outlet = self._make_outlet(said["mode"], int(said.get("port", "0")), said.get("address", ""))
+        said["port"] = str(self._outlet.port)
+        try:
+            self.state("pub", said)
+        except BaseException:
+            self._outlet.abort()
+            raise
+
+    @property
+    def port(self) -> int:
+        """The port where it can be reached, as it was announced."""
+        return self._outlet.port
+
+    @property
+    def consumers(self) -> list[Match]:
+        """Who is sent to, as far as the daemon tells: not for `otm/stream`."""
+        return [one.match for one in self._counterparts if not self._is_tcp or one.match.life in self._joined]
+
+    @property
+    def has_consumers(self) -> bool:
+        """Whether sending reaches anybody. Always true for multicast."""
+        return bool(self._outlet.targets)
+
+    @property
+    def sent(self) -> int:
+        """The messages that were sent while there was a consumer."""
+        return self._sequence
+
+    @property
+    def left_out(self) -> int:
+        """The messages that a consumer had no room for, counted for each consumer."""
+        return self._left_out
+
+    @property
+    def dropped(self) -> int:
+        """What came in and was not believed."""
+        return int(getattr(self._outlet, "dropped", 0))
+
+    def send(self, payload: bytes) -> bool:
+        """Sends to all consumers, and never waits; whether there are any.
+
+        Over TCP a consumer for which more than 4 MiB wait is left out: drain() waits for room. Raises MessageTooLarge over
+        65 000 octets for UDP and over 16 MiB for TCP, and Closed.
+        """
+        if len(payload) > self._max_payload:
+            self._refuse(len(payload))
+        outlet = self._outlet
+        if not outlet.targets:
+            if self._is_closed:
+                raise Closed("the publisher has been closed")
+            return False
+        self._sequence = sequence = self._sequence + 1
+        self._left_out += outlet.send(_pack(MAGIC, VERSION, _MESSAGE, len(payload), self._life, sequence), payload)
+        return True
+
+    async def drain(self) -> None:
+        """Waits until at most 256 KiB wait for each TCP consumer. Over UDP it lets the event loop turn once."""
+        await self._outlet.drain()
+
+    async def close(self) -> None:
+        """Withdraws the service. Over TCP it waits until what was sent has been taken, 5 s for who takes nothing."""
+        if self._is_closed:
+            return
+        self._leave()
+        try:
+            await self._outlet.end(self._sequence)
+        finally:
+            self._outlet.abort()
+
+    def abort(self) -> None:
+        """Withdraws the service and closes at once what is open."""
+        if not self._is_closed:
+            self._leave()
+        self._outlet.abort()
+
+    async def __aenter__(self) -> Publisher:
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        await self.close()
+
+    # Inside
+
+    def _make_outlet(self, mode: str, port: int, address: str) -> UdpOutlet | StreamOutlet | MulticastOutlet | TcpOutlet:
+        if self._is_tcp:
+            return TcpOutlet(self._loop, self._life, port, address, self._is_stream, self._join, self._part)
+        if not self._is_stream:
+            return UdpOutlet(self._life, port, address, mode == "otm/pubsub", self._move)
+        if sockets.is_multicast(address):
+            return MulticastOutlet(self._loop, self._life, port, address)
+        return StreamOutlet(self._loop, self._life, port, address)
+
+    def _refuse(self, octets: int) -> None:
+        hint = "" if self._is_tcp else ": offer the service with protocol=tcp"
+        raise MessageTooLarge(f"a message of {octets} octets; at most {self._max_payload} fit{hint}")
+
+    def _change(self, change: Change) -> None:
+        counterpart = change.counterpart
+        if change.kind != "removed":
+            self._outlet.open(counterpart)
+        else:
+            self._outlet.close(counterpart)
+        if not self._is_tcp:
+            self._tell(change.kind, counterpart, change.reason)
+        elif change.kind == "modified":
+            if counterpart.key in self._joined:
+                self._tell(change.kind, counterpart, "")
+        elif change.kind == "removed" and counterpart.match.life in self._joined:
+            self._joined.discard(counterpart.match.life)
+            self._tell(change.kind, counterpart, change.reason)
+
+    def _join(self, life: int) -> None:
+        counterpart = self._counterparts.get(life)
+        if counterpart is not None:
+            self._joined.add(life)
+            self._counterparts.connected(life)
+            self._tell("added", counterpart, "")
+
+    def _part(self, life: int) -> None:
+        """The connection of a consumer ended."""
+        counterpart = self._counterparts.get(life)
+        if counterpart is None:
+            return
+        changes = self._counterparts.disconnected(life)
+        if changes:
+            self._apply(changes)
+        elif life in self._joined:
+            self._joined.discard(life)
+            self._tell("removed", counterpart, LOST)
+
+    def _tell(self, kind: str, counterpart: Counterpart, reason: str) -> None:
+        self._node.tell(ConsumerChanged(self, kind, counterpart.match, reason))
+
+    def _move(self, port: int) -> None:
+        """The port was taken while there was no consumer."""
+        request = self._request
+        if request is not None:
+            self._loop.create_task(self._node.modify(request, {"port": str(port)}))

@@ -1,0 +1,145 @@
+"""What publishers and subscribers have in common: a request, a life, and counterparts."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import TYPE_CHECKING
+
+from .core.counterparts import Change, Counterparts
+from .core.life import KEY, draw_life, write_life
+from .core.match import Match, read_match
+from .core.reserved import PREFIX
+from .core.statement import ErrorLine, Statement
+from .errors import Closed, Refused
+from .happening import Problem
+from .parameters import Attributes, parameters
+
+if TYPE_CHECKING:
+    from .core.request import Request
+    from .node import Node
+
+_FIXED = ("mode", "protocol", "port", "address", "limit")
+
+
+class RequestOwner:
+    """The base of Publisher and Subscriber. Belongs to the event loop of its node; not thread-safe."""
+
+    def __init__(self, node: Node, counterparts: Counterparts) -> None:
+        self._node = node
+        self._loop = node.loop
+        self._life = draw_life()
+        self._counterparts = counterparts
+        self._request: Request | None = None
+        self._timer: asyncio.TimerHandle | None = None
+        self._is_closed = False
+        self._accepted: asyncio.Future[None] = self._loop.create_future()
+        self._accepted.add_done_callback(lambda future: future.cancelled() or future.exception())
+
+    @property
+    def life(self) -> int:
+        """The 64 bits by which the other side knows this channel."""
+        return self._life
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether it has been closed, by whomever."""
+        return self._is_closed
+
+    async def accepted(self) -> None:
+        """Waits until the daemon has taken the request, however long there is none. Raises Refused, or Closed."""
+        await asyncio.shield(self._accepted)
+
+    async def modify(self, attributes: Attributes | None = None, **keys: object) -> None:
+        """Changes what `keys` and attributes say, by the keys of `pub modify` or `sub modify`; an empty text takes one back.
+
+        Waits for the daemon where one is there. Mode, protocol, port, address and limit stay: make a new one. Raises
+        Refused, ValueError, or Closed.
+        """
+        fixed = [key for key in keys if key in _FIXED]
+        if fixed:
+            raise ValueError(f"{fixed[0]} cannot be changed: close this one and make another")
+        if self._is_closed or self._request is None:
+            raise Closed("it has been closed")
+        await self._node.modify(self._request, parameters(attributes, **keys))
+
+    # What the node calls
+
+    def state(self, command: str, said: dict[str, str]) -> None:
+        """States the request, with the life. Raises LineError for what GCNP cannot carry."""
+        said.pop(PREFIX + KEY, None)
+        said[KEY] = write_life(self._life)
+        self._request = self._node.create(self, command, said)
+
+    def settled(self, error: ErrorLine | None) -> None:
+        """The daemon has taken the request, or refused it."""
+        if error is None:
+            if not self._accepted.done():
+                self._accepted.set_result(None)
+            return
+        if not self._accepted.done():
+            self._accepted.set_exception(Refused(error.code, error.text))
+        else:
+            self.complain(error, True)
+
+    def complain(self, error: ErrorLine, is_gone: bool) -> None:
+        """An error that no call waits for."""
+        self.problem(f"{error.code} {error.text}")
+        if is_gone:
+            for counterpart in self._counterparts:
+                self._apply(self._counterparts.ended(counterpart.key, "refused"))
+
+    def told(self, line: Statement) -> None:
+        """An event of the daemon about this request."""
+        if line.subcommand == "del":
+            word = line.get("service" if line.command == "pub" else "subscription")
+            changes = self._counterparts.delete(word, line.get("reason"), self._loop.time())
+        else:
+            match = read_match(line)
+            changes = self._counterparts.add(match) if line.subcommand == "add" else self._counterparts.modify(match)
+        self._apply(changes)
+
+    def daemon_lost(self) -> None:
+        """Channels go on."""
+        self._counterparts.daemon_lost()
+
+    def daemon_back(self) -> None:
+        """What the daemon does not tell again in time is lost."""
+        self._counterparts.daemon_back(self._loop.time())
+        self._set_timer()
+
+    # Inside
+
+    def problem(self, text: str) -> None:
+        """Tells the application."""
+        self._node.tell(Problem(self, text))  # type: ignore[arg-type]
+
+    def _matches(self) -> list[Match]:
+        return [counterpart.match for counterpart in self._counterparts]
+
+    def _apply(self, changes: list[Change]) -> None:
+        for change in changes:
+            self._change(change)
+        self._set_timer()
+
+    def _change(self, change: Change) -> None:
+        raise NotImplementedError
+
+    def _set_timer(self) -> None:
+        if self._timer is not None:
+            self._timer.cancel()
+        due = None if self._is_closed else self._counterparts.due()
+        self._timer = None if due is None else self._loop.call_at(due, self._tick)
+
+    def _tick(self) -> None:
+        self._timer = None
+        self._apply(self._counterparts.tick(self._loop.time()))
+
+    def _leave(self) -> None:
+        """Withdraws the request."""
+        self._is_closed = True
+        if self._timer is not None:
+            self._timer.cancel()
+        if not self._accepted.done():
+            self._accepted.set_exception(Closed("it has been closed"))
+        if self._request is not None:
+            self._node.remove(self._request)

@@ -1,0 +1,136 @@
+#!/usr/bin/python3
+"""Runs the agents of all pairs of languages against real daemons (AGENT.md): needs nothing but the standard library.
+
+    drive.py --gemingad build/release/bin/gemingad --agent python=tests/client/python/agent.py --agent "java=java -cp ..."
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shlex
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from checks import behaviours, modes, vectors  # noqa: E402
+from lab import Lab  # noqa: E402
+from pair import Command, Pair, fresh  # noqa: E402
+from spoken import Failed  # noqa: E402
+
+ROOT = Path(__file__).resolve().parents[3]
+
+
+class Table:
+    """What was checked; each row is said as soon as it is known."""
+
+    def __init__(self) -> None:
+        self.failed: list[str] = []
+        self.count = 0
+
+    def run(self, who: str, check: Callable[..., None], action: Callable[[], None]) -> bool:
+        """Runs a check, and says whether it holds."""
+        what = (check.__doc__ or check.__name__).splitlines()[0]
+        begin = time.monotonic()
+        self.count += 1
+        try:
+            action()
+        except Failed as error:
+            self.failed.append(f"{who}: {what}")
+            print(f"{who:<18} {what:<44} FAILED\n    {error}", flush=True)
+            return False
+        print(f"{who:<18} {what:<44} ok {time.monotonic() - begin:6.1f} s", flush=True)
+        return True
+
+
+def arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description="Runs agents of client libraries against real daemons.")
+    parser.add_argument("--gemingad", required=True, help="the daemon")
+    parser.add_argument("--agent", action="append", default=[], metavar="LANGUAGE=COMMAND", help="may be given many times")
+    parser.add_argument("--ontology", default=str(ROOT / "ontology"), help="what the daemons load")
+    parser.add_argument("--only", default="", help="only checks whose name or title has this in it")
+    parser.add_argument("--pair", default="", help="only this pair: PUBLISHER>SUBSCRIBER")
+    parser.add_argument("--behaviours", choices=["same", "all", "none"], default="same",
+                        help="for which pairs daemons are killed and so on: languages with themselves, all, none")  # fmt: skip
+    return parser.parse_args()
+
+
+def chosen(checks: list[Callable[..., None]], only: str) -> list[Callable[..., None]]:
+    return [check for check in checks if only in check.__name__ or only in (check.__doc__ or "")]
+
+
+def run_modes(table: Table, lab: Lab, who: str, publisher: Command, subscriber: Command, only: str) -> None:
+    """All checks of a pair in one pair of agents; behind a failure, in another one."""
+    waiting = chosen(modes.CHECKS, only)
+    while waiting:
+        try:
+            with Pair(lab, publisher, subscriber) as pair:
+                while waiting:
+                    check = waiting.pop(0)
+                    if not table.run(who, check, lambda: check(pair)):  # noqa: B023
+                        raise Failed("")
+        except Failed as error:
+            if str(error):
+                table.failed.append(f"{who}: {error}")
+                print(f"{who}: {error}", flush=True)
+
+
+def run_behaviours(table: Table, lab: Lab, who: str, publisher: Command, subscriber: Command, only: str) -> None:
+    """Each check in a pair of agents of its own."""
+    for check in chosen(behaviours.CHECKS, only):
+
+        def action() -> None:
+            with Pair(lab, publisher, subscriber) as pair:
+                check(pair)  # noqa: B023
+
+        table.run(who, check, action)
+        for host in lab.hosts:
+            if host.daemon is None:
+                host.start_daemon(lab.gemingad)
+
+
+def run_vectors(table: Table, lab: Lab, language: str, command: Command, only: str) -> None:
+    for check in chosen(vectors.CHECKS, only):
+        agent = lab.hosts[0].start(f"agent of {language}", [*command, fresh("agent")])
+        try:
+            table.run(language, check, lambda: check(agent))  # noqa: B023
+        finally:
+            agent.discard()
+
+
+def main() -> int:
+    options = arguments()
+    commands: dict[str, list[str]] = {}
+    for agent in options.agent:
+        language, _, command = agent.partition("=")
+        commands[language] = shlex.split(command)
+    if not commands:
+        commands["python"] = [str(ROOT / "tests/client/python/agent.py")]
+    table = Table()
+    lab = Lab(os.path.abspath(options.gemingad), [options.ontology])
+    try:
+        print(f"This lab is made of {lab.way}.", flush=True)
+        lab.start_daemons()
+        for language, command in commands.items():
+            run_vectors(table, lab, language, command, options.only)
+        for one, publisher in commands.items():
+            for other, subscriber in commands.items():
+                who = f"{one}>{other}"
+                if options.pair and options.pair != who:
+                    continue
+                run_modes(table, lab, who, publisher, subscriber, options.only)
+                if options.behaviours == "all" or (options.behaviours == "same" and one == other):
+                    run_behaviours(table, lab, who, publisher, subscriber, options.only)
+    finally:
+        lab.close()
+    print(f"\n{table.count - len(table.failed)} of {table.count} checks hold.")
+    for failed in table.failed:
+        print(f"failed: {failed}")
+    return 1 if table.failed or table.count == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,121 @@
+"""Two hosts with a daemon each: network namespaces where they may be made, else two daemons on the loopback interface."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import socket
+import subprocess
+from collections.abc import Sequence
+
+from spoken import Failed, Spoken
+
+LINK = "wlan0"
+
+
+def _may_make_namespaces() -> bool:
+    done = subprocess.run(["unshare", "-n", "true"], stdin=subprocess.DEVNULL, capture_output=True, check=False)
+    return done.returncode == 0
+
+
+def _free_port(kind: socket.SocketKind) -> int:
+    with socket.socket(socket.AF_INET, kind) as sock:
+        sock.bind(("127.0.0.1", 0))
+        return int(sock.getsockname()[1])
+
+
+class Host:
+    """Where programs run: `address` is what the other host sees."""
+
+    def __init__(self, number: int, address: str, gcnp_port: int, prefix: Sequence[str], flags: Sequence[str]) -> None:
+        self.number = number
+        self.address = address
+        self.gcnp_port = gcnp_port
+        self._prefix = list(prefix)
+        self._flags = list(flags)
+        self.daemon: Spoken | None = None
+
+    def start(self, name: str, command: Sequence[str], with_errors: bool = False) -> Spoken:
+        """A process on this host that finds the host's daemon."""
+        environment = dict(os.environ, GEMINGA_CONNECT=f"127.0.0.1:{self.gcnp_port}")
+        return Spoken(name, [*self._prefix, *command], environment, with_errors)
+
+    def run(self, command: Sequence[str]) -> None:
+        """Runs a command to its end. Raises Failed where it fails."""
+        done = subprocess.run([*self._prefix, *command], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise Failed(f"{shlex.join(command)}: {done.stderr}")
+
+    def start_daemon(self, program: str) -> None:
+        """Starts gemingad and waits until it is ready."""
+        name = f"host{self.number}"
+        flags = ["--name", name, "--gcnp", f"127.0.0.1:{self.gcnp_port}", "--interval", "0.5", *self._flags]
+        self.daemon = self.start(f"gemingad of {name}", [program, *flags], with_errors=True)
+        self.daemon.find(r".* ready: .*")
+
+    def kill_daemon(self) -> None:
+        """kill -9."""
+        assert self.daemon is not None
+        self.daemon.kill()
+        self.daemon.discard()
+
+
+class Lab:
+    """Two hosts, 0 and 1, that see each other."""
+
+    def __init__(self, gemingad: str, ontologies: Sequence[str]) -> None:
+        self.gemingad = gemingad
+        self._holders: list[subprocess.Popen[str]] = []
+        flags = [word for folder in ontologies for word in ("--ontology", folder)]
+        self.has_namespaces = _may_make_namespaces()
+        self.hosts: list[Host] = []
+        try:
+            if self.has_namespaces:
+                self._make_namespaces(flags)
+            else:
+                udp_port = _free_port(socket.SOCK_DGRAM)
+                for number in range(2):
+                    own = [*flags, "--interface", "lo", "--port", str(udp_port)]
+                    self.hosts.append(Host(number, "127.0.0.1", _free_port(socket.SOCK_STREAM), [], own))
+        except BaseException:
+            self.close()
+            raise
+
+    @property
+    def way(self) -> str:
+        """What it is made of."""
+        return "two network namespaces" if self.has_namespaces else "two daemons on the loopback interface"
+
+    def start_daemons(self) -> None:
+        """On both hosts."""
+        for host in self.hosts:
+            host.start_daemon(self.gemingad)
+
+    def close(self) -> None:
+        """Ends what runs."""
+        for host in self.hosts:
+            if host.daemon is not None:
+                host.daemon.discard()
+        for holder in self._holders:
+            assert holder.stdin is not None
+            holder.stdin.close()
+            holder.wait()
+
+    def _make_namespaces(self, flags: Sequence[str]) -> None:
+        for _ in range(2):
+            # It ends with its standard input, so with this process, and the namespace with it.
+            holder = subprocess.Popen(
+                ["unshare", "-n", "sh", "-c", "echo there; exec cat"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+            )
+            assert holder.stdout is not None
+            self._holders.append(holder)
+            holder.stdout.readline()
+        for number, holder in enumerate(self._holders):
+            prefix = ["nsenter", "-t", str(holder.pid), "-n", "--"]
+            self.hosts.append(Host(number, f"10.66.0.{number + 1}", 4717, prefix, flags))
+        other = str(self._holders[1].pid)
+        self.hosts[0].run(["ip", "link", "add", LINK, "type", "veth", "peer", "name", LINK, "netns", other])
+        for host in self.hosts:
+            host.run(["ip", "link", "set", "lo", "up"])
+            host.run(["ip", "address", "add", f"{host.address}/24", "dev", LINK])
+            host.run(["ip", "link", "set", LINK, "up"])

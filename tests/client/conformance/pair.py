@@ -1,0 +1,123 @@
+"""A publisher's agent on the first host and a subscriber's on the second."""
+
+from __future__ import annotations
+
+import itertools
+import time
+from collections.abc import Callable, Sequence
+from types import TracebackType
+
+from lab import Host, Lab
+from spoken import PATIENCE_SECONDS, Failed, Spoken
+
+Command = Sequence[str]
+_LABELS = itertools.count(1)
+_PORTS = itertools.count(21000)
+
+
+def fresh(word: str) -> str:
+    """A label, or a name of a service, that nobody has."""
+    return f"{word}{next(_LABELS)}"
+
+
+def fresh_port() -> int:
+    """A port that no check has stated."""
+    return next(_PORTS)
+
+
+class Pair:
+    """Both are connected when it is entered, and are told to quit at its end."""
+
+    def __init__(self, lab: Lab, publisher: Command, subscriber: Command) -> None:
+        self.lab = lab
+        self._commands = (publisher, subscriber)
+        self._started: list[Spoken] = []
+
+    def __enter__(self) -> Pair:
+        self.pub = self.start(0)
+        self.sub = self.start(1)
+        self.pub.find("connected")
+        self.sub.find("connected")
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        try:
+            for agent in self._started:
+                if error is None and agent.end("quit") != 0:
+                    raise Failed(f"{agent.name} was told to quit and did not end with 0")
+        finally:
+            for agent in self._started:
+                agent.discard()
+
+    @property
+    def hosts(self) -> tuple[Host, Host]:
+        """The publisher's and the subscriber's."""
+        return self.lab.hosts[0], self.lab.hosts[1]
+
+    def start(self, number: int) -> Spoken:
+        """One more agent of the publisher's (0) or the subscriber's (1) language, on its host."""
+        agent = self.lab.hosts[number].start(f"{'publisher' if number == 0 else 'subscriber'}'s agent", [*self._commands[number], fresh("agent")])
+        self._started.append(agent)
+        return agent
+
+    def offer(self, keys: str, agent: Spoken | None = None) -> str:
+        """Offers a service, and gives its label."""
+        return self._request("pub", keys, agent or self.pub)
+
+    def ask(self, keys: str, agent: Spoken | None = None) -> str:
+        """Asks for one, and gives its label."""
+        return self._request("sub", keys, agent or self.sub)
+
+    def met(self, p: str, s: str, is_stream: bool = False) -> tuple[str, str]:
+        """Waits until both know each other, and gives their lives: the publisher's, and the subscriber's where it is told."""
+        life = self.sub.find(f"provider {s} added ([0-9a-f]{{16}}) -")[1]
+        return life, "" if is_stream else self.pub.find(f"consumer {p} added ([0-9a-f]{{16}}) -")[1]
+
+    def heard(self, p: str, s: str) -> int:
+        """Sends until a message comes through, where the publisher is not told of who listens; that message's sequence."""
+        for _ in range(100):
+            self.pub.tell(f"send {p} 00")
+            try:
+                return int(self.sub.find(f"message {s} [0-9a-f]+ ([0-9]+) [0-9]+ 1 00", 0.1)[1])
+            except Failed:
+                continue
+        raise Failed("no message came to a listener")
+
+    def settled(self, p: str, s: str) -> int:
+        """The sequence of the last message: sends a mark and passes all before it."""
+        mark = fresh("ff").encode().hex()
+        return int(self.pub_to_sub(p, s, mark)[1])
+
+    def pub_to_sub(self, p: str, s: str, octets: str, missed: str = "[0-9]+") -> tuple[str, str, str]:
+        """Sends this message and waits for it: its life, sequence, and how many were missed."""
+        self.pub.tell(f"send {p} {octets}")
+        size = len(octets) // 2
+        found = self.sub.find(f"message {s} ([0-9a-f]{{16}}) ([0-9]+) ({missed}) {size} {octets[:64]}")
+        return found[1], found[2], found[3]
+
+    def _request(self, command: str, keys: str, agent: Spoken) -> str:
+        label = fresh(command)
+        found = agent.asked(f"{command} {label} {keys}", f"(ok|error) {label}( .*)?")
+        if found[1] == "error":
+            raise Failed(f"{agent.name} was refused {command} {keys}:{found[2]}")
+        return label
+
+
+def counted(agent: Spoken, label: str) -> dict[str, int]:
+    """What `count` says."""
+    found = agent.asked(f"count {label}", f"count {label} (.*)")
+    return {key: int(value) for key, value in (word.split("=") for word in found[1].split())}
+
+
+def counted_until(agent: Spoken, label: str, is_so: Callable[[dict[str, int]], bool]) -> dict[str, int]:
+    """What `count` says when this is so, or behind some seconds in which it did not become so."""
+    end = time.monotonic() + PATIENCE_SECONDS
+    while not is_so(counts := counted(agent, label)) and time.monotonic() < end:
+        agent.asked("identity number 1", "identity 1")  # gives it time
+    return counts
+
+
+def must(holds: bool, text: str) -> None:
+    """Raises Failed where it does not."""
+    if not holds:
+        raise Failed(text)

@@ -1,0 +1,138 @@
+"""A process whose lines are waited for: an agent, or a daemon."""
+
+from __future__ import annotations
+
+import re
+import signal
+import subprocess
+import threading
+import time
+from collections.abc import Sequence
+
+#: Nothing takes so long; who waits for longer has failed.
+PATIENCE_SECONDS = 30.0
+
+
+class Failed(Exception):
+    """A check does not hold."""
+
+
+class Spoken:
+    """Every line of its standard output (and error, where `with_errors`) is kept; waits are for lines from a position on."""
+
+    def __init__(self, name: str, command: Sequence[str], environment: dict[str, str], with_errors: bool = False) -> None:
+        self.name = name
+        self.lines: list[str] = []
+        self._changed = threading.Condition()
+        self._is_over = False
+        self._at = 0
+        self._process = subprocess.Popen(
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT if with_errors else None,
+            env=environment,
+            text=True,
+            errors="replace",
+            start_new_session=True,
+        )
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
+
+    def _read(self) -> None:
+        assert self._process.stdout is not None
+        for line in self._process.stdout:
+            with self._changed:
+                self.lines.append(line.rstrip("\r\n"))
+                self._changed.notify_all()
+        with self._changed:
+            self._is_over = True
+            self._changed.notify_all()
+
+    def tell(self, line: str) -> None:
+        """Writes a line to it."""
+        assert self._process.stdin is not None
+        try:
+            self._process.stdin.write(line + "\n")
+            self._process.stdin.flush()
+        except OSError as error:
+            raise Failed(f"{self.name} has ended; it was told: {line[:100]}") from error
+
+    def find(self, pattern: str, seconds: float = PATIENCE_SECONDS) -> re.Match[str]:
+        """The first line, of those that no find() has passed, that is this pattern, waiting for it. Passes all before it."""
+        wanted = re.compile(pattern)
+        end = time.monotonic() + seconds
+        with self._changed:
+            at = self._at
+            while True:
+                while at < len(self.lines):
+                    found = wanted.fullmatch(self.lines[at])
+                    at += 1
+                    if found is not None:
+                        self._at = at
+                        return found
+                if self._is_over or not self._changed.wait(max(0.0, end - time.monotonic())):
+                    break
+        last = "\n      ".join(self.lines[max(0, len(self.lines) - 12) :])
+        why = "it ended" if self._is_over else f"not within {seconds:g} s"
+        raise Failed(f"{self.name}: no line {pattern!r} ({why}); its last lines:\n      {last}")
+
+    def any(self, pattern: str, seconds: float = PATIENCE_SECONDS) -> re.Match[str]:
+        """The first of all lines that is this pattern, waiting for it. Passes nothing."""
+        at, self._at = self._at, 0
+        try:
+            return self.find(pattern, seconds)
+        finally:
+            self._at = at
+
+    def all(self, pattern: str) -> list[re.Match[str]]:
+        """All lines until now that are this pattern."""
+        with self._changed:
+            found = [re.fullmatch(pattern, line) for line in self.lines]
+        return [one for one in found if one is not None]
+
+    def asked(self, line: str, pattern: str, seconds: float = PATIENCE_SECONDS) -> re.Match[str]:
+        """Tells it a line and finds the answer."""
+        self.tell(line)
+        return self.find(pattern, seconds)
+
+    def kill(self) -> None:
+        """As kill -9 does, and waits for its end."""
+        self._signal(signal.SIGKILL)
+        self._process.wait()
+        self._reader.join()
+
+    def end(self, word: str | None = None) -> int:
+        """Ends it as it wants to be ended, and says its exit status. One that does not end is killed and has failed."""
+        if word is None:
+            self._signal(signal.SIGTERM)
+        elif self._process.poll() is None:
+            self.tell(word)
+        try:
+            status = self._process.wait(PATIENCE_SECONDS)
+        except subprocess.TimeoutExpired:
+            self.kill()
+            raise Failed(f"{self.name} did not end") from None
+        self._reader.join()
+        return status
+
+    def discard(self) -> None:
+        """Whatever it does, it is gone behind this."""
+        if self._process.poll() is None:
+            self.kill()
+        for pipe in (self._process.stdin, self._process.stdout):
+            if pipe is not None:
+                try:
+                    pipe.close()
+                except OSError:
+                    pass
+
+    def _signal(self, number: int) -> None:
+        if self._process.poll() is None:
+            try:
+                # nsenter and wrappers of agents are in its session, too.
+                import os
+
+                os.killpg(self._process.pid, number)
+            except ProcessLookupError:
+                pass
