@@ -43,7 +43,7 @@ class Pair:
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
         try:
             for agent in self._started:
-                if error is None and agent.end("quit") != 0:
+                if error is None and not agent.was_killed and agent.end("quit") != 0:
                     raise Failed(f"{agent.name} was told to quit and did not end with 0")
         finally:
             for agent in self._started:
@@ -82,6 +82,11 @@ class Pair:
             except Failed:
                 continue
         raise Failed("no message came to a listener")
+
+    def settled_stream(self, p: str, s: str) -> int:
+        """Makes sure that a publisher of `otm/stream` is heard; the sequence of its last message."""
+        self.heard(p, s)
+        return self.settled(p, s)
 
     def settled(self, p: str, s: str) -> int:
         """The sequence of the last message: sends a mark and passes all before it."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import signal
 import subprocess
@@ -25,6 +26,7 @@ class Spoken:
         self.lines: list[str] = []
         self._changed = threading.Condition()
         self._is_over = False
+        self.was_killed = False
         self._at = 0
         self._process = subprocess.Popen(
             command,
@@ -98,6 +100,7 @@ class Spoken:
 
     def kill(self) -> None:
         """As kill -9 does, and waits for its end."""
+        self.was_killed = True
         self._signal(signal.SIGKILL)
         self._process.wait()
         self._reader.join()
@@ -130,9 +133,7 @@ class Spoken:
     def _signal(self, number: int) -> None:
         if self._process.poll() is None:
             try:
-                # nsenter and wrappers of agents are in its session, too.
-                import os
-
+                # Wrappers of agents are in its session, too.
                 os.killpg(self._process.pid, number)
             except ProcessLookupError:
                 pass

@@ -96,18 +96,19 @@ class Publisher(RequestOwner):
         return True
 
     async def drain(self) -> None:
-        """Waits until at most 256 KiB wait for each TCP consumer. Over UDP it lets the event loop turn once."""
+        """Waits until the system has taken all that was sent to TCP consumers. Over UDP it lets the event loop turn once."""
         await self._outlet.drain()
 
     async def close(self) -> None:
         """Withdraws the service. Over TCP it waits until what was sent has been taken, 5 s for who takes nothing."""
         if self._is_closed:
             return
-        self._leave()
         try:
+            if self._is_tcp:  # What waits may take its time.
+                self._leave()
             await self._outlet.end(self._sequence)
         finally:
-            self._outlet.abort()
+            self.abort()
 
     def abort(self) -> None:
         """Withdraws the service and closes at once what is open."""

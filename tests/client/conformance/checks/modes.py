@@ -15,19 +15,17 @@ def exchange(pair: Pair, mode: str, protocol: str, address: str = "") -> None:
     p = pair.offer(f"mode={mode} text={text} protocol={protocol} {address}")
     s = pair.ask(f"mode={mode} text={text}")
     life, _ = pair.met(p, s, is_stream)
-    last = pair.heard(p, s) if is_stream else 0
-    if is_stream:
-        last = pair.settled(p, s)
+    last = pair.settled_stream(p, s) if is_stream else 0
     for octets in ("", "68656c6c6f", "ab" * 40):
         said, sequence, missed = pair.pub_to_sub(p, s, octets)
         must(said == life, f"the message has the life {said}, the provider {life}")
         must((int(sequence), int(missed)) == (last + 1, 0), f"message {last + 1} came as {sequence}, {missed} were missed")
         last += 1
     must(counted(pair.pub, p)["sent"] == last, f"the publisher did not count {last} messages")
+    must(counted(pair.sub, s)["dropped"] == 0, "messages were dropped")
     pair.pub.asked(f"close {p}", f"closed {p}")
     pair.sub.find(f"provider {s} removed {life} withdrawn")
     must(not pair.sub.all(f"provider {s} modified .*"), "the provider was told as modified")
-    must(counted(pair.sub, s)["dropped"] == 0, "messages were dropped")
     pair.sub.asked(f"close {s}", f"closed {s}")
 
 

@@ -13,8 +13,8 @@ from ..core.frame_reader import BrokenStream, FrameReader
 
 #: What may wait for a consumer, beside one message.
 MAX_WAITING_OCTETS = 4 * 1024 * 1024
-#: drain() ends when no more than this waits.
-LOW_WATER_OCTETS = 256 * 1024
+#: Payloads up to here are copied behind their header, so that one call sends both.
+_COPIED_OCTETS = 256 * 1024
 #: Whoever does not take anything for so long after the end is not waited for.
 LINGER_SECONDS = 5.0
 _READ_OCTETS = 256 * 1024
@@ -52,7 +52,7 @@ class TcpConnection:
     def offer(self, header: bytes, payload: bytes) -> bool:
         """Sends a frame, or keeps it until there is room; False where too much waits already."""
         if not self._waiting:
-            if len(payload) <= LOW_WATER_OCTETS:
+            if len(payload) <= _COPIED_OCTETS:
                 frame = header + payload
                 sent = self._sent(frame)
                 if sent == len(frame):
@@ -79,8 +79,8 @@ class TcpConnection:
             self._keep(memoryview(frame))
 
     async def drain(self) -> None:
-        """Waits until little waits, or the connection ends."""
-        await self._until(lambda: self.waiting_octets <= LOW_WATER_OCTETS)
+        """Waits until nothing waits, or the connection ends."""
+        await self._until(lambda: not self._waiting)
 
     async def closed(self) -> None:
         """Waits for the connection's end."""
