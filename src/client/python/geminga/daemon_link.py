@@ -50,6 +50,8 @@ class DaemonLink:
         self._transport: asyncio.Transport | None = None
         self._backoff = Backoff(random.random)
         self.is_connected = False
+        #: Done when the daemon has been reached, or was not at the first attempt.
+        self.attempted: asyncio.Future[None] = loop.create_future()
         self._task = loop.create_task(self._run())
 
     def flush(self) -> None:
@@ -65,6 +67,7 @@ class DaemonLink:
                 if isinstance(report, Welcome):
                     self.is_connected = True
                     self._backoff.reset()
+                    self._attempt()
                 self._report(report)
         except LineError:
             if self._transport is not None:
@@ -87,6 +90,7 @@ class DaemonLink:
     def abort(self) -> None:
         """Ends at once. Whatever the daemon has of this node, it withdraws when it sees that."""
         self._task.cancel()
+        self._attempt()
         if self._transport is not None:
             self._transport.abort()
             self._transport = None
@@ -96,6 +100,7 @@ class DaemonLink:
             sock = await self._reach()
             if sock is not None:
                 await self._talk(sock)
+            self._attempt()
             await asyncio.sleep(self._backoff.seconds())
 
     async def _reach(self) -> socket.socket | None:
@@ -133,6 +138,10 @@ class DaemonLink:
         if self.is_connected:
             self.is_connected = False
             self._lost()
+
+    def _attempt(self) -> None:
+        if not self.attempted.done():
+            self.attempted.set_result(None)
 
     def _look(self) -> None:
         """Who has not answered hello by now is no daemon, or one that hangs."""

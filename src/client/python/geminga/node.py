@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 from collections import deque
 from collections.abc import AsyncIterator, Callable, Mapping
 from types import TracebackType
@@ -26,6 +27,8 @@ from .subscriber import Subscriber
 #: What waits for each events() that is not read; the newest are lost beyond.
 MAX_HAPPENINGS = 4096
 
+_log = logging.getLogger("geminga")
+
 OnEvent = Callable[[Happening], None]
 
 
@@ -47,7 +50,7 @@ class Node:
         self.loop: asyncio.AbstractEventLoop
 
     async def __aenter__(self) -> Node:
-        self.open()
+        await self.open()
         return self
 
     async def __aexit__(
@@ -55,10 +58,15 @@ class Node:
     ) -> None:
         await self.close()
 
-    def open(self) -> None:
-        """Begins to look for the daemon. Must be called in a running event loop; `async with` calls it."""
+    async def open(self) -> None:
+        """Looks for the daemon, and goes on looking where it is not there. `async with` calls it."""
         self.loop = asyncio.get_running_loop()
         self._link = DaemonLink(self.loop, self._session, self._endpoints, self._take, self._lost)
+        try:
+            await self._link.attempted
+        except BaseException:
+            self._link.abort()
+            raise
 
     @property
     def is_connected(self) -> bool:
@@ -186,7 +194,9 @@ class Node:
         self._flush()
 
     def tell(self, happening: Happening) -> None:
-        """Tells the application."""
+        """Tells the application. A problem is logged besides, by the logger `geminga`."""
+        if isinstance(happening, Problem):
+            _log.warning("%s", happening.text)
         if self._on_event is not None:
             try:
                 self._on_event(happening)

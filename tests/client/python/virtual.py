@@ -1,0 +1,204 @@
+"""Tests of sockets without waiting: an event loop whose clock goes on when nothing else does, and a daemon that obeys."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import selectors
+import sys
+import unittest
+from collections.abc import Callable, Coroutine
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(ROOT / "src/client/python"))
+
+logging.getLogger("geminga").disabled = True  # Tests look at problems themselves.
+
+import geminga  # noqa: E402
+from geminga.core.line_reader import LineReader  # noqa: E402
+from geminga.core.statement import ErrorLine, Statement, read_line  # noqa: E402
+
+
+#: What was sent to a socket of the own host is there by then, though some systems deliver it behind the call that sends.
+_IN_FLIGHT_SECONDS = 0.001
+_HANGS_SECONDS = 20.0
+
+
+class _Selector(selectors.EpollSelector):
+    """Where no socket becomes ready, the wait is for a timer, and the clock goes on to it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.loop: VirtualLoop
+
+    def select(self, timeout: float | None = None) -> list[tuple[selectors.SelectorKey, int]]:
+        if timeout is None:
+            ready = super().select(_HANGS_SECONDS)
+            if not ready:
+                for task in asyncio.all_tasks(self.loop):
+                    task.print_stack()
+                raise AssertionError("everybody waits, and nothing will come")
+            return ready
+        ready = super().select(0 if timeout <= 0 else _IN_FLIGHT_SECONDS)
+        if not ready and timeout > 0:
+            self.loop.passed += timeout
+        return ready
+
+
+class VirtualLoop(asyncio.SelectorEventLoop):
+    """Its clock begins at 0 and stands still while there is something to do."""
+
+    def __init__(self) -> None:
+        self.passed = 0.0
+        selector = _Selector()
+        selector.loop = self
+        super().__init__(selector)
+
+    def time(self) -> float:
+        return self.passed
+
+
+class VirtualTestCase(unittest.TestCase):
+    """`self.run_async(coroutine)` runs it in virtual time; what fails in a callback fails the test."""
+
+    def run_async(self, work: Coroutine[Any, Any, None]) -> None:
+        broken: list[dict[str, Any]] = []
+
+        async def watched() -> None:
+            asyncio.get_running_loop().set_exception_handler(lambda _, context: broken.append(context))
+            try:
+                await work
+            finally:
+                for daemon in list(Daemon.running):
+                    await daemon.stop()
+
+        with asyncio.Runner(loop_factory=VirtualLoop) as runner:
+            runner.run(watched())
+        self.assertEqual(broken, [])
+
+
+async def until(holds: Callable[[], object], seconds: float = 60.0) -> None:
+    """Lets the others go on until this holds."""
+    loop = asyncio.get_running_loop()
+    end, step = loop.time() + seconds, 0.001
+    while not holds():
+        if loop.time() >= end:
+            raise AssertionError("this did not come to hold")
+        await asyncio.sleep(step)
+        step = min(2 * step, 0.1)
+
+
+class Peer:
+    """A connection to the daemon, as the daemon sees it."""
+
+    def __init__(self, daemon: Daemon, writer: asyncio.StreamWriter) -> None:
+        self.daemon = daemon
+        self.writer = writer
+        self.heard: list[Statement] = []
+
+    def say(self, *lines: str) -> None:
+        for line in lines:
+            self.writer.write(line.encode() + b"\r\n")
+
+    def of(self, command: str, subcommand: str) -> list[Statement]:
+        """What it was told of this kind."""
+        return [line for line in self.heard if (line.command, line.subcommand) == (command, subcommand)]
+
+
+class Daemon:
+    """Answers hello and ping. `answer` may do more with each statement."""
+
+    running: list[Daemon] = []
+
+    def __init__(self) -> None:
+        self.peers: list[Peer] = []
+        self.port = 0
+        self.answer: Callable[[Peer, Statement], None] = lambda peer, line: None
+        self.answers_hello = True
+        self._server: asyncio.Server | None = None
+
+    async def start(self) -> None:
+        self._server = await asyncio.start_server(self._serve, "127.0.0.1", self.port)
+        self.port = self._server.sockets[0].getsockname()[1]
+        Daemon.running.append(self)
+
+    async def stop(self) -> None:
+        """As kill -9 does."""
+        assert self._server is not None
+        Daemon.running.remove(self)
+        self._server.close()
+        for peer in self.peers:
+            peer.writer.transport.abort()
+        self.peers.clear()
+        await self._server.wait_closed()
+
+    @property
+    def address(self) -> str:
+        return f"127.0.0.1:{self.port}"
+
+    async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        peer = Peer(self, writer)
+        self.peers.append(peer)
+        lines = LineReader()
+        while octets := await reader.read(65536):
+            for octets in lines.feed(octets):
+                line = read_line(octets)
+                assert not isinstance(line, ErrorLine)
+                peer.heard.append(line)
+                if line.subcommand == "hello" and self.answers_hello:
+                    peer.say("0 msg hello version=1 participant=1a2b3c4d peer=1 participant_name=host")
+                self.answer(peer, line)
+                if line.subcommand == "ping":
+                    peer.say("0 msg pong")
+        writer.close()
+
+    async def request(self, command: str, number: int = 0) -> tuple[Peer, Statement]:
+        """The request of this kind that has been made, of whichever peer, counted from 0."""
+
+        def made() -> list[tuple[Peer, Statement]]:
+            return [(peer, line) for peer in self.peers for line in peer.of(command, "create")]
+
+        await until(lambda: len(made()) > number)
+        return made()[number]
+
+
+def add_provider(to: tuple[Peer, Statement], of: Statement, word: str = "1a2b3c4d/1/1", change: str = "add", more: str = "") -> None:
+    """Tells a subscriber of a publication."""
+    peer, sub = to
+    address = of.get("address", "127.0.0.1")
+    peer.say(
+        f"{sub.id} pub {change} service={word} provider=1a2b3c4d/1 text=x degree=exact distance=0 mode={of.get('mode')} "
+        f"address={address} port={of.get('port')} protocol={of.get('protocol')} priority=0 channel={of.get('channel')} {more}"
+    )
+
+
+def add_consumer(to: tuple[Peer, Statement], of: Statement, word: str = "1a2b3c4d/2/1", change: str = "add") -> None:
+    """Tells a publisher of a subscription."""
+    peer, pub = to
+    port = f"port={of.get('port')} " if of.get("port") else ""
+    peer.say(
+        f"{pub.id} sub {change} subscription={word} consumer=1a2b3c4d/2 text=x degree=exact distance=0 mode={of.get('mode')} "
+        f"address=127.0.0.1 {port}priority=0 channel={of.get('channel')}"
+    )
+
+
+class Told:
+    """What an application was told."""
+
+    def __init__(self) -> None:
+        self.all: list[geminga.Happening] = []
+
+    def __call__(self, what: geminga.Happening) -> None:
+        self.all.append(what)
+
+    @property
+    def changes(self) -> list[str]:
+        """`added`, `removed withdrawn`, ... of providers and consumers."""
+        kinds = (geminga.ProviderChanged, geminga.ConsumerChanged)
+        return [f"{one.change} {one.reason}".strip() for one in self.all if isinstance(one, kinds)]
+
+    @property
+    def problems(self) -> list[str]:
+        return [one.text for one in self.all if isinstance(one, geminga.Problem)]
