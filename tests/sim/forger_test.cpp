@@ -211,7 +211,7 @@ TEST(Forger, ThatLiesWithoutEndIsContradictedABoundedNumberOfTimes) {
   }
   const auto contradictions = field.world.datagrams() - before - forged;
   EXPECT_LE(contradictions, periodic + 10 * membership::contradictions_per_interval +
-                                membership::contradiction_capacity + 2 + milliseconds(500) / membership::ask_spacing);
+                                membership::contradiction_capacity + 4 + milliseconds(500) / membership::lack_spacing);
 }
 
 TEST(Forger, ThatClaimsAnOwnersIdentifierIsAnsweredWithOneDatagramBeforeItsClaimIsOver) {

@@ -17,6 +17,7 @@
 #include "discovery/membership/neighbour_table.hpp"
 #include "discovery/membership/neighbour_ways.hpp"
 #include "discovery/membership/passed.hpp"
+#include "discovery/membership/search.hpp"
 #include "discovery/membership/service_room.hpp"
 #include "discovery/membership/settled.hpp"
 #include "discovery/membership/standing.hpp"
@@ -86,6 +87,12 @@ class NeighbourRecord {
   void ask(base::Instant now) { life_.ask(now, answer_time(known_loss())); }
   [[nodiscard]] std::optional<base::Instant> succeeded() const { return life_.succeeded(); }
   void set_succeeded(std::optional<base::Instant> succeeded) { life_.set_succeeded(succeeded); }
+  /// Its deadline has passed: whether it is looked for, since it may be out of reach only.
+  [[nodiscard]] bool is_sought(base::Instant now) const {
+    const auto succeeded = life_.succeeded();
+    const bool has_next_life = succeeded && now - *succeeded < announcement::contest_intervals * interval();
+    return standing_.span() >= sought_after && !has_next_life;
+  }
   /// When we last heard it ourselves.
   [[nodiscard]] base::Instant heard() const { return life_.heard(); }
   [[nodiscard]] const std::string& name() const { return header_.value().name; }

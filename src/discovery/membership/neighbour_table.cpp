@@ -49,18 +49,21 @@ class NeighbourTable::State final : private ServiceRoom {
     return hearing;
   }
 
-  void expire(Instant now) {
-    if (timetable_.next() > now) return;
+  std::size_t expire(Instant now) {
+    std::size_t lost = 0;
+    if (timetable_.next() > now) return lost;
     for (const auto id : timetable_.due(now)) {
       const auto known = records_.find(id);
       known->second.record->ask_witnesses(now);
       if (known->second.record->deadline() <= now) {
+        lost += known->second.record->is_sought(now) ? 1 : 0;
         former_.remember_expired(remove(known, Departure::expired), now);
       } else {
         known->second.record->expire(now, changes);
         set_due(*known, now);
       }
     }
+    return lost;
   }
 
   void postpone(Instant until) {
@@ -350,16 +353,15 @@ void NeighbourTable::set_secret(std::uint64_t secret) { state_->set_secret(secre
 Hearing NeighbourTable::hear(const announcement::Announcement& announcement, const Arrival& arrival) {
   return state_->hear(announcement, arrival);
 }
-void NeighbourTable::expire(base::Instant now) { state_->expire(now); }
+std::size_t NeighbourTable::expire(base::Instant now) { return state_->expire(now); }
 void NeighbourTable::postpone(base::Instant until) { state_->postpone(until); }
 Report NeighbourTable::report(base::Instant now) { return state_->report(now); }
 bool NeighbourTable::lacks_anybody(base::Instant now) { return state_->lacks_anybody(now); }
 bool NeighbourTable::doubts_anybody() const { return state_->doubts_anybody(); }
-
-bool NeighbourTable::differs_newly(const announcement::Announcement& presence, base::Instant now) {
-  return state_->witnesses().differs_newly(presence, now);
+Unknown NeighbourTable::compare(const announcement::Announcement& presence, base::Instant now) {
+  return state_->witnesses().compare(presence, now);
 }
-
+bool NeighbourTable::is_unlike(base::Instant now) const { return state_->witnesses().is_unlike(now); }
 bool NeighbourTable::misses_us(const announcement::Announcement& presence, base::Instant since, base::Duration interval,
                                base::Instant now) {
   return state_->witnesses().misses_us(presence, since, interval, now);

@@ -14,6 +14,7 @@
 #include "base/time.hpp"
 #include "discovery/announcement/announcement.hpp"
 #include "discovery/membership/hearing.hpp"
+#include "discovery/membership/witnesses.hpp"
 #include "env/env.hpp"
 #include "geminga/service.hpp"
 
@@ -137,8 +138,9 @@ class NeighbourTable {
   /// changed (or a sixteenth of an interval has gone by) all entries of its sender; while all room for services is
   /// taken also a look at every participant for each service that others make room for.
   [[nodiscard]] Hearing hear(const announcement::Announcement& announcement, const Arrival& arrival);
-  /// Removes what has its deadline at or before `now`.
-  void expire(base::Instant now);
+  /// Removes what has its deadline at or before `now`. How many participants of them may come back into reach: who was
+  /// heard for sought_after, and whose next life does not seem to have begun.
+  std::size_t expire(base::Instant now);
   /// When expire() has something to do, or a little before; base::never: nothing. Its cost is constant.
   [[nodiscard]] base::Instant next_deadline() const;
   /// We were not awake when something was due: nobody's deadline is before `until`, so that what has come in meanwhile
@@ -160,8 +162,10 @@ class NeighbourTable {
   /// Somebody else says that it doubts these, whom all can hear answer: that counts as asked by us, too. Whether all
   /// whom we doubt are among them.
   bool hear_doubts(const std::vector<ParticipantId>& doubts, base::Instant now);
-  /// Whether somebody known, who says this, knows other participants than we do, and one of us only of late.
-  [[nodiscard]] bool differs_newly(const announcement::Announcement& presence, base::Instant now);
+  /// Whom somebody known, who says this, does not know (Witnesses::compare()).
+  Unknown compare(const announcement::Announcement& presence, base::Instant now);
+  /// Whether the last of these could not be told (Witnesses::is_unlike()).
+  [[nodiscard]] bool is_unlike(base::Instant now) const;
   /// Whether somebody known, who says this, may have heard nothing of us since then (Witnesses::misses_us()).
   [[nodiscard]] bool misses_us(const announcement::Announcement& presence, base::Instant since, base::Duration interval,
                                base::Instant now);

@@ -2,6 +2,7 @@
 #include "discovery/membership/schedule.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/assert.hpp"
 #include "discovery/announcement/limits.hpp"
@@ -23,6 +24,7 @@ Schedule::Schedule(ScheduleOptions options, std::uint64_t seed)
       doubts_{base::never, {ask_capacity, options.interval / asks_per_interval}},
       challenges_{base::never, {ask_capacity, options.interval / asks_per_interval}},
       differs_{base::never, {differing_capacity, options.interval}},
+      searches_(search_capacity, search_refill_intervals * options.interval),
       proofs_(proof_capacity, options.interval / proofs_per_interval),
       contradictions_(contradiction_capacity, options.interval / contradictions_per_interval) {
   GEMINGA_ASSERT(options_.interval >= std::chrono::milliseconds(1));
@@ -34,7 +36,7 @@ Duration Schedule::spread(Duration time, double share) {
 }
 
 std::size_t state_copies(std::optional<double> loss) {
-  if (!loss) return 5;
+  if (!loss) return 4;
   if (*loss < 0.005) return 1;
   if (*loss < 0.02) return 2;
   if (*loss < 0.15) return 3;
@@ -46,7 +48,7 @@ void Schedule::changed(Say what, Instant now) {
   is_running_ = true;
   if (next_copy(Say::state) != never) what = Say::state;
   const auto said = state_copies(loss_);
-  const auto all = said + std::min(said, presence_copies);
+  const auto all = said + (loss_ ? std::min(said, presence_copies) : unknown_presence_copies);
   copies_ = {{now, what}};
   for (std::size_t i = 1; i < all; ++i) {
     copies_.push_back({now + spread(repeat_delays[i - 1], repeat_jitter), i < said ? what : Say::presence});
@@ -84,21 +86,28 @@ void Schedule::lacked(Instant now) {
   if (has_sent_) repair_ = std::max(repair_, state_sent_ + repair_spacing);
 }
 
-void Schedule::plan(Question& question, bool is_open, Instant now) {
+void Schedule::lacked_by_stranger(Instant now) {
+  if (!is_running_ || !newcomers_.has(now)) return;
+  auto due = now + random_.between(Duration::zero(), max_repair_delay);
+  if (has_sent_) due = std::max(due, state_sent_ + repair_spacing);
+  if (answers_.empty() || due < answers_.front()) answers_.insert(answers_.begin(), due);
+}
+
+void Schedule::plan(Question& question, bool is_open, Duration spacing, Instant now) {
   if (!is_open || !is_running_) {
     question.due = never;
   } else if (question.due == never) {
-    question.due =
-        std::max(now + random_.between(Duration::zero(), slowed(max_ask_delay)), presence_sent_ + slowed(ask_spacing));
+    question.due = now + random_.between(Duration::zero(), slowed(max_ask_delay));
+    if (question.asked) question.due = std::max(question.due, *question.asked + slowed(spacing));
   }
 }
 
 void Schedule::ask(bool lacks, bool doubts, Instant now) {
-  plan(lacks_, lacks, now);
-  plan(doubts_, doubts, now);
+  plan(lacks_, lacks, lack_spacing, now);
+  plan(doubts_, doubts, ask_spacing, now);
 }
 
-void Schedule::challenge(bool is_open, Instant now) { plan(challenges_, is_open, now); }
+void Schedule::challenge(bool is_open, Instant now) { plan(challenges_, is_open, ask_spacing, now); }
 
 void Schedule::asked_by_another(Instant now) {
   if (doubts_.due == never) return;
@@ -110,6 +119,15 @@ void Schedule::differ(Instant now) {
   if (!is_running_ || differs_.due != never || !differs_.budget.has(now)) return;
   differs_.due =
       std::max(now, last_sent_ + slowed(differing_spacing)) + random_.between(Duration::zero(), slowed(max_ask_delay));
+}
+
+void Schedule::search(std::optional<Duration> spacing, Instant now) {
+  search_spacing_ = is_running_ ? spacing : std::nullopt;
+  if (!search_spacing_) {
+    search_ = never;
+  } else if (search_ == never) {
+    search_ = now + random_.between(Duration::zero(), *search_spacing_);
+  }
 }
 
 void Schedule::doubted(Instant now) {
@@ -145,6 +163,7 @@ void Schedule::pause() {
   doubts_.due = never;
   challenges_.due = never;
   differs_.due = never;
+  search_ = never;
   proof_ = never;
   testimony_ = never;
   denial_ = never;
@@ -178,10 +197,10 @@ Instant Schedule::presence_wanted() const {
     return wanted == never ? never : std::max(wanted, budget.due());
   };
   const auto periodic = is_insistent() ? never : periodic_;
-  return std::min({next_copy(Say::presence), periodic, denial_, limited(lacks_.due, lacks_.budget),
-                   limited(doubts_.due, doubts_.budget), limited(differs_.due, differs_.budget),
-                   limited(challenges_.due, challenges_.budget), limited(std::min(proof_, testimony_), proofs_),
-                   limited(contested_, contests_)});
+  return std::min({next_copy(Say::presence), periodic, limited(search_, searches_), denial_,
+                   limited(lacks_.due, lacks_.budget), limited(doubts_.due, doubts_.budget),
+                   limited(differs_.due, differs_.budget), limited(challenges_.due, challenges_.budget),
+                   limited(std::min(proof_, testimony_), proofs_), limited(contested_, contests_)});
 }
 
 Instant Schedule::spaced() const { return has_sent_ ? last_sent_ + min_spacing : Instant::min(); }
@@ -206,6 +225,13 @@ void Schedule::begin_answers(Instant now) {
     std::ranges::for_each(answer_delays, answer);
   } else {
     std::ranges::for_each(bad_answer_delays, answer);
+  }
+  if (next_copy(Say::presence) == never && newcomers_.has(now)) {
+    for (const Duration delay : answer_presence_delays) {
+      copies_.push_back({now + spread(slowed(delay), repeat_jitter), Say::presence});
+      newcomers_.take(now);
+      if (loss_ && state_copies(loss_) < 5) break;
+    }
   }
 }
 
@@ -256,8 +282,8 @@ bool Schedule::take_presence(Instant now) {
   pay(differs_.due, differs_.budget);
   pay(std::min(proof_, testimony_), proofs_);
   pay(contested_, contests_);
+  pay(search_, searches_);
   if (denial_ <= now) denial_ = --denials_left_ > 0 ? now + denial_spacing : never;
-  presence_sent_ = now;
   drop_copies(true, now);
   return true;
 }
@@ -273,7 +299,13 @@ Schedule::Say Schedule::take(Instant now) {
   const bool is_state = told == Say::state;
   if (told == Say::nothing && !take_presence(now)) return Say::nothing;
   // Either shows that we live and whose the identifier is; what we ask only a presence says.
-  if (told == Say::nothing) lacks_.due = doubts_.due = challenges_.due = testimony_ = never;
+  if (told == Say::nothing) {
+    for (Question* question : {&lacks_, &doubts_, &challenges_}) {
+      if (std::exchange(question->due, never) != never) question->asked = now;
+    }
+    testimony_ = never;
+  }
+  if (search_spacing_) search_ = now + spread(*search_spacing_, interval_jitter);
   proof_ = differs_.due = never;
   contested_ = never;
   if (announced_until_slower_ > 0 && --announced_until_slower_ == 0) interval_ = said_interval();

@@ -35,6 +35,8 @@ inline constexpr std::array<base::Duration, 8> repeat_delays = {
     std::chrono::milliseconds(400), std::chrono::milliseconds(700)};
 /// Copies of the presence behind those of the state, but not more than those.
 inline constexpr std::size_t presence_copies = 2;
+/// While the loss is not known, as when a team starts.
+inline constexpr std::size_t unknown_presence_copies = 4;
 /// Each of these delays is spread by this share in both directions.
 inline constexpr double repeat_jitter = 0.2;
 /// How often a changed state is sent at this loss (ANNOUNCEMENT.md, "When it is sent"). Nothing: the loss is not known.
@@ -51,18 +53,18 @@ inline constexpr base::Duration max_newcomer_delay = std::chrono::milliseconds(2
 /// After the first copy for a newcomer further ones follow so long after it, spread as above; more where at least
 /// bad_loss is lost.
 inline constexpr double bad_loss = 0.4;
-inline constexpr std::array<base::Duration, 2> answer_delays = {std::chrono::milliseconds(60),
-                                                                std::chrono::milliseconds(200)};
-inline constexpr std::array<base::Duration, 4> bad_answer_delays = {
-    std::chrono::milliseconds(30), std::chrono::milliseconds(60), std::chrono::milliseconds(120),
-    std::chrono::milliseconds(200)};
+inline constexpr std::array<base::Duration, 1> answer_delays = {std::chrono::milliseconds(60)};
+inline constexpr std::array<base::Duration, 3> bad_answer_delays = {
+    std::chrono::milliseconds(30), std::chrono::milliseconds(60), std::chrono::milliseconds(120)};
+inline constexpr std::array<base::Duration, 2> answer_presence_delays = {std::chrono::milliseconds(120),
+                                                                         std::chrono::milliseconds(400)};
 /// Newcomers start copies at most once in this time; one that comes within it is answered at its end, unless copies
 /// that are due anyway reach it.
 inline constexpr base::Duration newcomer_spacing = std::chrono::seconds(1);
 /// What answers to newcomers may cost, in datagrams of one link: ten rounds of a small state at once, so that a team
 /// that is switched on within ten seconds is answered, and then one datagram in so many intervals, which is a quarter
 /// of what a state in each interval would cost. A newcomer that finds it used up learns of us within one interval.
-inline constexpr std::int64_t answer_capacity = 32;
+inline constexpr std::int64_t answer_capacity = 40;
 inline constexpr int answer_refill_intervals = 4;
 
 /// Repeats of the state for participants that say that they lack it, likewise in datagrams of one link: so many at
@@ -77,7 +79,11 @@ inline constexpr base::Duration repair_spacing = std::chrono::milliseconds(25);
 inline constexpr std::int64_t ask_capacity = 40;
 inline constexpr int asks_per_interval = 2;
 inline constexpr base::Duration ask_spacing = std::chrono::milliseconds(100);
+inline constexpr base::Duration lack_spacing = std::chrono::milliseconds(50);
 inline constexpr base::Duration max_ask_delay = std::chrono::milliseconds(20);
+/// Presences for those whom we have lost, likewise: enough for two searches of a team of ten (search.hpp).
+inline constexpr std::int64_t search_capacity = 120;
+inline constexpr int search_refill_intervals = 4;
 /// Signs of life for those that doubt us, or doubt somebody whom we hear, likewise; one answers all who doubt
 /// meanwhile.
 inline constexpr std::int64_t proof_capacity = 40;
@@ -141,6 +147,8 @@ class Schedule {
   void set_loss(std::optional<double> loss) { loss_ = loss; }
   /// A known participant says that it lacks our state: a copy is due soon, as long as the budget lasts.
   void lacked(base::Instant now);
+  /// A stranger, whose state we have not heard either, says that it lacks ours: likewise, of the budget for answers.
+  void lacked_by_stranger(base::Instant now);
   /// Whether we lack somebody's state, and whether we doubt that somebody lives (NeighbourTable): our presence is due
   /// again and again. Each has its own budget, so that who makes us say the one does not keep us from the other.
   void ask(bool lacks, bool doubts, base::Instant now);
@@ -152,6 +160,8 @@ class Schedule {
   /// Somebody does not know the same participants as we do, perhaps not us, or has not heard us since we changed: our
   /// presence is due soon, so that he can say that he lacks our state.
   void differ(base::Instant now);
+  /// Somebody was lost of late: our presence is due so long after each of our words. Nothing: nobody is looked for.
+  void search(std::optional<base::Duration> spacing, base::Instant now);
   /// Somebody doubts that we live: our presence is due.
   void doubted(base::Instant now);
   /// Somebody begins our own life anew, it seems: our presence is due again and again for a short while. Once in
@@ -182,15 +192,15 @@ class Schedule {
   struct Question {
     base::Instant due = base::never;
     TokenBucket budget;
+    std::optional<base::Instant> asked{};  ///< when it was said last
   };
   /// One copy of a change.
   struct Copy {
     base::Instant due;
     Say what;
   };
-  static constexpr std::size_t answer_copies = answer_delays.size() + 1;
 
-  void plan(Question& question, bool is_open, base::Instant now);
+  void plan(Question& question, bool is_open, base::Duration spacing, base::Instant now);
   [[nodiscard]] base::Duration spread(base::Duration time, double share);
   [[nodiscard]] base::Duration said_interval() const { return announcement::stretched(options_.interval, doublings_); }
   /// A time that grows with the number of those that share the air.
@@ -218,9 +228,10 @@ class Schedule {
   int announced_until_slower_ = 0;
   std::vector<base::Instant> answers_;  ///< the copies for newcomers that are still to come, in their order
   base::Instant periodic_ = base::never;
-  base::Instant insistent_until_;          ///< until then the state is said each time
-  base::Instant repair_ = base::never;     ///< when the state is due for who lacks it
-  base::Instant presence_sent_;            ///< when the last presence was said
+  base::Instant insistent_until_;       ///< until then the state is said each time
+  base::Instant repair_ = base::never;  ///< when the state is due for who lacks it
+  base::Instant search_ = base::never;  ///< when the presence is due for whom we have lost
+  std::optional<base::Duration> search_spacing_;
   base::Instant proof_ = base::never;      ///< when a sign of life is due because somebody doubts us
   base::Instant testimony_ = base::never;  ///< when the presence is due because somebody doubts another one
   base::Instant denial_ = base::never;     ///< when the next one is due
@@ -242,6 +253,7 @@ class Schedule {
   Question doubts_;
   Question challenges_;
   Question differs_;
+  TokenBucket searches_;
   TokenBucket proofs_;
   TokenBucket contests_{contest_capacity, contest_refill};
   TokenBucket contradictions_;

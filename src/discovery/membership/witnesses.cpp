@@ -106,16 +106,45 @@ announcement::Witness Witnesses::say(Instant now) const {
   return witness;
 }
 
-bool Witnesses::differs_newly(const announcement::Announcement& presence, Instant now) {
+Unknown Witnesses::explain(std::uint16_t difference) const {
+  const auto cut = [](std::uint64_t fold) { return static_cast<std::uint16_t>(fold); };
+  const auto ours = cut(self_fold_);
+  if (difference == ours) return Unknown::us;
+  if (others_.size() > max_told_apart) return Unknown::unclear;
+  std::array<std::uint16_t, max_told_apart> all{};
+  const auto folds = std::span(all).first(others_.size());
+  for (std::size_t place = 0; place < folds.size(); ++place) {
+    folds[place] = cut(fold_of(ids_[place], others_[place].boot));
+  }
+  auto unknown = Unknown::unclear;
+  for (const std::uint16_t one : folds) {
+    if (difference == (one ^ ours)) return Unknown::us;
+    // One, of itself and of nobody, or two.
+    const auto is_other = [&](std::uint16_t two) { return difference == one || difference == (one ^ two); };
+    if (std::ranges::any_of(folds, is_other)) unknown = Unknown::others;
+  }
+  return unknown;
+}
+
+Unknown Witnesses::compare(const announcement::Announcement& presence, Instant now) {
   const auto note = [now](std::uint16_t& said, Instant& changed, std::uint16_t fold) {
     if (std::exchange(said, fold) != fold) changed = now;
   };
   const auto place = place_of(presence.participant);
-  if (!is_at(place, presence.participant)) return false;
+  if (!is_at(place, presence.participant)) return Unknown::nobody;
   auto& member = others_[place];
   note(member.said_fold, member.fold_changed, presence.witness.members);
   note(said_fold_, fold_changed_, fold());
-  return presence.witness.members != fold() && now - std::max(member.fold_changed, fold_changed_) < 2 * member.interval;
+  unlike_until_ = {};
+  const auto difference = static_cast<std::uint16_t>(presence.witness.members ^ fold());
+  const auto newly_until = std::max(member.fold_changed, fold_changed_) + 2 * member.interval;
+  if (difference == 0 || now >= newly_until) return Unknown::nobody;
+  const auto unknown = explain(difference);
+  if (unknown == Unknown::unclear) {
+    unlike_fold_ = presence.witness.members;
+    unlike_until_ = newly_until;
+  }
+  return unknown;
 }
 
 bool Witnesses::is_of_same(const announcement::Witness& witness) const {

@@ -17,6 +17,18 @@ namespace geminga::membership {
 /// chance, at 30 % one in four hundred.
 inline constexpr int deaf_intervals = 4;
 
+/// Who is unknown to somebody else, of those whom we know and ourselves: what his fold differs by from ours tells if it
+/// is one or two.
+enum class Unknown : std::uint8_t {
+  nobody,   ///< or he says so for long
+  us,       ///< and perhaps another one
+  others,   ///< who can tell by the same rule
+  unclear,  ///< more than two, or he knows somebody whom we do not
+};
+/// Two are told apart among so many others at most: their 120 pairs are one of a fold's 65536 values by chance with
+/// .002, and then something is said that nobody needed.
+inline constexpr std::size_t max_told_apart = 15;
+
 /// The words of witnesses name nobody: both sides must know the same participants, which a fold of them shows
 /// (ANNOUNCEMENT.md, "Witnesses"). A word of thousands is copied, and touches nobody's record: what was said of
 /// somebody is looked up when its deadline comes.
@@ -35,9 +47,12 @@ class Witnesses {
   [[nodiscard]] bool has_heard(ParticipantId id, base::Instant now) const;
   /// How lately we have heard each of them.
   [[nodiscard]] announcement::Witness say(base::Instant now) const;
-  /// Whether somebody known, who says this, knows other ones than we do, and one of us has not done so for long: not
-  /// for two of its intervals. Some never hear each other, and need not be told again and again.
-  [[nodiscard]] bool differs_newly(const announcement::Announcement& presence, base::Instant now);
+  /// Takes in of whom somebody known speaks, and says whom he does not know, where he or we have come to know others
+  /// within two of his intervals. Some never hear each other, and need not be told again and again.
+  Unknown compare(const announcement::Announcement& presence, base::Instant now);
+  /// Whether the last word of somebody was of other ones than ours, and it is unclear of whom: one of us does not know
+  /// all, and it may be ourselves.
+  [[nodiscard]] bool is_unlike(base::Instant now) const { return now < unlike_until_ && unlike_fold_ != fold(); }
   /// Whether somebody known, who says this, has not heard us for one of our intervals, and has never said that it has
   /// heard us since `since`: so it may not know what we have changed then.
   [[nodiscard]] bool misses_us(const announcement::Announcement& presence, base::Instant since, base::Duration interval,
@@ -82,6 +97,7 @@ class Witnesses {
   /// The others are not the same ones any more.
   void begin_anew();
   [[nodiscard]] std::uint16_t fold() const;
+  [[nodiscard]] Unknown explain(std::uint16_t difference) const;
   /// Takes in what somebody known says of us.
   void hear_of_us(const announcement::Announcement& presence, base::Instant now);
 
@@ -94,6 +110,8 @@ class Witnesses {
   PendingWords pending_;
   std::uint16_t said_fold_ = 0;  ///< ours, when somebody's was compared with it
   base::Instant fold_changed_{};
+  std::uint16_t unlike_fold_ = 0;  ///< of whom nobody knows what differs
+  base::Instant unlike_until_{};
   base::Instant distrusted_until_ = base::Instant::min();
   std::array<Word, 16> words_{};  ///< the last ones; those of one participant that speaks often leave room for others'
   std::size_t next_word_ = 0;

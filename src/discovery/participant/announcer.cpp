@@ -93,6 +93,8 @@ void Announcer::announce() {
   if (doublings < doublings_ || !schedule_.is_slowing()) doublings_ = doublings;
   schedule_.set_doublings(doublings_, now);
   schedule_.ask(core_.neighbours.lacks_anybody(now), core_.neighbours.doubts_anybody(), now);
+  if (core_.neighbours.is_unlike(now)) schedule_.differ(now);
+  schedule_.search(search_.spacing(core_.neighbours.size(), interval(), now), now);
   be_silent_on_twins();
   schedule_.challenge(core_.seal.asks(now) || core_.seal.is_asked(now), now);
   for (;;) {
@@ -214,13 +216,15 @@ void Announcer::heard_presence(const Heard& heard) {
     if (heard.hearing == membership::Hearing::known) {
       schedule_.lacked(now);
     } else {
-      schedule_.newcomer(now);
+      schedule_.lacked_by_stranger(now);
     }
   }
   if (heard.hearing != membership::Hearing::known) return;
   const bool misses_us = core_.neighbours.misses_us(presence, changed_, interval(), now);
   const bool may_lack_change = misses_us && now - changed_ < membership::doubtful_intervals * interval();
-  if (core_.neighbours.differs_newly(presence, now) || may_lack_change) schedule_.differ(now);
+  const membership::Unknown unknown = core_.neighbours.compare(presence, now);
+  if (unknown == membership::Unknown::us) schedule_.lacked(now);
+  if (may_lack_change) schedule_.differ(now);
   if (core_.neighbours.doubts_anybody() && core_.neighbours.hear_doubts(presence.doubts, now)) {
     schedule_.asked_by_another(now);
   }

@@ -13,6 +13,7 @@
 #include "discovery/announcement/announcement.hpp"
 #include "discovery/membership/identifier_claim.hpp"
 #include "discovery/membership/schedule.hpp"
+#include "discovery/membership/search.hpp"
 #include "discovery/participant/change_log.hpp"
 #include "discovery/participant/core.hpp"
 #include "discovery/participant/sent_datagrams.hpp"
@@ -51,6 +52,8 @@ class Announcer {
   void announce();
   /// Our presence is due, since something goes with it.
   void show();
+  /// The deadlines of so many have passed who may come back into reach.
+  void lost(std::size_t participants) { search_.begin(core_.neighbours.size() + participants, core_.env.now()); }
   /// When step_claim() or announce() has something to do, or base::never.
   [[nodiscard]] base::Instant due() const;
 
@@ -92,6 +95,7 @@ class Announcer {
   announcement::BootNonce boot_;
   membership::IdentifierClaim claim_;
   membership::Schedule schedule_;
+  membership::Search search_;
   std::uint64_t revision_ = 0;
   base::Instant changed_{};     ///< when that came
   std::uint8_t doublings_ = 0;  ///< of the interval

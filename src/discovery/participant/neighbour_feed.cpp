@@ -153,12 +153,12 @@ Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceInde
       {.announcement = announcement, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
 }
 
-void expire(Core& core) {
+void expire(Core& core, Announcer& announcer) {
   const base::Instant now = core.env.now();
   if (const base::Instant due = core.neighbours.next_deadline(); due < now - late_after) {
     core.neighbours.postpone(now + time_to_catch_up);
   }
-  core.neighbours.expire(now);
+  if (const std::size_t lost = core.neighbours.expire(now); lost > 0) announcer.lost(lost);
   feed(core);
 }
 

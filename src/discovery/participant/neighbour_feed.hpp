@@ -22,7 +22,7 @@ void feed(Core& core);
 /// is done or nothing is left.
 void proceed_feed(Core& core, Work most);
 /// Removes what has not been heard of before its deadline.
-void expire(Core& core);
+void expire(Core& core, Announcer& announcer);
 
 }  // namespace geminga::participant
 

@@ -154,7 +154,7 @@ class Participant::State {
   /// Ends an event: everything that follows from it is handed to Env, and the timer is set.
   void settle() {
     if (core.phase == Phase::claiming || core.phase == Phase::ready) {
-      expire(core);
+      expire(core, announcer);
       announcer.end_contest();
       switch (announcer.step_claim()) {
         case Announcer::Step::nothing:

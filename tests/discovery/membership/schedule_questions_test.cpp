@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "discovery/membership/deadline.hpp"
@@ -35,10 +36,43 @@ TEST(Schedule, AsksAgainAndAgainForAsLongAsItHasAQuestionButEverMoreSlowly) {
   }
   ASSERT_GT(asked.size(), 30U);
   EXPECT_LE(asked[0], begin + max_ask_delay);
-  for (std::size_t i = 1; i < asked.size(); ++i) EXPECT_GE(asked[i] - asked[i - 1], ask_spacing) << i;
+  for (std::size_t i = 1; i < asked.size(); ++i) EXPECT_GE(asked[i] - asked[i - 1], lack_spacing) << i;
   EXPECT_LE(asked.size(), static_cast<std::size_t>(ask_capacity) + 10 * (1 + asks_per_interval) + 1);
   schedule.ask(false, false, begin + seconds(20));
   EXPECT_GE(schedule.due(), asked.back() + milliseconds(1800));
+}
+
+TEST(Schedule, LooksForWhoWasLostSoLongAfterEachWordUntilNobodyIsSoughtOrItsBudgetIsSpent) {
+  const auto said_in = [](base::Duration time, bool is_sought) {
+    auto schedule = running(31);
+    const auto begin = start + seconds(10);
+    std::vector<base::Instant> said;
+    for (auto now = begin; now < begin + time; now += milliseconds(1)) {
+      schedule.search(is_sought ? std::optional(milliseconds(500)) : std::nullopt, now);
+      if (schedule.due() <= now && schedule.take(now) == Say::presence) said.push_back(now);
+    }
+    return said.size();
+  };
+  EXPECT_LE(said_in(seconds(20), false), 12U);
+  EXPECT_GE(said_in(seconds(20), true), 36U);
+  EXPECT_LE(said_in(seconds(20), true), 45U);
+  const std::size_t others = 2 * 200 + 200 / search_refill_intervals;
+  EXPECT_LE(said_in(seconds(400), true), static_cast<std::size_t>(search_capacity) + others);
+}
+
+TEST(Schedule, TellsAStrangerWhoLacksItsStateSoonAndOnTheBudgetForAnswers) {
+  auto schedule = running(32);
+  const auto begin = start + seconds(10);
+  std::vector<base::Instant> said;
+  for (auto now = begin; now < begin + seconds(20); now += milliseconds(1)) {
+    schedule.lacked_by_stranger(now);
+    if (schedule.due() <= now && schedule.take(now) == Say::state) said.push_back(now);
+  }
+  ASSERT_GE(said.size(), 10U);
+  EXPECT_LE(said[0], begin + max_repair_delay);
+  for (std::size_t i = 1; i < said.size(); ++i) EXPECT_GE(said[i] - said[i - 1], repair_spacing) << i;
+  EXPECT_LE(said.size(), static_cast<std::size_t>(answer_capacity + 10 / answer_refill_intervals + 1));
+  EXPECT_GE(schedule.due(), begin + seconds(20)) << "it does not say the state each time for a stranger's sake";
 }
 
 TEST(Schedule, SaysWhatSealingAsksOnABudgetOfItsOwn) {

@@ -72,18 +72,54 @@ TEST(Witnesses, CountOnlyWhoElseHasSpokenOfLate) {
 TEST(Witnesses, DifferNewlyForTwoIntervalsAndAgainWhenSomethingChanges) {
   auto ours = member_of(4, 1, now);
   auto presence = presence_of(2, member_of(4, 2, now));
-  EXPECT_FALSE(ours.differs_newly(presence, now)) << "they know the same";
+  EXPECT_EQ(ours.compare(presence, now), Unknown::nobody) << "they know the same";
   ++presence.witness.members;
-  EXPECT_TRUE(ours.differs_newly(presence, now + seconds(1)));
-  EXPECT_TRUE(ours.differs_newly(presence, now + seconds(4)));
-  EXPECT_FALSE(ours.differs_newly(presence, now + seconds(5))) << "they may never hear each other";
+  EXPECT_NE(ours.compare(presence, now + seconds(1)), Unknown::nobody);
+  EXPECT_NE(ours.compare(presence, now + seconds(4)), Unknown::nobody);
+  EXPECT_EQ(ours.compare(presence, now + seconds(5)), Unknown::nobody) << "they may never hear each other";
   ours.remove(ParticipantId{4});
-  EXPECT_TRUE(ours.differs_newly(presence, now + seconds(6)));
-  EXPECT_FALSE(ours.differs_newly(presence, now + seconds(11)));
+  EXPECT_NE(ours.compare(presence, now + seconds(6)), Unknown::nobody);
+  EXPECT_EQ(ours.compare(presence, now + seconds(11)), Unknown::nobody);
   ++presence.witness.members;
-  EXPECT_TRUE(ours.differs_newly(presence, now + seconds(12)));
+  EXPECT_NE(ours.compare(presence, now + seconds(12)), Unknown::nobody);
   presence.participant = ParticipantId{4};
-  EXPECT_FALSE(ours.differs_newly(presence, now + seconds(12))) << "unknown";
+  EXPECT_EQ(ours.compare(presence, now + seconds(12)), Unknown::nobody) << "unknown";
+}
+
+TEST(Witnesses, TellWhomSomebodyDoesNotKnowWhereOneOrTwoAreMissing) {
+  const auto unknown_to_two = [](std::vector<std::uint32_t> missing, std::uint32_t count = 9) {
+    auto ours = member_of(count, 1, now);
+    auto theirs = member_of(count, 2, now);
+    for (const std::uint32_t id : missing) theirs.remove(ParticipantId{id});
+    const auto unknown = ours.compare(presence_of(2, theirs), now);
+    EXPECT_EQ(ours.is_unlike(now), unknown == Unknown::unclear);
+    return unknown;
+  };
+  EXPECT_EQ(unknown_to_two({}), Unknown::nobody);
+  EXPECT_EQ(unknown_to_two({1}), Unknown::us);
+  EXPECT_EQ(unknown_to_two({5, 1}), Unknown::us);
+  EXPECT_EQ(unknown_to_two({5}), Unknown::others);
+  EXPECT_EQ(unknown_to_two({5, 7}), Unknown::others);
+  EXPECT_EQ(unknown_to_two({5, 7, 8}), Unknown::unclear);
+  EXPECT_EQ(unknown_to_two({1, 7, 8}), Unknown::unclear);
+  const auto most = static_cast<std::uint32_t>(max_told_apart + 1);
+  EXPECT_EQ(unknown_to_two({5, 7}, most), Unknown::others);
+  EXPECT_EQ(unknown_to_two({5, 7}, most + 1), Unknown::unclear);
+  EXPECT_EQ(unknown_to_two({1}, most + 1), Unknown::us);
+}
+
+TEST(Witnesses, AreUnlikeUntilOursOrTheLastWordOfAnotherIsOfTheSame) {
+  auto ours = member_of(8, 1, now);
+  const auto theirs = member_of(9, 2, now);
+  EXPECT_EQ(ours.compare(presence_of(2, theirs), now), Unknown::unclear) << "it knows one whom we do not";
+  EXPECT_TRUE(ours.is_unlike(now));
+  EXPECT_FALSE(ours.is_unlike(now + seconds(4))) << "some never hear each other";
+  EXPECT_EQ(ours.compare(presence_of(3, member_of(8, 3, now)), now), Unknown::nobody);
+  EXPECT_FALSE(ours.is_unlike(now));
+  (void)ours.compare(presence_of(2, theirs), now);
+  EXPECT_TRUE(ours.is_unlike(now));
+  ours.add(ParticipantId{9}, BootNonce{9});
+  EXPECT_FALSE(ours.is_unlike(now));
 }
 
 TEST(Witnesses, TellWhoMayNotHaveHeardWhatWeChanged) {
