@@ -37,6 +37,8 @@ std::string in_lower_case(std::string_view text) {
   return lower;
 }
 
+bool is_key(std::string_view text) { return !text.empty() && std::ranges::all_of(text, is_key_octet); }
+
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n";
   text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));

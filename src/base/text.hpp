@@ -37,6 +37,14 @@ template <std::integral Number>
 /// A to Z become a to z, and nothing else changes.
 [[nodiscard]] std::string in_lower_case(std::string_view text);
 
+/// A to Z, a to z, 0 to 9, `_`, `.` and `-`: what keys of GCNP and names of attributes are made of.
+[[nodiscard]] constexpr bool is_key_octet(char octet) {
+  return (octet >= 'a' && octet <= 'z') || (octet >= 'A' && octet <= 'Z') || (octet >= '0' && octet <= '9') ||
+         octet == '_' || octet == '.' || octet == '-';
+}
+/// Whether a text is one or more of them.
+[[nodiscard]] bool is_key(std::string_view text);
+
 /// Without spaces, tabs and line ends at either end.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 
 #include "base/text.hpp"
 
@@ -18,6 +19,8 @@ bool is_continuation(char octet) { return (static_cast<unsigned char>(octet) & 0
 }  // namespace
 
 char32_t character_at(const char* place) { return utf8::unchecked::peek_next(place); }
+
+void append_character(char32_t character, std::string& text) { utf8::append(character, std::back_inserter(text)); }
 
 std::optional<std::size_t> find_invalid_utf8(std::string_view bytes) {
   std::size_t place = 0;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace geminga::base {
@@ -17,6 +18,9 @@ namespace geminga::base {
 
 /// The character at a place of well-formed UTF-8.
 [[nodiscard]] char32_t character_at(const char* place);
+
+/// Adds a character, which is no surrogate and at most U+10FFFF.
+void append_character(char32_t character, std::string& text);
 
 /// Where the first octets stand that are no UTF-8; nothing in well-formed text. Fast over ASCII.
 [[nodiscard]] std::optional<std::size_t> find_invalid_utf8(std::string_view bytes);

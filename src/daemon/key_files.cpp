@@ -32,30 +32,6 @@ class SecretText {
   std::string text_;
 };
 
-/// One octet more than a key file may have is read of a longer one.
-bool read_all(int descriptor, std::string& text) {
-  std::size_t size = 0;
-  while (size < text.size()) {
-    const ssize_t got = ::read(descriptor, text.data() + size, text.size() - size);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return false;
-    if (got == 0) break;
-    size += static_cast<std::size_t>(got);
-  }
-  text.resize(size);
-  return true;
-}
-
-bool write_all(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t put = ::write(descriptor, text.data(), text.size());
-    if (put < 0 && errno == EINTR) continue;
-    if (put < 0) return false;
-    text.remove_prefix(static_cast<std::size_t>(put));
-  }
-  return ::fsync(descriptor) == 0;
-}
-
 std::expected<sealing::Key, std::string> read_key_file(const std::string& path) {
   const std::string name = base::printable(path, 4096);
   // A FIFO would wait for a writer without O_NONBLOCK.
@@ -68,8 +44,9 @@ std::expected<sealing::Key, std::string> read_key_file(const std::string& path) 
     return std::unexpected(name + ": its group or others may read or change it, so the key is no secret: chmod 600 " +
                            name);
   }
+  // One octet more than a key file may have is read of a longer one.
   SecretText secret(std::string(sealing::max_key_file_bytes + 1, '\0'));
-  if (!read_all(file.get(), secret.text())) return std::unexpected(name + ": " + last_error());
+  if (!env::read_all(file.get(), secret.text())) return std::unexpected(name + ": " + last_error());
   auto key = sealing::read_key(secret.text());
   if (!key) return std::unexpected(name + ':' + std::to_string(key.error().line) + ": " + key.error().text);
   return *key;
@@ -119,7 +96,7 @@ std::expected<std::string, std::string> generate_key(const std::string& path) {
     return std::unexpected(errno == EEXIST ? name + ": is there already, and a key is never overwritten: name another"
                                            : name + ": " + last_error());
   }
-  if (!write_all(file.get(), text.text())) {
+  if (!env::write_all(file.get(), text.text())) {
     const std::string why = last_error();
     ::unlink(path.c_str());
     return std::unexpected(name + ": " + why);

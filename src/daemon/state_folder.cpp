@@ -2,13 +2,10 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstdio>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -23,24 +20,9 @@ constexpr std::string_view file_comment =
     "# Who this daemon is to its team, in all its lives. Not to be copied to another host: without this file it draws\n"
     "# another one.\n";
 constexpr std::string_view file_keyword = "identity ";
-constexpr std::size_t identity_digits = 8;
+constexpr int identity_digits = 8;
 
 std::string errno_words() { return std::generic_category().message(errno); }
-
-/// Reads until the end or the limit. Nothing with errno.
-std::optional<std::string> text_of(int descriptor) {
-  std::string text(max_identity_file_bytes + 1, '\0');
-  std::size_t size = 0;
-  while (size < text.size()) {
-    const ssize_t got = ::read(descriptor, text.data() + size, text.size() - size);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return std::nullopt;
-    if (got == 0) break;
-    size += static_cast<std::size_t>(got);
-  }
-  text.resize(size);
-  return text;
-}
 
 /// Lines that begin with `#`, and one line `identity XXXXXXXX`.
 std::optional<std::uint32_t> identity_in(std::string_view text) {
@@ -51,7 +33,8 @@ std::optional<std::uint32_t> identity_in(std::string_view text) {
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line.empty() || line.starts_with('#')) continue;
-    if (identity || !line.starts_with(file_keyword) || line.size() != file_keyword.size() + identity_digits)
+    if (identity || !line.starts_with(file_keyword) ||
+        line.size() != file_keyword.size() + std::size_t{identity_digits})
       return std::nullopt;
     std::uint32_t number = 0;
     const auto read = std::from_chars(line.data() + file_keyword.size(), line.data() + line.size(), number, 16);
@@ -67,13 +50,7 @@ bool write_whole(const std::string& path, std::string_view text) {
   {
     const env::Descriptor file(::open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0644));
     if (file.get() < 0) return false;
-    while (!text.empty()) {
-      const ssize_t put = ::write(file.get(), text.data(), text.size());
-      if (put < 0 && errno == EINTR) continue;
-      if (put < 0) return false;
-      text.remove_prefix(static_cast<std::size_t>(put));
-    }
-    if (::fsync(file.get()) != 0) return false;
+    if (!env::write_all(file.get(), text)) return false;
   }
   return ::rename(draft.c_str(), path.c_str()) == 0;
 }
@@ -87,18 +64,17 @@ std::expected<std::uint32_t, std::string> lasting_identity(const std::string& fo
   // A FIFO would wait for a writer without O_NONBLOCK.
   const env::Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   if (file.get() >= 0) {
-    const auto text = text_of(file.get());
-    if (!text) return std::unexpected(shown + ": " + errno_words());
-    if (const auto identity = identity_in(*text)) return *identity;
+    std::string text(max_identity_file_bytes + 1, '\0');
+    if (!env::read_all(file.get(), text)) return std::unexpected(shown + ": " + errno_words());
+    if (const auto identity = identity_in(text)) return *identity;
     return std::unexpected(shown + ": is no identity: remove it, and another one is drawn");
   }
   if (errno != ENOENT) return std::unexpected(shown + ": " + errno_words());
   if (::mkdir(folder.c_str(), 0755) != 0 && errno != EEXIST) return std::unexpected(shown + ": " + errno_words());
   std::uint32_t identity = 0;
   while (identity == 0) identity = static_cast<std::uint32_t>(random_bits());
-  std::array<char, identity_digits + 1> hexadecimal{};
-  std::snprintf(hexadecimal.data(), hexadecimal.size(), "%08x", identity);
-  if (!write_whole(path, std::string(file_comment) + std::string(file_keyword) + hexadecimal.data() + '\n')) {
+  const std::string digits = base::to_hex(identity, identity_digits);
+  if (!write_whole(path, std::string(file_comment) + std::string(file_keyword) + digits + '\n')) {
     return std::unexpected(shown + ": " + errno_words());
   }
   return identity;

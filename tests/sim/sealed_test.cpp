@@ -49,17 +49,6 @@ struct Sealed : Robots {
     }
   }
 
-  /// The lines of an answer to a query.
-  std::vector<std::string> ask(Host& asked, const std::string& query) {
-    Client& client = world.add_client("asker");
-    client.connect(asked);
-    client.say("1 query " + query);
-    world.run_for(milliseconds(1));
-    client.hang_up();
-    world.run_for(milliseconds(1));
-    return client.lines;
-  }
-
   /// What is on the air from now on.
   void record() {
     world.on_transmit = [this](const Host&, std::string_view datagram) { recording.emplace_back(datagram); };
@@ -153,7 +142,7 @@ TEST(Sealed, TeamsHearNothingOfAForgerWhateverItSays) {
   EXPECT_TRUE(team.team.is_right()) << team.team.complaints();
   EXPECT_EQ(team.team.events(), events) << "nobody was told anything";
   EXPECT_THAT(team.team.false_departures(), testing::IsEmpty());
-  const auto status = team.ask(team.host(0), "status");
+  const auto status = team.world.ask(team.host(0), "status");
   ASSERT_FALSE(status.empty());
   for (const char* word : {"sealing_plain=3", "sealing_forged=", "sealing_replayed=", "participants=5"}) {
     EXPECT_THAT(status.front(), testing::HasSubstr(word));
@@ -197,8 +186,8 @@ TEST(Sealed, TeamsHearNothingOfARecordingOfYesterday) {
     team.replay(milliseconds(3), "10.0.0.3");
     EXPECT_TRUE(team.team.settle(seconds(5))) << team.team.complaints();
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
-      EXPECT_THAT(team.ask(team.host(i), "participants"), testing::SizeIs(3)) << "two of them, and the end";
-      EXPECT_THAT(team.ask(team.host(i), "status").front(), testing::HasSubstr("sealing_unproved="));
+      EXPECT_THAT(team.world.ask(team.host(i), "participants"), testing::SizeIs(3)) << "two of them, and the end";
+      EXPECT_THAT(team.world.ask(team.host(i), "status").front(), testing::HasSubstr("sealing_unproved="));
     }
   }
 }
@@ -253,7 +242,7 @@ TEST(Sealed, TeamsShowWhoLacksWhichKey) {
   const std::string first = to_string(sealing::key_of(1).id());
   const std::string second = to_string(sealing::key_of(2).id());
   const std::string third = to_string(sealing::key_of(3).id());
-  const auto lines = team.ask(team.host(0), "security");
+  const auto lines = team.world.ask(team.host(0), "security");
   EXPECT_THAT(lines, testing::Contains("1 msg security mode=encrypted keys=" + first + "," + second));
   EXPECT_THAT(lines, testing::Contains(testing::EndsWith("name=robot2 protection=encrypted key=" + first +
                                                          " keys=" + first + " lacks=" + second)));
@@ -282,9 +271,9 @@ TEST(Sealed, TeamsOfOtherKeysOnOneLinkDoNotSeeEachOther) {
   team.host(3).settings.sealing = plain;
   team.start();
   team.world.run_for(seconds(10));
-  EXPECT_THAT(team.ask(team.host(0), "participants"), testing::SizeIs(3));
-  EXPECT_THAT(team.ask(team.host(2), "participants"), testing::SizeIs(2));
-  EXPECT_THAT(team.ask(team.host(3), "participants"), testing::SizeIs(2));
+  EXPECT_THAT(team.world.ask(team.host(0), "participants"), testing::SizeIs(3));
+  EXPECT_THAT(team.world.ask(team.host(2), "participants"), testing::SizeIs(2));
+  EXPECT_THAT(team.world.ask(team.host(3), "participants"), testing::SizeIs(2));
 }
 
 TEST(SealedTeam, AnswersWhoeverHasTheKeyAndForLongOnlyWhoHasProvedItself) {

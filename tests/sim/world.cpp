@@ -38,6 +38,16 @@ Client& World::add_client(const std::string& name) {
   return *clients_.back();
 }
 
+std::vector<std::string> World::ask(Host& host, const std::string& query) {
+  Client& client = add_client("asker");
+  client.connect(host);
+  client.say("1 query " + query);
+  run_for(std::chrono::milliseconds(1));
+  client.hang_up();
+  run_for(std::chrono::milliseconds(1));
+  return client.lines;
+}
+
 void World::at(base::Instant instant, std::function<void()> what) {
   if (free_calls_.empty()) {
     free_calls_.push_back(static_cast<std::uint32_t>(calls_.size()));

@@ -53,6 +53,8 @@ class World {
 
   /// A GCNP client that lives as long as the world.
   Client& add_client(const std::string& name);
+  /// The lines of the answer to a query of a client that comes for it. Takes two milliseconds.
+  std::vector<std::string> ask(Host& host, const std::string& query);
 
   /// Calls back at an instant, after everything that was asked for the same instant before.
   void at(base::Instant instant, std::function<void()> what);

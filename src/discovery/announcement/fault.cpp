@@ -37,13 +37,6 @@ bool is_word(std::string_view text) {
          std::ranges::all_of(text, [](char c) { return c > 0x20 && c < 0x7f && c != '"' && c != ','; });
 }
 
-bool is_attribute_key(std::string_view key) {
-  return !key.empty() && std::ranges::all_of(key, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
-           c == '-';
-  });
-}
-
 Found iri_fault(std::string_view field, std::string_view iri) {
   constexpr auto word = DecodeError::bad_identity;
   if (iri.size() > max_iri_bytes) return oversized(word, field, iri.size(), max_iri_bytes);
@@ -101,7 +94,7 @@ Found attributes_fault(const Attributes& attributes) {
     if (value.size() > max_attribute_value_bytes) {
       return oversized(word, base::printable(key), value.size(), max_attribute_value_bytes);
     }
-    if (!is_attribute_key(key)) {
+    if (!base::is_key(key)) {
       return fault(word, ErrorCode::malformed,
                    "attribute " + base::printable(key) + ": a key is made of A-Z a-z 0-9 _ . -");
     }

@@ -15,10 +15,6 @@ constexpr std::string_view escaped = "\"\\\n\r\t";
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
-bool is_key_character(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '.' || c == '-';
-}
-
 bool is_bare_character(char c) { return c != ' ' && c != '"' && !is_control(c); }
 
 Error malformed_at(std::size_t offset, std::string_view text) {
@@ -74,7 +70,7 @@ std::expected<std::uint32_t, Error> read_id(Cursor& cursor) {
 std::expected<std::string, Error> read_word(Cursor& cursor, std::string_view what) {
   cursor.skip_spaces();
   if (cursor.at_end()) return std::unexpected(malformed_at(cursor.offset(), std::string(what) + " is missing"));
-  std::string word(cursor.take_while(is_key_character));
+  std::string word(cursor.take_while(base::is_key_octet));
   if (word.empty() || !cursor.is_at_word_end()) {
     return std::unexpected(malformed_at(cursor.offset(), "no character of a " + std::string(what)));
   }
@@ -108,7 +104,7 @@ std::expected<std::string, Error> read_quoted(Cursor& cursor) {
 std::expected<Parameter, Error> read_parameter(Cursor& cursor) {
   const std::size_t begin = cursor.offset();
   Parameter parameter;
-  parameter.key = cursor.take_while(is_key_character);
+  parameter.key = cursor.take_while(base::is_key_octet);
   if (parameter.key.empty()) {
     return std::unexpected(malformed_at(begin, "a key is missing: letters, digits, '_', '.' and '-'"));
   }

@@ -31,10 +31,11 @@ struct Place;
 /// already only moves its age and causes no event. No event is ever doubled: per (to, about) the stream is add
 /// (modify)* del.
 ///
-/// Arbitration order: greater priority, better degree, smaller distance, the incumbent, then the smaller key. In the
-/// events of one cause a subscription first loses what matches no more, then come its modifies, then its adds, and the
-/// dels of what was outranked last: a consumer whose provider gives way to a better one is never without, and has one
-/// more than its limit for so long. Subscriptions follow each other by key.
+/// Arbitration order: what the consumer favours, greater priority, what it prefers, better degree, smaller distance,
+/// the incumbent, then the smaller key (PREFERENCES.md). In the events of one cause a subscription first loses what
+/// matches no more, then come its modifies, then its adds, and the dels of what was outranked last: a consumer whose
+/// provider gives way to a better one is never without, and has one more than its limit for so long. Subscriptions
+/// follow each other by key.
 ///
 /// A subscription may ask for a class expression. It is filed under the classes right below the expression's place in
 /// the taxonomy, so that a new publication finds it as it finds any other request above its concept; no class is added

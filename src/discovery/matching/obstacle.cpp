@@ -67,9 +67,7 @@ Obstacle of_names(const std::string& offered, const std::string& requested, cons
 Obstacle of_semantics(const SemanticIdentity& offer, const Classes& offered, const SemanticIdentity& request,
                       const Classes& requested, const vocabulary::Vocabulary& vocabulary) {
   const bool is_expression = has_expression(request) && offer.concept_iri != request.concept_iri;
-  const auto by_concept = is_expression ? degree_of_expression(offered.concept_class, requested.place.get(), vocabulary)
-                                        : degree_of_name(offer.concept_iri, offered.concept_class, request.concept_iri,
-                                                         requested.concept_class, vocabulary);
+  const auto by_concept = degree_of_concept(offer, offered, request, requested, vocabulary);
   if (by_concept && offer.representation_iri.empty()) return Obstacle::representation_unstated;
   if (by_concept) {
     return of_names(offer.representation_iri, request.representation_iri, vocabulary, Obstacle::unknown_representation,

@@ -13,7 +13,7 @@
 
 namespace geminga::matching {
 
-/// QUERIES.md lists them ("Reasons"). Their words are only ever appended.
+/// QUERIES.md lists them ("Codes"). Their words are only ever appended.
 enum class Obstacle : std::uint8_t {
   none,
   // Of the identity of a pair.

@@ -23,17 +23,10 @@ constexpr std::array<std::pair<std::string_view, Criterion>, criterion_count> cr
      {"degree", Criterion::degree},
      {"distance", Criterion::distance}}};
 
-bool is_key(std::string_view text) {
-  return !text.empty() && std::ranges::all_of(text, [](char octet) {
-    return (octet >= 'a' && octet <= 'z') || (octet >= 'A' && octet <= 'Z') || (octet >= '0' && octet <= '9') ||
-           octet == '_' || octet == '.' || octet == '-';
-  });
-}
-
 /// Takes the first word of a text, and the blanks behind it.
 std::string_view take_word(std::string_view& text) {
   const std::string_view word = text.substr(0, text.find(' '));
-  text = without_blanks(text.substr(word.size()));
+  text = base::trimmed(text.substr(word.size()));
   return word;
 }
 
@@ -51,7 +44,7 @@ std::expected<Wish, Error> read_wish(std::string_view item) {
   const std::string_view name = std::string_view(wish.key).starts_with(attribute_prefix)
                                     ? std::string_view(wish.key).substr(attribute_prefix.size())
                                     : std::string_view(wish.key);
-  if (!is_key(name) || (direction != "asc" && !wish.is_descending)) return unreadable("prefer", item, form);
+  if (!base::is_key(name) || (direction != "asc" && !wish.is_descending)) return unreadable("prefer", item, form);
   if (rest.empty()) return wish;
   if (take_word(rest) != "by") return unreadable("prefer", item, form);
   if (const auto bare = number(rest)) {

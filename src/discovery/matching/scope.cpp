@@ -12,7 +12,7 @@ namespace geminga::matching {
 std::optional<Scope::Entry> Scope::entry(std::string_view text) {
   Entry entry;
   entry.excludes = text.starts_with('!');
-  if (entry.excludes) text = without_blanks(text.substr(1));
+  if (entry.excludes) text = base::trimmed(text.substr(1));
   const auto slash = std::min(text.find('/'), text.size());
   const std::string_view host = text.substr(0, slash);
   if (host.empty() || (slash != text.size() && text.find('/', slash + 1) != std::string_view::npos))

@@ -23,7 +23,7 @@ inline constexpr std::size_t max_where_depth = 32;
 /// How many keys misses() tells of.
 inline constexpr std::size_t max_missed_keys = 8;
 
-/// A parsed expression. A value: copies and moves. Thousands may come from the air, so it is kept small: about six
+/// A parsed expression. A value: copies and moves. Thousands may come from the air, so it is kept small: about nine
 /// octets for each octet of its text at most.
 class Where {
  public:

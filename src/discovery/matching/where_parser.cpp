@@ -17,12 +17,7 @@ using Node = Where::Node;
 
 bool is_blank(char octet) { return octet == ' ' || octet == '\t' || octet == '\r' || octet == '\n'; }
 
-bool is_key_octet(char octet) {
-  return (octet >= 'a' && octet <= 'z') || (octet >= 'A' && octet <= 'Z') || (octet >= '0' && octet <= '9') ||
-         octet == '_' || octet == '.' || octet == '-';
-}
-
-bool is_word_octet(char octet) { return is_key_octet(octet) || octet == ':' || octet == '/' || octet == '+'; }
+bool is_word_octet(char octet) { return base::is_key_octet(octet) || octet == ':' || octet == '/' || octet == '+'; }
 
 bool is_pattern_octet(char octet) { return is_word_octet(octet) || octet == '*'; }
 
@@ -157,7 +152,7 @@ std::expected<Where::Slice, Error> WhereParser::key(std::string_view wanted) {
   skip_blanks();
   const std::string_view name = word();
   if (name.empty() || is_reserved(name)) return wrong(wanted);
-  const auto odd = std::ranges::find_if_not(name, is_key_octet);
+  const auto odd = std::ranges::find_if_not(name, base::is_key_octet);
   if (odd != name.end()) {
     return wrong("a key has only letters, digits, '_', '.' and '-'",
                  at_ + static_cast<std::size_t>(odd - name.begin()));

@@ -1,8 +1,10 @@
-// A file descriptor that somebody owns.
+// A file descriptor that somebody owns, and reading and writing as a whole.
 #pragma once
 
 #include <unistd.h>
 
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace geminga::env {
@@ -22,5 +24,11 @@ class Descriptor {
  private:
   int number_;
 };
+
+/// Reads until the end, or until the text is full, which is cut to what was read. It never grows, so that no copy of a
+/// secret is left behind. False with errno.
+[[nodiscard]] bool read_all(int descriptor, std::string& text);
+/// Writes the whole text and has the system keep it (fsync). False with errno.
+[[nodiscard]] bool write_all(int descriptor, std::string_view text);
 
 }  // namespace geminga::env

@@ -162,7 +162,10 @@ std::string mend_identity(const Core& core, Obstacle obstacle, const Identity& o
     }
     case Obstacle::broader:
     case Obstacle::degree:
-      return "ask with match=" + std::string(to_string(match ? match->degree : Degree::broader));
+      // Of what is converted the concept is too weak, and `match` is about that: it is narrower at the most.
+      return "ask with match=" + std::string(to_string(!match                               ? Degree::broader
+                                                       : match->degree == Degree::converted ? Degree::narrower
+                                                                                            : match->degree));
     default:
       return "";
   }

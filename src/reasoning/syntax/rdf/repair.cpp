@@ -11,24 +11,15 @@
 namespace geminga::rdf {
 namespace {
 
-/// 0x80 to 0x9f of windows-1252; what it leaves undefined stays a control character (WHATWG Encoding, section 9).
+/// 0x80 to 0x9f of windows-1252; what it leaves undefined stays a control character (WHATWG Encoding, section 9). Not
+/// by iconv(3), which loads its tables from files, as the cage around the reader forbids.
 constexpr std::array<std::uint16_t, 32> upper_controls{0x20AC, 0x0081, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
                                                        0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x008D, 0x017D, 0x008F,
                                                        0x0090, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
                                                        0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x009D, 0x017E, 0x0178};
 
 void append_windows_1252(unsigned char byte, std::string& out) {
-  const std::uint32_t code = byte >= 0x80 && byte < 0xa0 ? upper_controls[byte - 0x80] : byte;
-  if (code < 0x80) {
-    out += static_cast<char>(code);
-  } else if (code < 0x800) {
-    out += static_cast<char>(0xc0 | (code >> 6U));
-    out += static_cast<char>(0x80 | (code & 0x3fU));
-  } else {
-    out += static_cast<char>(0xe0 | (code >> 12U));
-    out += static_cast<char>(0x80 | ((code >> 6U) & 0x3fU));
-    out += static_cast<char>(0x80 | (code & 0x3fU));
-  }
+  base::append_character(byte >= 0x80 && byte < 0xa0 ? upper_controls[byte - 0x80] : byte, out);
 }
 
 /// Where the declaration says `encoding="..."`, and the name in it.

@@ -8,9 +8,10 @@
 
 namespace geminga::rdf {
 
-/// The text of an XML file in UTF-8, if it is not: what is declared as windows-1252 or ISO-8859-1, and octets that are
-/// no UTF-8 where nothing is declared, are taken for windows-1252, which begins as ISO-8859-1 does. The declaration of
-/// the encoding becomes spaces. Lines stay. Nothing where the text is UTF-8 already, or in an encoding that is unknown.
+/// The text of an XML file in UTF-8, if it is not: what is declared as windows-1252, ISO-8859-1 or -15, and octets that
+/// are no UTF-8 where nothing is declared, are taken for windows-1252, which begins as ISO-8859-1 does. The declaration
+/// of the encoding becomes spaces. Lines stay. Nothing where the text is UTF-8 already, or in an encoding that is
+/// unknown.
 [[nodiscard]] std::optional<std::string> in_utf8(std::string_view xml);
 
 /// The same text with rdf:about in place of each rdf:ID that XML does not allow as a name or that was given before,
