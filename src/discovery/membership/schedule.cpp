@@ -2,6 +2,7 @@
 #include "discovery/membership/schedule.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "base/assert.hpp"
@@ -52,6 +53,9 @@ void Schedule::changed(Say what, Instant now) {
   copies_ = {{now, what}};
   for (std::size_t i = 1; i < all; ++i) {
     copies_.push_back({now + spread(repeat_delays[i - 1], repeat_jitter), i < said ? what : Say::presence});
+  }
+  for (const Duration delay : std::span(late_presence_delays).first(doublings_)) {
+    copies_.push_back({now + spread(delay, repeat_jitter), Say::presence});
   }
 }
 
@@ -226,12 +230,13 @@ void Schedule::begin_answers(Instant now) {
   } else {
     std::ranges::for_each(bad_answer_delays, answer);
   }
-  if (next_copy(Say::presence) == never && newcomers_.has(now)) {
+  if (next_copy(Say::presence) > now + answer_presence_delays.back() && newcomers_.has(now)) {
     for (const Duration delay : answer_presence_delays) {
       copies_.push_back({now + spread(slowed(delay), repeat_jitter), Say::presence});
       newcomers_.take(now);
       if (loss_ && state_copies(loss_) < 5) break;
     }
+    std::ranges::sort(copies_, {}, &Copy::due);
   }
 }
 

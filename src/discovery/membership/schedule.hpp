@@ -11,6 +11,7 @@
 #include "base/random.hpp"
 #include "base/time.hpp"
 #include "discovery/announcement/announcement.hpp"
+#include "discovery/announcement/limits.hpp"
 #include "discovery/membership/token_bucket.hpp"
 
 namespace geminga::membership {
@@ -37,6 +38,11 @@ inline constexpr std::array<base::Duration, 8> repeat_delays = {
 inline constexpr std::size_t presence_copies = 2;
 /// While the loss is not known, as when a team starts.
 inline constexpr std::size_t unknown_presence_copies = 4;
+/// Where many share the air, somebody of them misses all of these: so many presences more as the interval is doubled.
+inline constexpr std::array<base::Duration, announcement::max_doublings> late_presence_delays = {
+    std::chrono::milliseconds(1'200), std::chrono::seconds(2),          std::chrono::seconds(3),
+    std::chrono::milliseconds(4'500), std::chrono::milliseconds(6'500), std::chrono::seconds(9),
+    std::chrono::seconds(12),         std::chrono::seconds(15)};
 /// Each of these delays is spread by this share in both directions.
 inline constexpr double repeat_jitter = 0.2;
 /// How often a changed state is sent at this loss (ANNOUNCEMENT.md, "When it is sent"). Nothing: the loss is not known.

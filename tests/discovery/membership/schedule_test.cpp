@@ -155,6 +155,18 @@ TEST(Schedule, TellsChangesWithinTheSpacingTogether) {
   EXPECT_EQ(sent[1], when + min_spacing);
 }
 
+TEST(Schedule, ShowsItselfLaterOnAsWellWhereManyShareTheAir) {
+  auto schedule = running(9);
+  schedule.set_doublings(3, start);
+  run(schedule, start + seconds(100));
+  const auto when = run(schedule, start + seconds(140)).back() + seconds(1);
+  schedule.set_loss(0);
+  const auto sent =
+      run(schedule, when + seconds(5), {{when, [](Schedule& s, Instant now) { s.changed(Say::change, now); }}});
+  ASSERT_EQ(sent.size(), 5U) << "the change, the presence behind it, and three more";
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_GE(sent[2 + i] - when, late_presence_delays[i] * 8 / 10);
+}
+
 TEST(Schedule, NeverSendsTwiceWithinTheSpacingNorMoreThanItsRate) {
   auto schedule = running(5);
   std::vector<Disturbance> changes;
