@@ -16,11 +16,13 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from checks import behaviours, modes, vectors  # noqa: E402
+from checks import behaviours, loss, modes, vectors  # noqa: E402
 from lab import Lab  # noqa: E402
 from pair import Command, Pair, fresh  # noqa: E402
 from spoken import Failed  # noqa: E402
 
+Check = Callable[..., None]
+LOSS_PERCENT = 10
 ROOT = Path(__file__).resolve().parents[3]
 
 
@@ -31,7 +33,7 @@ class Table:
         self.failed: list[str] = []
         self.count = 0
 
-    def run(self, who: str, check: Callable[..., None], action: Callable[[], None]) -> bool:
+    def run(self, who: str, check: Check, action: Callable[[], None]) -> bool:
         """Runs a check, and says whether it holds."""
         what = (check.__doc__ or check.__name__).splitlines()[0]
         begin = time.monotonic()
@@ -40,7 +42,8 @@ class Table:
             action()
         except Failed as error:
             self.failed.append(f"{who}: {what}")
-            print(f"{who:<18} {what:<44} FAILED\n    {error}", flush=True)
+            notes = "".join(getattr(error, "__notes__", []))
+            print(f"{who:<18} {what:<44} FAILED\n    {error}{notes}", flush=True)
             return False
         print(f"{who:<18} {what:<44} ok {time.monotonic() - begin:6.1f} s", flush=True)
         return True
@@ -58,19 +61,18 @@ def arguments() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def chosen(checks: list[Callable[..., None]], only: str) -> list[Callable[..., None]]:
+def chosen(checks: list[Check], only: str) -> list[Check]:
     return [check for check in checks if only in check.__name__ or only in (check.__doc__ or "")]
 
 
-def run_modes(table: Table, lab: Lab, who: str, publisher: Command, subscriber: Command, only: str) -> None:
-    """All checks of a pair in one pair of agents; behind a failure, in another one."""
-    waiting = chosen(modes.CHECKS, only)
+def run_in_one_pair(table: Table, lab: Lab, who: str, commands: tuple[Command, Command], waiting: list[Check]) -> None:
+    """These checks in one pair of agents; behind a failure, in another one."""
     while waiting:
         try:
-            with Pair(lab, publisher, subscriber) as pair:
+            with Pair(lab, *commands) as pair:
                 while waiting:
                     check = waiting.pop(0)
-                    if not table.run(who, check, lambda: check(pair)):  # noqa: B023
+                    if not table.run(who, check, lambda: pair.tried(check)):  # noqa: B023
                         raise Failed("")
         except Failed as error:
             if str(error):
@@ -84,7 +86,7 @@ def run_behaviours(table: Table, lab: Lab, who: str, publisher: Command, subscri
 
         def action() -> None:
             with Pair(lab, publisher, subscriber) as pair:
-                check(pair)  # noqa: B023
+                pair.tried(check)  # noqa: B023
 
         table.run(who, check, action)
         for host in lab.hosts:
@@ -110,6 +112,7 @@ def main() -> int:
     if not commands:
         commands["python"] = [str(ROOT / "tests/client/python/agent.py")]
     table = Table()
+    pairs: list[tuple[str, tuple[Command, Command]]] = []
     lab = Lab(os.path.abspath(options.gemingad), [options.ontology])
     try:
         print(f"This lab is made of {lab.way}.", flush=True)
@@ -121,9 +124,15 @@ def main() -> int:
                 who = f"{one}>{other}"
                 if options.pair and options.pair != who:
                     continue
-                run_modes(table, lab, who, publisher, subscriber, options.only)
+                run_in_one_pair(table, lab, who, (publisher, subscriber), chosen(modes.CHECKS, options.only))
                 if options.behaviours == "all" or (options.behaviours == "same" and one == other):
                     run_behaviours(table, lab, who, publisher, subscriber, options.only)
+                pairs.append((who, (publisher, subscriber)))
+        if not lab.lose(LOSS_PERCENT):
+            print("Nothing can be made to get lost here: no checks of that.", flush=True)
+            pairs = []
+        for who, pair in pairs:
+            run_in_one_pair(table, lab, who, pair, chosen(loss.CHECKS, options.only))
     finally:
         lab.close()
     print(f"\n{table.count - len(table.failed)} of {table.count} checks hold.")

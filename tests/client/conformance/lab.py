@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shlex
+import shutil
 import socket
 import subprocess
 from collections.abc import Sequence
@@ -90,6 +91,21 @@ class Lab:
         """On both hosts."""
         for host in self.hosts:
             host.start_daemon(self.gemingad)
+
+    def lose(self, percent: int) -> bool:
+        """From now on each host loses so many of a hundred of what comes in, by chance; False where it cannot."""
+        if not self.has_namespaces or shutil.which("nft") is None:
+            return False
+        rules = (
+            f"add table netdev air; add chain netdev air in {{ type filter hook ingress device {LINK} priority 0; }}; "
+            f"flush chain netdev air in; add rule netdev air in meta protocol {{ ip, ip6 }} numgen random mod 100 < {percent} drop"
+        )
+        try:
+            for host in self.hosts:
+                host.run(["nft", rules])
+        except Failed:
+            return False
+        return True
 
     def close(self) -> None:
         """Ends what runs."""

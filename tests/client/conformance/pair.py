@@ -49,6 +49,14 @@ class Pair:
             for agent in self._started:
                 agent.discard()
 
+    def tried(self, check: Callable[[Pair], None]) -> None:
+        """Runs a check; where it fails, what all agents said last goes with that."""
+        try:
+            check(self)
+        except Failed as error:
+            error.add_note("".join(f"\n    {agent.name} said last:{agent.last_lines()}" for agent in self._started))
+            raise
+
     @property
     def hosts(self) -> tuple[Host, Host]:
         """The publisher's and the subscriber's."""
@@ -76,12 +84,18 @@ class Pair:
     def heard(self, p: str, s: str) -> int:
         """Sends until a message comes through, where the publisher is not told of who listens; that message's sequence."""
         for _ in range(100):
-            self.pub.tell(f"send {p} 00")
-            try:
-                return int(self.sub.find(f"message {s} [0-9a-f]+ ([0-9]+) [0-9]+ 1 00", 0.1)[1])
-            except Failed:
-                continue
+            sequence = self.came(p, s, "00")
+            if sequence:
+                return sequence
         raise Failed("no message came to a listener")
+
+    def came(self, p: str, s: str, octets: str) -> int:
+        """Sends this message; its sequence where it comes soon, else 0."""
+        self.pub.tell(f"send {p} {octets}")
+        try:
+            return int(self.sub.find(f"message {s} [0-9a-f]+ ([0-9]+) [0-9]+ {len(octets) // 2} {octets}", 0.1)[1])
+        except Failed:
+            return 0
 
     def settled_stream(self, p: str, s: str) -> int:
         """Makes sure that a publisher of `otm/stream` is heard; the sequence of its last message."""

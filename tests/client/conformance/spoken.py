@@ -75,9 +75,13 @@ class Spoken:
                         return found
                 if self._is_over or not self._changed.wait(max(0.0, end - time.monotonic())):
                     break
-        last = "\n      ".join(self.lines[max(0, len(self.lines) - 12) :])
         why = "it ended" if self._is_over else f"not within {seconds:g} s"
-        raise Failed(f"{self.name}: no line {pattern!r} ({why}); its last lines:\n      {last}")
+        raise Failed(f"{self.name}: no line {pattern!r} ({why})")
+
+    def last_lines(self, count: int = 16) -> str:
+        """What it said last, a line each, indented."""
+        with self._changed:
+            return "".join(f"\n      {line[:200]}" for line in self.lines[-count:])
 
     def any(self, pattern: str, seconds: float = PATIENCE_SECONDS) -> re.Match[str]:
         """The first of all lines that is this pattern, waiting for it. Passes nothing."""
@@ -86,6 +90,17 @@ class Spoken:
             return self.find(pattern, seconds)
         finally:
             self._at = at
+
+    def stands(self, pattern: str, wanted: str, seconds: float = PATIENCE_SECONDS) -> None:
+        """Waits until the last of all lines that are the pattern is the wanted one. Passes nothing."""
+        end = time.monotonic() + seconds
+        with self._changed:
+            while True:
+                last = next((line for line in reversed(self.lines) if re.fullmatch(pattern, line)), "")
+                if re.fullmatch(wanted, last):
+                    return
+                if self._is_over or not self._changed.wait(max(0.0, end - time.monotonic())):
+                    raise Failed(f"{self.name}: the last line {pattern!r} is {last!r}, and no {wanted!r} came in {seconds:g} s")
 
     def all(self, pattern: str) -> list[re.Match[str]]:
         """All lines until now that are this pattern."""

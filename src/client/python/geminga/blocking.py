@@ -30,7 +30,7 @@ from .parameters import Attributes
 SERVE_SECONDS = 0.01
 
 Result = TypeVar("Result")
-Front = TypeVar("Front", publisher.Publisher, subscriber.Subscriber)
+Front = TypeVar("Front", bound=publisher.Publisher | subscriber.Subscriber)
 
 
 class _Served:

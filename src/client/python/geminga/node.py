@@ -237,9 +237,9 @@ class Node:
             for owner in list(self._owners.values()):
                 owner.daemon_back()
         elif isinstance(report, Told):
-            owner = self._owners.get(report.request.number)
-            if owner is not None:
-                owner.told(report.line)
+            told = self._owners.get(report.request.number)
+            if told is not None:
+                told.told(report.line)
         elif isinstance(report, Settled):
             self._settle(report.asked, report.error)
         elif isinstance(report, Complaint):

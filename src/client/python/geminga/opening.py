@@ -9,7 +9,7 @@ from typing import Any, Generic, TypeVar
 from .publisher import Publisher
 from .subscriber import Subscriber
 
-Channel = TypeVar("Channel", Publisher, Subscriber)
+Channel = TypeVar("Channel", bound=Publisher | Subscriber)
 
 
 class Opening(Generic[Channel]):
@@ -23,8 +23,8 @@ class Opening(Generic[Channel]):
         return self._made.__await__()
 
     async def __aenter__(self) -> Channel:
-        self._channel = await self._made
-        return self._channel
+        self._channel = channel = await self._made
+        return channel
 
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None

@@ -62,6 +62,14 @@ class RequestOwner:
             raise Closed("it has been closed")
         await self._node.modify(self._request, parameters(attributes, **keys))
 
+    async def close(self) -> None:
+        """Withdraws it, cleanly."""
+        raise NotImplementedError
+
+    def abort(self) -> None:
+        """Withdraws it at once."""
+        raise NotImplementedError
+
     # What the node calls
 
     def state(self, command: str, said: dict[str, str]) -> None:

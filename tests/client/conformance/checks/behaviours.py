@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from pair import Pair, counted, counted_until, fresh, fresh_port, must
-from spoken import Failed
-
 from checks import strangers
 
 
@@ -114,15 +112,15 @@ def better_provider(pair: Pair) -> None:
         q = pair.offer(f"mode=oto text={text} protocol={protocol} priority=2")
         better, _ = pair.met(q, s)
         pair.sub.any(f"provider {s} removed {life} outranked")
-        pair.pub.any(f"consumer {p} removed [0-9a-f]+ .*")
+        pair.pub.stands(f"consumer {p} .*", f"consumer {p} removed [0-9a-f]+ .*")
         pair.pub.tell(f"send {p} 02")
         said, _, _ = pair.pub_to_sub(q, s, "03", missed="0")
         must(said == better, "a message has the life of somebody else")
         must(not pair.sub.all(f"message {s} .* 02"), "who was outranked was heard")
         # And back, when the better one goes.
-        pair.pub.asked(f"close {q}", f"closed {q}")
+        pair.pub.tell(f"close {q}")
         pair.sub.find(f"provider {s} added {life} -")
-        pair.pub.find(f"consumer {p} added .*")
+        pair.pub.stands(f"consumer {p} .*", f"consumer {p} added [0-9a-f]+ -")
         pair.pub_to_sub(p, s, "04")
 
 
@@ -203,12 +201,9 @@ def slow_consumer(pair: Pair) -> None:
     pair.sub.tell(f"reading {s}")
     mark = 0
     for _ in range(200):
-        pair.pub.tell(f"send {p} aa")
-        try:
-            mark = int(pair.sub.find(f"message {s} [0-9a-f]+ ([0-9]+) [0-9]+ 1 aa", 0.1)[1])
+        mark = pair.came(p, s, "aa")
+        if mark:
             break
-        except Failed:
-            continue
     must(mark > sent, "nothing comes to who reads again")
     counts = counted(pair.sub, s)
     must(counts["received"] + counts["missed"] >= mark, f"of {mark} messages: {counts}")

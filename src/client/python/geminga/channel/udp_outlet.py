@@ -8,6 +8,7 @@ from collections.abc import Callable
 
 from ..core.counterparts import Counterpart, Key
 from ..core.frame import Kind, write_frame
+from ..errors import PortTaken
 from . import sockets
 from .sockets import Address
 
@@ -80,7 +81,7 @@ class UdpOutlet:
         if self._sock is None:
             try:
                 self._sock = sockets.bound(socket.SOCK_DGRAM, self.port, self._address)
-            except sockets.PortTaken:
+            except PortTaken:
                 self._sock = sockets.bound(socket.SOCK_DGRAM, 0, self._address)
                 self.port = sockets.port_of(self._sock)
                 self._moved(self.port)
