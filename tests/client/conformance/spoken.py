@@ -108,6 +108,12 @@ class Spoken:
             found = [re.fullmatch(pattern, line) for line in self.lines]
         return [one for one in found if one is not None]
 
+    def passed(self, pattern: str) -> list[re.Match[str]]:
+        """All lines that are this pattern, of those that find() has passed."""
+        with self._changed:
+            found = [re.fullmatch(pattern, line) for line in self.lines[: self._at]]
+        return [one for one in found if one is not None]
+
     def asked(self, line: str, pattern: str, seconds: float = PATIENCE_SECONDS) -> re.Match[str]:
         """Tells it a line and finds the answer."""
         self.tell(line)

@@ -24,7 +24,8 @@ def _lossy(pair: Pair, mode: str, protocol: str, address: str = "") -> None:
     mark = 0
     while not mark:
         mark = pair.came(p, s, "ee")
-    rows = [(int(found[1]), int(found[2])) for found in pair.sub.all(f"message {s} {life} ([0-9]+) ([0-9]+) .*")]
+    counts = counted(pair.sub, s)
+    rows = [(int(found[1]), int(found[2])) for found in pair.sub.passed(f"message {s} {life} ([0-9]+) ([0-9]+) .*")]
     last = 0
     for sequence, missed in rows:
         must(sequence > last, f"message {sequence} came behind {last}")
@@ -33,7 +34,6 @@ def _lossy(pair: Pair, mode: str, protocol: str, address: str = "") -> None:
     streamed = sum(before < sequence <= before + COUNT for sequence, _ in rows)
     least = COUNT if protocol == "tcp" else LEAST
     must(streamed >= least, f"of {COUNT} messages {streamed} came")
-    counts = counted(pair.sub, s)
     must(counts["received"] == len(rows), f"{len(rows)} messages, and it counts {counts}")
     must(counts["missed"] == sum(missed for _, missed in rows), f"what is missing is counted as {counts}")
     must((counts["missed"] > 0) == (protocol == "udp"), f"a tenth was lost, and it counts {counts}")
