@@ -239,7 +239,7 @@ class Listening(unittest.TestCase):
         self.assertTrue(listeners.hello(("a", 0), 1))
         listeners.tick(SILENCE_SECONDS - 0.001)
         self.assertEqual(len(listeners.addresses), MAX_LISTENERS)
-        self.assertTrue(listeners.tick(SILENCE_SECONDS))
+        listeners.tick(SILENCE_SECONDS)
         self.assertEqual(listeners.addresses, [("a", 0)])
         listeners.end(("a", 0))
         self.assertEqual(listeners.addresses, [])

@@ -80,7 +80,7 @@ class Vectors(unittest.TestCase):
         self.assertEqual((first.degree, first.distance, first.concept), ("narrower", 1, "soccer:SharedBallInfo"))
         self.assertEqual(second.attributes, {"attr.x": "1", "modes": "3", "rate": "30", "where": "left"})
         converted = next(match for match in matches if match.convert)
-        self.assertEqual(converted.conversions, ["soccer:PolarRobotFrame>soccer:CartesianRobotFrame"])
+        self.assertEqual(converted.convert, ("soccer:PolarRobotFrame", "soccer:CartesianRobotFrame"))
         self.assertEqual((converted.cost, converted.attributes), (1, {"cost": "3"}))
 
     def test_a_conversion_between_iris_is_read(self) -> None:

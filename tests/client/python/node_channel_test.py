@@ -131,6 +131,10 @@ class Exchange(VirtualTestCase):
                     pub = await node.publish(text="x", mode="oto", protocol=protocol)
                     with self.assertRaises(geminga.PortTaken):
                         await node.publish(text="y", mode="oto", protocol=protocol, port=pub.port)
+                group = {"text": "x", "mode": "otm/stream", "address": "239.66.3.10"}
+                with sockets.bound(socket.SOCK_DGRAM, 0) as taken:
+                    with self.assertRaises(geminga.PortTaken):
+                        await node.publish(**group, port=sockets.port_of(taken))  # type: ignore[arg-type]
                 for wrong in ({"mode": "otm"}, {"mode": "oto", "protocol": "sctp"}):
                     with self.assertRaises(ValueError):
                         await node.publish(text="x", **wrong)  # type: ignore[arg-type]

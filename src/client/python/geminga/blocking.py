@@ -124,7 +124,7 @@ class Publisher(_Channel[publisher.Publisher]):
         """The messages that a consumer had no room for, counted for each consumer."""
         return self._front.left_out
 
-    def send(self, payload: bytes) -> bool:
+    def send(self, payload: publisher.Octets) -> bool:
         """Sends to all consumers, and never waits; whether there are any. Raises MessageTooLarge and Closed."""
         self._served.serve()
         return self._front.send(payload)

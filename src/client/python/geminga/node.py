@@ -59,7 +59,7 @@ class Node:
         await self.close()
 
     async def open(self) -> None:
-        """Looks for the daemon, and goes on looking where it is not there. `async with` calls it."""
+        """Looks for the daemon, and goes on looking where it is not there at the first attempt. `async with` calls it."""
         self.loop = asyncio.get_running_loop()
         self._link = DaemonLink(self.loop, self._session, self._endpoints, self._take, self._lost)
         try:

@@ -22,6 +22,8 @@ from .request_owner import RequestOwner
 if TYPE_CHECKING:
     from .node import Node
 
+Octets = bytes | bytearray | memoryview
+
 _pack = HEADER.pack
 _MESSAGE = int(Kind.MESSAGE)
 
@@ -76,9 +78,9 @@ class Publisher(RequestOwner):
     @property
     def dropped(self) -> int:
         """What came in and was not believed."""
-        return int(getattr(self._outlet, "dropped", 0))
+        return self._outlet.dropped
 
-    def send(self, payload: bytes) -> bool:
+    def send(self, payload: Octets) -> bool:
         """Sends to all consumers, and never waits; whether there are any.
 
         Over TCP a consumer for which more than 4 MiB wait is left out: drain() waits for room. Raises MessageTooLarge over
@@ -86,6 +88,8 @@ class Publisher(RequestOwner):
         """
         if len(payload) > self._max_payload:
             self._refuse(len(payload))
+        if type(payload) is not bytes:
+            payload = bytes(payload)  # It is the application's, who may change it.
         outlet = self._outlet
         if not outlet.targets:
             if self._is_closed:
@@ -126,7 +130,7 @@ class Publisher(RequestOwner):
 
     # Inside
 
-    def _make_outlet(self, mode: str, port: int, address: str) -> UdpOutlet | StreamOutlet | MulticastOutlet | TcpOutlet:
+    def _make_outlet(self, mode: str, port: int, address: str) -> Outlet:
         if self._is_tcp:
             return TcpOutlet(self._loop, self._life, port, address, self._is_stream, self._join, self._part)
         if not self._is_stream:

@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 from pair import Pair, counted, fresh, fresh_port, must
 
-COUNT = 500
-#: Of 500 datagrams of which a tenth is lost, fewer come once in 10^30 runs.
-LEAST = 300
+COUNT = 200
+#: Of 200 datagrams of which a tenth is lost, fewer come once in 10^20 runs.
+LEAST = 120
 
 
 def _lossy(pair: Pair, mode: str, protocol: str, address: str = "") -> None:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import asyncio
+import errno
 import socket
 
 from ..core.counterparts import Counterpart
 from ..core.frame import Kind, write_frame
+from ..errors import PortTaken
 from . import multicast, sockets
 from .interfaces import interfaces
 
@@ -23,6 +25,7 @@ class MulticastOutlet:
         self.port = port or _free_port()
         self._by_interface: dict[int, socket.socket] = {}
         self._timer: asyncio.TimerHandle | None = None
+        self.dropped = 0
         self._refresh()
 
     @property
@@ -69,8 +72,10 @@ class MulticastOutlet:
             if index not in self._by_interface:
                 try:
                     self._by_interface[index] = multicast.sending(self._group, self.port, index)
-                except OSError:
-                    continue  # It has no address of this family, or the port is somebody else's.
+                except OSError as error:
+                    if error.errno == errno.EADDRINUSE and not self._by_interface:
+                        raise PortTaken(f"port {self.port} is taken: say another one, or none for any") from error
+                    continue  # It has no address of this family.
         self._timer = self._loop.call_later(REFRESH_SECONDS, self._refresh)
 
 

@@ -2,17 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Sized
 from typing import Protocol
 
 from ..core.counterparts import Counterpart
 
 
 class Outlet(Protocol):
-    """`targets` is empty where sending reaches nobody. Not thread-safe."""
+    """Belongs to an event loop; not thread-safe."""
 
     @property
-    def targets(self) -> object:
-        """Whoever is sent to."""
+    def targets(self) -> Sized:
+        """Whoever is sent to; empty where sending reaches nobody."""
+
+    @property
+    def port(self) -> int:
+        """Where it can be reached."""
+
+    @property
+    def dropped(self) -> int:
+        """What came in and was not believed."""
 
     def open(self, counterpart: Counterpart) -> None:
         """A consumer came, or its address or port changed."""

@@ -14,6 +14,7 @@ from .tcp_connection import TcpConnection
 MAX_CONSUMERS = 256
 MAX_STRANGERS = 16
 STRANGER_SECONDS = 5.0
+ACCEPT_AGAIN_SECONDS = 0.5
 
 
 class _Stranger:
@@ -53,6 +54,7 @@ class TcpOutlet:
         self._expected: set[int] = set()
         self._strangers: list[_Stranger] = []
         self._leaving: set[TcpConnection] = set()
+        self._retry: asyncio.TimerHandle | None = None
         loop.add_reader(self._listener, self._accept)
 
     def open(self, counterpart: Counterpart) -> None:
@@ -110,6 +112,8 @@ class TcpOutlet:
         self._leaving.clear()
 
     def _stop_listening(self) -> None:
+        if self._retry is not None:
+            self._retry.cancel()
         if self._listener.fileno() >= 0:
             self._loop.remove_reader(self._listener)
             self._listener.close()
@@ -123,12 +127,21 @@ class TcpOutlet:
     def _accept(self) -> None:
         try:
             sock, _ = self._listener.accept()
+        except (BlockingIOError, InterruptedError, ConnectionError):
+            return
         except OSError:
+            # Out of descriptors: who waits can wait for a while, but not keep the loop busy.
+            self._loop.remove_reader(self._listener)
+            self._retry = self._loop.call_later(ACCEPT_AGAIN_SECONDS, self._listen_again)
             return
         if len(self._strangers) >= MAX_STRANGERS:
             self._dismiss(self._strangers[0])
             self.dropped += 1
         self._welcome(sock)
+
+    def _listen_again(self) -> None:
+        self._retry = None
+        self._loop.add_reader(self._listener, self._accept)
 
     def _welcome(self, sock: socket.socket) -> None:
         stranger = _Stranger(self._loop.call_later(STRANGER_SECONDS, lambda: self._dismiss(stranger)))

@@ -24,6 +24,7 @@ class UdpOutlet:
         self._sock: socket.socket | None = sockets.bound(socket.SOCK_DGRAM, port, address)
         self.port = sockets.port_of(self._sock)
         self._by_key: dict[Key, tuple[Address, bool]] = {}
+        self.dropped = 0
         self.targets: tuple[tuple[Address, bool], ...] = ()
         if is_lazy:
             self._close_socket()

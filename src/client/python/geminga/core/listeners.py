@@ -33,9 +33,6 @@ class Listeners:
         """It takes its leave."""
         self._heard.pop(address, None)
 
-    def tick(self, now: float) -> bool:
-        """Forgets who has been silent for 3 s; whether there was any."""
-        silent = [address for address, heard in self._heard.items() if now - heard >= SILENCE_SECONDS]
-        for address in silent:
-            del self._heard[address]
-        return bool(silent)
+    def tick(self, now: float) -> None:
+        """Forgets who has been silent for 3 s."""
+        self._heard = {address: heard for address, heard in self._heard.items() if now - heard < SILENCE_SECONDS}

@@ -35,11 +35,6 @@ class Match:
     cost: int = 0
     attributes: dict[str, str] = field(default_factory=dict)
 
-    @property
-    def conversions(self) -> list[str]:
-        """`A>B`, `B>C`: the steps of `convert`."""
-        return [f"{before}>{after}" for before, after in zip(self.convert, self.convert[1:])]
-
 
 def _number(text: str, least: int, most: int) -> int:
     digits = text[1:] if text.startswith("-") else text

@@ -66,11 +66,6 @@ class Session:
         if self.is_open:
             self._say(Statement(0, "sys", "bye"))
 
-    @property
-    def is_settled(self) -> bool:
-        """Whether the daemon has been asked for all requests and has answered."""
-        return self._is_welcome and not self._unanswered and not self._waiting
-
     # Requests
 
     def create(self, command: str, parameters: dict[str, str]) -> Asked:
