@@ -16,7 +16,10 @@ namespace {
 constexpr std::string_view identity_hint = "say id=N, text=NAME, or concept=C with or without representation=R";
 constexpr std::string_view mode_hint = "say mode=oto, mode=otm/stream or mode=otm/pubsub";
 
-Request read_hello(KeyReader& keys) { return Hello{keys.text("name", max_line_bytes)}; }
+Request read_hello(KeyReader& keys) {
+  auto name = keys.text("name", max_line_bytes);
+  return Hello{std::move(name), keys.number("room")};
+}
 Request read_ping(KeyReader&) { return Ping{}; }
 Request read_bye(KeyReader&) { return Bye{}; }
 

@@ -20,9 +20,10 @@
 
 namespace geminga::gcnp {
 
-/// `0 sys hello [name=NAME]`. The name is checked by the participant.
+/// `0 sys hello [name=NAME] [room=N]`. Both are checked by the participant.
 struct Hello {
   std::optional<std::string> name;
+  std::optional<std::uint32_t> room{};  ///< how many subscriptions for `otm/stream` the client needs
   friend bool operator==(const Hello&, const Hello&) = default;
 };
 /// `0 sys ping`

@@ -97,6 +97,7 @@ struct Writer {
   void operator()(const Hello& hello) const {
     auto& parameters = begin("sys", "hello");
     if (hello.name) append(parameters, "name", *hello.name);
+    if (hello.room) append(parameters, "room", *hello.room);
   }
   void operator()(const Ping&) const { begin("sys", "ping"); }
   void operator()(const Bye&) const { begin("sys", "bye"); }

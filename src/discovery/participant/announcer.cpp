@@ -340,7 +340,7 @@ announcement::Announcement Announcer::state() const {
       if (stated.is_in_force) peer.publications.push_back({.number = number, .publication = stated.publication});
     }
     for (const auto& [number, stated] : session->subscriptions) {
-      if (!stated.is_in_force) continue;
+      if (!stated.is_in_force || stated.is_quiet) continue;
       peer.subscriptions.push_back({.number = number, .subscription = stated.subscription});
       auto& subscription = peer.subscriptions.back().subscription;
       subscription.chosen =

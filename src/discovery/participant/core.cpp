@@ -80,8 +80,20 @@ std::size_t Core::peer_count() const {
 
 std::size_t Core::service_count() const {
   std::size_t count = 0;
-  for (const auto& [stream, session] : sessions) count += session->publications.size() + session->subscriptions.size();
+  for (const auto& [stream, session] : sessions) count += session->service_count();
   return count;
+}
+
+std::size_t Core::shared_count() const {
+  std::size_t count = 0;
+  for (const auto& [stream, session] : sessions) count += session->shared_count();
+  return count;
+}
+
+std::size_t Core::promised_room() const {
+  std::size_t room = 0;
+  for (const auto& [stream, session] : sessions) room += session->room;
+  return room;
 }
 
 void Core::refuse(Session& session, std::uint32_t statement, const Error& error) {

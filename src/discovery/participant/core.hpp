@@ -84,8 +84,10 @@ struct Core {
   [[nodiscard]] bool speaks_on(const env::Interface& interface);
   /// Peers whose connection is not over.
   [[nodiscard]] std::size_t peer_count() const;
-  /// Publications and subscriptions of all peers.
+  /// Publications and subscriptions of all peers; those of them that are announced; places of room that are promised.
   [[nodiscard]] std::size_t service_count() const;
+  [[nodiscard]] std::size_t shared_count() const;
+  [[nodiscard]] std::size_t promised_room() const;
 
   /// All the work that was done for clients since the start, whoever caused it.
   [[nodiscard]] Work work() const;

@@ -21,7 +21,8 @@ Refusal check(const Publication& publication) {
 }  // namespace
 
 Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubCreate& create) {
-  if (auto refusal = check_new(core, session, id, session.publications.size())) return refusal;
+  if (auto refusal = check_new(session, id)) return refusal;
+  if (auto refusal = check_count(core, session.publications.size())) return refusal;
   auto identity = resolve_offered(core, create.publication.identity);
   const bool must_wait = is_awaited(core, identity);
   if (!identity && !must_wait) return identity.error();

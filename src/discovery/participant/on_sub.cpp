@@ -19,24 +19,41 @@ Refusal check(const Subscription& subscription) {
   return matching::check_scope(subscription.scope);
 }
 
+/// Whether it has a place of the room that its peer asked for: the others need not know who listens to a stream.
+bool is_quiet(const Session& session, ChannelMode mode) {
+  return session.room > 0 && mode == ChannelMode::one_to_many_stream;
+}
+
+/// Whether the peer may have one more of these.
+Refusal check_place(const Core& core, const Session& session, bool is_quiet) {
+  if (!is_quiet) return check_count(core, session.subscriptions.size() - session.quiet);
+  if (session.quiet < session.room) return std::nullopt;
+  return Error{ErrorCode::too_many, "too many: this peer has asked for room for " + std::to_string(session.room) +
+                                        " subscriptions of mode otm/stream"};
+}
+
 /// The limit where none is stated: one provider for a channel between two, every one otherwise.
 std::uint32_t default_limit(ChannelMode mode) { return mode == ChannelMode::one_to_one ? 1 : 0; }
 
 }  // namespace
 
 Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::SubCreate& create) {
-  if (auto refusal = check_new(core, session, id, session.subscriptions.size())) return refusal;
+  if (auto refusal = check_new(session, id)) return refusal;
+  const bool takes_room = is_quiet(session, create.subscription.mode);
+  if (auto refusal = check_place(core, session, takes_room)) return refusal;
   auto identity = resolve_asked(core, create.subscription.identity);
   const bool must_wait = is_awaited(core, identity);
   if (!identity && !must_wait) return identity.error();
   StatedSubscription stated{.named = create.subscription.identity,
                             .subscription = gcnp::with_identity(create.subscription, {}),
                             .has_limit = create.subscription.limit.has_value(),
+                            .is_quiet = takes_room,
                             .is_in_force = !must_wait,
                             .is_awaited = must_wait};
   if (identity) stated.subscription.identity = std::move(*identity);
   if (auto refusal = check(stated.subscription)) return refusal;
-  if (auto refusal = make_room(core, session)) return refusal;
+  if (auto refusal = takes_room ? std::nullopt : make_room(core, session)) return refusal;
+  session.quiet += takes_room ? 1 : 0;
   // All that it is given is told piece by piece, however much that is.
   enter(core, session, id, session.subscriptions.emplace(id, std::move(stated)).first->second,
         matching::Matcher::Telling::providers);
@@ -65,6 +82,13 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::SubModify
   stated.is_in_force = !must_wait;
   stated.is_awaited = must_wait;
   if (auto refusal = check(stated.subscription)) return refusal;
+  if (stated.is_quiet && !is_quiet(session, stated.subscription.mode)) {
+    if (auto refusal = check_place(core, session, false)) return refusal;
+    if (auto refusal = make_room(core, session)) return refusal;
+    stated.is_quiet = false;
+    --session.quiet;
+    core.is_changed = true;
+  }
   if (must_wait) suspend(core, session, id, found->second);
   found->second = std::move(stated);
   enter(core, session, id, found->second);

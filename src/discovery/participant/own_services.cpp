@@ -65,7 +65,7 @@ void enter(Core& core, const Session& session, std::uint32_t number, const State
                                     .updated = core.env.now()};
   if (entry.subscription.address.empty()) entry.subscription.address = local_address;
   core.matcher.put(std::move(entry), telling);
-  core.is_changed = true;
+  core.is_changed |= !stated.is_quiet;
 }
 
 void withdraw_publication(Core& core, const Session& session, std::uint32_t number, matching::Reason reason) {
@@ -73,7 +73,9 @@ void withdraw_publication(Core& core, const Session& session, std::uint32_t numb
 }
 
 void withdraw_subscription(Core& core, const Session& session, std::uint32_t number, matching::Reason reason) {
-  core.is_changed |= core.matcher.remove_subscription(key_of(core, session, number), reason);
+  const auto stated = session.subscriptions.find(number);
+  const bool is_quiet = stated != session.subscriptions.end() && stated->second.is_quiet;
+  core.is_changed |= core.matcher.remove_subscription(key_of(core, session, number), reason) && !is_quiet;
 }
 
 void forget_publication(Core& core, Session& session, std::uint32_t number) {
@@ -86,6 +88,7 @@ void forget_publication(Core& core, Session& session, std::uint32_t number) {
 
 void forget_subscription(Core& core, Session& session, std::uint32_t number) {
   withdraw_subscription(core, session, number, matching::Reason::withdrawn);
+  session.quiet -= session.subscriptions.at(number).is_quiet ? 1 : 0;
   session.subscriptions.erase(number);
   session.told.erase(number);
   session.pictures.erase(number);
@@ -109,10 +112,11 @@ void suspend(Core& core, Session& session, std::uint32_t number, const StatedSub
 }
 
 void withdraw_all(Core& core, Session& session) {
-  core.is_changed |= session.service_count() > 0;
+  core.is_changed |= session.shared_count() > 0;
   core.matcher.remove_peer(core.id, session.peer(), matching::Reason::withdrawn);
   session.publications.clear();
   session.subscriptions.clear();
+  session.quiet = 0;
   session.told.clear();
   session.pictures.clear();
   session.to_rename.clear();

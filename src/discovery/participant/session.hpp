@@ -37,6 +37,7 @@ struct StatedSubscription {
   NamedIdentity named;
   Subscription subscription;
   bool has_limit = false;  ///< the limit was stated; else it follows the mode
+  bool is_quiet = false;   ///< it has a place of the room that its peer asked for, and is not announced
   bool is_in_force = true;
   bool is_awaited = false;
 };
@@ -68,6 +69,8 @@ class Session {
   std::optional<std::string> held;
   /// Its services that are still to be entered under its new name.
   std::set<std::uint32_t> to_rename;
+  std::size_t room = 0;   ///< how many quiet subscriptions it may have
+  std::size_t quiet = 0;  ///< and has
   std::uint64_t statements = 0;
   std::uint64_t events = 0;
   gcnp::FirstWord first_word;
@@ -86,6 +89,8 @@ class Session {
   bool is_wanted = true;  ///< as Env was told last
 
   [[nodiscard]] std::size_t service_count() const { return publications.size() + subscriptions.size(); }
+  /// Those that are announced, and count for the limits that all peers share.
+  [[nodiscard]] std::size_t shared_count() const { return service_count() - quiet; }
   /// Work that was done for it lately: each half-life counts half of it.
   [[nodiscard]] Work used(base::Instant now) const;
   void use(Work work, base::Instant now);

@@ -23,6 +23,10 @@ struct Limits {
   /// Publications and subscriptions of all peers together. For one more the peer that has the most loses its last one,
   /// if it has at least two more than the one that asks; else the answer is 429. Never more than can be announced.
   std::size_t services = announcement::max_services_per_participant;
+  /// Subscriptions for `otm/stream` that one peer may ask room for when it says hello, and that all peers may. They
+  /// count for none of the limits above, since they are not announced.
+  std::size_t room_per_peer = 16'384;
+  std::size_t room = 32'768;
   /// Lines of one peer in one second; a line over it is answered by 429 and not handled.
   std::size_t statements_per_second = 20'000;
   /// Lines over the limit above in one second, after which the connection is closed: the client floods.

@@ -39,16 +39,18 @@ namespace {
 bool take_back_one(Core& core, const Session& asking) {
   const auto most = std::ranges::max_element(core.sessions, {}, [](const auto& entry) {
     // What is on its way out goes first.
-    return std::pair(entry.second->is_leaving && entry.second->service_count() > 0, entry.second->service_count());
+    return std::pair(entry.second->is_leaving && entry.second->shared_count() > 0, entry.second->shared_count());
   });
   Session& greediest = *most->second;
-  if (greediest.is_leaving && greediest.service_count() > 0) {
+  if (greediest.is_leaving && greediest.shared_count() > 0) {
     withdraw_one(core, greediest);
     return true;
   }
-  if (greediest.service_count() < asking.service_count() + 2) return false;
-  const auto last_number = [](const auto& services) { return services.empty() ? 0 : services.rbegin()->first; };
-  const std::uint32_t number = std::max(last_number(greediest.publications), last_number(greediest.subscriptions));
+  if (greediest.shared_count() < asking.shared_count() + 2) return false;
+  const auto shared = std::find_if(greediest.subscriptions.rbegin(), greediest.subscriptions.rend(),
+                                   [](const auto& entry) { return !entry.second.is_quiet; });
+  const std::uint32_t number = std::max(greediest.publications.empty() ? 0 : greediest.publications.rbegin()->first,
+                                        shared == greediest.subscriptions.rend() ? 0 : shared->first);
   if (greediest.publications.contains(number)) {
     forget_publication(core, greediest, number);
   } else {
@@ -63,22 +65,22 @@ bool take_back_one(Core& core, const Session& asking) {
 
 }  // namespace
 
-Refusal check_new(const Core& core, const Session& session, std::uint32_t id, std::size_t of_its_kind) {
-  if (session.publications.contains(id) || session.subscriptions.contains(id)) {
-    return Error{ErrorCode::already_exists,
-                 std::to_string(id) + " is in use already: choose another number, or modify it"};
-  }
+Refusal check_new(const Session& session, std::uint32_t id) {
+  if (!session.publications.contains(id) && !session.subscriptions.contains(id)) return std::nullopt;
+  return Error{ErrorCode::already_exists,
+               std::to_string(id) + " is in use already: choose another number, or modify it"};
+}
+
+Refusal check_count(const Core& core, std::size_t of_its_kind) {
   const Limits& limits = core.settings.limits;
-  if (of_its_kind >= limits.services_per_peer) {
-    return Error{ErrorCode::too_many,
-                 "too many: a peer may have " + std::to_string(limits.services_per_peer) + " of each kind"};
-  }
-  return std::nullopt;
+  if (of_its_kind < limits.services_per_peer) return std::nullopt;
+  return Error{ErrorCode::too_many,
+               "too many: a peer may have " + std::to_string(limits.services_per_peer) + " of each kind"};
 }
 
 Refusal make_room(Core& core, const Session& session) {
   const std::size_t limit = core.settings.limits.services;
-  if (core.service_count() < limit || take_back_one(core, session)) return std::nullopt;
+  if (core.shared_count() < limit || take_back_one(core, session)) return std::nullopt;
   return Error{ErrorCode::too_many, "too many: the peers of one host may have " + std::to_string(limit) +
                                         " publications and subscriptions together"};
 }

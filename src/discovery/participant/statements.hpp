@@ -30,9 +30,10 @@ void on(Core& core, Session& session, const gcnp::Bye& bye);
 [[nodiscard]] Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::SubModify& modify);
 [[nodiscard]] Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::SubRemove& remove);
 
-/// What both kinds of `create` ask first: whether the id is free (409), and the peer has not too many of that kind
-/// (429).
-[[nodiscard]] Refusal check_new(const Core& core, const Session& session, std::uint32_t id, std::size_t of_its_kind);
+/// What both kinds of `create` ask first: whether the id is free (409).
+[[nodiscard]] Refusal check_new(const Session& session, std::uint32_t id);
+/// Whether the peer has not too many of a kind already (429).
+[[nodiscard]] Refusal check_count(const Core& core, std::size_t of_its_kind);
 /// What they ask last, when nothing else is wrong: whether the host has room for one more (429), which may have to be
 /// taken from a peer that has more than its share.
 [[nodiscard]] Refusal make_room(Core& core, const Session& session);

@@ -174,6 +174,8 @@ void Transcript::set_limit(sim::Host& host, const std::string& name, std::size_t
   Limits& limits = host.settings.limits;
   const std::map<std::string, std::size_t*> known{{"peers", &limits.peers},
                                                   {"services_per_peer", &limits.services_per_peer},
+                                                  {"room_per_peer", &limits.room_per_peer},
+                                                  {"room", &limits.room},
                                                   {"services", &limits.services},
                                                   {"statements_per_second", &limits.statements_per_second},
                                                   {"flood_per_second", &limits.flood_per_second},
