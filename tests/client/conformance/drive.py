@@ -56,6 +56,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--ontology", default=str(ROOT / "ontology"), help="what the daemons load")
     parser.add_argument("--only", default="", help="only checks whose name or title has this in it")
     parser.add_argument("--pair", default="", help="only this pair: PUBLISHER>SUBSCRIBER")
+    parser.add_argument("--loopback", action="store_true", help="daemons on the loopback interface, as where no namespace may be made")
     parser.add_argument("--behaviours", choices=["same", "all", "none"], default="same",
                         help="for which pairs daemons are killed and so on: languages with themselves, all, none")  # fmt: skip
     return parser.parse_args()
@@ -113,7 +114,7 @@ def main() -> int:
         commands["python"] = [str(ROOT / "tests/client/python/agent.py")]
     table = Table()
     pairs: list[tuple[str, tuple[Command, Command]]] = []
-    lab = Lab(os.path.abspath(options.gemingad), [options.ontology])
+    lab = Lab(os.path.abspath(options.gemingad), [options.ontology], options.loopback)
     try:
         print(f"This lab is made of {lab.way}.", flush=True)
         lab.start_daemons()

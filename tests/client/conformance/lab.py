@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import shlex
-import shutil
 import socket
 import subprocess
 from collections.abc import Sequence
@@ -64,11 +63,11 @@ class Host:
 class Lab:
     """Two hosts, 0 and 1, that see each other."""
 
-    def __init__(self, gemingad: str, ontologies: Sequence[str]) -> None:
+    def __init__(self, gemingad: str, ontologies: Sequence[str], on_loopback: bool = False) -> None:
         self.gemingad = gemingad
         self._holders: list[subprocess.Popen[str]] = []
         flags = [word for folder in ontologies for word in ("--ontology", folder)]
-        self.has_namespaces = _may_make_namespaces()
+        self.has_namespaces = not on_loopback and _may_make_namespaces()
         self.hosts: list[Host] = []
         try:
             if self.has_namespaces:
@@ -93,16 +92,19 @@ class Lab:
             host.start_daemon(self.gemingad)
 
     def lose(self, percent: int) -> bool:
-        """From now on each host loses so many of a hundred of what comes in, by chance; False where it cannot."""
-        if not self.has_namespaces or shutil.which("nft") is None:
+        """From now on each host loses so many of a hundred of what comes in or goes out, by chance; False where it cannot."""
+        if not self.has_namespaces:
             return False
         rules = (
             f"add table netdev air; add chain netdev air in {{ type filter hook ingress device {LINK} priority 0; }}; "
-            f"flush chain netdev air in; add rule netdev air in meta protocol {{ ip, ip6 }} numgen random mod 100 < {percent} drop"
+            f"add rule netdev air in meta protocol {{ ip, ip6 }} numgen random mod 100 < {percent} drop"
         )
+        netem = ["tc", "qdisc", "add", "dev", LINK, "root", "netem", "loss", f"{percent}%"]
+        return all(self._can(host, ["nft", rules]) or self._can(host, netem) for host in self.hosts)
+
+    def _can(self, host: Host, command: Sequence[str]) -> bool:
         try:
-            for host in self.hosts:
-                host.run(["nft", rules])
+            host.run(command)
         except Failed:
             return False
         return True
