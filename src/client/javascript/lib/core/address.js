@@ -1,0 +1,26 @@
+// Addresses as they are compared: one spelling each, IPv4 in IPv6 as IPv4, link-local ones with their zone.
+import { isIPv4, isIPv6, SocketAddress } from 'node:net';
+
+/** The one spelling of a numeric address, or undefined. */
+export function canonicalAddress(text) {
+  if (isIPv4(text)) return text;
+  if (!isIPv6(text ?? '')) return undefined;
+  const [plain, zone] = text.split('%');
+  const { address } = new SocketAddress({ address: plain, family: 'ipv6' });
+  const mapped = /^::ffff:([0-9.]+)$/i.exec(address);
+  if (mapped) return mapped[1];
+  return zone === undefined ? address : `${address}%${zone}`;
+}
+
+/** Whether a canonical address is that of a group. */
+export const isMulticast = (address) =>
+  address !== undefined && (isIPv4(address) ? /^2(2[4-9]|3[0-9])\./.test(address) : /^ff/i.test(address));
+
+/** What a socket of this family ('udp4' or 'udp6') sends to for a canonical address, or undefined where it cannot. */
+export function sendable(address, family) {
+  if (isIPv4(address)) return family === 'udp6' ? `::ffff:${address}` : address;
+  return family === 'udp6' ? address : undefined;
+}
+
+/** Address and port as one word. */
+export const place = (address, port) => `${address} ${port}`;

@@ -1,0 +1,110 @@
+// What the daemon tells of the other side of a publication or subscription, from its line and back.
+import { inOrder, shownAttribute, shownKey } from './attribute.js';
+import { StatementError } from './errors.js';
+import { modes, readNumber } from './key.js';
+
+const degrees = ['exact', 'equivalent', 'narrower', 'converted', 'broader'];
+const changes = ['add', 'modify', 'del'];
+
+/** By command: the key that names the other side, its peer, and the keys in the order in which they are written. */
+const shapes = Object.freeze({
+  pub: {
+    service: 'service',
+    peer: 'provider',
+    keys: ['service', 'provider', 'name', 'id', 'text', 'concept', 'representation', 'degree', 'distance', 'mode', 'address',
+      'port', 'protocol', 'priority', 'participant_name', 'convert', 'cost'],
+    required: ['service', 'provider', 'degree', 'mode', 'port', 'protocol'],
+  },
+  sub: {
+    service: 'subscription',
+    peer: 'consumer',
+    keys: ['subscription', 'consumer', 'name', 'id', 'text', 'concept', 'representation', 'degree', 'distance', 'mode',
+      'address', 'port', 'priority', 'participant_name'],
+    required: ['subscription', 'consumer', 'degree', 'mode'],
+  },
+});
+
+const fail = (id, text) => {
+  throw new StatementError(text, 400, id);
+};
+
+function numberOf(id, values, key, most) {
+  const value = values.get(key);
+  if (value === undefined) return undefined;
+  return readNumber(value, most) ?? fail(id, `${key}=${value} is no number`);
+}
+
+/** Whether a statement is an event. */
+export const isEvent = ({ command, subcommand }) => Object.hasOwn(shapes, command ?? '') && changes.includes(subcommand);
+
+/**
+ * The event of a statement: `id`, `change`, `command`, `service` (the word of the other side's service or subscription),
+ * `peer`, `name`, `identity`, `degree`, `distance`, `mode`, `address`, `port`, `protocol`, `priority`, `participantName`,
+ * `convert`, `cost`, `attributes`; of a `del` only the first four and `reason`. Throws StatementError.
+ */
+export function readEvent({ id, command, subcommand, parameters }) {
+  const shape = shapes[command];
+  const values = new Map();
+  const attributes = Object.create(null);
+  const isConverted = parameters.some(([key]) => key === 'convert');
+  for (const [key, value = ''] of parameters) {
+    const isKey = shape.keys.includes(key) && (key !== 'cost' || isConverted);
+    if (isKey || key === 'reason') {
+      if (values.has(key)) fail(id, `${key} is given twice`);
+      values.set(key, value);
+    } else {
+      const name = shownAttribute(key);
+      if (name !== undefined && name !== '') attributes[name] = value;
+    }
+  }
+  const service = values.get(shape.service) ?? fail(id, `${shape.service} is missing`);
+  if (subcommand === 'del') return { id, command, change: 'del', service, reason: values.get('reason') ?? '' };
+  for (const key of shape.required) if (!values.has(key)) fail(id, `${key} is missing`);
+  if (!degrees.includes(values.get('degree'))) fail(id, 'no degree');
+  if (!modes.includes(values.get('mode'))) fail(id, 'no mode');
+  const identity = {};
+  if (values.has('id')) identity.id = numberOf(id, values, 'id', 0xffffffff);
+  for (const key of ['text', 'concept', 'representation']) if (values.has(key)) identity[key] = values.get(key);
+  return {
+    id,
+    command,
+    change: subcommand,
+    service,
+    peer: values.get(shape.peer),
+    name: values.get('name'),
+    identity,
+    degree: values.get('degree'),
+    distance: numberOf(id, values, 'distance', 0xffffffff) ?? 0,
+    mode: values.get('mode'),
+    address: values.get('address') || undefined,
+    port: numberOf(id, values, 'port', 65535) || undefined,
+    protocol: values.get('protocol'),
+    priority: Number(values.get('priority') ?? 0),
+    participantName: values.get('participant_name'),
+    convert: values.get('convert') || undefined,
+    cost: numberOf(id, values, 'cost', 0xffffffff),
+    attributes,
+  };
+}
+
+/** The statement of an event, as the daemon writes it. */
+export function eventStatement(event) {
+  const { id, command, change } = event;
+  const shape = shapes[command];
+  const statement = { id, command, subcommand: change, parameters: [] };
+  if (change === 'del') {
+    statement.parameters.push([shape.service, event.service], ['reason', event.reason]);
+    return statement;
+  }
+  const values = { ...event, ...event.identity, participant_name: event.participantName };
+  values[shape.service] = event.service;
+  values[shape.peer] = event.peer;
+  values.id = event.identity.id;
+  for (const key of shape.keys) {
+    if (values[key] !== undefined) statement.parameters.push([key, String(values[key])]);
+  }
+  for (const [name, value] of inOrder(event.attributes)) {
+    statement.parameters.push([event.convert && name === 'cost' ? 'attr.cost' : shownKey(name), value]);
+  }
+  return statement;
+}

@@ -1,0 +1,66 @@
+// Frames, in which messages travel (src/client/CHANNELS.md, "Frames").
+import { randomBytes } from 'node:crypto';
+
+import { maxDatagramMessage } from './limits.js';
+
+export const headerSize = 24;
+export const kinds = Object.freeze({ message: 1, hello: 2, end: 3 });
+const magic = 0x4743;
+const version = 1;
+
+/** Whether the 24 octets at `at` begin a frame with a payload of at most `most` octets. */
+export function isHeader(octets, at, most) {
+  const kind = octets[at + 3];
+  return octets.readUInt16BE(at) === magic && octets[at + 2] === version && kind >= 1 && kind <= 3 &&
+      octets.readUInt32BE(at + 4) <= most && octets.readBigUInt64BE(at + 8) !== 0n;
+}
+
+/** The frame at `at`, whose header is one and whose payload is there. The payload shares the octets. */
+export function frameAt(octets, at) {
+  const begin = at + headerSize;
+  return {
+    kind: octets[at + 3],
+    life: octets.readBigUInt64BE(at + 8),
+    sequence: octets.readBigUInt64BE(at + 16),
+    payload: octets.subarray(begin, begin + octets.readUInt32BE(at + 4)),
+  };
+}
+
+/** The frame that a datagram is, or undefined. */
+export function frameOfDatagram(octets) {
+  if (octets.length < headerSize || !isHeader(octets, 0, maxDatagramMessage)) return undefined;
+  return octets.readUInt32BE(4) === octets.length - headerSize ? frameAt(octets, 0) : undefined;
+}
+
+/** The octets of a frame, in a buffer of their own. */
+export function encodeFrame(kind, life, sequence, payload) {
+  const length = payload?.length ?? 0;
+  const octets = Buffer.allocUnsafe(headerSize + length);
+  octets.writeUInt32BE((magic << 16 | version << 8 | kind) >>> 0, 0);
+  octets.writeUInt32BE(length, 4);
+  octets.writeBigUInt64BE(life, 8);
+  octets.writeBigUInt64BE(sequence, 16);
+  if (length > 0) octets.set(payload, headerSize);
+  return octets;
+}
+
+/** Eight octets of a life. */
+export function lifeOctets(life) {
+  const octets = Buffer.alloc(8);
+  octets.writeBigUInt64BE(life);
+  return octets;
+}
+
+/** A new life: 64 random bits that are not 0. */
+export function newLife(random = randomBytes) {
+  for (;;) {
+    const life = random(8).readBigUInt64BE();
+    if (life !== 0n) return life;
+  }
+}
+
+/** Sixteen hexadecimal digits. */
+export const lifeText = (life) => life.toString(16).padStart(16, '0');
+
+/** The life that an attribute `channel` states; 0 where it cannot be read. */
+export const lifeOf = (text) => (/^[0-9a-f]{16}$/.test(text ?? '') ? BigInt(`0x${text}`) : 0n);

@@ -1,0 +1,34 @@
+// Where datagrams are believed to come from: an address and port, for each of which there may be several lives.
+import { frameOfDatagram, kinds } from './frame.js';
+
+export class Places {
+  #places = new Map();
+
+  set(place, channel) {
+    const there = this.#places.get(place);
+    if (!there) this.#places.set(place, [channel]);
+    else if (!there.includes(channel)) there.push(channel);
+  }
+
+  delete(place, channel) {
+    const left = this.#places.get(place)?.filter((one) => one !== channel) ?? [];
+    if (left.length > 0) this.#places.set(place, left);
+    else this.#places.delete(place);
+  }
+
+  /**
+   * Whose a datagram from there is: `{channel, frame}`, where a channel whose life is 0 takes it as it is; or undefined,
+   * where it is to be dropped.
+   */
+  take(place, octets) {
+    const there = this.#places.get(place);
+    if (!there) return undefined;
+    const frame = frameOfDatagram(octets);
+    if (frame && (frame.kind === kinds.message || (frame.kind === kinds.end && frame.payload.length === 0))) {
+      const channel = there.find(({ life }) => life === frame.life);
+      if (channel) return { channel, frame };
+    }
+    const plain = there.find(({ life }) => life === 0n);
+    return plain && { channel: plain, frame: { kind: kinds.message, life: 0n, sequence: 0n, payload: octets } };
+  }
+}

@@ -1,0 +1,222 @@
+// What a client has asked of its daemon, over all the connections to it: states requests again, and knows which line answers
+// which statement. Knows no sockets and no time.
+import { ClosedError, RefusedError } from './errors.js';
+import { isEvent, readEvent } from './event.js';
+import { canonicalRequest } from './request.js';
+import { decodeLine, formatStatement, parseStatement } from './statement.js';
+
+const identityKeys = new Set(['id', 'text', 'concept', 'representation']);
+
+/** The parameters of a request after a change: what is given takes the place of what was, an empty value takes it back. */
+export function merged(parameters, change) {
+  const given = new Map(change);
+  const isSemantic = given.has('concept') || given.has('representation');
+  const isIdentity = isSemantic || given.has('id') || given.has('text');
+  const kept = parameters.filter(([key]) => {
+    if (given.has(key)) return false;
+    if (!isIdentity || !identityKeys.has(key)) return true;
+    return isSemantic && (key === 'concept' || key === 'representation');
+  });
+  const isAttribute = (key) => !canBeEmptied.has(key);
+  return [...kept, ...change.filter(([key, value]) => value !== '' || isAttribute(key))];
+}
+const canBeEmptied =
+  new Set(['representation', 'address', 'provider', 'scope', 'favour', 'prefer', 'rank', 'where', 'for', 'protocol']);
+
+/** One publication or subscription. `parameters` are what is stated again after a loss. */
+class Request {
+  constructor(id, command, parameters, onEvent, onProblem) {
+    this.id = id;
+    this.command = command;
+    this.parameters = parameters;
+    this.onEvent = onEvent;
+    this.onProblem = onProblem;
+    /** Whether the daemon refused it, or took it back: it is not stated again. */
+    this.isRefused = false;
+    this.isHeld = false;
+    this.waiters = [];
+    this.changes = [];
+  }
+}
+
+/**
+ * `hooks`: `write(line)`, `onConnected(hello)`, `onProblem(error)`. `start` and `lose` tell of connections, `receive` of each
+ * line without its end.
+ */
+export class Session {
+  #hooks;
+  #name;
+  #requests = new Map();
+  #answers = [];
+  #nextId = 1;
+  #isUp = false;
+  /** Lines that could not be read, or meant nothing. */
+  dropped = 0;
+
+  constructor(name, hooks) {
+    this.#name = name;
+    this.#hooks = hooks;
+  }
+
+  /** A connection is there: says who this is and states everything again. */
+  start() {
+    this.#isUp = true;
+    this.#write(0, 'sys', 'hello', this.#name === undefined ? [] : [['name', this.#name]]);
+    for (const request of this.#requests.values()) {
+      if (request.isRefused) continue;
+      this.#state(request);
+      for (const change of request.changes) this.#stateChange(request, change);
+    }
+  }
+
+  /** The connection is lost. What was not answered is stated again with the next one. */
+  lose() {
+    this.#isUp = false;
+    const answers = this.#answers;
+    this.#answers = [];
+    for (const { lost } of answers) lost?.();
+  }
+
+  /**
+   * States a publication ('pub') or subscription ('sub'). Gives `{request, taken}`: the promise is fulfilled when the daemon
+   * has taken it, with whichever connection that is. Throws StatementError.
+   */
+  create(command, parameters, onEvent, onProblem) {
+    const statement = canonicalRequest({ id: this.#nextId, command, subcommand: 'create', parameters });
+    const request = new Request(this.#nextId++, command, statement.parameters, onEvent, onProblem);
+    this.#requests.set(request.id, request);
+    const taken = new Promise((resolve, reject) => request.waiters.push({ resolve, reject }));
+    if (this.#isUp) this.#state(request);
+    return { request, taken };
+  }
+
+  /** Changes a request. The promise is fulfilled when the daemon has taken the change. Throws StatementError. */
+  modify(request, parameters) {
+    const { id, command } = request;
+    const statement = canonicalRequest({ id, command, subcommand: 'modify', parameters });
+    if (request.isRefused) throw new RefusedError(404, 'the request was refused or taken back');
+    return new Promise((resolve, reject) => {
+      const change = { parameters: statement.parameters, resolve, reject };
+      request.changes.push(change);
+      if (this.#isUp) this.#stateChange(request, change);
+    });
+  }
+
+  /** Takes a request back. The promise is fulfilled when the daemon knows, or is gone. */
+  remove(request) {
+    if (!this.#requests.delete(request.id)) return Promise.resolve();
+    const closed = new ClosedError(request.command === 'pub' ? 'publisher' : 'subscriber');
+    for (const waiter of [...request.waiters.splice(0), ...request.changes.splice(0)]) waiter.reject(closed);
+    if (!this.#isUp || request.isRefused) return Promise.resolve();
+    return new Promise((resolve) => {
+      this.#write(request.id, request.command, 'remove', []);
+      this.#expect({ request, done: resolve, lost: resolve });
+    });
+  }
+
+  bye() {
+    if (this.#isUp) this.#write(0, 'sys', 'bye', []);
+  }
+
+  /** Takes one line of the daemon, its octets without the end. */
+  receive(octets) {
+    try {
+      const statement = parseStatement(decodeLine(octets));
+      if (statement.code !== undefined) this.#onError(statement);
+      else if (isEvent(statement)) this.#onEvent(readEvent(statement));
+      else if (statement.command === 'msg') this.#onMessage(statement);
+      else ++this.dropped;
+    } catch (error) {
+      if (error.code !== 'GEMINGA_STATEMENT') throw error;
+      ++this.dropped;
+    }
+  }
+
+  #write(id, command, subcommand, parameters) {
+    this.#hooks.write(formatStatement({ id, command, subcommand, parameters }));
+  }
+
+  /** Behind each statement goes a ping: by its pong the daemon has answered, if it had anything to say. */
+  #expect(answer) {
+    this.#answers.push(answer);
+    this.#write(0, 'sys', 'ping', []);
+  }
+
+  #state(request) {
+    this.#write(request.id, request.command, 'create', request.parameters);
+    this.#expect({
+      request,
+      done: (error) => {
+        if (error?.status === 503) return;
+        if (error) {
+          this.#refuse(request, error);
+          return;
+        }
+        request.isHeld = true;
+        for (const { resolve } of request.waiters.splice(0)) resolve();
+      },
+    });
+  }
+
+  #stateChange(request, change) {
+    this.#write(request.id, request.command, 'modify', change.parameters);
+    this.#expect({
+      request,
+      done: (error) => {
+        if (error?.status === 503 || !request.changes.includes(change)) return;
+        request.changes.splice(request.changes.indexOf(change), 1);
+        if (error) {
+          change.reject(error);
+          return;
+        }
+        request.parameters = canonicalRequest({
+          id: request.id,
+          command: request.command,
+          subcommand: 'create',
+          parameters: merged(request.parameters, change.parameters),
+        }).parameters;
+        change.resolve();
+      },
+    });
+  }
+
+  /** The daemon does not have this request, and is not asked for it again. */
+  #refuse(request, error) {
+    const wasAwaited = request.waiters.length > 0;
+    request.isRefused = true;
+    request.isHeld = false;
+    for (const waiter of [...request.waiters.splice(0), ...request.changes.splice(0)]) waiter.reject(error);
+    if (!wasAwaited) request.onProblem(error);
+  }
+
+  #onError({ id, code, text }) {
+    const error = new RefusedError(code, text);
+    const [next] = this.#answers;
+    const request = this.#requests.get(id);
+    if (request && next?.request === request && !next.error) {
+      next.error = error;
+    } else if (request && !request.isRefused && code !== 503) {
+      this.#refuse(request, error);
+    } else if (id === 0) {
+      this.#hooks.onProblem(error);
+    }
+  }
+
+  #onMessage({ id, subcommand, parameters }) {
+    if (id !== 0) return;
+    if (subcommand === 'hello') {
+      const hello = Object.fromEntries(parameters.map(([key, value]) => [key, value ?? '']));
+      this.#hooks.onConnected(hello);
+    } else if (subcommand === 'pong') {
+      const answer = this.#answers.shift();
+      answer?.done(answer.error);
+    }
+  }
+
+  #onEvent(event) {
+    const request = this.#requests.get(event.id);
+    // A subscription is told of publications, and the other way round.
+    if (request && request.command !== event.command) request.onEvent(event);
+    else ++this.dropped;
+  }
+}

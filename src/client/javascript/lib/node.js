@@ -1,0 +1,152 @@
+// This program as a peer of its daemon: what it offers and asks for, whether or not the daemon is there.
+import { EventEmitter } from 'node:events';
+
+import { ClosedError } from './core/errors.js';
+import { Session } from './core/session.js';
+import { abortable, throwIfAborted } from './io/abort.js';
+import { endpointsOf } from './io/endpoint.js';
+import { Io } from './io/io.js';
+import { Link } from './io/link.js';
+import { Publisher } from './publisher/publisher.js';
+import { Subscriber } from './subscriber/subscriber.js';
+
+/** Events: `connected` with what the daemon says of itself, `disconnected`, `problem` with an Error. */
+export class Node extends EventEmitter {
+  #io;
+  #link;
+  #session;
+  #services = new Set();
+  #hello;
+  #closing;
+  #gone = new AbortController();
+
+  /**
+   * `name`: what the team calls this program; `daemon`: where the daemon is, else GEMINGA_CONNECT says, else
+   * 127.0.0.1:4717 and [::1]:4717.
+   */
+  constructor({ name, daemon, clock, random } = {}) {
+    super();
+    this.#io = new Io({ clock, random });
+    this.#session = new Session(name, {
+      write: (line) => this.#link.write(line),
+      onConnected: (hello) => this.#onConnected(hello),
+      onProblem: (error) => this.emit('problem', error),
+    });
+    this.#link = new Link(this.#io, endpointsOf(daemon), {
+      onUp: () => this.#session.start(),
+      onLine: (octets) => this.#session.receive(octets),
+      onDown: () => this.#onDown(),
+    });
+    this.#link.open();
+  }
+
+  /** Whether the daemon is there now. */
+  get isConnected() {
+    return this.#hello !== undefined;
+  }
+
+  /** What the daemon said of itself and this peer: `participant`, `peer`, `participant_name`, ... */
+  get hello() {
+    return this.#hello;
+  }
+
+  /** Fulfilled when the daemon is there. */
+  async connected({ signal } = {}) {
+    throwIfAborted(signal);
+    if (this.#closing) throw new ClosedError('node');
+    if (this.#hello) return this;
+    let settle;
+    const come = new Promise((resolve, reject) => {
+      settle = { resolve, reject };
+      this.once('connected', resolve);
+      this.#gone.signal.addEventListener('abort', () => reject(new ClosedError('node')), { once: true });
+    });
+    try {
+      await abortable(come, signal);
+    } finally {
+      this.off('connected', settle.resolve);
+    }
+    return this;
+  }
+
+  /** Offers a service with a channel; fulfilled when the daemon has taken it. */
+  async publish(options) {
+    return Publisher.open(this.#context(), options);
+  }
+
+  /** Asks for services and receives from them. `ready()` of what it gives tells whether the daemon has taken it. */
+  subscribe(options) {
+    return new Subscriber(this.#context(), options);
+  }
+
+  /** Withdraws everything, cleanly, and ends the connection. */
+  close() {
+    this.#closing ??= this.#close();
+    return this.#closing;
+  }
+
+  /** Lets the program end although this is open; `ref` takes that back. */
+  unref() {
+    this.#io.keepAlive(false);
+    return this;
+  }
+
+  ref() {
+    this.#io.keepAlive(true);
+    return this;
+  }
+
+  #context() {
+    if (this.#closing) throw new ClosedError('node');
+    return {
+      session: this.#session,
+      io: this.#io,
+      onOpened: (service) => this.#services.add(service),
+      onClosed: (service) => this.#services.delete(service),
+    };
+  }
+
+  async #close() {
+    this.#gone.abort();
+    await Promise.all([...this.#services].map((service) => service.close()));
+    this.#session.bye();
+    await this.#link.close();
+    this.emit('close');
+  }
+
+  #onConnected(hello) {
+    if (this.#hello) return;
+    this.#hello = hello;
+    this.#link.settle();
+    for (const service of this.#services) service.onDaemonBack();
+    this.emit('connected', hello);
+  }
+
+  #onDown() {
+    const wasThere = this.#hello !== undefined;
+    this.#hello = undefined;
+    this.#session.lose();
+    for (const service of this.#services) service.onDaemonLost();
+    if (wasThere && !this.#closing) this.emit('disconnected');
+  }
+}
+
+if (Symbol.asyncDispose) {
+  for (const one of [Node, Publisher, Subscriber]) {
+    Object.defineProperty(one.prototype, Symbol.asyncDispose, { value: one.prototype.close });
+  }
+}
+
+/**
+ * The daemon, once it is there: waits until it is, or the `signal` is aborted. Who does not want to wait makes a Node.
+ */
+export async function connect({ signal, ...options } = {}) {
+  throwIfAborted(signal);
+  const node = new Node(options);
+  try {
+    return await node.connected({ signal });
+  } catch (error) {
+    await node.close();
+    throw error;
+  }
+}

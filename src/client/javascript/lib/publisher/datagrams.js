@@ -1,0 +1,137 @@
+// A publisher's side of `oto` and `otm/pubsub` over UDP: sends from its port to each consumer that it was told.
+import { canonicalAddress, place, sendable } from '../core/address.js';
+import * as limits from '../core/limits.js';
+import { PortError } from '../core/errors.js';
+import { familyOf, openDatagramSocket } from '../io/datagram_socket.js';
+
+/** Sends one frame from one socket; gives whether the system is not behind with it. */
+export class DatagramOut {
+  /** Datagrams that were left out, and that the system did not take. */
+  leftOut = 0;
+
+  constructor(socket) {
+    this.socket = socket;
+    this.family = familyOf(socket);
+    socket.on('error', () => ++this.leftOut);
+  }
+
+  send(octets, address, port) {
+    const waiting = this.socket.getSendQueueSize();
+    if (waiting + octets.length > limits.maxWaitingDatagrams) ++this.leftOut;
+    else this.socket.send(octets, port, address);
+    return waiting < limits.enoughWaiting;
+  }
+
+  get waiting() {
+    return this.socket.getSendQueueSize();
+  }
+
+  /** Sends a last datagram to each target, and closes when the system has taken them. */
+  async end(octets, targets) {
+    await Promise.all(targets.map(({ address, port }) =>
+      new Promise((resolve) => this.socket.send(octets, port, address, resolve))));
+    this.close();
+  }
+
+  close() {
+    this.socket.close();
+  }
+}
+
+/**
+ * `isLazy`: the socket is open only while there are consumers; `onMoved(port)` tells that the port was taken meanwhile.
+ */
+export class Datagrams {
+  #io;
+  #options;
+  #isLazy;
+  #onMoved;
+  #out;
+  #targets = new Map();
+  #leftOut = 0;
+  port;
+
+  constructor(io, { address, port, isLazy, onMoved }) {
+    this.#io = io;
+    this.#options = { address };
+    this.#isLazy = isLazy;
+    this.#onMoved = onMoved;
+    this.port = port ?? 0;
+  }
+
+  /** Throws PortError. */
+  async open() {
+    this.#open();
+    if (this.#isLazy) this.#close();
+  }
+
+  get hasConsumer() {
+    return this.#targets.size > 0;
+  }
+
+  get leftOut() {
+    return this.#leftOut + (this.#out?.leftOut ?? 0);
+  }
+
+  get waiting() {
+    return this.#out?.waiting ?? 0;
+  }
+
+  get dropped() {
+    return 0;
+  }
+
+  /** A consumer, or what is new about it. One without address and port cannot be sent to. */
+  set(key, { address, port }) {
+    const canonical = canonicalAddress(address);
+    if (canonical === undefined || port === undefined) {
+      this.delete(key);
+      return;
+    }
+    if (!this.#out) this.#reopen();
+    const target = sendable(canonical, this.#out.family);
+    if (target === undefined) this.delete(key);
+    else this.#targets.set(key, { address: target, port, place: place(canonical, port) });
+  }
+
+  delete(key) {
+    this.#targets.delete(key);
+    if (this.#targets.size === 0 && this.#isLazy && this.#out) this.#close();
+  }
+
+  send(octets) {
+    let isPrompt = true;
+    for (const { address, port } of this.#targets.values()) isPrompt = this.#out.send(octets, address, port) && isPrompt;
+    return isPrompt;
+  }
+
+  async end(octets) {
+    const targets = [...this.#targets.values()];
+    this.#targets.clear();
+    await this.#out?.end(octets, targets);
+    this.#out = undefined;
+  }
+
+  #open() {
+    const out = new DatagramOut(openDatagramSocket(this.#io, { ...this.#options, port: this.port }));
+    this.port = out.socket.address().port;
+    this.#out = out;
+  }
+
+  #reopen() {
+    try {
+      this.#open();
+    } catch (error) {
+      if (!(error instanceof PortError)) throw error;
+      this.port = 0;
+      this.#open();
+      this.#onMoved(this.port);
+    }
+  }
+
+  #close() {
+    this.#leftOut += this.#out.leftOut;
+    this.#out.close();
+    this.#out = undefined;
+  }
+}
