@@ -1,0 +1,280 @@
+// The parts without sockets: hostile lines and frames, limits at their edges, queue, back-off, conversions, what is believed.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { isSlip, shownAttribute, statedKey } from '../../../src/client/javascript/lib/core/attribute.js';
+import { canonicalAddress, isMulticast, sendable } from '../../../src/client/javascript/lib/core/address.js';
+import { Backoff } from '../../../src/client/javascript/lib/core/backoff.js';
+import { Conversions } from '../../../src/client/javascript/lib/core/conversion.js';
+import { FrameDecoder } from '../../../src/client/javascript/lib/core/decoder.js';
+import { Memory, Track } from '../../../src/client/javascript/lib/core/delivery.js';
+import { readEvent } from '../../../src/client/javascript/lib/core/event.js';
+import { encodeFrame, frameOfDatagram, kinds, lifeOf, lifeOctets, newLife } from '../../../src/client/javascript/lib/core/frame.js';
+import * as limits from '../../../src/client/javascript/lib/core/limits.js';
+import { Places } from '../../../src/client/javascript/lib/core/places.js';
+import { MessageQueue } from '../../../src/client/javascript/lib/core/queue.js';
+import { parametersOf, parseRequest } from '../../../src/client/javascript/lib/core/request.js';
+import { decodeLine, formatValue, parseStatement } from '../../../src/client/javascript/lib/core/statement.js';
+import { endpointOf } from '../../../src/client/javascript/lib/io/endpoint.js';
+import { ListenerTable } from '../../../src/client/javascript/lib/publisher/listeners.js';
+
+const refused = (line, status = 400) =>
+  assert.throws(() => parseStatement(line), (error) => error.code === 'GEMINGA_STATEMENT' && error.status === status, line);
+
+test('hostile lines are refused, with the octet where they stop making sense', () => {
+  for (const line of ['', ' ', 'GET / HTTP/1.1', '5', '5 pub', '5 pub add\u0001', '5 pub add \u007f', '5 pub add =x',
+    '5 pub add a="x', '5 pub add a="x"y', '5 pub add a=x"y', '5 pub add a="\\x"', '5 pub add a="\\', '99999999999 pub add',
+    '5 pub add a="\\__proto__"', '+5 pub add', '5\tpub add']) refused(line);
+  assert.throws(() => parseStatement('5 pub add Ö=1'), /octet 11:/);
+  assert.throws(() => parseStatement('5 pub add a=Ö b"=1'), /octet 17:/);
+  assert.throws(() => decodeLine(Buffer.from([0x35, 0xff])), /not UTF-8/);
+});
+
+test('a line has 65536 octets and 256 parameters at most', () => {
+  const line = (octets) => `5 pub add a=${'x'.repeat(octets - 12)}`;
+  for (const octets of [limits.maxLine - 1, limits.maxLine]) assert.equal(parseStatement(line(octets)).id, 5);
+  refused(line(limits.maxLine + 1), 413);
+  refused(`5 pub add a=${'Ö'.repeat(limits.maxLine / 2)}`, 413);
+  const many = (count) => `5 pub add${' a'.repeat(count)}`;
+  for (const count of [limits.maxParameters - 1, limits.maxParameters]) {
+    assert.equal(parseStatement(many(count)).parameters.length, count);
+  }
+  refused(many(limits.maxParameters + 1), 413);
+});
+
+test('values are written so that they are read again', () => {
+  for (const value of ['', 'x', 'a b', 'a"b\\c', '\n\r\t', 'Ölstand \u{1f916}', '\\', '\ufffd']) {
+    assert.equal(parseStatement(`1 a b c=${formatValue(value)}`).parameters[0][1], value);
+  }
+  assert.equal(formatValue('a\u0000b'), '"a?b"');
+  assert.equal(formatValue('a\ud800'), 'a\ufffd');
+});
+
+test('hostile events are refused and no attribute reaches a prototype', () => {
+  const of = (line) => readEvent(parseStatement(line));
+  const good = '5 pub add service=a provider=b id=1 degree=exact mode=oto port=1 protocol=udp';
+  assert.equal(of(`${good} __proto__=1 constructor=2`).attributes['__proto__'], '1');
+  assert.equal({}.x, undefined);
+  for (const bad of ['5 pub add', '5 pub add service=a', good.replace('mode=oto', 'mode=x'), good.replace('port=1', 'port=65536'),
+    good.replace('degree=exact', 'degree=best'), `${good} service=c`, good.replace('id=1', 'id=-1')]) {
+    assert.throws(() => of(bad), { code: 'GEMINGA_STATEMENT' }, bad);
+  }
+  assert.equal(shownAttribute('attr.port'), 'port');
+  assert.equal(statedKey('prot'), 'attr.prot');
+  assert.equal(isSlip('wehre', 'where') && isSlip('Port', 'port') && isSlip('limits', 'limit') && isSlip('od', 'id'), true);
+  assert.equal(isSlip('rate', 'where') || isSlip('port', 'port'), false);
+});
+
+test('options become parameters, and a word that is none is told', () => {
+  assert.deepEqual(parametersOf({ mode: 'oto', text: 'x', protocol: ['udp', 'tcp'], attributes: { rate: 30, port: 1 } }, 'sub'),
+    [['mode', 'oto'], ['text', 'x'], ['protocol', 'udp,tcp'], ['rate', '30'], ['attr.port', '1']]);
+  assert.throws(() => parametersOf({ mode: 'oto', prority: 3 }, 'pub'), /prority is no option/);
+});
+
+test('limits of a request hold at their edges', () => {
+  const request = (rest) => () => parseRequest(`5 sub create mode=oto id=1 ${rest}`);
+  const edge = (limit, of) => {
+    for (const count of [limit - 1, limit]) request(of(count))();
+    assert.throws(request(of(limit + 1)), { status: 413 });
+  };
+  edge(limits.maxCondition, (n) => `where=${'x'.repeat(n)}`);
+  edge(limits.maxScope, (n) => `scope=${'x'.repeat(n)}`);
+  edge(limits.maxPrefer, (n) => `prefer=${'x'.repeat(n)}`);
+  edge(limits.maxRank, (n) => `rank=${'x'.repeat(n)}`);
+  edge(limits.maxProviders, (n) => `provider=${Array(n).fill('a').join(',')}`);
+  edge(limits.maxName, (n) => `favour=${'x'.repeat(n)}`);
+  edge(limits.maxProtocols, (n) => `protocol=${Array(n).fill('a').join(',')}`);
+  edge(limits.maxProtocol, (n) => `protocol=${'x'.repeat(n)}`);
+  edge(limits.maxAttributes, (n) => Array.from({ length: n }, (_, i) => `attr.a${i}=1`).join(' '));
+  edge(limits.maxAttributeName, (n) => `attr.${'x'.repeat(n)}=1`);
+  edge(limits.maxAttributeValue, (n) => `attr.x=${'x'.repeat(n)}`);
+  const text = (n) => () => parseRequest(`5 sub create mode=oto text=${'x'.repeat(n)}`);
+  text(limits.maxText)();
+  assert.throws(text(limits.maxText + 1), { status: 413 });
+});
+
+test('a datagram has 65000 octets of message at most', () => {
+  const size = (octets) => frameOfDatagram(encodeFrame(kinds.message, 1n, 1n, Buffer.alloc(octets)))?.payload.length;
+  assert.equal(size(limits.maxDatagramMessage - 1), limits.maxDatagramMessage - 1);
+  assert.equal(size(limits.maxDatagramMessage), limits.maxDatagramMessage);
+  assert.equal(size(limits.maxDatagramMessage + 1), undefined);
+});
+
+test('a stream of frames is read however it is cut', () => {
+  const frames = [encodeFrame(kinds.message, 7n, 1n, Buffer.from('one')), encodeFrame(kinds.message, 7n, 2n, Buffer.alloc(300, 2)),
+    encodeFrame(kinds.end, 7n, 2n)];
+  const octets = Buffer.concat(frames);
+  for (const step of [1, 2, 23, 24, 25, 100, octets.length]) {
+    const decoder = new FrameDecoder(300);
+    const read = [];
+    for (let at = 0; at < octets.length; at += step) {
+      decoder.push(octets.subarray(at, at + step));
+      for (let frame = decoder.next(); frame; frame = decoder.next()) read.push(frame);
+    }
+    assert.deepEqual(read.map(({ sequence, kind }) => [kind, sequence]), [[1, 1n], [1, 2n], [3, 2n]]);
+    assert.equal(read[1].payload.length, 300);
+    assert.equal(decoder.isBroken, false);
+  }
+});
+
+test('a stream ends at what is no frame, before its payload is waited for', () => {
+  for (const limit of [299, 300, 301]) {
+    const decoder = new FrameDecoder(limit);
+    decoder.push(encodeFrame(kinds.message, 7n, 1n, Buffer.alloc(300)).subarray(0, 24));
+    assert.equal(decoder.next(), undefined);
+    assert.equal(decoder.isBroken, limit < 300);
+  }
+  const decoder = new FrameDecoder(300);
+  decoder.push(Buffer.concat([encodeFrame(kinds.message, 7n, 1n), Buffer.from('GET / HTTP/1.1\r\nHost: x\r\n\r\n')]));
+  assert.equal(decoder.next().sequence, 1n);
+  assert.equal(decoder.next(), undefined);
+  assert.ok(decoder.isBroken);
+  decoder.push(encodeFrame(kinds.message, 7n, 2n));
+  assert.equal(decoder.next(), undefined);
+});
+
+test('lives are 16 digits and never 0', () => {
+  assert.equal(lifeOf('0123456789abcdef'), 0x0123456789abcdefn);
+  for (const bad of ['', undefined, '0123456789ABCDEF', '0123456789abcde', '0000000000000000', '0x23456789abcdef', '0123456789abcdef0']) {
+    assert.equal(lifeOf(bad), 0n);
+  }
+  const drawn = [Buffer.alloc(8), Buffer.alloc(8, 1)];
+  assert.equal(newLife(() => drawn.shift()), 0x0101010101010101n);
+});
+
+test('the next try waits .1, .2, .4, .8, 1, 1 s, up to a quarter longer', () => {
+  for (const [chance, factor] of [[0, 1], [0.5, 1.125], [0.999999, 1.25]]) {
+    const backoff = new Backoff(() => chance);
+    const waits = Array.from({ length: 7 }, () => Math.round(backoff.next()));
+    assert.deepEqual(waits, [100, 200, 400, 800, 1000, 1000, 1000].map((wait) => Math.round(wait * factor)));
+    backoff.reset();
+    assert.ok(backoff.next() <= 125);
+  }
+});
+
+test('each message is delivered once and in order, with how many are missing', () => {
+  const track = new Track();
+  assert.equal(track.take(5n), 0n);
+  assert.equal(track.take(5n), undefined);
+  assert.equal(track.take(4n), undefined);
+  assert.equal(track.take(6n), 0n);
+  const missed = track.take(9n);
+  assert.equal(missed, 2n);
+  track.lose(missed);
+  assert.equal(track.missedBefore(track.take(10n)), 3n);
+  assert.equal(track.missedBefore(track.take(0xffffffffffffffffn)), 0xffffffffffffffffn - 11n);
+  assert.equal(new Track().take(0n), undefined);
+});
+
+test('a life that is back delivers nothing twice and misses nothing that was not for it', () => {
+  const memory = new Memory();
+  memory.remember(1n, 9n);
+  const track = new Track(memory.lastOf(1n));
+  assert.equal(track.take(9n), undefined);
+  assert.equal(track.take(20n), 0n);
+  assert.equal(track.take(22n), 1n);
+  for (let life = 2n; life <= BigInt(limits.maxRemembered); ++life) memory.remember(life, 1n);
+  assert.equal(memory.lastOf(1n), 9n);
+  memory.remember(1000n, 1n);
+  assert.equal(memory.lastOf(1n), undefined);
+});
+
+test('the queue pushes out the oldest datagrams, and asks streams to wait', () => {
+  const item = (name, size = 1) => ({ name, payload: Buffer.alloc(size) });
+  const queue = new MessageQueue(3, 100);
+  for (const name of ['a', 'b', 'c']) assert.deepEqual(queue.push(item(name), true), []);
+  assert.deepEqual(queue.push(item('d'), true).map(({ name }) => name), ['a']);
+  assert.ok(queue.hasRoom);
+  for (const name of ['s', 't', 'u']) queue.push(item(name), false);
+  assert.equal(queue.hasRoom, false);
+  assert.deepEqual(queue.push(item('e'), true).map(({ name }) => name), ['b']);
+  const taken = [];
+  while (queue.size > 0) taken.push(queue.shift().name);
+  assert.deepEqual(taken, ['c', 'd', 's', 't', 'u', 'e']);
+  assert.ok(queue.hasRoom && queue.isHalfEmpty);
+  queue.push(item('big', 99), false);
+  assert.ok(queue.hasRoom);
+  queue.push(item('one'), false);
+  assert.equal(queue.hasRoom, false);
+  assert.deepEqual(queue.push(item('late', 50), true), []);
+  assert.deepEqual(queue.push(item('later', 50), true).map(({ name }) => name), ['late']);
+});
+
+test('conversions follow the chain, or the one function that does it all', () => {
+  const add = (word) => (octets) => Buffer.concat([octets, Buffer.from(word)]);
+  const conversions = new Conversions({ 'A>B': add('1'), 'B>C': add('2') });
+  assert.equal(String(conversions.along('A>B>C')(Buffer.from('x'))), 'x12');
+  conversions.set('A>C', add('3'));
+  assert.equal(String(conversions.along('A>B>C')(Buffer.from('x'))), 'x3');
+  assert.throws(() => conversions.along('A>B>D')(Buffer.alloc(0)), /no conversion for B>D/);
+  conversions.set('B>D', () => 'text');
+  assert.throws(() => conversions.along('A>B>D')(Buffer.alloc(0)), /B>D gave no Uint8Array/);
+  conversions.set('B>D', () => JSON.parse('{'));
+  assert.throws(() => conversions.along('A>B>D')(Buffer.alloc(0)), /B>D failed/);
+  assert.throws(() => conversions.set('AB', add('')), TypeError);
+  assert.throws(() => conversions.set('A>B', 1), TypeError);
+});
+
+test('addresses are compared in one spelling, with their zone', () => {
+  assert.equal(canonicalAddress('::ffff:10.0.0.1'), '10.0.0.1');
+  assert.equal(canonicalAddress('2001:DB8:0:0::1'), '2001:db8::1');
+  assert.equal(canonicalAddress('fe80::1%eth0'), 'fe80::1%eth0');
+  assert.notEqual(canonicalAddress('fe80::1%eth0'), canonicalAddress('fe80::1%eth1'));
+  for (const bad of ['robot2', '', undefined, '1.2.3', '1.2.3.4%eth0']) assert.equal(canonicalAddress(bad), undefined);
+  assert.deepEqual(['239.0.0.1', '224.0.0.1', 'ff02::1', '10.0.0.1', '240.0.0.1', 'fe80::1'].map(isMulticast),
+    [true, true, true, false, false, false]);
+  assert.equal(sendable('10.0.0.1', 'udp6'), '::ffff:10.0.0.1');
+  assert.equal(sendable('10.0.0.1', 'udp4'), '10.0.0.1');
+  assert.equal(sendable('::1', 'udp4'), undefined);
+});
+
+test('only the life of this place is believed', () => {
+  const places = new Places();
+  const channel = { life: 7n };
+  places.set('10.0.0.1 5000', channel);
+  const message = encodeFrame(kinds.message, 7n, 1n, Buffer.from('x'));
+  assert.equal(places.take('10.0.0.1 5000', message).channel, channel);
+  assert.equal(places.take('10.0.0.1 5001', message), undefined);
+  assert.equal(places.take('10.0.0.2 5000', message), undefined);
+  assert.equal(places.take('10.0.0.1 5000', encodeFrame(kinds.message, 8n, 1n)), undefined);
+  assert.equal(places.take('10.0.0.1 5000', Buffer.from('anything')), undefined);
+  assert.equal(places.take('10.0.0.1 5000', encodeFrame(kinds.hello, 7n, 0n)), undefined);
+  const plain = { life: 0n };
+  places.set('10.0.0.1 5000', plain);
+  assert.equal(places.take('10.0.0.1 5000', message).channel, channel);
+  const taken = places.take('10.0.0.1 5000', Buffer.from('anything'));
+  assert.equal(taken.channel, plain);
+  assert.equal(String(taken.frame.payload), 'anything');
+  places.delete('10.0.0.1 5000', channel);
+  places.delete('10.0.0.1 5000', plain);
+  assert.equal(places.take('10.0.0.1 5000', message), undefined);
+});
+
+test('listeners say whom they want, are 64 at most, and are forgotten after 3 s', () => {
+  const table = new ListenerTable(7n);
+  const hello = encodeFrame(kinds.hello, 9n, 0n, lifeOctets(7n));
+  const bad = [encodeFrame(kinds.hello, 9n, 0n), encodeFrame(kinds.hello, 9n, 0n, lifeOctets(8n)),
+    encodeFrame(kinds.message, 9n, 1n, lifeOctets(7n)), Buffer.from('x')];
+  for (const octets of bad) table.onDatagram(octets, '10.0.0.1', 1, 0);
+  assert.equal(table.size, 0);
+  assert.equal(table.dropped, 4);
+  for (let port = 1; port <= limits.maxListeners + 1; ++port) table.onDatagram(hello, '10.0.0.1', port, 0);
+  assert.equal(table.size, limits.maxListeners);
+  for (let port = 2; port <= limits.maxListeners; ++port) table.onDatagram(hello, '10.0.0.1', port, 1000);
+  table.onDatagram(hello, '10.0.0.2', 1, limits.listenerPatience - 1);
+  assert.equal([...table.values()].some(({ address }) => address === '10.0.0.2'), false);
+  table.onDatagram(hello, '10.0.0.2', 1, limits.listenerPatience);
+  assert.equal([...table.values()].some(({ address }) => address === '10.0.0.2'), true);
+  table.onDatagram(encodeFrame(kinds.end, 9n, 0n, lifeOctets(7n)), '10.0.0.2', 1, limits.listenerPatience);
+  assert.equal(table.size, limits.maxListeners - 1);
+});
+
+test('endpoints are read as the other clients read them', () => {
+  assert.deepEqual(endpointOf('127.0.0.1:4717'), { host: '127.0.0.1', port: 4717 });
+  assert.deepEqual(endpointOf('[::1]:4717'), { host: '::1', port: 4717 });
+  assert.deepEqual(endpointOf('/run/geminga'), { path: '/run/geminga' });
+  assert.deepEqual(endpointOf('unix:x'), { path: 'x' });
+  for (const bad of ['', 'x', '127.0.0.1', '127.0.0.1:0', '127.0.0.1:65536', '::1:4717', '[::1]', 'unix:']) {
+    assert.throws(() => endpointOf(bad), TypeError, bad);
+  }
+});

@@ -1,0 +1,84 @@
+// The tables that every language passes.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+
+import { eventStatement, readEvent } from '../../../src/client/javascript/lib/core/event.js';
+import { reservedKeys } from '../../../src/client/javascript/lib/core/attribute.js';
+import { encodeFrame, frameOfDatagram, kinds, lifeText } from '../../../src/client/javascript/lib/core/frame.js';
+import { identity } from '../../../src/client/javascript/lib/core/identity.js';
+import { parseRequest } from '../../../src/client/javascript/lib/core/request.js';
+import { formatStatement, parseStatement } from '../../../src/client/javascript/lib/core/statement.js';
+import { xxh32 } from '../../../src/client/javascript/lib/core/xxh32.js';
+import { root } from './support.mjs';
+
+const text = (path) => readFileSync(new URL(path, root), 'utf8');
+const rows = (path) => text(path).split('\n').filter((line) => line && !line.startsWith('#')).map((line) => line.split('\t'));
+const gcnp = text('src/discovery/gcnp/GCNP.md');
+
+/** Lines of a block, each with the line behind `=`, or itself. */
+function pairs(block) {
+  const lines = new RegExp(`\`\`\`${block}\\n([^]*?)\`\`\``).exec(gcnp)[1].split('\n').filter(Boolean);
+  const found = [];
+  for (const line of lines) {
+    if (line.startsWith('= ')) found.at(-1)[1] = line.slice(2);
+    else found.push([line, line]);
+  }
+  assert.ok(found.length > 4);
+  return found;
+}
+
+test('identities are those of the table', () => {
+  for (const [kind, value, representation, number] of rows('tests/client/vectors/identities.tsv')) {
+    const key = kind === 'number' ? 'id' : kind;
+    const asked = { [key]: kind === 'number' ? Number(value) : value, representation: representation || undefined };
+    assert.equal(identity(asked), Number(number), `${kind} ${value}`);
+  }
+});
+
+test('XXH32 agrees with the xxHash project for all lengths of its branches', () => {
+  const octets = (count) => Buffer.from(Array.from({ length: count }, (_, i) => (i * 7) & 255));
+  assert.equal(xxh32(Buffer.alloc(0)), 0x02cc5d05);
+  assert.equal(xxh32(Buffer.from('a')), 0x550d7456);
+  assert.equal(xxh32(Buffer.from('abc')), 0x32d153ff);
+  assert.equal(xxh32(Buffer.from('Nobody inspects the spammish repetition')), 0xe2293b2f);
+  assert.notEqual(xxh32(octets(15)), xxh32(octets(16)));
+});
+
+test('frames are those of the table', () => {
+  for (const [kind, life, sequence, payload, frame] of rows('tests/client/vectors/frames.tsv')) {
+    const read = frameOfDatagram(Buffer.from(frame ?? '', 'hex'));
+    if (kind === 'refused') {
+      assert.equal(read, undefined, frame);
+      continue;
+    }
+    assert.equal(read.kind, kinds[kind], frame);
+    assert.equal(lifeText(read.life), life);
+    assert.equal(read.sequence, BigInt(sequence));
+    assert.equal(read.payload.toString('hex'), payload);
+    const again = encodeFrame(kinds[kind], BigInt(`0x${life}`), BigInt(sequence), Buffer.from(payload, 'hex'));
+    assert.equal(again.toString('hex'), frame);
+  }
+});
+
+test('requests are read and written as in GCNP.md', () => {
+  for (const [line, written] of pairs('requests')) assert.equal(formatStatement(parseRequest(line)), written, line);
+});
+
+test('what GCNP.md refuses is refused, with its id and code', () => {
+  for (const [line, answer] of pairs('refused')) {
+    assert.throws(() => parseRequest(line), (error) => `${error.id} ${error.status}` === answer, line);
+  }
+});
+
+test('lines of the daemon are read and written as in GCNP.md', () => {
+  for (const [line] of pairs('events')) {
+    const statement = parseStatement(line);
+    const again = statement.code === undefined ? eventStatement(readEvent(statement)) : statement;
+    assert.equal(formatStatement(again), line);
+  }
+});
+
+test('the reserved keys are those of GCNP.md', () => {
+  assert.deepEqual(reservedKeys, /```reserved\n([^]*?)```/.exec(gcnp)[1].trim().split(/\s+/));
+});
