@@ -3,9 +3,7 @@ import { createInterface } from 'node:readline';
 import { setTimeout as wait } from 'node:timers/promises';
 
 import { shownAttribute } from '../../../src/client/javascript/lib/core/attribute.js';
-import { eventStatement, isEvent, readEvent } from '../../../src/client/javascript/lib/core/event.js';
 import { frameOfDatagram, kinds } from '../../../src/client/javascript/lib/core/frame.js';
-import { canonicalRequest } from '../../../src/client/javascript/lib/core/request.js';
 import { formatStatement, parseStatement } from '../../../src/client/javascript/lib/core/statement.js';
 import { identity, lifeText, Node } from '../../../src/client/javascript/lib/index.js';
 
@@ -51,9 +49,17 @@ async function read(label, service) {
   }
 }
 
+/** Says what happens to a service; before its ok it is kept. Gives what says that it is there. */
 function watch(label, service, event) {
-  service.on(event, ({ change, life, reason }) => say(event, label, change, lifeText(life), reason || '-'));
-  service.on('problem', (error) => say('problem', label, error.message));
+  let early = [];
+  const tell = (...words) => (early ? early.push(words) : say(...words));
+  service.on(event, ({ change, life, reason }) => tell(event, label, change, lifeText(life), reason || '-'));
+  service.on('problem', (error) => tell('problem', label, error.message));
+  return () => {
+    say('ok', label);
+    for (const words of early) say(...words);
+    early = undefined;
+  };
 }
 
 async function stream(label, count, size, milliseconds) {
@@ -71,16 +77,9 @@ async function stream(label, count, size, milliseconds) {
   say('streamed', label);
 }
 
-function words(text) {
-  return [...text.matchAll(/"((?:[^"\\]|\\.)*)"|([^ ]+)/g)].map(([, quoted, bare]) =>
-    quoted === undefined ? bare : parseStatement(`1 a b c="${quoted}"`).parameters[0][1]);
-}
-
 function lineAgain(text) {
   try {
-    const statement = parseStatement(text);
-    if (statement.code !== undefined || statement.command === 'msg') return formatStatement(statement);
-    return formatStatement(isEvent(statement) ? eventStatement(readEvent(statement)) : canonicalRequest(statement));
+    return formatStatement(parseStatement(text));
   } catch {
     return 'refused';
   }
@@ -91,8 +90,7 @@ const doings = {
     try {
       const publisher = await node.publish(optionsOf('pub', text));
       services.set(label, { publisher });
-      say('ok', label);
-      watch(label, publisher, 'consumer');
+      watch(label, publisher, 'consumer')();
     } catch (error) {
       say('error', label, error.message);
     }
@@ -102,10 +100,10 @@ const doings = {
       const subscriber = node.subscribe({ ...optionsOf('sub', text), conversions: conversions.get(label) });
       const service = { subscriber, gate: undefined, isQuiet: false };
       services.set(label, service);
-      watch(label, subscriber, 'provider');
-      read(label, service);
+      const sayOk = watch(label, subscriber, 'provider');
       await subscriber.ready();
-      say('ok', label);
+      sayOk();
+      read(label, service);
     } catch (error) {
       say('error', label, error.message);
     }
@@ -119,25 +117,23 @@ const doings = {
   async modify(label, text) {
     const { publisher, subscriber } = services.get(label);
     const { attributes, ...options } = optionsOf(publisher ? 'pub' : 'sub', text);
-    try {
-      await (publisher ?? subscriber).modify({ ...options, attributes });
-    } catch (error) {
-      say('error', label, error.message);
-    }
+    await (publisher ?? subscriber).modify({ ...options, attributes });
   },
   send(label, text = '') {
+    services.get(label).publisher.send(Buffer.from(text, 'hex'));
+  },
+  async stream(label, text) {
     try {
-      services.get(label).publisher.send(Buffer.from(text, 'hex'));
+      await stream(label, ...text.split(' ').map(Number));
     } catch (error) {
       say('error', label, error.message);
     }
   },
-  stream: (label, text) => stream(label, ...text.split(' ').map(Number)),
   count(label) {
     const { publisher, subscriber } = services.get(label);
     const counts = (publisher ?? subscriber).statistics;
     if (publisher) say('count', label, `sent=${counts.sent}`, `left_out=${counts.leftOut}`, `dropped=${counts.dropped}`);
-    else say('count', label, `received=${counts.received}`, `missed=${counts.missed}`, `dropped=${counts.dropped}`);
+    else say('count', label, `received=${counts.received}`, `missed=${counts.missed}`, `dropped=${counts.dropped + counts.overflowed}`);
   },
   quiet(label) {
     services.get(label).isQuiet = true;
@@ -162,7 +158,11 @@ const doings = {
     say('closed', label);
   },
   identity(kind, text) {
-    const [value, representation] = words(text);
+    // An expression has spaces of its own and ends with a bracket; an IRI has none.
+    const hasTwo = (kind === 'concept' || kind === 'expression') && text.includes(' ') && !text.endsWith(')');
+    const end = hasTwo ? text.lastIndexOf(' ') : text.length;
+    const value = text.slice(0, end);
+    const representation = hasTwo ? text.slice(end + 1) : undefined;
     const key = kind === 'number' ? 'id' : kind;
     say('identity', identity({ [key]: kind === 'number' ? Number(value) : value, representation }));
   },
@@ -178,23 +178,17 @@ const doings = {
   line: (first = '', rest) => say('line', lineAgain(rest === undefined ? first : `${first} ${rest}`)),
 };
 
-async function quit() {
-  await node.close();
-  process.exit(0);
-}
-
-const input = createInterface({ input: process.stdin });
-input.on('line', async (line) => {
+const besides = new Set(['pub', 'sub', 'stream']);
+for await (const line of createInterface({ input: process.stdin })) {
   const [, word, label, rest] = /^([^ ]*)(?: ([^ ]*)(?: (.*))?)?$/.exec(line) ?? [];
-  if (word === 'quit') {
-    quit();
-    return;
-  }
-  if (!Object.hasOwn(doings, word)) return;
+  if (word === 'quit') break;
+  if (!Object.hasOwn(doings, word)) continue;
   try {
-    await doings[word](label, rest);
+    const done = doings[word](label, rest);
+    if (!besides.has(word)) await done;
   } catch (error) {
-    say('problem', label, error.message);
+    say('error', label, error.message);
   }
-});
-input.once('close', quit);
+}
+await node.close();
+process.exit(0);

@@ -27,6 +27,11 @@ export class Track {
     return missed;
   }
 
+  /** How many are missing up to the last one that there was. */
+  finish(last) {
+    return this.#isFresh || last <= this.#last ? 0n : last - this.#last;
+  }
+
   /** One that was taken never reached the application. */
   lose(missed) {
     this.#lost += missed + 1n;

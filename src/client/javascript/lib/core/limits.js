@@ -27,11 +27,13 @@ export const maxInterfaces = 8;
 
 /** Milliseconds between two hellos to an `otm/stream` over UDP. */
 export const helloInterval = 1000;
+/** Milliseconds after which a group's interfaces are looked at again. */
+export const interfaceInterval = 2000;
 /** Milliseconds after which a listener that says no hello is forgotten. */
 export const listenerPatience = 3000;
 /** Milliseconds that a TCP connection has to say whose it is, and to meet its `sub add`. */
 export const strangerPatience = 5000;
-/** Milliseconds in which a withdrawn provider's stream is read to its end. */
+/** Milliseconds for which a withdrawn provider's stream is read while nothing comes. */
 export const endPatience = 2000;
 /** The same over UDP, where what was sent is here already and only the end can be lost. */
 export const datagramEndPatience = 200;
@@ -39,7 +41,7 @@ export const datagramEndPatience = 200;
 export const orphanPatience = 10_000;
 /** Milliseconds after which the daemon that is back has confirmed what it will confirm. */
 export const confirmPatience = 10_000;
-/** Milliseconds that `close` waits for consumers that do not read. */
+/** Milliseconds that `close` waits for consumers that take nothing. */
 export const closePatience = 5000;
 
 /** GCNP: octets of a line, parameters of a statement. */

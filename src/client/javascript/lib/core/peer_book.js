@@ -30,7 +30,7 @@ function isSame(a, b) {
 /**
  * `hooks`: `added(peer)`, `modified(peer, before, isTold)`, `removed(peer, reason)`; `orphanPatience(peer)` says for how many
  * milliseconds the channel of one whom no daemon sees goes on, Infinity: as long as its connection; `endPatience(peer)`
- * for how many what a withdrawn one has sent is read, 0: not at all.
+ * for how many it is waited for something of a withdrawn one, 0: not at all, unless `isHeld(peer)`: it is not read now.
  */
 export class PeerBook {
   #peers = new Map();
@@ -78,7 +78,7 @@ export class PeerBook {
     if (this.#peers.size === 0) return;
     this.#confirmation = this.#timers.after(limits.confirmPatience, () => {
       for (const peer of [...this.#peers.values()]) {
-        if (!peer.isConfirmed && peer.isMatched) this.#orphan(peer, 'lost');
+        if (!peer.isConfirmed && peer.isMatched) this.#orphan(peer, 'disconnected');
       }
       this.#closeSurplus();
     });
@@ -91,6 +91,18 @@ export class PeerBook {
     this.#peers.delete(peer.key);
     if (this.#services.get(peer.service) === peer) this.#services.delete(peer.service);
     this.#hooks.removed(peer, reason);
+  }
+
+  /** Something of a withdrawn peer has come: its end is waited for anew. */
+  touch(peer) {
+    if (!peer.isEnding) return;
+    this.#timers.clear(peer.timer);
+    this.#awaitEnd(peer);
+  }
+
+  /** The daemon does not have the request any more. */
+  removeAll(reason) {
+    for (const peer of [...this.#peers.values()]) this.remove(peer, reason);
   }
 
   clear() {
@@ -134,10 +146,17 @@ export class PeerBook {
         return;
       }
       Object.assign(peer, { isMatched: false, isEnding: true, reason });
-      peer.timer = this.#timers.after(patience, () => this.remove(peer, reason));
+      this.#awaitEnd(peer);
     } else {
       this.#orphan(peer, reason);
     }
+  }
+
+  #awaitEnd(peer) {
+    peer.timer = this.#timers.after(this.#hooks.endPatience(peer), () => {
+      if (this.#hooks.isHeld(peer)) this.#awaitEnd(peer);
+      else this.remove(peer, peer.reason);
+    });
   }
 
   /** The daemons have lost sight of it; the channel has not. */

@@ -87,11 +87,9 @@ function readKeys(kind, parameters, { isPub, behind = () => false }) {
   const values = new Map();
   const attributes = Object.create(null);
   const rest = [];
-  const seen = new Set();
   for (const [key, given] of parameters) {
-    if (seen.has(key)) throw new StatementError(`${key} is given twice: give each key once`);
-    seen.add(key);
     if (kind.keys.includes(key)) {
+      if (values.has(key)) throw new StatementError(`${key} is given twice: give each key once`);
       if (given === undefined && !flags.has(key)) {
         throw new StatementError(`${key} has no value: write ${key}=VALUE`);
       }

@@ -96,11 +96,16 @@ export function parseStatement(line) {
   const command = takeWord(cursor, 'command');
   const subcommand = takeWord(cursor, 'subcommand');
   const parameters = [];
+  const keys = new Set();
   for (cursor.skipSpaces(); !cursor.atEnd; cursor.skipSpaces()) {
     if (parameters.length === maxParameters) {
       cursor.fail(`a statement has at most ${maxParameters} parameters`, cursor.at, 413);
     }
-    parameters.push(takeParameter(cursor));
+    const begin = cursor.at;
+    const parameter = takeParameter(cursor);
+    if (keys.has(parameter[0])) cursor.fail(`${parameter[0]} is given twice: give each key once`, begin);
+    keys.add(parameter[0]);
+    parameters.push(parameter);
   }
   return { id, command, subcommand, parameters };
 }

@@ -3,12 +3,16 @@ import { networkInterfaces } from 'node:os';
 
 import { maxInterfaces } from '../core/limits.js';
 
-/** What dgram takes as an interface of this family: IPv4 addresses, or `::%NAME`; one each, the loopback's last. */
-export function interfacesOf(isSix) {
+/**
+ * What dgram takes as an interface of this family, IPv4 addresses or `::%NAME`: every interface that is up and no loopback,
+ * or the loopback where there is no other.
+ */
+export function groupInterfaces(isSix, interfaces = networkInterfaces()) {
   const found = [];
-  for (const [name, addresses] of Object.entries(networkInterfaces())) {
-    const one = addresses.find(({ family }) => family === (isSix ? 'IPv6' : 'IPv4') || family === (isSix ? 6 : 4));
+  for (const [name, addresses] of Object.entries(interfaces)) {
+    const one = addresses.find(({ family }) => family === (isSix ? 'IPv6' : 'IPv4'));
     if (one) found.push({ name: isSix ? `::%${name}` : one.address, isLoopback: one.internal });
   }
-  return found.sort((a, b) => Number(a.isLoopback) - Number(b.isLoopback)).slice(0, maxInterfaces + 1);
+  const others = found.filter(({ isLoopback }) => !isLoopback);
+  return (others.length > 0 ? others : found).slice(0, maxInterfaces).map(({ name }) => name);
 }

@@ -27,7 +27,7 @@ export class Connections {
   #timers;
   #options;
   #isStream;
-  #onGone;
+  #hooks;
   #server;
   /** Of those that have not become consumers: socket to `{decoder, life, timer}`, the oldest first. */
   #strangers = new Map();
@@ -38,13 +38,13 @@ export class Connections {
   /** Connections that were closed since they were no consumers or said what is no frame. */
   dropped = 0;
 
-  /** `onGone(key)` tells that a consumer's connection is gone. */
-  constructor(io, { address, port, isStream, onGone = () => {} }) {
+  /** `hooks`: `onCome(key)` and `onGone(key)` tell of the connections of consumers. */
+  constructor(io, { address, port, isStream, hooks }) {
     this.#io = io;
     this.#timers = io.timers();
     this.#options = { host: address, port: port ?? 0 };
     this.#isStream = isStream;
-    this.#onGone = onGone;
+    this.#hooks = hooks;
   }
 
   async open() {
@@ -140,14 +140,13 @@ export class Connections {
     });
   }
 
-  /** Ends a connection in order; who does not read is not waited for. */
+  /** Sends what waits and ends a connection; who takes nothing of it is not waited for. */
   #end(socket) {
     return new Promise((resolve) => {
-      const patience = this.#timers.after(limits.closePatience, () => socket.destroy());
-      socket.once('close', () => {
-        this.#timers.clear(patience);
-        resolve();
-      });
+      // Node's own time-out of a socket: it counts from the last octet that the other side took.
+      socket.setTimeout(limits.closePatience, () => socket.destroy());
+      socket.once('close', resolve);
+      if (socket.destroyed) resolve();
       socket.end();
       socket.resume();
     });
@@ -191,6 +190,7 @@ export class Connections {
       return;
     }
     this.#consumers.set(stranger.life, new Connection(socket));
+    this.#hooks.onCome(stranger.life);
   }
 
   #reject(socket) {
@@ -203,6 +203,6 @@ export class Connections {
     this.#strangers.delete(socket);
     if (this.#consumers.get(stranger.life)?.socket !== socket) return;
     this.#consumers.delete(stranger.life);
-    this.#onGone(stranger.life);
+    this.#hooks.onGone(stranger.life);
   }
 }

@@ -1,7 +1,8 @@
 // A publisher's side of `oto` and `otm/pubsub` over UDP: sends from its port to each consumer that it was told.
-import { canonicalAddress, place, sendable } from '../core/address.js';
+import { canonicalAddress, sendable } from '../core/address.js';
 import * as limits from '../core/limits.js';
 import { PortError } from '../core/errors.js';
+import { headerSize } from '../core/frame.js';
 import { familyOf, openDatagramSocket } from '../io/datagram_socket.js';
 
 /** Sends one frame from one socket; gives whether the system is not behind with it. */
@@ -81,8 +82,11 @@ export class Datagrams {
     return 0;
   }
 
-  /** A consumer, or what is new about it. One without address and port cannot be sent to. */
-  set(key, { address, port }) {
+  /**
+   * A consumer, or what is new about it. One without address and port cannot be sent to; one without a life is sent payloads
+   * without a frame.
+   */
+  set(key, { address, port }, isPlain) {
     const canonical = canonicalAddress(address);
     if (canonical === undefined || port === undefined) {
       this.delete(key);
@@ -91,7 +95,7 @@ export class Datagrams {
     if (!this.#out) this.#reopen();
     const target = sendable(canonical, this.#out.family);
     if (target === undefined) this.delete(key);
-    else this.#targets.set(key, { address: target, port, place: place(canonical, port) });
+    else this.#targets.set(key, { address: target, port, isPlain });
   }
 
   delete(key) {
@@ -101,12 +105,14 @@ export class Datagrams {
 
   send(octets) {
     let isPrompt = true;
-    for (const { address, port } of this.#targets.values()) isPrompt = this.#out.send(octets, address, port) && isPrompt;
+    for (const { address, port, isPlain } of this.#targets.values()) {
+      isPrompt = this.#out.send(isPlain ? octets.subarray(headerSize) : octets, address, port) && isPrompt;
+    }
     return isPrompt;
   }
 
   async end(octets) {
-    const targets = [...this.#targets.values()];
+    const targets = [...this.#targets.values()].filter(({ isPlain }) => !isPlain);
     this.#targets.clear();
     await this.#out?.end(octets, targets);
     this.#out = undefined;

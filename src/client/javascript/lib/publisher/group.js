@@ -1,53 +1,45 @@
 // A publisher's side of `otm/stream` over UDP multicast: sends to the group on each interface, whether anybody listens or not.
 import { isIPv6 } from 'node:net';
 
+import { interfaceInterval } from '../core/limits.js';
 import { openDatagramSocket } from '../io/datagram_socket.js';
-import { interfacesOf } from '../io/interfaces.js';
-import { PortError } from '../core/errors.js';
+import { groupInterfaces } from '../io/interfaces.js';
 import { DatagramOut } from './datagrams.js';
 
 export class Group {
   #io;
+  #timers;
   #address;
-  #outs = [];
+  #outs = new Map();
+  #leftOut = 0;
   port;
 
   constructor(io, { address, port }) {
     this.#io = io;
+    this.#timers = io.timers();
     this.#address = address;
     this.port = port ?? 0;
   }
 
+  /** Throws PortError. */
   async open() {
-    const isSix = isIPv6(this.#address);
-    const interfaces = interfacesOf(isSix);
-    // The loopback interface is for a host that has no other; the system gives what it sends to its own listeners as well.
-    const used = interfaces.filter(({ isLoopback }) => !isLoopback);
-    for (const { name } of used.length > 0 ? used : interfaces) {
-      const socket = openDatagramSocket(this.#io, { address: isSix ? '::' : '0.0.0.0', port: this.port, isShared: true });
-      this.port = socket.address().port;
-      try {
-        socket.setMulticastInterface(name);
-        socket.setMulticastTTL(1);
-        socket.setMulticastLoopback(true);
-        this.#outs.push(new DatagramOut(socket));
-      } catch {
-        socket.close(); // an interface that went, or that has no multicast
-      }
-    }
-    if (this.#outs.length === 0) throw new PortError(this.port, new Error('no interface speaks multicast'));
+    // This one finds the port and says whether it can be had.
+    const first = openDatagramSocket(this.#io, { address: this.#any, port: this.port, isShared: true });
+    this.port = first.address().port;
+    this.#look();
+    first.close();
   }
 
   get hasConsumer() {
-    return this.#outs.length > 0;
+    return this.#outs.size > 0;
   }
 
   get leftOut() {
-    return this.#outs.reduce((sum, out) => sum + out.leftOut, 0);
+    return [...this.#outs.values()].reduce((sum, out) => sum + out.leftOut, this.#leftOut);
   }
 
   get waiting() {
-    return this.#outs.reduce((most, out) => Math.max(most, out.waiting), 0);
+    return [...this.#outs.values()].reduce((most, out) => Math.max(most, out.waiting), 0);
   }
 
   get dropped() {
@@ -59,13 +51,45 @@ export class Group {
 
   send(octets) {
     let isPrompt = true;
-    for (const out of this.#outs) isPrompt = out.send(octets, this.#address, this.port) && isPrompt;
+    for (const out of this.#outs.values()) isPrompt = out.send(octets, this.#address, this.port) && isPrompt;
     return isPrompt;
   }
 
   async end(octets) {
-    const outs = this.#outs;
-    this.#outs = [];
+    this.#io.forget(this.#timers);
+    const outs = [...this.#outs.values()];
+    this.#outs.clear();
     await Promise.all(outs.map((out) => out.end(octets, [{ address: this.#address, port: this.port }])));
+  }
+
+  get #any() {
+    return isIPv6(this.#address) ? '::' : '0.0.0.0';
+  }
+
+  /** Speaks on the interfaces that there are now, and looks again. */
+  #look() {
+    const names = groupInterfaces(isIPv6(this.#address));
+    for (const [name, out] of this.#outs) {
+      if (names.includes(name)) continue;
+      this.#outs.delete(name);
+      this.#leftOut += out.leftOut;
+      out.close();
+    }
+    for (const name of names) if (!this.#outs.has(name)) this.#open(name);
+    this.#timers.after(interfaceInterval, () => this.#look());
+  }
+
+  #open(name) {
+    let socket;
+    try {
+      socket = openDatagramSocket(this.#io, { address: this.#any, port: this.port, isShared: true });
+      socket.setMulticastInterface(name);
+      socket.setMulticastTTL(1);
+      socket.setMulticastLoopback(true);
+      this.#outs.set(name, new DatagramOut(socket));
+    } catch {
+      // An interface that went, or has no multicast: it is looked at again.
+      socket?.close();
+    }
   }
 }

@@ -32,6 +32,8 @@ export class Publisher extends EventEmitter {
   #sequence = 0n;
   #closing;
   #onClosed;
+  /** Consumers that the application was told of. */
+  #reached = new Set();
   /** What is told before the application can listen. */
   #early = [];
 
@@ -65,18 +67,19 @@ export class Publisher extends EventEmitter {
     this.#out = this.#channel(mode, isTcp, canonicalAddress(address), portOf(port));
     this.#book = new PeerBook(this.#timers, {
       added: (peer) => {
-        this.#out.set(peer.key, peer.event);
-        this.#tell(changeOf('added', peer));
+        this.#out.set(peer.key, peer.event, peer.life === 0n);
+        if (!isTcp) this.#reach(peer);
       },
       modified: (peer, before, isTold) => {
-        this.#out.set(peer.key, peer.event);
-        if (isTold) this.#tell(changeOf('modified', peer));
+        this.#out.set(peer.key, peer.event, peer.life === 0n);
+        if (isTold && this.#reached.has(peer)) this.#tell(changeOf('modified', peer));
       },
       removed: (peer, reason) => {
         this.#out.delete(peer.key);
-        this.#tell(changeOf('removed', peer, reason));
+        this.#lose(peer, reason);
       },
       endPatience: () => 0,
+      isHeld: () => false,
       orphanPatience: (peer) => (isTcp ? (this.#out.isConnected(peer.key) ? Infinity : 0) : limits.orphanPatience),
     });
   }
@@ -86,9 +89,9 @@ export class Publisher extends EventEmitter {
     return this.#out.port;
   }
 
-  /** What is known of its consumers. */
+  /** What is known of its consumers: those that a message reaches. */
   get consumers() {
-    return [...this.#book].map(describe);
+    return [...this.#reached].map(describe);
   }
 
   /** Whether a message would be sent to anybody. */
@@ -145,7 +148,7 @@ export class Publisher extends EventEmitter {
   #channel(mode, isTcp, address, port) {
     const isStream = mode === 'otm/stream';
     const options = { address, port, life: this.life };
-    if (isTcp) return new Connections(this.#io, { ...options, isStream, onGone: (key) => this.#onGone(key) });
+    if (isTcp) return new Connections(this.#io, { ...options, isStream, hooks: this.#connectionHooks() });
     if (isStream) return isMulticast(address) ? new Group(this.#io, options) : new Listeners(this.#io, options);
     return new Datagrams(this.#io, { ...options, isLazy: mode === 'otm/pubsub', onMoved: (moved) => this.#onMoved(moved) });
   }
@@ -157,7 +160,7 @@ export class Publisher extends EventEmitter {
     if (this.#closing) throw new ClosedError('publisher');
     parameters.push(['port', String(this.#out.port)], ['channel', lifeText(this.life)]);
     const { request, taken } = this.#session.create('pub', parameters,
-      (event) => this.#book.onEvent(event), (error) => this.emit('problem', error));
+      (event) => this.#book.onEvent(event), (error) => this.#onProblem(error));
     this.#request = request;
     await taken;
   }
@@ -184,10 +187,34 @@ export class Publisher extends EventEmitter {
     this.emit('close');
   }
 
-  #onGone(key) {
-    for (const peer of this.#book) {
-      if (peer.key === key && !peer.isMatched) this.#book.remove(peer, peer.reason);
-    }
+  /** Over TCP a consumer is one as long as it is matched and connected. */
+  #connectionHooks() {
+    const withKey = (key, action) => {
+      for (const peer of [...this.#book]) if (peer.key === key) action(peer);
+    };
+    return {
+      onCome: (key) => withKey(key, (peer) => this.#reach(peer)),
+      onGone: (key) => withKey(key, (peer) => {
+        if (peer.isMatched) this.#lose(peer, 'lost');
+        else this.#book.remove(peer, peer.reason);
+      }),
+    };
+  }
+
+  /** Messages reach this consumer from now on. */
+  #reach(peer) {
+    if (this.#reached.has(peer)) return;
+    this.#reached.add(peer);
+    this.#tell(changeOf('added', peer));
+  }
+
+  #lose(peer, reason) {
+    if (this.#reached.delete(peer)) this.#tell(changeOf('removed', peer, reason));
+  }
+
+  #onProblem(error) {
+    this.emit('problem', error);
+    if (this.#request.isRefused) this.#book.removeAll('refused');
   }
 
   #onMoved(port) {

@@ -3,10 +3,10 @@ import { isIPv6 } from 'node:net';
 
 import { isMulticast, place, sendable } from '../core/address.js';
 import { encodeFrame, kinds, lifeOctets } from '../core/frame.js';
-import { helloInterval } from '../core/limits.js';
+import { helloInterval, interfaceInterval } from '../core/limits.js';
 import { Places } from '../core/places.js';
 import { familyOf, openDatagramSocket, Spelling } from '../io/datagram_socket.js';
-import { interfacesOf } from '../io/interfaces.js';
+import { groupInterfaces } from '../io/interfaces.js';
 
 /** Hooks: `onFrame(channel, frame)`, `onDropped()`. A channel has a `life`. */
 export class DatagramsIn {
@@ -99,18 +99,12 @@ export class DatagramsIn {
     const [group, zone] = address.split('%');
     const isSix = isIPv6(group);
     const sockets = [];
-    this.#groups.set(where, { users: 1, sockets });
+    this.#groups.set(where, { users: 1, sockets, names: new Set() });
     try {
       const socket = openDatagramSocket(this.#io, { address: zone ? address : group, port, isShared: true });
       sockets.push(socket);
       socket.on('error', () => {});
-      for (const { name } of interfacesOf(isSix)) {
-        try {
-          socket.addMembership(group, name);
-        } catch {
-          // an interface that went, or that has no multicast
-        }
-      }
+      this.#listen(this.#groups.get(where), group, isSix);
       // The event has the group's address, not the sender's, so its port is all that can be compared.
       socket.on('message', (octets, from) => this.#onDatagram(octets, address, from.port));
     } catch (error) {
@@ -118,11 +112,28 @@ export class DatagramsIn {
     }
   }
 
+  /** Hears the group on the interfaces that there are now, and looks again. */
+  #listen(joined, group, isSix) {
+    const names = groupInterfaces(isSix);
+    for (const name of joined.names) if (!names.includes(name)) joined.names.delete(name);
+    for (const name of names) {
+      if (joined.names.has(name)) continue;
+      try {
+        joined.sockets[0].addMembership(group, name);
+        joined.names.add(name);
+      } catch {
+        // an interface that went, or has no multicast: it is looked at again
+      }
+    }
+    joined.timer = this.#timers.after(interfaceInterval, () => this.#listen(joined, group, isSix));
+  }
+
   #leave(address, port) {
     const where = place(address, port);
     const joined = this.#groups.get(where);
     if (!joined || --joined.users > 0) return;
     this.#groups.delete(where);
+    this.#timers.clear(joined.timer);
     for (const socket of joined.sockets) socket.close();
   }
 }

@@ -8,7 +8,7 @@ import { maxStreamMessage } from '../core/limits.js';
 
 /**
  * Hooks: `hasRoom()`; `onMessage(frame)`; `onEnd()`, the provider has ended its stream; `onLost()`, the connection is gone:
- * false where it is not to be tried again; `onDropped()`.
+ * false where it is not to be tried again; `onDropped()`; `onOctets()`, something has come.
  */
 export class StreamIn {
   #io;
@@ -37,6 +37,11 @@ export class StreamIn {
 
   get isConnected() {
     return this.#socket?.readyState === 'open' || this.#socket?.readyState === 'readOnly';
+  }
+
+  /** Whether it does not read now, since there is no room. */
+  get isHeld() {
+    return this.#isHeld;
   }
 
   /** Where the provider is from now on: a connection that lives is kept. */
@@ -76,6 +81,7 @@ export class StreamIn {
     socket.on('error', () => {});
     socket.once('connect', () => socket.write(this.#hello));
     socket.on('data', (octets) => {
+      if (!this.#isClosed) this.#hooks.onOctets();
       decoder.push(octets);
       this.#decode(socket, decoder);
     });
@@ -98,7 +104,7 @@ export class StreamIn {
         this.#hooks.onMessage(frame);
       } else {
         this.close();
-        this.#hooks.onEnd();
+        this.#hooks.onEnd(frame);
       }
     }
     if (decoder.isBroken) {

@@ -1,7 +1,7 @@
 // What this program asks for, with the channels on which it receives.
 import { EventEmitter } from 'node:events';
 
-import { canonicalAddress } from '../core/address.js';
+import { canonicalAddress, isMulticast } from '../core/address.js';
 import { Conversions } from '../core/conversion.js';
 import { Memory, Track } from '../core/delivery.js';
 import { changeOf, describe } from '../core/description.js';
@@ -74,6 +74,7 @@ export class Subscriber extends EventEmitter {
       modified: (peer, before, isTold) => this.#onModified(peer, isTold),
       removed: (peer, reason) => this.#onRemoved(peer, reason),
       endPatience: (peer) => (this.#channels.get(peer)?.stream ? limits.endPatience : limits.datagramEndPatience),
+      isHeld: (peer) => this.#channels.get(peer)?.stream?.isHeld ?? false,
       orphanPatience: (peer) => this.#orphanPatience(peer),
     });
     this.#setLimit(options);
@@ -97,7 +98,7 @@ export class Subscriber extends EventEmitter {
     return [...this.#book].map(describe);
   }
 
-  /** `missed` by the sequences; `overflowed`: of these, lost since nobody took them; `dropped`: not believed or converted. */
+  /** `missed` by the sequences; `overflowed`: came and were lost since nobody took them; `dropped`: not believed or converted. */
   get statistics() {
     return { ...this.#statistics };
   }
@@ -188,7 +189,7 @@ export class Subscriber extends EventEmitter {
     parameters.push(['channel', lifeText(this.life)]);
     try {
       const { request, taken } = this.#session.create('sub', parameters,
-        (event) => this.#book.onEvent(event), (error) => this.emit('problem', error));
+        (event) => this.#book.onEvent(event), (error) => this.#onProblem(error));
       this.#request = request;
       this.#taken = taken;
       taken.catch((error) => this.#fail(error));
@@ -265,7 +266,7 @@ export class Subscriber extends EventEmitter {
     return new StreamIn(this.#io, { ownLife: this.life, life: channel.life, address, port }, {
       hasRoom: () => this.#queue.hasRoom,
       onMessage: (frame) => this.#onFrame(channel, frame, false),
-      onEnd: () => this.#book.remove(channel.peer, 'withdrawn'),
+      onEnd: (frame) => this.#onEnd(channel, frame),
       onLost: () => {
         const { peer } = channel;
         if (peer.isMatched) return true;
@@ -273,6 +274,7 @@ export class Subscriber extends EventEmitter {
         return false;
       },
       onDropped: () => ++this.#statistics.dropped,
+      onOctets: () => this.#book.touch(channel.peer),
     });
   }
 
@@ -294,14 +296,16 @@ export class Subscriber extends EventEmitter {
 
   #onFrame(channel, frame, isDatagram) {
     if (frame.kind === kinds.end) {
-      this.#book.remove(channel.peer, 'withdrawn');
+      this.#onEnd(channel, frame);
       return;
     }
     const missed = channel.life === 0n ? 0n : channel.track.take(frame.sequence);
     if (missed === undefined) {
-      ++this.#statistics.dropped;
+      // A group is heard on several interfaces.
+      if (!isMulticast(channel.where?.address)) ++this.#statistics.dropped;
       return;
     }
+    this.#statistics.missed += Number(missed);
     const payload = this.#converted(channel, frame.payload);
     if (payload === undefined) {
       ++this.#statistics.dropped;
@@ -313,6 +317,16 @@ export class Subscriber extends EventEmitter {
       lost.channel.track.lose(lost.missed);
     }
     if (this.#waiting.length > 0) this.#waiting.shift().resolve(this.#take());
+  }
+
+  #onEnd(channel, { sequence }) {
+    this.#statistics.missed += Number(channel.track.finish(sequence));
+    this.#book.remove(channel.peer, 'withdrawn');
+  }
+
+  #onProblem(error) {
+    this.emit('problem', error);
+    if (this.#request.isRefused) this.#book.removeAll('refused');
   }
 
   #converted(channel, payload) {
@@ -332,7 +346,6 @@ export class Subscriber extends EventEmitter {
     const { channel, sequence, payload, provider } = item;
     const missed = Number(channel.track.missedBefore(item.missed));
     ++this.#statistics.received;
-    this.#statistics.missed += missed;
     if (this.#queue.isHalfEmpty) this.#resume();
     return { payload, life: channel.life, sequence, missed, provider };
   }
