@@ -70,9 +70,9 @@ async function stream(label, count, size, milliseconds) {
     payload.writeBigUInt64BE(BigInt(i));
     const isPrompt = publisher.send(payload.subarray(0, size));
     const due = begin + i * milliseconds - performance.now();
-    if (!isPrompt) await publisher.drained();
-    if (milliseconds > 0 && due > 0) await wait(due);
-    else if (milliseconds === 0 && i % 64 === 0) await wait(0);
+    if (milliseconds > 0) await wait(Math.max(due, 0));
+    else if (!isPrompt) await publisher.drained();
+    else if (i % 64 === 0) await wait(0);
   }
   say('streamed', label);
 }
