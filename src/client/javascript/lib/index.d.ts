@@ -1,0 +1,230 @@
+/** How a service is identified: one of a number, a text, or a concept of the ontology with or without a representation. */
+export type Identity =
+  | { id: number; text?: undefined; concept?: undefined; representation?: undefined }
+  | { text: string; id?: undefined; concept?: undefined; representation?: undefined }
+  | { concept: string; representation?: string; id?: undefined; text?: undefined };
+
+/** `oto`: one to one. `otm/stream`: one to many, consumers only listen. `otm/pubsub`: one to many, open while somebody asks. */
+export type Mode = 'oto' | 'otm/stream' | 'otm/pubsub';
+export type Degree = 'exact' | 'equivalent' | 'narrower' | 'converted' | 'broader';
+export type Protocol = 'udp' | 'tcp';
+export type AttributeValue = string | number | boolean;
+
+/** What ends the waiting of a call; it rejects with an AbortError then. */
+export interface Abortable {
+  signal?: AbortSignal;
+}
+
+export interface PublicationStatement {
+  priority?: number;
+  /** On which hosts consumers may be (src/discovery/matching/SCOPE.md). */
+  scope?: string;
+  /** A condition over the consumer (src/discovery/matching/WHERE.md). */
+  for?: string;
+  attributes?: Record<string, AttributeValue>;
+}
+
+export interface SubscriptionStatement {
+  match?: Exclude<Degree, 'converted'>;
+  /** `PARTICIPANT[/PEER]`, each by id or name. */
+  provider?: string | readonly string[];
+  /** As `provider`: first these. */
+  favour?: string | readonly string[];
+  prefer?: string;
+  rank?: string | readonly string[];
+  scope?: string;
+  where?: string;
+  /** Whether, or up to which cost, representations may be converted. */
+  convert?: boolean | 'yes' | 'no' | number;
+  /** How many providers at most, the best; 0: all. */
+  limit?: number;
+  priority?: number;
+  attributes?: Record<string, AttributeValue>;
+}
+
+export type PublishOptions = Identity & PublicationStatement & Abortable & {
+  mode: Mode;
+  /** `udp` unless it is said. Messages over 65 000 octets need `tcp`. */
+  protocol?: Protocol;
+  /** Any, unless it is said. */
+  port?: number;
+  /** An IP address in numbers; of `otm/stream` over UDP it may be a group's. */
+  address?: string;
+};
+
+export type SubscribeOptions = Identity & SubscriptionStatement & Abortable & {
+  mode: Mode;
+  /** Both, unless it is said. */
+  protocol?: Protocol | readonly Protocol[];
+  port?: number;
+  address?: string;
+  /** How many messages may wait, 1024 unless it is said: see `Subscriber`. */
+  queue?: number;
+  /** By `A>B`, what makes a payload in the representation B of one in A. */
+  conversions?: Record<string, Conversion> | ReadonlyMap<string, Conversion>;
+};
+
+export type Conversion = (payload: Uint8Array) => Uint8Array;
+
+/** A provider or consumer, as the daemon tells of it. */
+export interface Peer {
+  /** 64 random bits; 0n where it is not made by a library that has channels. */
+  readonly life: bigint;
+  /** `PARTICIPANT/PEER`. */
+  readonly peer: string;
+  /** `PARTICIPANT/PEER/NUMBER`. */
+  readonly service: string;
+  readonly name?: string;
+  readonly participantName?: string;
+  readonly identity: { readonly id?: number; readonly text?: string; readonly concept?: string; readonly representation?: string };
+  readonly degree: Degree;
+  readonly distance: number;
+  readonly mode: Mode;
+  readonly address?: string;
+  readonly port?: number;
+  readonly protocol?: string;
+  readonly priority: number;
+  readonly convert?: string;
+  readonly cost?: number;
+  readonly attributes: Readonly<Record<string, string>>;
+}
+
+/** `reason` of what is removed: withdrawn, expired, left, outranked, changed, disconnected, lost, refused; there may be more. */
+export type PeerChange = Peer & { readonly change: 'added' | 'modified' | 'removed'; readonly reason?: string };
+
+export interface Message {
+  readonly payload: Uint8Array;
+  readonly life: bigint;
+  readonly sequence: bigint;
+  /** How many of this life are missing between this one and the one before. */
+  readonly missed: number;
+  readonly provider: Peer;
+}
+
+/** The part of Node's EventEmitter that is meant to be used, by the events of `Events`. */
+export interface Emitter<Events extends { [name: string]: unknown[] }> {
+  on<Name extends keyof Events>(name: Name, listener: (...values: Events[Name]) => void): this;
+  once<Name extends keyof Events>(name: Name, listener: (...values: Events[Name]) => void): this;
+  off<Name extends keyof Events>(name: Name, listener: (...values: Events[Name]) => void): this;
+}
+
+/** A service that is offered. Made by `node.publish`. */
+export interface Publisher extends Emitter<{ consumer: [PeerChange]; problem: [Error]; close: [] }> {
+  readonly life: bigint;
+  readonly port: number;
+  readonly consumers: Peer[];
+  readonly hasConsumer: boolean;
+  /** `leftOut`: of each consumer, the messages for which there was no room. */
+  readonly statistics: { sent: number; leftOut: number; dropped: number };
+  /**
+   * Sends to all consumers; without one it does nothing. False: better wait for `drained` before the next. Throws
+   * MessageTooLargeError (65 000 octets over UDP, 16 MiB over TCP) and ClosedError. The payload may be used again at once.
+   */
+  send(payload: Uint8Array): boolean;
+  /** Fulfilled when nothing waits for any consumer. */
+  drained(options?: Abortable): Promise<void>;
+  /** Changes what is stated; fulfilled when the daemon has taken it. */
+  modify(options: Partial<Identity> & PublicationStatement & Abortable): Promise<void>;
+  /** Withdraws it: what waits is sent first. */
+  close(): Promise<void>;
+}
+export declare const Publisher: { readonly prototype: Publisher };
+
+/**
+ * What is asked for. Made by `node.subscribe`; an async iterable, and leaving its loop closes it.
+ *
+ * Slow consumers: up to `queue` messages that came over UDP wait, and up to as many that came over TCP, all together of at
+ * most 32 MiB. Over UDP the oldest that waits is lost for a new one; over TCP the provider is held back, and leaves out what
+ * is newer than 4 MiB that wait for this consumer. `missed` of the next message tells how many were lost.
+ */
+export interface Subscriber
+  extends Emitter<{ provider: [PeerChange]; problem: [Error]; close: [] }>, AsyncIterable<Message> {
+  readonly life: bigint;
+  /** The UDP port where it listens, if it does. */
+  readonly port?: number;
+  readonly providers: Peer[];
+  /** `overflowed`: lost since nobody took them; `dropped`: not believed, or not converted. */
+  readonly statistics: { received: number; missed: number; dropped: number; overflowed: number };
+  /** Fulfilled when the daemon has taken it; rejects with RefusedError. */
+  ready(options?: Abortable): Promise<this>;
+  /** The next message; undefined when it has been closed. */
+  receive(options?: Abortable): Promise<Message | undefined>;
+  /** Gives it a function for the conversion `A>B`. */
+  convert(name: string, convert: Conversion): void;
+  modify(options: Partial<Identity> & SubscriptionStatement & Abortable): Promise<void>;
+  close(): Promise<void>;
+}
+export declare const Subscriber: { readonly prototype: Subscriber };
+
+export interface NodeOptions {
+  /** What the team calls this program. */
+  name?: string;
+  /** `ADDRESS:PORT`, `[ADDRESS]:PORT`, `/PATH` or `unix:PATH`; else GEMINGA_CONNECT, else 127.0.0.1:4717 and [::1]:4717. */
+  daemon?: string;
+}
+
+/**
+ * This program as a peer of its daemon. It finds the daemon whenever it comes, states everything again, and keeps its
+ * channels meanwhile.
+ */
+export declare class Node {
+  constructor(options?: NodeOptions);
+  readonly isConnected: boolean;
+  /** What the daemon says: `participant`, `peer`, `participant_name`, `ontology`, ... */
+  readonly hello?: Readonly<Record<string, string>>;
+  /** Fulfilled when the daemon is there. */
+  connected(options?: Abortable): Promise<this>;
+  /** Fulfilled when the daemon has taken it. Rejects with RefusedError, StatementError and PortError. */
+  publish(options: PublishOptions): Promise<Publisher>;
+  /** Throws StatementError and PortError. `signal` closes it. */
+  subscribe(options: SubscribeOptions): Subscriber;
+  /** Withdraws everything, cleanly. */
+  close(): Promise<void>;
+  /** Lets the program end although this is open. */
+  unref(): this;
+  ref(): this;
+}
+export interface Node extends Emitter<{
+  connected: [Readonly<Record<string, string>>];
+  disconnected: [];
+  problem: [Error];
+  close: [];
+}> {}
+
+/** A node, once its daemon is there. Who does not want to wait makes a `Node`. */
+export declare function connect(options?: NodeOptions & Abortable): Promise<Node>;
+
+/** The 32-bit form of an identity (src/identity/IDENTITY.md). Concepts and representations are full IRIs. */
+export declare function identity(
+  of: Identity | { expression: string; representation?: string },
+): number;
+
+/** A life as sixteen hexadecimal digits. */
+export declare function lifeText(life: bigint): string;
+
+/** The named limits: maxDatagramMessage, maxStreamMessage, maxWaiting, queueLength, ... */
+export declare const limits: Readonly<Record<string, number>>;
+
+export declare class GemingaError extends Error {
+  readonly code: string;
+}
+/** The daemon refused a request, or took it back; `status` is GCNP's code. */
+export declare class RefusedError extends GemingaError {
+  readonly status: number;
+}
+/** GCNP has no such statement. */
+export declare class StatementError extends GemingaError {
+  readonly status: number;
+}
+export declare class MessageTooLargeError extends GemingaError {
+  readonly size: number;
+  readonly limit: number;
+}
+/** A stated port is taken, or may not be used. */
+export declare class PortError extends GemingaError {
+  readonly port: number;
+}
+export declare class ClosedError extends GemingaError {}
+export declare class AbortError extends Error {
+  readonly code: 'ABORT_ERR';
+}

@@ -1,0 +1,158 @@
+// Channels over TCP on real sockets: who becomes a consumer, who is closed, who is held back.
+import assert from 'node:assert/strict';
+import { once } from 'node:events';
+import { createServer } from 'node:net';
+import { test } from 'node:test';
+
+import { encodeFrame, frameOfDatagram, kinds, lifeOf } from '../../../src/client/javascript/lib/core/frame.js';
+import { limits, MessageTooLargeError } from '../../../src/client/javascript/lib/index.js';
+import { added, consumer, consumerSocket, lab, life, message, ours } from './lab.mjs';
+import { event, until, valueOf } from './support.mjs';
+
+test('over TCP a full queue holds the provider back, and nothing is lost up to its end', async (t) => {
+  const { daemon, node } = await lab(t);
+  const subscriber = node.subscribe({ mode: 'oto', text: 'x', queue: 4, protocol: 'tcp' });
+  const stated = await daemon.line(/^1 sub create/);
+  assert.equal(valueOf(stated, 'port'), undefined);
+  const server = createServer().listen(0, '127.0.0.1');
+  t.after(() => server.close());
+  await once(server, 'listening');
+  daemon.say(added(1, server.address().port, { protocol: 'tcp' }));
+  const [socket] = await once(server, 'connection');
+  const [hello] = await once(socket, 'data');
+  assert.equal(frameOfDatagram(hello).life, lifeOf(valueOf(stated, 'channel')));
+  const removed = event(subscriber, 'provider', ({ change }) => change === 'removed');
+  const frames = Array.from({ length: 300 }, (_, i) => message(i + 1));
+  socket.end(Buffer.concat([...frames, encodeFrame(kinds.end, ours, 300n)]));
+  daemon.say('1 pub del service=0000000b/1/1 reason=withdrawn');
+  for (let i = 1n; i <= 300n; ++i) assert.equal((await subscriber.receive()).sequence, i);
+  assert.equal((await removed).reason, 'withdrawn');
+  assert.deepEqual(subscriber.statistics, { received: 300, missed: 0, dropped: 0, overflowed: 0 });
+});
+
+test('a TCP stream that holds no frame is closed, and tried again with back-off', async (t) => {
+  const { daemon, node, clock } = await lab(t);
+  const subscriber = node.subscribe({ mode: 'oto', text: 'x' });
+  const server = createServer().listen(0, '127.0.0.1');
+  t.after(() => server.close());
+  await once(server, 'listening');
+  daemon.say(added(1, server.address().port, { protocol: 'tcp' }));
+  for (const wait of [100, 200]) {
+    const [socket] = await once(server, 'connection');
+    socket.on('error', () => {});
+    socket.resume();
+    socket.write('HTTP/1.1 200 OK\r\nContent-Length: 0\r\n\r\n');
+    await once(socket, 'close');
+    await until(() => clock.next === wait);
+    clock.advance(wait);
+  }
+  const [socket] = await once(server, 'connection');
+  socket.write(message(1));
+  assert.equal((await subscriber.receive()).sequence, 1n);
+  assert.equal(subscriber.statistics.dropped, 2);
+  socket.destroy();
+});
+
+test('a TCP consumer is one when both its hello and its sub add are there, whichever comes first', async (t) => {
+  const { daemon, node, clock } = await lab(t);
+  const publisher = await node.publish({ mode: 'oto', text: 'x', protocol: 'tcp' });
+  const early = await consumerSocket(t, publisher.port, ours);
+  await until(() => early.bytesWritten === 24);
+  publisher.send(Buffer.from('nobody'));
+  assert.equal(publisher.statistics.sent, 0);
+  const come = event(publisher, 'consumer');
+  daemon.say(consumer(1, 1));
+  assert.equal((await come).change, 'added');
+  publisher.send(Buffer.from('one'));
+  await until(() => early.frames.length === 1);
+  // A second connection with the same life takes the place of the first, which nobody is told.
+  const second = await consumerSocket(t, publisher.port, ours);
+  await once(early, 'close');
+  publisher.send(Buffer.from('two'));
+  await until(() => second.frames.length === 1);
+  assert.deepEqual([second.frames[0].sequence, second.frames[0].life], [2n, publisher.life]);
+  const lost = event(publisher, 'consumer');
+  second.destroy();
+  assert.deepEqual([(await lost).change, (await lost).reason], ['removed', 'lost']);
+  const again = event(publisher, 'consumer');
+  const third = await consumerSocket(t, publisher.port, ours);
+  assert.equal((await again).change, 'added');
+  // One that no sub add comes for is closed behind 5 s.
+  const stranger = await consumerSocket(t, publisher.port, 0xbbn);
+  const silent = await consumerSocket(t, publisher.port);
+  await until(() => clock.running >= 2);
+  clock.advance(limits.strangerPatience);
+  await Promise.all([once(stranger, 'close'), once(silent, 'close')]);
+  const closed = publisher.close();
+  await until(() => third.frames.length === 1);
+  assert.equal(third.frames[0].kind, kinds.end);
+  await closed;
+});
+
+test('of 17 TCP strangers the oldest is closed, and what they say is no more than hello', async (t) => {
+  const { node } = await lab(t);
+  const publisher = await node.publish({ mode: 'oto', text: 'x', protocol: 'tcp' });
+  const talker = await consumerSocket(t, publisher.port);
+  talker.write(encodeFrame(kinds.message, 1n, 1n, Buffer.from('x')).subarray(0, 24));
+  await once(talker, 'close');
+  const strangers = [];
+  for (let i = 0; i < limits.maxStrangers; ++i) strangers.push(await consumerSocket(t, publisher.port));
+  await until(() => publisher.statistics.dropped === 1);
+  const last = await consumerSocket(t, publisher.port);
+  await once(strangers[0], 'close');
+  assert.equal(strangers[1].destroyed || last.destroyed, false);
+});
+
+test('a 257th TCP consumer is closed', async (t) => {
+  const { node } = await lab(t);
+  const publisher = await node.publish({ mode: 'otm/stream', text: 'x', protocol: 'tcp' });
+  const sockets = [];
+  for (let i = 1; i <= limits.maxConsumers; ++i) sockets.push(await consumerSocket(t, publisher.port, BigInt(i)));
+  const more = await consumerSocket(t, publisher.port, 1000n);
+  await once(more, 'close');
+  publisher.send(Buffer.from('x'));
+  await until(() => sockets.every(({ frames }) => frames.length === 1));
+});
+
+test('who does not read is left out once 4 MiB wait, and holds nobody up', async (t) => {
+  const { node } = await lab(t);
+  const publisher = await node.publish({ mode: 'otm/stream', text: 'x', protocol: 'tcp' });
+  const slow = await consumerSocket(t, publisher.port, 1n);
+  const quick = await consumerSocket(t, publisher.port, 2n);
+  publisher.send(Buffer.from('x'));
+  await until(() => {
+    if (slow.frames.length === 0 || quick.frames.length === 0) publisher.send(Buffer.from('x'));
+    return slow.frames.length > 0 && quick.frames.length > 0;
+  });
+  slow.pause();
+  const payload = Buffer.alloc(1024 * 1024, 1);
+  let sent = 0;
+  while (publisher.statistics.leftOut === 0) {
+    const before = quick.frames.length;
+    publisher.send(payload);
+    ++sent;
+    await until(() => quick.frames.length > before);
+  }
+  assert.ok(sent >= 4);
+  assert.equal(publisher.send(Buffer.alloc(1)), false);
+  assert.equal(publisher.send(Buffer.alloc(limits.maxWaiting)), false);
+  assert.equal(publisher.statistics.leftOut, 2);
+  const aborting = new AbortController();
+  const waiting = publisher.drained({ signal: aborting.signal });
+  aborting.abort();
+  await assert.rejects(waiting, { name: 'AbortError' });
+  slow.resume();
+  await publisher.drained();
+  assert.equal(publisher.send(Buffer.from('y')), true);
+  await until(() => slow.frames.at(-1).payload.length === 1 && slow.frames.at(-1).sequence === quick.frames.at(-1).sequence);
+});
+
+test('messages have their largest size', async (t) => {
+  const { node } = await lab(t);
+  const [udp, tcp] = await Promise.all(['udp', 'tcp'].map((protocol) => node.publish({ mode: 'oto', text: 'x', protocol })));
+  assert.equal(udp.send(Buffer.alloc(limits.maxDatagramMessage)), true);
+  assert.throws(() => udp.send(Buffer.alloc(limits.maxDatagramMessage + 1)), /protocol=tcp/);
+  assert.equal(tcp.send(Buffer.alloc(limits.maxStreamMessage)), true);
+  assert.throws(() => tcp.send(Buffer.alloc(limits.maxStreamMessage + 1)), MessageTooLargeError);
+  assert.throws(() => tcp.send('text'), TypeError);
+});

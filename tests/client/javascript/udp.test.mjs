@@ -1,0 +1,107 @@
+// Channels over UDP on real sockets: what is believed, what is lost, who listens, ports.
+import assert from 'node:assert/strict';
+import { createSocket } from 'node:dgram';
+import { once } from 'node:events';
+import { test } from 'node:test';
+
+import { encodeFrame, frameOfDatagram, kinds } from '../../../src/client/javascript/lib/core/frame.js';
+import { limits, PortError } from '../../../src/client/javascript/lib/index.js';
+import { added, consumer, datagramSocket, lab, life, message, ours, sendTo } from './lab.mjs';
+import { event, until, valueOf } from './support.mjs';
+
+test('only what the matched provider sends is delivered, once and in order', async (t) => {
+  const { daemon, node } = await lab(t);
+  const subscriber = node.subscribe({ mode: 'oto', text: 'x' });
+  const port = Number(valueOf(await daemon.line(/^1 sub create/), 'port'));
+  assert.equal(port, subscriber.port);
+  const provider = await datagramSocket(t);
+  const stranger = await datagramSocket(t);
+  daemon.say(added(1, provider.address().port));
+  assert.equal((await event(subscriber, 'provider')).life, ours);
+  const bad = [message(1), Buffer.from('hello')];
+  for (const octets of bad) await sendTo(stranger, octets, port);
+  await sendTo(provider, encodeFrame(kinds.message, 0xabn, 1n), port);
+  await sendTo(provider, Buffer.alloc(0), port);
+  for (const sequence of [5, 5, 4, 6, 9]) await sendTo(provider, message(sequence, `m${sequence}`), port);
+  const got = [];
+  for (let i = 0; i < 3; ++i) got.push(await subscriber.receive());
+  assert.deepEqual(got.map(({ sequence, missed, payload }) => [sequence, missed, String(payload)]),
+    [[5n, 0, 'm5'], [6n, 0, 'm6'], [9n, 2, 'm9']]);
+  await until(() => subscriber.statistics.dropped === 6);
+  const removed = event(subscriber, 'provider');
+  await sendTo(provider, encodeFrame(kinds.end, ours, 11n), port);
+  assert.deepEqual([(await removed).change, (await removed).reason], ['removed', 'withdrawn']);
+  assert.equal(subscriber.statistics.missed, 4);
+});
+
+test('what does not speak in frames is delivered as it is over UDP, and is a problem over TCP', async (t) => {
+  const { daemon, node } = await lab(t);
+  const subscriber = node.subscribe({ mode: 'oto', text: 'x' });
+  const provider = await datagramSocket(t);
+  daemon.say(added(1, provider.address().port, { channel: '' }));
+  await event(subscriber, 'provider');
+  await sendTo(provider, Buffer.from('plain'), subscriber.port);
+  const { payload, life: none, sequence } = await subscriber.receive();
+  assert.deepEqual([String(payload), none, sequence], ['plain', 0n, 0n]);
+  const problem = event(subscriber, 'problem');
+  daemon.say(added(1, 9, { channel: '', protocol: 'tcp' }).replaceAll('0000000b', '0000000c'));
+  assert.match((await problem).message, /no channel that can be opened/);
+  const publisher = await node.publish({ mode: 'oto', text: 'x' });
+  daemon.say(consumer(2, provider.address().port, ''));
+  await event(publisher, 'consumer');
+  publisher.send(Buffer.from('as it is'));
+  assert.equal(String((await once(provider, 'message'))[0]), 'as it is');
+});
+
+test('nobody takes messages: the oldest datagrams are lost, and the next one says how many', async (t) => {
+  const { daemon, node } = await lab(t);
+  const subscriber = node.subscribe({ mode: 'oto', text: 'x', queue: 4 });
+  const provider = await datagramSocket(t);
+  daemon.say(added(1, provider.address().port));
+  await event(subscriber, 'provider');
+  for (let i = 1; i <= 10; ++i) await sendTo(provider, message(i), subscriber.port);
+  await until(() => subscriber.statistics.overflowed === 6);
+  const first = await subscriber.receive();
+  assert.deepEqual([first.sequence, first.missed], [7n, 6]);
+  assert.deepEqual([(await subscriber.receive()).missed, subscriber.statistics.missed], [0, 0]);
+});
+
+test('a port that is taken is an error; where it was taken while pubsub was silent, another one is stated', async (t) => {
+  const { daemon, node } = await lab(t);
+  const other = await datagramSocket(t);
+  await assert.rejects(node.publish({ mode: 'oto', text: 'x', port: other.address().port }), PortError);
+  assert.throws(() => node.subscribe({ mode: 'oto', text: 'x', port: other.address().port }), PortError);
+  await assert.rejects(node.publish({ mode: 'oto', text: 'x', port: 65536 }), /port=65536/);
+  const publisher = await node.publish({ mode: 'otm/pubsub', text: 'x' });
+  const { port } = publisher;
+  const taker = createSocket('udp4');
+  t.after(() => taker.close());
+  taker.bind(port, '127.0.0.1');
+  await once(taker, 'listening');
+  const id = /^[0-9]+/.exec(await daemon.line(/ pub create/))[0];
+  daemon.say(consumer(id, other.address().port, life, 'otm/pubsub'));
+  const moved = await daemon.line(/ pub modify/);
+  assert.equal(Number(valueOf(moved, 'port')), publisher.port);
+  assert.notEqual(publisher.port, port);
+});
+
+test('hello is said at once and each second to an otm/stream, and its end when it is over', async (t) => {
+  const { daemon, node, clock } = await lab(t);
+  const subscriber = node.subscribe({ mode: 'otm/stream', text: 'x' });
+  const provider = await datagramSocket(t);
+  const heard = [];
+  provider.on('message', (octets, { port }) => heard.push([frameOfDatagram(octets), port]));
+  daemon.say(added(1, provider.address().port, { mode: 'otm/stream' }));
+  for (let count = 1; count <= 3; ++count) {
+    await until(() => heard.length === count);
+    clock.advance(limits.helloInterval);
+  }
+  await until(() => heard.length === 4);
+  const { port } = subscriber;
+  await subscriber.close();
+  await until(() => heard.length === 5);
+  assert.deepEqual(heard.map(([{ kind }]) => kind), [2, 2, 2, 2, 3]);
+  for (const [frame, from] of heard) {
+    assert.deepEqual([frame.life, frame.sequence, frame.payload.readBigUInt64BE(), from], [subscriber.life, 0n, ours, port]);
+  }
+});
