@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { isSlip, shownAttribute, statedKey } from '../../../src/client/javascript/lib/core/attribute.js';
-import { canonicalAddress, isMulticast, sendable } from '../../../src/client/javascript/lib/core/address.js';
+import { canonicalAddress, isMulticast } from '../../../src/client/javascript/lib/core/address.js';
 import { Backoff } from '../../../src/client/javascript/lib/core/backoff.js';
 import { Conversions } from '../../../src/client/javascript/lib/core/conversion.js';
 import { FrameDecoder } from '../../../src/client/javascript/lib/core/decoder.js';
@@ -224,9 +224,6 @@ test('addresses are compared in one spelling, with their zone', () => {
   for (const bad of ['robot2', '', undefined, '1.2.3', '1.2.3.4%eth0']) assert.equal(canonicalAddress(bad), undefined);
   assert.deepEqual(['239.0.0.1', '224.0.0.1', 'ff02::1', '10.0.0.1', '240.0.0.1', 'fe80::1'].map(isMulticast),
     [true, true, true, false, false, false]);
-  assert.equal(sendable('10.0.0.1', 'udp6'), '::ffff:10.0.0.1');
-  assert.equal(sendable('10.0.0.1', 'udp4'), '10.0.0.1');
-  assert.equal(sendable('::1', 'udp4'), undefined);
 });
 
 test('only the life of this place is believed', () => {

@@ -2,10 +2,13 @@
 import assert from 'node:assert/strict';
 import { createSocket } from 'node:dgram';
 import { once } from 'node:events';
+import { networkInterfaces } from 'node:os';
 import { test } from 'node:test';
 
 import { encodeFrame, frameOfDatagram, kinds } from '../../../src/client/javascript/lib/core/frame.js';
 import { limits, PortError } from '../../../src/client/javascript/lib/index.js';
+import { DatagramPort } from '../../../src/client/javascript/lib/io/datagram_port.js';
+import { Io } from '../../../src/client/javascript/lib/io/io.js';
 import { added, consumer, datagramSocket, lab, life, message, ours, sendTo } from './lab.mjs';
 import { event, until, valueOf } from './support.mjs';
 
@@ -104,4 +107,20 @@ test('hello is said at once and each second to an otm/stream, and its end when i
   for (const [frame, from] of heard) {
     assert.deepEqual([frame.life, frame.sequence, frame.payload.readBigUInt64BE(), from], [subscriber.life, 0n, ours, port]);
   }
+});
+
+test('one port is spoken by each family that the host has', async (t) => {
+  const addresses = Object.values(networkInterfaces()).flat().map(({ address }) => address);
+  const port = DatagramPort.open(new Io(), {});
+  t.after(() => port.close());
+  const heard = [];
+  port.listen((octets, address, from) => heard.push([String(octets), address, from]));
+  const loopbacks = ['127.0.0.1', '::1'].filter((address) => addresses.includes(address));
+  assert.ok(loopbacks.length > 0);
+  for (const address of loopbacks) port.send(Buffer.from(address), address, port.port);
+  await until(() => heard.length === loopbacks.length);
+  assert.deepEqual(heard.sort(), loopbacks.map((address) => [address, address, port.port]).sort());
+  const elsewhere = DatagramPort.open(new Io(), { address: '192.0.2.1' });
+  t.after(() => elsewhere.close());
+  assert.equal(elsewhere.sockets.length, port.sockets.length);
 });

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 
 import { eventStatement, readEvent } from '../../../src/client/javascript/lib/core/event.js';
 import { reservedKeys } from '../../../src/client/javascript/lib/core/attribute.js';
-import { encodeFrame, frameOfDatagram, kinds, lifeText } from '../../../src/client/javascript/lib/core/frame.js';
+import { encodeFrame, frameOfDatagram, kinds, lifeText, MessageWriter } from '../../../src/client/javascript/lib/core/frame.js';
 import { identity } from '../../../src/client/javascript/lib/core/identity.js';
 import { parseRequest } from '../../../src/client/javascript/lib/core/request.js';
 import { formatStatement, parseStatement } from '../../../src/client/javascript/lib/core/statement.js';
@@ -58,6 +58,9 @@ test('frames are those of the table', () => {
     assert.equal(read.payload.toString('hex'), payload);
     const again = encodeFrame(kinds[kind], BigInt(`0x${life}`), BigInt(sequence), Buffer.from(payload, 'hex'));
     assert.equal(again.toString('hex'), frame);
+    if (kind !== 'message' || BigInt(sequence) > BigInt(Number.MAX_SAFE_INTEGER)) continue;
+    const quick = new MessageWriter(BigInt(`0x${life}`)).write(Number(sequence), Buffer.from(payload, 'hex'));
+    assert.equal(quick.toString('hex'), frame);
   }
 });
 

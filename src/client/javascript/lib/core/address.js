@@ -16,11 +16,5 @@ export function canonicalAddress(text) {
 export const isMulticast = (address) =>
   address !== undefined && (isIPv4(address) ? /^2(2[4-9]|3[0-9])\./.test(address) : /^ff/i.test(address));
 
-/** What a socket of this family ('udp4' or 'udp6') sends to for a canonical address, or undefined where it cannot. */
-export function sendable(address, family) {
-  if (isIPv4(address)) return family === 'udp6' ? `::ffff:${address}` : address;
-  return family === 'udp6' ? address : undefined;
-}
-
 /** Address and port as one word. */
 export const place = (address, port) => `${address} ${port}`;

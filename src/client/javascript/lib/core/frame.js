@@ -44,6 +44,26 @@ export function encodeFrame(kind, life, sequence, payload) {
   return octets;
 }
 
+/** Writes the messages of one life; quicker than encodeFrame, since senders are measured against plain sockets. */
+export class MessageWriter {
+  #head;
+
+  constructor(life) {
+    this.#head = encodeFrame(kinds.message, life, 0n);
+  }
+
+  /** A sequence up to 2^53, which nobody reaches. */
+  write(sequence, payload) {
+    const octets = Buffer.allocUnsafe(headerSize + payload.length);
+    octets.set(this.#head);
+    octets.writeUInt32BE(payload.length, 4);
+    octets.writeUInt32BE(Math.floor(sequence / 0x100000000), 16);
+    octets.writeUInt32BE(sequence % 0x100000000, 20);
+    octets.set(payload, headerSize);
+    return octets;
+  }
+}
+
 /** Eight octets of a life. */
 export function lifeOctets(life) {
   const octets = Buffer.alloc(8);

@@ -1,43 +1,8 @@
 // A publisher's side of `oto` and `otm/pubsub` over UDP: sends from its port to each consumer that it was told.
-import { canonicalAddress, sendable } from '../core/address.js';
-import * as limits from '../core/limits.js';
+import { canonicalAddress } from '../core/address.js';
 import { PortError } from '../core/errors.js';
 import { headerSize } from '../core/frame.js';
-import { familyOf, openDatagramSocket } from '../io/datagram_socket.js';
-
-/** Sends one frame from one socket; gives whether the system is not behind with it. */
-export class DatagramOut {
-  /** Datagrams that were left out, and that the system did not take. */
-  leftOut = 0;
-
-  constructor(socket) {
-    this.socket = socket;
-    this.family = familyOf(socket);
-    socket.on('error', () => ++this.leftOut);
-  }
-
-  send(octets, address, port) {
-    const waiting = this.socket.getSendQueueSize();
-    if (waiting + octets.length > limits.maxWaitingDatagrams) ++this.leftOut;
-    else this.socket.send(octets, port, address);
-    return waiting < limits.enoughWaiting;
-  }
-
-  get waiting() {
-    return this.socket.getSendQueueSize();
-  }
-
-  /** Sends a last datagram to each target, and closes when the system has taken them. */
-  async end(octets, targets) {
-    await Promise.all(targets.map(({ address, port }) =>
-      new Promise((resolve) => this.socket.send(octets, port, address, resolve))));
-    this.close();
-  }
-
-  close() {
-    this.socket.close();
-  }
-}
+import { DatagramPort } from '../io/datagram_port.js';
 
 /**
  * `isLazy`: the socket is open only while there are consumers; `onMoved(port)` tells that the port was taken meanwhile.
@@ -93,9 +58,7 @@ export class Datagrams {
       return;
     }
     if (!this.#out) this.#reopen();
-    const target = sendable(canonical, this.#out.family);
-    if (target === undefined) this.delete(key);
-    else this.#targets.set(key, { address: target, port, isPlain });
+    this.#targets.set(key, { address: canonical, port, isPlain });
   }
 
   delete(key) {
@@ -119,9 +82,8 @@ export class Datagrams {
   }
 
   #open() {
-    const out = new DatagramOut(openDatagramSocket(this.#io, { ...this.#options, port: this.port }));
-    this.port = out.socket.address().port;
-    this.#out = out;
+    this.#out = DatagramPort.open(this.#io, { ...this.#options, port: this.port });
+    this.port = this.#out.port;
   }
 
   #reopen() {

@@ -2,9 +2,8 @@
 import { isIPv6 } from 'node:net';
 
 import { interfaceInterval } from '../core/limits.js';
-import { openDatagramSocket } from '../io/datagram_socket.js';
+import { DatagramPort } from '../io/datagram_port.js';
 import { groupInterfaces } from '../io/interfaces.js';
-import { DatagramOut } from './datagrams.js';
 
 export class Group {
   #io;
@@ -24,8 +23,8 @@ export class Group {
   /** Throws PortError. */
   async open() {
     // This one finds the port and says whether it can be had.
-    const first = openDatagramSocket(this.#io, { address: this.#any, port: this.port, isShared: true });
-    this.port = first.address().port;
+    const first = DatagramPort.open(this.#io, { address: this.#any, port: this.port, isShared: true });
+    this.port = first.port;
     this.#look();
     first.close();
   }
@@ -80,16 +79,17 @@ export class Group {
   }
 
   #open(name) {
-    let socket;
+    let out;
     try {
-      socket = openDatagramSocket(this.#io, { address: this.#any, port: this.port, isShared: true });
+      out = DatagramPort.open(this.#io, { address: this.#any, port: this.port, isShared: true });
+      const [socket] = out.sockets;
       socket.setMulticastInterface(name);
       socket.setMulticastTTL(1);
       socket.setMulticastLoopback(true);
-      this.#outs.set(name, new DatagramOut(socket));
+      this.#outs.set(name, out);
     } catch {
       // An interface that went, or has no multicast: it is looked at again.
-      socket?.close();
+      out?.close();
     }
   }
 }

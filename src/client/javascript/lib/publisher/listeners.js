@@ -2,8 +2,7 @@
 import { place } from '../core/address.js';
 import { frameOfDatagram, kinds, lifeOctets } from '../core/frame.js';
 import * as limits from '../core/limits.js';
-import { openDatagramSocket } from '../io/datagram_socket.js';
-import { DatagramOut } from './datagrams.js';
+import { DatagramPort } from '../io/datagram_port.js';
 
 /** Who listens: a table of places with the time of the last hello. Knows no sockets. */
 export class ListenerTable {
@@ -64,10 +63,9 @@ export class Listeners {
   }
 
   async open() {
-    this.#out = new DatagramOut(openDatagramSocket(this.#io, this.#options));
-    this.#options.port = this.#out.socket.address().port;
-    this.#out.socket.on('message', (octets, { address, port }) =>
-      this.#table.onDatagram(octets, address, port, this.#io.clock.now()));
+    this.#out = DatagramPort.open(this.#io, this.#options);
+    this.#options.port = this.#out.port;
+    this.#out.listen((octets, address, port) => this.#table.onDatagram(octets, address, port, this.#io.clock.now()));
   }
 
   get hasConsumer() {

@@ -4,7 +4,7 @@ import { EventEmitter } from 'node:events';
 import { canonicalAddress, isMulticast } from '../core/address.js';
 import { changeOf, describe } from '../core/description.js';
 import { ClosedError, MessageTooLargeError, StatementError } from '../core/errors.js';
-import { encodeFrame, kinds, lifeText, newLife } from '../core/frame.js';
+import { encodeFrame, kinds, lifeText, MessageWriter, newLife } from '../core/frame.js';
 import * as limits from '../core/limits.js';
 import { PeerBook } from '../core/peer_book.js';
 import { parametersOf } from '../core/request.js';
@@ -29,7 +29,8 @@ export class Publisher extends EventEmitter {
   #request;
   #maxSize;
   #hint;
-  #sequence = 0n;
+  #sequence = 0;
+  #writer;
   #closing;
   #onClosed;
   /** Consumers that the application was told of. */
@@ -59,6 +60,7 @@ export class Publisher extends EventEmitter {
     this.#io = io;
     this.#onClosed = onClosed;
     this.life = newLife();
+    this.#writer = new MessageWriter(this.life);
     this.#timers = io.timers();
     if (protocol !== 'udp' && protocol !== 'tcp') throw new StatementError(`protocol=${protocol}: a channel is udp or tcp`);
     const isTcp = protocol === 'tcp';
@@ -101,7 +103,7 @@ export class Publisher extends EventEmitter {
 
   /** `sent`: messages given while there was a consumer; `leftOut`: of each consumer, those for which there was no room. */
   get statistics() {
-    return { sent: Number(this.#sequence), leftOut: this.#out.leftOut, dropped: this.#out.dropped };
+    return { sent: this.#sequence, leftOut: this.#out.leftOut, dropped: this.#out.dropped };
   }
 
   /**
@@ -113,7 +115,7 @@ export class Publisher extends EventEmitter {
     if (payload.length > this.#maxSize) throw new MessageTooLargeError(payload.length, this.#maxSize, this.#hint);
     if (this.#closing) throw new ClosedError('publisher');
     if (!this.#out.hasConsumer) return true;
-    return this.#out.send(encodeFrame(kinds.message, this.life, ++this.#sequence, payload));
+    return this.#out.send(this.#writer.write(++this.#sequence, payload));
   }
 
   /** Fulfilled when nothing waits for any consumer. */
@@ -178,7 +180,7 @@ export class Publisher extends EventEmitter {
 
   async #close() {
     // In one turn, so that no event comes between.
-    const ended = this.#out.end(encodeFrame(kinds.end, this.life, this.#sequence));
+    const ended = this.#out.end(encodeFrame(kinds.end, this.life, BigInt(this.#sequence)));
     const removed = this.#request && this.#session.remove(this.#request);
     this.#book.clear();
     await Promise.all([ended, this.#io.within(limits.closePatience, removed)]);

@@ -1,11 +1,11 @@
 // A subscriber's sockets for UDP: one of its own, and one for each group and port that a provider speaks to.
 import { isIPv6 } from 'node:net';
 
-import { isMulticast, place, sendable } from '../core/address.js';
+import { isMulticast, place } from '../core/address.js';
 import { encodeFrame, kinds, lifeOctets } from '../core/frame.js';
 import { helloInterval, interfaceInterval } from '../core/limits.js';
 import { Places } from '../core/places.js';
-import { familyOf, openDatagramSocket, Spelling } from '../io/datagram_socket.js';
+import { DatagramPort } from '../io/datagram_port.js';
 import { groupInterfaces } from '../io/interfaces.js';
 
 /** Hooks: `onFrame(channel, frame)`, `onDropped()`. A channel has a `life`. */
@@ -14,9 +14,8 @@ export class DatagramsIn {
   #timers;
   #ownLife;
   #hooks;
-  #socket;
+  #own;
   #places = new Places();
-  #spelling = new Spelling();
   #groups = new Map();
   #greeted = new Map();
   #greeting;
@@ -27,13 +26,12 @@ export class DatagramsIn {
     this.#timers = io.timers();
     this.#ownLife = ownLife;
     this.#hooks = hooks;
-    this.#socket = openDatagramSocket(io, { port });
-    this.#socket.on('error', () => {}); // a hello that could not be sent is said again
-    this.#socket.on('message', (octets, from) => this.#onDatagram(octets, this.#spelling.of(from.address), from.port));
+    this.#own = DatagramPort.open(io, { port });
+    this.#own.listen((octets, address, from) => this.#onDatagram(octets, address, from));
   }
 
   get port() {
-    return this.#socket.address().port;
+    return this.#own.port;
   }
 
   /** Believes what comes from there; for `otm/stream` says that somebody listens. */
@@ -53,16 +51,16 @@ export class DatagramsIn {
     const greeted = this.#greeted.get(channel);
     if (!greeted) return;
     this.#greeted.delete(channel);
-    this.#send(encodeFrame(kinds.end, this.#ownLife, 0n, lifeOctets(channel.life)), greeted);
+    this.#own.send(encodeFrame(kinds.end, this.#ownLife, 0n, lifeOctets(channel.life)), address, port);
     if (this.#greeted.size === 0) this.#timers.clear(this.#greeting);
   }
 
   close() {
     for (const channel of [...this.#greeted.keys()]) this.delete(channel);
     this.#io.forget(this.#timers);
-    for (const { sockets } of this.#groups.values()) for (const socket of sockets) socket.close();
+    for (const { group } of this.#groups.values()) group?.close();
     this.#groups.clear();
-    this.#socket.close();
+    this.#own.close();
   }
 
   #onDatagram(octets, address, port) {
@@ -74,18 +72,13 @@ export class DatagramsIn {
   #greet(channel, address, port) {
     const greeted = { hello: encodeFrame(kinds.hello, this.#ownLife, 0n, lifeOctets(channel.life)), address, port };
     this.#greeted.set(channel, greeted);
-    this.#send(greeted.hello, greeted);
+    this.#own.send(greeted.hello, address, port);
     if (this.#greeted.size === 1) this.#greeting = this.#timers.after(helloInterval, () => this.#greetAll());
   }
 
   #greetAll() {
-    for (const greeted of this.#greeted.values()) this.#send(greeted.hello, greeted);
+    for (const { hello, address, port } of this.#greeted.values()) this.#own.send(hello, address, port);
     this.#greeting = this.#timers.after(helloInterval, () => this.#greetAll());
-  }
-
-  #send(octets, { address, port }) {
-    const target = sendable(address, familyOf(this.#socket));
-    if (target !== undefined) this.#socket.send(octets, port, target);
   }
 
   /** Several providers may speak to one group and port. */
@@ -96,36 +89,33 @@ export class DatagramsIn {
       ++joined.users;
       return;
     }
-    const [group, zone] = address.split('%');
-    const isSix = isIPv6(group);
-    const sockets = [];
-    this.#groups.set(where, { users: 1, sockets, names: new Set() });
+    const made = { users: 1, group: undefined, names: new Set(), timer: undefined };
+    this.#groups.set(where, made);
     try {
-      const socket = openDatagramSocket(this.#io, { address: zone ? address : group, port, isShared: true });
-      sockets.push(socket);
-      socket.on('error', () => {});
-      this.#listen(this.#groups.get(where), group, isSix);
+      made.group = DatagramPort.open(this.#io, { address, port, isShared: true });
+      this.#listen(made, address);
       // The event has the group's address, not the sender's, so its port is all that can be compared.
-      socket.on('message', (octets, from) => this.#onDatagram(octets, address, from.port));
+      made.group.listen((octets, _, from) => this.#onDatagram(octets, address, from));
     } catch (error) {
       this.#hooks.onProblem(error);
     }
   }
 
   /** Hears the group on the interfaces that there are now, and looks again. */
-  #listen(joined, group, isSix) {
-    const names = groupInterfaces(isSix);
+  #listen(joined, address) {
+    const [group] = address.split('%');
+    const names = groupInterfaces(isIPv6(group));
     for (const name of joined.names) if (!names.includes(name)) joined.names.delete(name);
     for (const name of names) {
       if (joined.names.has(name)) continue;
       try {
-        joined.sockets[0].addMembership(group, name);
+        joined.group.sockets[0].addMembership(group, name);
         joined.names.add(name);
       } catch {
         // an interface that went, or has no multicast: it is looked at again
       }
     }
-    joined.timer = this.#timers.after(interfaceInterval, () => this.#listen(joined, group, isSix));
+    joined.timer = this.#timers.after(interfaceInterval, () => this.#listen(joined, address));
   }
 
   #leave(address, port) {
@@ -134,6 +124,6 @@ export class DatagramsIn {
     if (!joined || --joined.users > 0) return;
     this.#groups.delete(where);
     this.#timers.clear(joined.timer);
-    for (const socket of joined.sockets) socket.close();
+    joined.group?.close();
   }
 }
