@@ -9,7 +9,7 @@ import { Conversions } from '../../../src/client/javascript/lib/core/conversion.
 import { FrameDecoder } from '../../../src/client/javascript/lib/core/decoder.js';
 import { Memory, Track } from '../../../src/client/javascript/lib/core/delivery.js';
 import { readEvent } from '../../../src/client/javascript/lib/core/event.js';
-import { encodeFrame, frameOfDatagram, kinds, lifeOf, lifeOctets, newLife } from '../../../src/client/javascript/lib/core/frame.js';
+import { encodeFrame, frameOfDatagram, kinds, lifeOf, lifeOctets, MessageWriter, newLife } from '../../../src/client/javascript/lib/core/frame.js';
 import * as limits from '../../../src/client/javascript/lib/core/limits.js';
 import { Places } from '../../../src/client/javascript/lib/core/places.js';
 import { MessageQueue } from '../../../src/client/javascript/lib/core/queue.js';
@@ -99,6 +99,21 @@ test('a datagram has 65000 octets of message at most', () => {
   assert.equal(size(limits.maxDatagramMessage - 1), limits.maxDatagramMessage - 1);
   assert.equal(size(limits.maxDatagramMessage), limits.maxDatagramMessage);
   assert.equal(size(limits.maxDatagramMessage + 1), undefined);
+});
+
+test('a writer reuses the octets of large messages, unless they are still needed', () => {
+  const large = Buffer.alloc(limits.maxDatagramMessage, 7);
+  const writer = new MessageWriter(9n, true);
+  const one = writer.write(1, large);
+  assert.deepEqual(frameOfDatagram(one).payload, large);
+  const two = writer.write(2 ** 32 + 5, large);
+  assert.equal(two.buffer, one.buffer);
+  assert.equal(frameOfDatagram(one).sequence, 2n ** 32n + 5n);
+  writer.keep();
+  assert.notEqual(writer.write(3, large).buffer, one.buffer);
+  assert.equal(frameOfDatagram(two).sequence, 2n ** 32n + 5n);
+  const fresh = new MessageWriter(9n);
+  assert.notEqual(fresh.write(1, large).buffer, fresh.write(2, large).buffer);
 });
 
 test('a stream of frames is read however it is cut', () => {

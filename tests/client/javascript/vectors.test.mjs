@@ -59,8 +59,10 @@ test('frames are those of the table', () => {
     const again = encodeFrame(kinds[kind], BigInt(`0x${life}`), BigInt(sequence), Buffer.from(payload, 'hex'));
     assert.equal(again.toString('hex'), frame);
     if (kind !== 'message' || BigInt(sequence) > BigInt(Number.MAX_SAFE_INTEGER)) continue;
-    const quick = new MessageWriter(BigInt(`0x${life}`)).write(Number(sequence), Buffer.from(payload, 'hex'));
-    assert.equal(quick.toString('hex'), frame);
+    for (const isReused of [false, true]) {
+      const quick = new MessageWriter(BigInt(`0x${life}`), isReused).write(Number(sequence), Buffer.from(payload, 'hex'));
+      assert.equal(quick.toString('hex'), frame);
+    }
   }
 });
 

@@ -47,20 +47,39 @@ export function encodeFrame(kind, life, sequence, payload) {
 /** Writes the messages of one life; quicker than encodeFrame, since senders are measured against plain sockets. */
 export class MessageWriter {
   #head;
+  #scratch;
+  #isReused;
+  /** Whether what was written last is in octets that are written again. */
+  isLent = false;
 
-  constructor(life) {
+  /** `isReused`: octets that were written are free when the next ones are, unless `keep` is called between. */
+  constructor(life, isReused = false) {
     this.#head = encodeFrame(kinds.message, life, 0n);
+    this.#isReused = isReused;
+  }
+
+  /** What was written last is still needed. */
+  keep() {
+    this.#scratch = undefined;
   }
 
   /** A sequence up to 2^53, which nobody reaches. */
   write(sequence, payload) {
-    const octets = Buffer.allocUnsafe(headerSize + payload.length);
+    const octets = this.#room(headerSize + payload.length);
     octets.set(this.#head);
     octets.writeUInt32BE(payload.length, 4);
     octets.writeUInt32BE(Math.floor(sequence / 0x100000000), 16);
     octets.writeUInt32BE(sequence % 0x100000000, 20);
     octets.set(payload, headerSize);
     return octets;
+  }
+
+  /** Buffer has a pool for what is small; a large one of its own costs more than what is copied into it. */
+  #room(size) {
+    this.isLent = this.#isReused && size * 2 >= Buffer.poolSize;
+    if (!this.isLent) return Buffer.allocUnsafe(size);
+    if (!this.#scratch || this.#scratch.length < size) this.#scratch = Buffer.allocUnsafeSlow(headerSize + maxDatagramMessage);
+    return this.#scratch.subarray(0, size);
   }
 }
 

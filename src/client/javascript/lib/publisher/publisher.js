@@ -60,10 +60,11 @@ export class Publisher extends EventEmitter {
     this.#io = io;
     this.#onClosed = onClosed;
     this.life = newLife();
-    this.#writer = new MessageWriter(this.life);
     this.#timers = io.timers();
     if (protocol !== 'udp' && protocol !== 'tcp') throw new StatementError(`protocol=${protocol}: a channel is udp or tcp`);
     const isTcp = protocol === 'tcp';
+    // The system takes a datagram at once or says that it waits; what TCP still holds is not known.
+    this.#writer = new MessageWriter(this.life, !isTcp);
     this.#maxSize = isTcp ? limits.maxStreamMessage : limits.maxDatagramMessage;
     this.#hint = isTcp ? 'over TCP' : 'over UDP: offer the service with protocol=tcp';
     this.#out = this.#channel(mode, isTcp, canonicalAddress(address), portOf(port));
@@ -115,7 +116,9 @@ export class Publisher extends EventEmitter {
     if (payload.length > this.#maxSize) throw new MessageTooLargeError(payload.length, this.#maxSize, this.#hint);
     if (this.#closing) throw new ClosedError('publisher');
     if (!this.#out.hasConsumer) return true;
-    return this.#out.send(this.#writer.write(++this.#sequence, payload));
+    const isPrompt = this.#out.send(this.#writer.write(++this.#sequence, payload));
+    if (this.#writer.isLent && this.#out.waiting > 0) this.#writer.keep();
+    return isPrompt;
   }
 
   /** Fulfilled when nothing waits for any consumer. */
