@@ -159,3 +159,13 @@ test('a program may end although a node is unref', async (t) => {
   const [status] = await once(child, 'exit');
   assert.deepEqual([status, said], [0, 'over']);
 });
+
+test('closing the node while a service is being made leaves nothing open', async (t) => {
+  const { node } = await lab(t);
+  const making = ['tcp', 'udp'].map((protocol) => node.publish({ mode: 'oto', text: 'x', protocol }));
+  const failed = Promise.all(making.map((one) => assert.rejects(one, ClosedError)));
+  await node.close();
+  await failed;
+  await assert.rejects(node.publish({ mode: 'oto', text: 'x' }), ClosedError);
+  assert.throws(() => node.subscribe({ mode: 'oto', text: 'x' }), ClosedError);
+});

@@ -35,15 +35,16 @@ function bound(io, address, port, isShared = false) {
   return io.add(socket);
 }
 
-const isTaken = ({ code }) => code === 'EADDRINUSE' || code === 'EACCES';
+// This is no address of the host, or the host does not speak this family.
+const absences = new Set(['EADDRNOTAVAIL', 'EAFNOSUPPORT', 'EPROTONOSUPPORT']);
 
-/** The socket of one address, or undefined where this is no address of the host. Throws the system's error. */
+/** The socket of one address, or undefined where the host has no such address. Throws the system's error. */
 function boundIfThere(io, address, port, isShared) {
   try {
     return bound(io, address, port, isShared);
   } catch (error) {
-    if (isTaken(error)) throw error;
-    return undefined;
+    if (absences.has(error.code)) return undefined;
+    throw error;
   }
 }
 
@@ -57,7 +58,7 @@ function boundToAll(io, port) {
     } catch (error) {
       // The port that chance gave to IPv4 is taken for IPv6.
       four?.close();
-      if (port !== 0 || tries === 0) throw error;
+      if (port !== 0 || tries === 0 || error.code !== 'EADDRINUSE') throw error;
     }
   }
 }

@@ -5,23 +5,24 @@ import { headerSize } from '../core/frame.js';
 import { DatagramPort } from '../io/datagram_port.js';
 
 /**
- * `isLazy`: the socket is open only while there are consumers; `onMoved(port)` tells that the port was taken meanwhile.
+ * `isLazy`: the socket is open only while there are consumers; `hooks`: `onMoved(port)` tells that the port was taken
+ * meanwhile, `onProblem(error)` that there is no socket to be had, so that this consumer is not sent to.
  */
 export class Datagrams {
   #io;
   #options;
   #isLazy;
-  #onMoved;
+  #hooks;
   #out;
   #targets = new Map();
   #leftOut = 0;
   port;
 
-  constructor(io, { address, port, isLazy, onMoved }) {
+  constructor(io, { address, port, isLazy, hooks }) {
     this.#io = io;
     this.#options = { address };
     this.#isLazy = isLazy;
-    this.#onMoved = onMoved;
+    this.#hooks = hooks;
     this.port = port ?? 0;
   }
 
@@ -57,7 +58,7 @@ export class Datagrams {
       this.delete(key);
       return;
     }
-    if (!this.#out) this.#reopen();
+    if (!this.#out && !this.#reopen()) return;
     this.#targets.set(key, { address: canonical, port, isPlain });
   }
 
@@ -77,8 +78,9 @@ export class Datagrams {
   async end(octets) {
     const targets = [...this.#targets.values()].filter(({ isPlain }) => !isPlain);
     this.#targets.clear();
-    await this.#out?.end(octets, targets);
+    const out = this.#out;
     this.#out = undefined;
+    await out?.end(octets, targets);
   }
 
   #open() {
@@ -87,14 +89,20 @@ export class Datagrams {
   }
 
   #reopen() {
-    try {
-      this.#open();
-    } catch (error) {
-      if (!(error instanceof PortError)) throw error;
-      this.port = 0;
-      this.#open();
-      this.#onMoved(this.port);
+    const stated = this.port;
+    for (const port of [stated, 0]) {
+      try {
+        this.port = port;
+        this.#open();
+        if (this.port !== stated) this.#hooks.onMoved(this.port);
+        return true;
+      } catch (error) {
+        if (!(error instanceof PortError)) throw error;
+        this.port = stated;
+        if (port === 0) this.#hooks.onProblem(error);
+      }
     }
+    return false;
   }
 
   #close() {

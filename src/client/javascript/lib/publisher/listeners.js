@@ -95,7 +95,8 @@ export class Listeners {
   }
 
   async end(octets) {
-    await this.#out?.end(octets, [...this.#table.values()]);
+    const out = this.#out;
     this.#out = undefined;
+    await out?.end(octets, [...this.#table.values()]);
   }
 }

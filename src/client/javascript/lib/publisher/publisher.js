@@ -155,14 +155,17 @@ export class Publisher extends EventEmitter {
     const options = { address, port, life: this.life };
     if (isTcp) return new Connections(this.#io, { ...options, isStream, hooks: this.#connectionHooks() });
     if (isStream) return isMulticast(address) ? new Group(this.#io, options) : new Listeners(this.#io, options);
-    return new Datagrams(this.#io, { ...options, isLazy: mode === 'otm/pubsub', onMoved: (moved) => this.#onMoved(moved) });
+    return new Datagrams(this.#io, { ...options, isLazy: mode === 'otm/pubsub', hooks: this.#portHooks() });
   }
 
   async #open(options) {
     // Read before any socket is opened, so that a wrong word is told first.
     const parameters = parametersOf({ ...options, port: undefined }, 'pub');
     await this.#out.open();
-    if (this.#closing) throw new ClosedError('publisher');
+    if (this.#closing) {
+      await this.#out.end(encodeFrame(kinds.end, this.life, 0n));
+      throw new ClosedError('publisher');
+    }
     parameters.push(['port', String(this.#out.port)], ['channel', lifeText(this.life)]);
     const { request, taken } = this.#session.create('pub', parameters,
       (event) => this.#book.onEvent(event), (error) => this.#onProblem(error));
@@ -222,8 +225,12 @@ export class Publisher extends EventEmitter {
     if (this.#request.isRefused) this.#book.removeAll('refused');
   }
 
-  #onMoved(port) {
-    this.#session.modify(this.#request, [['port', String(port)]]).catch((error) => this.emit('problem', error));
+  #portHooks() {
+    const onProblem = (error) => this.emit('problem', error);
+    return {
+      onProblem,
+      onMoved: (port) => this.#session.modify(this.#request, [['port', String(port)]]).catch(onProblem),
+    };
   }
 }
 
