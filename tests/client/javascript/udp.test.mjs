@@ -111,16 +111,20 @@ test('hello is said at once and each second to an otm/stream, and its end when i
 
 test('one port is spoken by each family that the host has', async (t) => {
   const addresses = Object.values(networkInterfaces()).flat().map(({ address }) => address);
-  const port = DatagramPort.open(new Io(), {});
-  t.after(() => port.close());
-  const heard = [];
-  port.listen((octets, address, from) => heard.push([String(octets), address, from]));
   const loopbacks = ['127.0.0.1', '::1'].filter((address) => addresses.includes(address));
   assert.ok(loopbacks.length > 0);
-  for (const address of loopbacks) port.send(Buffer.from(address), address, port.port);
-  await until(() => heard.length === loopbacks.length);
-  assert.deepEqual(heard.sort(), loopbacks.map((address) => [address, address, port.port]).sort());
+  for (const isOne of [false, true]) {
+    const port = DatagramPort.open(new Io(), { isOne });
+    t.after(() => port.close());
+    const heard = [];
+    port.listen((octets, address, from) => heard.push([String(octets), address, from]));
+    for (const address of loopbacks) port.send(Buffer.from(address), address, port.port);
+    await until(() => heard.length === loopbacks.length);
+    assert.deepEqual(heard.sort(), loopbacks.map((address) => [address, address, port.port]).sort());
+    assert.throws(() => DatagramPort.open(new Io(), { port: port.port }), PortError);
+    assert.throws(() => DatagramPort.open(new Io(), { port: port.port, isOne }), PortError);
+  }
   const elsewhere = DatagramPort.open(new Io(), { address: '192.0.2.1' });
   t.after(() => elsewhere.close());
-  assert.equal(elsewhere.sockets.length, port.sockets.length);
+  assert.ok(elsewhere.sockets.length > 0);
 });

@@ -10,14 +10,17 @@ import * as limits from '../core/limits.js';
 const lookup = (address, family, callback) => callback(null, address, family);
 const bufferSize = 1024 * 1024;
 
-/** A socket that is bound when this returns. `isShared` lets several have the port. Throws the system's error. */
-function bound(io, address, port, isShared = false) {
+/**
+ * A socket that is bound when this returns. `isShared` lets several have the port; `isDual` lets IPv6 speak IPv4, too. Throws
+ * the system's error.
+ */
+function bound(io, address, port, { isShared = false, isDual = false } = {}) {
   const isSix = isIPv6(address);
   const socket = createSocket({
     type: isSix ? 'udp6' : 'udp4',
     lookup,
     reuseAddr: isShared,
-    ipv6Only: isSix,
+    ipv6Only: isSix && !isDual,
     recvBufferSize: bufferSize,
     sendBufferSize: bufferSize,
   });
@@ -39,9 +42,9 @@ function bound(io, address, port, isShared = false) {
 const absences = new Set(['EADDRNOTAVAIL', 'EAFNOSUPPORT', 'EPROTONOSUPPORT']);
 
 /** The socket of one address, or undefined where the host has no such address. Throws the system's error. */
-function boundIfThere(io, address, port, isShared) {
+function boundIfThere(io, address, port, how) {
   try {
-    return bound(io, address, port, isShared);
+    return bound(io, address, port, how);
   } catch (error) {
     if (absences.has(error.code)) return undefined;
     throw error;
@@ -67,25 +70,30 @@ function boundToAll(io, port) {
 export class DatagramPort {
   #four;
   #six;
+  #isOne;
   /** Datagrams that were left out, and that the system did not take. */
   leftOut = 0;
 
   /**
    * At `port` (0: any) of `address`, or of all addresses of both families. An address that is not this host's is taken as
-   * said by somebody who knows how it is reached. Throws PortError.
+   * said by somebody who knows how it is reached. `isOne`: one socket for both families, which is half the descriptors,
+   * but costs a sender more for IPv4. Throws PortError.
    */
-  static open(io, { address, port = 0, isShared = false }) {
+  static open(io, { address, port = 0, isShared = false, isOne = false }) {
     try {
-      const one = address && boundIfThere(io, address, port, isShared);
+      const one = isOne
+        ? boundIfThere(io, '::', port, { isDual: true })
+        : address && boundIfThere(io, address, port, { isShared });
       const sockets = one ? [one] : boundToAll(io, port);
       if (sockets.length === 0) throw new Error('the host speaks neither IPv4 nor IPv6');
-      return new DatagramPort(sockets);
+      return new DatagramPort(sockets, isOne && one !== undefined);
     } catch (error) {
       throw new PortError(port, error);
     }
   }
 
-  constructor(sockets) {
+  constructor(sockets, isOne = false) {
+    this.#isOne = isOne;
     for (const socket of sockets) {
       if (socket.address().family === 'IPv6') this.#six = socket;
       else this.#four = socket;
@@ -122,7 +130,7 @@ export class DatagramPort {
     const socket = this.#of(address);
     const waiting = socket?.getSendQueueSize() ?? Infinity;
     if (waiting + octets.length > limits.maxWaitingDatagrams) ++this.leftOut;
-    else socket.send(octets, port, address);
+    else socket.send(octets, port, this.#isOne && !address.includes(':') ? `::ffff:${address}` : address);
     return waiting < limits.enoughWaiting || !socket;
   }
 
@@ -145,6 +153,6 @@ export class DatagramPort {
   }
 
   #of(address) {
-    return address.includes(':') ? this.#six : this.#four;
+    return this.#isOne || address.includes(':') ? this.#six : this.#four;
   }
 }

@@ -26,7 +26,7 @@ export class DatagramsIn {
     this.#timers = io.timers();
     this.#ownLife = ownLife;
     this.#hooks = hooks;
-    this.#own = DatagramPort.open(io, { port });
+    this.#own = DatagramPort.open(io, { port, isOne: true });
     this.#own.listen((octets, address, from) => this.#onDatagram(octets, address, from));
   }
 
