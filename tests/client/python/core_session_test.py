@@ -40,6 +40,18 @@ class Conversation(unittest.TestCase):
         self.assertEqual(said(session), ['0 sys hello name="left eye"'])
         self.assertEqual(told(session, HELLO), [Welcome("1a2b3c4d", "host")])
 
+    def test_room_is_asked_for_and_done_without_where_there_is_none(self) -> None:
+        session = Session("", 10_000)
+        for _ in range(2):
+            session.open()
+            self.assertEqual(said(session), ["0 sys hello room=10000"])
+            (report,) = told(session, "0 429 no room for 10000 subscriptions")
+            self.assertIsInstance(report, Complaint)
+            self.assertEqual(said(session), ["0 sys hello"])
+            self.assertEqual(told(session, HELLO), [Welcome("1a2b3c4d", "host")])
+            told(session, "0 400 something else")
+            self.assertEqual(said(session), [])
+
     def test_what_does_not_answer_hello_is_no_daemon(self) -> None:
         for line in ("HTTP/1.1 400 Bad Request", "1 pub add service=a", "0 msg pong", "\x16\x03\x01", '0 msg hello a="'):
             session = Session("")

@@ -74,6 +74,12 @@ class Life(VirtualTestCase):
 
         self.run_async(story())
 
+    def test_room_has_a_limit(self) -> None:
+        for room in (0, 16_383, 16_384):
+            geminga.connect(room=room)
+        for room in (-1, 16_385):
+            self.assertRaises(ValueError, lambda: geminga.connect(room=room))  # noqa: B023
+
     def test_who_does_not_answer_hello_is_no_daemon(self) -> None:
         async def story() -> None:
             daemon, told = Daemon(), Told()

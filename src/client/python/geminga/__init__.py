@@ -41,10 +41,11 @@ __all__ = [
 ]
 
 
-def connect(name: str = "", connect: str | None = None, on_event: OnEvent | None = None) -> Node:
+def connect(name: str = "", connect: str | None = None, on_event: OnEvent | None = None, room: int = 0) -> Node:
     """A node of this name, at the daemon that `connect`, $GEMINGA_CONNECT or the usual port says: enter it by `async with`.
 
     `connect` is ADDRESS:PORT, [ADDRESS]:PORT, /PATH or unix:PATH. `on_event` is called in the event loop with what happens.
+    Who needs more than 256 subscriptions of `otm/stream` says by `room` how many; where the daemon has no room that is a Problem.
     Raises ValueError for an address that is none; a daemon that is not there is no error.
     """
-    return Node(name, connect, on_event)
+    return Node(name, connect, on_event, room)

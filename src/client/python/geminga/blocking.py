@@ -181,8 +181,8 @@ class Subscriber(_Channel[subscriber.Subscriber]):
 class Node:
     """Made by connect(). A context manager, which withdraws all at its end."""
 
-    def __init__(self, name: str, connect: str | None, on_event: OnEvent | None) -> None:
-        self._front = front.Node(name, connect, on_event)
+    def __init__(self, name: str, connect: str | None, on_event: OnEvent | None, room: int) -> None:
+        self._front = front.Node(name, connect, on_event, room)
         self._served: _Served | None = None
 
     def __enter__(self) -> Node:
@@ -230,6 +230,6 @@ class Node:
         return self._served
 
 
-def connect(name: str = "", connect: str | None = None, on_event: OnEvent | None = None) -> Node:
+def connect(name: str = "", connect: str | None = None, on_event: OnEvent | None = None, room: int = 0) -> Node:
     """As geminga.connect(), to be entered by `with`. `on_event` is called inside calls of this front."""
-    return Node(name, connect, on_event)
+    return Node(name, connect, on_event, room)

@@ -26,6 +26,8 @@ from .subscriber import Subscriber
 
 #: What waits for each events() that is not read; the newest are lost beyond.
 MAX_HAPPENINGS = 4096
+#: The subscriptions of `otm/stream` for which a node may ask for room (src/discovery/gcnp/GCNP.md, "Room").
+MAX_ROOM = 16_384
 
 _log = logging.getLogger("geminga")
 
@@ -38,9 +40,11 @@ class Node:
     The daemon may start later, stop and come back: the node states all requests again, and channels go on meanwhile.
     """
 
-    def __init__(self, name: str = "", connect: str | None = None, on_event: OnEvent | None = None) -> None:
+    def __init__(self, name: str = "", connect: str | None = None, on_event: OnEvent | None = None, room: int = 0) -> None:
+        if not 0 <= room <= MAX_ROOM:
+            raise ValueError(f"room is 0 to {MAX_ROOM}")
         self._endpoints = endpoints(connect)
-        self._session = Session(name)
+        self._session = Session(name, room)
         self._on_event = on_event
         self._link: DaemonLink | None = None
         self._owners: dict[int, RequestOwner] = {}

@@ -20,8 +20,9 @@ _STOPPING = 503
 class Session:
     """One for a node's life, over all connections. Not thread-safe. What is to be sent gathers in `outgoing`."""
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, name: str, room: int = 0) -> None:
         self._name = name
+        self._room = room
         self._reader = LineReader()
         self._last_number = 0
         self._requests: dict[int, Request] = {}
@@ -29,6 +30,7 @@ class Session:
         self._waiting: deque[Asked] = deque()  # to be said when there is room
         self._unanswered: deque[Asked | None] = deque()  # one a ping; None where an error came before its pong
         self._is_welcome = False
+        self._has_asked_for_room = False
         self.is_open = False
         self.outgoing = bytearray()
 
@@ -39,7 +41,7 @@ class Session:
         self._reader = LineReader()
         self.outgoing.clear()
         self.is_open, self._is_welcome = True, False
-        self._say(Statement(0, "sys", "hello", {"name": self._name} if self._name else {}))
+        self._hello(self._room)
         self._waiting = deque(self._asked_again(request) for request in self._requests.values())
         self._state_more()
 
@@ -103,6 +105,13 @@ class Session:
 
     # Inside
 
+    def _hello(self, room: int) -> None:
+        said: dict[str, str | None] = {"name": self._name} if self._name else {}
+        if room:
+            said["room"] = str(room)
+        self._has_asked_for_room = bool(room)
+        self._say(Statement(0, "sys", "hello", said))
+
     def _asked_again(self, request: Request) -> Asked:
         asked = self._creates.get(request.number)
         if asked is None:
@@ -158,6 +167,8 @@ class Session:
         if request is None:
             if error.id == 0:
                 yield Complaint(None, error, False)
+                if not self._is_welcome and self._has_asked_for_room:
+                    self._hello(0)  # It is there all the same, with the room that everybody has.
             return
         if error.code == _STOPPING:  # It will be stated again.
             yield Complaint(request, error, False)
