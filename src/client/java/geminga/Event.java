@@ -1,0 +1,44 @@
+package geminga;
+
+/** What a node, a publisher or a subscriber tells its application. None of them is an error that the application must handle. */
+public sealed interface Event {
+    /**
+     * The daemon was reached; all requests are stated to it.
+     *
+     * @param participant the daemon, in eight hexadecimal digits
+     * @param host its name
+     */
+    record Connected(String participant, String host) implements Event {}
+
+    /**
+     * The daemon is gone. Channels go on, and it is looked for again.
+     *
+     * @param reason what ended the connection
+     */
+    record Disconnected(String reason) implements Event {}
+
+    /**
+     * A provider of a subscriber.
+     *
+     * @param change what became of it
+     * @param provider all that is known of it
+     * @param reason why it is gone, a word of GCNP; {@code -} but for {@link Change#REMOVED}
+     */
+    record ProviderEvent(Change change, Match provider, String reason) implements Event {}
+
+    /**
+     * A consumer of a publisher. Over TCP it is added when its connection has come.
+     *
+     * @param change what became of it
+     * @param consumer all that is known of it
+     * @param reason why it is gone, a word of GCNP; {@code -} but for {@link Change#REMOVED}
+     */
+    record ConsumerEvent(Change change, Match consumer, String reason) implements Event {}
+
+    /**
+     * What goes on, though not as it was meant: a conversion without a function, a request that was taken back.
+     *
+     * @param text for humans
+     */
+    record Problem(String text) implements Event {}
+}

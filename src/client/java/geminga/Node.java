@@ -1,0 +1,260 @@
+package geminga;
+
+import geminga.core.Lives;
+import geminga.net.DaemonLink;
+import geminga.net.Endpoints;
+import geminga.net.Loop;
+import geminga.net.PublisherChannel;
+import geminga.net.SubscriberChannel;
+import java.io.IOException;
+import java.nio.channels.ClosedChannelException;
+import java.security.SecureRandom;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import java.util.random.RandomGenerator;
+
+/**
+ * One program's connection with its daemon, and the sockets of all its channels. The daemon may start later, stop and come back: the node finds it again, states
+ * everything again, and channels go on meanwhile.
+ *
+ * <p><b>Threads.</b> A node makes none. Its one selector is served either by one task on an executor that the application gives ({@link #open(Options, Executor)}), for as long
+ * as the node lives; or, without one ({@link #open(Options)}), by whoever waits: {@link #run}, {@link #poll}, {@link #awaitConnected}, {@link Subscriber#receive}, the
+ * other methods that take a duration, and {@link #close}. Then nothing happens between such calls. All methods may be called from any thread. What the application is told
+ * comes on the thread that serves, one after the other and without any lock held; a listener may call everything but should not block.
+ *
+ * <p><b>Interruption.</b> Who waits is interrupted with {@link InterruptedException}, and no socket is closed by that. The task of an executor that is interrupted closes the node.
+ */
+public final class Node implements AutoCloseable {
+    private final Loop loop;
+    private final DaemonLink daemon;
+    private final RandomGenerator chance = new SecureRandom();
+    private final List<PublisherChannel> publishers = new ArrayList<>();
+    private final List<SubscriberChannel> subscribers = new ArrayList<>();
+    private final AtomicBoolean isClosing = new AtomicBoolean();
+
+    private Node(Options options) throws IOException {
+        loop = new Loop(options.listener());
+        try {
+            daemon = new DaemonLink(loop, Endpoints.of(options.connect()), options.name(), chance);
+        } catch (RuntimeException fault) {
+            loop.close();
+            throw fault;
+        }
+        daemon.open();
+    }
+
+    /**
+     * Opens a node that is served by whoever waits in it.
+     *
+     * @param options its name and its daemon, which need not be there yet
+     * @return the node
+     * @throws IOException where the system gives no selector
+     */
+    public static Node open(Options options) throws IOException {
+        return new Node(options);
+    }
+
+    /**
+     * Opens a node that is served by one task of an executor until it is closed.
+     *
+     * @param options its name and its daemon, which need not be there yet
+     * @param executor runs the task on a thread of its own, as {@link #newThread} does
+     * @return the node
+     * @throws IOException where the system gives no selector
+     */
+    public static Node open(Options options, Executor executor) throws IOException {
+        Node node = new Node(options);
+        executor.execute(() -> {
+            try {
+                node.loop.run();
+            } catch (InterruptedException isAskedToEnd) {
+                Thread.currentThread().interrupt();
+                node.close();
+            }
+        });
+        return node;
+    }
+
+    /**
+     * Asks for one thread for the node, which does not keep the program alive: the simplest executor for {@link #open(Options, Executor)}.
+     *
+     * @param task what the thread does
+     */
+    public static void newThread(Runnable task) {
+        Thread thread = new Thread(task, "geminga");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    /**
+     * Offers a service with a channel.
+     *
+     * @param offer what is offered, and how it is reached
+     * @return the publisher; what the daemon says of it, {@link Publisher#taken} tells
+     * @throws IOException where the stated port is taken
+     */
+    public Publisher publish(Offer offer) throws IOException {
+        return publish(offer, event -> { });
+    }
+
+    /**
+     * Offers a service with a channel and hears of its consumers.
+     *
+     * @param offer what is offered, and how it is reached
+     * @param listener told of each consumer, but for {@link Mode#STREAM}, where the daemon tells of none
+     * @return the publisher; what the daemon says of it, {@link Publisher#taken} tells
+     * @throws IOException where the stated port is taken
+     */
+    public Publisher publish(Offer offer, Consumer<Event.ConsumerEvent> listener) throws IOException {
+        return locked(() -> {
+            PublisherChannel channel = new PublisherChannel(loop, daemon, offer, Lives.draw(chance), listener);
+            publishers.removeIf(PublisherChannel::isClosed);
+            publishers.add(channel);
+            return new Publisher(this, channel);
+        });
+    }
+
+    /**
+     * Asks for a service and receives its messages.
+     *
+     * @param request what is asked for
+     * @return the subscriber; what the daemon says of it, {@link Subscriber#taken} tells
+     * @throws IOException where the stated port is taken
+     */
+    public Subscriber subscribe(Request request) throws IOException {
+        return subscribe(request, event -> { });
+    }
+
+    /**
+     * Asks for a service, receives its messages, and hears of its providers.
+     *
+     * @param request what is asked for
+     * @param listener told of each provider
+     * @return the subscriber; what the daemon says of it, {@link Subscriber#taken} tells
+     * @throws IOException where the stated port is taken
+     */
+    public Subscriber subscribe(Request request, Consumer<Event.ProviderEvent> listener) throws IOException {
+        return locked(() -> {
+            SubscriberChannel channel = new SubscriberChannel(loop, daemon, request, Lives.draw(chance), chance, listener);
+            subscribers.removeIf(SubscriberChannel::isClosed);
+            subscribers.add(channel);
+            return new Subscriber(this, channel);
+        });
+    }
+
+    /** {@return whether the daemon is there now} */
+    public boolean isConnected() {
+        loop.lock();
+        try {
+            return daemon.isUp();
+        } finally {
+            loop.unlock();
+        }
+    }
+
+    /**
+     * Waits for the daemon.
+     *
+     * @param atMost how long
+     * @return whether it is there
+     * @throws InterruptedException where the thread is interrupted
+     */
+    public boolean awaitConnected(Duration atMost) throws InterruptedException {
+        return await(daemon::isUp, atMost);
+    }
+
+    /**
+     * Serves the node until it is closed.
+     *
+     * @throws InterruptedException where the thread is interrupted; the node stays open
+     */
+    public void run() throws InterruptedException {
+        loop.run();
+    }
+
+    /**
+     * Serves the node for so long, at least once.
+     *
+     * @param time how long
+     * @throws InterruptedException where the thread is interrupted
+     */
+    public void poll(Duration time) throws InterruptedException {
+        loop.poll();
+        await(() -> false, time);
+    }
+
+    /**
+     * Withdraws everything, gives consumers over TCP what still waits for them, until one takes nothing for 5 s, and says goodbye to the daemon. An interruption ends the waiting and stays set.
+     */
+    @Override
+    public void close() {
+        if (!isClosing.compareAndSet(false, true)) return;
+        List<PublisherChannel> ending = locking(() -> {
+            subscribers.forEach(SubscriberChannel::close);
+            publishers.forEach(PublisherChannel::end);
+            daemon.close();
+            return List.copyOf(publishers);
+        });
+        settle(() -> daemon.isGone() && ending.stream().allMatch(PublisherChannel::hasEnded));
+        locking(() -> {
+            ending.forEach(PublisherChannel::close);
+            return null;
+        });
+        loop.close();
+    }
+
+    /** Waits for what ends by itself, unless it is interrupted. */
+    void settle(BooleanSupplier condition) {
+        try {
+            loop.await(condition, Long.MAX_VALUE);
+        } catch (InterruptedException stop) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    boolean await(BooleanSupplier condition, Duration atMost) throws InterruptedException {
+        return loop.await(condition, atMost.compareTo(Duration.ofDays(1000)) > 0 ? Long.MAX_VALUE : atMost.toNanos());
+    }
+
+    /** Does something with the lock, unless the node is closed. */
+    private <T> T locked(Opening<T> action) throws IOException {
+        loop.lock();
+        try {
+            if (isClosing.get()) throw new ClosedChannelException();
+            return action.open();
+        } finally {
+            loop.unlock();
+        }
+    }
+
+    <T> T locking(Supplier<T> action) {
+        loop.lock();
+        try {
+            return action.get();
+        } finally {
+            loop.unlock();
+        }
+    }
+
+    /** Has something done by the thread that serves. With the lock. */
+    void tell(Runnable notice) {
+        loop.tell(notice);
+    }
+
+    void problem(String text) {
+        locking(() -> {
+            loop.problem(text);
+            return null;
+        });
+    }
+
+    private interface Opening<T> {
+        T open() throws IOException;
+    }
+}

@@ -1,0 +1,292 @@
+package geminga;
+
+import geminga.core.Words;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** What a subscriber asks for, in the words of GCNP (src/discovery/gcnp/GCNP.md). Immutable: each method gives another request. What cannot be stated is an {@link IllegalArgumentException}. */
+public final class Request {
+    private final Words words;
+    private final Map<String, Conversion> conversions;
+
+    private Request(Words words, Map<String, Conversion> conversions) {
+        this.words = words;
+        this.conversions = conversions;
+    }
+
+    /**
+     * A request for all that matches, over UDP and TCP.
+     *
+     * @param mode how messages flow
+     * @param identity what is asked for
+     * @return the request
+     */
+    public static Request of(Mode mode, Identity identity) {
+        return new Request(state(Words.request(), mode, identity), Map.of());
+    }
+
+    /**
+     * Reads a request from the words behind {@code sub create}, as {@code mode=otm/stream concept=soccer:BallInfo where="rate > 10"}.
+     *
+     * @param parameters as a line of GCNP has them, quotes and all
+     * @return the request
+     */
+    public static Request read(String parameters) {
+        return new Request(Words.request().read(parameters).complete(), Map.of());
+    }
+
+    /**
+     * States what more parameters say, as those of {@code sub modify}.
+     *
+     * @param parameters as a line of GCNP has them, quotes and all
+     * @return the request
+     */
+    public Request with(String parameters) {
+        return new Request(words.read(parameters).complete(), conversions);
+    }
+
+    /**
+     * The weakest degree that counts.
+     *
+     * @param weakest any but {@link Degree#CONVERTED}, which {@link #convert} asks for
+     * @return the request
+     */
+    public Request match(Degree weakest) {
+        return with("match", weakest.word());
+    }
+
+    /**
+     * Whose services count.
+     *
+     * @param providers {@code PARTICIPANT[/PEER]} each, by identifier or by name; none for anybody's
+     * @return the request
+     */
+    public Request providers(String... providers) {
+        return with("provider", String.join(",", providers));
+    }
+
+    /**
+     * Whose services come first (src/discovery/matching/PREFERENCES.md).
+     *
+     * @param providers {@code PARTICIPANT[/PEER]} each, in this order; none for nobody's
+     * @return the request
+     */
+    public Request favour(String... providers) {
+        return with("favour", String.join(",", providers));
+    }
+
+    /**
+     * By which attributes a service is better (src/discovery/matching/PREFERENCES.md).
+     *
+     * @param wishes {@code KEY asc} or {@code KEY desc} each, perhaps with {@code by NUMBER [UNIT]}
+     * @return the request
+     */
+    public Request prefer(String... wishes) {
+        return with("prefer", String.join(", ", wishes));
+    }
+
+    /**
+     * By what services are ranked first.
+     *
+     * @param order of {@code favour}, {@code priority}, {@code prefer}, {@code degree} and {@code distance}
+     * @return the request
+     */
+    public Request rank(String... order) {
+        return with("rank", String.join(",", order));
+    }
+
+    /**
+     * A condition over attributes (src/discovery/matching/WHERE.md).
+     *
+     * @param condition as {@code rate >= 30 and camera = 'front'}; empty for none
+     * @return the request
+     */
+    public Request where(String condition) {
+        return with("where", condition);
+    }
+
+    /**
+     * On which hosts providers may be (src/discovery/matching/SCOPE.md).
+     *
+     * @param scope as {@code host}, or {@code robot2/vision,!host}; empty for any
+     * @return the request
+     */
+    public Request scope(String scope) {
+        return with("scope", scope);
+    }
+
+    /**
+     * Over which protocols messages may come.
+     *
+     * @param protocols {@code udp}, {@code tcp}; none for both
+     * @return the request
+     */
+    public Request protocols(String... protocols) {
+        return with("protocol", String.join(",", protocols));
+    }
+
+    /**
+     * How many providers at most, the best.
+     *
+     * @param limit 0 for all
+     * @return the request
+     */
+    public Request limit(int limit) {
+        return with("limit", Integer.toString(limit));
+    }
+
+    /**
+     * How the consumer stands with a provider that can serve few.
+     *
+     * @param priority the greater wins
+     * @return the request
+     */
+    public Request priority(int priority) {
+        return with("priority", Integer.toString(priority));
+    }
+
+    /**
+     * At which port messages over UDP are received.
+     *
+     * @param port 0 for any
+     * @return the request
+     */
+    public Request port(int port) {
+        return with("port", Integer.toString(port));
+    }
+
+    /**
+     * At which address messages over UDP are received.
+     *
+     * @param address in numbers; empty for each interface's own
+     * @return the request
+     */
+    public Request address(String address) {
+        return with("address", address);
+    }
+
+    /**
+     * Also services whose representation can be turned into the one that is asked for (src/discovery/matching/CONVERSIONS.md).
+     *
+     * @param cost {@code yes}, {@code no}, or the largest cost
+     * @return the request
+     */
+    public Request convert(String cost) {
+        return with("convert", cost);
+    }
+
+    /**
+     * Gives the function for one conversion, by the names that events have. It is called where messages are taken.
+     *
+     * @param from the representation that it takes
+     * @param to the representation that it makes
+     * @param function what converts a payload
+     * @return the request
+     */
+    public Request conversion(String from, String to, Conversion function) {
+        Map<String, Conversion> more = new LinkedHashMap<>(conversions);
+        more.put(from + '>' + to, function);
+        return new Request(words, Map.copyOf(more));
+    }
+
+    /**
+     * States an attribute, for which providers may have a condition.
+     *
+     * @param name 1 to 64 letters, digits, {@code _}, {@code .} or {@code -}
+     * @param value up to 255 octets
+     * @return the request
+     */
+    public Request attribute(String name, String value) {
+        return new Request(words.withAttribute(name, value), conversions);
+    }
+
+    /** {@return how messages flow} */
+    public Mode mode() {
+        return Mode.of(words.get("mode"));
+    }
+
+    /** {@return what is asked for} */
+    public Identity identity() {
+        return identity(words);
+    }
+
+    /** {@return the port for messages over UDP, 0 for any} */
+    public int port() {
+        return words.get("port").isEmpty() ? 0 : Integer.parseInt(words.get("port"));
+    }
+
+    /** {@return the address in numbers, empty for each interface's own} */
+    public String address() {
+        return words.get("address");
+    }
+
+    /** {@return the protocols over which messages may come} */
+    public List<String> protocols() {
+        return words.get("protocol").isEmpty() ? List.of("udp", "tcp") : List.of(words.get("protocol").split(","));
+    }
+
+    /** {@return how many providers at most; 0 for all} */
+    public long limit() {
+        if (words.get("limit").isEmpty()) return mode() == Mode.ONE_TO_ONE ? 1 : 0;
+        return Long.parseLong(words.get("limit"));
+    }
+
+    /** {@return the attributes by their names} */
+    public Map<String, String> attributes() {
+        return words.attributes();
+    }
+
+    /** {@return the functions by {@code FROM>TO}} */
+    public Map<String, Conversion> conversions() {
+        return conversions;
+    }
+
+    /** {@return all of it as {@code sub create} states it, in the order of GCNP} */
+    public Map<String, String> parameters() {
+        return words.parameters();
+    }
+
+    /**
+     * What {@code sub modify} has to state to make another request this one.
+     *
+     * @param before the other one
+     * @return keys and values in the order of GCNP
+     */
+    public Map<String, String> changesFrom(Request before) {
+        return words.changesFrom(before.words);
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Request request && words.equals(request.words) && conversions.equals(request.conversions);
+    }
+
+    @Override
+    public int hashCode() {
+        return words.hashCode();
+    }
+
+    @Override
+    public String toString() {
+        return parameters().toString();
+    }
+
+    private Request with(String key, String value) {
+        return new Request(words.with(key, value), conversions);
+    }
+
+    static Words state(Words words, Mode mode, Identity identity) {
+        Words stated = words.with("mode", mode.word());
+        if (identity instanceof Identity.Number number) return stated.with("id", Long.toString(number.value()));
+        if (identity instanceof Identity.Text text) return stated.with("text", text.value());
+        Identity.Concept named = (Identity.Concept) identity;
+        return stated.with("concept", named.name()).with("representation", named.representation());
+    }
+
+    static Identity identity(Words words) {
+        if (!words.get("id").isEmpty()) return Identity.number(Long.parseLong(words.get("id")));
+        if (!words.get("text").isEmpty()) return Identity.text(words.get("text"));
+        return Identity.concept(words.get("concept"), words.get("representation"));
+    }
+}

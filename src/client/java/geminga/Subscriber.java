@@ -1,0 +1,184 @@
+package geminga;
+
+import geminga.net.SubscriberChannel;
+import java.nio.channels.ClosedChannelException;
+import java.time.Duration;
+import java.util.HashSet;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Flow;
+import java.util.function.UnaryOperator;
+
+/**
+ * A service that is asked for, and the channel from its providers. Messages are taken by {@link #receive}, or by one {@link Flow.Subscriber}, which is given as many as it
+ * requests and no more.
+ *
+ * <p>At most 1024 messages or 16 MiB wait. Then nothing more is read: over TCP that holds the provider back, over UDP the system drops, and {@link Message#missed} tells.
+ */
+public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> {
+    private final Node node;
+    private final SubscriberChannel channel;
+    private final Set<String> unconverted = new HashSet<>();
+    private Delivery delivery;
+    private long received;
+    private long missed;
+    private long failed;
+
+    Subscriber(Node node, SubscriberChannel channel) {
+        this.node = node;
+        this.channel = channel;
+    }
+
+    /**
+     * Waits for a message.
+     *
+     * @return the next one
+     * @throws InterruptedException where the thread is interrupted
+     * @throws RefusedException where the daemon refused the request
+     * @throws ClosedChannelException where the subscriber is closed, perhaps meanwhile
+     */
+    public Message receive() throws InterruptedException, ClosedChannelException, RefusedException {
+        while (true) {
+            Optional<Message> message = receive(Duration.ofDays(10_000));
+            if (message.isPresent()) return message.get();
+        }
+    }
+
+    /**
+     * Waits for a message.
+     *
+     * @param atMost how long
+     * @return the next one, or nothing
+     * @throws InterruptedException where the thread is interrupted
+     * @throws RefusedException where the daemon refused the request
+     * @throws ClosedChannelException where the subscriber is closed, perhaps meanwhile
+     */
+    public Optional<Message> receive(Duration atMost) throws InterruptedException, ClosedChannelException, RefusedException {
+        long begin = System.nanoTime();
+        while (true) {
+            if (node.locking(() -> delivery != null)) throw new IllegalStateException("the messages go to a Flow.Subscriber");
+            Duration left = atMost.minusNanos(System.nanoTime() - begin);
+            node.await(() -> channel.hasMessage() || channel.isClosed(), left.isNegative() ? Duration.ZERO : left);
+            Message message = node.locking(channel::poll);
+            if (message == null) {
+                if (channel.refusal() != null) throw channel.refusal();
+                if (node.locking(channel::isClosed)) throw new ClosedChannelException();
+                return Optional.empty();
+            }
+            Message converted = take(message);
+            if (converted != null) return Optional.of(converted);
+        }
+    }
+
+    /** What the application is given of a message; null where it cannot be converted. Without the lock. */
+    Message take(Message message) {
+        byte[] payload = message.payload();
+        try {
+            payload = Conversions.apply(channel.request().conversions(), message.provider().conversion(), payload);
+        } catch (Exception fault) {
+            boolean isNew = node.locking(() -> {
+                ++failed;
+                return unconverted.size() < 1024 && unconverted.add(message.provider().lifeText());
+            });
+            if (isNew) node.problem("a message of " + message.provider().word() + " is not converted: " + fault.getMessage());
+            return null;
+        }
+        node.locking(() -> {
+            missed += message.missed();
+            return ++received;
+        });
+        return payload == message.payload() ? message : new Message(payload, message.life(), message.sequence(), message.missed(), message.provider());
+    }
+
+    /**
+     * Gives all messages from now on to one who takes them, on the thread that serves the node. There can be one at a time: another one gets an {@link IllegalStateException}.
+     *
+     * @param taker who requests and takes them
+     */
+    @Override
+    public void subscribe(Flow.Subscriber<? super Message> taker) {
+        Delivery made = new Delivery(node, this, channel, taker);
+        boolean isFirst = node.locking(() -> {
+            if (delivery != null) return false;
+            delivery = made;
+            channel.onMessage(() -> node.tell(made::pump));
+            return true;
+        });
+        made.begin(isFirst);
+    }
+
+    /** The taker wants no more. */
+    void released(Delivery was) {
+        node.locking(() -> {
+            if (delivery == was) {
+                delivery = null;
+                channel.onMessage(() -> { });
+            }
+            return null;
+        });
+    }
+
+    /**
+     * Changes the request, as {@code subscriber.modify(request -> request.where("rate > 10"))}. Mode, port, address and protocol stay.
+     *
+     * @param change makes the new request from the one that holds
+     * @return completes when the daemon has taken it, or fails with {@link RefusedException}, and the former request holds; on the thread that serves the node
+     */
+    public CompletionStage<Void> modify(UnaryOperator<Request> change) {
+        return node.locking(() -> channel.modify(change.apply(channel.request())));
+    }
+
+    /** {@return what is asked for, with what the library states beside} */
+    public Request request() {
+        return channel.request();
+    }
+
+    /** {@return the life of this subscriber} */
+    public long life() {
+        return channel.life();
+    }
+
+    /** {@return completes when the daemon has taken the request, or fails with {@link RefusedException}; on the thread that serves the node} */
+    public CompletionStage<Void> taken() {
+        return channel.taken().minimalCompletionStage();
+    }
+
+    /**
+     * Waits until the daemon has taken the request.
+     *
+     * @param atMost how long
+     * @return whether it has
+     * @throws RefusedException where it refused it
+     * @throws InterruptedException where the thread is interrupted
+     */
+    public boolean awaitTaken(Duration atMost) throws RefusedException, InterruptedException {
+        node.await(() -> channel.isTaken() || channel.refusal() != null, atMost);
+        if (channel.refusal() != null) throw channel.refusal();
+        return node.locking(channel::isTaken);
+    }
+
+    /** {@return how many messages the application has taken} */
+    public long received() {
+        return node.locking(() -> received);
+    }
+
+    /** {@return how many messages of the same lives it missed} */
+    public long missed() {
+        return node.locking(() -> missed + channel.missedAtEnd());
+    }
+
+    /** {@return what came and was no frame, not from a matched provider, not new, or could not be converted} */
+    public long dropped() {
+        return node.locking(() -> channel.droppedCount() + failed);
+    }
+
+    /** Withdraws the request and closes its sockets. A taker is told {@link Flow.Subscriber#onComplete}. */
+    @Override
+    public void close() {
+        node.locking(() -> {
+            channel.close();
+            return null;
+        });
+    }
+}
