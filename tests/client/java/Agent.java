@@ -40,6 +40,7 @@ public final class Agent {
     private static final PrintStream OUT = new PrintStream(new FileOutputStream(FileDescriptor.out), false, StandardCharsets.UTF_8);
 
     private final Node node;
+    private final Map<Object, Speaker> speakers = new ConcurrentHashMap<>();
     private final Map<String, Publisher> publishers = new ConcurrentHashMap<>();
     private final Map<String, Taker> takers = new ConcurrentHashMap<>();
     private final Map<String, Request> conversions = new ConcurrentHashMap<>();
@@ -63,10 +64,17 @@ public final class Agent {
         OUT.flush();
     }
 
-    private void happened(Event event) {
+    private synchronized void happened(Event event) {
         if (event instanceof Event.Connected) say("connected");
         if (event instanceof Event.Disconnected) say("disconnected");
-        if (event instanceof Event.Problem problem) say("problem", "-", problem.text());
+        if (event instanceof Event.Problem problem) {
+            Speaker speaker = speakers.get(problem.source() == null ? this : problem.source());
+            if (speaker == null) {
+                say("problem", "-", problem.text());
+            } else {
+                speaker.say("problem", problem.text());
+            }
+        }
     }
 
     private void told(String line) {
@@ -145,14 +153,15 @@ public final class Agent {
         }
     }
 
-    private void publish(String label, String parameters) throws IOException {
+    private synchronized void publish(String label, String parameters) throws IOException {
         Speaker speaker = new Speaker(label);
         Publisher publisher = node.publish(Offer.read(parameters), event -> speaker.say("consumer", change(event.change()), event.consumer().lifeText(), event.reason()));
         publishers.put(label, publisher);
+        speakers.put(publisher, speaker);
         publisher.taken().whenComplete((nothing, fault) -> speaker.ok(fault));
     }
 
-    private void subscribe(String label, String parameters) throws IOException {
+    private synchronized void subscribe(String label, String parameters) throws IOException {
         Speaker speaker = new Speaker(label);
         Request request = Request.read(parameters);
         for (Map.Entry<String, geminga.Conversion> one : conversions.containsKey(label) ? conversions.get(label).conversions().entrySet() : Map.<String, geminga.Conversion>of().entrySet()) {
@@ -162,6 +171,7 @@ public final class Agent {
         Subscriber subscriber = node.subscribe(request, event -> speaker.say("provider", change(event.change()), event.provider().lifeText(), event.reason()));
         Taker taker = new Taker(subscriber, speaker);
         takers.put(label, taker);
+        speakers.put(subscriber, speaker);
         subscriber.subscribe(taker);
         subscriber.taken().whenComplete((nothing, fault) -> speaker.ok(fault));
     }

@@ -72,7 +72,7 @@ final class Delivery implements Flow.Subscription {
             }
         } catch (RuntimeException thrown) {
             cancel();
-            node.problem("a taker of messages threw " + thrown);
+            subscriber.problem("a taker of messages threw " + thrown);
         } finally {
             isPumping = false;
         }

@@ -38,7 +38,8 @@ public sealed interface Event {
     /**
      * What goes on, though not as it was meant: a conversion without a function, a request that was taken back.
      *
+     * @param source the {@link Publisher} or {@link Subscriber} that it is about; null where it is about the node
      * @param text for humans
      */
-    record Problem(String text) implements Event {}
+    record Problem(AutoCloseable source, String text) implements Event {}
 }

@@ -12,7 +12,11 @@ public sealed interface Identity {
      * @param value 0 to 4294967295
      */
     record Number(long value) implements Identity {
-        /** Checks the range. */
+        /**
+         * Checks the range.
+         *
+         * @param value 0 to 4294967295
+         */
         public Number {
             if (value < 0 || value > 0xFFFF_FFFFL) throw new IllegalArgumentException("id: 0 to 4294967295, not " + value);
         }
@@ -29,7 +33,11 @@ public sealed interface Identity {
      * @param value 1 to 255 octets of UTF-8
      */
     record Text(String value) implements Identity {
-        /** Checks the length. */
+        /**
+         * Checks the length.
+         *
+         * @param value 1 to 255 octets of UTF-8
+         */
         public Text {
             int octets = value.getBytes(StandardCharsets.UTF_8).length;
             if (octets == 0 || octets > 255) throw new IllegalArgumentException("text: 1 to 255 octets, not " + octets);
@@ -48,7 +56,12 @@ public sealed interface Identity {
      * @param representation the form in which data come, written as the name is; empty for none
      */
     record Concept(String name, String representation) implements Identity {
-        /** Checks that there is a name, and the lengths. */
+        /**
+         * Checks that there is a name, and the lengths.
+         *
+         * @param name {@code prefix:Name}, {@code <IRI>}, a label, or an expression
+         * @param representation the same; empty for none
+         */
         public Concept {
             Objects.requireNonNull(representation);
             if (name.isEmpty()) throw new IllegalArgumentException("concept: a name is missing");

@@ -25,12 +25,6 @@ import java.util.Map;
  */
 public record Match(String word, String owner, String name, String host, long life, Identity identity, Degree degree, int distance, Mode mode, String address, int port,
         String protocol, int priority, List<String> conversion, Map<String, String> attributes) {
-    /** Keeps copies of the lists. */
-    public Match {
-        conversion = List.copyOf(conversion);
-        attributes = Map.copyOf(attributes);
-    }
-
     /** {@return the life in sixteen hexadecimal digits} */
     public String lifeText() {
         return Lives.write(life);

@@ -116,7 +116,9 @@ public final class Node implements AutoCloseable {
             PublisherChannel channel = new PublisherChannel(loop, daemon, offer, Lives.draw(chance), listener);
             publishers.removeIf(PublisherChannel::isClosed);
             publishers.add(channel);
-            return new Publisher(this, channel);
+            Publisher made = new Publisher(this, channel);
+            channel.owner(made);
+            return made;
         });
     }
 
@@ -144,7 +146,9 @@ public final class Node implements AutoCloseable {
             SubscriberChannel channel = new SubscriberChannel(loop, daemon, request, Lives.draw(chance), chance, listener);
             subscribers.removeIf(SubscriberChannel::isClosed);
             subscribers.add(channel);
-            return new Subscriber(this, channel);
+            Subscriber made = new Subscriber(this, channel);
+            channel.owner(made);
+            return made;
         });
     }
 
@@ -245,13 +249,6 @@ public final class Node implements AutoCloseable {
     /** Has something done by the thread that serves. With the lock. */
     void tell(Runnable notice) {
         loop.tell(notice);
-    }
-
-    void problem(String text) {
-        locking(() -> {
-            loop.problem(text);
-            return null;
-        });
     }
 
     private interface Opening<T> {

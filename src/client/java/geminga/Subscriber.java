@@ -81,7 +81,7 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
                 ++failed;
                 return unconverted.size() < 1024 && unconverted.add(message.provider().lifeText());
             });
-            if (isNew) node.problem("a message of " + message.provider().word() + " is not converted: " + fault.getMessage());
+            if (isNew) problem("a message of " + message.provider().word() + " is not converted: " + fault.getMessage());
             return null;
         }
         node.locking(() -> {
@@ -106,6 +106,13 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
             return true;
         });
         made.begin(isFirst);
+    }
+
+    void problem(String text) {
+        node.locking(() -> {
+            channel.problem(text);
+            return null;
+        });
     }
 
     /** The taker wants no more. */

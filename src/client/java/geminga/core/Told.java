@@ -6,6 +6,7 @@ import geminga.Identity;
 import geminga.Match;
 import geminga.Mode;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -70,7 +71,7 @@ public record Told(long id, boolean isOfService, Change change, Map<String, Stri
             List<String> conversion = text("convert").isEmpty() ? List.of() : List.of(text("convert").split(">"));
             return new Match(word(), text(isOfService ? "provider" : "consumer"), text("name"), text("participant_name"), Lives.read(attributes.get("channel")), identity(),
                     Degree.of(text("degree")), number("distance"), Mode.of(text("mode")), text("address"), (int) Values.number("port", orZero("port"), 0, 65535),
-                    text("protocol"), number("priority"), conversion, attributes);
+                    text("protocol"), number("priority"), conversion, Collections.unmodifiableMap(attributes));
         } catch (IllegalArgumentException fault) {
             throw new LineException(fault.getMessage());
         }

@@ -125,13 +125,17 @@ public final class Loop {
         wakeUp();
     }
 
+    Consumer<Event> listener() {
+        return listener;
+    }
+
     /** Tells the node's listener. With the lock. */
     void tell(Event event) {
         tell(() -> listener.accept(event));
     }
 
-    public void problem(String text) {
-        tell(new Event.Problem(text));
+    void problem(String text) {
+        tell(new Event.Problem(null, text));
     }
 
     /** Who waits looks again at what it waits for. With the lock. */

@@ -22,6 +22,9 @@ interface Outlet {
         /** Listeners or connections came or went, or there is room again. */
         void changed();
 
+        /** What the application is told. */
+        void problem(String text);
+
         /** The channel is reached at another port from now on. */
         void moved(int port);
     }

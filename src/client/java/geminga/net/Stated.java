@@ -15,6 +15,7 @@ public abstract class Stated {
     final long number;
     private final String command;
     private final CompletableFuture<Void> taken = new CompletableFuture<>();
+    private volatile AutoCloseable owner;
     private volatile RefusedException refusal;
     /** Pings that are under way behind a {@code create}: while there is one, an error is about it. */
     private int creating;
@@ -27,6 +28,16 @@ public abstract class Stated {
         this.daemon = daemon;
         this.command = command;
         number = daemon.nextNumber();
+    }
+
+    /** What the application knows it as. With the lock. */
+    public final void owner(AutoCloseable made) {
+        owner = made;
+    }
+
+    /** Tells the application what is not as it was meant. With the lock. */
+    public final void problem(String text) {
+        loop.tell(() -> loop.listener().accept(new Event.Problem(owner, text)));
     }
 
     /** What {@code create} states. */
@@ -119,11 +130,11 @@ public abstract class Stated {
             return;
         }
         if (!isOfCreate && !isTakenBack) {
-            loop.tell(new Event.Problem(code + " " + text));
+            problem(code + " " + text);
             return;
         }
         refusal = new RefusedException(code, code + " " + text);
-        if (isTaken) loop.tell(new Event.Problem(code + " " + text));
+        if (isTaken) problem(code + " " + text);
         RefusedException told = refusal;
         loop.tell(() -> taken.completeExceptionally(told));
         refused();

@@ -152,7 +152,7 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
         if (isHeard && provider.protocol().equals("tcp") && provider.life() != 0) return new TcpInlet(loop, this, life, provider, chance);
         if (isHeard && group != null) return new GroupInlet(groups, group);
         if (isHeard && provider.protocol().equals("udp")) return new UdpInlet(loop, socket, life, provider, request.mode() == Mode.STREAM);
-        loop.problem("the provider " + provider.word() + (isHeard ? " states no channel and is not connected over TCP" : " speaks " + provider.protocol()));
+        problem("the provider " + provider.word() + (isHeard ? " states no channel and is not connected over TCP" : " speaks " + provider.protocol()));
         return new NoInlet();
     }
 

@@ -241,7 +241,7 @@ final class TcpOutlet implements Outlet, Loop.Ready {
     public void opened(Entry<Consumer> entry) {
         entry.channel = new Expected(entry.match().life());
         if (entry.match().life() == 0) {
-            loop.problem("the consumer " + entry.match().word() + " states no channel and is not served over TCP");
+            owner.problem("the consumer " + entry.match().word() + " states no channel and is not served over TCP");
             return;
         }
         expected.put(entry.match().life(), entry);

@@ -97,7 +97,7 @@ final class UdpOutlet implements Outlet {
             port = socket.port();
             owner.moved(port);
         } catch (IOException fault) {
-            loop.problem("no socket for a publisher: " + fault.getMessage());
+            owner.problem("no socket for a publisher: " + fault.getMessage());
         }
     }
 
