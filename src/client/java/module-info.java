@@ -3,7 +3,7 @@
  * {@link geminga.Node} is where to begin.
  */
 module geminga {
-    requires static jdk.net;
+    requires jdk.net; // to notice hosts that were switched off: keep-alive times of TCP
 
     exports geminga;
 }

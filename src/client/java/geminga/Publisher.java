@@ -32,6 +32,17 @@ public final class Publisher implements AutoCloseable {
     }
 
     /**
+     * Waits for a consumer.
+     *
+     * @param atMost how long
+     * @return whether there is one
+     * @throws InterruptedException where the thread is interrupted
+     */
+    public boolean awaitConsumer(Duration atMost) throws InterruptedException {
+        return node.await(channel::isHeard, atMost);
+    }
+
+    /**
      * Waits until a message of that size would be left out for no consumer that is connected.
      *
      * @param octets its size

@@ -98,6 +98,11 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
         return new MessageTooLargeException(octets + " octets: a message over " + (isUdp ? "UDP has at most " + largest + ": offer the service with protocol=tcp" : "TCP has at most " + largest));
     }
 
+    /** Whether there is a consumer. */
+    public boolean isHeard() {
+        return isHeard;
+    }
+
     /** Whether a message of that size would be left out for nobody. With the lock. */
     public boolean hasRoom(int octets) {
         return isClosed || outlet.hasRoom(octets);

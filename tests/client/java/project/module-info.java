@@ -1,0 +1,3 @@
+module geminga.project {
+    requires geminga;
+}
