@@ -117,6 +117,15 @@ final class Stream implements Loop.Ready {
         }
     }
 
+    /** Reads what is there already. */
+    void look() {
+        try {
+            receive();
+        } catch (IOException fault) {
+            fail(fault.getMessage());
+        }
+    }
+
     private void receive() throws IOException {
         for (int i = 0; i < READS && !isClosed && !isPaused; ++i) {
             ByteBuffer octets = loop.incoming.clear();

@@ -78,6 +78,7 @@ final class TcpOutlet implements Outlet, Loop.Ready {
             try {
                 SocketChannel channel = server.accept();
                 if (channel == null) return;
+                if (unknown.size() == Sizes.UNKNOWN_CONNECTIONS) unknown.peek().stream.look(); // its hello may have come
                 if (unknown.size() == Sizes.UNKNOWN_CONNECTIONS) unknown.peek().leave();
                 new Guest(channel);
             } catch (IOException fault) {

@@ -1,0 +1,121 @@
+import geminga.Identity;
+import geminga.Offer;
+import geminga.Request;
+import geminga.core.Frame;
+import geminga.core.Keys;
+import geminga.core.LineException;
+import geminga.core.Lives;
+import geminga.core.Parameter;
+import geminga.core.Reply;
+import geminga.core.Statement;
+import geminga.core.Told;
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+
+/** What every language computes alike: tests/client/vectors and the worked examples of GCNP.md. */
+final class VectorsTest {
+    private static final HexFormat HEX = HexFormat.of();
+
+    static void identitiesAreThoseOfTheTable() throws Exception {
+        for (String[] row : Check.rows("identities.tsv")) {
+            String representation = row[2].isEmpty() ? "" : "<" + row[2] + ">";
+            Identity identity = switch (row[0]) {
+                case "number" -> Identity.number(Long.parseLong(row[1]));
+                case "text" -> Identity.text(row[1]);
+                case "concept" -> Identity.concept("<" + row[1] + ">", representation);
+                default -> Identity.concept(row[1], representation);
+            };
+            Check.equal(row[3], Long.toString(identity.id32()));
+        }
+    }
+
+    static void shortNamesHaveNoNumberWithoutTheDaemon() throws Exception {
+        Check.fails(IllegalStateException.class, () -> Identity.concept("soccer:BallInfo").id32());
+        Check.fails(IllegalStateException.class, () -> Identity.concept("<http://example.org/a>", "soccer:Pixels").id32());
+    }
+
+    static void framesAreThoseOfTheTable() throws Exception {
+        for (String[] row : Check.rows("frames.tsv")) {
+            Frame frame = Frame.ofDatagram(ByteBuffer.wrap(HEX.parseHex(row[4])));
+            if (row[0].equals("refused")) {
+                Check.equal(null, frame);
+                continue;
+            }
+            Check.equal(row[0], frame.kind().name().toLowerCase());
+            Check.equal(row[1], Lives.write(frame.life()));
+            Check.equal(row[2], Long.toUnsignedString(frame.sequence()));
+            Check.equal(row[3], HEX.formatHex(frame.payload()));
+            Check.equal(row[4], HEX.formatHex(frame.write()));
+        }
+    }
+
+    static void linesOfTheDaemonAreReadAndWrittenAgain() throws Exception {
+        for (String line : Check.block("events")) {
+            Reply reply = Reply.read(line);
+            Check.equal(line, reply != null ? reply.write() : Told.read(Statement.read(line)).write().write());
+        }
+    }
+
+    static void keysAreTakenForKeysAndAttributesForAttributes() throws Exception {
+        Told told = Told.read(Statement.read(Check.block("events").get(1)));
+        Check.equal(Map.of("attr.x", "1", "modes", "3", "rate", "30", "where", "left"), told.attributes());
+        Check.equal(5001, told.match().port());
+        Told costly = Told.read(Statement.read(Check.block("events").get(4)));
+        Check.equal("3", costly.attributes().get("cost"));
+        Check.equal(List.of("soccer:PolarRobotFrame", "soccer:CartesianRobotFrame"), costly.match().conversion());
+    }
+
+    static void offersAndRequestsAreStatedAsTheSpecificationSays() throws Exception {
+        List<String> lines = Check.block("requests");
+        int count = 0;
+        for (int i = 0; i < lines.size(); ++i) {
+            if (!lines.get(i).matches("[0-9]+ (pub|sub) create .*")) continue;
+            String next = i + 1 < lines.size() && lines.get(i + 1).startsWith("= ") ? lines.get(i + 1).substring(2) : lines.get(i);
+            Check.equal(next, stated(lines.get(i)));
+            ++count;
+        }
+        Check.that(count > 10, count + " lines");
+    }
+
+    static void whatTheDaemonWouldRefuseIsRefusedAtOnce() throws Exception {
+        List<String> lines = Check.block("refused");
+        for (int i = 0; i < lines.size(); i += 2) {
+            String line = lines.get(i);
+            // A library opens the port itself; numbers of requests are its own.
+            boolean isOurs = line.matches("[1-9][0-9]* (pub|sub) create .*") && !line.matches(".*create mode=oto id=7 port=0");
+            boolean isOfAnAddress = line.contains("address=0.0.0.0");
+            if (isOurs && !isOfAnAddress) Check.fails(IllegalArgumentException.class, () -> stated(line));
+        }
+    }
+
+    static void changesStateWhatDiffersAndTakeBackWhatIsGone() {
+        Request before = Request.read("mode=oto text=kick match=exact where=\"rate > 3\" limit=4 rate=1");
+        Request after = Request.read("mode=oto concept=soccer:BallInfo limit=4 rate=2 attr.port=9");
+        Check.equal("{concept=soccer:BallInfo, match=narrower, where=, attr.port=9, rate=2}", after.changesFrom(before).toString());
+        Check.equal(Map.of(), after.changesFrom(after));
+        Offer offer = Offer.read("mode=oto concept=soccer:BallInfo representation=soccer:Pixels scope=host priority=3");
+        Check.equal("{representation=, priority=0, scope=}", Offer.read("mode=oto concept=soccer:BallInfo").changesFrom(offer).toString());
+    }
+
+    static void attributesAreToldFromSlips() throws Exception {
+        for (String slip : List.of("wehre", "Where", "wheres", "whre", "atr.x", "pot")) Check.fails(LineException.class, () -> Keys.stated(slip));
+        for (String name : List.of("rate", "camera", "ports2", "channel", "modes1", "x")) Check.equal(name, Keys.stated(name));
+        for (String key : Keys.reserved()) {
+            Check.fails(LineException.class, () -> Keys.stated(key));
+            Check.equal(key, Keys.stated(Keys.stating(key)));
+            Check.equal(key, Keys.shown(Keys.showing(key)));
+        }
+    }
+
+    private static String stated(String line) throws LineException {
+        String[] words = line.split(" ", 4);
+        Map<String, String> parameters = words[1].equals("pub") ? Offer.read(words[3]).parameters() : Request.read(words[3]).parameters();
+        List<Parameter> written = new ArrayList<>();
+        parameters.forEach((key, value) -> written.add(new Parameter(key, value)));
+        if (words[1].equals("pub") && !parameters.containsKey("port")) throw new IllegalArgumentException("port");
+        return new Statement(Long.parseLong(words[0]), words[1], "create", written).write();
+    }
+}
