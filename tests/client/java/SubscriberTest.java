@@ -3,24 +3,30 @@ import geminga.Identity;
 import geminga.Message;
 import geminga.Mode;
 import geminga.Node;
+import geminga.Offer;
 import geminga.Options;
+import geminga.Publisher;
 import geminga.Request;
 import geminga.Subscriber;
 import geminga.core.Frame;
+import geminga.core.Lives;
 import geminga.core.Sizes;
 import geminga.net.Inbox;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
+import java.net.Inet6Address;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.NetworkInterface;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Flow;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -53,7 +59,9 @@ final class SubscriberTest {
         }
 
         void is(String change) throws InterruptedException {
-            Event.ProviderEvent event = (Event.ProviderEvent) next();
+            Event told = next();
+            Check.that(told instanceof Event.ProviderEvent, "told: " + told);
+            Event.ProviderEvent event = (Event.ProviderEvent) told;
             Check.equal(change, event.change() + " " + event.provider().life() + " " + event.reason());
         }
 
@@ -162,6 +170,29 @@ final class SubscriberTest {
             third.getOutputStream().write(message(10, 5, "five"));
             Check.equal("5 0 five", text(bench.subscriber));
             Check.equal(2L, bench.subscriber.dropped());
+        }
+    }
+
+    static void multicastIsHeardInEachFamilyThatTheHostHas() throws Exception {
+        // The loopback has no route for multicasts of IPv6.
+        boolean hasSix = NetworkInterface.networkInterfaces().flatMap(NetworkInterface::inetAddresses).anyMatch(address -> address instanceof Inet6Address && !address.isLoopbackAddress());
+        for (String group : hasSix ? List.of("239.66.77.1", "ff02::6677", "ff05::6677") : List.of("239.66.77.1")) {
+            try (Bench bench = new Bench(Request.of(Mode.STREAM, Identity.text("x")))) {
+                Publisher publisher = bench.node.publish(Offer.of(Mode.STREAM, Identity.text("x")).address(group));
+                bench.daemon.takes();
+                String event = ScriptedDaemon.provider(1, WORD, publisher.offer().port(), "udp", Lives.write(publisher.life()), "");
+                bench.daemon.say(event.replace("127.0.0.1", group).replace("mode=oto", "mode=otm/stream"));
+                bench.is("ADDED " + publisher.life() + " -");
+                Optional<Message> message = Optional.empty();
+                for (int i = 0; i < 600 && message.isEmpty(); ++i) {
+                    Check.that(publisher.send(group.getBytes()), "whether anybody listens or not");
+                    message = bench.subscriber.receive(Duration.ofMillis(50));
+                }
+                Check.that(message.isPresent(), group + ": " + publisher.leftOut() + " left out, " + bench.subscriber.dropped() + " dropped");
+                Check.equal(group, message.get().text());
+                publisher.close();
+                bench.is("REMOVED " + publisher.life() + " withdrawn");
+            }
         }
     }
 

@@ -69,11 +69,12 @@ final class Datagrams implements Loop.Ready {
         DatagramChannel channel = DatagramChannel.open(isFour ? StandardProtocolFamily.INET : StandardProtocolFamily.INET6);
         try {
             channel.setOption(StandardSocketOptions.SO_REUSEADDR, true);
-            channel.bind(reader == null ? new InetSocketAddress(group.getPort()) : group);
+            // Where it can be, only what comes to the group is heard at all; one of a single link cannot be bound to for all links.
+            boolean isOfALink = !isFour && (group.getAddress().isMCLinkLocal() || group.getAddress().isMCNodeLocal());
+            channel.bind(reader == null || isOfALink ? new InetSocketAddress(group.getPort()) : group);
             channel.setOption(StandardSocketOptions.IP_MULTICAST_TTL, 1);
             channel.setOption(StandardSocketOptions.IP_MULTICAST_LOOP, true);
-            Datagrams made = new Datagrams(loop, channel, reader);
-            return made;
+            return new Datagrams(loop, channel, reader);
         } catch (IOException fault) {
             channel.close();
             throw fault;
