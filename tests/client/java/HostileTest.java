@@ -168,6 +168,9 @@ final class HostileTest {
         for (int i = 0; i < Words.MAX_ATTRIBUTES; ++i) full = full.attribute("n" + i, "v");
         Offer all = full;
         Check.fails(IllegalArgumentException.class, () -> all.attribute("more", "v"));
+        Check.fails(IllegalArgumentException.class, () -> offer.attribute("n", "\u0001"));
+        Check.fails(IllegalArgumentException.class, () -> offer.scope("\u007f"));
+        Check.fails(IllegalArgumentException.class, () -> geminga.Options.named("\u0000"));
         Check.fails(IllegalArgumentException.class, () -> offer.port(65536));
         Check.fails(IllegalArgumentException.class, () -> offer.address("robot2"));
         Check.fails(IllegalArgumentException.class, () -> Request.read("mode=oto text=a concept=b"));

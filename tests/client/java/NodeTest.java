@@ -120,12 +120,16 @@ final class NodeTest {
         }
     }
 
-    static void aStatedPortThatIsTakenIsAnErrorOfTheCall() throws Exception {
+    static void whatCannotBeOpenedOrStatedIsAnErrorOfTheCall() throws Exception {
         try (ScriptedDaemon daemon = new ScriptedDaemon(); Node node = Node.open(options(daemon)); DatagramSocket other = new DatagramSocket()) {
             Check.fails(BindException.class, () -> node.publish(OFFER.port(other.getLocalPort())));
             Check.fails(BindException.class, () -> node.subscribe(REQUEST.port(other.getLocalPort())));
             Check.fails(IllegalArgumentException.class, () -> node.publish(Offer.read("mode=oto text=x protocol=shm")));
             Check.fails(IllegalArgumentException.class, () -> node.publish(Offer.read("mode=oto text=x address=239.1.2.3")));
+            Offer full = OFFER;
+            for (int i = 0; i < 32; ++i) full = full.attribute("n" + i, "");
+            Offer all = full;
+            Check.fails(IllegalArgumentException.class, () -> node.publish(all)); // the library's own attribute is one, too
             Check.fails(IllegalArgumentException.class, () -> Node.open(Options.named("test").connect("robot2:4717")));
         }
     }

@@ -1,5 +1,7 @@
 package geminga;
 
+import geminga.core.Statement;
+import java.util.Objects;
 import java.util.function.Consumer;
 
 /**
@@ -10,6 +12,19 @@ import java.util.function.Consumer;
  * @param listener what is told of the daemon and of problems, on the thread that drives the node; it must not block
  */
 public record Options(String name, String connect, Consumer<Event> listener) {
+    /**
+     * Checks the name.
+     *
+     * @param name what others are told of this program; empty for nothing
+     * @param connect {@code ADDRESS:PORT}, {@code [ADDRESS]:PORT}, {@code /PATH} or {@code unix:PATH}; empty for where gemingad usually listens
+     * @param listener what is told of the daemon and of problems
+     */
+    public Options {
+        Objects.requireNonNull(connect);
+        Objects.requireNonNull(listener);
+        if (!Statement.isWritable(name)) throw new IllegalArgumentException("name: a control character that no line can hold");
+    }
+
     /**
      * The daemon that the environment variable {@code GEMINGA_CONNECT} says, or the usual one.
      *

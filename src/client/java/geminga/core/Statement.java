@@ -64,6 +64,11 @@ public record Statement(long id, String command, String subcommand, List<Paramet
         line.append('"');
     }
 
+    /** Whether a line can hold the value. */
+    public static boolean isWritable(String value) {
+        return value.chars().noneMatch(c -> isControl(c) && ESCAPED.indexOf(c) < 0);
+    }
+
     private static boolean isControl(int c) {
         return c < 32 || c == 127;
     }

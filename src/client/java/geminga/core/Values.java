@@ -9,6 +9,7 @@ final class Values {
 
     /** The value as it is written; empty where it takes the key back or says what holds anyway. */
     static String of(String key, String value, boolean isOffer) {
+        writable(key, value);
         return switch (key) {
             case "mode" -> oneOf(key, value, "oto otm/stream otm/pubsub");
             case "id" -> Long.toString(number(key, value, 0, Statement.MAX_ID));
@@ -28,6 +29,11 @@ final class Values {
             case "rank" -> text(key, value, 0, 64);
             default -> throw new IllegalArgumentException(key + " means nothing here");
         };
+    }
+
+    /** Says which control characters no line can hold. */
+    static void writable(String key, String value) {
+        if (!Statement.isWritable(value)) throw new IllegalArgumentException(key + ": a control character that no line can hold");
     }
 
     static long number(String key, String text, long least, long greatest) {

@@ -77,6 +77,7 @@ public final class Words {
     /** States an attribute of any name. */
     public Words withAttribute(String name, String value) {
         if (!Statement.isKey(name) || name.length() > MAX_NAME) throw new IllegalArgumentException("the name of an attribute has 1 to 64 letters, digits, '_', '.' or '-'");
+        Values.writable("attribute " + name, value);
         Values.text("attribute " + name, value, 0, MAX_VALUE);
         TreeMap<String, String> changed = attributes(attributes);
         changed.put(name, value);

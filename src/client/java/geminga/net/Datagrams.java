@@ -21,9 +21,6 @@ final class Datagrams implements Loop.Ready {
     interface Reader {
         /** A datagram; the buffer is lost afterwards. */
         void read(InetSocketAddress from, ByteBuffer datagram);
-
-        /** The socket holds nothing more. */
-        void drained();
     }
 
     private static final int BUFFER = 4 * 1024 * 1024;
@@ -161,25 +158,23 @@ final class Datagrams implements Loop.Ready {
         if (ready.isReadable()) receive(Sizes.TURN);
     }
 
-    /** Reads what the socket holds now, unless reading is paused meanwhile. */
-    void drain() {
-        receive(Integer.MAX_VALUE);
+    /** Reads what the socket holds now, unless reading is paused meanwhile; whether it holds nothing more. Who floods it does not hold up the others. */
+    boolean drain() {
+        return receive(Sizes.TURN * Sizes.TURN);
     }
 
-    private void receive(int most) {
+    private boolean receive(int most) {
         for (int i = 0; i < most && !isPaused && !isClosed; ++i) {
             ByteBuffer datagram = loop.incoming.clear();
             try {
                 InetSocketAddress from = (InetSocketAddress) channel.receive(datagram);
-                if (from == null) {
-                    reader.drained();
-                    return;
-                }
+                if (from == null) return true;
                 reader.read(from, datagram.flip());
             } catch (IOException isOfAnEarlierSend) {
-                continue;
+                return false;
             }
         }
+        return isClosed;
     }
 
     boolean isClosed() {

@@ -17,9 +17,6 @@ final class Groups {
     /** Who hears what comes to them. */
     interface Reader {
         void heard(InetSocketAddress group, InetSocketAddress from, ByteBuffer datagram);
-
-        /** The group's socket holds nothing more. */
-        void drained();
     }
 
     private final class Group implements Datagrams.Reader {
@@ -36,11 +33,6 @@ final class Groups {
         @Override
         public void read(InetSocketAddress from, ByteBuffer datagram) {
             reader.heard(address, from, datagram);
-        }
-
-        @Override
-        public void drained() {
-            reader.drained();
         }
 
         void join() {
@@ -110,7 +102,10 @@ final class Groups {
         groups.values().forEach(group -> group.socket.pause(stop));
     }
 
-    void drain() {
-        for (Group group : Set.copyOf(groups.values())) group.socket.drain();
+    /** Reads what the sockets hold now; whether they hold nothing more. */
+    boolean drain() {
+        boolean isEmpty = true;
+        for (Group group : Set.copyOf(groups.values())) isEmpty &= group.socket.drain();
+        return isEmpty;
     }
 }

@@ -47,9 +47,6 @@ final class ListenersOutlet implements Outlet, Datagrams.Reader {
         forgetSilent();
     }
 
-    @Override
-    public void drained() {}
-
     private void forgetSilent() {
         if (silence != null) silence.cancel();
         silence = null;

@@ -60,7 +60,7 @@ public final class Loop {
     private final PriorityQueue<Timer> timers = new PriorityQueue<>();
     private final ArrayDeque<Runnable> notices = new ArrayDeque<>();
     private final Consumer<Event> listener;
-    private boolean isClosed;
+    private volatile boolean isClosed;
 
     public Loop(Consumer<Event> listener) throws IOException {
         this.listener = listener;
@@ -162,6 +162,7 @@ public final class Loop {
     public boolean await(BooleanSupplier condition, long nanoseconds) throws InterruptedException {
         long begin = now();
         while (true) {
+            if (isClosed) tellRest();
             if (Thread.interrupted()) throw new InterruptedException();
             long left = nanoseconds == Long.MAX_VALUE ? LONGEST : nanoseconds - (now() - begin);
             lock.lock();
@@ -260,7 +261,7 @@ public final class Loop {
         }
     }
 
-    /** Ends: no socket is served any more, and who waits is woken. What has been told so far is still told by who calls this. */
+    /** Ends: no socket is served any more, and who waits is woken. What has been told so far is still told, by who drives or by who calls this. */
     public void close() {
         lock.lock();
         try {
@@ -275,7 +276,16 @@ public final class Loop {
         } catch (IOException isClosedAnyway) {
             throw new UncheckedIOException(isClosedAnyway);
         }
-        runNotices();
+        tellRest();
+    }
+
+    private void tellRest() {
+        if (!driver.tryLock()) return; // who drives does it
+        try {
+            runNotices();
+        } finally {
+            driver.unlock();
+        }
     }
 
     public boolean isClosed() {

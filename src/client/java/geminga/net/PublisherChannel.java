@@ -47,8 +47,9 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
         this.life = life;
         isStream = offer.mode() == Mode.STREAM;
         largest = offer.protocol().equals("tcp") ? Sizes.TCP_MESSAGE : Sizes.UDP_MESSAGE;
+        Offer named = offer.attribute("channel", Lives.write(life));
         outlet = open(offer);
-        this.offer = offer.port(outlet.port()).attribute("channel", Lives.write(life));
+        this.offer = named.port(outlet.port());
         isHeard = outlet.hasConsumer();
         begin();
     }

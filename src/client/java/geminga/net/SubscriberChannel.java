@@ -54,6 +54,7 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
         groups = new Groups(loop, this);
         if (!request.protocols().contains("udp") && !request.protocols().contains("tcp")) throw new IllegalArgumentException("protocol: a subscriber hears udp and tcp");
         InetAddress address = request.address().isEmpty() ? null : Addresses.read(request.address());
+        request.attribute("channel", Lives.write(life)); // has a place
         socket = request.protocols().contains("udp") ? Datagrams.open(loop, address, request.port(), this) : null;
         this.request = stated(request);
         providers.limit(request.limit());
@@ -178,9 +179,12 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
     /** Reads what the sockets hold, behind which is nothing more of those that were withdrawn. */
     private void drain() {
         if (isClosed) return;
-        if (socket != null) socket.drain();
-        groups.drain();
+        boolean isEmpty = (socket == null || socket.drain()) & groups.drain();
         if (isPaused) return; // again when there is room
+        if (!isEmpty) {
+            loop.after(0, this::drain);
+            return;
+        }
         for (Entry<Inlet> entry : providers.all()) {
             if (entry.isEnding() && !(entry.channel instanceof TcpInlet)) providers.ended(entry);
         }
@@ -301,9 +305,6 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
         datagram.get(octets);
         return octets;
     }
-
-    @Override
-    public void drained() {}
 
     @Override
     public void dropped() {
