@@ -32,6 +32,7 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Flow;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.UnaryOperator;
 
 /** The agent of the Java library (tests/client/conformance/AGENT.md). */
 public final class Agent {
@@ -43,7 +44,7 @@ public final class Agent {
     private final Map<Object, Speaker> speakers = new ConcurrentHashMap<>();
     private final Map<String, Publisher> publishers = new ConcurrentHashMap<>();
     private final Map<String, Taker> takers = new ConcurrentHashMap<>();
-    private final Map<String, Request> conversions = new ConcurrentHashMap<>();
+    private final Map<String, List<UnaryOperator<Request>>> conversions = new ConcurrentHashMap<>();
 
     private Agent(String name) throws IOException {
         node = Node.open(Options.named(name).listener(this::happened), Node::newThread);
@@ -164,10 +165,7 @@ public final class Agent {
     private synchronized void subscribe(String label, String parameters) throws IOException {
         Speaker speaker = new Speaker(label);
         Request request = Request.read(parameters);
-        for (Map.Entry<String, geminga.Conversion> one : conversions.containsKey(label) ? conversions.get(label).conversions().entrySet() : Map.<String, geminga.Conversion>of().entrySet()) {
-            int to = one.getKey().indexOf('>');
-            request = request.conversion(one.getKey().substring(0, to), one.getKey().substring(to + 1), one.getValue());
-        }
+        for (UnaryOperator<Request> one : conversions.getOrDefault(label, List.of())) request = one.apply(request);
         Subscriber subscriber = node.subscribe(request, event -> speaker.say("provider", change(event.change()), event.provider().lifeText(), event.reason()));
         Taker taker = new Taker(subscriber, speaker);
         takers.put(label, taker);
@@ -182,8 +180,9 @@ public final class Agent {
 
     private void convert(String label, String[] words) {
         byte[] prefix = HEX.parseHex(words.length > 2 ? words[2] : "");
-        Request holder = conversions.getOrDefault(label, Request.read("mode=oto id=0"));
-        conversions.put(label, holder.conversion(words[0], words[1], payload -> ByteBuffer.allocate(prefix.length + payload.length).put(prefix).put(payload).array()));
+        UnaryOperator<Request> conversion = request ->
+                request.conversion(words[0], words[1], payload -> ByteBuffer.allocate(prefix.length + payload.length).put(prefix).put(payload).array());
+        conversions.computeIfAbsent(label, unknown -> new ArrayList<>()).add(conversion);
     }
 
     private void modify(String label, String parameters) throws IOException {

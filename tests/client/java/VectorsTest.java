@@ -65,7 +65,20 @@ final class VectorsTest {
         Check.equal(5001, told.match().port());
         Told costly = Told.read(Statement.read(Check.block("events").get(4)));
         Check.equal("3", costly.attributes().get("cost"));
+        Check.equal(1L, costly.match().cost());
         Check.equal(List.of("soccer:PolarRobotFrame", "soccer:CartesianRobotFrame"), costly.match().conversion());
+    }
+
+    static void aChainOfConversionsIsReadNameByName() throws Exception {
+        String line = "7 pub add service=a/1/1 text=x degree=converted mode=oto convert=";
+        for (String chain : List.of("a:A>a:B", "a:A>a:B>a:C", "<http://e.org/a>><http://e.org/b>", "a:A><http://e.org/b>>a:C", "<http://e.org/a>>a:B")) {
+            List<String> names = Told.read(Statement.read(line + chain)).match().conversion();
+            Check.equal(chain, String.join(">", names));
+            for (String name : names) Check.that(name.matches("a:[ABC]|<http://e.org/[ab]>"), name);
+        }
+        for (String none : List.of("a:A", ">a:A", "a:A>>a:B", "a:A>", "<a", "<a>", "<a>b>c", ">", "<>>")) {
+            Check.fails(LineException.class, () -> Told.read(Statement.read(line + none)));
+        }
     }
 
     static void offersAndRequestsAreStatedAsTheSpecificationSays() throws Exception {

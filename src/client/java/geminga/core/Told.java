@@ -68,13 +68,27 @@ public record Told(long id, boolean isOfService, Change change, Map<String, Stri
     /** The other side, but for {@link Change#REMOVED}. */
     public Match match() throws LineException {
         try {
-            List<String> conversion = text("convert").isEmpty() ? List.of() : List.of(text("convert").split(">"));
             return new Match(word(), text(isOfService ? "provider" : "consumer"), text("name"), text("participant_name"), Lives.read(attributes.get("channel")), identity(),
                     Degree.of(text("degree")), number("distance"), Mode.of(text("mode")), text("address"), (int) Values.number("port", orZero("port"), 0, 65535),
-                    text("protocol"), number("priority"), conversion, Collections.unmodifiableMap(attributes));
+                    text("protocol"), number("priority"), chain(text("convert")), Values.number("cost", orZero("cost"), 0, Statement.MAX_ID), Collections.unmodifiableMap(attributes));
         } catch (IllegalArgumentException fault) {
             throw new LineException(fault.getMessage());
         }
+    }
+
+    /** The names of {@code A>B>C}. An IRI in angle brackets is one name. */
+    static List<String> chain(String text) throws LineException {
+        List<String> names = new ArrayList<>();
+        for (int at = 0; at < text.length();) {
+            int mark = text.indexOf('>', at);
+            int end = mark < 0 ? text.length() : text.charAt(at) == '<' ? mark + 1 : mark;
+            boolean isLast = end == text.length();
+            boolean isRight = end > at && (isLast ? !names.isEmpty() : text.charAt(end) == '>' && end + 1 < text.length());
+            if (!isRight) throw new LineException("no chain of conversions: " + text);
+            names.add(text.substring(at, end));
+            at = isLast ? end : end + 1;
+        }
+        return names;
     }
 
     private Identity identity() {
