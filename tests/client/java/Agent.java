@@ -221,8 +221,7 @@ public final class Agent {
         if (publisher != null) {
             say("count", label, "sent=" + publisher.sent(), "left_out=" + publisher.leftOut(), "dropped=" + publisher.dropped());
         } else {
-            Subscriber subscriber = takers.get(label).subscriber;
-            say("count", label, "received=" + subscriber.received(), "missed=" + subscriber.missed(), "dropped=" + subscriber.dropped());
+            while (!takers.get(label).count(label)) Thread.onSpinWait();
         }
     }
 
@@ -263,6 +262,7 @@ public final class Agent {
         private final Speaker speaker;
         private volatile boolean isQuiet;
         private Flow.Subscription subscription;
+        private long taken;
         private boolean isDeaf;
         private boolean isAsking;
 
@@ -287,8 +287,17 @@ public final class Agent {
             if (isAsking) subscription.request(1);
         }
 
+        /** Says the counts, unless a message is between the library and its line. */
+        synchronized boolean count(String label) {
+            long missed = subscriber.missed();
+            if (subscriber.received() != taken) return false;
+            Agent.say("count", label, "received=" + taken, "missed=" + missed, "dropped=" + subscriber.dropped());
+            return true;
+        }
+
         @Override
-        public void onNext(Message message) {
+        public synchronized void onNext(Message message) {
+            ++taken;
             if (!isQuiet) {
                 byte[] payload = message.payload();
                 String shown = HEX.formatHex(payload, 0, Math.min(payload.length, SHOWN_OCTETS));
