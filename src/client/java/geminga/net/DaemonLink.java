@@ -35,6 +35,7 @@ public final class DaemonLink implements Stream.Reader {
     /** What waits for its pong, in the order of the pings. */
     private final ArrayDeque<Runnable> pings = new ArrayDeque<>();
     private LineBuffer lines = new LineBuffer();
+    private long skipped;
     private Stream stream;
     private Loop.Timer helloTimeout;
     private int attempt;
@@ -109,6 +110,7 @@ public final class DaemonLink implements Stream.Reader {
     private void connect() {
         if (isClosed) return;
         lines = new LineBuffer();
+        skipped = 0;
         SocketAddress address = addresses.get(attempt++ % addresses.size());
         try {
             stream = Stream.connect(loop, address, this);
@@ -141,6 +143,8 @@ public final class DaemonLink implements Stream.Reader {
                 loop.problem("a line of the daemon cannot be read: " + fault.getMessage());
             }
         }
+        if (lines.skipped() > skipped) loop.problem("a line of the daemon is too long");
+        skipped = lines.skipped();
     }
 
     private void handle(String line) throws LineException {

@@ -177,10 +177,6 @@ final class Datagrams implements Loop.Ready {
         return isClosed;
     }
 
-    boolean isClosed() {
-        return isClosed;
-    }
-
     void close() {
         if (isClosed) return;
         isClosed = true;

@@ -287,8 +287,4 @@ public final class Loop {
             driver.unlock();
         }
     }
-
-    public boolean isClosed() {
-        return isClosed;
-    }
 }
