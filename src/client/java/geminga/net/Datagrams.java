@@ -54,6 +54,13 @@ final class Datagrams implements Loop.Ready {
         }
     }
 
+    /** A port that a socket could have, 0 for any; none is kept open. */
+    static int free(InetAddress address, int port) throws IOException {
+        try (DatagramChannel channel = DatagramChannel.open()) {
+            return channel.bind(local(address, port)).socket().getLocalPort();
+        }
+    }
+
     /** Where to bind for a stated address: there, where it is one of this host's, and everywhere else. */
     static InetSocketAddress local(InetAddress address, int port) throws SocketException {
         boolean isOwn = address != null && !address.isMulticastAddress() && NetworkInterface.getByInetAddress(address) != null;

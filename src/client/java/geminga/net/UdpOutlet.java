@@ -42,9 +42,8 @@ final class UdpOutlet implements Outlet {
         this.life = life;
         this.address = address;
         this.closesWithoutConsumer = closesWithoutConsumer;
-        socket = Datagrams.open(loop, address, port, null);
-        this.port = socket.port();
-        if (closesWithoutConsumer) closeSocket();
+        socket = closesWithoutConsumer ? null : Datagrams.open(loop, address, port, null);
+        this.port = closesWithoutConsumer ? Datagrams.free(address, port) : socket.port();
     }
 
     @Override
