@@ -18,12 +18,15 @@ enum class Degree : std::uint8_t {
   broader,     ///< R is subsumed by O: only where the consumer allows it
   /// The representation can be turned into one that is asked for, and the consumer accepts that. Better than broader.
   converted,
+  /// Neither subsumes the other, and something can be both: only where the consumer allows it. The weakest.
+  overlapping,
 };
 
 /// The place of a degree in the order of arbitration: 0 is the best.
 [[nodiscard]] constexpr std::uint8_t weakness(Degree degree) {
   if (degree == Degree::converted) return 3;
-  return degree == Degree::broader ? 4 : static_cast<std::uint8_t>(degree);
+  if (degree == Degree::broader) return 4;
+  return static_cast<std::uint8_t>(degree);
 }
 [[nodiscard]] constexpr bool is_weaker(Degree a, Degree b) { return weakness(a) > weakness(b); }
 

@@ -17,12 +17,13 @@ constexpr std::array<std::pair<ChannelMode, std::string_view>, 3> modes{{
     {ChannelMode::one_to_many_pubsub, "otm/pubsub"},
 }};
 
-constexpr std::array<std::pair<Degree, std::string_view>, 5> degrees{{
+constexpr std::array<std::pair<Degree, std::string_view>, 6> degrees{{
     {Degree::exact, "exact"},
     {Degree::equivalent, "equivalent"},
     {Degree::narrower, "narrower"},
     {Degree::broader, "broader"},
     {Degree::converted, "converted"},
+    {Degree::overlapping, "overlapping"},
 }};
 
 template <typename Table, typename Value>

@@ -111,11 +111,11 @@ void add_degree(CLI::App& app, Degree& degree) {
          [&degree](const std::string& word) {
            const auto value = geminga::degree(word);
            if (!value || *value == Degree::converted)
-             throw CLI::ValidationError("--degree", "must be exact, equivalent, narrower or broader");
+             throw CLI::ValidationError("--degree", "must be exact, equivalent, narrower, broader or overlapping");
            degree = *value;
          },
          "The weakest degree of match that counts (narrower unless told)")
-      ->type_name("exact|equivalent|narrower|broader");
+      ->type_name("exact|equivalent|narrower|broader|overlapping");
 }
 
 std::optional<ExitStatus> parse(CLI::App& app, int argc, char** argv) {

@@ -52,7 +52,7 @@ struct IdentityOptions {
 
 /// Adds `--mode M` (oto, otm/stream, otm/pubsub).
 void add_mode(CLI::App& app, std::optional<ChannelMode>& mode, const std::string& meaning);
-/// Adds `--degree D` (exact, equivalent, narrower, broader).
+/// Adds `--degree D` (exact, equivalent, narrower, broader, overlapping).
 void add_degree(CLI::App& app, Degree& degree);
 
 /// Reads the command line. Returns the exit status where the program ends here (--help, --version, a mistake), after

@@ -204,7 +204,8 @@ Decoded<NumberedSubscription> subscription_of(const wire::Subscription& message,
   if (const auto read = read_common(message, terms, subscription); !read) return Failure(read.error());
   const auto weakest = degree_of(message.weakest());
   if (!weakest) return Failure(weakest.error());
-  subscription.weakest = *weakest;
+  if (message.overlapping() && *weakest != Degree::broader) return Failure(DecodeError::bad_degree);
+  subscription.weakest = message.overlapping() ? Degree::overlapping : *weakest;
   for (const auto& provider : message.providers()) {
     subscription.providers.push_back({provider.participant(), provider.peer()});
   }

@@ -29,6 +29,7 @@ wire::Degree to_wire(Degree degree) {
     case Degree::narrower:
       return wire::DEGREE_NARROWER;
     case Degree::broader:
+    case Degree::overlapping:  // in a field of its own, which who knows no such degree skips
       return wire::DEGREE_BROADER;
     case Degree::converted:
       break;  // nobody asks for it by degree
@@ -92,6 +93,7 @@ wire::Subscription to_wire(const NumberedSubscription& numbered, TermTable& term
   message.set_number(numbered.number);
   write_common(numbered.subscription, terms, message);
   message.set_weakest(to_wire(numbered.subscription.weakest));
+  message.set_overlapping(numbered.subscription.weakest == Degree::overlapping);
   for (const auto& filter : numbered.subscription.providers) write(filter, *message.add_providers());
   message.set_where(numbered.subscription.where);
   message.set_limit(numbered.subscription.limit);

@@ -118,7 +118,7 @@ std::optional<Degree> KeyReader::degree(std::string_view key) {
   if (!given) return std::nullopt;
   const auto degree = geminga::degree(*given);
   if (degree && *degree != Degree::converted) return degree;
-  fail_value(key, "exact, equivalent, narrower or broader");
+  fail_value(key, "exact, equivalent, narrower, broader or overlapping");
   return std::nullopt;
 }
 

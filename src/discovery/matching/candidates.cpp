@@ -34,8 +34,10 @@ FilingPlan FilingPlan::of_publication(const Classes& classes, const Edition& edi
 }
 
 FilingPlan FilingPlan::of_subscription(const Classes& classes, Degree weakest, const Edition& edition) {
-  if (classes.place) return {*classes.place, weakest == Degree::broader, edition};
-  return {classes.concept_class, weakest == Degree::broader, edition};
+  const bool has_class = classes.place || classes.concept_class;
+  if (has_class && weakest == Degree::overlapping) return {edition.vocabulary.thing(), false, edition};
+  if (classes.place) return {*classes.place, accepts_broader(weakest), edition};
+  return {classes.concept_class, accepts_broader(weakest), edition};
 }
 
 void add_subscriptions_for(const registry::Subscriptions& subscriptions, const Identity& offered,

@@ -26,7 +26,8 @@ class FilingPlan {
  public:
   /// A publication is filed below every subsumer of its concept, itself included.
   [[nodiscard]] static FilingPlan of_publication(const Classes& classes, const Edition& edition);
-  /// A subscription is filed below its subsumers only when it accepts broader concepts: then they may meet it.
+  /// A subscription is filed below its subsumers only when it accepts broader concepts: then they may meet it. One that
+  /// accepts concepts that overlap is filed under owl:Thing: every concept may meet it.
   [[nodiscard]] static FilingPlan of_subscription(const Classes& classes, Degree weakest, const Edition& edition);
 
   /// Borrows from this.
@@ -45,6 +46,9 @@ class FilingPlan {
   std::vector<registry::ClassIndex> further_own_;
 };
 
+/// Whether `match` allows concepts that are broader.
+[[nodiscard]] constexpr bool accepts_broader(Degree weakest) { return !is_weaker(Degree::broader, weakest); }
+
 /// As visit_publications() for an expression in a place.
 template <typename Visit>
 void visit_publications_around(const registry::Publications& publications, const vocabulary::Place& place,
@@ -60,7 +64,7 @@ void visit_publications_around(const registry::Publications& publications, const
     return visit_all(publications.below(std::to_underlying(number), edition.generation));
   };
   if (place.equivalent ? below(*place.equivalent) : std::ranges::any_of(place.children, below)) return;
-  if (weakest != Degree::broader) return;
+  if (!accepts_broader(weakest)) return;
   for (const vocabulary::ClassNumber wider : edition.vocabulary.subsumers(place)) {
     if (visit_all(publications.own(std::to_underlying(wider), edition.generation))) return;
   }
@@ -89,14 +93,18 @@ void visit_publications(const registry::Publications& publications, const Identi
     const NumericIdentity number{id32(requested)};
     if (visit_all(publications.with_identity(number, number.number))) return;
   }
-  if (classes.place) {
+  const bool has_class = classes.place || classes.concept_class;
+  if (has_class && weakest == Degree::overlapping) {
+    visit_all(publications.below(std::to_underlying(edition.vocabulary.thing()), edition.generation));
+  } else if (classes.place) {
     visit_publications_around(publications, *classes.place, weakest, edition, visit);
   } else if (!classes.concept_class) {
     visit_all(publications.with_concept(semantic->concept_iri));
   } else {
     const vocabulary::ClassNumber wanted = *classes.concept_class;
-    if (visit_all(publications.below(std::to_underlying(wanted), edition.generation)) || weakest != Degree::broader)
+    if (visit_all(publications.below(std::to_underlying(wanted), edition.generation)) || !accepts_broader(weakest)) {
       return;
+    }
     for (const vocabulary::ClassNumber wider : edition.vocabulary.subsumers(wanted)) {
       if (edition.vocabulary.is_subsumed(wider, wanted)) continue;  // visited already
       if (visit_all(publications.own(std::to_underlying(wider), edition.generation))) return;

@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "discovery/matching/overlap.hpp"
 #include "discovery/matching/representation.hpp"
 
 namespace geminga::matching {
@@ -68,19 +69,23 @@ std::optional<Match> degree_of_concept(const SemanticIdentity& offered, const Cl
 
 std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
                                         const Identity& requested, const Classes& requested_classes,
-                                        const vocabulary::Vocabulary& vocabulary, std::uint32_t convert) {
+                                        const vocabulary::Vocabulary& vocabulary, std::uint32_t convert,
+                                        const AskOverlap& overlaps) {
   const auto* offer = std::get_if<SemanticIdentity>(&offered);
   const auto* request = std::get_if<SemanticIdentity>(&requested);
   if (offer == nullptr || request == nullptr) {
     const bool is_met = offered == requested || is_number_of(offered, requested) || is_number_of(requested, offered);
     return is_met ? std::optional(Match{Degree::exact, 0}) : std::nullopt;
   }
-  const auto by_concept = degree_of_concept(*offer, offered_classes, *request, requested_classes, vocabulary);
-  if (!by_concept) return std::nullopt;
+  auto by_concept = degree_of_concept(*offer, offered_classes, *request, requested_classes, vocabulary);
+  if (!by_concept && !overlaps) return std::nullopt;
   const auto by_representation = degree_of_representation(
       offer->representation_iri, offered_classes.representation_class, request->representation_iri,
       requested_classes.representation_class, vocabulary, convert);
   if (!by_representation) return std::nullopt;
+  // Asked last, because the reasoner has to search.
+  if (!by_concept) by_concept = degree_of_overlap(offered_classes, requested_classes, vocabulary, overlaps);
+  if (!by_concept) return std::nullopt;
   // An identity whose concept has no class here is met exactly or not at all, whatever its representations.
   const bool has_classes =
       offered_classes.concept_class && (requested_classes.concept_class || requested_classes.place);

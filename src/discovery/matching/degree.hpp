@@ -47,6 +47,11 @@ struct Classes {
 using Placing = std::function<std::shared_ptr<const vocabulary::Place>(
     const vocabulary::Vocabulary& vocabulary, const std::string& expression, ParticipantId from)>;
 
+/// Whether a class that is offered can have instances in common with what a request asks for; null: that waits to be
+/// decided. Empty where the request does not accept that (overlap.hpp).
+using AskOverlap = std::function<std::shared_ptr<const vocabulary::Overlap>(const vocabulary::Vocabulary& vocabulary,
+                                                                            vocabulary::ClassNumber offered)>;
+
 /// Looks up both names.
 [[nodiscard]] Classes classes_of(const Identity& identity, const vocabulary::Vocabulary& vocabulary);
 
@@ -75,11 +80,12 @@ using Placing = std::function<std::shared_ptr<const vocabulary::Place>(
 
 /// The degree of the whole identity, however weak; the caller compares it with what the subscription allows. Identities
 /// of different kinds never match, with one exception: a number matches exactly the concept whose 32-bit identity it
-/// is. Numbers and texts match only when they are equal. `convert` is the largest cost of conversions that counts.
+/// is. Numbers and texts match only when they are equal. `convert` is the largest cost of conversions that counts,
+/// `overlaps` says of concepts that have no degree otherwise whether they overlap.
 [[nodiscard]] std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
                                                       const Identity& requested, const Classes& requested_classes,
                                                       const vocabulary::Vocabulary& vocabulary,
-                                                      std::uint32_t convert = 0);
+                                                      std::uint32_t convert = 0, const AskOverlap& overlaps = {});
 
 }  // namespace geminga::matching
 

@@ -13,8 +13,8 @@ namespace geminga::matching {
 using registry::StoredPublication;
 using registry::StoredSubscription;
 
-Matcher::Matcher(vocabulary::Vocabulary vocabulary, Placing placing)
-    : state_(std::make_unique<State>(std::move(vocabulary), std::move(placing))) {}
+Matcher::Matcher(vocabulary::Vocabulary vocabulary, Placing placing, Overlapping overlapping)
+    : state_(std::make_unique<State>(std::move(vocabulary), std::move(placing), std::move(overlapping))) {}
 
 Matcher::~Matcher() = default;
 
@@ -100,7 +100,13 @@ std::shared_ptr<const Request> Matcher::prepare(const registry::SubscriptionEntr
 }
 
 std::shared_ptr<const Request> Matcher::prepare(const Subscription& asked) const {
-  return std::make_shared<const Request>(prepared(asked, vocabulary(), state_->placing_));
+  return std::make_shared<const Request>(prepared(asked, vocabulary(), state_->placing_, {}, state_->overlapping_));
+}
+
+OverlapAnswer Matcher::overlap(vocabulary::ClassNumber offered, const SemanticIdentity& requested,
+                               const Classes& requested_classes) const {
+  return state_->overlapping_ ? state_->overlapping_(vocabulary(), offered, requested, requested_classes, {})
+                              : decided_at_once(vocabulary(), offered, requested, requested_classes);
 }
 
 std::optional<Match> Matcher::meets(const registry::SubscriptionEntry& asked, const Request& request,

@@ -15,6 +15,7 @@
 #include "discovery/matching/clash.hpp"
 #include "discovery/matching/degree.hpp"
 #include "discovery/matching/event.hpp"
+#include "discovery/matching/overlap.hpp"
 #include "discovery/matching/standing.hpp"
 #include "discovery/matching/where.hpp"  // for check_where()
 #include "discovery/registry/entry.hpp"
@@ -57,8 +58,9 @@ class Matcher {
   };
 
   /// Without an ontology semantic identities match exactly or not at all.
-  /// `placing` gives the places of expressions that are asked for; without it they meet nothing.
-  explicit Matcher(vocabulary::Vocabulary vocabulary = {}, Placing placing = {});
+  /// `placing` gives the places of expressions that are asked for; without it they meet nothing. `overlapping` says
+  /// which concepts overlap; without it the reasoner is asked whenever a pair is judged.
+  explicit Matcher(vocabulary::Vocabulary vocabulary = {}, Placing placing = {}, Overlapping overlapping = {});
   ~Matcher();
 
   /// Adds or changes an entry. Its identity is resolved by the caller (IRIs). An entry of another participant whose
@@ -101,7 +103,8 @@ class Matcher {
   /// Takes the vocabulary in force prepared for expressions; place_again() makes use of that. False where this is of
   /// another ontology or the one in force is prepared already: then it is dropped.
   bool take_prepared(vocabulary::Vocabulary prepared);
-  /// Has rematch_next() ask again for the place of each subscription whose expression has none.
+  /// Has rematch_next() ask again for the place of each subscription whose expression has none, and judge those again
+  /// for which `overlapping` gave no answer. A local one is judged when it has all of them.
   void place_again();
 
   /// The events since the last call, in the order in which they must be written.
@@ -127,6 +130,10 @@ class Matcher {
   /// stated.
   [[nodiscard]] Finding examine(const registry::SubscriptionEntry& asked, const Request& request,
                                 const registry::PublicationEntry& offer) const;
+  /// Whether the class of an offer can have instances in common with what a request asks for, by the vocabulary in
+  /// force, for a peer of our own; null: that waits to be decided. One of the request's classes must be known.
+  [[nodiscard]] OverlapAnswer overlap(vocabulary::ClassNumber offered, const SemanticIdentity& requested,
+                                      const Classes& requested_classes) const;
   /// How this offer meets this request by identity, mode, provider, scope and conditions; the error says what does not
   /// fit.
   [[nodiscard]] std::expected<Match, std::string> why(const registry::SubscriptionEntry& request,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/edit_distance.hpp"
+#include "discovery/matching/overlap.hpp"
 #include "discovery/matching/representation.hpp"
 
 namespace geminga::matching {
@@ -25,6 +26,8 @@ constexpr auto words = std::to_array<std::string_view>({"none",
                                                         "unsatisfiable",
                                                         "unclassified",
                                                         "unrelated",
+                                                        "disjoint",
+                                                        "undecided",
                                                         "representation",
                                                         "representation_unstated",
                                                         "unknown_representation",
@@ -65,9 +68,18 @@ Obstacle of_names(const std::string& offered, const std::string& requested, cons
 
 /// Of two semantic identities that do not match at all.
 Obstacle of_semantics(const SemanticIdentity& offer, const Classes& offered, const SemanticIdentity& request,
-                      const Classes& requested, const vocabulary::Vocabulary& vocabulary) {
+                      const Classes& requested, const AskOverlap& overlaps, const vocabulary::Vocabulary& vocabulary) {
   const bool is_expression = has_expression(request) && offer.concept_iri != request.concept_iri;
-  const auto by_concept = degree_of_concept(offer, offered, request, requested, vocabulary);
+  auto by_concept = degree_of_concept(offer, offered, request, requested, vocabulary);
+  const bool may_overlap = overlaps && offered.concept_class && (requested.concept_class || requested.place);
+  if (!by_concept && may_overlap) {
+    by_concept = degree_of_overlap(offered, requested, vocabulary, overlaps);
+    const OverlapAnswer answer = answer_of_overlap(offered, requested, vocabulary, overlaps);
+    if (!by_concept) {
+      const bool is_disjoint = answer && answer->verdict == vocabulary::Overlap::Verdict::impossible;
+      return is_disjoint ? Obstacle::disjoint : Obstacle::undecided;
+    }
+  }
   if (by_concept && offer.representation_iri.empty()) return Obstacle::representation_unstated;
   if (by_concept) {
     return of_names(offer.representation_iri, request.representation_iri, vocabulary, Obstacle::unknown_representation,
@@ -84,14 +96,15 @@ Obstacle of_semantics(const SemanticIdentity& offer, const Classes& offered, con
 
 /// Of two identities that do not match at all.
 Obstacle of_identities(const Identity& offered, const Classes& offered_classes, const Identity& requested,
-                       const Classes& requested_classes, const vocabulary::Vocabulary& vocabulary) {
+                       const Classes& requested_classes, const AskOverlap& overlaps,
+                       const vocabulary::Vocabulary& vocabulary) {
   if (offered.index() != requested.index()) return Obstacle::kind;
   if (std::holds_alternative<NumericIdentity>(offered)) return Obstacle::number;
   if (const auto* text = std::get_if<TextIdentity>(&offered)) {
     return is_similar(std::get<TextIdentity>(requested).text, text->text) ? Obstacle::similar_text : Obstacle::text;
   }
   return of_semantics(std::get<SemanticIdentity>(offered), offered_classes, std::get<SemanticIdentity>(requested),
-                      requested_classes, vocabulary);
+                      requested_classes, overlaps, vocabulary);
 }
 
 /// How far apart two identities are. Below `first_far` the concept fits.
@@ -111,6 +124,9 @@ unsigned stage_of(Obstacle identity) {
       return 3;
     case Obstacle::similar_text:
       return 4;
+    case Obstacle::undecided:
+      return 5;
+    case Obstacle::disjoint:
     case Obstacle::unclassified:
     case Obstacle::unsatisfiable:
       return first_far;
@@ -185,10 +201,11 @@ Finding examine(const registry::SubscriptionEntry& subscription, const Request& 
     finding.identity = Obstacle::clash;
     return finding;
   }
-  finding.match =
-      degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary, asked.convert);
+  finding.match = degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary,
+                                     asked.convert, request.overlaps);
   if (!finding.match) {
-    finding.identity = of_identities(offered.identity, offer.classes, asked.identity, request.classes, vocabulary);
+    finding.identity =
+        of_identities(offered.identity, offer.classes, asked.identity, request.classes, request.overlaps, vocabulary);
   } else if (!is_accepted_degree(asked, request, offer, *finding.match, vocabulary)) {
     finding.identity = finding.match->degree == Degree::broader ? Obstacle::broader : Obstacle::degree;
   }

@@ -28,6 +28,8 @@ enum class Obstacle : std::uint8_t {
   unsatisfiable,            ///< a concept can have no instance
   unclassified,             ///< the expression is unknown, unsatisfiable, or waits to be classified
   unrelated,                ///< neither concept subsumes the other
+  disjoint,                 ///< nothing can be both, where concepts that overlap are accepted
+  undecided,                ///< whether something can be both is not decided, where that would be accepted
   representation,           ///< the concept fits, the representation is another one
   representation_unstated,  ///< the concept fits, the offer states no representation
   unknown_representation,   ///< the concept fits, a representation is unknown here

@@ -28,8 +28,15 @@ auto next_after(const Table& table, std::optional<ServiceKey>& at) {
 
 }  // namespace
 
-Matcher::State::State(vocabulary::Vocabulary vocabulary, Placing placing)
+Matcher::State::State(vocabulary::Vocabulary vocabulary, Placing placing, Overlapping overlapping)
     : in_force_{.vocabulary = std::move(vocabulary)}, placing_(std::move(placing)) {
+  if (overlapping) {
+    overlapping_ = [this, overlapping = std::move(overlapping)](const auto&... question) {
+      OverlapAnswer answer = overlapping(question...);
+      if (answer == nullptr) has_waited_ = true;
+      return answer;
+    };
+  }
   publications_.set_class_count(in_force_.vocabulary.class_count());
   subscriptions_.set_class_count(in_force_.vocabulary.class_count());
 }
@@ -63,23 +70,46 @@ bool Matcher::State::rematch_next() {
   GEMINGA_ASSERT(stage_ != Stage::filing);
   if (stage_ == Stage::unfiling) return unfile_next();
   if (stage_ == Stage::none) return place_next();
+  const auto before = at_;
   const auto* stored = next_after(subscriptions_, at_);
   if (stored == nullptr) {
     stage_ = Stage::unfiling;
     at_.reset();
     return true;
   }
-  if (of(*stored).generation != in_force_.generation) rematch(*stored);
+  if (of(*stored).generation != in_force_.generation && !rematch_if_answered(*stored)) at_ = before;
   return true;
 }
 
-void Matcher::State::rematch(const StoredSubscription& subscription) {
+bool Matcher::State::asks_overlaps(const StoredSubscription& subscription, const Request& request) const {
+  if (!request.overlaps) return true;
+  has_waited_ = false;
+  const Subscription& asked = subscription.entry.subscription;
+  visit_publications(publications_, asked.identity, request.classes, asked.weakest, in_force_,
+                     [&](const StoredPublication& publication) {
+                       if (of_publication_[publication.slot].leaves) return false;
+                       static_cast<void>(meet(subscription.entry, request, publication, in_force_));
+                       return has_waited_;
+                     });
+  return !has_waited_;
+}
+
+bool Matcher::State::rematch_if_answered(const StoredSubscription& subscription) {
+  Request request = prepare(subscription.entry);
+  const bool may_wait = subscription.entry.is_local && !of(subscription).is_leaving;
+  if (may_wait && !asks_overlaps(subscription, request)) return false;
+  rematch(subscription, std::move(request));
+  return true;
+}
+
+void Matcher::State::rematch(const StoredSubscription& subscription, Request request) {
   begin_cause();
   subscriptions_.unfile(subscription, of(subscription).generation);
   of(subscription).generation = in_force_.generation;
+  of(subscription).is_waiting = false;
   if (of(subscription).is_leaving) return;
-  Request request = prepare(subscription.entry);
   of(subscription).request.signature = std::move(request.signature);
+  of(subscription).request.overlaps = std::move(request.overlaps);
   const auto& known = of(subscription).request.classes = std::move(request.classes);
   const FilingPlan plan = FilingPlan::of_subscription(known, subscription.entry.subscription.weakest, in_force_);
   subscriptions_.refile(subscription, plan.filing());
@@ -122,15 +152,17 @@ bool Matcher::State::place_next() {
   if (!placing_walk_) return false;
   const StoredSubscription* waiting = nullptr;
   std::size_t passed = 0;
+  std::optional<ServiceKey> before;
   const bool is_over = subscriptions_.visit_after(placing_walk_->at, [&](const StoredSubscription& stored) {
-    placing_walk_->at = stored.entry.key;
+    before = std::exchange(placing_walk_->at, stored.entry.key);
     const bool is_placed = of(stored).request.classes.place != nullptr;
-    if (!is_placed && has_expression(stored.entry.subscription.identity)) waiting = &stored;
+    const bool must_be_placed = !is_placed && has_expression(stored.entry.subscription.identity);
+    if (must_be_placed || of(stored).is_waiting) waiting = &stored;
     return waiting == nullptr && ++passed < entries_in_step;
   });
   filed_ += passed;
   if (waiting != nullptr) {
-    rematch(*waiting);
+    if (!rematch_if_answered(*waiting)) placing_walk_->at = before;
   } else if (is_over) {
     placing_walk_ = placing_walk_->must_repeat ? std::optional(PlaceWalk{std::nullopt, false}) : std::nullopt;
   }

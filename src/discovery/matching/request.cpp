@@ -64,8 +64,19 @@ std::string conversion_misfit(const Classes& offered, const Classes& requested, 
          " is accepted";
 }
 
+/// Why concepts that have no degree do not overlap either; empty where that is not asked for.
+std::string overlap_misfit(const Classes& offered, const Classes& requested, const AskOverlap& overlaps,
+                           const vocabulary::Vocabulary& vocabulary) {
+  const bool has_classes = offered.concept_class && (requested.concept_class || requested.place);
+  if (!overlaps || !has_classes) return "";
+  const OverlapAnswer answer = answer_of_overlap(offered, requested, vocabulary, overlaps);
+  if (answer == nullptr) return "; whether something can be both waits to be decided";
+  if (answer->verdict == vocabulary::Overlap::Verdict::impossible) return "; nothing can be both";
+  return "; it is undecided whether something can be both: " + base::printable(answer->reason, max_shown_expression);
+}
+
 std::string identity_misfit(const Identity& offered, const Classes& offered_classes, const Identity& requested,
-                            const Classes& requested_classes, std::uint32_t convert,
+                            const Classes& requested_classes, std::uint32_t convert, const AskOverlap& overlaps,
                             const vocabulary::Vocabulary& vocabulary) {
   if (offered.index() != requested.index()) {
     return "identity: " + kind_of(offered) + " is offered, " + kind_of(requested) + " is asked for";
@@ -81,18 +92,15 @@ std::string identity_misfit(const Identity& offered, const Classes& offered_clas
            named(vocabulary, request->concept_iri) +
            " is asked for, and that is unknown to the ontology, unsatisfiable, or waits to be classified";
   }
-  const bool fits =
-      has_expression(*request)
-          ? degree_of_expression(offered_classes.concept_class, requested_classes.place.get(), vocabulary).has_value()
-          : degree_of_name(offer->concept_iri, offered_classes.concept_class, request->concept_iri,
-                           requested_classes.concept_class, vocabulary)
-                .has_value();
-  if (!fits && has_expression(*request)) {
-    return "concept: " + named(vocabulary, offer->concept_iri) + " is offered, " +
-           named(vocabulary, request->concept_iri) + " is asked for, and neither subsumes the other";
-  }
+  const bool fits = degree_of_concept(*offer, offered_classes, *request, requested_classes, vocabulary) ||
+                    degree_of_overlap(offered_classes, requested_classes, vocabulary, overlaps);
   if (!fits) {
-    return "concept: " + unrelated(vocabulary, offer->concept_iri, request->concept_iri);
+    const std::string neither = has_expression(*request)
+                                    ? named(vocabulary, offer->concept_iri) + " is offered, " +
+                                          named(vocabulary, request->concept_iri) +
+                                          " is asked for, and neither subsumes the other"
+                                    : unrelated(vocabulary, offer->concept_iri, request->concept_iri);
+    return "concept: " + neither + overlap_misfit(offered_classes, requested_classes, overlaps, vocabulary);
   }
   if (offer->representation_iri.empty()) {
     return "representation: none is stated, " + named(vocabulary, request->representation_iri) + " is asked for";
@@ -105,11 +113,23 @@ std::string identity_misfit(const Identity& offered, const Classes& offered_clas
   return why + conversion_misfit(offered_classes, requested_classes, convert, vocabulary);
 }
 
+/// How the request asks about overlaps; empty where it accepts none.
+AskOverlap asking(const Subscription& subscription, const Classes& classes, ParticipantId from,
+                  const Overlapping& overlapping) {
+  const auto* requested = std::get_if<SemanticIdentity>(&subscription.identity);
+  if (subscription.weakest != Degree::overlapping || requested == nullptr) return {};
+  return [requested = *requested, classes, from, ask = overlapping ? &overlapping : nullptr](
+             const vocabulary::Vocabulary& vocabulary, vocabulary::ClassNumber offered) {
+    return ask == nullptr ? decided_at_once(vocabulary, offered, requested, classes)
+                          : (*ask)(vocabulary, offered, requested, classes, from);
+  };
+}
+
 }  // namespace
 
 bool is_accepted_degree(const Subscription& asked, const Request& request, const Offer& offer, const Match& match,
                         const vocabulary::Vocabulary& vocabulary) {
-  if (match.cost == 0) return !is_weaker(match.degree, asked.weakest);
+  if (match.cost == 0 || match.degree == Degree::overlapping) return !is_weaker(match.degree, asked.weakest);
   const auto by_concept = degree_of_concept(std::get<SemanticIdentity>(offer.entry.publication.identity), offer.classes,
                                             std::get<SemanticIdentity>(asked.identity), request.classes, vocabulary);
   return by_concept && !is_weaker(by_concept->degree, asked.weakest);
@@ -135,7 +155,7 @@ bool is_in_scope(const SubscriptionEntry& subscription, const Request& request, 
 }
 
 Request prepared(const Subscription& subscription, const vocabulary::Vocabulary& vocabulary, const Placing& placing,
-                 ParticipantId from) {
+                 ParticipantId from, const Overlapping& overlapping) {
   Request request{classes_of(subscription.identity, vocabulary), std::nullopt};
   if (placing && vocabulary.is_loaded() && has_expression(subscription.identity)) {
     request.classes.place = placing(vocabulary, std::get<SemanticIdentity>(subscription.identity).concept_iri, from);
@@ -145,6 +165,7 @@ Request prepared(const Subscription& subscription, const vocabulary::Vocabulary&
   if (auto preferences = Preferences::of(subscription)) request.preferences = std::move(*preferences);
   auto scope = Scope::of(subscription.scope);
   request.scope = scope ? std::optional(std::move(*scope)) : std::nullopt;
+  request.overlaps = asking(subscription, request.classes, from, overlapping);
   if (has_signature(subscription.attributes)) request.signature = signature_of(subscription.attributes, vocabulary);
   return request;
 }
@@ -157,7 +178,7 @@ std::optional<Match> meets(const SubscriptionEntry& subscription, const Request&
   if (!is_accepted_provider(asked, entry) || !is_accepted_protocol(asked, entry)) return std::nullopt;
   if (!is_in_scope(subscription, request, offer)) return std::nullopt;
   const auto match = degree_of_identity(entry.publication.identity, offer.classes, asked.identity, request.classes,
-                                        vocabulary, asked.convert);
+                                        vocabulary, asked.convert, request.overlaps);
   if (!match || !is_accepted_degree(asked, request, offer, *match, vocabulary)) return std::nullopt;
   if (!request.where->accepts(entry)) return std::nullopt;
   if (!offer.audience.condition || !offer.audience.condition->accepts(subscription)) return std::nullopt;
@@ -174,10 +195,11 @@ std::expected<Match, std::string> explained(const SubscriptionEntry& subscriptio
   const Publication& offered = offer.entry.publication;
   std::string why;
   const auto say = [&why](const std::string& misfit) { why += (why.empty() ? "" : "; ") + misfit; };
-  const auto degree =
-      degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary, asked.convert);
+  const auto degree = degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary,
+                                         asked.convert, request.overlaps);
   if (!degree) {
-    say(identity_misfit(offered.identity, offer.classes, asked.identity, request.classes, asked.convert, vocabulary));
+    say(identity_misfit(offered.identity, offer.classes, asked.identity, request.classes, asked.convert,
+                        request.overlaps, vocabulary));
   } else if (!is_accepted_degree(asked, request, offer, *degree, vocabulary)) {
     say("degree: " + std::string(to_string(degree->degree)) + ", but at least " +
         std::string(to_string(asked.weakest)) + " is asked for");

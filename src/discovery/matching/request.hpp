@@ -9,6 +9,7 @@
 #include "discovery/matching/arbitration.hpp"
 #include "discovery/matching/audience.hpp"
 #include "discovery/matching/degree.hpp"
+#include "discovery/matching/overlap.hpp"
 #include "discovery/matching/preferences.hpp"
 #include "discovery/matching/scope.hpp"
 #include "discovery/matching/signature.hpp"
@@ -26,6 +27,7 @@ struct Request {
   Preferences preferences{};             ///< none where they cannot be read
   std::optional<Signature> signature{};  ///< nothing: none is stated
   std::optional<Scope> scope = Scope();  ///< nothing: it cannot be read, and the subscription never matches
+  AskOverlap overlaps{};                 ///< empty: it asks for a better degree than overlapping
 
   /// How such a publication, which matches, ranks among all that do.
   [[nodiscard]] Rank rank(const registry::PublicationEntry& publication, const Match& match) const {
@@ -33,9 +35,11 @@ struct Request {
   }
 };
 
-/// `placing` may be empty: then expressions meet nothing. `from` is whose subscription it is.
+/// `placing` may be empty: then expressions meet nothing. `from` is whose subscription it is. Where `overlapping` is
+/// empty, the reasoner is asked at once; it must live as long as the request.
 [[nodiscard]] Request prepared(const Subscription& subscription, const vocabulary::Vocabulary& vocabulary,
-                               const Placing& placing = {}, ParticipantId from = {});
+                               const Placing& placing = {}, ParticipantId from = {},
+                               const Overlapping& overlapping = {});
 
 /// A publication with what is computed of it. Borrows all.
 struct Offer {

@@ -96,6 +96,7 @@ const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const S
   of(*known).choice.set_margins(request.preferences.margins());
   of(*known).choice.set_limit(limit_of(known->entry));
   of(*known).request = std::move(request);
+  of(*known).is_waiting = false;
   of(*known).generation = in_force_.generation;
   return *known;
 }
@@ -254,7 +255,9 @@ void Matcher::State::judge(const StoredSubscription& subscription, const StoredP
   const bool is_interesting = is_of_interest(subscription.entry, publication.entry);
   const auto known = considered_by.find(subscription.slot);
   if (!is_interesting && known == considered_by.end()) return;
+  has_waited_ = false;
   const auto match = meets(subscription, publication);
+  if (has_waited_) of(subscription).is_waiting = true;
   if (!match || !is_interesting) {
     if (known == considered_by.end()) return;
     const Reason reason = match ? Reason::outranked : Reason::changed;  // its consumer has chosen others

@@ -48,7 +48,7 @@ struct Ranked {
 /// subscription whose candidates changed is settled once, which gives the events.
 class Matcher::State {
  public:
-  State(vocabulary::Vocabulary vocabulary, Placing placing);
+  State(vocabulary::Vocabulary vocabulary, Placing placing, Overlapping overlapping);
 
   void put(registry::PublicationEntry entry);
   void put(registry::SubscriptionEntry entry, Telling telling);
@@ -65,7 +65,7 @@ class Matcher::State {
   void place_again();
   /// By the vocabulary in force.
   [[nodiscard]] Request prepare(const registry::SubscriptionEntry& entry) const {
-    return prepared(entry.subscription, in_force_.vocabulary, placing_, entry.key.participant);
+    return prepared(entry.subscription, in_force_.vocabulary, placing_, entry.key.participant, overlapping_);
   }
 
   [[nodiscard]] std::vector<Ranked> match(const registry::SubscriptionEntry& entry, const Request& request) const;
@@ -90,6 +90,7 @@ class Matcher::State {
 
   Edition in_force_;
   Placing placing_;
+  Overlapping overlapping_;
   registry::Publications publications_;
   registry::Subscriptions subscriptions_;
   std::vector<Event> events_;
@@ -137,7 +138,8 @@ class Matcher::State {
     Choice choice;
     registry::Generation generation = registry::Generation::even;  ///< of the edition that it is judged by
     bool is_leaving = false;                                       ///< it is about to be erased
-    std::vector<ServiceKey> announced_choice;                      ///< Matcher::announced_choice()
+    bool is_waiting = false;  ///< whether some concept overlaps with what it asks for waits to be decided
+    std::vector<ServiceKey> announced_choice;  ///< Matcher::announced_choice()
   };
   /// How far the change to another vocabulary is. A subscription is judged by one of them at any time, and filed in its
   /// index alone; what is offered is known by both from the beginning of `filing` to the end of `rematching`.
@@ -167,7 +169,11 @@ class Matcher::State {
   void erase(const registry::StoredPublication& publication, std::set<Id32>& numbers);
   void erase(const registry::StoredSubscription& subscription, std::set<Id32>& numbers);
   /// Judges a subscription by the vocabulary in force, after it was filed by it.
-  void rematch(const registry::StoredSubscription& subscription);
+  void rematch(const registry::StoredSubscription& subscription) { rematch(subscription, prepare(subscription.entry)); }
+  void rematch(const registry::StoredSubscription& subscription, Request request);
+  /// The same unless a request of our own waits for the reasoner: then nothing is done, so that it loses nothing that
+  /// it has. Whether it was done.
+  [[nodiscard]] bool rematch_if_answered(const registry::StoredSubscription& subscription);
   [[nodiscard]] bool unfile_next();
   [[nodiscard]] bool place_next();
   /// The subscriptions that an offer may meet, each once, in ascending order of key.
@@ -222,7 +228,11 @@ class Matcher::State {
   Edition other_;  ///< while filing the next one, then the former one
   Stage stage_ = Stage::none;
   std::optional<ServiceKey> at_;  ///< the last entry that the change has dealt with; nothing: none yet
-  /// The walk over the subscriptions whose expressions have no place, by the last one that it passed.
+  /// Asks the reasoner whatever judging this subscription will ask it. False: some of it waits to be decided.
+  [[nodiscard]] bool asks_overlaps(const registry::StoredSubscription& subscription, const Request& request) const;
+  mutable bool has_waited_ = false;  ///< a question to the reasoner has been left waiting
+  /// The walk over the subscriptions whose expressions have no place, and those that wait for the reasoner, by the last
+  /// one that it passed.
   struct PlaceWalk {
     std::optional<ServiceKey> at;
     bool must_repeat;

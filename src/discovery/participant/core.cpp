@@ -35,11 +35,18 @@ std::string_view to_string(Phase phase) {
 Core::Core(env::Env& the_env, Settings the_settings, vocabulary::Vocabulary the_vocabulary)
     : env(the_env),
       settings(std::move(the_settings)),
-      matcher(std::move(the_vocabulary),
-              [this](const vocabulary::Vocabulary& by, const std::string& expression, ParticipantId from) {
-                const bool is_own = from == ParticipantId{} || from == id;
-                return expressions.place(by, expression, is_own ? std::nullopt : std::optional(from), env.now());
-              }),
+      matcher(
+          std::move(the_vocabulary),
+          [this](const vocabulary::Vocabulary& by, const std::string& expression, ParticipantId from) {
+            const bool is_own = from == ParticipantId{} || from == id;
+            return expressions.place(by, expression, is_own ? std::nullopt : std::optional(from), env.now());
+          },
+          [this](const vocabulary::Vocabulary& by, vocabulary::ClassNumber offered, const SemanticIdentity& requested,
+                 const matching::Classes& classes, ParticipantId from) {
+            const bool is_own = from == ParticipantId{} || from == id;
+            return overlaps.answer(by, offered, requested, classes, is_own ? std::nullopt : std::optional(from),
+                                   env.now());
+          }),
       neighbours(settings.group, membership::NeighbourTable::Affirmed::known),
       seal([this] { return env.random_bits(); }) {}
 
@@ -104,7 +111,8 @@ void Core::refuse(Session& session, std::uint32_t statement, const Error& error)
 
 Work Core::work() const {
   return worked + matcher.judged() * cost_of_judgement + counters.events * cost_of_event +
-         matcher.filed() * cost_of_filing + expressions.counts().classified * cost_of_expression;
+         matcher.filed() * cost_of_filing + expressions.counts().classified * cost_of_expression +
+         overlaps.counts().decided * cost_of_overlap;
 }
 
 std::size_t Core::backlog(const Session& session) const {

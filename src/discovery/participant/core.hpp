@@ -19,6 +19,7 @@
 #include "discovery/participant/ontology_change.hpp"
 #include "discovery/participant/ontology_state.hpp"
 #include "discovery/participant/ontology_watch.hpp"
+#include "discovery/participant/overlaps.hpp"
 #include "discovery/participant/session.hpp"
 #include "discovery/participant/settings.hpp"
 #include "discovery/participant/twins.hpp"
@@ -50,6 +51,7 @@ struct Core {
   OntologyState ontology_state;
   OntologyWatch ontology_watch;
   Expressions expressions;
+  Overlaps overlaps;
   matching::Matcher matcher;
   membership::NeighbourTable neighbours;
   announcement::Announcement heard;  ///< the last one; its memory is used again

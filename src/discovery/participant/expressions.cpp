@@ -4,23 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "discovery/announcement/limits.hpp"
 #include "discovery/gcnp/limits.hpp"
 #include "reasoning/vocabulary/expression.hpp"
 
 namespace geminga::participant {
-namespace {
-
-/// Counts one in a window of a second; false where it is one too many.
-template <typename Window>
-bool count(Window& window, std::size_t limit, base::Instant now) {
-  if (now - window.begin >= std::chrono::seconds(1)) window = {.begin = now, .seen = 0};
-  if (window.seen >= limit) return false;
-  ++window.seen;
-  return true;
-}
-
-}  // namespace
 
 void Expressions::attend_to(const Vocabulary& vocabulary) {
   if (ontology_.is_of(vocabulary)) return;
@@ -61,18 +48,13 @@ std::expected<std::string, Error> Expressions::resolve(const Vocabulary& vocabul
 
 bool Expressions::take_waiting(const Vocabulary& vocabulary, base::Instant now) {
   attend_to(vocabulary);
-  if (!waiting_since_ || now - *waiting_since_ < second) return false;
+  if (!waiting_since_ || now - *waiting_since_ < AirTurns::second) return false;
   waiting_since_.reset();
   return true;
 }
 
 bool Expressions::take_turn(ParticipantId from, base::Instant now) {
-  if (windows_.size() > announcement::max_participants) {
-    std::erase_if(windows_, [&](const auto& entry) { return now - entry.second.begin >= second; });
-  }
-  if (count(windows_[from], max_expressions_of_participant, now) && count(air_, max_expressions_from_air, now)) {
-    return true;
-  }
+  if (turns_.take(from, now)) return true;
   if (!waiting_since_) waiting_since_ = now;
   ++counts_.postponed;
   return false;

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "base/time.hpp"
+#include "discovery/participant/air_turns.hpp"
 #include "geminga/error.hpp"
 #include "geminga/service.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
@@ -62,14 +63,9 @@ class Expressions {
   [[nodiscard]] const Counts& counts() const { return counts_; }
 
  private:
-  static constexpr base::Duration second = std::chrono::seconds(1);
   struct Remembered {
     Place place;
     std::uint64_t used = 0;
-  };
-  struct Window {
-    base::Instant begin{};
-    std::size_t seen = 0;
   };
 
   /// Forgets what is of another ontology.
@@ -81,8 +77,7 @@ class Expressions {
   bool is_used_ = false;
   std::map<std::string, Remembered, std::less<>> remembered_;
   std::uint64_t uses_ = 0;
-  std::map<ParticipantId, Window> windows_;
-  Window air_;
+  AirTurns turns_{max_expressions_of_participant, max_expressions_from_air};
   std::optional<base::Instant> waiting_since_;
   Counts counts_;
 };

@@ -84,6 +84,7 @@ void speak_to(Core& core, const announcement::Announcement& announcement, const 
 }
 
 void feed_next(Core& core) {
+  core.overlaps.begin_step();
   if (core.matcher.depart_next()) return;
   if (!core.returning.empty()) return return_next(core);
   membership::Change change = core.neighbour_queue.pop();

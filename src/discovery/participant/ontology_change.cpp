@@ -55,6 +55,7 @@ void OntologyChange::place_again() {
 void OntologyChange::proceed(Core& core, Work most) {
   const Work begin = core.work();
   while (is_under_way() && core.work() - begin < most) {
+    core.overlaps.begin_step();
     switch (stage_) {
       case Stage::filing:
         file_or_put_in_force(core);

@@ -167,6 +167,7 @@ class Participant::State {
           break;
       }
       core.ontology_watch.look(core);
+      if (core.overlaps.take_waiting(core.env.now())) core.ontology_change.place_again();
       close_due_sessions(core);
       deliver_events(core);
       write_sessions(core);

@@ -38,6 +38,7 @@ void take_statement(Core& core, Session& session, std::string_view line) {
   }
   const std::uint64_t events = session.events;
   const std::uint64_t classified = core.expressions.counts().classified;
+  const std::uint64_t decided = core.overlaps.counts().decided;
   const auto request = gcnp::read_request(*statement);
   const Refusal refusal = request ? handle(core, session, statement->id, *request) : Refusal(request.error());
   if (refusal && refusal->code == ErrorCode::not_ready && core.expressions.is_waiting(core.vocabulary())) {
@@ -49,7 +50,8 @@ void take_statement(Core& core, Session& session, std::string_view line) {
   if (has_picture(session) && !session.lags_since) proceed_picture(core, session);
   deliver_events(core);
   session.gate.charge((session.events - events) / work_per_statement +
-                      (core.expressions.counts().classified - classified) * statements_per_expression);
+                      (core.expressions.counts().classified - classified) * statements_per_expression +
+                      (core.overlaps.counts().decided - decided) * statements_per_overlap);
 }
 
 void take_line(Core& core, Session& session, const gcnp::LineReader::Line& line) {
@@ -100,6 +102,7 @@ void do_next(Core& core, Session& session) {
 /// asked to be told of a change has caused that, and is bounded by what may wait for it.
 void do_step(Core& core, Session& session) {
   const Work begin = core.work();
+  core.overlaps.begin_step();
   const std::uint64_t events = core.counters.events;
   const std::uint64_t own_events = session.events;
   while (core.work() - begin < work_in_step && has_work(core, session)) do_next(core, session);

@@ -24,6 +24,8 @@ inline constexpr Work cost_of_event = 10;
 inline constexpr Work cost_of_unknown_name = 400;
 /// A class expression that had to be classified.
 inline constexpr Work cost_of_expression = 1000;
+/// Whether two concepts can have instances in common.
+inline constexpr Work cost_of_overlap = 500;
 
 /// One event does about so much for clients; what is left is done in the next. Smaller: others are served sooner
 /// meanwhile. Larger: less is spent on going round.

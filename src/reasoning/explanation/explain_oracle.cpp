@@ -8,6 +8,8 @@
 namespace geminga::explanation {
 namespace {
 
+using hypertableau::Verdict;
+
 /// The bounds of one question. An explanation asks tens of them, most about a handful of axioms.
 struct Bounds {
   hypertableau::Limits model;
@@ -30,23 +32,34 @@ el::Entailed Oracle::find_by_rules(std::span<const std::uint32_t> axioms, owl::T
 bool Oracle::holds(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super) {
   const el::Entailed by_rules = find_by_rules(axioms, sub, super);
   if (by_rules != el::Entailed::not_found) return by_rules == el::Entailed::yes;
+  if (undecided_ >= bounds(patience_).undecided) return false;
+  const Decision decision = decide_by_models(axioms, sub, super);
+  if (decision.is_too_hard) ++undecided_;
+  return decision.verdict == Verdict::yes;
+}
+
+Oracle::Decision Oracle::decide(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super) {
+  const el::Entailed by_rules = find_by_rules(axioms, sub, super);
+  if (by_rules == el::Entailed::not_found) return decide_by_models(axioms, sub, super);
+  return {.verdict = by_rules == el::Entailed::yes ? Verdict::yes : Verdict::no};
+}
+
+Oracle::Decision Oracle::decide_by_models(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super) {
   const Bounds limits = bounds(patience_);
-  if (undecided_ >= limits.undecided) return false;
-  work_ += 10 * axioms.size();  // the other engines need about ten times as long
+  work_ += 10 * axioms.size();  // these engines need about ten times as long as the rules
   const auto clauses = clauses::clausify(source_, axioms, std::span(&sub, 1), std::span(&super, 1));
-  if (!clauses) {
-    ++undecided_;
-    return false;
-  }
+  if (!clauses) return {.reason = clauses.error().text, .is_too_hard = true};
   hypertableau::Tableau tableau(source_, *clauses, limits.model);
   const hypertableau::Answer exception =
       tableau.is_satisfiable({clauses->queries.front(), clauses->complements.front()});
-  if (exception.verdict == hypertableau::Verdict::no) return true;
-  if (exception.verdict == hypertableau::Verdict::unknown) {
-    if (consequence::derives(source_, *clauses, super, {.clauses = limits.derived_clauses})) return true;
-    ++undecided_;
+  if (exception.verdict == Verdict::no) return {.verdict = Verdict::yes};
+  if (exception.verdict == Verdict::yes) {
+    if (clauses->unused.empty()) return {.verdict = Verdict::no};
+    return {.reason = "an axiom cannot be used because of " + std::string(clauses->unused.front().construct)};
   }
-  return false;
+  if (consequence::derives(source_, *clauses, super, {.clauses = limits.derived_clauses}))
+    return {.verdict = Verdict::yes};
+  return {.reason = exception.reason, .is_too_hard = true};
 }
 
 }  // namespace geminga::explanation

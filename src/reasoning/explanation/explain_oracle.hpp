@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 
+#include "reasoning/dl/hypertableau/tableau.hpp"
 #include "reasoning/el/entailment.hpp"
 #include "reasoning/owl/source.hpp"
 
@@ -19,7 +21,7 @@ enum class Patience : std::uint8_t {
 };
 
 /// Asks about one source, which must outlive it and may grow. Every yes is sound. After some questions that were too
-/// hard, only the rules are asked.
+/// hard, holds() only asks the rules.
 class Oracle {
  public:
   explicit Oracle(const owl::Ontology& source, Patience patience = Patience::of_a_person)
@@ -30,12 +32,22 @@ class Oracle {
   /// By every engine. What an engine cannot decide within its limits counts as not entailed.
   [[nodiscard]] bool holds(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super);
 
+  /// The same by every engine, where a no must be certain, too.
+  struct Decision {
+    hypertableau::Verdict verdict = hypertableau::Verdict::unknown;
+    std::string reason{};      ///< of unknown: one line for a user
+    bool is_too_hard = false;  ///< of unknown: a limit ended the search
+  };
+  [[nodiscard]] Decision decide(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super);
+
   /// The number of axioms that were asked about in all questions. The same everywhere for the same questions.
   [[nodiscard]] std::size_t work() const { return work_; }
   /// The number of questions that stayed undecided.
   [[nodiscard]] std::size_t undecided_count() const { return undecided_; }
 
  private:
+  [[nodiscard]] Decision decide_by_models(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super);
+
   const owl::Ontology& source_;
   Patience patience_;
   std::size_t work_ = 0;

@@ -45,13 +45,23 @@ ProofLemmas::Named ProofLemmas::name_above(TermId expression) {
   return named;
 }
 
-bool ProofLemmas::holds(const AxiomSet& axioms, TermId sub, TermId super) {
+ProofLemmas::Asked ProofLemmas::asked(const AxiomSet& axioms, TermId sub, TermId super) {
   const Named below = name_below(sub);
   const Named above = name_above(super);
-  AxiomSet asked = axioms;
-  if (below.axiom) asked.push_back(*below.axiom);
-  if (above.axiom) asked.push_back(*above.axiom);
-  return oracle_.holds(asked, below.name, above.name);
+  Asked question{axioms, below.name, above.name};
+  if (below.axiom) question.axioms.push_back(*below.axiom);
+  if (above.axiom) question.axioms.push_back(*above.axiom);
+  return question;
+}
+
+bool ProofLemmas::holds(const AxiomSet& axioms, TermId sub, TermId super) {
+  const Asked question = asked(axioms, sub, super);
+  return oracle_.holds(question.axioms, question.below, question.above);
+}
+
+Oracle::Decision ProofLemmas::decide(const AxiomSet& axioms, TermId sub, TermId super) {
+  const Asked question = asked(axioms, sub, super);
+  return oracle_.decide(question.axioms, question.below, question.above);
 }
 
 std::optional<AxiomSet> ProofLemmas::find(const AxiomSet& axioms, TermId sub, TermId super) {

@@ -20,6 +20,8 @@ class ProofLemmas {
 
   /// Whether these axioms entail sub SubClassOf super, two class expressions.
   [[nodiscard]] bool holds(const AxiomSet& axioms, owl::TermId sub, owl::TermId super);
+  /// The same where a no must be certain, too.
+  [[nodiscard]] Oracle::Decision decide(const AxiomSet& axioms, owl::TermId sub, owl::TermId super);
   /// The fewest of these axioms that entail it. Nothing if all of them do not.
   [[nodiscard]] std::optional<AxiomSet> find(const AxiomSet& axioms, owl::TermId sub, owl::TermId super);
 
@@ -34,6 +36,13 @@ class ProofLemmas {
   Named name_below(owl::TermId expression);
   Named name_above(owl::TermId expression);
   [[nodiscard]] owl::TermId fresh();
+  /// A question between names, with the axioms that say what the names are for.
+  struct Asked {
+    AxiomSet axioms;
+    owl::TermId below{};
+    owl::TermId above{};
+  };
+  [[nodiscard]] Asked asked(const AxiomSet& axioms, owl::TermId sub, owl::TermId super);
 
   Module& module_;
   Oracle& oracle_;

@@ -6,6 +6,7 @@
 #include "reasoning/compiled/compile.hpp"
 #include "reasoning/compiled/similar.hpp"
 #include "reasoning/syntax/manchester/parse.hpp"
+#include "reasoning/taxonomy/classified_view.hpp"
 
 namespace geminga::vocabulary {
 
@@ -38,6 +39,8 @@ std::optional<ClassNumber> Vocabulary::find_term(std::string_view name) const {
   }
   return find_iri(name);
 }
+
+ClassNumber Vocabulary::thing() const { return ClassNumber{ontology_->view().thing}; }
 
 bool Vocabulary::is_expression(std::string_view name) const {
   return is_loaded() && manchester::is_compound(name) && !ontology_->find(name);

@@ -17,6 +17,7 @@
 #include "reasoning/placement/expression.hpp"
 #include "reasoning/taxonomy/class_number.hpp"
 #include "reasoning/vocabulary/conversions.hpp"
+#include "reasoning/vocabulary/overlap.hpp"
 
 namespace geminga::vocabulary {
 
@@ -72,6 +73,8 @@ class Vocabulary {
   // allocate.
 
   [[nodiscard]] std::uint32_t class_count() const { return is_loaded() ? ontology_->class_count() : 0; }
+  /// owl:Thing, which is above every class. Requires an ontology.
+  [[nodiscard]] ClassNumber thing() const;
   /// False if the class can have no instance.
   [[nodiscard]] bool is_satisfiable(ClassNumber number) const { return ontology_->is_satisfiable(number); }
   /// Whether every instance of `sub` is one of `super`. Reflexive. O(1) to O(log n).
@@ -124,6 +127,14 @@ class Vocabulary {
   // Why. These read the axioms and search, which takes milliseconds. 422 if the axioms are damaged.
 
   [[nodiscard]] std::expected<Explanation, Error> explain(ClassNumber sub, ClassNumber super) const;
+  /// Whether something can be an instance of both.
+  [[nodiscard]] Overlap overlap(ClassNumber one, ClassNumber other) const;
+  /// The same of an expression in its place.
+  [[nodiscard]] Overlap overlap(ClassNumber one, const Expression& other, const Place& place) const;
+  /// A minimal set of axioms by which nothing is an instance of both, one line each, in the order of the argument.
+  /// Empty if something can be, or nobody finds them again.
+  [[nodiscard]] std::vector<std::string> exclusion(ClassNumber one, ClassNumber other) const;
+  [[nodiscard]] std::vector<std::string> exclusion(ClassNumber one, const Expression& other) const;
   /// What a class lacks to be below another, in one short line: what is nearest, and what is missing.
   [[nodiscard]] std::expected<std::string, Error> why_not(ClassNumber sub, ClassNumber super) const;
 

@@ -82,7 +82,7 @@ Subscription random_subscription(Random& random) {
     subscription.identity = SemanticIdentity{"not (<" + random_iri(random) + "> some <" + random_iri(random) + ">)",
                                              random.chance(0.5) ? random_iri(random) : std::string()};
   }
-  subscription.weakest = static_cast<Degree>(random.below(4));
+  subscription.weakest = random.chance(0.2) ? Degree::overlapping : static_cast<Degree>(random.below(4));
   for (auto count = random.below(3); count > 0; --count) {
     subscription.providers.push_back({random_name(random), random.chance(0.5) ? random_name(random) : std::string()});
   }

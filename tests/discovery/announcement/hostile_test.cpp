@@ -170,6 +170,8 @@ TEST(Decode, RefusesEachViolationInAServiceByItsWord) {
       {"escape in a value", [](M& m) { publication(m).mutable_attributes(0)->set_value("\x1b"); },
        DecodeError::bad_attribute},
       {"degree 4", [](M& m) { subscription(m).set_weakest(static_cast<wire::Degree>(4)); }, DecodeError::bad_degree},
+      {"overlapping of a narrower degree", [](M& m) { subscription(m).set_overlapping(true); },
+       DecodeError::bad_degree},
       {"16 filters", [&](M& m) { set_filters(m, 16); }, {}},
       {"17 filters", [&](M& m) { set_filters(m, 17); }, DecodeError::bad_filter},
       {"filter without participant", [](M& m) { subscription(m).add_providers()->set_peer("p"); },

@@ -171,7 +171,8 @@ TEST(Request, SaysWhichKeyWasMeant) {
   EXPECT_EQ(text("5 query match limti=3"), "limti is no key of query match: did you mean limit?");
   EXPECT_EQ(text("5 query services colour=red"), "colour is no key of query services");
   EXPECT_THAT(text("5 sub create mode=oto id=1 convert=perhaps"), HasSubstr("yes, no or the largest cost"));
-  EXPECT_THAT(text("5 sub create mode=oto id=1 match=converted"), HasSubstr("exact, equivalent, narrower or broader"));
+  EXPECT_THAT(text("5 sub create mode=oto id=1 match=converted"),
+              HasSubstr("exact, equivalent, narrower, broader or overlapping"));
 }
 
 TEST(Request, KeepsTheBareFormOfWhatIsNearNoKey) {

@@ -55,7 +55,8 @@ void Model::work_out() {
     former_classes_[key] = classes_of(entry.publication.identity, former_ontology);
   }
   for (const auto& [key, entry] : subscriptions) {
-    requests_[key] = prepared(entry.subscription, former.contains(key) ? former_ontology : ontology);
+    requests_[key] = prepared(entry.subscription, former.contains(key) ? former_ontology : ontology, {},
+                              entry.key.participant, overlapping);
   }
   for (const auto& [key, subscription] : subscriptions) {
     const auto& incumbents = before[key];

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -28,12 +29,23 @@ using View = std::map<std::pair<ServiceKey, ServiceKey>, Told>;
 
 class Model {
  public:
+  Model() = default;
+  Model(const Model&) = delete;  // `overlapping` knows its place
+  Model& operator=(const Model&) = delete;
+
   std::map<ServiceKey, registry::PublicationEntry> publications;
   std::map<ServiceKey, registry::SubscriptionEntry> subscriptions;
   vocabulary::Vocabulary ontology;
   /// While an ontology changes: the subscriptions that are still judged by the former one.
   std::set<ServiceKey> former;
   vocabulary::Vocabulary former_ontology;
+  /// Which concepts overlap; remembered, since the reasoner has to search.
+  Overlapping overlapping = [this](const vocabulary::Vocabulary& by, vocabulary::ClassNumber offered,
+                                   const SemanticIdentity& requested, const Classes& classes, ParticipantId) {
+    auto& answer = overlaps_[{by.digest(), offered, requested.concept_iri}];
+    if (answer == nullptr) answer = decided_at_once(by, offered, requested, classes);
+    return answer;
+  };
 
   /// Chooses anew for every subscription, with those chosen last time as incumbents.
   void work_out();
@@ -44,6 +56,7 @@ class Model {
                                            const registry::PublicationEntry& publication) const;
 
  private:
+  std::map<std::tuple<std::uint64_t, vocabulary::ClassNumber, std::string>, OverlapAnswer> overlaps_;
   std::map<ServiceKey, Request> requests_;
   std::map<ServiceKey, Classes> classes_;
   std::map<ServiceKey, Classes> former_classes_;

@@ -114,7 +114,8 @@ TEST(Obstacle, IsThereExactlyWhereTheTwoDoNotMeet) {
   for (const auto& ontology : {soccer(), vocabulary::Vocabulary()}) {
     for (const Identity& offered : identities) {
       for (const Identity& asked : identities) {
-        for (const Degree weakest : {Degree::exact, Degree::equivalent, Degree::narrower, Degree::broader}) {
+        for (const Degree weakest :
+             {Degree::exact, Degree::equivalent, Degree::narrower, Degree::broader, Degree::overlapping}) {
           Matcher matcher(ontology);
           matcher.put(offer(offering, offered));
           const SubscriptionEntry entry = request(asking, asked, 0, weakest);

@@ -190,7 +190,7 @@ class RandomTeam {
         asked.limit = static_cast<std::uint32_t>(random_.chance(0.8) ? random_.below(4) : 15 + random_.below(3));
         break;
       case 5:
-        asked.weakest = static_cast<Degree>(random_.below(4));
+        asked.weakest = random_.chance(0.3) ? Degree::overlapping : static_cast<Degree>(random_.below(4));
         break;
       case 6:
         asked.providers.clear();

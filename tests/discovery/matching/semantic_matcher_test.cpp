@@ -30,8 +30,10 @@ TEST(SemanticMatcher, TheWeakestDegreeDecides) {
   const std::vector<std::pair<const char*, Degree>> offers{{"Ball", Degree::exact},
                                                            {"Sphere", Degree::equivalent},
                                                            {"OwnBall", Degree::narrower},
-                                                           {"Tracked", Degree::broader}};
-  for (const auto weakest : {Degree::exact, Degree::equivalent, Degree::narrower, Degree::broader}) {
+                                                           {"Tracked", Degree::broader},
+                                                           {"Robot", Degree::overlapping}};
+  for (const auto weakest :
+       {Degree::exact, Degree::equivalent, Degree::narrower, Degree::broader, Degree::overlapping}) {
     for (const auto& [concept_name, degree] : offers) {
       for (const bool offer_comes_first : {true, false}) {
         Matcher matcher(ontology);

@@ -35,6 +35,15 @@ class Taxonomy {
     source_.add(owl::AxiomKind::equivalent_classes, {named(a), named(b)}, file_, ++line_);
     return *this;
   }
+  Taxonomy& disjoint(std::string_view a, std::string_view b) {
+    source_.add(owl::AxiomKind::disjoint_classes, {named(a), named(b)}, file_, ++line_);
+    return *this;
+  }
+  /// As if an axiom could not be read.
+  Taxonomy& leave_out(std::string_view construct) {
+    source_.leave_out(construct, file_, ++line_);
+    return *this;
+  }
   Taxonomy& convert(std::string_view from, std::string_view to, int cost = 1) {
     source_.add_conversion(iri(from), iri(to), std::to_string(cost), file_, ++line_);
     return *this;

@@ -9,6 +9,7 @@
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 #include "reasoning/vocabulary/explanation.hpp"
+#include "reasoning/vocabulary/expression.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -77,6 +78,12 @@ std::string nearest(const Core& core, const SubscriptionEntry& request, const Pu
   return "; " + (why_not ? base::printable(*why_not, max_nearest_bytes) : why_not.error().text);
 }
 
+/// Adds a line where there is room for it.
+void append_axiom(const std::string& axiom, std::string& proof) {
+  const std::string line = base::printable(axiom, max_proof_bytes);
+  if (proof.size() + line.size() + 1 <= max_proof_bytes) proof += (proof.empty() ? "" : "\n") + line;
+}
+
 /// Adds the axioms by which the first name is below the second; nothing where they are one, or it is not.
 void add_proof(const Core& core, const std::string& sub_iri, const std::string& super_iri, std::string& proof) {
   if (sub_iri == super_iri) return;
@@ -86,11 +93,7 @@ void add_proof(const Core& core, const std::string& sub_iri, const std::string& 
   if (!sub || !super || !vocabulary.is_subsumed(*sub, *super)) return;
   const auto explanation = vocabulary.explain(*sub, *super);
   if (!explanation) return;
-  for (const auto& axiom : explanation->axioms) {
-    const std::string line = base::printable(axiom.text, max_proof_bytes);
-    if (proof.size() + line.size() + 1 > max_proof_bytes) return;
-    proof += (proof.empty() ? "" : "\n") + line;
-  }
+  for (const auto& axiom : explanation->axioms) append_axiom(axiom.text, proof);
 }
 
 /// Why the degree is what it is: below what is asked for, or for a broader one above.
@@ -109,6 +112,32 @@ std::string proof_of(const Core& core, const Identity& offered, const Identity& 
     add(offer->representation_iri, request->representation_iri);
   }
   return proof;
+}
+
+/// The axioms by which nothing can be both.
+std::string exclusion_of(const Core& core, const Identity& offered, const Identity& requested,
+                         const matching::Request& request) {
+  const auto& vocabulary = core.vocabulary();
+  const auto offer = matching::classes_of(offered, vocabulary).concept_class;
+  std::vector<std::string> axioms;
+  if (offer && request.classes.concept_class) {
+    axioms = vocabulary.exclusion(*offer, *request.classes.concept_class);
+  } else if (offer && request.classes.place && vocabulary.check_expressions()) {
+    const auto expression = vocabulary.read(semantic(requested)->concept_iri, vocabulary::max_expression_bytes);
+    if (expression) axioms = vocabulary.exclusion(*offer, *expression);
+  }
+  std::string proof;
+  for (const std::string& axiom : axioms) append_axiom(axiom, proof);
+  return proof;
+}
+
+/// Whether a request that does not ask for overlapping concepts would be met if it did.
+bool may_overlap(const Core& core, const Identity& offered, const Identity& requested,
+                 const matching::Request& request) {
+  const auto offer = matching::classes_of(offered, core.vocabulary()).concept_class;
+  if (!offer || (!request.classes.concept_class && !request.classes.place)) return false;
+  const auto answer = core.matcher.overlap(*offer, *semantic(requested), request.classes);
+  return answer && answer->verdict == vocabulary::Overlap::Verdict::possible;
 }
 
 /// What it costs to turn the one representation into the other; nothing where nothing does.
@@ -146,6 +175,10 @@ std::string mend_identity(const Core& core, Obstacle obstacle, const Identity& o
       return "mend the ontology: geminga-ontology check says why nothing can be one";
     case Obstacle::unclassified:
       return "ask for a named concept, or load an ontology that knows all names of the expression";
+    case Obstacle::disjoint:
+      return "ask for something else, or mend the ontology if something can be both";
+    case Obstacle::undecided:
+      return "ask again in a second, or ask for something that subsumes what is offered";
     case Obstacle::unrelated:
       return "ask for " + (offer == nullptr ? "" : short_name(core, offer->concept_iri)) +
              " or for something above it, or say in the ontology that it is subsumed";
@@ -205,8 +238,13 @@ Check check_identity(const Core& core, const Asked& asked, const PublicationEntr
                  std::string(to_string(one.subscription.weakest)) + " is asked for";
   }
   if (depth == Depth::search) {
-    check.text += nearest(core, asked.entry, offer);
-    check.proof = proof_of(core, offered, requested);
+    const bool is_told = obstacle == Obstacle::disjoint || obstacle == Obstacle::undecided;
+    if (!is_told) check.text += nearest(core, asked.entry, offer);
+    check.proof = obstacle == Obstacle::disjoint ? exclusion_of(core, offered, requested, *asked.request)
+                                                 : proof_of(core, offered, requested);
+    if (obstacle == Obstacle::unrelated && may_overlap(core, offered, requested, *asked.request)) {
+      check.mend += ", or ask with match=overlapping: something can be both";
+    }
   }
   return check;
 }

@@ -46,7 +46,9 @@ class Ranking {
         is_any_identity_(!query.identity),
         mode_(query.mode),
         limit_(query.limit) {
-    if (!is_any_identity_) candidates_ = core.matcher.candidates(asked_.subscription, *request_, max_candidates);
+    // Each may be a question to the reasoner: then all are walked, a few at a time.
+    if (!is_any_identity_ && asked_.subscription.weakest != Degree::overlapping)
+      candidates_ = core.matcher.candidates(asked_.subscription, *request_, max_candidates);
   }
 
   bool operator()(Core& core, Piece& piece) {
@@ -62,9 +64,11 @@ class Ranking {
   /// Whether all have been looked at.
   bool look(Core& core, Piece& piece) {
     const auto judge_one = [&](const registry::PublicationEntry& entry) {
-      last_ = entry.key;
+      const std::uint64_t postponed = core.overlaps.counts().postponed;
       piece.look_at_one();
       judge(core, entry);
+      if (core.overlaps.counts().postponed != postponed) return false;  // it is the first of the next piece
+      last_ = entry.key;
       return !piece.is_full();
     };
     if (candidates_) {

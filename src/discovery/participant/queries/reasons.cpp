@@ -40,10 +40,13 @@ const std::string* unknown_name(const Core& core, const SemanticIdentity& asked)
 Reason of_nobody(const Core& core, const Asked& asked) {
   const Identity& identity = asked.entry.subscription.identity;
   const bool is_concept = std::holds_alternative<SemanticIdentity>(identity);
-  Reason reason{
-      Obstacle::nobody,
-      "nobody offers " + words(core, identity) + (is_concept ? ", nor anything below or above it" : std::string()),
-      "start who offers it; geminga-query services shows what is there"};
+  Reason reason{Obstacle::nobody,
+                "nobody offers " + words(core, identity) +
+                    (!is_concept ? ""
+                     : asked.entry.subscription.weakest == Degree::overlapping
+                         ? ", nor anything that can have instances in common with it"
+                         : ", nor anything below or above it"),
+                "start who offers it; geminga-query services shows what is there"};
   if (const auto consumer = is_concept ? other_ontology(core, asked) : std::nullopt) {
     reason.text += "; " + digests(core, *consumer);
   }
@@ -137,7 +140,7 @@ Reason Reasons::of(Core& core, Piece& piece, const Asked& asked, const Nearest& 
 Reason Reasons::likely(Core& core, Piece& piece, const registry::SubscriptionEntry& request) {
   Asked asked{.entry = request, .request = core.matcher.prepare(request)};
   Subscription wider = request.subscription;
-  wider.weakest = Degree::broader;
+  if (wider.weakest != Degree::overlapping) wider.weakest = Degree::broader;
   Nearest nearest;
   const auto consider = [&](const PublicationEntry& offer) {
     nearest.consider(offer, core.matcher.examine(asked.entry, *asked.request, offer));

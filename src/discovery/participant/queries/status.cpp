@@ -114,6 +114,10 @@ Answered answer(Core& core, const gcnp::QueryStatus&) {
   if (expressions.classified != 0) append(line, "expressions_classified", expressions.classified);
   if (expressions.unknown != 0) append(line, "expressions_unknown", expressions.unknown);
   if (expressions.postponed != 0) append(line, "expressions_postponed", expressions.postponed);
+  const Overlaps::Counts& overlaps = core.overlaps.counts();
+  if (overlaps.decided != 0) append(line, "overlaps_decided", overlaps.decided);
+  if (overlaps.undecided != 0) append(line, "overlaps_undecided", overlaps.undecided);
+  if (overlaps.postponed != 0) append(line, "overlaps_postponed", overlaps.postponed);
   if (core.neighbours.refused_services() != 0) append(line, "refused_services", core.neighbours.refused_services());
   append(line, "clients_closed", core.counters.clients_closed);
   append(line, "lags", core.counters.lags);

@@ -10,7 +10,9 @@ using registry::PublicationEntry;
 Survey::Survey(const Core& core, Asked asked, matching::Rank offer)
     : asked_(std::move(asked)),
       offer_(std::move(offer)),
-      candidates_(core.matcher.candidates(asked_.entry.subscription, *asked_.request, max_ranked_at_once)) {}
+      candidates_(asked_.entry.subscription.weakest == Degree::overlapping  // each may be a question to the reasoner
+                      ? std::nullopt
+                      : core.matcher.candidates(asked_.entry.subscription, *asked_.request, max_ranked_at_once)) {}
 
 bool Survey::proceed(Core& core, Piece& piece) {
   if (candidates_) {
@@ -21,28 +23,31 @@ bool Survey::proceed(Core& core, Piece& piece) {
     return true;
   }
   return core.matcher.walk_publications(last_, [&](const PublicationEntry& offer) {
+    piece.look_at_one();
+    if (!look(core, offer)) return false;
     last_ = offer.key;
     ++seen_;
-    piece.look_at_one();
-    look(core, offer);
     return !piece.is_full();
   });
 }
 
-void Survey::look(Core& core, const PublicationEntry& offer) {
+bool Survey::look(Core& core, const PublicationEntry& offer) {
   registry::SubscriptionEntry& asked = asked_.entry;
   if (asked_.is_any_mode) asked.subscription.mode = offer.publication.mode;
+  const std::uint64_t postponed = core.overlaps.counts().postponed;
   const auto finding = core.matcher.examine(asked, *asked_.request, offer);
+  if (core.overlaps.counts().postponed != postponed) return false;
   if (finding.meets()) {
     // One that is about to be gone meets nothing any more.
     const auto match = core.matcher.meets(asked, *asked_.request, offer);
     if (match) take(asked_.request->rank(offer, *match));
-    return;
+    return true;
   }
   nearest_.consider(offer, finding);
-  if (!finding.is_near()) return;
+  if (!finding.is_near()) return true;
   misfits_.insert({offer.key, finding});
   if (misfits_.size() > max_told_misfits) misfits_.erase(std::prev(misfits_.end()));
+  return true;
 }
 
 void Survey::take(const matching::Rank& rank) {

@@ -48,7 +48,8 @@ class Survey {
   [[nodiscard]] std::size_t ahead() const { return ahead_; }
 
  private:
-  void look(Core& core, const registry::PublicationEntry& offer);
+  /// False: it waits for the reasoner, and is to be looked at again.
+  bool look(Core& core, const registry::PublicationEntry& offer);
   void take(const matching::Rank& rank);
 
   Asked asked_;

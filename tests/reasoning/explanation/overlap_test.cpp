@@ -1,0 +1,184 @@
+// Whether two classes can have common instances: what is disjoint, what is not, and what nobody can decide.
+#include "reasoning/explanation/overlap.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "base/random.hpp"
+#include "reasoning/reasoner/reasoner.hpp"
+#include "support/written.hpp"
+
+namespace geminga::explanation {
+namespace {
+
+using compiled::Ontology;
+using owl::loaded;
+using owl::named;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Common common(const Ontology& ontology, std::string_view one, std::string_view other) {
+  return find_overlap(ontology, named(ontology, one), named(ontology, other)).common;
+}
+
+std::vector<std::string> exclusion(const Ontology& ontology, std::string_view one, std::string_view other) {
+  std::vector<std::string> texts;
+  for (const auto& axiom : explain_exclusion(ontology, named(ontology, one), named(ontology, other))) {
+    texts.push_back(axiom.text);
+  }
+  return texts;
+}
+
+TEST(Overlap, IsPossibleUnlessAnAxiomForbidsIt) {
+  const Ontology ontology = loaded(owl::robots);
+  EXPECT_EQ(common(ontology, "BallInfo", "Shared"), Common::possible);
+  EXPECT_EQ(common(ontology, "BallInfo", "Secret"), Common::possible);
+  EXPECT_EQ(common(ontology, "SharedBallInfo", "Secret"), Common::impossible);
+  EXPECT_EQ(common(ontology, "Secret", "SharedBallInfo"), Common::impossible);
+  EXPECT_EQ(common(ontology, "Secret", "Secret"), Common::possible);
+  EXPECT_EQ(common(ontology, "Impossible", "Ball"), Common::impossible);
+  EXPECT_THAT(exclusion(ontology, "SharedBallInfo", "Secret"),
+              ElementsAre("t:SharedBallInfo SubClassOf t:Shared", "t:Secret DisjointWith t:Shared"));
+  EXPECT_THAT(exclusion(ontology, "BallInfo", "Secret"), IsEmpty());
+}
+
+TEST(Overlap, IsDecidedBeyondTheRulesOfEl) {
+  const struct {
+    const char* axioms;
+    Common common;
+  } cases[] = {
+      {"SubClassOf(A ObjectMaxCardinality(1 r Thing))\nSubClassOf(A ObjectSomeValuesFrom(r C))\n"
+       "SubClassOf(B ObjectSomeValuesFrom(r D))\nDisjointClasses(C D)",
+       Common::impossible},
+      {"SubClassOf(A ObjectMaxCardinality(2 r Thing))\nSubClassOf(A ObjectSomeValuesFrom(r C))\n"
+       "SubClassOf(B ObjectSomeValuesFrom(r D))\nDisjointClasses(C D)",
+       Common::possible},
+      {"SubClassOf(A ObjectUnionOf(C D))\nDisjointClasses(B C)\nDisjointClasses(B D)", Common::impossible},
+      {"SubClassOf(A ObjectUnionOf(C D))\nDisjointClasses(B C)", Common::possible},
+      {"SubClassOf(A ObjectAllValuesFrom(r C))\nSubClassOf(B ObjectSomeValuesFrom(r ObjectComplementOf(C)))",
+       Common::impossible},
+      {"SubClassOf(A ObjectOneOf(i:x))\nClassAssertion(C i:x)\nDisjointClasses(B C)", Common::impossible},
+      {"SubClassOf(A ObjectOneOf(i:x))\nClassAssertion(C i:x)\nSubClassOf(B Thing)", Common::possible},
+  };
+  for (const auto& one : cases) {
+    EXPECT_EQ(common(loaded(one.axioms), "A", "B"), one.common) << one.axioms;
+  }
+}
+
+/// Some values of a class written in another source.
+TEST(Overlap, IsAskedOfExpressions) {
+  const Ontology ontology = loaded(
+      "SubClassOf(Camera ObjectAllValuesFrom(observes Visible))\nDisjointClasses(Visible Heat)\n"
+      "SubClassOf(Ball Visible)\nSubClassOf(Lidar Sensor)");
+  owl::Ontology query;
+  const auto some = [&](const char* filler) {
+    return query.term(owl::TermKind::object_some_values_from,
+                      {query.object_property("https://t.example/#observes"),
+                       query.named_class(std::string("https://t.example/#") + filler)});
+  };
+  const owl::TermId heat = some("Heat");
+  const owl::TermId ball = some("Ball");
+  const auto camera = named(ontology, "Camera");
+  EXPECT_EQ(find_overlap(ontology, camera, WrittenClass{query, heat}).common, Common::impossible);
+  EXPECT_EQ(find_overlap(ontology, camera, WrittenClass{query, ball}).common, Common::possible);
+  EXPECT_EQ(find_overlap(ontology, named(ontology, "Lidar"), WrittenClass{query, heat}).common, Common::possible);
+  const auto axioms = explain_exclusion(ontology, camera, WrittenClass{query, heat});
+  ASSERT_EQ(axioms.size(), 2U);
+  EXPECT_EQ(axioms[0].text, "t:Camera SubClassOf t:observes only t:Visible");
+}
+
+TEST(Overlap, IsUndecidedWhereAnAxiomWasNotRead) {
+  owl::Ontology source = owl::written("SubClassOf(A C)\nSubClassOf(B C)\nDisjointClasses(A D)\nSubClassOf(D C)");
+  source.leave_out("owl:imports", owl::FileId{0}, 1);
+  const Ontology ontology = loaded(source);
+  const Overlap overlap = find_overlap(ontology, named(ontology, "A"), named(ontology, "B"));
+  EXPECT_EQ(overlap.common, Common::undecided);
+  EXPECT_THAT(overlap.reason, HasSubstr("owl:imports"));
+  // What follows, follows all the same.
+  EXPECT_EQ(common(ontology, "A", "D"), Common::impossible);
+}
+
+TEST(Overlap, IsUndecidedWhereTheSearchEnds) {
+  // Eleven pigeons and ten holes, as classes: no model, after a search that nobody has time for.
+  constexpr int holes = 10;
+  const auto is_in = [](int pigeon, int hole) { return "P" + std::to_string(pigeon) + "H" + std::to_string(hole); };
+  std::string axioms = "SubClassOf(B Thing)\n";
+  for (int pigeon = 0; pigeon <= holes; ++pigeon) {
+    std::string somewhere;
+    for (int hole = 0; hole < holes; ++hole) {
+      somewhere += ' ' + is_in(pigeon, hole);
+      for (int other = 0; other < pigeon; ++other)
+        axioms += "DisjointClasses(" + is_in(pigeon, hole) + ' ' + is_in(other, hole) + ")\n";
+    }
+    axioms += std::string("SubClassOf(") + (pigeon == 0 ? 'A' : 'B') + " ObjectUnionOf(" + somewhere + "))\n";
+  }
+  const Ontology ontology = loaded(axioms);
+  const Overlap overlap = find_overlap(ontology, named(ontology, "A"), named(ontology, "B"), Patience::of_a_daemon);
+  EXPECT_EQ(overlap.common, Common::undecided);
+  EXPECT_FALSE(overlap.reason.empty());
+}
+
+TEST(Overlap, IsAskedAboutSoManyAxioms) {
+  // The module has the chain, and nothing else.
+  for (const std::size_t count : {max_overlap_axioms - 1, max_overlap_axioms, max_overlap_axioms + 1}) {
+    std::string axioms = "SubClassOf(B C0)\n";
+    for (std::size_t at = 0; at + 1 < count; ++at)
+      axioms += "SubClassOf(C" + std::to_string(at) + " C" + std::to_string(at + 1) + ")\n";
+    axioms += "SubClassOf(Elsewhere A)\n";
+    const Ontology ontology = loaded(axioms);
+    EXPECT_EQ(common(ontology, "A", "B"), count <= max_overlap_axioms ? Common::possible : Common::undecided) << count;
+  }
+}
+
+/// Random ontologies beyond EL: the module and the limits of a question lose nothing.
+TEST(Overlap, IsWhatTheReasonerSaysOfTheWhole) {
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    base::Random random(seed);
+    const auto name = [&] { return std::string(1, static_cast<char>('A' + random.below(8))); };
+    const auto role = [&] { return std::string(1, static_cast<char>('r' + random.below(2))); };
+    std::string axioms = "SubClassOf(A Thing)\nSubClassOf(B Thing)\n";
+    for (std::uint64_t count = 6 + random.below(10); count > 0; --count) {
+      switch (random.below(8)) {
+        case 0:
+          axioms += "DisjointClasses(" + name() + ' ' + name() + ")\n";
+          break;
+        case 1:
+          axioms += "SubClassOf(" + name() + " ObjectUnionOf(" + name() + ' ' + name() + "))\n";
+          break;
+        case 2:
+          axioms += "SubClassOf(" + name() + " ObjectSomeValuesFrom(" + role() + ' ' + name() + "))\n";
+          break;
+        case 3:
+          axioms += "SubClassOf(" + name() + " ObjectAllValuesFrom(" + role() + ' ' + name() + "))\n";
+          break;
+        case 4:
+          axioms += "SubClassOf(" + name() + " ObjectMaxCardinality(1 " + role() + " Thing))\n";
+          break;
+        case 5:
+          axioms += "SubClassOf(" + name() + " ObjectComplementOf(" + name() + "))\n";
+          break;
+        default:
+          axioms += "SubClassOf(" + name() + ' ' + name() + ")\n";
+      }
+    }
+    owl::Ontology source = owl::written(axioms);
+    const Ontology ontology = loaded(source);
+    const owl::TermId both =
+        source.term(owl::TermKind::object_intersection_of,
+                    {source.named_class("https://t.example/#A"), source.named_class("https://t.example/#B")});
+    const auto whole = reasoner::entails(source, std::nullopt, both, owl::nothing_term);
+    ASSERT_NE(whole.verdict, reasoner::Verdict::unknown) << "seed " << seed;
+    const bool is_excluded = whole.verdict == reasoner::Verdict::yes;
+    EXPECT_EQ(common(ontology, "A", "B"), is_excluded ? Common::impossible : Common::possible)
+        << "seed " << seed << '\n'
+        << axioms;
+    EXPECT_TRUE(!is_excluded || !exclusion(ontology, "A", "B").empty()) << "seed " << seed << '\n' << axioms;
+  }
+}
+
+}  // namespace
+}  // namespace geminga::explanation
