@@ -19,6 +19,7 @@ struct Flags {
   std::string where;
   std::vector<std::string> providers;
   std::uint32_t limit = 0;
+  std::string convert;
 };
 
 shell::Table table(const std::vector<Record>& records) {
@@ -31,14 +32,16 @@ shell::Table table(const std::vector<Record>& records) {
                       {"PRIO", true, 0, 6},
                       {"AGE", true, 0, 7},
                       {"SERVICE", false, 0, 2},
+                      {"CONVERT", false, 16, 8},
+                      {"COST", true, 0, 8},
                       {"ATTRIBUTES", false, 10, 5}});
   for (const auto& record : records) {
     shown.add({std::string(record["degree"]), std::string(record["distance"]),
                shell::who(record["provider"], record["name"], record["participant_name"]),
                shell::identity_words(record), std::string(record["mode"]),
                shell::place(record["address"], record["port"]), std::string(record["priority"]),
-               shell::duration_words(record["age"]), std::string(record["service"]),
-               shell::attribute_words(record.attributes)});
+               shell::duration_words(record["age"]), std::string(record["service"]), std::string(record["convert"]),
+               std::string(record["cost"]), shell::attribute_words(record.attributes)});
   }
   return shown;
 }
@@ -49,10 +52,11 @@ void read_words(Flags& flags) {
     if (flags.identity.takes(word)) continue;
     const auto pair = shell::key_and_value(word);
     if (pair && pair->first != "concept") {
-      throw CLI::ValidationError(word,
-                                 "is no part of an identity: flags are --degree, --mode, --provider and --limit, "
-                                 "attributes are asked for with --where '" +
-                                     pair->first + " = " + pair->second + "'");
+      throw CLI::ValidationError(
+          word,
+          "is no part of an identity: flags are --degree, --mode, --convert, --provider and --limit, "
+          "attributes are asked for with --where '" +
+              pair->first + " = " + pair->second + "'");
     }
     if (!flags.concept_name.empty()) {
       throw CLI::ValidationError(word, "is a second concept: write a class expression in quotes, e.g. 'A or B'");
@@ -86,6 +90,7 @@ Listing listing_of(const Flags& flags) {
   if (flags.mode) parameters.emplace_back("mode", to_string(*flags.mode));
   if (!flags.where.empty()) parameters.emplace_back("where", flags.where);
   if (!flags.providers.empty()) parameters.emplace_back("provider", CLI::detail::join(flags.providers, ","));
+  if (!flags.convert.empty()) parameters.emplace_back("convert", flags.convert);
   if (flags.limit != 0) parameters.emplace_back("limit", std::to_string(flags.limit));
   return listing;
 }
@@ -106,11 +111,16 @@ void add_match(CLI::App& app, Run& selected) {
   command->add_option("--provider", flags->providers, "Only these providers")
       ->type_name("PARTICIPANT[/PEER]")
       ->allow_extra_args(false);
+  command
+      ->add_option("--convert", flags->convert,
+                   "Also services whose representation can be converted: yes, no or the largest cost")
+      ->type_name("yes|no|COST");
   command->add_option("--limit", flags->limit, "At most this many, the best")->type_name("N");
   command->footer(
       "Examples:\n  geminga-query match soccer:TrackedObject\n  geminga-query match text=camera\n"
       "  geminga-query match 'soccer:BallInfo or soccer:GoalInfo'\n"
       "  geminga-query match soccer:BallInfo --representation soccer:CartesianFieldFrame --mode otm/stream\n"
+      "  geminga-query match soccer:BallInfo --representation soccer:CartesianFieldFrame --convert yes\n"
       "  geminga-query match --id 0x30242948\n  geminga-query match soccer:BallInfo --where 'rate >= 30' --limit 1");
   command->callback([flags, &selected] {
     read_words(*flags);

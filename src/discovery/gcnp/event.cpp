@@ -56,16 +56,7 @@ Statement to_statement(std::uint32_t request, const ServiceEvent& event) {
   append(parameters, "protocol", publication.protocol);
   append(parameters, "priority", publication.priority);
   append_stated(parameters, "participant_name", event.participant_name);
-  if (event.convert.empty()) {
-    append_attributes(parameters, publication.attributes);
-    return statement;
-  }
-  append(parameters, "convert", event.convert);
-  append(parameters, cost_key, event.cost);
-  // Not reserved, but here it would stand twice.
-  for (const auto& [name, value] : publication.attributes) {
-    append(parameters, name == cost_key ? std::string(attribute_prefix) + name : shown_key(name), value);
-  }
+  append_attributes(parameters, event.convert, event.cost, publication.attributes);
   return statement;
 }
 
@@ -104,6 +95,20 @@ void append_identity(std::vector<Parameter>& parameters, const NamedIdentity& id
 
 void append_attributes(std::vector<Parameter>& parameters, const Attributes& attributes) {
   for (const auto& [name, value] : attributes) append(parameters, shown_key(name), value);
+}
+
+void append_attributes(std::vector<Parameter>& parameters, const std::string& convert, std::uint32_t cost,
+                       const Attributes& attributes) {
+  if (convert.empty()) {
+    append_attributes(parameters, attributes);
+    return;
+  }
+  append(parameters, "convert", convert);
+  append(parameters, cost_key, cost);
+  // Not reserved, but here it would stand twice.
+  for (const auto& [name, value] : attributes) {
+    append(parameters, name == cost_key ? std::string(attribute_prefix) + name : shown_key(name), value);
+  }
 }
 
 }  // namespace geminga::gcnp

@@ -40,6 +40,9 @@ using Reply = std::variant<Event, Statement>;
 void append_identity(std::vector<Parameter>& parameters, const NamedIdentity& identity);
 /// Appends the attributes as the daemon shows them (shown_key()), sorted by name.
 void append_attributes(std::vector<Parameter>& parameters, const Attributes& attributes);
+/// Appends `convert=A>B cost=K` where something is converted, and the attributes.
+void append_attributes(std::vector<Parameter>& parameters, const std::string& convert, std::uint32_t cost,
+                       const Attributes& attributes);
 
 }  // namespace geminga::gcnp
 

@@ -141,6 +141,7 @@ Request read_query_match(KeyReader& keys) {
   query.providers = keys.providers("provider").value_or(std::vector<ProviderFilter>{});
   query.where = keys.text("where", max_where_bytes).value_or("");
   query.limit = keys.number("limit").value_or(0);
+  query.convert = keys.conversion().value_or(0);
   return query;
 }
 

@@ -92,7 +92,8 @@ struct QueryMatch {
   std::optional<ChannelMode> mode;
   std::vector<ProviderFilter> providers;
   std::string where;
-  std::uint32_t limit = 0;  ///< 0: all
+  std::uint32_t limit = 0;    ///< 0: all
+  std::uint32_t convert = 0;  ///< the largest cost of conversions that counts
   friend bool operator==(const QueryMatch&, const QueryMatch&) = default;
 };
 struct QueryExplain {

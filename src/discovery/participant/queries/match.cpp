@@ -5,6 +5,7 @@
 
 #include "discovery/gcnp/event.hpp"
 #include "discovery/matching/arbitration.hpp"
+#include "discovery/matching/representation.hpp"
 #include "discovery/matching/request.hpp"
 #include "discovery/participant/identities.hpp"
 #include "discovery/participant/naming.hpp"
@@ -17,7 +18,8 @@ namespace {
 /// walked, which can be interrupted.
 constexpr std::size_t max_candidates = 256;
 
-Line line_of(const Core& core, const registry::PublicationEntry& entry, const matching::Match& match) {
+Line line_of(const Core& core, const registry::PublicationEntry& entry, const matching::Match& match,
+             const Identity& requested) {
   Line line;
   append(line, "service", to_string(entry.key));
   append(line, "provider", peer_word(entry.key));
@@ -28,7 +30,10 @@ Line line_of(const Core& core, const registry::PublicationEntry& entry, const ma
   append_channel(line, entry.publication);
   append(line, "age", age(core, entry));
   append_stated(line, "participant_name", entry.participant_name);
-  gcnp::append_attributes(line, entry.publication.attributes);
+  const bool is_converted = match.cost != 0;
+  const std::string chain =
+      is_converted ? matching::chain_words(entry.publication.identity, requested, core.vocabulary()) : "";
+  gcnp::append_attributes(line, chain, match.cost, entry.publication.attributes);
   return line;
 }
 
@@ -55,7 +60,9 @@ class Ranking {
     if (!is_ranked_ && !look(core, piece)) return false;
     while (next_ < found_.size() && !piece.is_full()) {
       const matching::Rank& one = found_[next_++];
-      if (const auto* entry = core.matcher.find_publication(one.key)) piece.tell(line_of(core, *entry, one.match));
+      if (const auto* entry = core.matcher.find_publication(one.key)) {
+        piece.tell(line_of(core, *entry, one.match, asked_.subscription.identity));
+      }
     }
     return next_ == found_.size();
   }
@@ -116,6 +123,7 @@ std::expected<Answering, Error> begin(Core& core, const gcnp::QueryMatch& query)
   asked.weakest = query.weakest;
   asked.providers = query.providers;
   asked.where = query.where;
+  asked.convert = query.convert;
   if (query.identity) {
     auto identity = resolve_asked(core, *query.identity);
     if (!identity) return std::unexpected(identity.error());
