@@ -10,7 +10,8 @@
 namespace geminga::matching {
 
 bool is_strictly_better(const Rank& a, const Rank& b) {
-  if (a.score != b.score) return a.score < b.score;
+  const bool has_score = !a.score.empty() || !b.score.empty();  // asked first, because few have one
+  if (has_score && a.score != b.score) return a.score < b.score;
   if (a.priority != b.priority) return a.priority > b.priority;
   return a.match < b.match;
 }

@@ -86,10 +86,11 @@ std::optional<Match> degree_of_identity(const Identity& offered, const Classes& 
   // Asked last, because the reasoner has to search.
   if (!by_concept) by_concept = degree_of_overlap(offered_classes, requested_classes, vocabulary, overlaps);
   if (!by_concept) return std::nullopt;
+  if (by_representation->degree == Degree::exact) return by_concept;
   // An identity whose concept has no class here is met exactly or not at all, whatever its representations.
   const bool has_classes =
       offered_classes.concept_class && (requested_classes.concept_class || requested_classes.place);
-  if (!has_classes && by_representation->degree != Degree::exact) return std::nullopt;
+  if (!has_classes) return std::nullopt;
   return combined(*by_concept, *by_representation);
 }
 

@@ -148,9 +148,8 @@ std::expected<Match, std::string> Matcher::why(const registry::SubscriptionEntry
   if (state_->is_kept_apart(offer.publication.identity, request.subscription.identity)) {
     return std::unexpected("identity: the number is that of two different services, and nobody is connected by it");
   }
-  const Audience audience = Audience::of(offer.publication);
-  const Classes classes = classes_of(offer.publication.identity, vocabulary());
-  return explained(request, state_->prepare(request), {offer, audience, classes}, vocabulary());
+  const Imagined imagined(offer, vocabulary());
+  return explained(request, state_->prepare(request), imagined.offer, vocabulary());
 }
 
 bool Matcher::walk_publications(const std::optional<ServiceKey>& after, const VisitPublication& visit) const {

@@ -193,8 +193,7 @@ Finding examine(const registry::SubscriptionEntry& subscription, const Request& 
   finding.is_for_met = offer.audience.condition && offer.audience.condition->accepts(subscription);
   std::optional<Match> by_signature;
   if (request.signature) {
-    by_signature = degree_of_signature(signature_of(offered.attributes, vocabulary), *request.signature, asked.weakest,
-                                       vocabulary);
+    by_signature = degree_of_signature(stated(offer.signature), *request.signature, asked.weakest, vocabulary);
     finding.is_signature_met = by_signature.has_value();
   }
   if (is_kept_apart) {

@@ -153,8 +153,7 @@ double Preferences::favour(const PublicationEntry& publication) const {
   return static_cast<double>(at - favoured_.begin());
 }
 
-Score Preferences::score(const PublicationEntry& publication, const Match& match) const {
-  if (is_usual()) return {};
+Score Preferences::stated_score(const PublicationEntry& publication, const Match& match) const {
   Score score;
   score.reserve(criterion_count - 1 + wishes_.size());
   for (const Criterion criterion : order_) {

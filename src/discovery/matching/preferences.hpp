@@ -48,7 +48,9 @@ class Preferences {
 
   /// Where a publication stands in the order that is preferred: one number for each thing that it is ranked by, the
   /// lesser the better, all the same number of them. Empty without preferences. Allocates only with them.
-  [[nodiscard]] Score score(const registry::PublicationEntry& publication, const Match& match) const;
+  [[nodiscard]] Score score(const registry::PublicationEntry& publication, const Match& match) const {
+    return is_usual() ? Score() : stated_score(publication, match);
+  }
   /// By how much each number of a score must be better to push out an incumbent.
   [[nodiscard]] Score margins() const;
   /// By what `better` is ahead of `worse`: "whose rate is 30 against 10". Empty where neither is ahead but by its key.
@@ -59,6 +61,7 @@ class Preferences {
 
  private:
   [[nodiscard]] bool is_usual() const { return favoured_.empty() && wishes_.empty() && !is_reordered_; }
+  [[nodiscard]] Score stated_score(const registry::PublicationEntry& publication, const Match& match) const;
   [[nodiscard]] double favour(const registry::PublicationEntry& publication) const;
 
   std::vector<ProviderFilter> favoured_;

@@ -130,6 +130,7 @@ bool Matcher::State::unfile_next() {
   filed_ += 1 + stored->filings[std::to_underlying(registry::filed_by(other_.generation))].size();
   publications_.unfile(*stored, other_.generation);
   of(*stored).classes[std::to_underlying(other_.generation)] = {};
+  of(*stored).signatures[std::to_underlying(other_.generation)] = nullptr;
   return true;
 }
 

@@ -148,6 +148,9 @@ bool is_accepted_protocol(const Subscription& subscription, const PublicationEnt
 
 /// Whether each is in the scope of the other.
 bool is_in_scope(const SubscriptionEntry& subscription, const Request& request, const Offer& offer) {
+  const bool is_everybody =
+      request.scope && request.scope->is_everybody() && offer.audience.scope && offer.audience.scope->is_everybody();
+  if (is_everybody) return true;
   const Party consumer = party(subscription);
   const Party provider = party(offer.entry);
   return request.scope && request.scope->admits(consumer, provider) && offer.audience.scope &&
@@ -183,8 +186,7 @@ std::optional<Match> meets(const SubscriptionEntry& subscription, const Request&
   if (!request.where->accepts(entry)) return std::nullopt;
   if (!offer.audience.condition || !offer.audience.condition->accepts(subscription)) return std::nullopt;
   if (!request.signature) return match;
-  const auto by_signature = degree_of_signature(signature_of(entry.publication.attributes, vocabulary),
-                                                *request.signature, asked.weakest, vocabulary);
+  const auto by_signature = degree_of_signature(stated(offer.signature), *request.signature, asked.weakest, vocabulary);
   return by_signature ? std::optional(combined(*match, *by_signature)) : std::nullopt;
 }
 
@@ -226,8 +228,7 @@ std::expected<Match, std::string> explained(const SubscriptionEntry& subscriptio
         " does not hold: " + offer.audience.condition->misses(subscription));
   }
   if (request.signature) {
-    const std::string misfit =
-        signature_misfit(signature_of(offered.attributes, vocabulary), *request.signature, asked.weakest, vocabulary);
+    const std::string misfit = signature_misfit(stated(offer.signature), *request.signature, asked.weakest, vocabulary);
     if (!misfit.empty()) say("signature: " + misfit);
   }
   return std::unexpected(why);

@@ -46,6 +46,23 @@ struct Offer {
   const registry::PublicationEntry& entry;
   const Audience& audience;
   const Classes& classes;
+  const Signature* signature = nullptr;  ///< null: it states none
+};
+
+/// What is computed of a publication that nobody has stored. Borrows the entry.
+struct Imagined {
+  Imagined(const registry::PublicationEntry& entry, const vocabulary::Vocabulary& vocabulary)
+      : audience(Audience::of(entry.publication)),
+        classes(classes_of(entry.publication.identity, vocabulary)),
+        signature(signature_of(entry.publication.attributes, vocabulary)),
+        offer{entry, audience, classes, &signature} {}
+  Imagined(const Imagined&) = delete;
+  Imagined& operator=(const Imagined&) = delete;
+
+  Audience audience;
+  Classes classes;
+  Signature signature;
+  Offer offer;
 };
 
 /// Whether it is by one of the providers that are asked for, or speaks one of the protocols; always where none are.

@@ -33,6 +33,7 @@ class Scope {
   /// Reads a scope; the empty one is everybody. The error (422) says what cannot be read.
   [[nodiscard]] static std::expected<Scope, Error> of(std::string_view text);
 
+  [[nodiscard]] bool is_everybody() const { return entries_.empty(); }
   /// Whether who stated it deals with the other one: an entry admits it, or there is none that admits anybody, and none
   /// excludes it. O(length).
   [[nodiscard]] bool admits(const Party& own, const Party& other) const;

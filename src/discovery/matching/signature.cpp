@@ -64,6 +64,11 @@ void visit_parameters(const Signature& offered, const Signature& asked, Degree w
 
 }  // namespace
 
+const Signature& stated(const Signature* signature) {
+  static const Signature none;
+  return signature == nullptr ? none : *signature;
+}
+
 bool has_signature(const Attributes& attributes) {
   return attributes.contains(inputs_attribute) || attributes.contains(outputs_attribute);
 }

@@ -30,8 +30,12 @@ struct Signature {
 };
 
 [[nodiscard]] bool has_signature(const Attributes& attributes);
-/// The words between spaces: `prefix:Name`, `<IRI>` or an IRI. Labels are not looked for, since this is done for pairs.
+/// The words between spaces: `prefix:Name`, `<IRI>` or an IRI. Labels are not looked for: what comes by air may have
+/// many.
 [[nodiscard]] Signature signature_of(const Attributes& attributes, const vocabulary::Vocabulary& vocabulary);
+
+/// What is stated; null: nothing.
+[[nodiscard]] const Signature& stated(const Signature* signature);
 
 /// The weakest degree and the distances of all parameters together. Outputs are covariant: each that is asked for takes
 /// the best one that is offered. Inputs are contravariant: each that the service needs takes the best one that is

@@ -29,8 +29,7 @@ std::optional<Match> Matcher::State::meet(const SubscriptionEntry& asked, const 
                                           const StoredPublication& offered, const Edition& edition) const {
   ++judged_;
   if (is_kept_apart(offered.entry.publication.identity, asked.subscription.identity)) return std::nullopt;
-  const Audience& audience = of_publication_[offered.slot].audience;
-  return matching::meets(asked, request, {offered.entry, audience, classes(offered, edition)}, edition.vocabulary);
+  return matching::meets(asked, request, offer(offered, edition), edition.vocabulary);
 }
 
 Finding Matcher::State::examine(const SubscriptionEntry& asked, const Request& request,
@@ -39,17 +38,19 @@ Finding Matcher::State::examine(const SubscriptionEntry& asked, const Request& r
   const bool is_apart = is_kept_apart(offered.publication.identity, asked.subscription.identity);
   const StoredPublication* stored = publications_.find(offered.key);
   if (stored != nullptr && &stored->entry == &offered) {
-    const Offer offer{offered, of_publication_[stored->slot].audience, classes(*stored, in_force_)};
-    return matching::examine(asked, request, offer, in_force_.vocabulary, is_apart);
+    return matching::examine(asked, request, offer(*stored, in_force_), in_force_.vocabulary, is_apart);
   }
-  const Audience audience = Audience::of(offered.publication);
-  const Classes its = classes_of(offered.publication.identity, in_force_.vocabulary);
-  return matching::examine(asked, request, {offered, audience, its}, in_force_.vocabulary, is_apart);
+  const Imagined imagined(offered, in_force_.vocabulary);
+  return matching::examine(asked, request, imagined.offer, in_force_.vocabulary, is_apart);
 }
 
 void Matcher::State::file(const StoredPublication& stored, const Edition& edition) {
   auto& known = of(stored).classes[std::to_underlying(edition.generation)];
   known = classes_of(stored.entry.publication.identity, edition.vocabulary);
+  const Attributes& attributes = stored.entry.publication.attributes;
+  of(stored).signatures[std::to_underlying(edition.generation)] =
+      has_signature(attributes) ? std::make_unique<const Signature>(signature_of(attributes, edition.vocabulary))
+                                : nullptr;
   const FilingPlan plan = FilingPlan::of_publication(known, edition);
   publications_.refile(stored, plan.filing());
   filed_ += 1 + plan.size();
@@ -244,9 +245,7 @@ bool Matcher::State::was_chosen_unseen(const StoredPublication& publication) con
   const bool was_announced = before.subscription.chosen.empty() || is_announced_choice(before, publication.entry);
   return was_announced && !is_of_interest(before, publication.entry) &&
          before.subscription.mode != ChannelMode::one_to_many_stream && !was_kept_apart &&
-         matching::meets(before, replaced_request_,
-                         {publication.entry, of_publication_[publication.slot].audience, classes(publication, edition)},
-                         edition.vocabulary);
+         matching::meets(before, replaced_request_, offer(publication, edition), edition.vocabulary);
 }
 
 void Matcher::State::judge(const StoredSubscription& subscription, const StoredPublication& publication) {

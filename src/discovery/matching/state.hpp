@@ -127,7 +127,8 @@ class Matcher::State {
 
  private:
   struct OfPublication {
-    std::array<Classes, 2> classes;  ///< by generation
+    std::array<Classes, 2> classes;                              ///< by generation
+    std::array<std::unique_ptr<const Signature>, 2> signatures;  ///< by generation; null: none is stated
     Audience audience;
     std::map<std::uint32_t, Rank> considered_by;  ///< by the slot of the subscription whose candidate it is
     std::optional<Reason> leaves;                 ///< it is about to be erased, for this reason
@@ -138,7 +139,8 @@ class Matcher::State {
     Choice choice;
     registry::Generation generation = registry::Generation::even;  ///< of the edition that it is judged by
     bool is_leaving = false;                                       ///< it is about to be erased
-    bool is_waiting = false;  ///< whether some concept overlaps with what it asks for waits to be decided
+    bool is_waiting = false;    ///< whether some concept overlaps with what it asks for waits to be decided
+    bool is_contested = false;  ///< whether it had to choose when it was settled
     std::vector<ServiceKey> announced_choice;  ///< Matcher::announced_choice()
   };
   /// How far the change to another vocabulary is. A subscription is judged by one of them at any time, and filed in its
@@ -154,6 +156,12 @@ class Matcher::State {
   [[nodiscard]] OfSubscription& of(const registry::StoredSubscription& stored) { return of_subscription_[stored.slot]; }
   [[nodiscard]] const Classes& classes(const registry::StoredPublication& stored, const Edition& edition) const {
     return of_publication_[stored.slot].classes[std::to_underlying(edition.generation)];
+  }
+  /// With all that is known of it.
+  [[nodiscard]] Offer offer(const registry::StoredPublication& stored, const Edition& edition) const {
+    const OfPublication& known = of_publication_[stored.slot];
+    const auto generation = std::to_underlying(edition.generation);
+    return {stored.entry, known.audience, known.classes[generation], known.signatures[generation].get()};
   }
   [[nodiscard]] const Edition& edition_of(registry::Generation generation) const {
     return generation == in_force_.generation ? in_force_ : other_;

@@ -1,6 +1,7 @@
 // From verdicts to events: who is told, of what, in which order.
 
 #include <algorithm>
+#include <utility>
 
 #include "discovery/matching/state.hpp"
 #include "identity/service_limits.hpp"
@@ -37,7 +38,12 @@ void Matcher::State::settle(const StoredSubscription& subscription) {
   }
   // Last, so that a consumer has the better one before the worse one goes, and is never without.
   for (const auto& gone : verdict.outranked) tell_gone(gone);
-  if (subscription.entry.is_local) note_choice(subscription);
+  if (!subscription.entry.is_local) return;
+  auto& known = of(subscription);
+  const bool was_contested = std::exchange(known.is_contested, known.choice.is_contested());
+  const bool is_same = verdict.gone.empty() && verdict.come.empty() && verdict.outranked.empty() &&
+                       was_contested == known.is_contested && replaced_subscription_.stored != &subscription;
+  if (!is_same) note_choice(subscription);
 }
 
 void Matcher::State::note_choice(const StoredSubscription& subscription) {
@@ -45,7 +51,7 @@ void Matcher::State::note_choice(const StoredSubscription& subscription) {
   auto& known = of(subscription);
   std::vector<ServiceKey> choice;
   const bool is_told = asked.limit != 0 && asked.mode != ChannelMode::one_to_many_stream;
-  if (is_told && asked.limit <= max_announced_choice && known.choice.is_contested()) {
+  if (is_told && asked.limit <= max_announced_choice && known.is_contested) {
     for (const auto& one : known.choice.chosen()) choice.push_back(one.publication->entry.key);
     std::ranges::sort(choice);
   }

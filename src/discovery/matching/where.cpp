@@ -79,10 +79,6 @@ std::expected<Where, Error> Where::parse(std::string_view expression) {
   return Where(std::move(*parsed));
 }
 
-bool Where::accepts(const Stated& stated) const {
-  return parsed_.nodes.empty() || holds(static_cast<std::uint16_t>(parsed_.nodes.size() - 1), stated);
-}
-
 std::vector<std::uint16_t> Where::operands(std::uint16_t number) const {
   const Node& node = parsed_.nodes[number];
   std::vector<std::uint16_t> places(node.operands);

@@ -33,7 +33,9 @@ class Where {
   [[nodiscard]] static std::expected<Where, Error> parse(std::string_view expression);
 
   /// Whether the other side passes. Allocates nothing for attributes. O(length of the expression).
-  [[nodiscard]] bool accepts(const Stated& stated) const;
+  [[nodiscard]] bool accepts(const Stated& stated) const {
+    return parsed_.nodes.empty() || holds(static_cast<std::uint16_t>(parsed_.nodes.size() - 1), stated);
+  }
   /// What it says under each key that keeps it from passing: "rate is 33, camera is absent". At most
   /// max_missed_keys of them. Empty where it passes.
   [[nodiscard]] std::string misses(const Stated& stated) const;

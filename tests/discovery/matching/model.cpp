@@ -33,16 +33,13 @@ bool Model::is_kept_apart(const Identity& offered, const Identity& requested) co
 std::optional<Match> Model::meets(const SubscriptionEntry& subscription, const PublicationEntry& publication) const {
   if (is_kept_apart(publication.publication.identity, subscription.subscription.identity)) return std::nullopt;
   const bool is_former = former.contains(subscription.key);
-  const Audience audience = Audience::of(publication.publication);
-  return matching::meets(subscription, requests_.at(subscription.key),
-                         {publication, audience, (is_former ? former_classes_ : classes_).at(publication.key)},
-                         is_former ? former_ontology : ontology);
+  const vocabulary::Vocabulary& by = is_former ? former_ontology : ontology;
+  return matching::meets(subscription, requests_.at(subscription.key), Imagined(publication, by).offer, by);
 }
 
 void Model::work_out() {
   auto before = std::exchange(chosen_, {});
   requests_.clear();
-  classes_.clear();
   concepts_.clear();
   const auto note = [&](const Identity& identity) {
     if (std::holds_alternative<SemanticIdentity>(identity) && !has_expression(identity))
@@ -50,10 +47,6 @@ void Model::work_out() {
   };
   for (const auto& [key, entry] : publications) note(entry.publication.identity);
   for (const auto& [key, entry] : subscriptions) note(entry.subscription.identity);
-  for (const auto& [key, entry] : publications) {
-    classes_[key] = classes_of(entry.publication.identity, ontology);
-    former_classes_[key] = classes_of(entry.publication.identity, former_ontology);
-  }
   for (const auto& [key, entry] : subscriptions) {
     requests_[key] = prepared(entry.subscription, former.contains(key) ? former_ontology : ontology, {},
                               entry.key.participant, overlapping);

@@ -58,8 +58,6 @@ class Model {
  private:
   std::map<std::tuple<std::uint64_t, vocabulary::ClassNumber, std::string>, OverlapAnswer> overlaps_;
   std::map<ServiceKey, Request> requests_;
-  std::map<ServiceKey, Classes> classes_;
-  std::map<ServiceKey, Classes> former_classes_;
   /// Whether one is a number and the other a concept, and the number that of two different concepts.
   [[nodiscard]] bool is_kept_apart(const Identity& offered, const Identity& requested) const;
   std::map<Id32, std::set<Identity>> concepts_;               ///< by their number

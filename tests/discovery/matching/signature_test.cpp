@@ -96,9 +96,7 @@ TEST(Signature, WeakensTheMatchOfAPairAndIsExplained) {
   registry::PublicationEntry offer;
   offer.publication.identity = semantic("OwnBall");
   const auto explain = [&] {
-    const Audience audience = Audience::of(offer.publication);
-    const Classes classes = classes_of(offer.publication.identity, ontology);
-    return explained(entry, prepared(asked, ontology), {offer, audience, classes}, ontology);
+    return explained(entry, prepared(asked, ontology), Imagined(offer, ontology).offer, ontology);
   };
   offer.publication.attributes = Stated{word("Tracked"), word("FieldFrame")}.attributes();
   ASSERT_TRUE(explain());
