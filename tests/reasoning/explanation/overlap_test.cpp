@@ -98,6 +98,9 @@ TEST(Overlap, IsUndecidedWhereAnAxiomWasNotRead) {
   const Overlap overlap = find_overlap(ontology, named(ontology, "A"), named(ontology, "B"));
   EXPECT_EQ(overlap.common, Common::undecided);
   EXPECT_THAT(overlap.reason, HasSubstr("owl:imports"));
+  source = owl::written("SubClassOf(A C)\nSubClassOf(B C)");
+  source.leave_out("geminga:convertsTo of what is no class", owl::FileId{0}, 1);
+  EXPECT_EQ(common(loaded(source), "A", "B"), Common::possible) << "that says nothing of classes";
   // What follows, follows all the same.
   EXPECT_EQ(common(ontology, "A", "D"), Common::impossible);
 }
