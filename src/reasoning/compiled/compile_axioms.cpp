@@ -74,15 +74,10 @@ void write_unused(const CompilerInput& input, const form::TaxonomyT& taxonomy, f
   for (std::uint32_t group = 0; group < taxonomy.left_out.size(); ++group) {
     groups.emplace(taxonomy.left_out[group]->construct, group);
   }
-  std::vector<std::uint32_t> number_of_axiom(input.source.axiom_count(), none);
-  for (std::uint32_t number = 0; number < input.order.axioms.size(); ++number) {
-    number_of_axiom[input.order.axioms[number].axiom] = number;
-  }
   std::vector<std::pair<std::uint32_t, std::uint32_t>> unused;
   for (const taxonomy::UnusedAxiom& one : input.classification.unused) {
-    const std::uint32_t number = number_of_axiom[one.axiom];
     const auto group = groups.find(one.construct);
-    if (number != none && group != groups.end()) unused.emplace_back(number, group->second);
+    if (group != groups.end()) unused.emplace_back(input.order.number_of_axiom[one.axiom], group->second);
   }
   std::ranges::sort(unused);
   for (const auto& [axiom, group] : unused) {

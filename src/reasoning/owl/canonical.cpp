@@ -135,9 +135,13 @@ void order_axioms(const Ontology& source, const ContentHashes& hashes, const std
         {axiom.kind, hashes.of(axiom), number_of_file[static_cast<std::size_t>(axiom.file)], axiom.line, number});
   }
   std::ranges::sort(entries, {}, [](const Entry& e) { return std::tuple(e.kind, e.hash, e.file, e.line); });
-  const auto repeated = std::ranges::unique(entries, {}, [](const Entry& e) { return std::pair(e.kind, e.hash); });
-  entries.erase(repeated.begin(), repeated.end());
+  order.number_of_axiom.resize(source.axiom_count());
+  const Entry* last = nullptr;
   for (const Entry& entry : entries) {
+    const bool is_repeated = last != nullptr && last->kind == entry.kind && last->hash == entry.hash;
+    order.number_of_axiom[entry.axiom] = static_cast<std::uint32_t>(order.axioms.size()) - (is_repeated ? 1U : 0U);
+    last = &entry;
+    if (is_repeated) continue;
     const Axiom axiom = source.axiom(entry.axiom);
     order.axioms.push_back({entry.axiom, entry.file, entry.line,
                             hashes.sorted(axiom.arguments, set_begin(axiom.kind, axiom.arguments.size()))});

@@ -48,6 +48,7 @@ struct CanonicalOrder {
   std::vector<TermId> terms;
   std::vector<std::uint32_t> number_of_term;  ///< by TermId
   std::vector<CanonicalAxiom> axioms;
+  std::vector<std::uint32_t> number_of_axiom;  ///< by axiom of the source; the same for equal ones
 };
 
 [[nodiscard]] CanonicalOrder canonical_order(const Ontology& source, const ContentHashes& hashes);
