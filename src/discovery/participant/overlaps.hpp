@@ -27,8 +27,8 @@ inline constexpr std::size_t max_overlaps_of_request = 8'192;
 inline constexpr std::size_t max_overlaps_in_step = 4;
 /// Questions because of requests of one other participant, and of all of them together, in one second. What is over it
 /// waits, unmatched, until something happens in a later second.
-inline constexpr std::size_t max_overlaps_of_participant = 64;
-inline constexpr std::size_t max_overlaps_from_air = 256;
+inline constexpr std::size_t max_overlaps_of_participant = 16;
+inline constexpr std::size_t max_overlaps_from_air = 64;
 /// A question that a peer's statement asks counts as so many statements (Limits::statements_per_second).
 inline constexpr std::size_t statements_per_overlap = 10;
 
