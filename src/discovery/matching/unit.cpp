@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "discovery/matching/number.hpp"
+#include "discovery/matching/unit_name.hpp"
 
 namespace geminga::matching {
 namespace {
@@ -189,10 +190,9 @@ std::optional<Unit> times(const Unit& before, std::string_view symbol, bool is_d
   return std::isnormal(product.factor) ? std::optional(product) : std::nullopt;
 }
 
-}  // namespace
-
-std::optional<Unit> unit(std::string_view text) {
-  if (text.empty() || text.size() > max_unit_octets) return std::nullopt;
+/// A product of symbols with exponents.
+std::optional<Unit> of_symbols(std::string_view text) {
+  if (text.empty()) return std::nullopt;
   if (const auto alone = of_symbol(text)) return alone;
   std::optional<Unit> product = Unit{};
   bool is_divisor = false;
@@ -204,6 +204,16 @@ std::optional<Unit> unit(std::string_view text) {
     text.remove_prefix(end + 1);
   }
   return product;
+}
+
+}  // namespace
+
+std::optional<Unit> unit(std::string_view text) {
+  if (const auto name = qudt_name(text)) {
+    const auto symbol = symbol_of_name(*name);
+    return symbol ? of_symbols(symbol->text()) : std::nullopt;
+  }
+  return text.size() <= max_unit_octets ? of_symbols(text) : std::nullopt;
 }
 
 namespace {

@@ -11,7 +11,7 @@
 
 namespace geminga::matching {
 
-/// The longest unit, in octets; a longer one is none.
+/// The longest unit in symbols, in octets; a longer one is none.
 inline constexpr std::size_t max_unit_octets = 32;
 
 /// What can be compared with each other: the exponents of metre, kilogram, second, ampere, kelvin, candela, radian,
@@ -26,7 +26,8 @@ struct Unit {
   Dimension dimension{};
 };
 
-/// The unit of `cm`, `m/s^2`, `kbit/s`, `°C`; nothing where it is none. Allocates nothing. O(length).
+/// The unit of `cm`, `m/s^2`, `kbit/s`, `°C`, or `unit:CentiM` (unit_name.hpp); nothing where it is none. Allocates
+/// nothing. O(length).
 [[nodiscard]] std::optional<Unit> unit(std::string_view text);
 
 /// A number with its unit, in base units.

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "discovery/matching/unit_name.hpp"
+
 namespace geminga::matching {
 namespace {
 
@@ -45,6 +47,46 @@ TEST(Unit, IsConvertedToItsBase) {
                                    {"1 Ah", "3600 C"}}) {
     EXPECT_TRUE(are_equal(one, other)) << one << " and " << other;
   }
+}
+
+TEST(Unit, MayBeNamedAsQudtDoes) {
+  for (const auto& [one, other] : {std::pair{"350 unit:CentiM", "3.5 m"},
+                                   {"36 unit:KiloM-PER-HR", "10 unit:M-PER-SEC"},
+                                   {"1 unit:N", "1 unit:KiloGM-M-PER-SEC2"},
+                                   {"1 http://qudt.org/vocab/unit/KiloW-HR", "3.6 MJ"},
+                                   {"1 unit:M2", "10000 cm2"},
+                                   {"1 unit:KibiBYTE", "1024 B"},
+                                   {"1 unit:MegaBIT-PER-SEC", "1 Mbps"},
+                                   {"60 unit:REV-PER-MIN", "360 unit:DEG-PER-SEC"},
+                                   {"30 unit:FRAME-PER-SEC", "30 unit:HZ"},
+                                   {"0 unit:DEG_C", "273.15 unit:K"},
+                                   {"1 unit:MI_N", "1852 m"},
+                                   {"3 unit:DeciB", "3 dB"},
+                                   {"50 unit:PERCENT", "50 %"},
+                                   {"2unit:MIN", "120 s"},
+                                   {"1 unit:W-PER-M2-K", "1 W/m2/K"}}) {
+    EXPECT_TRUE(are_equal(one, other)) << one << " and " << other;
+  }
+  for (const char* text :
+       {"unit:", "unit:m", "unit:FURLONG", "unit:MilliIN", "unit:DeciBYTE", "unit:KibiM", "unit:PER-M", "unit:M-",
+        "unit:-M", "unit:M--M", "unit:M-PER", "unit:M-PER-PER-SEC", "unit:M5", "unit:M22", "unit:M/s",
+        "http://qudt.org/vocab/unit/", "http://example.org/unit/M", "unit:DEG_C-PER-SEC"}) {
+    EXPECT_FALSE(unit(text)) << text;
+  }
+}
+
+TEST(Unit, OfQudtHasAShortName) {
+  const auto product = [](std::size_t factors) {
+    std::string name = "CD";
+    for (std::size_t at = 1; at < factors; ++at) name += at % 2 == 0 ? "-CD" : "-PER-CD";
+    return name;
+  };
+  // Thirty-one, thirty-two and thirty-three octets.
+  EXPECT_TRUE(unit("unit:FARAD-PER-CentiM-CentiM-CentiM3"));
+  EXPECT_EQ(std::string("FARAD-PER-CentiM-CentiM-CentiM3").size(), max_unit_name_octets - 1);
+  EXPECT_TRUE(unit("unit:FARAD-PER-CentiM2-CentiM-CentiM3"));
+  EXPECT_FALSE(unit("unit:FARAD2-PER-CentiM2-CentiM-CentiM3"));
+  EXPECT_FALSE(unit("unit:" + product(6))) << "PER once";
 }
 
 TEST(Unit, OfAnotherKindIsNotComparable) {

@@ -158,6 +158,8 @@ TEST(Where, ComparesQuantitiesInWhateverUnitTheyAreStated) {
   EXPECT_TRUE(holds("350cm", "range >= 3.5 m and range <= 3.5 m and range = 3.5 m"));
   EXPECT_TRUE(holds("7 cm", "range = 0.07 m")) << "7 * 0.01 is no 0.07 for a computer";
   EXPECT_FALSE(holds("250 cm", "range >= 3 m"));
+  EXPECT_TRUE(holds("350 unit:CentiM", "range >= 3 unit:M and range < 4 http://qudt.org/vocab/unit/M"));
+  EXPECT_TRUE(holds("3 m/s", "range = 10.8 unit:KiloM-PER-HR"));
   EXPECT_TRUE(holds("10 km/h", "range < 3 m/s"));
   EXPECT_TRUE(holds("25 \u00b0C", "range > 77 degF or range = 77 \u00b0F"));
   EXPECT_TRUE(holds("1 m", "range in (2 m, 100 cm)"));
