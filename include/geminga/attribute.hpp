@@ -2,11 +2,11 @@
 #ifndef GEMINGA_ATTRIBUTE_HPP
 #define GEMINGA_ATTRIBUTE_HPP
 
-#include <expected>
 #include <string>
 #include <string_view>
 
 #include "geminga/error.hpp"
+#include "geminga/result.hpp"
 
 namespace geminga {
 
@@ -18,7 +18,7 @@ inline constexpr std::string_view attribute_prefix = "attr.";
 /// the likely meaning, is for a word that GCNP reserves, and for one that is a single slip away from a reserved one: a
 /// letter wrong, missing, too many, of the other case, or swapped with its neighbour (src/discovery/gcnp/GCNP.md,
 /// Attributes).
-[[nodiscard]] std::expected<std::string, Error> attribute_name(std::string_view written);
+[[nodiscard]] Result<std::string, Error> attribute_name(std::string_view written);
 
 }  // namespace geminga
 

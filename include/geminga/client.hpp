@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <expected>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +14,7 @@
 #include "geminga/error.hpp"
 #include "geminga/event.hpp"
 #include "geminga/named.hpp"
+#include "geminga/result.hpp"
 #include "geminga/service.hpp"
 
 namespace geminga {
@@ -85,7 +85,7 @@ class Client {
   static constexpr std::size_t max_waiting_events = 65'536;
 
   /// Connects and says hello. Errors: wrong_use, unreachable, timed_out, refused.
-  [[nodiscard]] static std::expected<Client, ClientError> connect(const ClientOptions& options = {});
+  [[nodiscard]] static Result<Client, ClientError> connect(const ClientOptions& options = {});
 
   Client(Client&&) noexcept;
   Client& operator=(Client&&) noexcept;
@@ -95,25 +95,25 @@ class Client {
   [[nodiscard]] const Welcome& welcome() const;
 
   /// Offers a service. Returns the number that stands in its events and that modify() and withdraw() take.
-  [[nodiscard]] std::expected<std::uint32_t, ClientError> publish(const NamedPublication& publication);
+  [[nodiscard]] Result<std::uint32_t, ClientError> publish(const NamedPublication& publication);
   /// Asks for a service; its events follow.
-  [[nodiscard]] std::expected<std::uint32_t, ClientError> subscribe(const NamedSubscription& subscription);
+  [[nodiscard]] Result<std::uint32_t, ClientError> subscribe(const NamedSubscription& subscription);
   /// Changes what publish() or subscribe() stated; refused changes change nothing.
-  [[nodiscard]] std::expected<void, ClientError> modify(std::uint32_t request, const PublicationChange& change);
-  [[nodiscard]] std::expected<void, ClientError> modify(std::uint32_t request, const SubscriptionChange& change);
+  [[nodiscard]] Result<void, ClientError> modify(std::uint32_t request, const PublicationChange& change);
+  [[nodiscard]] Result<void, ClientError> modify(std::uint32_t request, const SubscriptionChange& change);
   /// Ends one publication or subscription.
-  [[nodiscard]] std::expected<void, ClientError> withdraw(std::uint32_t request);
+  [[nodiscard]] Result<void, ClientError> withdraw(std::uint32_t request);
 
   /// The next event, in the order of the daemon; waits for it up to `timeout`, and returns nothing if none came.
-  [[nodiscard]] std::expected<std::optional<Event>, ClientError> next_event(std::chrono::milliseconds timeout);
+  [[nodiscard]] Result<std::optional<Event>, ClientError> next_event(std::chrono::milliseconds timeout);
   /// The next event if there is one already; never waits.
-  [[nodiscard]] std::expected<std::optional<Event>, ClientError> poll();
+  [[nodiscard]] Result<std::optional<Event>, ClientError> poll();
   /// For a program's own poll() or select(): readable when something came. Before waiting on it call poll() until it
   /// gives nothing, since events may be kept here already. Owned by the client.
   [[nodiscard]] int file_descriptor() const;
 
   /// Asks `query KIND key=value...`. An error of the daemon is `refused` with its code.
-  [[nodiscard]] std::expected<Answer, ClientError> query(
+  [[nodiscard]] Result<Answer, ClientError> query(
       std::string_view kind, const std::vector<std::pair<std::string, std::string>>& parameters = {});
 
  private:

@@ -1,4 +1,4 @@
-#include "client/cpp/endpoint.hpp"
+#include "client/channels/daemon_endpoint.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,47 +1,20 @@
 #include "geminga/client.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <utility>
 #include <variant>
 
 #include "base/text.hpp"
+#include "client/channels/engine.hpp"
+#include "client/cpp/daemon_places.hpp"
+#include "client/cpp/deadline.hpp"
 #include "client/cpp/session.hpp"
 #include "discovery/gcnp/attribute.hpp"
 #include "discovery/gcnp/request.hpp"
 
 namespace geminga {
 namespace {
-
-using Kind = ClientError::Kind;
-
-std::expected<std::vector<client::Endpoint>, ClientError> endpoints_of(const std::string& connect) {
-  std::string text = connect;
-  if (text.empty()) {
-    const char* variable = std::getenv("GEMINGA_CONNECT");
-    if (variable != nullptr) text = variable;
-  }
-  if (text.empty()) return client::usual_endpoints();
-  const auto endpoint = client::endpoint(text);
-  if (!endpoint) {
-    return std::unexpected(ClientError{
-        Kind::wrong_use, base::printable(text) +
-                             " is no address of a daemon: write ADDRESS:PORT, [ADDRESS]:PORT or the path of a socket"});
-  }
-  return std::vector{*endpoint};
-}
-
-Welcome welcome_of(const gcnp::Statement& hello) {
-  Welcome welcome;
-  welcome.participant = participant_id(hello.value("participant").value_or("")).value_or(ParticipantId{});
-  // `peer` is the peer's number, behind `PARTICIPANT/` where the daemon writes the whole word.
-  const std::string_view word = hello.value("peer").value_or("");
-  welcome.peer = PeerId{base::parse_number<std::uint32_t>(word.substr(word.rfind('/') + 1)).value_or(0)};
-  welcome.participant_name = hello.value("participant_name").value_or("");
-  welcome.ontology = hello.value("ontology").value_or("-");
-  return welcome;
-}
 
 Record record_of(const gcnp::Statement& message) {
   Record record;
@@ -57,13 +30,6 @@ Record record_of(const gcnp::Statement& message) {
     }
   }
   return record;
-}
-
-/// Now and a timeout, which may be as long as "for ever".
-client::Clock::time_point deadline_after(std::chrono::milliseconds timeout) {
-  const auto now = client::Clock::now();
-  const auto longest = client::Clock::time_point::max() - now;
-  return timeout < longest ? now + timeout : client::Clock::time_point::max();
 }
 
 }  // namespace
@@ -96,40 +62,40 @@ Client::Client(Client&&) noexcept = default;
 Client& Client::operator=(Client&&) noexcept = default;
 Client::~Client() = default;
 
-std::expected<Client, ClientError> Client::connect(const ClientOptions& options) {
-  const auto endpoints = endpoints_of(options.connect);
+Result<Client, ClientError> Client::connect(const ClientOptions& options) {
+  const auto endpoints = client::daemon_places(options.connect);
   if (!endpoints) return std::unexpected(endpoints.error());
   auto state = std::make_unique<State>(options.timeout);
   if (auto connected = state->session.connect(*endpoints); !connected) return std::unexpected(connected.error());
   auto hello = state->session.hello(options.name);
   if (!hello) return std::unexpected(hello.error());
-  state->welcome = welcome_of(*hello);
+  state->welcome = client::welcome_of(*hello);
   return Client(std::move(state));
 }
 
 const Welcome& Client::welcome() const { return state_->welcome; }
 
-std::expected<std::uint32_t, ClientError> Client::publish(const NamedPublication& publication) {
+Result<std::uint32_t, ClientError> Client::publish(const NamedPublication& publication) {
   return state_->create(gcnp::PubCreate{publication});
 }
 
-std::expected<std::uint32_t, ClientError> Client::subscribe(const NamedSubscription& subscription) {
+Result<std::uint32_t, ClientError> Client::subscribe(const NamedSubscription& subscription) {
   return state_->create(gcnp::SubCreate{subscription});
 }
 
-std::expected<void, ClientError> Client::modify(std::uint32_t request, const PublicationChange& change) {
+Result<void, ClientError> Client::modify(std::uint32_t request, const PublicationChange& change) {
   return state_->send(request, change);
 }
 
-std::expected<void, ClientError> Client::modify(std::uint32_t request, const SubscriptionChange& change) {
+Result<void, ClientError> Client::modify(std::uint32_t request, const SubscriptionChange& change) {
   return state_->send(request, change);
 }
 
-std::expected<void, ClientError> Client::withdraw(std::uint32_t request) {
+Result<void, ClientError> Client::withdraw(std::uint32_t request) {
   const auto stated = state_->is_publication.find(request);
   if (stated == state_->is_publication.end()) {
     return std::unexpected(
-        ClientError{Kind::wrong_use, "there is no request " + std::to_string(request) + " to withdraw"});
+        ClientError{ClientError::Kind::wrong_use, "there is no request " + std::to_string(request) + " to withdraw"});
   }
   const auto remove = stated->second ? gcnp::Request(gcnp::PubRemove{}) : gcnp::Request(gcnp::SubRemove{});
   if (auto sent = state_->send(request, remove); !sent) return sent;
@@ -137,18 +103,18 @@ std::expected<void, ClientError> Client::withdraw(std::uint32_t request) {
   return {};
 }
 
-std::expected<std::optional<Event>, ClientError> Client::next_event(std::chrono::milliseconds timeout) {
-  return state_->session.next_event(deadline_after(timeout));
+Result<std::optional<Event>, ClientError> Client::next_event(std::chrono::milliseconds timeout) {
+  return state_->session.next_event(client::deadline_after(timeout));
 }
 
-std::expected<std::optional<Event>, ClientError> Client::poll() {
+Result<std::optional<Event>, ClientError> Client::poll() {
   return state_->session.next_event(client::Clock::time_point::min());
 }
 
 int Client::file_descriptor() const { return state_->session.file_descriptor(); }
 
-std::expected<Answer, ClientError> Client::query(std::string_view kind,
-                                                 const std::vector<std::pair<std::string, std::string>>& parameters) {
+Result<Answer, ClientError> Client::query(std::string_view kind,
+                                          const std::vector<std::pair<std::string, std::string>>& parameters) {
   gcnp::Statement statement{state_->session.next_number(), "query", std::string(kind), {}};
   for (const auto& [key, value] : parameters) statement.parameters.push_back({key, value});
   const auto messages = state_->session.query(statement);

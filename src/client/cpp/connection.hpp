@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "client/cpp/endpoint.hpp"
+#include "client/channels/daemon_endpoint.hpp"
 
 namespace geminga::client {
 

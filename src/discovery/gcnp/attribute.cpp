@@ -24,8 +24,8 @@ std::string escape(std::string_view word) {
 
 }  // namespace
 
-std::expected<std::string, Error> attribute_name(std::string_view written) {
-  const auto refuse = [](std::string text) { return std::unexpected(Error{ErrorCode::malformed, std::move(text)}); };
+Result<std::string, Error> attribute_name(std::string_view written) {
+  const auto refuse = [](std::string text) { return Failure(Error{ErrorCode::malformed, std::move(text)}); };
   if (written.starts_with(attribute_prefix)) {
     if (written.size() == attribute_prefix.size()) return refuse("the name of an attribute is missing behind attr.");
     return std::string(written.substr(attribute_prefix.size()));

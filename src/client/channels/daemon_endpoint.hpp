@@ -1,6 +1,6 @@
 // Where a daemon listens, read from `ADDRESS:PORT`, a path, or `unix:PATH`.
-#ifndef GEMINGA_CLIENT_CPP_ENDPOINT_HPP
-#define GEMINGA_CLIENT_CPP_ENDPOINT_HPP
+#ifndef GEMINGA_CLIENT_CHANNELS_DAEMON_ENDPOINT_HPP
+#define GEMINGA_CLIENT_CHANNELS_DAEMON_ENDPOINT_HPP
 
 #include <cstdint>
 #include <optional>

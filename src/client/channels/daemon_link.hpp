@@ -1,0 +1,82 @@
+// The connection to the local daemon, which is looked for again whenever it is gone.
+#ifndef GEMINGA_CLIENT_CHANNELS_DAEMON_LINK_HPP
+#define GEMINGA_CLIENT_CHANNELS_DAEMON_LINK_HPP
+
+#include <chrono>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "client/channels/backoff.hpp"
+#include "client/channels/daemon_endpoint.hpp"
+#include "client/channels/reactor.hpp"
+#include "discovery/gcnp/event.hpp"
+#include "discovery/gcnp/line_reader.hpp"
+#include "discovery/gcnp/statement.hpp"
+
+namespace geminga::client {
+
+/// Says hello by itself. Neither copies nor moves. Not thread-safe.
+class DaemonLink {
+ public:
+  struct Told {
+    std::function<void(const gcnp::Statement& hello)> up;  ///< the daemon answered the hello
+    std::function<void(const std::string& reason)> down;   ///< and is gone
+    std::function<void(gcnp::Reply)> reply;                ///< what else it says
+    std::function<void(const std::string& text)> refused;  ///< somebody is there who does not take us
+  };
+  struct Options {
+    std::vector<Endpoint> endpoints;
+    std::string name;
+    std::chrono::milliseconds timeout{};  ///< for connecting, and for the answer to the hello
+  };
+
+  DaemonLink(Reactor& reactor, Options options, Told told);
+
+  /// Begins at once.
+  void start();
+  [[nodiscard]] bool is_up() const { return state_ == State::up; }
+  /// Whether an attempt has failed since it was up, or since the start.
+  [[nodiscard]] bool has_failed() const { return has_failed_; }
+  /// Says a line, where the daemon is there.
+  void say(const gcnp::Statement& statement);
+  /// Whether everything was written.
+  [[nodiscard]] bool is_flushed() const { return out_.empty(); }
+  /// Lets go of a daemon that cannot serve us now; it is looked for again.
+  void drop(const std::string& reason) {
+    if (is_up()) fail(reason);
+  }
+  /// Ends it, without a word.
+  void stop();
+
+ private:
+  enum class State : std::uint8_t { stopped, waiting, connecting, greeting, up };
+
+  void connect();
+  void on_ready(Reactor::Ready ready);
+  void greet();
+  void read();
+  void take_line(const gcnp::LineReader::Line& line);
+  void write();
+  /// The attempt has failed, or the daemon is gone: the next one comes later.
+  void fail(const std::string& reason);
+
+  Reactor& reactor_;
+  Options options_;
+  Told told_;
+  State state_ = State::stopped;
+  std::size_t endpoint_ = 0;  ///< of the attempt under way
+  bool has_failed_ = false;
+  Socket socket_;
+  Reactor::Watch watch_;
+  Reactor::Timer timer_;
+  Backoff backoff_;
+  std::minstd_rand chance_;
+  gcnp::LineReader reader_;
+  std::string out_;
+};
+
+}  // namespace geminga::client
+
+#endif

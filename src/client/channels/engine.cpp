@@ -1,0 +1,275 @@
+#include "client/channels/engine.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/text.hpp"
+#include "client/channels/life.hpp"
+
+namespace geminga {
+
+std::string_view to_string(ProviderChange::What what) {
+  switch (what) {
+    case ProviderChange::What::added:
+      return "added";
+    case ProviderChange::What::modified:
+      return "modified";
+    case ProviderChange::What::removed:
+      break;
+  }
+  return "removed";
+}
+
+}  // namespace geminga
+
+namespace geminga::client {
+namespace {
+
+/// The largest datagram that IP carries.
+constexpr std::size_t largest_datagram = 65'536;
+
+ClientError wrong_use(std::string text) { return {ClientError::Kind::wrong_use, std::move(text)}; }
+
+/// What a channel's sockets hang on.
+template <typename Change>
+bool rewires(const Change& change) {
+  return change.mode || change.port || change.address;
+}
+
+bool rewires(const Requests::Change& change) {
+  if (const auto* publication = std::get_if<PublicationChange>(&change)) {
+    return rewires<PublicationChange>(*publication) || publication->protocol;
+  }
+  const auto& subscription = std::get<SubscriptionChange>(change);
+  return rewires<SubscriptionChange>(subscription) || subscription.protocols;
+}
+
+bool states_life(const Attributes& attributes) { return attributes.contains(channel_attribute); }
+
+}  // namespace
+
+Welcome welcome_of(const gcnp::Statement& hello) {
+  Welcome welcome;
+  welcome.participant = participant_id(hello.value("participant").value_or("")).value_or(ParticipantId{});
+  // `peer` is the peer's number, behind `PARTICIPANT/` where the daemon writes the whole word.
+  const std::string_view word = hello.value("peer").value_or("");
+  welcome.peer = PeerId{base::parse_number<std::uint32_t>(word.substr(word.rfind('/') + 1)).value_or(0)};
+  welcome.participant_name = hello.value("participant_name").value_or("");
+  welcome.ontology = hello.value("ontology").value_or("-");
+  return welcome;
+}
+
+Engine::Engine(DaemonLink::Options options)
+    : room_(largest_datagram),
+      link_(reactor_, std::move(options), told()),
+      requests_([this](const gcnp::Statement& statement) { link_.say(statement); }),
+      settle_(reactor_, [this] {
+        for (const auto& [number, publisher] : publishers_) publisher->on_settled();
+        for (const auto& [number, subscriber] : subscribers_) subscriber->on_settled();
+      }) {
+  link_.start();
+}
+
+Engine::~Engine() {
+  on_event_ = nullptr;
+  subscribers_.clear();
+  publishers_.clear();
+}
+
+DaemonLink::Told Engine::told() {
+  DaemonLink::Told told;
+  told.up = [this](const gcnp::Statement& hello) { on_up(hello); };
+  told.down = [this](const std::string& reason) { on_down(reason); };
+  told.reply = [this](gcnp::Reply reply) { on_reply(std::move(reply)); };
+  told.refused = [this](const std::string& text) {
+    if (std::exchange(last_refusal_, text) != text) tell(Problem{0, text});
+  };
+  return told;
+}
+
+void Engine::process() {
+  reactor_.process();
+  end_finished();
+  hand_out();
+}
+
+Result<ChannelNumber, ClientError> Engine::publish(NamedPublication publication) {
+  if (states_life(publication.attributes)) return Failure(wrong_use("the attribute channel is the library's own"));
+  const ChannelNumber number = requests_.next_number();
+  auto opened = PublisherChannel::open(*this, number, publication);
+  if (!opened) return Failure(wrong_use(std::move(opened.error())));
+  if (auto fault = Requests::fault(publication)) return Failure(wrong_use(std::move(fault->text)));
+  publishers_.emplace(number, std::move(*opened));
+  requests_.create(number, std::move(publication));
+  return number;
+}
+
+Result<ChannelNumber, ClientError> Engine::subscribe(NamedSubscription subscription, Conversions conversions) {
+  if (states_life(subscription.attributes)) return Failure(wrong_use("the attribute channel is the library's own"));
+  const ChannelNumber number = requests_.next_number();
+  auto opened = SubscriberChannel::open(*this, number, subscription, std::move(conversions));
+  if (!opened) return Failure(wrong_use(std::move(opened.error())));
+  if (auto fault = Requests::fault(subscription)) return Failure(wrong_use(std::move(fault->text)));
+  subscribers_.emplace(number, std::move(*opened));
+  requests_.create(number, std::move(subscription));
+  return number;
+}
+
+Result<void, ClientError> Engine::modify(ChannelNumber number, const Requests::Change& change) {
+  const auto* request = requests_.find(number);
+  if (request == nullptr || is_finishing(number)) {
+    return Failure(wrong_use("the channel was withdrawn"));
+  }
+  if (request->state == Requests::State::refused) return Failure(wrong_use("the channel was refused"));
+  if (request->stated.index() != change.index()) return Failure(wrong_use("the change is of the other kind"));
+  if (rewires(change))
+    return Failure(wrong_use("mode, protocol, port and address stay: withdraw it and state it anew"));
+  if (std::visit([](const auto& one) { return states_life(one.attributes); }, change)) {
+    return Failure(wrong_use("the attribute channel is the library's own"));
+  }
+  if (auto asked = requests_.modify(number, change); !asked) return Failure(wrong_use(std::move(asked.error().text)));
+  return {};
+}
+
+void Engine::withdraw(ChannelNumber number) {
+  if (subscribers_.erase(number) > 0) {
+    on_message_.erase(number);
+    requests_.remove(number);
+    return;
+  }
+  const auto found = publishers_.find(number);
+  if (found == publishers_.end() || is_finishing(number)) return;
+  found->second->finish();
+  finishing_.push_back(number);
+  end_finished();
+}
+
+void Engine::end_finished() {
+  std::erase_if(finishing_, [this](ChannelNumber number) {
+    if (!publishers_.at(number)->is_finished()) return false;
+    publishers_.erase(number);
+    requests_.remove(number);
+    return true;
+  });
+}
+
+void Engine::withdraw_all() {
+  is_ending_ = true;
+  while (!subscribers_.empty()) withdraw(subscribers_.begin()->first);
+  std::vector<ChannelNumber> numbers;
+  for (const auto& [number, publisher] : publishers_) numbers.push_back(number);
+  for (const ChannelNumber number : numbers) withdraw(number);
+}
+
+bool Engine::has_ended() {
+  if (!is_ending_ || !publishers_.empty()) return false;
+  if (!link_.is_up()) return true;
+  if (!std::exchange(has_said_bye_, true)) link_.say({0, "sys", "bye", {}});
+  // The daemon closes when it has read that.
+  return !link_.is_up();
+}
+
+PublisherChannel* Engine::publisher(ChannelNumber number) const {
+  const auto found = publishers_.find(number);
+  return found == publishers_.end() ? nullptr : found->second.get();
+}
+
+SubscriberChannel* Engine::subscriber(ChannelNumber number) const {
+  const auto found = subscribers_.find(number);
+  return found == subscribers_.end() ? nullptr : found->second.get();
+}
+
+void Engine::on_up(const gcnp::Statement& hello) {
+  last_refusal_.clear();
+  tell(Connected{welcome_of(hello)});
+  settle_.set(reactor_.now() + settle_patience);
+  requests_.on_up();
+}
+
+void Engine::on_down(const std::string& reason) {
+  settle_.set(base::never);
+  requests_.on_down();
+  for (const auto& [number, publisher] : publishers_) publisher->on_daemon_gone();
+  for (const auto& [number, subscriber] : subscribers_) subscriber->on_daemon_gone();
+  tell(Disconnected{reason});
+  if (is_ending_) link_.stop();
+}
+
+void Engine::on_reply(gcnp::Reply reply) {
+  if (const auto* message = std::get_if<gcnp::Statement>(&reply)) {
+    if (message->command != "msg" || message->subcommand != "pong") return;
+    for (const auto& settled : requests_.on_pong()) on_settled(settled);
+    return;
+  }
+  const Event& event = std::get<Event>(reply);
+  if (const auto* service = std::get_if<ServiceEvent>(&event.what)) {
+    if (auto* known = subscriber(event.request)) known->on_event(*service);
+  } else if (const auto* consumer = std::get_if<ConsumerEvent>(&event.what)) {
+    if (auto* known = publisher(event.request)) known->on_event(*consumer);
+  } else if (const auto settled = requests_.on_error(event.request, std::get<Error>(event.what))) {
+    tell(Problem{settled->number, settled->error->text});
+  }
+}
+
+void Engine::on_settled(const Requests::Settled& settled) {
+  if (settled.error && settled.error->code == ErrorCode::not_ready && !settled.is_change) {
+    return link_.drop(settled.error->text);
+  }
+  if (settled.error) {
+    tell(Refused{settled.number, *settled.error});
+  } else if (settled.is_news) {
+    tell(Accepted{settled.number});
+  }
+  auto* known = subscriber(settled.number);
+  if (known == nullptr || settled.error) return;
+  const auto& stated = std::get<NamedSubscription>(requests_.find(settled.number)->stated);
+  known->set_limit(stated.limit.value_or(stated.mode == ChannelMode::one_to_one ? 1 : 0));
+}
+
+void Engine::state_port(ChannelNumber channel, std::uint16_t port) {
+  PublicationChange change;
+  change.port = port;
+  [[maybe_unused]] const auto asked = requests_.modify(channel, change);
+}
+
+void Engine::tell(ChannelEvent event) {
+  if (events_.size() == max_waiting_events) {
+    events_.pop_front();
+    ++lost_events_;
+  }
+  events_.push_back(std::move(event));
+}
+
+std::optional<ChannelEvent> Engine::next_event() {
+  if (events_.empty()) return std::nullopt;
+  std::optional<ChannelEvent> event(std::move(events_.front()));
+  events_.pop_front();
+  return event;
+}
+
+void Engine::on_messages(ChannelNumber number, OnMessage on_message) {
+  on_message_[number] = std::move(on_message);
+  ready_.push_back(number);
+}
+
+void Engine::hand_out() {
+  // Who is told may call anything here, but not process().
+  while (on_event_ && !events_.empty()) {
+    const auto event = next_event();
+    const OnEvent told = on_event_;
+    told(*event);
+  }
+  const auto ready = std::exchange(ready_, {});
+  for (const ChannelNumber number : ready) {
+    const auto found = on_message_.find(number);
+    if (found == on_message_.end()) continue;
+    const OnMessage told = found->second;
+    while (auto* known = subscriber(number)) {
+      auto message = known->take();
+      if (!message) break;
+      told(std::move(*message));
+    }
+  }
+}
+
+}  // namespace geminga::client

@@ -1,0 +1,42 @@
+// How much a channel takes from others (src/client/CHANNELS.md, Frames and Life).
+#ifndef GEMINGA_CLIENT_CHANNELS_LIMITS_HPP
+#define GEMINGA_CLIENT_CHANNELS_LIMITS_HPP
+
+#include <chrono>
+#include <cstddef>
+
+namespace geminga::client {
+
+/// The payload of one message in a datagram, and in a frame over TCP.
+inline constexpr std::size_t max_datagram_payload = 65'000;
+inline constexpr std::size_t max_stream_payload = 16 * 1024 * 1024;
+/// What waits for one TCP consumer, in octets of frames; one message may always wait.
+inline constexpr std::size_t max_waiting_for_consumer = 4 * 1024 * 1024;
+/// Listeners of one `otm/stream` over UDP.
+inline constexpr std::size_t max_listeners = 64;
+/// TCP connections of one publisher that are nobody's yet, and consumers that are somebody's.
+inline constexpr std::size_t max_strangers = 16;
+inline constexpr std::size_t max_tcp_consumers = 256;
+
+/// How often a listener says hello, and after how long without one it is forgotten.
+inline constexpr std::chrono::seconds hello_interval{1};
+inline constexpr std::chrono::seconds listener_patience{3};
+/// How long a connection may be nobody's.
+inline constexpr std::chrono::seconds stranger_patience{5};
+/// How long a consumer reads what a withdrawn publisher still writes, and a publisher waits until it has been read.
+inline constexpr std::chrono::seconds drain_patience{2};
+/// How long a channel over UDP outlives the daemons' sight of its other end.
+inline constexpr std::chrono::seconds orphan_patience{10};
+/// How long a daemon that came back has to confirm what was there before.
+inline constexpr std::chrono::seconds settle_patience{10};
+
+/// Messages of one subscriber that wait to be taken: beyond either nothing more is read from its sockets, so that the
+/// network holds the providers back (TCP) or drops (UDP). One message may always wait.
+inline constexpr std::size_t max_waiting_messages = 1024;
+inline constexpr std::size_t max_waiting_octets = 4 * 1024 * 1024;
+/// Events that wait to be taken: where one more comes, the eldest goes.
+inline constexpr std::size_t max_waiting_events = 4096;
+
+}  // namespace geminga::client
+
+#endif

@@ -1,0 +1,89 @@
+// The provider's half of a channel: who its consumers are, and what all carriers have in common.
+#ifndef GEMINGA_CLIENT_CHANNELS_PUBLISHER_CHANNEL_HPP
+#define GEMINGA_CLIENT_CHANNELS_PUBLISHER_CHANNEL_HPP
+
+#include <cstdint>
+#include <expected>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "client/channels/channel_host.hpp"
+#include "client/channels/frame.hpp"
+#include "client/channels/parties.hpp"
+#include "geminga/channel.hpp"
+#include "geminga/named.hpp"
+#include "geminga/result.hpp"
+
+namespace geminga::client {
+
+/// Neither copies nor moves. Not thread-safe. What it tells goes to the host.
+class PublisherChannel {
+ public:
+  /// Opens what has to be open from the beginning, and fills the port and the life into `publication`. The error is one
+  /// line about a stated port or address that cannot be had.
+  [[nodiscard]] static std::expected<std::unique_ptr<PublisherChannel>, std::string> open(
+      ChannelHost& host, ChannelNumber number, NamedPublication& publication);
+  virtual ~PublisherChannel() = default;
+  PublisherChannel(const PublisherChannel&) = delete;
+  PublisherChannel& operator=(const PublisherChannel&) = delete;
+
+  /// Sends to every consumer; costs a comparison where there is none. Never waits.
+  [[nodiscard]] Result<void, SendError> send(std::span<const std::byte> payload);
+  /// Whether every consumer has room for one more message of this size.
+  [[nodiscard]] virtual bool has_room(std::size_t payload_bytes) const = 0;
+  [[nodiscard]] const SendCount& count() const { return count_; }
+  [[nodiscard]] Life life() const { return life_; }
+
+  /// What the daemon tells of consumers.
+  void on_event(const ConsumerEvent& event);
+  void on_daemon_gone() { parties_.doubt(); }
+  /// The daemon is back and has had its time to tell of everybody again.
+  void on_settled();
+
+  /// Writes what waits and says the end. Nothing can be sent any more.
+  virtual void finish() = 0;
+  /// Whether finish() has come to its end, or its time is over.
+  [[nodiscard]] virtual bool is_finished() const = 0;
+
+ protected:
+  struct Consumer {
+    ConsumerEvent event;
+    PeerAddress address;  ///< port 0: none
+  };
+
+  PublisherChannel(ChannelHost& host, ChannelNumber number, Life life);
+
+  [[nodiscard]] virtual bool has_consumer() const = 0;
+  [[nodiscard]] virtual std::size_t max_payload() const = 0;
+  virtual void transmit(const FrameHeader& header, std::span<const std::byte> payload) = 0;
+  [[nodiscard]] virtual Parties::Carrier carrier_of(Parties::Number consumer) const = 0;
+  /// A consumer is there, or is to be reached elsewhere.
+  virtual void on_consumer(Parties::Number consumer) = 0;
+  /// And is gone.
+  virtual void on_consumer_gone(Parties::Number consumer) = 0;
+
+  /// Forgets a consumer and tells the program.
+  void remove(Parties::Number consumer);
+  [[nodiscard]] base::Instant now() const { return host_.reactor().now(); }
+
+  ChannelHost& host_;
+  ChannelNumber number_;
+  Life life_;
+  std::uint64_t sequence_ = 0;
+  bool is_closed_ = false;
+  SendCount count_;
+  Parties parties_;
+  std::map<Parties::Number, Consumer> consumers_;
+
+ private:
+  void tell(ConsumerChange::What what, Parties::Number consumer, const std::string& reason);
+  void set_timer() { timer_.set(parties_.next_end()); }
+
+  Reactor::Timer timer_;
+};
+
+}  // namespace geminga::client
+
+#endif

@@ -1,0 +1,91 @@
+// Sockets and instants behind one descriptor: what is ready is handed to whoever waits for it.
+#ifndef GEMINGA_CLIENT_CHANNELS_REACTOR_HPP
+#define GEMINGA_CLIENT_CHANNELS_REACTOR_HPP
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+#include "base/time.hpp"
+#include "client/channels/socket.hpp"
+
+namespace geminga::client {
+
+/// An epoll descriptor with a timerfd in it, level-triggered. Not thread-safe. Nothing is called but within process().
+class Reactor {
+ public:
+  /// Whether a socket can be read, or written; what it has met with counts as both.
+  struct Ready {
+    bool can_read = false;
+    bool can_write = false;
+  };
+  using OnReady = std::function<void(Ready)>;
+
+  /// Watches a socket while it lives. Moves and does not copy; the reactor must outlive it.
+  class Watch {
+   public:
+    Watch() = default;
+    Watch(Watch&& other) noexcept
+        : reactor_(std::exchange(other.reactor_, nullptr)), token_(other.token_), socket_(other.socket_) {}
+    Watch& operator=(Watch&& other) noexcept;
+    ~Watch() { stop(); }
+    /// From now on reads, writes, both or neither are waited for.
+    void want(bool reads, bool writes);
+    /// Before the socket is closed.
+    void stop();
+
+   private:
+    friend Reactor;
+    Reactor* reactor_ = nullptr;
+    std::uint64_t token_ = 0;
+    int socket_ = -1;
+    std::uint32_t events_ = 0;
+  };
+
+  /// Calls once at an instant, or not at all. Neither copies nor moves; the reactor must outlive it.
+  class Timer {
+   public:
+    Timer(Reactor& reactor, std::function<void()> action) : reactor_(reactor), action_(std::move(action)) {}
+    ~Timer() { set(base::never); }
+    Timer(const Timer&) = delete;
+    Timer& operator=(const Timer&) = delete;
+    /// The instant takes the place of the one before; never: not at all.
+    void set(base::Instant at);
+    [[nodiscard]] base::Instant at() const { return at_; }
+
+   private:
+    friend Reactor;
+    Reactor& reactor_;
+    std::function<void()> action_;
+    base::Instant at_ = base::never;
+  };
+
+  Reactor();
+
+  /// Watches a socket for reading.
+  [[nodiscard]] Watch watch(const Socket& socket, OnReady on_ready);
+  /// Readable when process() has something to do.
+  [[nodiscard]] int descriptor() const { return poll_.get(); }
+  /// Hands out what is ready and what is due, a bounded number of times; never waits.
+  void process();
+  /// The instant of this call of process(); between calls, of now.
+  [[nodiscard]] base::Instant now() const;
+
+ private:
+  void run_timers();
+  void arm();
+
+  Socket poll_;
+  Socket clock_;
+  std::unordered_map<std::uint64_t, OnReady> watched_;
+  std::set<std::pair<base::Instant, Timer*>> timers_;
+  std::uint64_t last_token_ = 0;
+  base::Instant armed_ = base::never;
+};
+
+}  // namespace geminga::client
+
+#endif

@@ -1,0 +1,248 @@
+#include "client/channels/socket.hpp"
+
+#include <arpa/inet.h>
+#include <ifaddrs.h>
+#include <net/if.h>
+#include <netinet/tcp.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+namespace geminga::client {
+namespace {
+
+/// Not in every libc: linux/in6.h.
+constexpr int ipv6_multicast_all = 29;
+/// A connection whose other end is silent is asked after so many seconds, so often, so many times; then it is broken.
+constexpr int keep_alive_idle = 5;
+constexpr int keep_alive_interval = 2;
+constexpr int keep_alive_count = 3;
+/// And one whose other end does not confirm what it was sent, after so many milliseconds.
+constexpr int unconfirmed_ms = 11'000;
+
+/// What a burst of datagrams may take; the system gives less where its owner has said so.
+constexpr int wanted_receive_buffer = 4 * 1024 * 1024;
+
+SocketError error_of(int number, const std::string& what) {
+  return {number, what + ": " + std::generic_category().message(number)};
+}
+
+bool set(const Socket& socket, int level, int option, int value) {
+  return ::setsockopt(socket.get(), level, option, &value, sizeof value) == 0;
+}
+
+/// Nothing waits for more to be sent with it, and an end that is gone without a word is noticed.
+void set_connection_options(const Socket& socket) {
+  set(socket, IPPROTO_TCP, TCP_NODELAY, 1);
+  set(socket, SOL_SOCKET, SO_KEEPALIVE, 1);
+  set(socket, IPPROTO_TCP, TCP_KEEPIDLE, keep_alive_idle);
+  set(socket, IPPROTO_TCP, TCP_KEEPINTVL, keep_alive_interval);
+  set(socket, IPPROTO_TCP, TCP_KEEPCNT, keep_alive_count);
+  set(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, unconfirmed_ms);
+}
+
+int family_of(const Socket& socket) {
+  int family = 0;
+  socklen_t size = sizeof family;
+  ::getsockopt(socket.get(), SOL_SOCKET, SO_DOMAIN, &family, &size);
+  return family;
+}
+
+std::expected<Socket, SocketError> open_bound(int type, int family, const Binding& binding) {
+  Socket socket(::socket(family, type | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  if (!socket.is_open()) return std::unexpected(error_of(errno, "no socket"));
+  if (binding.is_shared || type == SOCK_STREAM) set(socket, SOL_SOCKET, SO_REUSEADDR, 1);
+  PeerAddress at;
+  at.port = binding.port;
+  if (!binding.address.empty()) {
+    const auto stated = peer_address(binding.address, binding.port);
+    if (!stated) return std::unexpected(SocketError{EINVAL, binding.address + " is no address of this host"});
+    at = *stated;
+  } else if (family == AF_INET) {
+    at = *peer_address("0.0.0.0", binding.port);
+  }
+  if (family == AF_INET6) set(socket, IPPROTO_IPV6, IPV6_V6ONLY, 0);
+  const auto system = system_address(at, family);
+  if (!system) return std::unexpected(SocketError{EAFNOSUPPORT, "this host does not speak IPv6"});
+  if (::bind(socket.get(), system->get(), system->size) != 0) {
+    return std::unexpected(error_of(
+        errno, "port " + std::to_string(binding.port) + (binding.address.empty() ? "" : " of " + binding.address)));
+  }
+  return socket;
+}
+
+/// One for both families, or for IPv4 where the host has no IPv6.
+std::expected<Socket, SocketError> open_any(int type, Binding binding) {
+  auto socket = open_bound(type, AF_INET6, binding);
+  if (!socket && (socket.error().number == EAFNOSUPPORT || socket.error().number == EADDRNOTAVAIL)) {
+    if (auto four = open_bound(type, AF_INET, binding)) return four;
+    // An address that others reach us by need not be one that we have.
+    if (!binding.address.empty() && socket.error().number == EADDRNOTAVAIL) {
+      binding.address.clear();
+      return open_any(type, binding);
+    }
+  }
+  return socket;
+}
+
+/// The numbers of interfaces that are up and hold an address of the family; the loopback stands last.
+std::vector<unsigned> interfaces_up(bool is_ipv4) {
+  std::vector<unsigned> others;
+  std::vector<unsigned> loopbacks;
+  ifaddrs* list = nullptr;
+  if (::getifaddrs(&list) != 0) return {};
+  for (const ifaddrs* one = list; one != nullptr; one = one->ifa_next) {
+    if (one->ifa_addr == nullptr || (one->ifa_flags & IFF_UP) == 0) continue;
+    if (one->ifa_addr->sa_family != (is_ipv4 ? AF_INET : AF_INET6)) continue;
+    const unsigned number = ::if_nametoindex(one->ifa_name);
+    auto& interfaces = (one->ifa_flags & IFF_LOOPBACK) != 0 ? loopbacks : others;
+    if (number != 0 && std::ranges::find(interfaces, number) == interfaces.end()) interfaces.push_back(number);
+  }
+  ::freeifaddrs(list);
+  others.insert(others.end(), loopbacks.begin(), loopbacks.end());
+  return others;
+}
+
+bool join(const Socket& socket, const PeerAddress& group, unsigned interface) {
+  if (group.is_ipv4()) {
+    ip_mreqn request{};
+    std::memcpy(&request.imr_multiaddr, group.octets.data() + 12, sizeof request.imr_multiaddr);
+    request.imr_ifindex = static_cast<int>(interface);
+    return ::setsockopt(socket.get(), IPPROTO_IP, IP_ADD_MEMBERSHIP, &request, sizeof request) == 0;
+  }
+  ipv6_mreq request{};
+  std::memcpy(&request.ipv6mr_multiaddr, group.octets.data(), sizeof request.ipv6mr_multiaddr);
+  request.ipv6mr_interface = interface;
+  return ::setsockopt(socket.get(), IPPROTO_IPV6, IPV6_JOIN_GROUP, &request, sizeof request) == 0;
+}
+
+}  // namespace
+
+void Socket::close() {
+  if (number_ >= 0) ::close(std::exchange(number_, -1));
+}
+
+std::expected<Socket, SocketError> open_datagrams(const Binding& binding) {
+  auto socket = open_any(SOCK_DGRAM, binding);
+  if (!socket) return socket;
+  set(*socket, SOL_SOCKET, SO_RCVBUF, wanted_receive_buffer);
+  set(*socket, IPPROTO_IP, IP_MULTICAST_ALL, 0);
+  set(*socket, IPPROTO_IPV6, ipv6_multicast_all, 0);
+  set(*socket, IPPROTO_IP, IP_MULTICAST_TTL, 1);
+  set(*socket, IPPROTO_IPV6, IPV6_MULTICAST_HOPS, 1);
+  return socket;
+}
+
+std::expected<Socket, SocketError> open_listener(const Binding& binding) {
+  auto socket = open_any(SOCK_STREAM, binding);
+  if (socket && ::listen(socket->get(), SOMAXCONN) != 0) return std::unexpected(error_of(errno, "listen"));
+  return socket;
+}
+
+std::expected<Socket, SocketError> open_connection(const PeerAddress& to) {
+  const int family = to.is_ipv4() ? AF_INET : AF_INET6;
+  Socket socket(::socket(family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  if (!socket.is_open()) return std::unexpected(error_of(errno, "no socket"));
+  set_connection_options(socket);
+  const auto system = system_address(to, family);
+  if (::connect(socket.get(), system->get(), system->size) != 0 && errno != EINPROGRESS) {
+    return std::unexpected(error_of(errno, to_string(to)));
+  }
+  return socket;
+}
+
+std::expected<Socket, SocketError> open_group(const PeerAddress& group) {
+  const int family = group.is_ipv4() ? AF_INET : AF_INET6;
+  Socket socket(::socket(family, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  if (!socket.is_open()) return std::unexpected(error_of(errno, "no socket"));
+  set(socket, SOL_SOCKET, SO_REUSEADDR, 1);
+  set(socket, SOL_SOCKET, SO_RCVBUF, wanted_receive_buffer);
+  set(socket, IPPROTO_IP, IP_MULTICAST_ALL, 0);
+  if (family == AF_INET6) set(socket, IPPROTO_IPV6, ipv6_multicast_all, 0);
+  const auto system = system_address(group, family);
+  if (::bind(socket.get(), system->get(), system->size) != 0) {
+    return std::unexpected(error_of(errno, "group " + to_string(group)));
+  }
+  bool has_joined = false;
+  int error = ENODEV;
+  for (const unsigned interface : interfaces_up(group.is_ipv4())) {
+    if (group.zone != 0 && group.zone != interface) continue;
+    if (join(socket, group, interface)) {
+      has_joined = true;
+    } else {
+      error = errno;
+    }
+  }
+  if (!has_joined) return std::unexpected(error_of(error, "group " + to_string(group)));
+  return socket;
+}
+
+std::uint16_t port_of(const Socket& socket) {
+  sockaddr_storage own{};
+  socklen_t size = sizeof own;
+  if (::getsockname(socket.get(), reinterpret_cast<sockaddr*>(&own), &size) != 0) return 0;
+  return peer_address(own).port;
+}
+
+int pending_error(const Socket& socket) {
+  int error = 0;
+  socklen_t size = sizeof error;
+  return ::getsockopt(socket.get(), SOL_SOCKET, SO_ERROR, &error, &size) == 0 ? error : errno;
+}
+
+std::optional<Socket> accept(const Socket& listener) {
+  Socket socket(::accept4(listener.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+  if (!socket.is_open()) return std::nullopt;
+  set_connection_options(socket);
+  return socket;
+}
+
+std::vector<unsigned> multicast_interfaces(bool is_ipv4) {
+  auto interfaces = interfaces_up(is_ipv4);
+  if (interfaces.size() > 1) {
+    // The loopback stands last, and is of use only where there is nothing else.
+    char name[IF_NAMESIZE]{};
+    if (::if_indextoname(interfaces.back(), name) != nullptr && std::string_view(name) == "lo") interfaces.pop_back();
+  }
+  return interfaces;
+}
+
+int send_datagram(const Socket& socket, const PeerAddress& to, std::span<const iovec> parts, unsigned interface) {
+  const int family = family_of(socket);
+  auto system = system_address(to, family);
+  if (!system) return EAFNOSUPPORT;
+  msghdr message{};
+  message.msg_name = &system->storage;
+  message.msg_namelen = system->size;
+  message.msg_iov = const_cast<iovec*>(parts.data());
+  message.msg_iovlen = parts.size();
+  alignas(cmsghdr) char control[CMSG_SPACE(sizeof(in6_pktinfo))]{};
+  if (interface != 0) {
+    message.msg_control = control;
+    // A mapped address goes out through the IPv4 half of the socket, which wants IPv4's own words.
+    const bool is_four = to.is_ipv4();
+    message.msg_controllen = is_four ? CMSG_SPACE(sizeof(in_pktinfo)) : CMSG_SPACE(sizeof(in6_pktinfo));
+    cmsghdr* header = CMSG_FIRSTHDR(&message);
+    if (is_four) {
+      in_pktinfo info{};
+      info.ipi_ifindex = static_cast<int>(interface);
+      header->cmsg_level = IPPROTO_IP;
+      header->cmsg_type = IP_PKTINFO;
+      header->cmsg_len = CMSG_LEN(sizeof info);
+      std::memcpy(CMSG_DATA(header), &info, sizeof info);
+    } else {
+      in6_pktinfo info{};
+      info.ipi6_ifindex = interface;
+      header->cmsg_level = IPPROTO_IPV6;
+      header->cmsg_type = IPV6_PKTINFO;
+      header->cmsg_len = CMSG_LEN(sizeof info);
+      std::memcpy(CMSG_DATA(header), &info, sizeof info);
+    }
+  }
+  return ::sendmsg(socket.get(), &message, MSG_NOSIGNAL) < 0 ? errno : 0;
+}
+
+}  // namespace geminga::client

@@ -1,0 +1,255 @@
+#include "client/channels/tcp_publisher.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <utility>
+#include <vector>
+
+namespace geminga::client {
+namespace {
+
+/// How many octets the socket took; nothing where it is broken.
+std::optional<std::size_t> write_some(const Socket& socket, std::span<iovec> parts) {
+  msghdr message{};
+  message.msg_iov = parts.data();
+  message.msg_iovlen = parts.size();
+  while (true) {
+    const auto count = ::sendmsg(socket.get(), &message, MSG_NOSIGNAL);
+    if (count >= 0) return static_cast<std::size_t>(count);
+    if (errno == EAGAIN) return 0;
+    if (errno != EINTR) return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::expected<std::unique_ptr<PublisherChannel>, std::string> TcpPublisher::open(ChannelHost& host,
+                                                                                 ChannelNumber number, Life life,
+                                                                                 NamedPublication& publication) {
+  auto listener = open_listener({publication.address, publication.port});
+  if (!listener) return std::unexpected(std::move(listener.error().text));
+  std::unique_ptr<TcpPublisher> made(new TcpPublisher(host, number, life, publication.mode));
+  made->listener_ = std::move(*listener);
+  made->watch_ =
+      host.reactor().watch(made->listener_, [publisher = made.get()](Reactor::Ready) { publisher->accept_all(); });
+  publication.port = port_of(made->listener_);
+  return made;
+}
+
+TcpPublisher::TcpPublisher(ChannelHost& host, ChannelNumber number, Life life, ChannelMode mode)
+    : PublisherChannel(host, number, life), mode_(mode), deadline_(host.reactor(), [this] {
+        const auto at = now();
+        std::vector<Number> over;
+        for (const auto& [connection_number, connection] : connections_) {
+          if (connection.until <= at) over.push_back(connection_number);
+        }
+        for (const Number one : over) close(one);
+        set_deadline();
+      }) {}
+
+bool TcpPublisher::has_room(std::size_t payload_bytes) const {
+  return std::ranges::all_of(connections_, [payload_bytes](const auto& one) {
+    return !one.second.is_consumer || one.second.outlet.has_room(payload_bytes);
+  });
+}
+
+void TcpPublisher::transmit(const FrameHeader& header, std::span<const std::byte> payload) {
+  Outlet::Shared shared;
+  std::vector<Number> broken;
+  for (auto& [number, connection] : connections_) {
+    if (!connection.is_consumer) continue;
+    if (!connection.outlet.has_room(payload.size())) {
+      ++count_.left_out;
+      continue;
+    }
+    std::size_t written = 0;
+    if (connection.outlet.is_empty()) {
+      std::array parts{part(header), part(payload)};
+      const auto taken = write_some(connection.socket, parts);
+      if (!taken) {
+        broken.push_back(number);
+        continue;
+      }
+      written = *taken;
+      if (written == header.size() + payload.size()) continue;
+    }
+    if (!shared) {
+      std::vector<std::byte> frame(header.size() + payload.size());
+      std::ranges::copy(payload, std::ranges::copy(header, frame.begin()).out);
+      shared = std::make_shared<const std::vector<std::byte>>(std::move(frame));
+    }
+    connection.outlet.put(shared, written);
+    connection.watch.want(true, true);
+  }
+  for (const Number number : broken) lose(number);
+}
+
+Parties::Carrier TcpPublisher::carrier_of(Parties::Number consumer) const {
+  return consumer_of(parties_.at(consumer).life) != nullptr ? Parties::Carrier::connection
+                                                            : Parties::Carrier::no_connection;
+}
+
+const TcpPublisher::Connection* TcpPublisher::consumer_of(Life life) const {
+  const auto found = std::ranges::find_if(
+      connections_, [life](const auto& one) { return one.second.is_consumer && one.second.life == life; });
+  return found == connections_.end() || life == no_life ? nullptr : &found->second;
+}
+
+void TcpPublisher::on_consumer(Parties::Number consumer) {
+  const Life life = parties_.at(consumer).life;
+  if (life == no_life) return;
+  // It may have been here before the daemon's word; the last one counts.
+  std::vector<Number> waiting;
+  for (const auto& [number, connection] : connections_) {
+    if (!connection.is_consumer && connection.life == life) waiting.push_back(number);
+  }
+  for (const Number number : waiting) become_consumer(number);
+}
+
+void TcpPublisher::on_consumer_gone(Parties::Number consumer) {
+  const Life life = parties_.at(consumer).life;
+  if (mode_ == ChannelMode::one_to_many_stream || life == no_life) return;
+  const auto found = std::ranges::find_if(
+      connections_, [life](const auto& one) { return one.second.is_consumer && one.second.life == life; });
+  if (found != connections_.end()) close(found->first);
+}
+
+void TcpPublisher::accept_all() {
+  while (auto socket = accept(listener_)) {
+    const auto is_stranger = [](const auto& one) { return !one.second.is_consumer; };
+    if (static_cast<std::size_t>(std::ranges::count_if(connections_, is_stranger)) == max_strangers) {
+      ++count_.dropped;
+      close(std::ranges::find_if(connections_, is_stranger)->first);
+    }
+    const Number number = ++last_;
+    Connection& connection = connections_[number];
+    connection.socket = std::move(*socket);
+    connection.until = now() + stranger_patience;
+    connection.watch =
+        host_.reactor().watch(connection.socket, [this, number](Reactor::Ready ready) { on_ready(number, ready); });
+  }
+  set_deadline();
+}
+
+void TcpPublisher::on_ready(Number connection, Reactor::Ready ready) {
+  if (ready.can_read && !read(connection)) return;
+  if (ready.can_write) write(connection);
+}
+
+bool TcpPublisher::read(Number number) {
+  Connection& connection = connections_.at(number);
+  const auto room = connection.reader.room();
+  const auto count = ::recv(connection.socket.get(), room.data(), room.size(), 0);
+  if (count < 0 && (errno == EAGAIN || errno == EINTR)) return true;
+  if (count <= 0) {
+    lose(number);
+    return false;
+  }
+  connection.reader.fed(static_cast<std::size_t>(count));
+  while (const auto frame = connection.reader.next()) {
+    if (!take(number, *frame)) return false;
+  }
+  if (!connection.reader.is_broken()) return true;
+  ++count_.dropped;
+  lose(number);
+  return false;
+}
+
+bool TcpPublisher::take(Number number, const Frame& frame) {
+  Connection& connection = connections_.at(number);
+  if (connection.is_consumer || connection.life != no_life || is_closed_) return true;  // it has nothing more to say
+  if (frame.kind != FrameKind::hello || frame.life == no_life) {
+    ++count_.dropped;
+    close(number);
+    return false;
+  }
+  connection.life = frame.life;
+  if (mode_ == ChannelMode::one_to_many_stream || parties_.find(frame.life)) return become_consumer(number);
+  return true;
+}
+
+bool TcpPublisher::become_consumer(Number number) {
+  Connection& connection = connections_.at(number);
+  const auto other = std::ranges::find_if(connections_, [&](const auto& one) {
+    return one.first != number && one.second.is_consumer && one.second.life == connection.life;
+  });
+  if (other != connections_.end()) close(other->first);
+  if (consumer_connections_ == max_tcp_consumers) {
+    ++count_.dropped;
+    close(number);
+    return false;
+  }
+  connection.is_consumer = true;
+  connection.until = base::never;
+  ++consumer_connections_;
+  set_deadline();
+  return true;
+}
+
+bool TcpPublisher::write(Number number) {
+  Connection& connection = connections_.at(number);
+  while (!connection.outlet.is_empty()) {
+    std::array parts{part(connection.outlet.front())};
+    const auto written = write_some(connection.socket, parts);
+    if (!written) {
+      lose(number);
+      return false;
+    }
+    if (*written == 0) break;
+    connection.outlet.wrote(*written);
+  }
+  connection.watch.want(true, !connection.outlet.is_empty());
+  if (is_closed_ && connection.outlet.is_empty() && !connection.has_ended) {
+    ::shutdown(connection.socket.get(), SHUT_WR);
+    connection.has_ended = true;
+  }
+  return true;
+}
+
+void TcpPublisher::lose(Number number) {
+  const Life life = connections_.at(number).life;
+  const bool was_consumer = connections_.at(number).is_consumer;
+  close(number);
+  if (!was_consumer || is_closed_) return;
+  // Who is out of sight is gone with its connection.
+  const auto party = parties_.find(life);
+  if (party && parties_.at(*party).state == Parties::State::orphaned) remove(*party);
+}
+
+void TcpPublisher::close(Number number) {
+  const auto found = connections_.find(number);
+  if (found == connections_.end()) return;
+  if (found->second.is_consumer) --consumer_connections_;
+  found->second.watch.stop();
+  connections_.erase(found);
+}
+
+void TcpPublisher::set_deadline() {
+  base::Instant next = base::never;
+  for (const auto& [number, connection] : connections_) next = std::min(next, connection.until);
+  deadline_.set(next);
+}
+
+void TcpPublisher::finish() {
+  if (is_closed_) return;
+  is_closed_ = true;
+  watch_.stop();
+  listener_.close();
+  const auto end = std::make_shared<const std::vector<std::byte>>(frame_bytes({FrameKind::end, life_, sequence_, {}}));
+  std::vector<Number> all;
+  for (const auto& [number, connection] : connections_) all.push_back(number);
+  for (const Number number : all) {
+    Connection& connection = connections_.at(number);
+    if (!connection.is_consumer) {
+      close(number);
+      continue;
+    }
+    connection.until = now() + drain_patience;
+    connection.outlet.put(end);
+    write(number);
+  }
+  set_deadline();
+}
+
+}  // namespace geminga::client

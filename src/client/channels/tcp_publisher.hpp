@@ -1,0 +1,69 @@
+// A publisher over TCP: it listens, and a connection becomes a consumer by its hello.
+#ifndef GEMINGA_CLIENT_CHANNELS_TCP_PUBLISHER_HPP
+#define GEMINGA_CLIENT_CHANNELS_TCP_PUBLISHER_HPP
+
+#include <cstdint>
+#include <map>
+
+#include "client/channels/outlet.hpp"
+#include "client/channels/publisher_channel.hpp"
+
+namespace geminga::client {
+
+class TcpPublisher : public PublisherChannel {
+ public:
+  [[nodiscard]] static std::expected<std::unique_ptr<PublisherChannel>, std::string> open(
+      ChannelHost& host, ChannelNumber number, Life life, NamedPublication& publication);
+
+  [[nodiscard]] bool has_room(std::size_t payload_bytes) const override;
+  void finish() override;
+  [[nodiscard]] bool is_finished() const override { return is_closed_ && connections_.empty(); }
+
+ private:
+  struct Connection {
+    Socket socket;
+    Reactor::Watch watch;
+    FrameReader reader{sizeof(std::uint64_t)};  ///< nobody says more than a hello
+    Outlet outlet;
+    Life life = no_life;       ///< as its hello says
+    bool is_consumer = false;  ///< else it is a stranger
+    bool has_ended = false;    ///< everything is written and our half is closed
+    base::Instant until = base::never;
+  };
+  /// In the order in which they came.
+  using Number = std::uint64_t;
+
+  TcpPublisher(ChannelHost& host, ChannelNumber number, Life life, ChannelMode mode);
+
+  [[nodiscard]] bool has_consumer() const override { return consumer_connections_ > 0; }
+  [[nodiscard]] std::size_t max_payload() const override { return max_stream_payload; }
+  void transmit(const FrameHeader& header, std::span<const std::byte> payload) override;
+  [[nodiscard]] Parties::Carrier carrier_of(Parties::Number consumer) const override;
+  void on_consumer(Parties::Number consumer) override;
+  void on_consumer_gone(Parties::Number consumer) override;
+
+  void accept_all();
+  void on_ready(Number connection, Reactor::Ready ready);
+  /// False where the connection is gone.
+  bool read(Number connection);
+  bool take(Number connection, const Frame& frame);
+  bool write(Number connection);
+  bool become_consumer(Number connection);
+  [[nodiscard]] const Connection* consumer_of(Life life) const;
+  void close(Number connection);
+  /// Closes what the party loses with its connection.
+  void lose(Number connection);
+  void set_deadline();
+
+  ChannelMode mode_;
+  Socket listener_;
+  Reactor::Watch watch_;
+  std::map<Number, Connection> connections_;
+  std::size_t consumer_connections_ = 0;
+  Number last_ = 0;
+  Reactor::Timer deadline_;
+};
+
+}  // namespace geminga::client
+
+#endif

@@ -1,0 +1,250 @@
+#include "geminga/node.hpp"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "client/channels/engine.hpp"
+#include "client/cpp/daemon_places.hpp"
+#include "client/cpp/deadline.hpp"
+
+namespace geminga {
+namespace {
+
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+
+/// How seldom send() looks after everything else, so that its cost is that of sending.
+constexpr milliseconds upkeep_interval{1};
+/// How long a program's end waits for a daemon that does not answer the goodbye.
+constexpr milliseconds goodbye_patience{3000};
+
+}  // namespace
+
+class NodeState {
+ public:
+  explicit NodeState(client::DaemonLink::Options options) : engine(std::move(options)) {}
+
+  void process() {
+    last_upkeep = Clock::now();
+    engine.process();
+  }
+  /// process(), but not more often than is of use.
+  void keep_up() {
+    if (Clock::now() - last_upkeep >= upkeep_interval) process();
+  }
+  /// Drives the engine until `is_done` or the deadline; whether it is done.
+  template <typename IsDone>
+  bool run_until(const IsDone& is_done, Clock::time_point deadline) {
+    while (true) {
+      process();
+      if (is_done()) return true;
+      if (!wait(deadline)) return false;
+    }
+  }
+  /// Waits for something to do; false where the deadline came first.
+  [[nodiscard]] bool wait(Clock::time_point deadline) const {
+    const auto left = deadline - Clock::now();
+    if (left <= Clock::duration::zero()) return false;
+    pollfd waiting{engine.descriptor(), POLLIN, 0};
+    constexpr long long longest = std::numeric_limits<int>::max();
+    const long long count = std::chrono::ceil<milliseconds>(left).count();
+    ::poll(&waiting, 1, static_cast<int>(std::min(count, longest)));
+    return true;
+  }
+
+  /// Waits for the answer to a create; the error is a refusal, after which the request is gone.
+  Result<void, ClientError> answer(ChannelNumber number) {
+    run_until(
+        [&] { return engine.is_without_daemon() || engine.find(number)->state != client::Requests::State::asked; },
+        client::deadline_after(timeout));
+    const auto* request = engine.find(number);
+    if (request->state != client::Requests::State::refused) return {};
+    const Error refusal = request->refusal.value_or(Error{});
+    engine.withdraw(number);
+    return Failure(ClientError{ClientError::Kind::refused, refusal.text, refusal.code});
+  }
+  Result<void, ClientError> modify(ChannelNumber number, const client::Requests::Change& change, Wait wait) {
+    if (auto asked = engine.modify(number, change); !asked || wait == Wait::for_nothing) return asked;
+    run_until([&] { return engine.is_without_daemon() || engine.find(number)->open_changes == 0; },
+              client::deadline_after(timeout));
+    const auto& refusal = engine.find(number)->last_change;
+    if (!refusal || engine.find(number)->open_changes > 0) return {};
+    return Failure(ClientError{ClientError::Kind::refused, refusal->text, refusal->code});
+  }
+  void withdraw(ChannelNumber number) {
+    engine.withdraw(number);
+    run_until([&] { return engine.find(number) == nullptr; }, client::deadline_after(goodbye_patience));
+  }
+  void close() {
+    if (!std::exchange(is_closed, true)) engine.withdraw_all();
+    run_until([&] { return engine.has_ended(); }, client::deadline_after(goodbye_patience));
+  }
+  [[nodiscard]] bool has_ended(ChannelNumber number) const {
+    const auto* request = engine.find(number);
+    return request == nullptr || request->state == client::Requests::State::refused;
+  }
+
+  client::Engine engine;
+  milliseconds timeout{};
+  bool is_closed = false;
+  Clock::time_point last_upkeep{};
+};
+
+Publisher::Publisher(Publisher&& other) noexcept : node_(std::exchange(other.node_, nullptr)), number_(other.number_) {}
+Publisher& Publisher::operator=(Publisher&& other) noexcept {
+  std::swap(node_, other.node_);
+  std::swap(number_, other.number_);
+  return *this;
+}
+Publisher::~Publisher() {
+  if (node_ != nullptr && node_->engine.find(number_) != nullptr) withdraw();
+}
+
+Result<void, SendError> Publisher::send(std::span<const std::byte> payload) {
+  node_->keep_up();
+  auto* publisher = node_->engine.publisher(number_);
+  if (publisher == nullptr || has_ended()) {
+    return Failure(SendError{SendError::Kind::closed, "the publisher was withdrawn or refused"});
+  }
+  return publisher->send(payload);
+}
+
+bool Publisher::has_room(std::size_t payload_bytes) const {
+  const auto* publisher = node_->engine.publisher(number_);
+  return publisher == nullptr || publisher->has_room(payload_bytes);
+}
+
+bool Publisher::wait_for_room(std::size_t payload_bytes, milliseconds timeout) {
+  if (has_room(payload_bytes)) return true;
+  return node_->run_until([&] { return has_room(payload_bytes); }, client::deadline_after(timeout));
+}
+
+Life Publisher::life() const {
+  const auto* publisher = node_->engine.publisher(number_);
+  return publisher == nullptr ? no_life : publisher->life();
+}
+
+SendCount Publisher::count() const {
+  const auto* publisher = node_->engine.publisher(number_);
+  return publisher == nullptr ? SendCount{} : publisher->count();
+}
+
+Result<void, ClientError> Publisher::modify(const PublicationChange& change, Wait wait) {
+  return node_->modify(number_, change, wait);
+}
+
+void Publisher::withdraw() { node_->withdraw(number_); }
+void Publisher::begin_withdraw() { node_->engine.withdraw(number_); }
+bool Publisher::has_ended() const { return node_->has_ended(number_); }
+
+Subscriber::Subscriber(Subscriber&& other) noexcept
+    : node_(std::exchange(other.node_, nullptr)), number_(other.number_) {}
+Subscriber& Subscriber::operator=(Subscriber&& other) noexcept {
+  std::swap(node_, other.node_);
+  std::swap(number_, other.number_);
+  return *this;
+}
+Subscriber::~Subscriber() {
+  if (node_ != nullptr) withdraw();
+}
+
+std::optional<Message> Subscriber::poll() {
+  auto* subscriber = node_->engine.subscriber(number_);
+  return subscriber == nullptr ? std::nullopt : subscriber->take();
+}
+
+std::optional<Message> Subscriber::receive(milliseconds timeout) {
+  std::optional<Message> message = poll();
+  if (message) {
+    node_->keep_up();
+    return message;
+  }
+  node_->run_until([&] { return (message = poll()).has_value() || has_ended(); }, client::deadline_after(timeout));
+  return message;
+}
+
+void Subscriber::on_message(std::function<void(Message)> receive) {
+  node_->engine.on_messages(number_, std::move(receive));
+}
+
+Life Subscriber::life() const {
+  const auto* subscriber = node_->engine.subscriber(number_);
+  return subscriber == nullptr ? no_life : subscriber->life();
+}
+
+ReceiveCount Subscriber::count() const {
+  const auto* subscriber = node_->engine.subscriber(number_);
+  return subscriber == nullptr ? ReceiveCount{} : subscriber->count();
+}
+
+Result<void, ClientError> Subscriber::modify(const SubscriptionChange& change, Wait wait) {
+  return node_->modify(number_, change, wait);
+}
+
+void Subscriber::withdraw() { node_->engine.withdraw(number_); }
+bool Subscriber::has_ended() const { return node_->has_ended(number_); }
+
+Node::Node(std::unique_ptr<NodeState> state) : state_(std::move(state)) {}
+Node::Node(Node&&) noexcept = default;
+Node& Node::operator=(Node&&) noexcept = default;
+Node::~Node() {
+  if (state_) state_->close();
+}
+
+Result<Node, ClientError> Node::open(const ClientOptions& options) {
+  auto places = client::daemon_places(options.connect);
+  if (!places) return Failure(std::move(places.error()));
+  auto state =
+      std::make_unique<NodeState>(client::DaemonLink::Options{std::move(*places), options.name, options.timeout});
+  state->timeout = options.timeout;
+  return Node(std::move(state));
+}
+
+Result<Publisher, ClientError> Node::publish(const NamedPublication& publication, Wait wait) {
+  const auto number = state_->engine.publish(publication);
+  if (!number) return Failure(number.error());
+  if (wait == Wait::for_answer) {
+    if (auto answer = state_->answer(*number); !answer) return Failure(answer.error());
+  }
+  return Publisher(*state_, *number);
+}
+
+Result<Subscriber, ClientError> Node::subscribe(const NamedSubscription& subscription, Conversions conversions,
+                                                Wait wait) {
+  const auto number = state_->engine.subscribe(subscription, std::move(conversions));
+  if (!number) return Failure(number.error());
+  if (wait == Wait::for_answer) {
+    if (auto answer = state_->answer(*number); !answer) return Failure(answer.error());
+  }
+  return Subscriber(*state_, *number);
+}
+
+std::optional<ChannelEvent> Node::next_event(milliseconds timeout) {
+  std::optional<ChannelEvent> event = state_->engine.next_event();
+  if (event) return event;
+  state_->run_until([&] { return (event = state_->engine.next_event()).has_value(); }, client::deadline_after(timeout));
+  return event;
+}
+
+void Node::on_event(std::function<void(const ChannelEvent&)> tell) { state_->engine.on_events(std::move(tell)); }
+bool Node::is_connected() const { return state_->engine.is_connected(); }
+int Node::descriptor() const { return state_->engine.descriptor(); }
+void Node::process() { state_->process(); }
+
+void Node::wait(milliseconds timeout) {
+  state_->process();
+  if (state_->wait(client::deadline_after(timeout))) state_->process();
+}
+
+void Node::close() { state_->close(); }
+
+void Node::begin_close() {
+  if (!std::exchange(state_->is_closed, true)) state_->engine.withdraw_all();
+}
+
+bool Node::has_ended() { return state_->engine.has_ended(); }
+
+}  // namespace geminga

@@ -1,0 +1,101 @@
+#include "client/cpp/agent_answers.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "base/text.hpp"
+#include "client/channels/frame.hpp"
+#include "discovery/gcnp/event.hpp"
+#include "discovery/gcnp/request.hpp"
+#include "geminga/identity.hpp"
+
+namespace geminga::agent {
+namespace {
+
+int digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+}  // namespace
+
+std::string next_word(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  std::size_t end = text.find(' ');
+  if (text.starts_with('"')) {
+    for (end = 1; end < text.size() && text[end] != '"'; ++end) end += text[end] == '\\' ? 1 : 0;
+    end = std::min(end + 1, text.size());
+  }
+  const std::string_view word = text.substr(0, end);
+  text.remove_prefix(word.size());
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  // The grammar knows how a value is written.
+  const auto statement = gcnp::parse("0 agent word value=" + std::string(word));
+  return std::string(statement ? statement->value("value").value_or("") : word);
+}
+
+std::uint64_t number(std::string_view text) { return base::parse_number<std::uint64_t>(text).value_or(0); }
+
+std::string to_hex(std::span<const std::byte> bytes) {
+  std::string hex;
+  for (const std::byte octet : bytes) hex += base::to_hex(std::to_integer<std::uint64_t>(octet), 2);
+  return hex;
+}
+
+std::optional<Bytes> from_hex(std::string_view text) {
+  if (text.size() % 2 != 0) return std::nullopt;
+  Bytes bytes;
+  for (std::size_t i = 0; i < text.size(); i += 2) {
+    const int high = digit(text[i]);
+    const int low = digit(text[i + 1]);
+    if (high < 0 || low < 0) return std::nullopt;
+    bytes.push_back(static_cast<std::byte>(high * 16 + low));
+  }
+  return bytes;
+}
+
+std::string identity_answer(std::string_view words) {
+  const std::string kind = next_word(words);
+  const std::string value = next_word(words);
+  const std::string representation = next_word(words);
+  Identity identity = SemanticIdentity{value, representation};
+  if (kind == "number") identity = NumericIdentity{static_cast<Id32>(number(value))};
+  if (kind == "text") identity = TextIdentity{value};
+  return "identity " + std::to_string(id32(identity));
+}
+
+std::string frame_answer(std::string_view hex) {
+  const auto bytes = from_hex(hex);
+  const auto frame = bytes ? client::read_frame(*bytes) : std::nullopt;
+  if (!frame) return "frame refused";
+  const char* kind = frame->kind == client::FrameKind::message ? "message"
+                     : frame->kind == client::FrameKind::hello ? "hello"
+                                                               : "end";
+  return std::string("frame ") + kind + ' ' + to_string(frame->life) + ' ' + std::to_string(frame->sequence) + ' ' +
+         to_hex(frame->payload);
+}
+
+std::string line_answer(std::string_view line) {
+  const auto statement = gcnp::parse(line);
+  std::string written;
+  if (const auto request = statement ? gcnp::read_request(*statement) : std::unexpected(Error{})) {
+    written = gcnp::to_line(gcnp::to_statement(statement->id, *request));
+  } else if (const auto reply = gcnp::read_reply(line)) {
+    const auto* event = std::get_if<Event>(&*reply);
+    if (event == nullptr) return "line refused";
+    const Event& told = *event;
+    if (const auto* error = std::get_if<Error>(&told.what)) {
+      written = gcnp::to_line(told.request, *error);
+    } else if (const auto* service = std::get_if<ServiceEvent>(&told.what)) {
+      written = gcnp::to_line(gcnp::to_statement(told.request, *service));
+    } else {
+      written = gcnp::to_line(gcnp::to_statement(told.request, std::get<ConsumerEvent>(told.what)));
+    }
+  } else {
+    return "line refused";
+  }
+  return "line " + written.substr(0, written.size() - 2);
+}
+
+}  // namespace geminga::agent
