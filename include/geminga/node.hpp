@@ -53,7 +53,8 @@ class Publisher {
   [[nodiscard]] SendCount count() const;
   /// Changes what was stated but mode, protocol, port and address. Errors: wrong_use, refused.
   Result<void, ClientError> modify(const PublicationChange& change, Wait wait = Wait::for_answer);
-  /// Writes what waits, says the end to the consumers, and withdraws. Waits until they have it, 2 s at most.
+  /// Writes what waits, says the end to the consumers, and withdraws. Waits until they have it; one that takes
+  /// nothing for 5 s does not get the rest.
   void withdraw();
   /// The same without waiting: it goes on while the node is driven.
   void begin_withdraw();
@@ -135,7 +136,7 @@ class Node {
   /// Does what is to be done for so long, or until something has come.
   void wait(std::chrono::milliseconds timeout);
 
-  /// Withdraws everything cleanly: consumers have what was sent, 2 s at most.
+  /// Withdraws everything cleanly: waits until consumers have what was sent, as Publisher::withdraw() does.
   void close();
   /// The same without waiting: it goes on while the node is driven, and is over when has_ended().
   void begin_close();

@@ -208,6 +208,7 @@ void Engine::on_reply(gcnp::Reply reply) {
     if (auto* known = publisher(event.request)) known->on_event(*consumer);
   } else if (const auto settled = requests_.on_error(event.request, std::get<Error>(event.what))) {
     tell(Problem{settled->number, settled->error->text});
+    close_refused(settled->number);
   }
 }
 
@@ -217,6 +218,7 @@ void Engine::on_settled(const Requests::Settled& settled) {
   }
   if (settled.error) {
     tell(Refused{settled.number, *settled.error});
+    close_refused(settled.number);
   } else if (settled.is_news) {
     tell(Accepted{settled.number});
   }
@@ -224,6 +226,13 @@ void Engine::on_settled(const Requests::Settled& settled) {
   if (known == nullptr || settled.error) return;
   const auto& stated = std::get<NamedSubscription>(requests_.find(settled.number)->stated);
   known->set_limit(stated.limit.value_or(stated.mode == ChannelMode::one_to_one ? 1 : 0));
+}
+
+void Engine::close_refused(ChannelNumber number) {
+  const auto* request = requests_.find(number);
+  if (request == nullptr || request->state != Requests::State::refused) return;
+  if (auto* known = subscriber(number)) known->on_refused();
+  if (auto* known = publisher(number)) known->on_refused();
 }
 
 void Engine::state_port(ChannelNumber channel, std::uint16_t port) {

@@ -81,6 +81,8 @@ class Engine final : public ChannelHost {
     return std::ranges::find(finishing_, number) != finishing_.end();
   }
   void end_finished();
+  /// Ends what a request carried that is refused.
+  void close_refused(ChannelNumber number);
   void hand_out();
 
   Reactor reactor_;

@@ -29,7 +29,8 @@ Number read(const std::byte* from) {
 
 bool is_header(const std::byte* at) {
   const auto kind = std::to_integer<unsigned>(at[3]);
-  return at[0] == first_octet && at[1] == second_octet && at[2] == frame_version && kind >= 1 && kind <= 3;
+  const bool has_life = read<std::uint64_t>(at + 8) != 0;
+  return at[0] == first_octet && at[1] == second_octet && at[2] == frame_version && kind >= 1 && kind <= 3 && has_life;
 }
 
 std::size_t payload_bytes(const std::byte* header) { return read<std::uint32_t>(header + 4); }
@@ -60,7 +61,8 @@ std::vector<std::byte> frame_bytes(const Frame& frame) {
 
 std::optional<Frame> read_frame(std::span<const std::byte> datagram) {
   if (datagram.size() < frame_header_bytes || !is_header(datagram.data())) return std::nullopt;
-  if (datagram.size() - frame_header_bytes != payload_bytes(datagram.data())) return std::nullopt;
+  const std::size_t payload = payload_bytes(datagram.data());
+  if (payload > max_datagram_payload || datagram.size() - frame_header_bytes != payload) return std::nullopt;
   return frame_at(datagram.data());
 }
 

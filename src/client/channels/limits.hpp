@@ -23,12 +23,19 @@ inline constexpr std::chrono::seconds hello_interval{1};
 inline constexpr std::chrono::seconds listener_patience{3};
 /// How long a connection may be nobody's.
 inline constexpr std::chrono::seconds stranger_patience{5};
-/// How long a consumer reads what a withdrawn publisher still writes, and a publisher waits until it has been read.
+/// How long a consumer waits for more of a withdrawn publisher, and a publisher for a consumer that takes nothing of
+/// what waits for it at the end.
 inline constexpr std::chrono::seconds drain_patience{2};
+inline constexpr std::chrono::seconds leaving_patience{5};
+/// How often is looked which interfaces multicasts go through.
+inline constexpr std::chrono::seconds interfaces_interval{2};
 /// How long a channel over UDP outlives the daemons' sight of its other end.
 inline constexpr std::chrono::seconds orphan_patience{10};
 /// How long a daemon that came back has to confirm what was there before.
 inline constexpr std::chrono::seconds settle_patience{10};
+
+/// Lives of which a subscriber knows what it heard last.
+inline constexpr std::size_t max_remembered_lives = 1024;
 
 /// Messages of one subscriber that wait to be taken: beyond either nothing more is read from its sockets, so that the
 /// network holds the providers back (TCP) or drops (UDP). One message may always wait.

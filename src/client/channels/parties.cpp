@@ -89,6 +89,11 @@ base::Instant Parties::next_end() const {
   return next;
 }
 
+void Parties::go_on_finishing(Number number, base::Instant now) {
+  Party& party = parties_.at(number);
+  if (party.state == State::finishing) party.until = now + drain_patience;
+}
+
 void Parties::erase(Number number) {
   const auto found = parties_.find(number);
   if (found == parties_.end()) return;

@@ -29,6 +29,11 @@ class Parties {
     orphaned,   ///< the daemons have lost sight of it
     finishing,  ///< withdrawn; it may still write what waits
   };
+  /// Why a party is gone where no daemon has said it.
+  static constexpr std::string_view disconnected_reason = "disconnected";
+  static constexpr std::string_view lost_reason = "lost";
+  static constexpr std::string_view refused_reason = "refused";
+
   struct Party {
     Life life = no_life;
     ServiceKey key;
@@ -70,7 +75,7 @@ class Parties {
     std::vector<Number> over;
     for (auto& [number, party] : parties_) {
       if (party.state != State::doubted) continue;
-      if (!orphan(party, "unconfirmed", carrier_of(number), now)) over.push_back(number);
+      if (!orphan(party, disconnected_reason, carrier_of(number), now)) over.push_back(number);
     }
     return over;
   }
@@ -81,6 +86,8 @@ class Parties {
   /// When the next one's time is over.
   [[nodiscard]] base::Instant next_end() const;
 
+  /// Somebody who is finishing has given a sign of life.
+  void go_on_finishing(Number number, base::Instant now);
   void erase(Number number);
   [[nodiscard]] const Party& at(Number number) const { return parties_.at(number); }
   [[nodiscard]] const std::map<Number, Party>& all() const { return parties_; }

@@ -46,7 +46,6 @@ void ProviderConnection::on_ready(Reactor::Ready ready) {
       return lose();
     }
     is_connected_ = true;
-    backoff_.reset();
     watch_.want(!is_paused_, false);
     return;
   }
@@ -71,6 +70,7 @@ bool ProviderConnection::give() {
   while (!is_paused_) {
     const auto frame = reader_.next();
     if (!frame) break;
+    backoff_.reset();  // somebody who only accepts is not asked again at once
     const bool goes_on = told_.frame(*frame);
     if (is_destroyed) return false;
     if (!goes_on) {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "client/channels/channel_host.hpp"
 #include "client/channels/frame.hpp"
@@ -41,6 +42,8 @@ class PublisherChannel {
   void on_daemon_gone() { parties_.doubt(); }
   /// The daemon is back and has had its time to tell of everybody again.
   void on_settled();
+  /// The daemon has taken the request back.
+  void on_refused();
 
   /// Writes what waits and says the end. Nothing can be sent any more.
   virtual void finish() = 0;
@@ -50,7 +53,8 @@ class PublisherChannel {
  protected:
   struct Consumer {
     ConsumerEvent event;
-    PeerAddress address;  ///< port 0: none
+    PeerAddress address;    ///< port 0: none
+    bool was_told = false;  ///< the program knows of it
   };
 
   PublisherChannel(ChannelHost& host, ChannelNumber number, Life life);
@@ -61,11 +65,17 @@ class PublisherChannel {
   [[nodiscard]] virtual Parties::Carrier carrier_of(Parties::Number consumer) const = 0;
   /// A consumer is there, or is to be reached elsewhere.
   virtual void on_consumer(Parties::Number consumer) = 0;
-  /// And is gone.
-  virtual void on_consumer_gone(Parties::Number consumer) = 0;
+  /// And is gone. `is_final`: what was sent to it may still reach it.
+  virtual void on_consumer_gone(Parties::Number consumer, bool is_final) = 0;
+  /// Whether messages reach it, so that the program is told.
+  [[nodiscard]] virtual bool is_reached(Parties::Number consumer) const = 0;
 
+  /// It is reached from now on.
+  void appear(Parties::Number consumer);
+  /// Its connection has ended. Who is still matched may come again; others are gone.
+  void vanish(Parties::Number consumer);
   /// Forgets a consumer and tells the program.
-  void remove(Parties::Number consumer);
+  void remove(Parties::Number consumer, std::string_view reason, bool is_final = false);
   [[nodiscard]] base::Instant now() const { return host_.reactor().now(); }
 
   ChannelHost& host_;
@@ -78,7 +88,7 @@ class PublisherChannel {
   std::map<Parties::Number, Consumer> consumers_;
 
  private:
-  void tell(ConsumerChange::What what, Parties::Number consumer, const std::string& reason);
+  void tell(ConsumerChange::What what, Parties::Number consumer, std::string_view reason);
   void set_timer() { timer_.set(parties_.next_end()); }
 
   Reactor::Timer timer_;

@@ -88,24 +88,6 @@ std::expected<Socket, SocketError> open_any(int type, Binding binding) {
   return socket;
 }
 
-/// The numbers of interfaces that are up and hold an address of the family; the loopback stands last.
-std::vector<unsigned> interfaces_up(bool is_ipv4) {
-  std::vector<unsigned> others;
-  std::vector<unsigned> loopbacks;
-  ifaddrs* list = nullptr;
-  if (::getifaddrs(&list) != 0) return {};
-  for (const ifaddrs* one = list; one != nullptr; one = one->ifa_next) {
-    if (one->ifa_addr == nullptr || (one->ifa_flags & IFF_UP) == 0) continue;
-    if (one->ifa_addr->sa_family != (is_ipv4 ? AF_INET : AF_INET6)) continue;
-    const unsigned number = ::if_nametoindex(one->ifa_name);
-    auto& interfaces = (one->ifa_flags & IFF_LOOPBACK) != 0 ? loopbacks : others;
-    if (number != 0 && std::ranges::find(interfaces, number) == interfaces.end()) interfaces.push_back(number);
-  }
-  ::freeifaddrs(list);
-  others.insert(others.end(), loopbacks.begin(), loopbacks.end());
-  return others;
-}
-
 bool join(const Socket& socket, const PeerAddress& group, unsigned interface) {
   if (group.is_ipv4()) {
     ip_mreqn request{};
@@ -166,18 +148,25 @@ std::expected<Socket, SocketError> open_group(const PeerAddress& group) {
   if (::bind(socket.get(), system->get(), system->size) != 0) {
     return std::unexpected(error_of(errno, "group " + to_string(group)));
   }
+  if (const int error = join_group(socket, group); error != 0) {
+    return std::unexpected(error_of(error, "group " + to_string(group)));
+  }
+  return socket;
+}
+
+int join_group(const Socket& socket, const PeerAddress& group) {
   bool has_joined = false;
   int error = ENODEV;
-  for (const unsigned interface : interfaces_up(group.is_ipv4())) {
+  for (const unsigned interface : multicast_interfaces(group.is_ipv4())) {
     if (group.zone != 0 && group.zone != interface) continue;
-    if (join(socket, group, interface)) {
+    // One that it has joined already says so.
+    if (join(socket, group, interface) || errno == EADDRINUSE) {
       has_joined = true;
     } else {
       error = errno;
     }
   }
-  if (!has_joined) return std::unexpected(error_of(error, "group " + to_string(group)));
-  return socket;
+  return has_joined ? 0 : error;
 }
 
 std::uint16_t port_of(const Socket& socket) {
@@ -201,13 +190,19 @@ std::optional<Socket> accept(const Socket& listener) {
 }
 
 std::vector<unsigned> multicast_interfaces(bool is_ipv4) {
-  auto interfaces = interfaces_up(is_ipv4);
-  if (interfaces.size() > 1) {
-    // The loopback stands last, and is of use only where there is nothing else.
-    char name[IF_NAMESIZE]{};
-    if (::if_indextoname(interfaces.back(), name) != nullptr && std::string_view(name) == "lo") interfaces.pop_back();
+  std::vector<unsigned> others;
+  std::vector<unsigned> loopbacks;
+  ifaddrs* list = nullptr;
+  if (::getifaddrs(&list) != 0) return {};
+  for (const ifaddrs* one = list; one != nullptr; one = one->ifa_next) {
+    if (one->ifa_addr == nullptr || (one->ifa_flags & IFF_UP) == 0) continue;
+    if (one->ifa_addr->sa_family != (is_ipv4 ? AF_INET : AF_INET6)) continue;
+    const unsigned number = ::if_nametoindex(one->ifa_name);
+    auto& interfaces = (one->ifa_flags & IFF_LOOPBACK) != 0 ? loopbacks : others;
+    if (number != 0 && std::ranges::find(interfaces, number) == interfaces.end()) interfaces.push_back(number);
   }
-  return interfaces;
+  ::freeifaddrs(list);
+  return others.empty() ? loopbacks : others;
 }
 
 int send_datagram(const Socket& socket, const PeerAddress& to, std::span<const iovec> parts, unsigned interface) {

@@ -59,8 +59,10 @@ struct Binding {
 [[nodiscard]] std::expected<Socket, SocketError> open_listener(const Binding& binding);
 /// A TCP socket that is on its way there: writable once it is decided.
 [[nodiscard]] std::expected<Socket, SocketError> open_connection(const PeerAddress& to);
-/// A UDP socket that hears this group and nothing else, from every interface that is up.
+/// A UDP socket that hears this group and nothing else, from every interface that multicasts go through.
 [[nodiscard]] std::expected<Socket, SocketError> open_group(const PeerAddress& group);
+/// Joins it on those that have come since. The system's error where there is none at all, else 0.
+int join_group(const Socket& socket, const PeerAddress& group);
 
 /// The port that a socket is bound to.
 [[nodiscard]] std::uint16_t port_of(const Socket& socket);

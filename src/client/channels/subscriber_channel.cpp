@@ -47,10 +47,14 @@ SubscriberChannel::SubscriberChannel(ChannelHost& host, ChannelNumber number, Li
       conversions_(std::move(conversions)),
       timer_(host.reactor(),
              [this] {
-               for (const auto over : parties_.expired(now())) remove(over, parties_.at(over).reason);
+               for (const auto over : parties_.expired(now())) {
+                 if (is_paused_) parties_.go_on_finishing(over, now());  // it was not read from
+                 if (parties_.at(over).until <= now()) remove(over, parties_.at(over).reason);
+               }
                set_timer();
              }),
-      hello_(host.reactor(), [this] { say_hello(); }) {}
+      hello_(host.reactor(), [this] { say_hello(); }),
+      interfaces_(host.reactor(), [this] { join_all(); }) {}
 
 SubscriberChannel::~SubscriberChannel() {
   for (const auto& [number, provider] : providers_) {
@@ -85,8 +89,8 @@ void SubscriberChannel::pause(bool is_paused) {
 }
 
 void SubscriberChannel::on_event(const ServiceEvent& event) {
+  const auto known = parties_.find(event.service);
   if (event.change == Change::del) {
-    const auto known = parties_.find(event.service);
     if (!known) return;
     const auto parted = parties_.del(event.service, event.reason, carrier_of(*known), now());
     if (parted.parting == Parties::Parting::close) remove(parted.number, event.reason);
@@ -102,10 +106,10 @@ void SubscriberChannel::on_event(const ServiceEvent& event) {
     remove_superfluous();
     return set_timer();
   }
+  // What has ended is made again by an add only.
+  if (event.change == Change::modify && !known) return;
   const Life life = stated_life(event.publication.attributes);
-  if (const auto known = parties_.find(event.service); known && parties_.at(*known).life != life) {
-    remove(*known, "changed");
-  }
+  if (known && parties_.at(*known).life != life) remove(*known, "changed");
   const auto added = parties_.add(life, event.service);
   if (added.is_new) {
     providers_.emplace(added.number, Provider{event, Way::none, {}});
@@ -128,6 +132,11 @@ void SubscriberChannel::on_settled() {
   set_timer();
 }
 
+void SubscriberChannel::on_refused() {
+  while (!providers_.empty()) remove(providers_.begin()->first, Parties::refused_reason);
+  set_timer();
+}
+
 void SubscriberChannel::remove_superfluous() {
   for (const auto orphan : parties_.superfluous(limit_)) remove(orphan, parties_.at(orphan).reason);
 }
@@ -140,21 +149,23 @@ Parties::Carrier SubscriberChannel::carrier_of(Parties::Number number) const {
                                                                     : Parties::Carrier::no_connection;
 }
 
-void SubscriberChannel::remove(Parties::Number number, const std::string& reason) {
+void SubscriberChannel::remove(Parties::Number number, std::string_view reason) {
   const auto found = providers_.find(number);
   if (found == providers_.end()) return;
+  const std::string kept(reason);  // it may be the party's own
+  sequences_.interrupt(parties_.at(number).life);
   Provider& provider = found->second;
   // A publisher that is there still is told that nobody listens any more.
   if (provider.way == Way::hello) say(provider, FrameKind::end);
   const auto address = by_address_.find(provider.address);
   if (address != by_address_.end() && address->second == number) by_address_.erase(address);
-  tell(ProviderChange::What::removed, number, reason);
+  tell(ProviderChange::What::removed, number, kept);
   parties_.erase(number);
   providers_.erase(number);
 }
 
-void SubscriberChannel::tell(ProviderChange::What what, Parties::Number number, const std::string& reason) {
-  host_.tell(ProviderChange{number_, what, parties_.at(number).life, providers_.at(number).event, reason});
+void SubscriberChannel::tell(ProviderChange::What what, Parties::Number number, std::string_view reason) {
+  host_.tell(ProviderChange{number_, what, parties_.at(number).life, providers_.at(number).event, std::string(reason)});
 }
 
 }  // namespace geminga::client

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "client/channels/channel_host.hpp"
 #include "client/channels/frame.hpp"
@@ -46,6 +47,8 @@ class SubscriberChannel {
   void on_daemon_gone() { parties_.doubt(); }
   /// The daemon is back and has had its time to tell of everybody again.
   void on_settled();
+  /// The daemon has taken the request back.
+  void on_refused();
 
  private:
   /// How messages of a provider come.
@@ -54,7 +57,6 @@ class SubscriberChannel {
     ServiceEvent event;
     Way way = Way::none;
     PeerAddress address;
-    Sequence sequence{};
     bool was_told_of_conversion = false;
     std::unique_ptr<ProviderConnection> connection{};
     Socket group{};
@@ -68,6 +70,8 @@ class SubscriberChannel {
   void wire(Parties::Number number, const ServiceEvent& event);
   void connect(Parties::Number number);
   void join(Parties::Number number);
+  /// Joins every group on the interfaces that there are.
+  void join_all();
   void problem(const std::string& text) { host_.tell(Problem{number_, text}); }
 
   void read(const Socket& socket, std::optional<Parties::Number> group);
@@ -81,10 +85,10 @@ class SubscriberChannel {
   void say_hello();
   void say(const Provider& provider, FrameKind kind);
   [[nodiscard]] Parties::Carrier carrier_of(Parties::Number number) const;
-  void remove(Parties::Number number, const std::string& reason);
+  void remove(Parties::Number number, std::string_view reason);
   void remove_superfluous();
   void set_timer() { timer_.set(parties_.next_end()); }
-  void tell(ProviderChange::What what, Parties::Number number, const std::string& reason);
+  void tell(ProviderChange::What what, Parties::Number number, std::string_view reason);
   [[nodiscard]] base::Instant now() const { return host_.reactor().now(); }
 
   ChannelHost& host_;
@@ -94,6 +98,7 @@ class SubscriberChannel {
   Conversions conversions_;
   ReceiveCount count_;
   Inbox inbox_;
+  Sequences sequences_;
   bool is_paused_ = false;
   Parties parties_;
   std::map<Parties::Number, Provider> providers_;
@@ -102,6 +107,7 @@ class SubscriberChannel {
   Reactor::Watch watch_;
   Reactor::Timer timer_;
   Reactor::Timer hello_;
+  Reactor::Timer interfaces_;
 };
 
 }  // namespace geminga::client

@@ -69,12 +69,27 @@ void SubscriberChannel::join(Parties::Number number) {
     if (const auto found = providers_.find(number); found != providers_.end()) read(found->second.group, number);
   });
   provider.group_watch.want(!is_paused_, false);
+  interfaces_.set(now() + interfaces_interval);
+}
+
+void SubscriberChannel::join_all() {
+  bool has_group = false;
+  for (const auto& [number, provider] : providers_) {
+    if (provider.way != Way::group) continue;
+    has_group = true;
+    join_group(provider.group, provider.address);
+  }
+  interfaces_.set(has_group ? now() + interfaces_interval : base::never);
 }
 
 bool SubscriberChannel::on_lost(Parties::Number number) {
   const Parties::Party& party = parties_.at(number);
-  if (party.state == Parties::State::matched || party.state == Parties::State::doubted) return true;
-  remove(number, std::string(party.reason));
+  if (party.state == Parties::State::matched) return true;
+  if (party.state == Parties::State::doubted) {
+    remove(number, Parties::disconnected_reason);
+    return false;
+  }
+  remove(number, party.reason);
   set_timer();
   return false;
 }
@@ -120,10 +135,11 @@ bool SubscriberChannel::take_frame(Parties::Number number, const Frame& frame) {
     ++count_.dropped;
     return true;
   }
+  parties_.go_on_finishing(number, now());
   if (frame.kind == FrameKind::message) return deliver(number, frame.sequence, frame.payload);
   // Nothing of this life comes behind its end, whatever the daemons say.
-  const std::string reason = parties_.at(number).reason;
-  remove(number, reason.empty() ? "withdrawn" : reason);
+  count_.missed += sequences_.missed_at_end(frame.life, frame.sequence);
+  remove(number, "withdrawn");
   set_timer();
   return true;
 }
@@ -133,7 +149,7 @@ bool SubscriberChannel::deliver(Parties::Number number, std::uint64_t sequence, 
   const Life life = parties_.at(number).life;
   std::uint64_t missed = 0;
   if (life != no_life) {
-    const auto gap = provider.sequence.take(sequence);
+    const auto gap = sequences_.take(life, sequence);
     if (!gap) return true;
     missed = *gap;
   }

@@ -50,7 +50,7 @@ TcpPublisher::TcpPublisher(ChannelHost& host, ChannelNumber number, Life life, C
 
 bool TcpPublisher::has_room(std::size_t payload_bytes) const {
   return std::ranges::all_of(connections_, [payload_bytes](const auto& one) {
-    return !one.second.is_consumer || one.second.outlet.has_room(payload_bytes);
+    return one.second.role != Role::consumer || one.second.outlet.has_room(payload_bytes);
   });
 }
 
@@ -58,7 +58,7 @@ void TcpPublisher::transmit(const FrameHeader& header, std::span<const std::byte
   Outlet::Shared shared;
   std::vector<Number> broken;
   for (auto& [number, connection] : connections_) {
-    if (!connection.is_consumer) continue;
+    if (connection.role != Role::consumer) continue;
     if (!connection.outlet.has_room(payload.size())) {
       ++count_.left_out;
       continue;
@@ -86,14 +86,18 @@ void TcpPublisher::transmit(const FrameHeader& header, std::span<const std::byte
 }
 
 Parties::Carrier TcpPublisher::carrier_of(Parties::Number consumer) const {
-  return consumer_of(parties_.at(consumer).life) != nullptr ? Parties::Carrier::connection
-                                                            : Parties::Carrier::no_connection;
+  return is_reached(consumer) ? Parties::Carrier::connection : Parties::Carrier::no_connection;
 }
 
-const TcpPublisher::Connection* TcpPublisher::consumer_of(Life life) const {
+bool TcpPublisher::is_reached(Parties::Number consumer) const {
+  return consumer_of(parties_.at(consumer).life).has_value();
+}
+
+std::optional<TcpPublisher::Number> TcpPublisher::consumer_of(Life life) const {
+  if (life == no_life) return std::nullopt;
   const auto found = std::ranges::find_if(
-      connections_, [life](const auto& one) { return one.second.is_consumer && one.second.life == life; });
-  return found == connections_.end() || life == no_life ? nullptr : &found->second;
+      connections_, [life](const auto& one) { return one.second.role == Role::consumer && one.second.life == life; });
+  return found == connections_.end() ? std::nullopt : std::optional(found->first);
 }
 
 void TcpPublisher::on_consumer(Parties::Number consumer) {
@@ -102,22 +106,25 @@ void TcpPublisher::on_consumer(Parties::Number consumer) {
   // It may have been here before the daemon's word; the last one counts.
   std::vector<Number> waiting;
   for (const auto& [number, connection] : connections_) {
-    if (!connection.is_consumer && connection.life == life) waiting.push_back(number);
+    if (connection.role == Role::stranger && connection.life == life) waiting.push_back(number);
   }
   for (const Number number : waiting) become_consumer(number);
 }
 
-void TcpPublisher::on_consumer_gone(Parties::Number consumer) {
-  const Life life = parties_.at(consumer).life;
-  if (mode_ == ChannelMode::one_to_many_stream || life == no_life) return;
-  const auto found = std::ranges::find_if(
-      connections_, [life](const auto& one) { return one.second.is_consumer && one.second.life == life; });
-  if (found != connections_.end()) close(found->first);
+void TcpPublisher::on_consumer_gone(Parties::Number consumer, bool is_final) {
+  if (mode_ == ChannelMode::one_to_many_stream) return;
+  const auto connection = consumer_of(parties_.at(consumer).life);
+  if (!connection) return;
+  if (is_final) {
+    leave(*connection);
+  } else {
+    close(*connection);
+  }
 }
 
 void TcpPublisher::accept_all() {
   while (auto socket = accept(listener_)) {
-    const auto is_stranger = [](const auto& one) { return !one.second.is_consumer; };
+    const auto is_stranger = [](const auto& one) { return one.second.role == Role::stranger; };
     if (static_cast<std::size_t>(std::ranges::count_if(connections_, is_stranger)) == max_strangers) {
       ++count_.dropped;
       close(std::ranges::find_if(connections_, is_stranger)->first);
@@ -158,8 +165,8 @@ bool TcpPublisher::read(Number number) {
 
 bool TcpPublisher::take(Number number, const Frame& frame) {
   Connection& connection = connections_.at(number);
-  if (connection.is_consumer || connection.life != no_life || is_closed_) return true;  // it has nothing more to say
-  if (frame.kind != FrameKind::hello || frame.life == no_life) {
+  if (connection.role != Role::stranger) return true;  // it has nothing more to say
+  if (frame.kind != FrameKind::hello || frame.life == no_life || connection.life != no_life) {
     ++count_.dropped;
     close(number);
     return false;
@@ -171,19 +178,17 @@ bool TcpPublisher::take(Number number, const Frame& frame) {
 
 bool TcpPublisher::become_consumer(Number number) {
   Connection& connection = connections_.at(number);
-  const auto other = std::ranges::find_if(connections_, [&](const auto& one) {
-    return one.first != number && one.second.is_consumer && one.second.life == connection.life;
-  });
-  if (other != connections_.end()) close(other->first);
+  if (const auto other = consumer_of(connection.life)) close(*other);
   if (consumer_connections_ == max_tcp_consumers) {
     ++count_.dropped;
     close(number);
     return false;
   }
-  connection.is_consumer = true;
+  connection.role = Role::consumer;
   connection.until = base::never;
   ++consumer_connections_;
   set_deadline();
+  if (const auto party = parties_.find(connection.life)) appear(*party);
   return true;
 }
 
@@ -198,29 +203,37 @@ bool TcpPublisher::write(Number number) {
     }
     if (*written == 0) break;
     connection.outlet.wrote(*written);
+    if (connection.role == Role::leaving) connection.until = now() + leaving_patience;
   }
   connection.watch.want(true, !connection.outlet.is_empty());
-  if (is_closed_ && connection.outlet.is_empty() && !connection.has_ended) {
+  if (connection.role != Role::leaving) return true;
+  if (connection.outlet.is_empty() && !std::exchange(connection.has_ended, true)) {
     ::shutdown(connection.socket.get(), SHUT_WR);
-    connection.has_ended = true;
   }
+  set_deadline();
   return true;
 }
 
 void TcpPublisher::lose(Number number) {
   const Life life = connections_.at(number).life;
-  const bool was_consumer = connections_.at(number).is_consumer;
+  const bool was_consumer = connections_.at(number).role == Role::consumer;
   close(number);
-  if (!was_consumer || is_closed_) return;
-  // Who is out of sight is gone with its connection.
-  const auto party = parties_.find(life);
-  if (party && parties_.at(*party).state == Parties::State::orphaned) remove(*party);
+  if (!was_consumer) return;
+  if (const auto party = parties_.find(life)) vanish(*party);
+}
+
+void TcpPublisher::leave(Number number) {
+  Connection& connection = connections_.at(number);
+  if (connection.role == Role::consumer) --consumer_connections_;
+  connection.role = Role::leaving;
+  connection.until = now() + leaving_patience;
+  write(number);
 }
 
 void TcpPublisher::close(Number number) {
   const auto found = connections_.find(number);
   if (found == connections_.end()) return;
-  if (found->second.is_consumer) --consumer_connections_;
+  if (found->second.role == Role::consumer) --consumer_connections_;
   found->second.watch.stop();
   connections_.erase(found);
 }
@@ -241,13 +254,12 @@ void TcpPublisher::finish() {
   for (const auto& [number, connection] : connections_) all.push_back(number);
   for (const Number number : all) {
     Connection& connection = connections_.at(number);
-    if (!connection.is_consumer) {
+    if (connection.role == Role::stranger) {
       close(number);
-      continue;
+    } else if (connection.role == Role::consumer) {
+      connection.outlet.put(end);
+      leave(number);
     }
-    connection.until = now() + drain_patience;
-    connection.outlet.put(end);
-    write(number);
   }
   set_deadline();
 }

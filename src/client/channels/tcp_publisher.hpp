@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 
 #include "client/channels/outlet.hpp"
 #include "client/channels/publisher_channel.hpp"
@@ -20,14 +21,19 @@ class TcpPublisher : public PublisherChannel {
   [[nodiscard]] bool is_finished() const override { return is_closed_ && connections_.empty(); }
 
  private:
+  enum class Role : std::uint8_t {
+    stranger,  ///< nobody's yet
+    consumer,
+    leaving,  ///< gets what waits for it and nothing more
+  };
   struct Connection {
     Socket socket;
     Reactor::Watch watch;
-    FrameReader reader{sizeof(std::uint64_t)};  ///< nobody says more than a hello
+    FrameReader reader{0};  ///< nobody says more than a hello
     Outlet outlet;
-    Life life = no_life;       ///< as its hello says
-    bool is_consumer = false;  ///< else it is a stranger
-    bool has_ended = false;    ///< everything is written and our half is closed
+    Life life = no_life;  ///< as its hello says
+    Role role = Role::stranger;
+    bool has_ended = false;  ///< everything is written and our half is closed
     base::Instant until = base::never;
   };
   /// In the order in which they came.
@@ -40,7 +46,8 @@ class TcpPublisher : public PublisherChannel {
   void transmit(const FrameHeader& header, std::span<const std::byte> payload) override;
   [[nodiscard]] Parties::Carrier carrier_of(Parties::Number consumer) const override;
   void on_consumer(Parties::Number consumer) override;
-  void on_consumer_gone(Parties::Number consumer) override;
+  void on_consumer_gone(Parties::Number consumer, bool is_final) override;
+  [[nodiscard]] bool is_reached(Parties::Number consumer) const override;
 
   void accept_all();
   void on_ready(Number connection, Reactor::Ready ready);
@@ -49,7 +56,9 @@ class TcpPublisher : public PublisherChannel {
   bool take(Number connection, const Frame& frame);
   bool write(Number connection);
   bool become_consumer(Number connection);
-  [[nodiscard]] const Connection* consumer_of(Life life) const;
+  [[nodiscard]] std::optional<Number> consumer_of(Life life) const;
+  /// Writes what waits, and then closes.
+  void leave(Number connection);
   void close(Number connection);
   /// Closes what the party loses with its connection.
   void lose(Number connection);

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <utility>
 
 namespace geminga::client {
 namespace {
 
-/// Interfaces come and go; so often is looked which are up.
-constexpr std::chrono::seconds interfaces_interval{5};
 /// Datagrams that are read before others have their turn.
 constexpr int datagrams_at_once = 64;
 
@@ -76,7 +73,10 @@ void UdpPublisher::send_to_all(std::span<const iovec> parts) {
     for (const unsigned interface : interfaces_) send_to(*group_, parts, interface);
   }
   for (const auto& [number, consumer] : consumers_) {
-    if (consumer.address.port != 0) send_to(consumer.address, parts, 0);
+    if (consumer.address.port == 0) continue;
+    // Who states no life knows nothing of frames.
+    const auto for_it = parties_.at(number).life == no_life ? parts.subspan(1) : parts;
+    if (!for_it.empty()) send_to(consumer.address, for_it, 0);
   }
   for (const auto& listener : listeners_.all()) send_to(listener.address, parts, 0);
 }
@@ -111,7 +111,7 @@ void UdpPublisher::open_socket_of_first() {
   if (binding_.port != stated) host_.state_port(number_, binding_.port);
 }
 
-void UdpPublisher::on_consumer_gone(Parties::Number consumer) {
+void UdpPublisher::on_consumer_gone(Parties::Number consumer, bool) {
   if (consumers_.at(consumer).address.port != 0 && reachable_ > 0) --reachable_;
   if (reachable_ > 0 || mode_ != ChannelMode::one_to_many_pubsub) return;
   watch_.stop();

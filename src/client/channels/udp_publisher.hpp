@@ -27,11 +27,13 @@ class UdpPublisher : public PublisherChannel {
   void transmit(const FrameHeader& header, std::span<const std::byte> payload) override;
   [[nodiscard]] Parties::Carrier carrier_of(Parties::Number) const override { return Parties::Carrier::datagrams; }
   void on_consumer(Parties::Number consumer) override;
-  void on_consumer_gone(Parties::Number consumer) override;
+  void on_consumer_gone(Parties::Number consumer, bool is_final) override;
+  [[nodiscard]] bool is_reached(Parties::Number) const override { return true; }
 
   std::expected<void, std::string> open_socket();
   void open_socket_of_first();
   void send_to(const PeerAddress& to, std::span<const iovec> parts, unsigned interface);
+  /// `parts` are the header and the payload, or the header alone.
   void send_to_all(std::span<const iovec> parts);
   void read();
   void take(const Frame& frame, const PeerAddress& from);

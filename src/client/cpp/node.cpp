@@ -18,8 +18,8 @@ using Clock = std::chrono::steady_clock;
 
 /// How seldom send() looks after everything else, so that its cost is that of sending.
 constexpr milliseconds upkeep_interval{1};
-/// How long a program's end waits for a daemon that does not answer the goodbye.
-constexpr milliseconds goodbye_patience{3000};
+/// How long an end waits altogether: for consumers that take what waits for them, and for the daemon's goodbye.
+constexpr milliseconds goodbye_patience{60'000};
 
 }  // namespace
 

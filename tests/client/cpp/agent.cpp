@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "client/cpp/agent_answers.hpp"
 #include "discovery/gcnp/request.hpp"
@@ -42,6 +43,7 @@ struct Offer {
 
 struct Wish {
   Subscriber subscriber;
+  std::uint64_t taken = 0;
   bool is_quiet = false;
   bool is_deaf = false;
 };
@@ -112,14 +114,14 @@ class Agent {
     } else if (wish != wishes_.end()) {
       obey(word, label, wish->second, rest);
     } else {
-      say("problem " + label + " there is none of this name");
+      say("error " + label + " there is none of this name");
     }
   }
 
   void obey(const std::string& word, const std::string& label, Offer& offer, std::string_view rest) {
     if (word == "send") {
       const auto sent = offer.publisher.send(from_hex(rest).value_or(Bytes{}));
-      if (!sent) say("problem " + label + ' ' + sent.error().text);
+      if (!sent) say("error " + label + ' ' + sent.error().text);
     } else if (word == "stream") {
       Stream stream;
       stream.count = number(next_word(rest));
@@ -132,9 +134,9 @@ class Agent {
           " dropped=" + std::to_string(count.dropped));
     } else if (word == "modify") {
       const auto request = read("1 pub modify " + std::string(rest));
-      if (!request) return say("problem " + label + ' ' + request.error().text);
+      if (!request) return say("error " + label + ' ' + request.error().text);
       const auto asked = offer.publisher.modify(std::get<gcnp::PubModify>(*request), Wait::for_nothing);
-      if (!asked) say("problem " + label + ' ' + asked.error().text);
+      if (!asked) say("error " + label + ' ' + asked.error().text);
     } else if (word == "close") {
       offer.is_closing = true;
       offer.publisher.begin_withdraw();
@@ -148,13 +150,13 @@ class Agent {
       wish.is_deaf = word == "deaf";
     } else if (word == "count") {
       const ReceiveCount count = wish.subscriber.count();
-      say("count " + label + " received=" + std::to_string(count.received) + " missed=" + std::to_string(count.missed) +
+      say("count " + label + " received=" + std::to_string(wish.taken) + " missed=" + std::to_string(count.missed) +
           " dropped=" + std::to_string(count.dropped));
     } else if (word == "modify") {
       const auto request = read("1 sub modify " + std::string(rest));
-      if (!request) return say("problem " + label + ' ' + request.error().text);
+      if (!request) return say("error " + label + ' ' + request.error().text);
       const auto asked = wish.subscriber.modify(std::get<gcnp::SubModify>(*request), Wait::for_nothing);
-      if (!asked) say("problem " + label + ' ' + asked.error().text);
+      if (!asked) say("error " + label + ' ' + asked.error().text);
     } else if (word == "close") {
       labels_.erase(wish.subscriber.number());
       wish.subscriber.withdraw();
@@ -194,9 +196,11 @@ class Agent {
   /// Messages that came, streams whose next message is due, and what has ended.
   void look_around() {
     for (auto& [label, wish] : wishes_) {
-      while (!wish.is_deaf) {
+      const auto named = labels_.find(wish.subscriber.number());
+      while (!wish.is_deaf && named != labels_.end() && named->second.was_accepted) {
         const auto message = wish.subscriber.poll();
         if (!message) break;
+        ++wish.taken;
         if (wish.is_quiet) continue;
         const std::span<const std::byte> payload(message->payload);
         say("message " + label + ' ' + to_string(message->life) + ' ' + std::to_string(message->sequence) + ' ' +
@@ -228,8 +232,10 @@ class Agent {
       for (int octet = 0; octet < 8; ++octet)
         payload[static_cast<std::size_t>(octet)] = static_cast<std::byte>(stream.next >> (56 - 8 * octet));
       ++stream.next;
-      const auto sent = offer.publisher.send(payload);
-      if (!sent) say("problem " + label + ' ' + sent.error().text);
+      if (const auto sent = offer.publisher.send(payload); !sent) {
+        offer.stream.reset();
+        say("error " + label + ' ' + sent.error().text);
+      }
     }
   }
 
@@ -253,32 +259,39 @@ class Agent {
   struct Label {
     std::string text;
     bool was_accepted = false;
+    std::vector<std::string> early{};  ///< said behind the ok
   };
-  [[nodiscard]] std::string label(ChannelNumber number) const {
+  /// Says `WORD LABEL REST`, behind the ok of the label.
+  void say_about(ChannelNumber number, const std::string& word, const std::string& rest) {
     const auto found = labels_.find(number);
-    return found == labels_.end() ? "-" : found->second.text;
+    const std::string line = word + ' ' + (found == labels_.end() ? "-" : found->second.text) + ' ' + rest;
+    if (found == labels_.end() || found->second.was_accepted) return say(line);
+    found->second.early.push_back(line);
   }
 
   static void tell(const Connected&) { say("connected"); }
   static void tell(const Disconnected&) { say("disconnected"); }
   void tell(const Accepted& accepted) {
     const auto found = labels_.find(accepted.channel);
-    if (found != labels_.end() && !std::exchange(found->second.was_accepted, true)) say("ok " + found->second.text);
+    if (found == labels_.end() || std::exchange(found->second.was_accepted, true)) return;
+    say("ok " + found->second.text);
+    for (const std::string& line : std::exchange(found->second.early, {})) say(line);
   }
   void tell(const Refused& refused) {
     const auto found = labels_.find(refused.channel);
-    const bool was_accepted = found != labels_.end() && found->second.was_accepted;
-    say((was_accepted ? "problem " : "error ") + label(refused.channel) + ' ' + refused.error.text);
+    if (found != labels_.end()) say("error " + found->second.text + ' ' + refused.error.text);
   }
   void tell(const ProviderChange& change) {
-    say("provider " + label(change.channel) + ' ' + std::string(to_string(change.what)) + ' ' + to_string(change.life) +
-        ' ' + (change.reason.empty() ? "-" : change.reason));
+    say_about(change.channel, "provider",
+              std::string(to_string(change.what)) + ' ' + to_string(change.life) + ' ' +
+                  (change.reason.empty() ? "-" : change.reason));
   }
   void tell(const ConsumerChange& change) {
-    say("consumer " + label(change.channel) + ' ' + std::string(to_string(change.what)) + ' ' + to_string(change.life) +
-        ' ' + (change.reason.empty() ? "-" : change.reason));
+    say_about(change.channel, "consumer",
+              std::string(to_string(change.what)) + ' ' + to_string(change.life) + ' ' +
+                  (change.reason.empty() ? "-" : change.reason));
   }
-  void tell(const Problem& problem) { say("problem " + label(problem.channel) + ' ' + problem.text); }
+  void tell(const Problem& problem) { say_about(problem.channel, "problem", problem.text); }
 
   Node node_;
   std::map<std::string, Offer> offers_;

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 
 #include "base/text.hpp"
 #include "client/channels/frame.hpp"
 #include "discovery/gcnp/event.hpp"
-#include "discovery/gcnp/request.hpp"
+#include "discovery/gcnp/statement.hpp"
 #include "geminga/identity.hpp"
 
 namespace geminga::agent {
@@ -16,6 +17,12 @@ int digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
   return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+/// A key may stand once in a statement; who reads a request says so, and here is none.
+bool has_doubled_key(const gcnp::Statement& statement) {
+  std::set<std::string_view> keys;
+  return !std::ranges::all_of(statement.parameters, [&](const auto& one) { return keys.insert(one.key).second; });
 }
 
 }  // namespace
@@ -57,11 +64,14 @@ std::optional<Bytes> from_hex(std::string_view text) {
 
 std::string identity_answer(std::string_view words) {
   const std::string kind = next_word(words);
-  const std::string value = next_word(words);
-  const std::string representation = next_word(words);
-  Identity identity = SemanticIdentity{value, representation};
-  if (kind == "number") identity = NumericIdentity{static_cast<Id32>(number(value))};
-  if (kind == "text") identity = TextIdentity{value};
+  Identity identity = TextIdentity{std::string(words)};
+  if (kind == "number") identity = NumericIdentity{static_cast<Id32>(number(words))};
+  if (kind == "concept" || kind == "expression") {
+    // An expression has spaces, too; its last word is a representation unless it closes a bracket of the expression.
+    const auto space = words.ends_with(')') ? std::string_view::npos : words.rfind(' ');
+    const auto representation = space == std::string_view::npos ? "" : words.substr(space + 1);
+    identity = SemanticIdentity{std::string(words.substr(0, space)), std::string(representation)};
+  }
   return "identity " + std::to_string(id32(identity));
 }
 
@@ -77,21 +87,14 @@ std::string frame_answer(std::string_view hex) {
 }
 
 std::string line_answer(std::string_view line) {
-  const auto statement = gcnp::parse(line);
   std::string written;
-  if (const auto request = statement ? gcnp::read_request(*statement) : std::unexpected(Error{})) {
-    written = gcnp::to_line(gcnp::to_statement(statement->id, *request));
-  } else if (const auto reply = gcnp::read_reply(line)) {
-    const auto* event = std::get_if<Event>(&*reply);
-    if (event == nullptr) return "line refused";
-    const Event& told = *event;
-    if (const auto* error = std::get_if<Error>(&told.what)) {
-      written = gcnp::to_line(told.request, *error);
-    } else if (const auto* service = std::get_if<ServiceEvent>(&told.what)) {
-      written = gcnp::to_line(gcnp::to_statement(told.request, *service));
-    } else {
-      written = gcnp::to_line(gcnp::to_statement(told.request, std::get<ConsumerEvent>(told.what)));
-    }
+  const auto reply = gcnp::read_reply(line);
+  const auto* event = reply ? std::get_if<Event>(&*reply) : nullptr;
+  const auto* error = event == nullptr ? nullptr : std::get_if<Error>(&event->what);
+  if (error != nullptr) {
+    written = gcnp::to_line(event->request, *error);
+  } else if (const auto statement = gcnp::parse(line); statement && !has_doubled_key(*statement)) {
+    written = gcnp::to_line(*statement);
   } else {
     return "line refused";
   }
