@@ -12,6 +12,9 @@
 namespace geminga::client {
 namespace {
 
+/// How long a daemon may take to read what was said before the goodbye.
+constexpr std::chrono::seconds goodbye_patience{3};
+
 std::string words_of(int number) { return std::generic_category().message(number); }
 
 /// On its way there, or the system's error number.
@@ -90,10 +93,22 @@ void DaemonLink::greet() {
 }
 
 void DaemonLink::say(const gcnp::Statement& statement) {
-  if (state_ != State::up) return;
+  if (state_ != State::up || is_leaving_) return;
   const bool was_empty = out_.empty();
   out_ += gcnp::to_line(statement);
   if (was_empty) write();
+}
+
+void DaemonLink::leave() {
+  if (state_ != State::up || is_leaving_) return;
+  say({0, "sys", "bye", {}});
+  is_leaving_ = true;
+  timer_.set(reactor_.now() + goodbye_patience);
+  end_if_leaving();
+}
+
+void DaemonLink::end_if_leaving() {
+  if (is_leaving_ && out_.empty()) ::shutdown(socket_.get(), SHUT_WR);
 }
 
 void DaemonLink::write() {
@@ -110,6 +125,7 @@ void DaemonLink::write() {
   }
   out_.erase(0, written);
   watch_.want(true, !out_.empty());
+  end_if_leaving();
 }
 
 void DaemonLink::read() {

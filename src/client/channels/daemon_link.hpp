@@ -41,8 +41,8 @@ class DaemonLink {
   [[nodiscard]] bool has_failed() const { return has_failed_; }
   /// Says a line, where the daemon is there.
   void say(const gcnp::Statement& statement);
-  /// Whether everything was written.
-  [[nodiscard]] bool is_flushed() const { return out_.empty(); }
+  /// Says goodbye and nothing more: down comes when the daemon has read everything, or has taken too long for that.
+  void leave();
   /// Lets go of a daemon that cannot serve us now; it is looked for again.
   void drop(const std::string& reason) {
     if (is_up()) fail(reason);
@@ -59,6 +59,8 @@ class DaemonLink {
   void read();
   void take_line(const gcnp::LineReader::Line& line);
   void write();
+  /// Where everything is said, our half is closed.
+  void end_if_leaving();
   /// The attempt has failed, or the daemon is gone: the next one comes later.
   void fail(const std::string& reason);
 
@@ -66,6 +68,7 @@ class DaemonLink {
   Options options_;
   Told told_;
   State state_ = State::stopped;
+  bool is_leaving_ = false;
   std::size_t endpoint_ = 0;  ///< of the attempt under way
   bool has_failed_ = false;
   Socket socket_;

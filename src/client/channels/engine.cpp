@@ -164,8 +164,7 @@ void Engine::withdraw_all() {
 bool Engine::has_ended() {
   if (!is_ending_ || !publishers_.empty()) return false;
   if (!link_.is_up()) return true;
-  if (!std::exchange(has_said_bye_, true)) link_.say({0, "sys", "bye", {}});
-  // The daemon closes when it has read that.
+  link_.leave();
   return !link_.is_up();
 }
 

@@ -100,7 +100,6 @@ class Engine final : public ChannelHost {
   std::map<ChannelNumber, OnMessage> on_message_;
   std::vector<ChannelNumber> ready_;  ///< subscribers that have got a message
   bool is_ending_ = false;
-  bool has_said_bye_ = false;
 };
 
 /// What the daemon says about itself and this client.

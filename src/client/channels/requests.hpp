@@ -62,7 +62,7 @@ class Requests {
   /// It is gone; changes that it did not answer go with the request to the next one.
   void on_down();
   /// `0 msg pong`
-  [[nodiscard]] std::vector<Settled> on_pong();
+  std::vector<Settled> on_pong();
   /// `N EEE text`. Nothing where it belongs to something that was asked, and comes with its pong.
   [[nodiscard]] std::optional<Settled> on_error(ChannelNumber number, const Error& error);
 

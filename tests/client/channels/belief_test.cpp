@@ -1,0 +1,248 @@
+// Who is believed and for how long, in given time; and what of theirs is new.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "client/channels/backoff.hpp"
+#include "client/channels/converter.hpp"
+#include "client/channels/listeners.hpp"
+#include "client/channels/outlet.hpp"
+#include "client/channels/parties.hpp"
+#include "client/channels/sequence.hpp"
+
+namespace geminga::client {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using Carrier = Parties::Carrier;
+using Parting = Parties::Parting;
+
+constexpr base::Instant start{1000s};
+constexpr Life one_life{1};
+constexpr Life other_life{2};
+
+ServiceKey key(std::uint32_t number) { return {ParticipantId{7}, PeerId{1}, number}; }
+
+TEST(Parties, KnowTheSameLifeUnderAnyKey) {
+  Parties parties;
+  const auto first = parties.add(one_life, key(1));
+  EXPECT_TRUE(first.is_new);
+  const auto again = parties.add(one_life, key(2));
+  EXPECT_FALSE(again.is_new);
+  EXPECT_EQ(again.number, first.number);
+  EXPECT_FALSE(parties.find(key(1)));
+  EXPECT_EQ(parties.find(key(2)), first.number);
+}
+
+TEST(Parties, WithoutALifeAreKnownByTheirKeys) {
+  Parties parties;
+  EXPECT_TRUE(parties.add(no_life, key(1)).is_new);
+  EXPECT_TRUE(parties.add(no_life, key(2)).is_new);
+  EXPECT_FALSE(parties.add(no_life, key(1)).is_new);
+}
+
+TEST(Parties, AreClosedWhereTheirMatchEnded) {
+  for (const char* reason : {"outranked", "changed"}) {
+    Parties parties;
+    const auto number = parties.add(one_life, key(1)).number;
+    const auto parted = parties.del(key(1), reason, Carrier::connection, start);
+    EXPECT_EQ(parted.number, number);
+    EXPECT_EQ(parted.parting, Parting::close) << reason;
+  }
+}
+
+TEST(Parties, FinishWhereTheyWereWithdrawn) {
+  Parties parties;
+  const auto number = parties.add(one_life, key(1)).number;
+  EXPECT_EQ(parties.del(key(1), "withdrawn", Carrier::connection, start).parting, Parting::finish);
+  EXPECT_THAT(parties.expired(start + drain_patience - 1ns), IsEmpty());
+  parties.go_on_finishing(number, start + 1s);
+  EXPECT_THAT(parties.expired(start + drain_patience), IsEmpty());
+  EXPECT_THAT(parties.expired(start + 1s + drain_patience), ElementsAre(number));
+}
+
+TEST(Parties, OutliveTheSightOfDaemonsOverUdpForTenSeconds) {
+  Parties parties;
+  const auto number = parties.add(one_life, key(1)).number;
+  EXPECT_EQ(parties.del(key(1), "expired", Carrier::datagrams, start).parting, Parting::go_on);
+  EXPECT_THAT(parties.expired(start + orphan_patience - 1ns), IsEmpty());
+  EXPECT_THAT(parties.expired(start + orphan_patience), ElementsAre(number));
+  EXPECT_FALSE(parties.add(one_life, key(9)).is_new) << "the same life is the same channel";
+  EXPECT_EQ(parties.next_end(), base::never);
+}
+
+TEST(Parties, OutliveItOverTcpAsLongAsTheConnection) {
+  Parties parties;
+  parties.add(one_life, key(1));
+  EXPECT_EQ(parties.del(key(1), "left", Carrier::connection, start).parting, Parting::go_on);
+  EXPECT_EQ(parties.next_end(), base::never);
+  parties.add(other_life, key(2));
+  EXPECT_EQ(parties.del(key(2), "left", Carrier::no_connection, start).parting, Parting::close);
+}
+
+TEST(Parties, AreDoubtedWithoutADaemonAndOrphansWhenNobodyConfirmsThem) {
+  Parties parties;
+  const auto one = parties.add(one_life, key(1)).number;
+  const auto other = parties.add(other_life, key(2)).number;
+  parties.doubt();
+  EXPECT_THAT(parties.expired(start + 1h), IsEmpty()) << "however long that takes";
+  EXPECT_FALSE(parties.add(one_life, key(3)).is_new);
+  EXPECT_THAT(parties.settle([](auto) { return Carrier::datagrams; }, start), IsEmpty());
+  EXPECT_EQ(parties.at(one).state, Parties::State::matched);
+  EXPECT_EQ(parties.at(other).state, Parties::State::orphaned);
+  EXPECT_EQ(parties.at(other).reason, "disconnected");
+}
+
+TEST(Parties, LeaveNoRoomForOrphansBesideTheLimit) {
+  Parties parties;
+  const auto orphan = parties.add(one_life, key(1)).number;
+  parties.del(key(1), "expired", Carrier::datagrams, start);
+  EXPECT_THAT(parties.superfluous(1), IsEmpty());
+  parties.add(other_life, key(2));
+  EXPECT_THAT(parties.superfluous(2), IsEmpty());
+  EXPECT_THAT(parties.superfluous(0), IsEmpty()) << "there is no limit";
+  EXPECT_THAT(parties.superfluous(1), ElementsAre(orphan));
+}
+
+TEST(Sequences, DeliverWhatIsNewerAndCountWhatIsMissing) {
+  Sequences sequences;
+  EXPECT_EQ(sequences.take(one_life, 5), 0U) << "what came before the first was not missed";
+  EXPECT_EQ(sequences.take(one_life, 6), 0U);
+  EXPECT_EQ(sequences.take(one_life, 6), std::nullopt);
+  EXPECT_EQ(sequences.take(one_life, 9), 2U);
+  EXPECT_EQ(sequences.take(one_life, 8), std::nullopt);
+  EXPECT_EQ(sequences.take(other_life, 8), 0U);
+  EXPECT_EQ(sequences.missed_at_end(one_life, 12), 3U);
+  EXPECT_EQ(sequences.missed_at_end(one_life, 9), 0U);
+}
+
+TEST(Sequences, DoNotMissWhatWasSentWhileTheChannelWasClosed) {
+  Sequences sequences;
+  EXPECT_EQ(sequences.take(one_life, 5), 0U);
+  sequences.interrupt(one_life);
+  EXPECT_EQ(sequences.missed_at_end(one_life, 50), 0U);
+  EXPECT_EQ(sequences.take(one_life, 4), std::nullopt) << "and deliver nothing twice";
+  EXPECT_EQ(sequences.take(one_life, 50), 0U);
+  EXPECT_EQ(sequences.take(one_life, 52), 1U);
+}
+
+TEST(Sequences, RememberTheLivesThatWereHeardLast) {
+  for (const std::size_t others : {max_remembered_lives - 1, max_remembered_lives}) {
+    Sequences sequences;
+    EXPECT_EQ(sequences.take(one_life, 5), 0U);
+    for (std::uint64_t life = 100; life < 100 + others; ++life) EXPECT_EQ(sequences.take(Life{life}, 1), 0U);
+    EXPECT_EQ(sequences.take(one_life, 5).has_value(), others == max_remembered_lives) << others;
+  }
+}
+
+PeerAddress at_port(std::uint16_t port) { return *peer_address("10.0.0.1", port); }
+
+TEST(Listeners, AreForgottenAfterThreeSecondsOfSilence) {
+  Listeners listeners;
+  EXPECT_TRUE(listeners.hello(at_port(1), start));
+  EXPECT_TRUE(listeners.hello(at_port(1), start + 1s));
+  listeners.expire(start + listener_patience);
+  EXPECT_EQ(listeners.all().size(), 1U);
+  EXPECT_EQ(listeners.next_end(), start + 1s + listener_patience);
+  listeners.expire(start + 1s + listener_patience);
+  EXPECT_THAT(listeners.all(), IsEmpty());
+}
+
+TEST(Listeners, AreLimited) {
+  Listeners listeners;
+  for (std::uint16_t port = 1; port < max_listeners; ++port) EXPECT_TRUE(listeners.hello(at_port(port), start));
+  EXPECT_TRUE(listeners.hello(at_port(max_listeners), start));
+  EXPECT_FALSE(listeners.hello(at_port(max_listeners + 1), start));
+  EXPECT_TRUE(listeners.hello(at_port(1), start)) << "who is heard already has its place";
+  listeners.end(at_port(1));
+  EXPECT_TRUE(listeners.hello(at_port(max_listeners + 1), start));
+}
+
+TEST(Outlet, TakesOneMessageOfAnySizeAndElseFourMebibytes) {
+  Outlet outlet;
+  EXPECT_TRUE(outlet.has_room(max_stream_payload));
+  outlet.put(std::make_shared<const std::vector<std::byte>>(1000));
+  const std::size_t left = max_waiting_for_consumer - 1000 - frame_header_bytes;
+  EXPECT_TRUE(outlet.has_room(left - 1));
+  EXPECT_TRUE(outlet.has_room(left));
+  EXPECT_FALSE(outlet.has_room(left + 1));
+  outlet.wrote(400);
+  EXPECT_TRUE(outlet.has_room(left + 400));
+  EXPECT_FALSE(outlet.has_room(left + 401));
+  outlet.wrote(600);
+  EXPECT_TRUE(outlet.is_empty());
+}
+
+TEST(Outlet, GoesOnBehindWhatIsWritten) {
+  Outlet outlet;
+  outlet.put(std::make_shared<const std::vector<std::byte>>(10), 4);
+  outlet.put(std::make_shared<const std::vector<std::byte>>(5));
+  EXPECT_EQ(outlet.front().size(), 6U);
+  outlet.wrote(6);
+  EXPECT_EQ(outlet.front().size(), 5U);
+}
+
+TEST(Backoff, DoublesUpToASecondAndAddsAQuarterByChance) {
+  Backoff backoff;
+  for (const auto base : {100ms, 200ms, 400ms, 800ms, 1000ms, 1000ms}) EXPECT_EQ(backoff.next(0), base);
+  backoff.reset();
+  EXPECT_EQ(backoff.next(25'000), 125ms);
+  EXPECT_LE(backoff.next(~0ULL), 250ms);
+}
+
+TEST(PeerAddress, IsTheSameInBothFamilies) {
+  const auto four = *peer_address("10.0.0.1", 5000);
+  EXPECT_TRUE(four.is_ipv4());
+  for (const int family : {AF_INET, AF_INET6}) EXPECT_EQ(peer_address(system_address(four, family)->storage), four);
+  EXPECT_EQ(to_string(four), "10.0.0.1:5000");
+  const auto six = *peer_address("2001:db8::1", 5000);
+  EXPECT_EQ(peer_address(system_address(six, AF_INET6)->storage), six);
+  EXPECT_FALSE(system_address(six, AF_INET));
+  EXPECT_EQ(to_string(six), "[2001:db8::1]:5000");
+  EXPECT_TRUE(peer_address("239.1.2.3", 1)->is_multicast());
+  EXPECT_TRUE(peer_address("ff02::1", 1)->is_multicast());
+  EXPECT_FALSE(four.is_multicast());
+  EXPECT_FALSE(peer_address("robot2", 1));
+}
+
+std::vector<std::byte> bytes(std::string_view text) {
+  const auto view = std::as_bytes(std::span(text));
+  return {view.begin(), view.end()};
+}
+
+Conversion append(const char* text) {
+  return [text](std::span<const std::byte> payload) {
+    std::vector<std::byte> after(payload.begin(), payload.end());
+    const auto more = bytes(text);
+    after.insert(after.end(), more.begin(), more.end());
+    return after;
+  };
+}
+
+TEST(Conversions, AreAppliedInTheirOrderOrAllAtOnce) {
+  Conversions conversions{{"A>B", append("1")}, {"B>C", append("2")}};
+  EXPECT_EQ(*convert(conversions, "A>B>C", bytes("x")), bytes("x12"));
+  EXPECT_EQ(*convert(conversions, "A>B", bytes("x")), bytes("x1"));
+  EXPECT_EQ(*convert(conversions, "", bytes("x")), bytes("x"));
+  conversions["A>C"] = append("3");
+  EXPECT_EQ(*convert(conversions, "A>B>C", bytes("x")), bytes("x3"));
+}
+
+TEST(Conversions, SayWhatIsMissingOrThrew) {
+  Conversions conversions{{"A>B", append("1")}};
+  const auto missing = convert(conversions, "A>B>C", bytes("x"));
+  ASSERT_FALSE(missing);
+  EXPECT_THAT(missing.error(), testing::HasSubstr("B>C"));
+  conversions["B>C"] = [](std::span<const std::byte>) -> std::vector<std::byte> {
+    throw std::runtime_error("no frame");
+  };
+  const auto thrown = convert(conversions, "A>B>C", bytes("x"));
+  ASSERT_FALSE(thrown);
+  EXPECT_THAT(thrown.error(), testing::HasSubstr("no frame"));
+}
+
+}  // namespace
+}  // namespace geminga::client
