@@ -133,8 +133,10 @@ class Node {
   [[nodiscard]] int descriptor() const;
   /// Does what is to be done and never waits.
   void process();
-  /// Does what is to be done for so long, or until something has come.
+  /// Does what is to be done; where no message and no event comes of it, waits for more to do, so long at most.
   void wait(std::chrono::milliseconds timeout);
+  /// Does what is to be done for so long, e.g. between two messages.
+  void run_for(std::chrono::milliseconds duration);
 
   /// Withdraws everything cleanly: waits until consumers have what was sent, as Publisher::withdraw() does.
   void close();

@@ -1,5 +1,5 @@
 # Installs the programs (geminga_program), the ontologies, the public face and the C++ client as the CMake package Geminga:
-# find_package(Geminga) gives Geminga::client.
+# find_package(Geminga) gives Geminga::client; the C library is Geminga::c, and geminga for pkg-config.
 include(CMakePackageConfigHelpers)
 
 if(NOT TARGET geminga_client_cpp)
@@ -13,7 +13,13 @@ foreach(module IN LISTS geminga_client_modules)
   set_target_properties(geminga_${module} PROPERTIES EXPORT_NAME ${module})
 endforeach()
 set_target_properties(geminga_client_cpp PROPERTIES EXPORT_NAME client)
-target_compile_features(geminga_client_cpp PUBLIC cxx_std_23)
+# What is public is C++20 (include/geminga), whatever the library was compiled as.
+target_compile_features(geminga_client_cpp INTERFACE cxx_std_20)
+install(TARGETS geminga EXPORT GemingaTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+# Wherever the folder is moved to, cmake --install --prefix included.
+file(RELATIVE_PATH geminga_prefix /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+configure_file(${PROJECT_SOURCE_DIR}/src/client/c/geminga.pc.in ${PROJECT_BINARY_DIR}/geminga.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/geminga.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Geminga)
 install(EXPORT GemingaTargets NAMESPACE Geminga:: DESTINATION ${package_folder})

@@ -87,10 +87,10 @@ DaemonLink::Told Engine::told() {
   return told;
 }
 
-void Engine::process() {
+bool Engine::process() {
   reactor_.process();
   end_finished();
-  hand_out();
+  return hand_out();
 }
 
 Result<ChannelNumber, ClientError> Engine::publish(NamedPublication publication) {
@@ -246,6 +246,7 @@ void Engine::tell(ChannelEvent event) {
     ++lost_events_;
   }
   events_.push_back(std::move(event));
+  has_event_come_ = true;
 }
 
 std::optional<ChannelEvent> Engine::next_event() {
@@ -260,7 +261,8 @@ void Engine::on_messages(ChannelNumber number, OnMessage on_message) {
   ready_.push_back(number);
 }
 
-void Engine::hand_out() {
+bool Engine::hand_out() {
+  const bool has_come = std::exchange(has_event_come_, false) || !ready_.empty();
   // Who is told may call anything here, but not process().
   while (on_event_ && !events_.empty()) {
     const auto event = next_event();
@@ -278,6 +280,7 @@ void Engine::hand_out() {
       told(std::move(*message));
     }
   }
+  return has_come;
 }
 
 }  // namespace geminga::client

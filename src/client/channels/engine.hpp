@@ -34,7 +34,8 @@ class Engine final : public ChannelHost {
   ~Engine() override;
 
   [[nodiscard]] int descriptor() const { return reactor_.descriptor(); }
-  void process();
+  /// Whether a message or an event has come.
+  bool process();
 
   /// Opens the channel and states it as soon as there is a daemon. Errors: wrong_use, for what cannot be stated or a
   /// port that is taken.
@@ -83,7 +84,7 @@ class Engine final : public ChannelHost {
   void end_finished();
   /// Ends what a request carried that is refused.
   void close_refused(ChannelNumber number);
-  void hand_out();
+  bool hand_out();
 
   Reactor reactor_;
   std::vector<std::byte> room_;
@@ -98,6 +99,7 @@ class Engine final : public ChannelHost {
   std::uint64_t lost_events_ = 0;
   OnEvent on_event_;
   std::map<ChannelNumber, OnMessage> on_message_;
+  bool has_event_come_ = false;
   std::vector<ChannelNumber> ready_;  ///< subscribers that have got a message
   bool is_ending_ = false;
 };

@@ -10,7 +10,8 @@ namespace geminga::client {
 [[nodiscard]] inline std::chrono::steady_clock::time_point deadline_after(std::chrono::milliseconds timeout) {
   using Clock = std::chrono::steady_clock;
   const auto now = Clock::now();
-  const auto longest = Clock::time_point::max() - now;
+  // In milliseconds, since "for ever" has no place among nanoseconds.
+  const auto longest = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::time_point::max() - now);
   return timeout < longest ? now + timeout : Clock::time_point::max();
 }
 

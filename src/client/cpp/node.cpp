@@ -27,9 +27,9 @@ class NodeState {
  public:
   explicit NodeState(client::DaemonLink::Options options) : engine(std::move(options)) {}
 
-  void process() {
+  bool process() {
     last_upkeep = Clock::now();
-    engine.process();
+    return engine.process();
   }
   /// process(), but not more often than is of use.
   void keep_up() {
@@ -235,8 +235,11 @@ int Node::descriptor() const { return state_->engine.descriptor(); }
 void Node::process() { state_->process(); }
 
 void Node::wait(milliseconds timeout) {
-  state_->process();
-  if (state_->wait(client::deadline_after(timeout))) state_->process();
+  if (!state_->process() && state_->wait(client::deadline_after(timeout))) state_->process();
+}
+
+void Node::run_for(milliseconds duration) {
+  state_->run_until([] { return false; }, client::deadline_after(duration));
 }
 
 void Node::close() { state_->close(); }

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <string>
 
+#include "client/cpp/deadline.hpp"
 #include "client/scripted_daemon.hpp"
 
 namespace geminga::client {
@@ -240,6 +241,13 @@ TEST(Node, OffersWithoutADaemon) {
   const auto publisher = node->publish(offer(ChannelMode::one_to_one, "udp"));
   EXPECT_TRUE(publisher) << "it is stated when there is one";
   EXPECT_FALSE(node->is_connected());
+}
+
+TEST(Deadline, MayBeForEver) {
+  using Clock = std::chrono::steady_clock;
+  EXPECT_EQ(deadline_after(std::chrono::milliseconds::max()), Clock::time_point::max());
+  EXPECT_LT(deadline_after(1h), Clock::time_point::max());
+  EXPECT_GT(deadline_after(1h), Clock::now());
 }
 
 TEST(Node, ReadsNoAddressThatIsNone) {

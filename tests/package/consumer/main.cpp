@@ -1,7 +1,9 @@
 // Uses the installed public face and links the client: prints an identity, or what the client says where no daemon
 // listens.
 #include <cstdio>
+#include <geminga/attribute.hpp>
 #include <geminga/client.hpp>
+#include <geminga/node.hpp>
 #include <string>
 
 int main(int argc, char**) {
@@ -15,5 +17,7 @@ int main(int argc, char**) {
   const auto client = geminga::Client::connect(options);
   if (client || client.error().kind != geminga::ClientError::Kind::unreachable) return 1;
   std::printf("linked and refused as it should be: %s\n", client.error().text.c_str());
+  const auto node = geminga::Node::open(options);
+  if (!node || node->is_connected()) return 1;
   return 0;
 }

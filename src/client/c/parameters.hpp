@@ -1,0 +1,23 @@
+// What a request in words is, for those who state it as a line of GCNP.
+#ifndef GEMINGA_CLIENT_C_PARAMETERS_HPP
+#define GEMINGA_CLIENT_C_PARAMETERS_HPP
+
+#include <expected>
+#include <string_view>
+
+#include "geminga/error.hpp"
+#include "geminga/named.hpp"
+
+namespace geminga::client {
+
+/// From the parameters of `pub create`, of which the port may be missing: then it is 0, any.
+[[nodiscard]] std::expected<NamedPublication, Error> read_publication(std::string_view parameters);
+/// From those of `sub create`.
+[[nodiscard]] std::expected<NamedSubscription, Error> read_subscription(std::string_view parameters);
+/// From those of `pub modify` and `sub modify`.
+[[nodiscard]] std::expected<PublicationChange, Error> read_publication_change(std::string_view parameters);
+[[nodiscard]] std::expected<SubscriptionChange, Error> read_subscription_change(std::string_view parameters);
+
+}  // namespace geminga::client
+
+#endif
