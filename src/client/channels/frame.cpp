@@ -84,7 +84,7 @@ std::span<std::byte> FrameReader::room() {
     end_ -= begin_;
     begin_ = 0;
   }
-  buffer_.resize(std::max(wanted_, end_ + read_bytes));
+  buffer_.resize(std::max(wanted_, end_ + std::min(read_bytes, frame_header_bytes + max_payload_)));
   return std::span(buffer_).subspan(end_);
 }
 

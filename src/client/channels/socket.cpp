@@ -44,15 +44,8 @@ void set_connection_options(const Socket& socket) {
   set(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, unconfirmed_ms);
 }
 
-int family_of(const Socket& socket) {
-  int family = 0;
-  socklen_t size = sizeof family;
-  ::getsockopt(socket.get(), SOL_SOCKET, SO_DOMAIN, &family, &size);
-  return family;
-}
-
 std::expected<Socket, SocketError> open_bound(int type, int family, const Binding& binding) {
-  Socket socket(::socket(family, type | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  Socket socket(::socket(family, type | SOCK_CLOEXEC | SOCK_NONBLOCK, 0), family);
   if (!socket.is_open()) return std::unexpected(error_of(errno, "no socket"));
   if (binding.is_shared || type == SOCK_STREAM) set(socket, SOL_SOCKET, SO_REUSEADDR, 1);
   PeerAddress at;
@@ -206,8 +199,7 @@ std::vector<unsigned> multicast_interfaces(bool is_ipv4) {
 }
 
 int send_datagram(const Socket& socket, const PeerAddress& to, std::span<const iovec> parts, unsigned interface) {
-  const int family = family_of(socket);
-  auto system = system_address(to, family);
+  auto system = system_address(to, socket.family());
   if (!system) return EAFNOSUPPORT;
   msghdr message{};
   message.msg_name = &system->storage;

@@ -21,23 +21,27 @@ namespace geminga::client {
 class Socket {
  public:
   Socket() = default;
-  explicit Socket(int number) : number_(number) {}
-  Socket(Socket&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  explicit Socket(int number, int family = 0) : number_(number), family_(family) {}
+  Socket(Socket&& other) noexcept : number_(std::exchange(other.number_, -1)), family_(other.family_) {}
   Socket& operator=(Socket&& other) noexcept {
     if (this != &other) {
       close();
       number_ = std::exchange(other.number_, -1);
+      family_ = other.family_;
     }
     return *this;
   }
   ~Socket() { close(); }
 
   [[nodiscard]] int get() const { return number_; }
+  /// AF_INET6 or AF_INET, of what sends datagrams.
+  [[nodiscard]] int family() const { return family_; }
   [[nodiscard]] bool is_open() const { return number_ >= 0; }
   void close();
 
  private:
   int number_ = -1;
+  int family_ = 0;
 };
 
 /// Why a socket could not be opened: the system's number and one line for a person.

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <utility>
 #include <vector>
 
 namespace geminga::client {
 namespace {
+
+/// How long accepting pauses when the process has no descriptor left.
+constexpr std::chrono::milliseconds accept_pause{100};
 
 /// How many octets the socket took; nothing where it is broken.
 std::optional<std::size_t> write_some(const Socket& socket, std::span<iovec> parts) {
@@ -38,14 +42,21 @@ std::expected<std::unique_ptr<PublisherChannel>, std::string> TcpPublisher::open
 }
 
 TcpPublisher::TcpPublisher(ChannelHost& host, ChannelNumber number, Life life, ChannelMode mode)
-    : PublisherChannel(host, number, life), mode_(mode), deadline_(host.reactor(), [this] {
-        const auto at = now();
-        std::vector<Number> over;
-        for (const auto& [connection_number, connection] : connections_) {
-          if (connection.until <= at) over.push_back(connection_number);
-        }
-        for (const Number one : over) close(one);
-        set_deadline();
+    : PublisherChannel(host, number, life),
+      mode_(mode),
+      deadline_(host.reactor(),
+                [this] {
+                  const auto at = now();
+                  std::vector<Number> over;
+                  for (const auto& [connection_number, connection] : connections_) {
+                    if (connection.until <= at) over.push_back(connection_number);
+                  }
+                  for (const Number one : over) close(one);
+                  set_deadline();
+                }),
+      retry_(host.reactor(), [this] {
+        watch_.want(true, false);
+        accept_all();
       }) {}
 
 bool TcpPublisher::has_room(std::size_t payload_bytes) const {
@@ -135,6 +146,11 @@ void TcpPublisher::accept_all() {
     connection.until = now() + stranger_patience;
     connection.watch =
         host_.reactor().watch(connection.socket, [this, number](Reactor::Ready ready) { on_ready(number, ready); });
+  }
+  if (errno == EMFILE || errno == ENFILE) {
+    // Trying again at once would only spin.
+    watch_.want(false, false);
+    retry_.set(now() + accept_pause);
   }
   set_deadline();
 }
@@ -248,6 +264,7 @@ void TcpPublisher::finish() {
   if (is_closed_) return;
   is_closed_ = true;
   watch_.stop();
+  retry_.set(base::never);
   listener_.close();
   const auto end = std::make_shared<const std::vector<std::byte>>(frame_bytes({FrameKind::end, life_, sequence_, {}}));
   std::vector<Number> all;

@@ -71,6 +71,7 @@ class TcpPublisher : public PublisherChannel {
   std::size_t consumer_connections_ = 0;
   Number last_ = 0;
   Reactor::Timer deadline_;
+  Reactor::Timer retry_;  ///< no descriptor was left for who waits
 };
 
 }  // namespace geminga::client

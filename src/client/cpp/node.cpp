@@ -55,24 +55,31 @@ class NodeState {
     return true;
   }
 
+  /// Waits until this holds of the request, and gives it; null where a callback has withdrawn it meanwhile.
+  template <typename IsSettled>
+  const client::Requests::Request* settled(ChannelNumber number, const IsSettled& is_settled) {
+    run_until(
+        [&] {
+          const auto* request = engine.find(number);
+          return engine.is_without_daemon() || request == nullptr || is_settled(*request);
+        },
+        client::deadline_after(timeout));
+    return engine.find(number);
+  }
   /// Waits for the answer to a create; the error is a refusal, after which the request is gone.
   Result<void, ClientError> answer(ChannelNumber number) {
-    run_until(
-        [&] { return engine.is_without_daemon() || engine.find(number)->state != client::Requests::State::asked; },
-        client::deadline_after(timeout));
-    const auto* request = engine.find(number);
-    if (request->state != client::Requests::State::refused) return {};
+    const auto* request = settled(number, [](const auto& one) { return one.state != client::Requests::State::asked; });
+    if (request == nullptr || request->state != client::Requests::State::refused) return {};
     const Error refusal = request->refusal.value_or(Error{});
     engine.withdraw(number);
     return Failure(ClientError{ClientError::Kind::refused, refusal.text, refusal.code});
   }
   Result<void, ClientError> modify(ChannelNumber number, const client::Requests::Change& change, Wait wait) {
     if (auto asked = engine.modify(number, change); !asked || wait == Wait::for_nothing) return asked;
-    run_until([&] { return engine.is_without_daemon() || engine.find(number)->open_changes == 0; },
-              client::deadline_after(timeout));
-    const auto& refusal = engine.find(number)->last_change;
-    if (!refusal || engine.find(number)->open_changes > 0) return {};
-    return Failure(ClientError{ClientError::Kind::refused, refusal->text, refusal->code});
+    const auto* request = settled(number, [](const auto& one) { return one.open_changes == 0; });
+    if (request == nullptr || request->open_changes > 0 || !request->last_change) return {};
+    const Error& refusal = *request->last_change;
+    return Failure(ClientError{ClientError::Kind::refused, refusal.text, refusal.code});
   }
   void withdraw(ChannelNumber number) {
     engine.withdraw(number);
@@ -189,7 +196,10 @@ bool Subscriber::has_ended() const { return node_->has_ended(number_); }
 
 Node::Node(std::unique_ptr<NodeState> state) : state_(std::move(state)) {}
 Node::Node(Node&&) noexcept = default;
-Node& Node::operator=(Node&&) noexcept = default;
+Node& Node::operator=(Node&& other) noexcept {
+  std::swap(state_, other.state_);  // the other one's end withdraws what was here
+  return *this;
+}
 Node::~Node() {
   if (state_) state_->close();
 }
