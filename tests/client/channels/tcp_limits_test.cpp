@@ -1,0 +1,121 @@
+// How many connections a publisher over TCP has, at the limits; and what waits in a subscriber and in a node.
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <chrono>
+#include <vector>
+
+#include "client/channels/engine.hpp"
+#include "client/channels/frame.hpp"
+#include "client/channels/inbox.hpp"
+#include "client/channels/socket.hpp"
+#include "client/scripted_daemon.hpp"
+
+namespace geminga::client {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A publisher of a stream, to whom everybody is welcome, without a daemon.
+class TcpLimits : public testing::Test {
+ protected:
+  TcpLimits() : engine_({{Endpoint{"127.0.0.1", free_port()}}, "", 5s}) {
+    NamedPublication offer;
+    offer.identity = TextIdentity{"ball"};
+    offer.mode = ChannelMode::one_to_many_stream;
+    offer.protocol = "tcp";
+    number_ = *engine_.publish(offer);
+    port_ = std::get<NamedPublication>(engine_.find(number_)->stated).port;
+  }
+
+  /// Connects and waits until the publisher has accepted it.
+  Socket connect() {
+    auto socket = open_connection(*peer_address("127.0.0.1", port_));
+    settle();
+    return std::move(*socket);
+  }
+  void say_hello(const Socket& socket, std::uint64_t life) {
+    const auto hello = frame_bytes({FrameKind::hello, Life{life}, 0, {}});
+    EXPECT_EQ(::send(socket.get(), hello.data(), hello.size(), 0), static_cast<ssize_t>(hello.size()));
+    settle();
+  }
+  /// On this host everything has arrived when the call that sent it returns.
+  void settle() {
+    engine_.process();
+    engine_.process();
+  }
+  static bool is_closed(const Socket& socket) {
+    pollfd waiting{socket.get(), POLLIN, 0};
+    std::byte octet{};
+    return ::poll(&waiting, 1, 0) > 0 && ::recv(socket.get(), &octet, 1, MSG_PEEK) <= 0;
+  }
+
+  Engine engine_;
+  ChannelNumber number_ = 0;
+  std::uint16_t port_ = 0;
+};
+
+TEST_F(TcpLimits, TheOldestStrangerGoesWhereOneMoreComes) {
+  std::vector<Socket> strangers;
+  for (std::size_t i = 0; i < max_strangers; ++i) strangers.push_back(connect());
+  for (const Socket& one : strangers) EXPECT_FALSE(is_closed(one));
+  strangers.push_back(connect());
+  EXPECT_TRUE(is_closed(strangers[0]));
+  EXPECT_FALSE(is_closed(strangers[1]));
+  say_hello(strangers[1], 7);
+  strangers.push_back(connect());
+  EXPECT_FALSE(is_closed(strangers[2])) << "who said hello is no stranger any more";
+}
+
+TEST_F(TcpLimits, OneConsumerMoreIsClosed) {
+  std::vector<Socket> consumers;
+  for (std::size_t i = 1; i <= max_tcp_consumers; ++i) {
+    consumers.push_back(connect());
+    say_hello(consumers.back(), i);
+  }
+  EXPECT_FALSE(is_closed(consumers.back()));
+  const Socket last = connect();
+  say_hello(last, max_tcp_consumers + 1);
+  EXPECT_TRUE(is_closed(last));
+  const Socket again = connect();
+  say_hello(again, 1);
+  EXPECT_FALSE(is_closed(again)) << "a second connection takes the place of the first";
+  EXPECT_TRUE(is_closed(consumers.front()));
+}
+
+TEST_F(TcpLimits, WhoSaysSomethingElseIsClosed) {
+  const Socket mute = connect();
+  say_hello(mute, 0);
+  EXPECT_TRUE(is_closed(mute)) << "a hello without a life";
+  const Socket other = connect();
+  EXPECT_GT(::send(other.get(), "GET / HTTP/1.1\r\nHost: robot\r\n\r\n", 31, 0), 0);
+  settle();
+  EXPECT_TRUE(is_closed(other));
+}
+
+TEST_F(TcpLimits, OnlyTheLastEventsWait) {
+  for (std::size_t i = 0; i < max_waiting_events + 1; ++i) engine_.tell(Problem{static_cast<ChannelNumber>(i), ""});
+  EXPECT_EQ(engine_.lost_events(), 1U);
+  EXPECT_EQ(std::get<Problem>(*engine_.next_event()).channel, 1U);
+}
+
+TEST(Inbox, IsFullAtEitherLimit) {
+  Inbox many;
+  for (std::size_t i = 0; i < max_waiting_messages; ++i) {
+    EXPECT_FALSE(many.is_full());
+    many.put({});
+  }
+  EXPECT_TRUE(many.is_full());
+  EXPECT_TRUE(many.take());
+  EXPECT_FALSE(many.is_full());
+
+  Inbox large;
+  large.put({Life{1}, 1, 0, std::vector<std::byte>(max_waiting_octets - 1)});
+  EXPECT_FALSE(large.is_full());
+  large.put({Life{1}, 2, 0, std::vector<std::byte>(1)});
+  EXPECT_TRUE(large.is_full());
+}
+
+}  // namespace
+}  // namespace geminga::client
