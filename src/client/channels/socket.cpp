@@ -137,7 +137,11 @@ std::expected<Socket, SocketError> open_group(const PeerAddress& group) {
   set(socket, SOL_SOCKET, SO_RCVBUF, wanted_receive_buffer);
   set(socket, IPPROTO_IP, IP_MULTICAST_ALL, 0);
   if (family == AF_INET6) set(socket, IPPROTO_IPV6, ipv6_multicast_all, 0);
-  const auto system = system_address(group, family);
+  // A link-local group of every interface has no one address to be bound to; who it comes from is asked later anyway.
+  PeerAddress at = group;
+  if (family == AF_INET6 && group.zone == 0 && (group.octets[1] & 0x0f) == 2) at.octets = {};
+  if (family == AF_INET6) set(socket, IPPROTO_IPV6, IPV6_V6ONLY, 1);
+  const auto system = system_address(at, family);
   if (::bind(socket.get(), system->get(), system->size) != 0) {
     return std::unexpected(error_of(errno, "group " + to_string(group)));
   }
