@@ -139,11 +139,9 @@ void UdpPublisher::read() {
 void UdpPublisher::take(const Frame& frame, const PeerAddress& from) {
   const bool is_ours = mode_ == ChannelMode::one_to_many_stream && !group_ && frame.life != no_life &&
                        frame.kind != FrameKind::message && payload_life(frame.payload) == life_;
-  if (!is_ours) {
-    ++count_.dropped;
-  } else if (frame.kind == FrameKind::end) {
+  if (is_ours && frame.kind == FrameKind::end) {
     listeners_.end(from);
-  } else if (!listeners_.hello(from, now())) {
+  } else if (!is_ours || !listeners_.hello(from, now())) {
     ++count_.dropped;
   }
   set_listener_timer();
