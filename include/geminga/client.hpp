@@ -29,6 +29,9 @@ struct ClientOptions {
   std::string name;
   /// How long connecting may take, and how long an answer.
   std::chrono::milliseconds timeout = std::chrono::seconds(5);
+  /// How many subscriptions to streams it needs beside the 256 that every client may have
+  /// (src/discovery/gcnp/GCNP.md, Room); at most 16384. 0: none.
+  std::uint32_t room = 0;
 };
 
 /// Why a call of the client failed. `text` is one line that says what is wrong and what to do.

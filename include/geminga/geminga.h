@@ -34,6 +34,8 @@ typedef struct geminga_error {
 /* Begins to look for the daemon and does not wait for it. `connect`: ADDRESS:PORT or the path of a socket; null or
  * empty: the environment variable GEMINGA_CONNECT, or the usual place. `name`: what others see; may be null. */
 geminga_node* geminga_open(const char* connect, const char* name, geminga_error* error);
+/* The same for a program that needs so many subscriptions to streams beside the 256 that every client may have. */
+geminga_node* geminga_open_with_room(const char* connect, const char* name, uint32_t room, geminga_error* error);
 /* Withdraws everything cleanly and frees the node, its publishers and its subscribers. Null is nothing. */
 void geminga_close(geminga_node* node);
 

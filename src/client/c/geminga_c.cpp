@@ -137,10 +137,15 @@ geminga::Conversion conversion_of(const geminga_conversion& given) {
 extern "C" {
 
 geminga_node* geminga_open(const char* connect, const char* name, geminga_error* error) {
+  return geminga_open_with_room(connect, name, 0, error);
+}
+
+geminga_node* geminga_open_with_room(const char* connect, const char* name, uint32_t room, geminga_error* error) {
   return guarded<geminga_node*>(error, nullptr, [&]() -> geminga_node* {
     geminga::ClientOptions options;
     options.connect = text_of(connect);
     options.name = text_of(name);
+    options.room = room;
     auto node = geminga::Node::open(options);
     if (node) return new geminga_node{std::move(*node)};
     fail(error, node.error());

@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "discovery/gcnp/request.hpp"
+
 namespace geminga::client {
 namespace {
 
@@ -85,9 +87,10 @@ void DaemonLink::on_ready(Reactor::Ready ready) {
 void DaemonLink::greet() {
   state_ = State::greeting;
   reader_ = gcnp::LineReader();
-  gcnp::Statement hello{0, "sys", "hello", {}};
-  if (!options_.name.empty()) hello.parameters.push_back({"name", options_.name});
-  out_ = gcnp::to_line(hello);
+  gcnp::Hello hello;
+  if (!options_.name.empty()) hello.name = options_.name;
+  if (options_.room > 0) hello.room = options_.room;
+  out_ = gcnp::to_line(gcnp::to_statement(0, hello));
   watch_.want(true, false);
   write();
 }

@@ -30,6 +30,7 @@ class DaemonLink {
     std::vector<Endpoint> endpoints;
     std::string name;
     std::chrono::milliseconds timeout{};  ///< for connecting, and for the answer to the hello
+    std::uint32_t room = 0;               ///< as in ClientOptions
   };
 
   DaemonLink(Reactor& reactor, Options options, Told told);

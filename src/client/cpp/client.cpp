@@ -67,7 +67,7 @@ Result<Client, ClientError> Client::connect(const ClientOptions& options) {
   if (!endpoints) return std::unexpected(endpoints.error());
   auto state = std::make_unique<State>(options.timeout);
   if (auto connected = state->session.connect(*endpoints); !connected) return std::unexpected(connected.error());
-  auto hello = state->session.hello(options.name);
+  auto hello = state->session.hello(options);
   if (!hello) return std::unexpected(hello.error());
   state->welcome = client::welcome_of(*hello);
   return Client(std::move(state));

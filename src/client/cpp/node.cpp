@@ -207,8 +207,8 @@ Node::~Node() {
 Result<Node, ClientError> Node::open(const ClientOptions& options) {
   auto places = client::daemon_places(options.connect);
   if (!places) return Failure(std::move(places.error()));
-  auto state =
-      std::make_unique<NodeState>(client::DaemonLink::Options{std::move(*places), options.name, options.timeout});
+  auto state = std::make_unique<NodeState>(
+      client::DaemonLink::Options{std::move(*places), options.name, options.timeout, options.room});
   state->timeout = options.timeout;
   return Node(std::move(state));
 }

@@ -30,9 +30,10 @@ std::expected<void, ClientError> Session::connect(const std::vector<Endpoint>& e
                                                        "): start gemingad, or say where it listens"));
 }
 
-std::expected<gcnp::Statement, ClientError> Session::hello(const std::string& name) {
+std::expected<gcnp::Statement, ClientError> Session::hello(const ClientOptions& options) {
   gcnp::Statement statement{0, "sys", "hello", {}};
-  if (!name.empty()) statement.parameters.push_back({"name", name});
+  if (!options.name.empty()) statement.parameters.push_back({"name", options.name});
+  if (options.room > 0) statement.parameters.push_back({"room", std::to_string(options.room)});
   if (auto sent = send(statement); !sent) return std::unexpected(std::move(sent.error()));
   Wait wait{0, "hello", {}, {}};
   if (auto done = finish(wait); !done) return std::unexpected(std::move(done.error()));

@@ -29,7 +29,7 @@ class Session {
   /// Connects to the first of these that listens, within the timeout altogether.
   [[nodiscard]] std::expected<void, ClientError> connect(const std::vector<Endpoint>& endpoints);
   /// Sends `0 sys hello` and returns its answer.
-  [[nodiscard]] std::expected<gcnp::Statement, ClientError> hello(const std::string& name);
+  [[nodiscard]] std::expected<gcnp::Statement, ClientError> hello(const ClientOptions& options);
   /// Sends a request that is answered by silence or an error, and waits until it has been handled.
   [[nodiscard]] std::expected<void, ClientError> request(const gcnp::Statement& statement);
   /// Sends a query and returns the lines of its answer, the end line last.

@@ -250,6 +250,22 @@ TEST(Deadline, MayBeForEver) {
   EXPECT_GT(deadline_after(1h), Clock::now());
 }
 
+TEST(Node, AsksForTheRoomThatItNeeds) {
+  for (const std::uint32_t room : {0U, 10'000U}) {
+    ScriptedDaemon daemon([room](Conversation& talk) {
+      talk.expect(room == 0 ? "0 sys hello" : "0 sys hello room=10000");
+      talk.say("0 msg hello version=1 participant=1a2b3c4d peer=3 ontology=- participant_name=robot2");
+      talk.wait_for_end();
+    });
+    ClientOptions options;
+    options.connect = daemon.address();
+    options.room = room;
+    auto node = Node::open(options);
+    ASSERT_TRUE(node);
+    EXPECT_TRUE(next<Connected>(*node));
+  }
+}
+
 TEST(Node, ReadsNoAddressThatIsNone) {
   EXPECT_EQ(Node::open({"robot2", "", patience}).error().kind, ClientError::Kind::wrong_use);
 }
