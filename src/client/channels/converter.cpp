@@ -1,6 +1,7 @@
 #include "client/channels/converter.hpp"
 
 #include <exception>
+#include <utility>
 
 namespace geminga::client {
 namespace {
@@ -17,31 +18,39 @@ std::expected<std::vector<std::byte>, std::string> call(const Conversions::value
   }
 }
 
+/// The names of `A>B>C`; one that is an IRI stands in angle brackets, as `<http://...>`.
+std::vector<std::string_view> names_of(std::string_view chain) {
+  std::vector<std::string_view> names;
+  while (!chain.empty()) {
+    const std::size_t bracket = chain.starts_with('<') ? chain.find('>') : std::string_view::npos;
+    const std::size_t end = chain.find('>', bracket == std::string_view::npos ? 0 : bracket + 1);
+    names.push_back(chain.substr(0, end));
+    if (end == std::string_view::npos) break;
+    chain.remove_prefix(end + 1);
+  }
+  return names;
+}
+
+std::string step_of(std::string_view from, std::string_view to) { return std::string(from) + '>' + std::string(to); }
+
 }  // namespace
 
 std::expected<std::vector<std::byte>, std::string> convert(const Conversions& conversions, std::string_view chain,
                                                            std::span<const std::byte> payload) {
-  if (chain.empty()) return std::vector<std::byte>(payload.begin(), payload.end());
-  const auto first_end = chain.find('>');
-  const auto last_begin = chain.rfind('>');
-  if (first_end != std::string_view::npos) {
-    const std::string whole = std::string(chain.substr(0, first_end)) + std::string(chain.substr(last_begin));
-    if (const auto at_once = conversions.find(whole); at_once != conversions.end()) return call(*at_once, payload);
-  }
   std::vector<std::byte> converted(payload.begin(), payload.end());
-  for (std::size_t begin = 0;;) {
-    const auto middle = chain.find('>', begin);
-    if (middle == std::string_view::npos) return converted;
-    const auto step = chain.substr(begin, chain.find('>', middle + 1) - begin);
+  const auto names = names_of(chain);
+  if (names.size() < 2) return converted;
+  const auto at_once = conversions.find(step_of(names.front(), names.back()));
+  if (at_once != conversions.end()) return call(*at_once, payload);
+  for (std::size_t next = 1; next < names.size(); ++next) {
+    const std::string step = step_of(names[next - 1], names[next]);
     const auto found = conversions.find(step);
-    if (found == conversions.end()) {
-      return std::unexpected("there is no function for the conversion " + std::string(step));
-    }
-    auto next = call(*found, converted);
-    if (!next) return next;
-    converted = std::move(*next);
-    begin = middle + 1;
+    if (found == conversions.end()) return std::unexpected("there is no function for the conversion " + step);
+    auto result = call(*found, converted);
+    if (!result) return result;
+    converted = std::move(*result);
   }
+  return converted;
 }
 
 }  // namespace geminga::client

@@ -231,6 +231,14 @@ TEST(Conversions, AreAppliedInTheirOrderOrAllAtOnce) {
   EXPECT_EQ(*convert(conversions, "A>B>C", bytes("x")), bytes("x3"));
 }
 
+TEST(Conversions, KnowIrisByTheirBrackets) {
+  const Conversions conversions{{"<http://a.example/#A>>s:B", append("1")}, {"s:B><http://a.example/#C>", append("2")}};
+  EXPECT_EQ(*convert(conversions, "<http://a.example/#A>>s:B><http://a.example/#C>", bytes("x")), bytes("x12"));
+  const auto missing = convert(conversions, "<http://a.example/#A>><http://a.example/#C>", bytes("x"));
+  ASSERT_FALSE(missing);
+  EXPECT_THAT(missing.error(), testing::HasSubstr("<http://a.example/#A>><http://a.example/#C>"));
+}
+
 TEST(Conversions, SayWhatIsMissingOrThrew) {
   Conversions conversions{{"A>B", append("1")}};
   const auto missing = convert(conversions, "A>B>C", bytes("x"));
