@@ -13,7 +13,9 @@ public enum Degree {
     /** The concept is right and the representation is turned into the one that was asked for. */
     CONVERTED,
     /** A class above the one that was asked for. */
-    BROADER;
+    BROADER,
+    /** Neither is below the other, and something can be both; the weakest. */
+    OVERLAPPING;
 
     /** {@return the word of GCNP} */
     public String word() {

@@ -6,7 +6,7 @@ export type Identity =
 
 /** `oto`: one to one. `otm/stream`: one to many, consumers only listen. `otm/pubsub`: one to many, open while somebody asks. */
 export type Mode = 'oto' | 'otm/stream' | 'otm/pubsub';
-export type Degree = 'exact' | 'equivalent' | 'narrower' | 'converted' | 'broader';
+export type Degree = 'exact' | 'equivalent' | 'narrower' | 'converted' | 'broader' | 'overlapping';
 export type Protocol = 'udp' | 'tcp';
 export type AttributeValue = string | number | boolean;
 

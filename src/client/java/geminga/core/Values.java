@@ -20,7 +20,7 @@ final class Values {
             case "address" -> address(value);
             case "protocol" -> protocol(value, isOffer);
             case "priority" -> unless("0", Long.toString(number(key, value, Integer.MIN_VALUE, Integer.MAX_VALUE)));
-            case "match" -> unless("narrower", oneOf(key, value, "exact equivalent narrower broader"));
+            case "match" -> unless("narrower", oneOf(key, value, "exact equivalent narrower broader overlapping"));
             case "limit" -> Long.toString(number(key, value, 0, Statement.MAX_ID));
             case "convert" -> convert(value);
             case "provider", "favour" -> providers(key, value);

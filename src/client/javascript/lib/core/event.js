@@ -3,7 +3,7 @@ import { inOrder, shownAttribute, shownKey } from './attribute.js';
 import { StatementError } from './errors.js';
 import { modes, readNumber } from './key.js';
 
-const degrees = ['exact', 'equivalent', 'narrower', 'converted', 'broader'];
+const degrees = ['exact', 'equivalent', 'narrower', 'converted', 'broader', 'overlapping'];
 const changes = ['add', 'modify', 'del'];
 
 /** By command: the key that names the other side, its peer, and the keys in the order in which they are written. */

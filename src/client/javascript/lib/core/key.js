@@ -5,7 +5,7 @@ import { StatementError } from './errors.js';
 import * as limits from './limits.js';
 
 export const modes = Object.freeze(['oto', 'otm/stream', 'otm/pubsub']);
-export const degrees = Object.freeze(['exact', 'equivalent', 'narrower', 'broader']);
+export const degrees = Object.freeze(['exact', 'equivalent', 'narrower', 'broader', 'overlapping']);
 const anyCost = 0xffffffff;
 
 const fail = (key, value, expected) => {
