@@ -110,7 +110,8 @@ bool NeighbourWay::leaps(const announcement::Announcement& announcement, std::ui
 
 bool NeighbourWay::denies(const announcement::Announcement& announcement, const Arrival& arrival) const {
   if (losses_.is_empty() || has_moved_ || announcement.revision != said_revision_) return false;
-  return announcement.part_count != part_count_ || usable(announcement, arrival) != addresses_.value();
+  return announcement.part_count != part_count_.value_or(announcement.part_count) ||
+         usable(announcement, arrival) != addresses_.value();
 }
 
 void NeighbourWay::count(const announcement::Announcement& announcement, const Arrival& arrival,

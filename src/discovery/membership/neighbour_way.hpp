@@ -60,6 +60,7 @@ class NeighbourWay {
   /// Takes in a change: where the state of `since` or a later revision is known, that of `revision` is.
   void advance(std::uint64_t since, std::uint64_t revision, base::Instant now, bool is_contested) {
     if (said_revision_ && since <= *said_revision_ && *said_revision_ <= revision && !is_contested) {
+      if (revision != *said_revision_) part_count_.reset();
       said_revision_ = revision;
     }
     affirm(revision, now, is_contested);
@@ -117,8 +118,8 @@ class NeighbourWay {
   std::uint64_t revision_;  ///< the last one heard here
   /// The last one of a state; none: the way was opened by a presence, which says nothing of the way.
   std::optional<std::uint64_t> said_revision_;
-  std::uint32_t part_count_;           ///< of that state
-  std::optional<std::uint64_t> leap_;  ///< sequence number of a datagram whose revision leapt
+  std::optional<std::uint32_t> part_count_;  ///< of that state; nothing: it was reached by changes, and not said
+  std::optional<std::uint64_t> leap_;        ///< sequence number of a datagram whose revision leapt
   StateAssembly assembly_;
 };
 

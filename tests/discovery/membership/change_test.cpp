@@ -53,6 +53,21 @@ TEST_F(ChangeHeard, AddsAndRemovesWhatItSaysAndNothingElse) {
   EXPECT_TRUE(rig.table.find(robot)->is_complete);
 }
 
+TEST_F(ChangeHeard, MayLeaveAStateOfFewerParts) {
+  for (const std::uint32_t part : {0U, 1U}) {
+    auto state = speaker(1, 5, {10 + part});
+    state.part = part;
+    state.part_count = 2;
+    (void)hear(state);
+  }
+  (void)hear(change_of(5, 6, {}, {11}));
+  EXPECT_EQ(hear(speaker(1, 6, {10})), Hearing::known) << "what is gone needs no part any more";
+  EXPECT_EQ(rig.table.find(robot)->publications, 1U);
+  auto lie = speaker(1, 6, {10});
+  lie.part_count = 2;
+  EXPECT_EQ(hear(lie), Hearing::contradiction) << "it was said in one part";
+}
+
 TEST_F(ChangeHeard, KeepsAllThatItDoesNotSayForAsLongAsItIsAffirmed) {
   (void)hear(change_of(4, 5, {7}));
   for (int i = 0; i < 20; ++i) (void)rig.hear(presence_at(5), now += seconds(2));
