@@ -114,6 +114,17 @@ class Pair:
         found = self.sub.find(f"message {s} ([0-9a-f]{{16}}) ([0-9]+) ({missed}) {size} {octets[:64]}")
         return found[1], found[2], found[3]
 
+    def sends_until_heard(self, p: str, s: str, octets: str) -> None:
+        """Sends this message again and again until one of them comes."""
+        for _ in range(20):
+            try:
+                self.pub.tell(f"send {p} {octets}")
+                self.sub.find(f"message {s} .* {octets[:64]}", seconds=1)
+                return
+            except Failed as failed:
+                last = failed
+        raise last
+
     def _request(self, command: str, keys: str, agent: Spoken) -> str:
         label = fresh(command)
         found = agent.asked(f"{command} {label} {keys}", f"(ok|error) {label}( .*)?")

@@ -121,7 +121,8 @@ def better_provider(pair: Pair) -> None:
         pair.pub.tell(f"close {q}")
         pair.sub.find(f"provider {s} added {life} -")
         pair.pub.stands(f"consumer {p} .*", f"consumer {p} added [0-9a-f]+ -")
-        pair.pub_to_sub(p, s, "04")
+        # A provider follows the consumer's choice, which may go to and fro before it is announced.
+        pair.sends_until_heard(p, s, "04")
 
 
 def host_dies(pair: Pair) -> None:
