@@ -13,19 +13,12 @@ namespace {
 
 using Records = std::vector<Record>;
 
-/// To the client the cost of a conversion is an attribute, as it is where nothing is converted.
-void take_cost(Record& record) {
-  if (record["convert"].empty()) return;
-  if (auto cost = record.attributes.extract("cost")) record.fields.emplace_back("cost", std::move(cost.mapped()));
-}
-
 std::expected<Records, ClientError> ask_daemon(Client& client, const Listing& listing, const std::string& name = {}) {
   auto parameters = listing.parameters;
   parameters.insert(parameters.end(), listing.filter.parameters.begin(), listing.filter.parameters.end());
   if (!name.empty()) parameters.emplace_back("concept", name);
   auto answer = client.query(listing.kind, parameters);
   if (!answer) return std::unexpected(answer.error());
-  if (listing.kind == "match") std::ranges::for_each(answer->records, take_cost);
   return std::move(answer->records);
 }
 

@@ -18,7 +18,7 @@ using testing::IsEmpty;
 TEST(QueryConversion, IsShownInWordsAndAsJson) {
   Bench bench;
   Talk peer = bench.talk();
-  peer.say("5 pub create mode=oto concept=soccer:GoalInfo representation=soccer:PolarRobotFrame port=5002");
+  peer.say("5 pub create mode=oto concept=soccer:GoalInfo representation=soccer:PolarRobotFrame port=5002 cost=7");
   EXPECT_THAT(peer.lines_until_pong(), IsEmpty());
   const std::vector<std::string> query{"match", "soccer:GoalInfo", "--representation", "soccer:CartesianRobotFrame"};
   EXPECT_EQ(bench.query(query).status, 1);
@@ -28,7 +28,7 @@ TEST(QueryConversion, IsShownInWordsAndAsJson) {
   EXPECT_EQ(found.at("degree"), "converted");
   EXPECT_EQ(found.at("convert"), "soccer:PolarRobotFrame>soccer:CartesianRobotFrame");
   EXPECT_EQ(found.at("cost").as_int64(), 1);
-  EXPECT_TRUE(found.at("attributes").as_object().empty());
+  EXPECT_EQ(found.at("attributes").at("cost"), "7") << "its own attribute of that name";
   EXPECT_THAT(bench.query(converting).out, HasSubstr("CONVERT"));
   const auto why = bench.json({"why", "--concept", "soccer:GoalInfo", "--representation", "soccer:CartesianRobotFrame",
                                "--convert", "1", "--service", found.at("service").as_string().c_str()});

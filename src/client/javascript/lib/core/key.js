@@ -117,6 +117,7 @@ export const readers = Object.freeze({
   rank: text(limits.maxRank),
   convert: conversion,
   limit: number,
+  room: number,
   filter: text(limits.maxFilter),
   sub: text(limits.maxConcept),
   super: text(limits.maxConcept),

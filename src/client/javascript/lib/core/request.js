@@ -16,7 +16,7 @@ const defaults = { match: 'narrower', degree: 'narrower', priority: '0', convert
  * the identity keys), whether attributes may stand, and whether what has its default is left out.
  */
 const kinds = Object.freeze({
-  'sys hello': { keys: ['name'], keepsAll: true },
+  'sys hello': { keys: ['name', 'room'], keepsAll: true },
   'sys ping': { keys: [] },
   'sys bye': { keys: [] },
   'pub create': {
@@ -46,7 +46,7 @@ const kinds = Object.freeze({
   'query services': { keys: [...filters, 'unused'] },
   'query requests': { keys: [...filters, 'unmatched', 'unused'] },
   'query match': {
-    keys: [...identityKeys, 'degree', 'mode', 'provider', 'where', 'limit'],
+    keys: [...identityKeys, 'degree', 'mode', 'provider', 'where', 'limit', 'convert'],
     defaults: { ...defaults, limit: '0' },
   },
   'query explain': { keys: ['sub', 'super'], required: ['sub', 'super'] },
