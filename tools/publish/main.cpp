@@ -12,6 +12,7 @@
 #include "shell/event_printer.hpp"
 #include "shell/json.hpp"
 #include "shell/options.hpp"
+#include "shell/pipe.hpp"
 #include "shell/stream.hpp"
 #include "shell/terminal.hpp"
 
@@ -24,6 +25,7 @@ constexpr const char* examples = R"(Examples:
   geminga-publish soccer:BallInfo --representation soccer:CartesianFieldFrame --mode otm/stream --port 5000
   geminga-publish --text camera --mode otm/pubsub --port 5001 --priority 5 rate=30 frame=front
   geminga-publish --id 0x1234 --mode oto --port 5002 --protocol tcp --json
+  tail -f positions | geminga-publish soccer:BallInfo --mode otm/pubsub --send
 
 Offers the service until Ctrl-C or a SIGTERM (exit status 0), and prints its consumers as they come (+), change (~, with
 what was otherwise) and go (-, and why). When the daemon goes, ends with status 3; with --keep offers again when it is
@@ -35,6 +37,7 @@ struct Options {
   std::vector<std::string> words;
   std::vector<std::string> attributes;
   NamedPublication publication;
+  bool sends = false;
 };
 
 void add_to(CLI::App& app, Options& options) {
@@ -45,8 +48,9 @@ void add_to(CLI::App& app, Options& options) {
                         "When the daemon goes, wait for it and offer again");
   app.add_option("--port", options.publication.port, "Where the service can be reached")
       ->type_name("1..65535")
-      ->check(CLI::Range(1, 65535).description(""))
-      ->required();
+      ->check(CLI::Range(1, 65535).description(""));
+  app.add_flag("--send", options.sends,
+               "Send each line of standard input as a message to who consumes the service; any port unless told");
   app.add_option("--address", options.publication.address, "Its IP address; else each interface's own is announced");
   app.add_option("--protocol", options.publication.protocol, "udp unless told");
   app.add_option(
@@ -86,6 +90,9 @@ void complete(Options& options) {
   auto identity = options.shared.identity.identity(concept_name);
   if (!identity) throw CLI::ValidationError("IDENTITY", "is missing: name a CONCEPT, --id N or --text NAME");
   options.publication.identity = std::move(*identity);
+  if (options.publication.port == 0 && !options.sends) {
+    throw CLI::RequiredError("--port");
+  }
   options.publication.mode = options.shared.mode_or_stream();
   for (; word != options.words.end(); ++word) {
     const auto name = attribute_name(word->substr(0, word->find('=')));
@@ -125,6 +132,10 @@ int run(int argc, char** argv) {
   shell::EventPrinter<ConsumerEvent> printer(program, options.shared.printer());
   shell::Stream stream = options.shared.stream(program);
   stream.connection.timeout = options.shared.common.timeout_or(stream.connection.timeout);
+  if (options.sends) {
+    return static_cast<int>(
+        shell::send({program, stream.connection, std::nullopt, 0, stream.is_kept}, options.publication));
+  }
   stream.begin = [&options](Client& client) { return begin(options, client); };
   return static_cast<int>(shell::run(stream, printer));
 }

@@ -10,6 +10,7 @@
 #include "shell/event_options.hpp"
 #include "shell/event_printer.hpp"
 #include "shell/options.hpp"
+#include "shell/pipe.hpp"
 #include "shell/stream.hpp"
 
 namespace geminga::subscribe {
@@ -23,6 +24,7 @@ constexpr const char* examples = R"(Examples:
   geminga-subscribe --text camera --mode otm/pubsub --provider robot2,robot3/vision
   geminga-subscribe soccer:BallInfo --count 1 --timeout 5 --json
   geminga-subscribe soccer:TrackedObject --keep --timestamps
+  geminga-subscribe soccer:BallInfo --mode otm/pubsub --listen
 
 Prints each event as a line: + a service is there, ~ it changed and what was otherwise, - it is gone and why. With --keep, when
 the daemon was gone and is back, what is still there is printed again, and what is not as gone (unconfirmed).
@@ -39,6 +41,7 @@ struct Options {
   std::vector<std::string> favoured;
   std::optional<std::uint32_t> limit;
   std::uint64_t count = 0;
+  bool listens = false;
 };
 
 /// Throws CLI::ValidationError.
@@ -92,7 +95,9 @@ void add_to(CLI::App& app, Options& options) {
       ->type_name("1..65535")
       ->check(CLI::Range(1, 65535).description(""));
   app.add_option("--address", options.subscription.address, "Its IP address; told to the provider");
-  app.add_option("--count", options.count, "End after this many events; 0: never")
+  app.add_flag("--listen", options.listens,
+               "Receive from the services, and print each message as a line instead of the events");
+  app.add_option("--count", options.count, "End after this many events, or messages; 0: never")
       ->type_name("N")
       ->check(CLI::Range(0.0, 1e15).description(""));  // the sign of an unsigned number is not looked at otherwise
 }
@@ -132,10 +137,17 @@ void complete(Options& options) {
   options.subscription.favoured = providers_of("--favour", options.favoured);
 }
 
-std::expected<void, ClientError> begin(const Options& options, Client& client) {
-  NamedSubscription subscription = options.subscription;
+std::vector<NamedSubscription> subscriptions_of(const Options& options) {
+  std::vector<NamedSubscription> subscriptions;
   for (const auto& identity : options.identities) {
-    subscription.identity = identity;
+    subscriptions.push_back(options.subscription);
+    subscriptions.back().identity = identity;
+  }
+  return subscriptions;
+}
+
+std::expected<void, ClientError> begin(const Options& options, Client& client) {
+  for (const auto& subscription : subscriptions_of(options)) {
     if (const auto request = client.subscribe(subscription); !request) return std::unexpected(request.error());
   }
   return {};
@@ -158,6 +170,10 @@ int run(int argc, char** argv) {
     stream.connection.timeout = std::min(stream.connection.timeout, *stream.timeout);
   }
   stream.count = options.count;
+  if (options.listens) {
+    return static_cast<int>(shell::listen({program, stream.connection, stream.timeout, options.count, stream.is_kept},
+                                          subscriptions_of(options)));
+  }
   stream.begin = [&options](Client& client) { return begin(options, client); };
   return static_cast<int>(shell::run(stream, printer));
 }

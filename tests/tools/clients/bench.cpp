@@ -25,7 +25,7 @@ void Bench::stop_daemon() {
 }
 
 Process::Start Bench::start_of(const std::string& program, const std::vector<std::string>& words) const {
-  std::vector<std::string> line{system::program(program)};
+  std::vector<std::string> line{program.starts_with('/') ? program : system::program(program)};
   line.insert(line.end(), words.begin(), words.end());
   Process::Start start = lab_.on(0, std::move(line));
   start.environment = {{"GEMINGA_CONNECT", "127.0.0.1:" + std::to_string(lab_.gcnp_port(0))}};

@@ -26,7 +26,7 @@ class Bench {
   /// Starts the daemon, with these flags beside its ontologies.
   explicit Bench(std::vector<std::string> flags = {});
 
-  /// Runs a program of this build to its end, told by GEMINGA_CONNECT where the daemon is.
+  /// Runs a program of this build, or of a full path, to its end, told by GEMINGA_CONNECT where the daemon is.
   [[nodiscard]] Outcome run(const std::string& program, const std::vector<std::string>& words) const;
   [[nodiscard]] Outcome query(const std::vector<std::string>& words) const { return run("geminga-query", words); }
   /// The JSON document that geminga-query prints; fails the test where it is none.
