@@ -50,7 +50,8 @@ void add_to(CLI::App& app, Options& options) {
       ->type_name("1..65535")
       ->check(CLI::Range(1, 65535).description(""));
   app.add_flag("--send", options.sends,
-               "Send each line of standard input as a message to who consumes the service; any port unless told");
+               "Send each line of standard input as a message to who consumes the service; any port unless told")
+      ->excludes("--json", "--timestamps");
   app.add_option("--address", options.publication.address, "Its IP address; else each interface's own is announced");
   app.add_option("--protocol", options.publication.protocol, "udp unless told");
   app.add_option(

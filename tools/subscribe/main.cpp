@@ -96,7 +96,8 @@ void add_to(CLI::App& app, Options& options) {
       ->check(CLI::Range(1, 65535).description(""));
   app.add_option("--address", options.subscription.address, "Its IP address; told to the provider");
   app.add_flag("--listen", options.listens,
-               "Receive from the services, and print each message as a line instead of the events");
+               "Receive from the services, and print each message as a line instead of the events")
+      ->excludes("--json", "--timestamps");
   app.add_option("--count", options.count, "End after this many events, or messages; 0: never")
       ->type_name("N")
       ->check(CLI::Range(0.0, 1e15).description(""));  // the sign of an unsigned number is not looked at otherwise

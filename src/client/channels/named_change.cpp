@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "discovery/gcnp/stated_change.hpp"
+
 namespace geminga::client {
 namespace {
 
@@ -20,36 +22,16 @@ void apply_identity(const IdentityChange& change, NamedIdentity& identity) {
   }
 }
 
-template <typename Change, typename Service>
-void apply_common(const Change& change, Service& service) {
-  if (change.identity) apply_identity(*change.identity, service.identity);
-  service.mode = change.mode.value_or(service.mode);
-  service.address = change.address.value_or(service.address);
-  service.port = change.port.value_or(service.port);
-  service.priority = change.priority.value_or(service.priority);
-  service.scope = change.scope.value_or(service.scope);
-  for (const auto& [key, value] : change.attributes) service.attributes.insert_or_assign(key, value);
-}
-
 }  // namespace
 
 void apply(const PublicationChange& change, NamedPublication& publication) {
-  apply_common(change, publication);
-  publication.protocol = change.protocol.value_or(publication.protocol);
-  publication.for_whom = change.for_whom.value_or(publication.for_whom);
+  if (change.identity) apply_identity(*change.identity, publication.identity);
+  gcnp::apply_stated(change, publication);
 }
 
 void apply(const SubscriptionChange& change, NamedSubscription& subscription) {
-  apply_common(change, subscription);
-  subscription.weakest = change.weakest.value_or(subscription.weakest);
-  subscription.providers = change.providers.value_or(subscription.providers);
-  subscription.where = change.where.value_or(subscription.where);
-  if (change.limit) subscription.limit = change.limit;
-  subscription.protocols = change.protocols.value_or(subscription.protocols);
-  subscription.favoured = change.favoured.value_or(subscription.favoured);
-  subscription.prefer = change.prefer.value_or(subscription.prefer);
-  subscription.rank = change.rank.value_or(subscription.rank);
-  subscription.convert = change.convert.value_or(subscription.convert);
+  if (change.identity) apply_identity(*change.identity, subscription.identity);
+  gcnp::apply_stated(change, subscription);
 }
 
 }  // namespace geminga::client

@@ -9,6 +9,7 @@
 #include "discovery/gcnp/attribute.hpp"
 #include "discovery/gcnp/key_reader.hpp"
 #include "discovery/gcnp/limits.hpp"
+#include "discovery/gcnp/stated_change.hpp"
 
 namespace geminga::gcnp {
 namespace {
@@ -315,38 +316,9 @@ Subscription with_identity(const NamedSubscription& named, Identity identity) {
           .convert = named.convert};
 }
 
-namespace {
+void apply(const PubModify& change, Publication& publication) { apply_stated(change, publication); }
 
-template <typename Change, typename Service>
-void apply_common(const Change& change, Service& service) {
-  service.mode = change.mode.value_or(service.mode);
-  service.address = change.address.value_or(service.address);
-  service.port = change.port.value_or(service.port);
-  service.priority = change.priority.value_or(service.priority);
-  service.scope = change.scope.value_or(service.scope);
-  for (const auto& [key, value] : change.attributes) service.attributes.insert_or_assign(key, value);
-}
-
-}  // namespace
-
-void apply(const PubModify& change, Publication& publication) {
-  apply_common(change, publication);
-  publication.protocol = change.protocol.value_or(publication.protocol);
-  publication.for_whom = change.for_whom.value_or(publication.for_whom);
-}
-
-void apply(const SubModify& change, Subscription& subscription) {
-  apply_common(change, subscription);
-  subscription.weakest = change.weakest.value_or(subscription.weakest);
-  subscription.providers = change.providers.value_or(subscription.providers);
-  subscription.where = change.where.value_or(subscription.where);
-  subscription.limit = change.limit.value_or(subscription.limit);
-  subscription.protocols = change.protocols.value_or(subscription.protocols);
-  subscription.favoured = change.favoured.value_or(subscription.favoured);
-  subscription.prefer = change.prefer.value_or(subscription.prefer);
-  subscription.rank = change.rank.value_or(subscription.rank);
-  subscription.convert = change.convert.value_or(subscription.convert);
-}
+void apply(const SubModify& change, Subscription& subscription) { apply_stated(change, subscription); }
 
 bool matches_text(const Statement& line, std::string_view text) {
   return text.empty() || std::ranges::any_of(line.parameters, [&](const Parameter& parameter) {

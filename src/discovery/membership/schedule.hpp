@@ -62,6 +62,7 @@ inline constexpr double bad_loss = 0.4;
 inline constexpr std::array<base::Duration, 1> answer_delays = {std::chrono::milliseconds(60)};
 inline constexpr std::array<base::Duration, 3> bad_answer_delays = {
     std::chrono::milliseconds(30), std::chrono::milliseconds(60), std::chrono::milliseconds(120)};
+/// Presences behind them; the second only where the loss is not known, or not small. They show whom we know, too.
 inline constexpr std::array<base::Duration, 2> answer_presence_delays = {std::chrono::milliseconds(120),
                                                                          std::chrono::milliseconds(400)};
 /// Newcomers start copies at most once in this time; one that comes within it is answered at its end, unless copies
@@ -85,9 +86,11 @@ inline constexpr base::Duration repair_spacing = std::chrono::milliseconds(25);
 inline constexpr std::int64_t ask_capacity = 40;
 inline constexpr int asks_per_interval = 2;
 inline constexpr base::Duration ask_spacing = std::chrono::milliseconds(100);
+/// What we lack is said again sooner: whoever has it answers by himself, and not the whole team.
 inline constexpr base::Duration lack_spacing = std::chrono::milliseconds(50);
 inline constexpr base::Duration max_ask_delay = std::chrono::milliseconds(20);
-/// Presences for those whom we have lost, likewise: enough for two searches of a team of ten (search.hpp).
+/// Presences for those whom we have lost, likewise: enough for one search of half a team of ten, or for two of the
+/// other nine (search.hpp).
 inline constexpr std::int64_t search_capacity = 120;
 inline constexpr int search_refill_intervals = 4;
 /// Signs of life for those that doubt us, or doubt somebody whom we hear, likewise; one answers all who doubt

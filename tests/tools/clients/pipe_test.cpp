@@ -48,6 +48,8 @@ TEST(Pipe, CarriesAFileWithoutLossOverTcp) {
 TEST(Pipe, SaysWhatIsWrong) {
   const Bench bench;
   EXPECT_EQ(shell(bench, "$publish soccer:BallInfo --mode oto").status, 2) << "no port, and nothing is sent";
+  EXPECT_EQ(shell(bench, "$subscribe --text x --listen --json").status, 2) << "messages are no events";
+  EXPECT_EQ(shell(bench, "$publish --text x --send --timestamps < /dev/null").status, 2);
   EXPECT_EQ(shell(bench, "$publish soccer:NoBall --mode oto --send < /dev/null").status, 2);
   EXPECT_EQ(shell(bench, "$subscribe --text nobody --mode oto --listen --timeout 0.2").status, 4);
   EXPECT_EQ(shell(bench, "$subscribe --text x --listen --connect " + nobody()).status, 3);
