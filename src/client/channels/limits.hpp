@@ -37,10 +37,15 @@ inline constexpr std::chrono::seconds settle_patience{10};
 /// Lives of which a subscriber knows what it heard last.
 inline constexpr std::size_t max_remembered_lives = 1024;
 
+/// Frames over UDP of one subscriber that are of nobody whom it knows yet, their payload, and how long they are kept.
+inline constexpr std::size_t max_early_frames = 64;
+inline constexpr std::size_t max_early_octets = 256 * 1024;
+inline constexpr std::chrono::seconds early_patience{1};
+
 /// Messages of one subscriber that wait to be taken: beyond either nothing more is read from its sockets, so that the
 /// network holds the providers back (TCP) or drops (UDP). One message may always wait.
 inline constexpr std::size_t max_waiting_messages = 1024;
-inline constexpr std::size_t max_waiting_octets = 4 * 1024 * 1024;
+inline constexpr std::size_t max_waiting_octets = 16 * 1024 * 1024;
 /// Events that wait to be taken: where one more comes, the eldest goes.
 inline constexpr std::size_t max_waiting_events = 4096;
 

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "client/channels/channel_host.hpp"
+#include "client/channels/early_frames.hpp"
 #include "client/channels/frame.hpp"
 #include "client/channels/inbox.hpp"
 #include "client/channels/parties.hpp"
@@ -76,6 +77,10 @@ class SubscriberChannel {
 
   void read(const Socket& socket, std::optional<Parties::Number> group);
   void take_datagram(std::span<const std::byte> bytes, const PeerAddress& from, std::optional<Parties::Number> group);
+  /// Keeps a frame of whom the daemon may tell soon.
+  void take_early(const Frame& frame, const PeerAddress& from);
+  /// Delivers what came from the provider before the daemon told of it.
+  void deliver_early(Parties::Number number);
   /// False where nothing more may be read for now.
   bool take_frame(Parties::Number number, const Frame& frame);
   bool deliver(Parties::Number number, std::uint64_t sequence, std::span<const std::byte> payload);
@@ -99,6 +104,7 @@ class SubscriberChannel {
   ReceiveCount count_;
   Inbox inbox_;
   Sequences sequences_;
+  EarlyFrames early_;
   bool is_paused_ = false;
   Parties parties_;
   std::map<Parties::Number, Provider> providers_;

@@ -10,7 +10,7 @@ namespace geminga::client {
 namespace {
 
 /// Datagrams that are read before others have their turn.
-constexpr int datagrams_at_once = 256;
+constexpr int datagrams_a_turn = 256;
 
 }  // namespace
 
@@ -47,6 +47,15 @@ void SubscriberChannel::wire(Parties::Number number, const ServiceEvent& event) 
   if (way == Way::hello) say_hello();
   if (way == Way::group) join(number);
   if (way == Way::connection) connect(number);
+  if (way == Way::datagrams || way == Way::hello) deliver_early(number);
+}
+
+void SubscriberChannel::deliver_early(Parties::Number number) {
+  for (const auto& kept : early_.take(providers_.at(number).address, parties_.at(number).life, now())) {
+    --count_.dropped;
+    take_frame(number, kept.frame());
+    if (!providers_.contains(number)) return;  // it has ended already
+  }
 }
 
 void SubscriberChannel::connect(Parties::Number number) {
@@ -96,7 +105,7 @@ bool SubscriberChannel::on_lost(Parties::Number number) {
 
 void SubscriberChannel::read(const Socket& socket, std::optional<Parties::Number> group) {
   const auto room = host_.datagram_room();
-  for (int i = 0; i < datagrams_at_once && !is_paused_ && socket.is_open(); ++i) {
+  for (int i = 0; i < datagrams_a_turn && !is_paused_ && socket.is_open(); ++i) {
     sockaddr_storage from{};
     socklen_t size = sizeof from;
     const auto count = ::recvfrom(socket.get(), room.data(), room.size(), 0, reinterpret_cast<sockaddr*>(&from), &size);
@@ -114,20 +123,23 @@ void SubscriberChannel::take_datagram(std::span<const std::byte> bytes, const Pe
   } else if (const auto found = by_address_.find(from); found != by_address_.end()) {
     number = found->second;
   }
-  if (!number) {
-    ++count_.dropped;
-    return;
-  }
-  if (parties_.at(*number).life == no_life) {
+  if (number && parties_.at(*number).life == no_life) {
     deliver(*number, 0, bytes);
     return;
   }
   const auto frame = read_frame(bytes);
   if (!frame) {
     ++count_.dropped;
-    return;
+  } else if (number && (group || frame->life == parties_.at(*number).life)) {
+    take_frame(*number, *frame);
+  } else {
+    take_early(*frame, from);
   }
-  take_frame(*number, *frame);
+}
+
+void SubscriberChannel::take_early(const Frame& frame, const PeerAddress& from) {
+  ++count_.dropped;
+  if (frame.kind != FrameKind::hello && frame.life != no_life) early_.put(from, frame, now());
 }
 
 bool SubscriberChannel::take_frame(Parties::Number number, const Frame& frame) {
