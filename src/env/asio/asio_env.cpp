@@ -165,9 +165,8 @@ class AsioEnv::State {
     std::vector<Interface> seen;
     for (const Joined& one : found) seen.push_back(one.link.interface);
     say_missing(seen);
-    const bool is_well = missing_.empty() && std::ranges::all_of(links_, [](const auto& entry) {
-                           return entry.second->is_sound() && entry.second->last_send_error() == 0;
-                         });
+    bool is_well = missing_.empty();
+    for (const auto& [index, link] : links_) is_well = !link->take_failure() && link->is_sound() && is_well;
     if (!is_changed && seen == interfaces_) return is_well;
     interfaces_ = std::move(seen);
     tell([](EventSink& sink) { sink.on_interfaces_changed(); });

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "env/asio/event_sink.hpp"
 
@@ -89,6 +90,7 @@ struct MulticastLink::Sockets : std::enable_shared_from_this<MulticastLink::Sock
   udp::endpoint own;  // of the sender; its address may be unspecified
   std::vector<std::string> problems;
   int send_error = 0;
+  bool has_failed = false;
   bool is_closed = false;
 
   /// The kernel's.
@@ -195,6 +197,7 @@ void MulticastLink::send(std::span<const std::byte> datagram) {
     const ssize_t sent = ::sendto(sockets_->sender->native_handle(), datagram.data(), datagram.size(),
                                   MSG_DONTWAIT | MSG_NOSIGNAL, target.data(), static_cast<socklen_t>(target.size()));
     sockets_->send_error = sent < 0 ? errno : 0;
+    sockets_->has_failed = sockets_->has_failed || sent < 0;
   }
 }
 
@@ -216,5 +219,6 @@ bool MulticastLink::is_sound() const {
 const Link& MulticastLink::link() const { return sockets_->link; }
 const std::vector<std::string>& MulticastLink::problems() const { return sockets_->problems; }
 int MulticastLink::last_send_error() const { return sockets_->send_error; }
+bool MulticastLink::take_failure() { return std::exchange(sockets_->has_failed, false); }
 
 }  // namespace geminga::env

@@ -52,6 +52,9 @@ class MulticastLink {
   [[nodiscard]] bool is_sound() const;
   /// The error of the last send, or 0. Told apart so that the log can say it once.
   [[nodiscard]] int last_send_error() const;
+  /// Whether a send has failed since this was asked last. One that failed long ago tells nothing: a twin may say
+  /// nothing after it for the rest of its life.
+  [[nodiscard]] bool take_failure();
 
  private:
   struct Sockets;
