@@ -80,7 +80,7 @@ TEST(Loss, ARestartedDaemonTakesThePlaceOfItsFormerLife) {
     EXPECT_LE(restarted(0, after, 40), milliseconds(200));
     EXPECT_LE(restarted(0.1, after, 41), milliseconds(400));
     EXPECT_LE(restarted(0.3, after, 42), seconds(1));
-    EXPECT_LE(restarted(0.5, after, 43), seconds(5));
+    EXPECT_LE(restarted(0.5, after, 43), seconds(2));
   }
 }
 
@@ -107,6 +107,15 @@ TEST(Loss, LetsATeamThatIsSwitchedOnKnowEachOtherSoon) {
   expect_soon(begun, 0.1, milliseconds(150), milliseconds(200));
   expect_soon(begun, 0.3, milliseconds(200), milliseconds(400));
   expect_soon(begun, 0.5, milliseconds(600), milliseconds(1500));
+}
+
+base::Duration restarted_after_a_minute(double loss, std::uint64_t seed) { return restarted(loss, minutes(1), seed); }
+
+TEST(Loss, LetsARestartedDaemonTakeItsPlaceSoon) {
+  expect_soon(restarted_after_a_minute, 0, milliseconds(100), milliseconds(100));
+  expect_soon(restarted_after_a_minute, 0.1, milliseconds(100), milliseconds(250));
+  expect_soon(restarted_after_a_minute, 0.3, milliseconds(250), milliseconds(500));
+  expect_soon(restarted_after_a_minute, 0.5, milliseconds(450), seconds(1));
 }
 
 /// How long views are wrong after two halves of a team, in each of which something has changed, meet again.

@@ -12,10 +12,15 @@ base::Instant after_intervals(base::Instant seen, base::Duration interval, doubl
 base::Duration answer_time(double loss) {
   // Multiplied out, since the logarithms of two machines may differ in their last digit.
   double missed = 1;
-  for (int denial = 0; denial < denials; ++denial) missed *= loss;
+  for (int denial = 0; denial < denials_awaited; ++denial) missed *= loss;
+  base::Duration time = least_answer_time;
+  for (int denial = denials_awaited; denial < denials && missed > wrong_successions; ++denial) {
+    missed *= loss;
+    // The first of those that are lost to him who denies are those that made him do it.
+    time = (denial + 1 + denials_unprompted) * denial_spacing;
+  }
   // What is missing is asked for: a question and its answer must both arrive.
   const double miss_round = std::min(1 - (1 - loss) * (1 - loss), 0.9);
-  base::Duration time = least_answer_time;
   for (; missed > wrong_successions; missed *= miss_round) time += question_time;
   return time;
 }

@@ -30,14 +30,17 @@ inline constexpr int service_intervals = 5;
 
 /// The share of living participants that may not be heard in time when their next life seems to have begun.
 inline constexpr double wrong_successions = 1e-3;
-/// Who hears that somebody begins its own life anew denies it so often, in this time.
-inline constexpr int denials = 7;
+/// Who hears that somebody begins its own life anew denies it so often, in this time. So many are awaited at least, and
+/// so many more may be missing since he heard of it later than others.
+inline constexpr int denials = 20;
+inline constexpr int denials_awaited = 7;
+inline constexpr int denials_unprompted = 2;
 inline constexpr base::Duration denial_spacing = std::chrono::milliseconds(15);
 /// Time for one question and its answer, and the least that anybody is given: all denials, and how late the last may
 /// come.
 inline constexpr base::Duration question_time = std::chrono::milliseconds(100);
 inline constexpr base::Duration least_answer_time = std::chrono::milliseconds(120);
-static_assert(least_answer_time >= denials * denial_spacing);
+static_assert(least_answer_time >= denials_awaited * denial_spacing);
 /// So many questions fit between the first doubt and the deadline, however short the interval is.
 inline constexpr int least_questions = 3;
 

@@ -122,7 +122,8 @@ TEST(Schedule, DeniesItsNextLifeOftenInAShortWhileAndOnceInFiveIntervals) {
   const auto denied = [&](Instant from) {
     schedule.deny(from);
     std::size_t count = 0;
-    while (schedule.due() < from + least_answer_time) count += schedule.take(schedule.due()) == Say::presence ? 1 : 0;
+    while (schedule.due() < from + denials * denial_spacing)
+      count += schedule.take(schedule.due()) == Say::presence ? 1 : 0;
     return count;
   };
   EXPECT_GE(denied(begin), std::size_t{denials});

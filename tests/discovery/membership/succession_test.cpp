@@ -125,9 +125,11 @@ TEST_F(Succession, IsTriedOnceInFiveIntervalsHoweverOftenItIsClaimed) {
 
 TEST(AnswerTime, GrowsWithTheLossAndIsNeverEndless) {
   EXPECT_EQ(answer_time(0), least_answer_time);
-  EXPECT_LT(answer_time(0.1), milliseconds(600));
-  EXPECT_LT(answer_time(0.3), milliseconds(1500));
-  EXPECT_LT(answer_time(0.5), milliseconds(3500));
+  EXPECT_EQ(answer_time(0.37), least_answer_time) << "seven denials are enough";
+  EXPECT_EQ(answer_time(0.5), (10 + denials_unprompted) * denial_spacing) << "that are ten";
+  const base::Duration all_denials = (denials + denials_unprompted) * denial_spacing;
+  EXPECT_EQ(answer_time(0.7), all_denials);
+  EXPECT_EQ(answer_time(0.71), all_denials + question_time);
   EXPECT_LT(answer_time(1), seconds(10));
 }
 
