@@ -10,6 +10,7 @@
 #include "shell/describe.hpp"
 #include "shell/event_options.hpp"
 #include "shell/event_printer.hpp"
+#include "shell/event_variables.hpp"
 #include "shell/json.hpp"
 #include "shell/options.hpp"
 #include "shell/pipe.hpp"
@@ -26,11 +27,14 @@ constexpr const char* examples = R"(Examples:
   geminga-publish --text camera --mode otm/pubsub --port 5001 --priority 5 rate=30 frame=front
   geminga-publish --id 0x1234 --mode oto --port 5002 --protocol tcp --json
   tail -f positions | geminga-publish soccer:BallInfo --mode otm/pubsub --send
+  geminga-publish --text lamp --mode oto --port 5003 --exec 'echo "$GEMINGA_EVENT by $GEMINGA_NAME"'
 
 Offers the service until Ctrl-C or a SIGTERM (exit status 0), and prints its consumers as they come (+), change (~, with
 what was otherwise) and go (-, and why). When the daemon goes, ends with status 3; with --keep offers again when it is
 back: consumers that are still there are printed again, the others as gone (unconfirmed). Exit status 2: wrong usage,
-also a name that the daemon's ontology does not know.)";
+also a name that the daemon's ontology does not know.
+
+)";
 
 struct Options {
   shell::EventOptions shared{program};
@@ -51,7 +55,7 @@ void add_to(CLI::App& app, Options& options) {
       ->check(CLI::Range(1, 65535).description(""));
   app.add_flag("--send", options.sends,
                "Send each line of standard input as a message to who consumes the service; any port unless told")
-      ->excludes("--json", "--timestamps");
+      ->excludes("--json", "--timestamps", "--exec");
   app.add_option("--address", options.publication.address, "Its IP address; else each interface's own is announced");
   app.add_option("--protocol", options.publication.protocol, "udp unless told");
   app.add_option(
@@ -124,14 +128,15 @@ std::expected<void, ClientError> begin(const Options& options, Client& client) {
 
 int run(int argc, char** argv) {
   CLI::App app("Offers one service until it is ended, and prints who consumes it.", std::string(program));
-  app.footer(examples);
+  app.footer(std::string(examples) + std::string(shell::exec_words));
   Options options;
   add_to(app, options);
   app.callback([&options] { complete(options); });
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
 
-  shell::EventPrinter<ConsumerEvent> printer(program, options.shared.printer());
-  shell::Stream stream = options.shared.stream(program);
+  const auto commands = options.shared.commands(program);
+  shell::EventPrinter<ConsumerEvent> printer(program, options.shared.printer(commands.get()));
+  shell::Stream stream = options.shared.stream(program, commands.get());
   stream.connection.timeout = options.shared.common.timeout_or(stream.connection.timeout);
   if (options.sends) {
     return static_cast<int>(

@@ -3,11 +3,13 @@
 #define GEMINGA_SHELL_EVENT_OPTIONS_HPP
 
 #include <CLI/App.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "geminga/service.hpp"
+#include "shell/command_queue.hpp"
 #include "shell/event_printer.hpp"
 #include "shell/options.hpp"
 #include "shell/stream.hpp"
@@ -21,15 +23,23 @@ struct EventOptions {
   std::string name;  ///< of this peer
   bool is_kept = false;
   bool has_timestamps = false;
+  std::string command;  ///< for each event; empty: none
+  std::optional<double> command_seconds;
 
   explicit EventOptions(std::string_view program) : name(program) {}
 
   /// Adds the flags to the program. Borrows this for the life of `app`.
   void add_to(CLI::App& app, const std::string& timeout_meaning, const std::string& keep_meaning);
   [[nodiscard]] ChannelMode mode_or_stream() const { return mode.value_or(ChannelMode::one_to_many_stream); }
-  [[nodiscard]] PrinterOptions printer() const { return {common.is_json, has_timestamps}; }
-  /// A stream of the program with these flags; what it states is left to the caller. `program` lives as long as it.
-  [[nodiscard]] Stream stream(std::string_view program) const;
+  /// What runs the command; null where there is none. `program` lives as long as it.
+  [[nodiscard]] std::unique_ptr<CommandQueue> commands(std::string_view program) const;
+  /// Borrows `commands` for the life of the printer.
+  [[nodiscard]] PrinterOptions printer(CommandQueue* commands) const {
+    return {common.is_json, has_timestamps, commands};
+  }
+  /// A stream of the program with these flags; what it states is left to the caller. `program` and `commands` (null:
+  /// none) live as long as it.
+  [[nodiscard]] Stream stream(std::string_view program, CommandQueue* commands) const;
 };
 
 }  // namespace geminga::shell

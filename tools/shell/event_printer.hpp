@@ -1,5 +1,5 @@
-// Prints the events of one kind as lines for a reader or as JSON, and remembers who is there, so that what changes and
-// what goes can be named.
+// Prints the events of one kind as lines for a reader or as JSON, or gives them to a command, and remembers who is
+// there, so that what changes and what goes can be named.
 #ifndef GEMINGA_SHELL_EVENT_PRINTER_HPP
 #define GEMINGA_SHELL_EVENT_PRINTER_HPP
 
@@ -15,6 +15,7 @@
 
 #include "geminga/event.hpp"
 #include "shell/changes.hpp"
+#include "shell/command_queue.hpp"
 #include "shell/describe.hpp"
 #include "shell/json.hpp"
 #include "shell/report.hpp"
@@ -32,7 +33,8 @@ inline constexpr std::string_view unconfirmed = "unconfirmed";
 
 struct PrinterOptions {
   bool is_json = false;
-  bool has_timestamps = false;  ///< of lines; objects always have them
+  bool has_timestamps = false;       ///< of lines; objects always have them
+  CommandQueue* commands = nullptr;  ///< what events go to instead of standard output; borrowed, null: nothing
 };
 
 /// Told is ServiceEvent or ConsumerEvent. Events go to standard output, errors to standard error. Not thread-safe.
@@ -76,7 +78,9 @@ class EventPrinter final : public EventView {
   void tell(const Place& place, const Told& told) {
     const auto known = known_.find(place);
     const Told* before = known == known_.end() ? nullptr : &known->second.told;
-    if (options_.is_json) {
+    if (options_.commands != nullptr) {
+      options_.commands->add(stamped(object(told, before)));
+    } else if (options_.is_json) {
       shell::print(std::cout, stamped(object(told, before)));
     } else {
       const std::string stamp = options_.has_timestamps ? timestamp() + ' ' : "";

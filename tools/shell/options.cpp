@@ -29,15 +29,12 @@ void CommonOptions::add_to(CLI::App& app, const std::string& timeout_meaning) {
                  "127.0.0.1:4717 and then [::1]:4717")
       ->type_name("ADDRESS:PORT|PATH");
   app.add_flag("--json", is_json, "Print JSON: one document, or one object a line for what goes on");
-  app.add_option("--timeout", timeout_seconds, timeout_meaning)
-      ->type_name("SECONDS")
-      ->check(complaint_about_seconds, "", "");
+  add_seconds(app, "--timeout", timeout_seconds, timeout_meaning);
   app.set_version_flag("--version", app.get_name() + " " GEMINGA_VERSION, "Print the version and exit");
 }
 
 std::chrono::milliseconds CommonOptions::timeout_or(std::chrono::milliseconds usual) const {
-  if (!timeout_seconds) return usual;
-  return std::chrono::ceil<std::chrono::milliseconds>(std::chrono::duration<double>(*timeout_seconds));
+  return timeout_seconds ? in_milliseconds(*timeout_seconds) : usual;
 }
 
 void IdentityOptions::add_to(CLI::App& app) {
@@ -92,6 +89,15 @@ std::optional<NamedIdentity> IdentityOptions::identity(const std::string& concep
   if (text) return TextIdentity{*text};
   if (!concept_name.empty()) return ConceptNames{concept_name, representation};
   return std::nullopt;
+}
+
+CLI::Option* add_seconds(CLI::App& app, const std::string& flag, std::optional<double>& seconds,
+                         const std::string& meaning) {
+  return app.add_option(flag, seconds, meaning)->type_name("SECONDS")->check(complaint_about_seconds, "", "");
+}
+
+std::chrono::milliseconds in_milliseconds(double seconds) {
+  return std::chrono::ceil<std::chrono::milliseconds>(std::chrono::duration<double>(seconds));
 }
 
 void add_mode(CLI::App& app, std::optional<ChannelMode>& mode, const std::string& meaning) {

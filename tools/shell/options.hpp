@@ -47,6 +47,12 @@ struct IdentityOptions {
   [[nodiscard]] bool needs_no_concept() const { return id.has_value() || text.has_value(); }
 };
 
+/// Adds a flag with a time of at most max_timeout_seconds, e.g. `--timeout SECONDS`.
+CLI::Option* add_seconds(CLI::App& app, const std::string& flag, std::optional<double>& seconds,
+                         const std::string& meaning);
+/// Rounded up, so that only 0 is 0.
+[[nodiscard]] std::chrono::milliseconds in_milliseconds(double seconds);
+
 /// `key` and `value` of a word `KEY=VALUE`; nothing where the word is none, as class expressions never are.
 [[nodiscard]] std::optional<std::pair<std::string, std::string>> key_and_value(const std::string& word);
 
@@ -55,8 +61,8 @@ void add_mode(CLI::App& app, std::optional<ChannelMode>& mode, const std::string
 /// Adds `--degree D` (exact, equivalent, narrower, broader, overlapping).
 void add_degree(CLI::App& app, Degree& degree);
 
-/// Reads the command line. Returns the exit status where the program ends here (--help, --version, a mistake), after
-/// having printed what is to be said: help on standard output, a mistake on standard error.
+/// Reads the command line. Returns the exit status where the program ends here (--help, --version, --describe, a
+/// mistake), after having printed what is to be said: help on standard output, a mistake on standard error.
 [[nodiscard]] std::optional<ExitStatus> parse(CLI::App& app, int argc, char** argv);
 
 }  // namespace geminga::shell

@@ -13,10 +13,12 @@
 namespace geminga::shell {
 namespace {
 
+constexpr std::array<int, 3> stopping_signals{SIGINT, SIGTERM, SIGHUP};
+
 sigset_t stopping() {
   sigset_t set;
   sigemptyset(&set);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set, signal);
+  for (const int signal : stopping_signals) sigaddset(&set, signal);
   return set;
 }
 
@@ -41,10 +43,20 @@ void StopSignals::take_pending() const {
   }
 }
 
-StopSignals::Woken StopSignals::wait(int descriptor, std::optional<std::chrono::milliseconds> timeout) const {
+int StopSignals::pending() {
+  sigset_t set;
+  sigemptyset(&set);
+  sigpending(&set);
+  const auto* const come =
+      std::ranges::find_if(stopping_signals, [&](int signal) { return sigismember(&set, signal) == 1; });
+  return come == stopping_signals.end() ? 0 : *come;
+}
+
+StopSignals::Woken StopSignals::wait(int descriptor, std::optional<std::chrono::milliseconds> timeout,
+                                     int other) const {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
-  std::array<pollfd, 2> watched{{{signals_, POLLIN, 0}, {descriptor, POLLIN, 0}}};
+  std::array<pollfd, 3> watched{{{signals_, POLLIN, 0}, {descriptor, POLLIN, 0}, {other, POLLIN, 0}}};
   while (true) {
     int milliseconds = -1;
     if (timeout) {
@@ -54,7 +66,7 @@ StopSignals::Woken StopSignals::wait(int descriptor, std::optional<std::chrono::
     const int ready = poll(watched.data(), watched.size(), milliseconds);
     if (ready < 0 && errno == EINTR) continue;
     if (watched[0].revents != 0) return Woken::stopped;
-    if (watched[1].revents != 0) return Woken::readable;
+    if (watched[1].revents != 0 || watched[2].revents != 0) return Woken::readable;
     return Woken::timed_out;
   }
 }

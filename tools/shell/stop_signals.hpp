@@ -18,9 +18,11 @@ class StopSignals {
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
 
-  /// Waits until a signal has come (then every later call says so, too), `descriptor` (-1: none) is readable or the
-  /// time is over; nothing: without end.
-  [[nodiscard]] Woken wait(int descriptor, std::optional<std::chrono::milliseconds> timeout) const;
+  /// Waits until a signal has come (then every later call says so, too), `descriptor` or `other` (-1: none) is readable
+  /// or the time is over; nothing: without end.
+  [[nodiscard]] Woken wait(int descriptor, std::optional<std::chrono::milliseconds> timeout, int other = -1) const;
+  /// The signal that has come; 0: none.
+  [[nodiscard]] static int pending();
 
  private:
   void take_pending() const;

@@ -1,6 +1,7 @@
 #include "shell/stream.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <iostream>
 
 #include "shell/report.hpp"
@@ -8,10 +9,11 @@
 namespace geminga::shell {
 namespace {
 
+using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
 /// Between two attempts to reach a daemon that went: as long as gemingad's own announcements are apart.
-constexpr std::chrono::milliseconds between_attempts{1000};
+constexpr milliseconds between_attempts{1000};
 
 class Runner {
  public:
@@ -33,11 +35,18 @@ class Runner {
       // Only a daemon that was there once is waited for: a wrong address is told at once.
       if (!stream_.is_kept || !was_connected_ || !is_gone(lost)) return report(stream_.program, lost);
       complain(stream_.program, lost.text + "; trying again");
-      const auto left = time_left();
-      const auto pause = left ? std::min(*left, between_attempts) : between_attempts;
-      if (signals_.wait(-1, pause) == StopSignals::Woken::stopped) return ExitStatus::found;
-      if (left && *left <= between_attempts) return timed_out();
+      if (!pause()) return *end_;
     }
+  }
+
+  /// Lets commands end, or ends them, once run() has ended with this.
+  ExitStatus finish(ExitStatus status) {
+    CommandQueue* const commands = stream_.commands;
+    if (commands == nullptr) return status;
+    end_.reset();
+    while (ending_signal_ == 0 && !commands->is_idle()) wait(-1, {});
+    if (ending_signal_ != 0) commands->stop(ending_signal_);
+    return is_out_of_time_ && status == ExitStatus::found ? timed_out() : status;
   }
 
  private:
@@ -46,10 +55,10 @@ class Runner {
            (error.kind == ClientError::Kind::refused && error.code == ErrorCode::not_ready);
   }
 
-  [[nodiscard]] std::optional<std::chrono::milliseconds> time_left() const {
+  [[nodiscard]] std::optional<milliseconds> time_left() const {
     if (!stream_.timeout) return std::nullopt;
-    const auto gone = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin_);
-    return std::max(*stream_.timeout - gone, std::chrono::milliseconds(0));
+    return std::max(*stream_.timeout - std::chrono::duration_cast<milliseconds>(Clock::now() - begin_),
+                    milliseconds(0));
   }
 
   [[nodiscard]] ExitStatus timed_out() const {
@@ -59,35 +68,68 @@ class Runner {
   /// Counts an event; whether it was the last one.
   bool is_last() { return ++events_ == stream_.count; }
 
+  [[nodiscard]] bool has_room() const { return stream_.commands == nullptr || stream_.commands->has_room(); }
+
+  /// Waits for the descriptor (-1: none), for so long at most, for a command that ends, and for what ends the program:
+  /// then end_ is set.
+  void wait(int descriptor, std::optional<milliseconds> at_most) {
+    CommandQueue* const commands = stream_.commands;
+    const auto earlier = [&](std::optional<milliseconds> time) {
+      if (time) at_most = std::min(at_most.value_or(*time), *time);
+    };
+    const auto left = time_left();
+    earlier(left);
+    if (commands != nullptr) earlier(commands->time_left());
+    switch (signals_.wait(descriptor, at_most, commands == nullptr ? -1 : commands->descriptor())) {
+      case StopSignals::Woken::stopped:
+        ending_signal_ = StopSignals::pending();
+        end_ = ExitStatus::found;
+        break;
+      case StopSignals::Woken::timed_out:
+        if (left && *left <= *at_most) {
+          ending_signal_ = SIGTERM;
+          is_out_of_time_ = true;
+          end_ = timed_out();
+        }
+        break;
+      case StopSignals::Woken::readable:
+        break;
+    }
+    if (commands != nullptr) commands->process();
+  }
+
+  /// Until the next attempt to reach a daemon that went. False: the program ends, end_ says how.
+  bool pause() {
+    const auto until = Clock::now() + between_attempts;
+    while (!end_) {
+      const auto left = std::chrono::ceil<milliseconds>(until - Clock::now());
+      if (left <= milliseconds(0)) return true;
+      wait(-1, left);
+    }
+    return false;
+  }
+
   /// Tells events until end_ is set, or until the daemon goes.
   ClientError follow(Client& client) {
     // Each request has been answered by a pong, so the events that are true at this moment are there already.
     bool is_settled = false;
-    while (true) {
+    while (!end_) {
+      if (!has_room()) {
+        wait(-1, {});
+        continue;
+      }
       auto event = client.poll();
       if (!event) return event.error();
       if (*event) {
-        if (view_.tell(**event) && is_last()) return end(ExitStatus::found);
-        if (!std::cout) return end(ExitStatus::wrong_use);
-        continue;
-      }
-      while (!is_settled && view_.drop_doubted()) {
-        if (is_last()) return end(ExitStatus::found);
-      }
-      is_settled = true;
-      switch (signals_.wait(client.file_descriptor(), time_left())) {
-        case StopSignals::Woken::stopped:
-          return end(ExitStatus::found);
-        case StopSignals::Woken::timed_out:
-          return end(timed_out());
-        case StopSignals::Woken::readable:
-          break;
+        if (view_.tell(**event) && is_last()) end_ = ExitStatus::found;
+        if (!std::cout) end_ = ExitStatus::wrong_use;
+      } else if (!is_settled) {
+        is_settled = !view_.drop_doubted();
+        if (!is_settled && is_last()) end_ = ExitStatus::found;
+      } else {
+        wait(client.file_descriptor(), {});
       }
     }
-  }
-
-  ClientError end(ExitStatus status) {
-    end_ = status;
     return {};
   }
 
@@ -98,10 +140,16 @@ class Runner {
   std::uint64_t events_ = 0;
   bool was_connected_ = false;
   std::optional<ExitStatus> end_;
+  int ending_signal_ = 0;  ///< for the running command; 0: nothing ends it
+  bool is_out_of_time_ = false;
 };
 
 }  // namespace
 
-ExitStatus run(const Stream& stream, EventView& view) { return written(stream.program, Runner(stream, view).run()); }
+ExitStatus run(const Stream& stream, EventView& view) {
+  Runner runner(stream, view);
+  const ExitStatus status = runner.run();  // what was stated is withdrawn by now
+  return written(stream.program, runner.finish(status));
+}
 
 }  // namespace geminga::shell

@@ -11,6 +11,7 @@
 
 #include "geminga/client.hpp"
 #include "geminga/event.hpp"
+#include "shell/command_queue.hpp"
 #include "shell/exit_status.hpp"
 #include "shell/stop_signals.hpp"
 
@@ -40,10 +41,13 @@ struct Stream {
   /// Connects again, and again, when the daemon goes. Once everything is stated again, what was told before and not
   /// again is dropped.
   bool is_kept = false;
+  /// Where the view gives its events to; borrowed, null: nowhere. Events are taken while it has room.
+  CommandQueue* commands = nullptr;
 };
 
 /// Runs until a signal (found), `count` events (found), the timeout (found where an event came and no count was asked
-/// for, else timed_out) or the daemon's end (no_daemon, unless it is kept). What is refused ends it.
+/// for, else timed_out) or the daemon's end (no_daemon, unless it is kept). What is refused ends it. A signal and the
+/// timeout stop the commands; else those of all events are run first, after what was stated is withdrawn.
 [[nodiscard]] ExitStatus run(const Stream& stream, EventView& view);
 
 }  // namespace geminga::shell

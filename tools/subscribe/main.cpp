@@ -9,6 +9,7 @@
 #include "geminga/client.hpp"
 #include "shell/event_options.hpp"
 #include "shell/event_printer.hpp"
+#include "shell/event_variables.hpp"
 #include "shell/options.hpp"
 #include "shell/pipe.hpp"
 #include "shell/stream.hpp"
@@ -25,12 +26,15 @@ constexpr const char* examples = R"(Examples:
   geminga-subscribe soccer:BallInfo --count 1 --timeout 5 --json
   geminga-subscribe soccer:TrackedObject --keep --timestamps
   geminga-subscribe soccer:BallInfo --mode otm/pubsub --listen
+  geminga-subscribe --text map --mode oto --exec 'echo "$GEMINGA_EVENT $GEMINGA_NAME $GEMINGA_ADDRESS:$GEMINGA_PORT"'
 
 Prints each event as a line: + a service is there, ~ it changed and what was otherwise, - it is gone and why. With --keep, when
 the daemon was gone and is back, what is still there is printed again, and what is not as gone (unconfirmed).
 Ends with status 0 on Ctrl-C, a SIGTERM or after --count events, 4 when --timeout was over before that (with nothing
 printed, where no count is given), 3 when the daemon goes (unless --keep), 2 on wrong usage, also for a name that the
-daemon's ontology does not know.)";
+daemon's ontology does not know.
+
+)";
 
 struct Options {
   shell::EventOptions shared{program};
@@ -97,7 +101,7 @@ void add_to(CLI::App& app, Options& options) {
   app.add_option("--address", options.subscription.address, "Its IP address; told to the provider");
   app.add_flag("--listen", options.listens,
                "Receive from the services, and print each message as a line instead of the events")
-      ->excludes("--json", "--timestamps");
+      ->excludes("--json", "--timestamps", "--exec");
   app.add_option("--count", options.count, "End after this many events, or messages; 0: never")
       ->type_name("N")
       ->check(CLI::Range(0.0, 1e15).description(""));  // the sign of an unsigned number is not looked at otherwise
@@ -157,14 +161,15 @@ std::expected<void, ClientError> begin(const Options& options, Client& client) {
 int run(int argc, char** argv) {
   CLI::App app("Asks for services and prints the events: what is there, what changes, what is gone.",
                std::string(program));
-  app.footer(examples);
+  app.footer(std::string(examples) + std::string(shell::exec_words));
   Options options;
   add_to(app, options);
   app.callback([&options] { complete(options); });
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
 
-  shell::EventPrinter<ServiceEvent> printer(program, options.shared.printer());
-  shell::Stream stream = options.shared.stream(program);
+  const auto commands = options.shared.commands(program);
+  shell::EventPrinter<ServiceEvent> printer(program, options.shared.printer(commands.get()));
+  shell::Stream stream = options.shared.stream(program, commands.get());
   if (options.shared.common.timeout_seconds) {
     stream.timeout = options.shared.common.timeout_or({});
     // A daemon that accepts and says nothing is not waited for longer than the program may run.
