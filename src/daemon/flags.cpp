@@ -4,6 +4,9 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <list>
+#include <utility>
+
+#include "manual/describe.hpp"
 
 namespace geminga::daemon {
 namespace {
@@ -55,6 +58,10 @@ std::expected<Flags, std::string> read_flags(int argc, const char* const* argv) 
     if (!key.refused.empty()) option->group("");
     option->multi_option_policy(key.kind == Kind::texts ? CLI::MultiOptionPolicy::TakeAll
                                                         : CLI::MultiOptionPolicy::Throw);
+  }
+  if (auto description = manual::described(app, argc, argv, 8)) {
+    flags.answer = std::move(*description);
+    return flags;
   }
   try {
     app.parse(argc, argv);

@@ -14,7 +14,7 @@ struct Flags {
   Layer layer;
   bool is_check_only = false;                  ///< --check-config
   std::optional<std::string> key_to_generate;  ///< --generate-key: make it and end
-  std::string answer;                          ///< not empty: print it and end with 0 (--help, --version)
+  std::string answer;                          ///< not empty: print it and end with 0 (--help, --version, --describe)
 };
 
 /// Reads the flags. The error is one line that says what is wrong and what to do.

@@ -61,10 +61,10 @@ function(geminga_module name)
   endforeach()
 endfunction()
 
-# geminga_program(NAME SOURCES file... [DEPENDS module...] [LINK external-target...]): an installed executable. Its DEPENDS are the law of
-# its folder.
+# geminga_program(NAME [SECTION 8] SOURCES file... [DEPENDS module...] [LINK external-target...]): an installed executable. Its DEPENDS are
+# the law of its folder. Its page stands in that section of the manual, 1 unless told.
 function(geminga_program name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SECTION" "SOURCES;DEPENDS;LINK")
   add_executable(${name} ${arg_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(${name} PRIVATE geminga_flags ${arg_LINK})
@@ -74,6 +74,32 @@ function(geminga_program name)
   endforeach()
   target_compile_definitions(${name} PRIVATE GEMINGA_VERSION="${PROJECT_VERSION}")
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  if(NOT arg_SECTION)
+    set(arg_SECTION 1)
+  endif()
+  geminga_manual(${name} ${arg_SECTION})
+endfunction()
+
+# geminga_manual(PROGRAM SECTION): asks the program for its man page and its completions, and installs them. Not where it is compiled for
+# another machine that nothing here can stand in for.
+function(geminga_manual name section)
+  if(CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR)
+    return()
+  endif()
+  set(folder ${PROJECT_BINARY_DIR}/manual)
+  file(MAKE_DIRECTORY ${folder})
+  set(man ${folder}/${name}.${section})
+  set(bash ${folder}/${name}.bash)
+  set(zsh ${folder}/_${name})
+  add_custom_command(OUTPUT ${man} ${bash} ${zsh}
+    COMMAND ${name} --describe man > ${man}
+    COMMAND ${name} --describe bash > ${bash}
+    COMMAND ${name} --describe zsh > ${zsh}
+    DEPENDS ${name} VERBATIM)
+  add_custom_target(${name}-manual ALL DEPENDS ${man} ${bash} ${zsh})
+  install(FILES ${man} DESTINATION ${CMAKE_INSTALL_MANDIR}/man${section})
+  install(FILES ${bash} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${name})
+  install(FILES ${zsh} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 endfunction()
 
 # geminga_command_line(TARGET file...): compiles the files of a program that include CLI11 as one, except in the preset dev: each of

@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "command.hpp"
 #include "confinement.hpp"
+#include "manual/describe.hpp"
 #include "sandbox.hpp"
 #include "words.hpp"
 
@@ -62,6 +63,10 @@ int run(int argc, char** argv) {
   for (const auto add : {add_check, add_classify, add_subsumes, add_entails, add_consistent, add_explain, add_id,
                          add_compile, add_draw, add_infer, add_convert, add_merge, add_query, add_rank})
     add(program, choice);
+  if (const auto description = geminga::manual::described(program, argc, argv)) {
+    return std::fputs(description->c_str(), stdout) >= 0 && std::fflush(stdout) == 0 ? 0
+                                                                                     : static_cast<int>(Exit::usage);
+  }
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help and --version

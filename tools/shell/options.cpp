@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "base/text.hpp"
+#include "manual/describe.hpp"
 #include "shell/report.hpp"
 #include "shell/terminal.hpp"
 
@@ -125,6 +126,10 @@ void add_degree(CLI::App& app, Degree& degree) {
 }
 
 std::optional<ExitStatus> parse(CLI::App& app, int argc, char** argv) {
+  if (const auto description = manual::described(app, argc, argv)) {
+    std::cout << *description;
+    return written(app.get_name(), ExitStatus::found);
+  }
   try {
     app.parse(argc, argv);
     return std::nullopt;

@@ -1,0 +1,16 @@
+// A program's completion for zsh.
+#ifndef GEMINGA_MANUAL_ZSH_COMPLETION_HPP
+#define GEMINGA_MANUAL_ZSH_COMPLETION_HPP
+
+#include <string>
+
+#include "manual/outline.hpp"
+
+namespace geminga::manual {
+
+/// A file for share/zsh/site-functions: the same as for bash, with what each means.
+[[nodiscard]] std::string zsh_completion(const Outline& program);
+
+}  // namespace geminga::manual
+
+#endif
