@@ -56,7 +56,7 @@ inline constexpr std::array<Key, 17> keys{{
      "Seal announcements with the key in this file, and hear only what is sealed; may be given many times: the first "
      "one seals, all of them open",
      ""},
-    {"sealing", Kind::text, "MODE",
+    {"sealing", Kind::text, "encrypted|authenticated|prepared|mixed",
      "How, where there is a key: encrypted, authenticated, or on the way there prepared, then mixed (default: "
      "encrypted)",
      ""},
@@ -65,8 +65,8 @@ inline constexpr std::array<Key, 17> keys{{
      "systemd sets it; else nothing is kept)",
      ""},
     {"http", Kind::text, "ADDRESS:PORT", "", "the HTTP side is not there yet: start without it"},
-    {"log-level", Kind::text, "LEVEL", "debug, info, warning or error (default: info)", ""},
-    {"log-format", Kind::text, "FORMAT", "text or json (default: text)", ""},
+    {"log-level", Kind::text, "debug|info|warning|error", "debug, info, warning or error (default: info)", ""},
+    {"log-format", Kind::text, "text|json", "text or json (default: text)", ""},
     {"config", Kind::text, "FILE", "Configuration file in TOML; a flag beats the environment beats the file", ""},
 }};
 

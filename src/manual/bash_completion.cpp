@@ -42,8 +42,13 @@ std::string arms(const Outline& outline, const std::string& command) {
   for (const Flag& flag : outline.flags) {
     if (flag.value.empty()) continue;
     std::vector<std::string> patterns;
-    for (const std::string& name : flag.names) patterns.push_back(command + shell_word(' ' + name));
-    text += "    " + joined(patterns, " | ") + ") ";
+    for (const std::string& name : flag.names) {
+      patterns.push_back(command);
+      patterns.back() += shell_word(' ' + name);
+    }
+    text += "    ";
+    text += joined(patterns, " | ");
+    text += ") ";
     if (!flag.choices.empty()) {
       text += "_geminga_words " + shell_word(joined(flag.choices));
     } else if (flag.is_file) {

@@ -38,8 +38,8 @@ std::vector<std::string> choices_of(std::string_view value) {
 }
 
 bool names_a_file(std::string_view value) {
-  return std::ranges::any_of(std::array{"FILE", "FOLDER", "PATH"},
-                             [&](const char* word) { return value.contains(word); });
+  return value == "OUT" || std::ranges::any_of(std::array{"FILE", "FOLDER", "PATH"},
+                                               [&](const char* word) { return value.contains(word); });
 }
 
 Flag flag_of(const CLI::Option& option) {

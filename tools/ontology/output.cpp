@@ -68,7 +68,7 @@ void add_output(CLI::App& command, std::string& out, std::string& format) {
   command
       .add_option("--to", format,
                   std::string("the syntax to write: ") + format_names + "; without it, by the name of OUT")
-      ->type_name("FORMAT");
+      ->type_name(format_choices);
 }
 
 void add_memory_limit(CLI::App& command, Choice& choice) {

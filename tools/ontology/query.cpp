@@ -112,10 +112,11 @@ void add_query(CLI::App& program, Choice& choice) {
   command->add_option("FILES SPARQL", request->words, "ontology files, or folders of them, and a query behind them")
       ->required()
       ->type_name("");
-  command->add_option("--format", request->rows, "how rows are written: table, json, csv, tsv")->type_name("FORMAT");
+  command->add_option("--format", request->rows, "how rows are written: table, json, csv, tsv")
+      ->type_name("table|json|csv|tsv");
   command->add_flag("--json", request->as_json, "the same as --format json");
   command->add_option("--to", request->format, std::string("the syntax for CONSTRUCT: ") + format_names)
-      ->type_name("FORMAT");
+      ->type_name(format_choices);
   command->add_flag("--asserted", request->only_asserted, "ask over what the files say alone");
   add_number(*command, "--rows", request->most_rows, 1, 10'000'000, "most rows to write; 100000 where it is not given");
   add_memory_limit(*command, choice);

@@ -80,7 +80,8 @@ void add_rank(CLI::App& program, Choice& choice) {
                    "ontologies that the types of parameters are in; unless told, folders called ontology or ontologies "
                    "beside or above the others")
       ->type_name("FOLDER...");
-  command->add_option("--format", request->format, "text, json, or trec (a run for trec_eval)")->type_name("FORMAT");
+  command->add_option("--format", request->format, "text, json, or trec (a run for trec_eval)")
+      ->type_name("text|json|trec");
   command->add_flag("--json", request->as_json, "the same as --format json, with reasons");
   command->add_flag("--reasons", request->has_reasons,
                     "in text: a fifth column, which says what suits and what does not");

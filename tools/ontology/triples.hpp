@@ -25,6 +25,7 @@ namespace geminga::ontology {
 /// line for the user.
 [[nodiscard]] std::expected<graph::Format, std::string> chosen_format(const std::string& name, const std::string& out);
 inline constexpr const char* format_names = "turtle, rdfxml or ntriples";
+inline constexpr const char* format_choices = "turtle|rdfxml|ntriples";  ///< the same, as the type of a flag
 
 }  // namespace geminga::ontology
 

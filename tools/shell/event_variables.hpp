@@ -16,7 +16,7 @@ comes from others never becomes part of COMMAND. The event is one line of JSON o
 its environment, where the event says so much:
   GEMINGA_EVENT             add, modify or del
   GEMINGA_REASON            why it is gone
-  GEMINGA_TIME              now, as RFC 3339 has it
+  GEMINGA_TIME              when it was told here (RFC 3339, UTC)
   GEMINGA_SERVICE, GEMINGA_PROVIDER        a word for the service, PARTICIPANT/PEER (geminga-subscribe)
   GEMINGA_SUBSCRIPTION, GEMINGA_CONSUMER   a word for what consumes it, PARTICIPANT/PEER (geminga-publish)
   GEMINGA_NAME, GEMINGA_PARTICIPANT_NAME   the names of that peer and of its host

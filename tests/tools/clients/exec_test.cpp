@@ -53,7 +53,7 @@ std::unique_ptr<Process> start(const ScriptedDaemon& daemon, const std::string& 
 }
 
 TEST(Exec, RunsACommandForEachOfManyEventsInTheirOrder) {
-  constexpr int count = 1000;
+  constexpr int count = 300;
   std::vector<std::string> lines;
   std::string expected;
   for (int number = 1; number <= count; ++number) {

@@ -131,6 +131,9 @@ TEST(ManualOfThePrograms, CompletesValuesInBash) {
   EXPECT_THAT(offered("geminga-subscribe", {"soccer:BallInfo", "--mode", "otm/p"}), testing::ElementsAre("otm/pubsub"));
   EXPECT_THAT(offered("geminga-query", {"match", "--degree", "=", "n"}), testing::ElementsAre("narrower"));
   EXPECT_THAT(offered("geminga-ontology", {"draw", "--format", "d"}), testing::ElementsAre("dot"));
+  EXPECT_THAT(offered("geminga-ontology", {"convert", "-o", "/etc/host"}), Contains("/etc/hosts"));
+  EXPECT_THAT(offered("geminga-ontology", {"convert", "--to", "t"}), testing::ElementsAre("turtle"));
+  EXPECT_THAT(offered("gemingad", {"--log-level", ""}), testing::ElementsAre("debug", "info", "warning", "error"));
   EXPECT_THAT(offered("geminga-ontology", {"check", "/etc/host"}), Contains("/etc/hosts"));
   EXPECT_THAT(offered("gemingad", {"--config", "/etc/host"}), Contains("/etc/hosts"));
 }
