@@ -41,11 +41,9 @@ class Runner {
 
   /// Lets commands end, or ends them, once run() has ended with this.
   ExitStatus finish(ExitStatus status) {
-    CommandQueue* const commands = stream_.commands;
-    if (commands == nullptr) return status;
-    end_.reset();
-    while (ending_signal_ == 0 && !commands->is_idle()) wait(-1, {});
-    if (ending_signal_ != 0) commands->stop(ending_signal_);
+    if (stream_.commands == nullptr) return status;
+    let_commands_end();
+    if (ending_signal_ != 0) stream_.commands->stop(ending_signal_);
     return is_out_of_time_ && status == ExitStatus::found ? timed_out() : status;
   }
 
@@ -98,6 +96,11 @@ class Runner {
     if (commands != nullptr) commands->process();
   }
 
+  /// Until all have run, or something ends the program before.
+  void let_commands_end() {
+    while (ending_signal_ == 0 && stream_.commands != nullptr && !stream_.commands->is_idle()) wait(-1, {});
+  }
+
   /// Until the next attempt to reach a daemon that went. False: the program ends, end_ says how.
   bool pause() {
     const auto until = Clock::now() + between_attempts;
@@ -130,6 +133,7 @@ class Runner {
         wait(client.file_descriptor(), {});
       }
     }
+    let_commands_end();  // while what was stated still holds, since commands may be about it
     return {};
   }
 

@@ -47,7 +47,7 @@ struct Stream {
 
 /// Runs until a signal (found), `count` events (found), the timeout (found where an event came and no count was asked
 /// for, else timed_out) or the daemon's end (no_daemon, unless it is kept). What is refused ends it. A signal and the
-/// timeout stop the commands; else those of all events are run first, after what was stated is withdrawn.
+/// timeout withdraw what was stated and stop the commands; else those of all events are run first.
 [[nodiscard]] ExitStatus run(const Stream& stream, EventView& view);
 
 }  // namespace geminga::shell

@@ -116,7 +116,7 @@ TEST(EventVariables, AreNamedInTheHelp) {
       EXPECT_TRUE(exec_words.contains(name)) << name;
     }
   }
-  EXPECT_THAT(std::string(exec_words), HasSubstr(std::to_string(max_waiting_commands) + " may wait"));
+  EXPECT_THAT(std::string(exec_words), HasSubstr(std::to_string(max_waiting_commands) + " events may wait"));
   EXPECT_THAT(std::string(exec_words), HasSubstr(std::to_string(command_grace.count()) + " s later"));
 }
 

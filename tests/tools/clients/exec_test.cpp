@@ -71,11 +71,10 @@ TEST(Exec, RunsACommandForEachOfManyEventsInTheirOrder) {
 TEST(Exec, GivesTheEventAsVariablesAndAsJson) {
   const Bench bench;
   const auto publish = bench.start("geminga-publish", {"--text", "camera", "--port", "5000", "rate=30", "a.b=1"});
-  const auto outcome =
-      bench.run("geminga-subscribe",
-                {"--text", "camera", "--count", "1", "--exec",
-                 "env | grep ^GEMINGA_ATTRIBUTE; echo $GEMINGA_EVENT $GEMINGA_TEXT $GEMINGA_NAME $GEMINGA_PORT "
-                 "$GEMINGA_MODE $GEMINGA_PROTOCOL; cat"});
+  const std::string command =
+      "env | grep ^GEMINGA_ATTRIBUTE; echo $GEMINGA_EVENT $GEMINGA_TEXT $GEMINGA_NAME $GEMINGA_PORT $GEMINGA_MODE "
+      "$GEMINGA_PROTOCOL; cat";
+  const auto outcome = bench.run("geminga-subscribe", {"--text", "camera", "--count", "1", "--exec", command});
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   const std::string before = "GEMINGA_ATTRIBUTE_rate=30\nadd camera geminga-publish 5000 otm/stream udp\n";
   ASSERT_THAT(outcome.out, StartsWith(before));
@@ -202,6 +201,15 @@ TEST(Exec, TellsWhatADaemonThatReturnsDoesNotConfirm) {
        .before = {}});
   EXPECT_EQ(ran.status, 0) << ran.said;
   EXPECT_THAT(ran.said, EndsWith("add 5002\ndel 5001 unconfirmed\n"));
+}
+
+TEST(Exec, KeepsWhatIsAskedForUntilTheLastCommandHasEnded) {
+  Bench bench;
+  const auto publish = bench.start("geminga-publish", {"--text", "camera", "--mode", "oto", "--port", "5000"});
+  const auto outcome = bench.run("geminga-subscribe", {"--text", "camera", "--mode", "oto", "--count", "1", "--exec",
+                                                       system::program("geminga-query") + " requests camera"});
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.out, HasSubstr("geminga-subscribe@")) << outcome.errors;
 }
 
 TEST(Exec, OfAPublicationRunsForItsConsumers) {
