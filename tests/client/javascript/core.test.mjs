@@ -8,6 +8,7 @@ import { Backoff } from '../../../src/client/javascript/lib/core/backoff.js';
 import { Conversions } from '../../../src/client/javascript/lib/core/conversion.js';
 import { FrameDecoder } from '../../../src/client/javascript/lib/core/decoder.js';
 import { Memory, Track } from '../../../src/client/javascript/lib/core/delivery.js';
+import { EarlyFrames } from '../../../src/client/javascript/lib/core/early_frames.js';
 import { readEvent } from '../../../src/client/javascript/lib/core/event.js';
 import { encodeFrame, frameOfDatagram, kinds, lifeOf, lifeOctets, MessageWriter, newLife } from '../../../src/client/javascript/lib/core/frame.js';
 import * as limits from '../../../src/client/javascript/lib/core/limits.js';
@@ -191,7 +192,7 @@ test('a life that is back delivers nothing twice and misses nothing that was not
   assert.equal(track.take(22n), 1n);
   for (let life = 2n; life <= BigInt(limits.maxRemembered); ++life) memory.remember(life, 1n);
   assert.equal(memory.lastOf(1n), 9n);
-  memory.remember(1000n, 1n);
+  memory.remember(5000n, 1n);
   assert.equal(memory.lastOf(1n), undefined);
 });
 
@@ -200,20 +201,65 @@ test('the queue pushes out the oldest datagrams, and asks streams to wait', () =
   const queue = new MessageQueue(3, 100);
   for (const name of ['a', 'b', 'c']) assert.deepEqual(queue.push(item(name), true), []);
   assert.deepEqual(queue.push(item('d'), true).map(({ name }) => name), ['a']);
-  assert.ok(queue.hasRoom);
-  for (const name of ['s', 't', 'u']) queue.push(item(name), false);
   assert.equal(queue.hasRoom, false);
-  assert.deepEqual(queue.push(item('e'), true).map(({ name }) => name), ['b']);
+  for (const name of ['b', 'c']) assert.equal(queue.shift().name, name);
+  for (const name of ['s', 't']) queue.push(item(name), false);
+  assert.deepEqual(queue.push(item('e'), true).map(({ name }) => name), ['d']);
   const taken = [];
   while (queue.size > 0) taken.push(queue.shift().name);
-  assert.deepEqual(taken, ['c', 'd', 's', 't', 'u', 'e']);
-  assert.ok(queue.hasRoom && queue.isHalfEmpty);
-  queue.push(item('big', 99), false);
-  assert.ok(queue.hasRoom);
-  queue.push(item('one'), false);
-  assert.equal(queue.hasRoom, false);
-  assert.deepEqual(queue.push(item('late', 50), true), []);
-  assert.deepEqual(queue.push(item('later', 50), true).map(({ name }) => name), ['late']);
+  assert.deepEqual(taken, ['s', 't', 'e']);
+  for (const name of ['s', 't', 'u']) queue.push(item(name), false);
+  assert.deepEqual(queue.push(item('lost'), true).map(({ name }) => name), ['lost']);
+  assert.deepEqual([queue.size, queue.hasRoom, queue.isHalfEmpty], [3, false, false]);
+  queue.shift();
+  assert.deepEqual([queue.hasRoom, queue.isHalfEmpty], [true, false]);
+  queue.shift();
+  assert.deepEqual([queue.hasRoom, queue.isHalfEmpty], [true, true]);
+});
+
+test('1024 messages and 16 MiB wait, but always one', () => {
+  const item = (size) => ({ payload: { length: size } });
+  assert.deepEqual([limits.queueLength, limits.maxQueuedOctets], [1024, 16_777_216]);
+  const queue = new MessageQueue(limits.queueLength, limits.maxQueuedOctets);
+  for (let count = 0; count < limits.queueLength; ++count) assert.deepEqual(queue.push(item(0), true), []);
+  assert.equal(queue.push(item(0), true).length, 1);
+  assert.equal(queue.size, limits.queueLength);
+  const octets = new MessageQueue(limits.queueLength, limits.maxQueuedOctets);
+  octets.push(item(limits.maxQueuedOctets - 1), true);
+  assert.ok(octets.hasRoom);
+  octets.push(item(1), true);
+  assert.equal(octets.hasRoom, false);
+  assert.equal(octets.push(item(0), true).length, 1);
+  assert.equal(octets.size, 2);
+  const one = new MessageQueue(1, limits.maxQueuedOctets);
+  assert.deepEqual(one.push(item(limits.maxQueuedOctets + 1), false), []);
+  assert.deepEqual([one.size, one.hasRoom], [1, false]);
+});
+
+test('early frames are kept by place and life, 64 of them and 256 KiB, each for a second', () => {
+  const frame = (sequence, size = 0, life = 7n) => ({ kind: kinds.message, life, sequence, payload: Buffer.alloc(size) });
+  const sequences = (frames) => frames.map(({ sequence }) => sequence);
+  const early = new EarlyFrames();
+  for (const [i, [where, life]] of [['a', 7n], ['b', 7n], ['a', 8n], ['a', 7n]].entries()) early.put(where, frame(i, 1, life), 0);
+  assert.deepEqual(sequences(early.take('a', 7n, 0)), [0, 3]);
+  assert.deepEqual(sequences(early.take('a', 7n, 0)), []);
+  assert.deepEqual(sequences(early.take('b', 7n, 0)), [1]);
+  assert.deepEqual(sequences(early.take('a', 8n, 0)), [2]);
+  for (const [count, first] of [[limits.maxEarlyFrames - 1, 0], [limits.maxEarlyFrames, 0], [limits.maxEarlyFrames + 1, 1]]) {
+    for (let i = 0; i < count; ++i) early.put('a', frame(i), 0);
+    const kept = sequences(early.take('a', 7n, 0));
+    assert.deepEqual([kept.length, kept[0]], [count - first, first]);
+  }
+  const eighth = limits.maxEarlyOctets / 8;
+  for (const [size, kept] of [[eighth - 1, 8], [eighth, 8], [eighth + 1, 7]]) {
+    for (let i = 0; i < 8; ++i) early.put('a', frame(i, size), 0);
+    assert.equal(early.take('a', 7n, 0).length, kept);
+  }
+  for (const [later, kept] of [[limits.earlyPatience - 1, [1, 2]], [limits.earlyPatience, [2]], [2 * limits.earlyPatience, []]]) {
+    early.put('a', frame(1), 0);
+    early.put('a', frame(2), 1);
+    assert.deepEqual(sequences(early.take('a', 7n, later)), kept);
+  }
 });
 
 test('conversions follow the chain, or the one function that does it all', () => {

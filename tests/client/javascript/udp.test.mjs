@@ -37,6 +37,52 @@ test('only what the matched provider sends is delivered, once and in order', asy
   assert.equal(subscriber.statistics.missed, 4);
 });
 
+test('what a provider sends before the daemon tells of it is delivered then', async (t) => {
+  const { daemon, node } = await lab(t);
+  const subscriber = node.subscribe({ mode: 'oto', text: 'x' });
+  await daemon.line(/^1 sub create/);
+  const provider = await datagramSocket(t);
+  for (const sequence of [1, 2]) await sendTo(provider, message(sequence, `m${sequence}`), subscriber.port);
+  for (const octets of [encodeFrame(kinds.hello, ours, 0n), Buffer.from('no frame')]) await sendTo(provider, octets, subscriber.port);
+  await until(() => subscriber.statistics.dropped === 4);
+  daemon.say(added(1, provider.address().port));
+  await event(subscriber, 'provider');
+  await sendTo(provider, message(3, 'm3'), subscriber.port);
+  for (const text of ['m1', 'm2', 'm3']) {
+    const { payload, missed } = await subscriber.receive();
+    assert.deepEqual([String(payload), missed], [text, 0]);
+  }
+  assert.equal(subscriber.statistics.dropped, 2);
+  // It is started again at its port: another life, which the daemon tells later.
+  const again = 0xabn;
+  await sendTo(provider, encodeFrame(kinds.message, again, 1n, Buffer.from('again')), subscriber.port);
+  await sendTo(provider, encodeFrame(kinds.end, again, 3n), subscriber.port);
+  await until(() => subscriber.statistics.dropped === 4);
+  const told = [];
+  subscriber.on('provider', ({ change, reason }) => told.push([change, reason]));
+  daemon.say(added(1, provider.address().port, { channel: '00000000000000ab' }).replace('service=0000000b/1/1', 'service=0000000b/1/2'));
+  const { life: other, payload } = await subscriber.receive();
+  assert.deepEqual([other, String(payload)], [again, 'again']);
+  await until(() => told.length === 2);
+  assert.deepEqual(told, [['added', undefined], ['removed', 'withdrawn']]);
+  assert.deepEqual([subscriber.statistics.dropped, subscriber.statistics.missed], [2, 2]);
+});
+
+test('what came a second before the daemon told of its provider is not delivered', async (t) => {
+  const { daemon, node, clock } = await lab(t);
+  const subscriber = node.subscribe({ mode: 'oto', text: 'x' });
+  await daemon.line(/^1 sub create/);
+  const provider = await datagramSocket(t);
+  await sendTo(provider, message(1, 'old'), subscriber.port);
+  await until(() => subscriber.statistics.dropped === 1);
+  clock.advance(limits.earlyPatience);
+  await sendTo(provider, message(2, 'new'), subscriber.port);
+  await until(() => subscriber.statistics.dropped === 2);
+  daemon.say(added(1, provider.address().port));
+  const { payload, missed } = await subscriber.receive();
+  assert.deepEqual([String(payload), missed, subscriber.statistics.dropped], ['new', 0, 1]);
+});
+
 test('what does not speak in frames is delivered as it is over UDP, and is a problem over TCP', async (t) => {
   const { daemon, node } = await lab(t);
   const subscriber = node.subscribe({ mode: 'oto', text: 'x' });

@@ -12,7 +12,7 @@ from geminga.core.converter import ConversionError, convert
 from geminga.core.counterparts import GRACE_SECONDS, ORPHAN_SECONDS, Change, Counterparts
 from geminga.core.life import draw_life, read_life, write_life
 from geminga.core.listeners import MAX_LISTENERS, SILENCE_SECONDS, Listeners
-from geminga.core.mailbox import MAX_OCTETS, Mailbox, Message
+from geminga.core.mailbox import MAX_MESSAGES, MAX_OCTETS, Mailbox, Message
 from geminga.core.match import Match
 from geminga.core.sequence import MAX_LIVES, Sequence
 
@@ -209,7 +209,14 @@ class Waiting(unittest.TestCase):
             self.assertEqual([box.put(Message(octets)) for octets in (b"1", b"2", b"3")], [0, 0, 1])
             self.assertEqual([box.take().payload for _ in range(len(box))], kept)
 
-    def test_64_mebibytes_are_full_and_one_message_always_fits(self) -> None:
+    def test_1024_messages_are_full(self) -> None:
+        for count, lost in ((MAX_MESSAGES - 1, 0), (MAX_MESSAGES, 0), (MAX_MESSAGES + 1, 1)):
+            box = Mailbox()
+            self.assertEqual(sum(box.put(Message(b"")) for _ in range(count)), lost)
+            self.assertEqual((len(box), box.is_full), (count - lost, count >= MAX_MESSAGES))
+
+    def test_16_mebioctets_are_full_and_one_message_always_fits(self) -> None:
+        self.assertEqual(MAX_OCTETS, 16_777_216)
         box = Mailbox(10)
         box.put(Message(bytes(MAX_OCTETS - 1)))
         self.assertFalse(box.is_full)
@@ -219,6 +226,30 @@ class Waiting(unittest.TestCase):
         box = Mailbox(1)
         self.assertEqual((box.put(Message(bytes(MAX_OCTETS + 1))), box.is_full, box.has_room), (0, True, False))
         self.assertRaises(ValueError, Mailbox, 0)
+
+    def test_what_was_lost_is_told_with_the_next_message_of_its_life(self) -> None:
+        for keep_newest, told in ((True, [(3, 2), (4, 0)]), (False, [(1, 0), (2, 0), (5, 2)])):
+            box = Mailbox(2, keep_newest)
+            for sequence in range(1, 5):
+                box.put(Message(b"", 7, sequence))
+            got = [box.take() for _ in range(2)]
+            box.put(Message(b"", 8, 9))
+            box.put(Message(b"", 7, 5))
+            self.assertEqual((box.take().missed, box.take().missed), (0, 0 if keep_newest else 2))
+            got += [] if keep_newest else [Message(b"", 7, 5, 2)]
+            self.assertEqual([(one.sequence, one.missed) for one in got], told)
+
+    def test_what_may_not_be_lost_is_not(self) -> None:
+        box = Mailbox(2)
+        box.put_anyway(Message(b"tcp"))
+        box.put(Message(b"old", 7, 1))
+        self.assertEqual(box.put(Message(b"new", 7, 2)), 1)
+        box.take()
+        box.put_anyway(Message(b"tcp"))
+        self.assertEqual((box.take().missed, box.take().payload), (1, b"tcp"))
+        for _ in range(2):
+            box.put_anyway(Message(b"tcp"))
+        self.assertEqual((box.put(Message(b"lost", 7, 3)), len(box)), (1, 2))
 
     def test_has_room_when_it_is_half_empty(self) -> None:
         box = Mailbox(4)

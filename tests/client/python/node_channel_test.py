@@ -144,16 +144,19 @@ class Exchange(VirtualTestCase):
 
 class Waiting(VirtualTestCase):
     def test_of_udp_the_oldest_are_lost_or_the_newest(self) -> None:
-        async def story(keep: str, kept: list[bytes]) -> None:
+        async def story(keep: str, kept: list[bytes], first: int, next_one: int) -> None:
             async with met(queue=3, keep=keep) as both:
                 for number in range(5):
                     both.pub.send(b"%d" % number)
                 await until(lambda: both.sub.received == 5)
-                self.assertEqual(await both.take(3), kept)
+                got = [await both.sub.receive() for _ in range(3)]
+                self.assertEqual(([one.payload for one in got], got[0].missed), (kept, first))
                 self.assertEqual(both.sub.dropped, 2)
+                both.pub.send(b"next")
+                self.assertEqual((await both.sub.receive()).missed, next_one)
 
-        self.run_async(story("newest", [b"2", b"3", b"4"]))
-        self.run_async(story("oldest", [b"0", b"1", b"2"]))
+        self.run_async(story("newest", [b"2", b"3", b"4"], 2, 0))
+        self.run_async(story("oldest", [b"0", b"1", b"2"], 0, 2))
 
     def test_of_tcp_nothing_is_lost_and_what_waits_is_limited(self) -> None:
         async def story() -> None:

@@ -14,7 +14,8 @@ import java.util.function.UnaryOperator;
  * A service that is asked for, and the channel from its providers. Messages are taken by {@link #receive}, or by one {@link Flow.Subscriber}, which is given as many as it
  * requests and no more.
  *
- * <p>At most 1024 messages or 16 MiB wait. Then nothing more is read: over TCP that holds the provider back, over UDP the system drops, and {@link Message#missed} tells.
+ * <p>At most 1024 messages and 16 MiB wait, but always one. Then nothing more is read: over TCP that holds the provider back, over UDP the system drops, and
+ * {@link Message#missed} tells. What a provider sends over UDP before the daemon has told of it waits for a second, 64 messages and 256 KiB at most.
  */
 public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> {
     private final Node node;
@@ -175,7 +176,7 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
         return node.locking(() -> missed + channel.missedAtEnd());
     }
 
-    /** {@return what came and was no frame, not from a matched provider, not new, or could not be converted} */
+    /** {@return what came and was no frame, not from a provider that is matched or was so soon, not new, or could not be converted} */
     public long dropped() {
         return node.locking(() -> channel.droppedCount() + failed);
     }

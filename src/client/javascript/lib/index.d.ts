@@ -133,9 +133,9 @@ export declare const Publisher: { readonly prototype: Publisher };
 /**
  * What is asked for. Made by `node.subscribe`; an async iterable, and leaving its loop closes it.
  *
- * Slow consumers: up to `queue` messages that came over UDP wait, and up to as many that came over TCP, all together of at
- * most 32 MiB. Over UDP the oldest that waits is lost for a new one; over TCP the provider is held back, and leaves out what
- * is newer than 4 MiB that wait for this consumer. `missed` of the next message tells how many were lost.
+ * Slow consumers: up to `queue` messages wait, all together of at most 16 MiB, but always one. Over UDP the oldest that waits
+ * is lost for a new one; over TCP the provider is held back, and leaves out what is newer than 4 MiB that wait for this
+ * consumer. `missed` of the next message tells how many were lost.
  */
 export interface Subscriber
   extends Emitter<{ provider: [PeerChange]; problem: [Error]; close: [] }>, AsyncIterable<Message> {

@@ -29,8 +29,8 @@ if TYPE_CHECKING:
 class Subscriber(RequestOwner):
     """Made by Node.subscribe(). Belongs to the event loop of its node; not thread-safe.
 
-    Messages wait in a queue of `queue` messages and 64 MiB. Where it is full, TCP providers are not read from, and of UDP the
-    oldest messages are lost, or the newest with `keep="oldest"`.
+    Messages wait in a queue of `queue` messages and 16 MiB, but always one. Where it is full, TCP providers are not read from,
+    and of UDP the oldest messages are lost, or the newest with `keep="oldest"`; the next one says how many.
     """
 
     def __init__(
@@ -60,7 +60,15 @@ class Subscriber(RequestOwner):
         if "udp" in protocols:
             is_stream = said["mode"] == "otm/stream"
             self._udp = UdpInlet(
-                self._loop, self._life, int(said.get("port", "0")), is_stream, self._hear, self._hear_datagram, self._end, self._drop
+                self._loop,
+                self._life,
+                int(said.get("port", "0")),
+                is_stream,
+                self._hear,
+                self._hear_datagram,
+                self._end,
+                self._drop,
+                self._find,
             )
             said["port"] = str(self._udp.port)
         try:
@@ -151,6 +159,8 @@ class Subscriber(RequestOwner):
         else:
             self._open(counterpart)
         self._tell(change)
+        if self._udp is not None:
+            self._udp.deliver_early(counterpart)
 
     def _open_udp(self, counterpart: Counterpart) -> None:
         match = counterpart.match
@@ -299,6 +309,9 @@ class Subscriber(RequestOwner):
 
     def _drop(self) -> None:
         self._dropped += 1
+
+    def _find(self) -> None:
+        self._dropped -= 1
 
     def _close_all(self) -> None:
         for inlet in self._inlets():

@@ -16,6 +16,10 @@ public final class Sizes {
     public static final int WAITING_MESSAGES = 1024;
     /** Octets of these, or one message. */
     public static final int WAITING_OCTETS = 16 * 1024 * 1024;
+    /** Frames over UDP of one subscriber that are of nobody whom it knows yet. */
+    public static final int EARLY_FRAMES = 64;
+    /** Octets of payload of these. */
+    public static final int EARLY_OCTETS = 256 * 1024;
     /** Lives whose last sequence a subscriber remembers. */
     public static final int REMEMBERED_LIVES = 1024;
     /** Messages that one socket gives before the others are looked at. */
@@ -28,6 +32,8 @@ public final class Sizes {
     public static final long ENDING = Duration.ofSeconds(2).toNanos();
     /** How long a connection that ends waits for one who takes nothing. */
     public static final long CLOSING = Duration.ofSeconds(5).toNanos();
+    /** How long an early frame is kept. */
+    public static final long EARLY = Duration.ofSeconds(1).toNanos();
     /** How long a channel over UDP goes on without its daemons. */
     public static final long ORPHAN = Duration.ofSeconds(10).toNanos();
     /** After this long with the daemon, channels that no {@code add} has confirmed are orphans. */

@@ -9,6 +9,7 @@ import geminga.Request;
 import geminga.core.Addresses;
 import geminga.core.Counterparts;
 import geminga.core.Counterparts.Entry;
+import geminga.core.EarlyFrames;
 import geminga.core.Frame;
 import geminga.core.LineException;
 import geminga.core.Lives;
@@ -30,6 +31,7 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
     private final Counterparts<Inlet> providers = new Counterparts<>(this, true);
     private final Lives lives = new Lives();
     private final Inbox inbox = new Inbox();
+    private final EarlyFrames early = new EarlyFrames();
     private final Groups groups;
     private final Consumer<ProviderEvent> listener;
     private final RandomGenerator chance;
@@ -114,6 +116,7 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
                 } else {
                     providers.modify(match);
                 }
+                deliverEarly(providers.at(event.word()));
             } catch (LineException wasRead) {
                 throw new IllegalStateException(wasRead);
             }
@@ -274,6 +277,18 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
         Entry<Inlet> entry = frame == null ? null : providers.of(frame.life());
         boolean isBelieved = entry != null && entry.channel instanceof UdpInlet inlet && inlet.isAt(from);
         take(isBelieved ? entry : null, frame);
+        if (!isBelieved && frame != null && frame.kind() != Frame.Kind.HELLO) early.put(from, frame, loop.now());
+    }
+
+    /** What came from a provider before the daemon told of it. What there is no room for stays dropped, as the system drops it. */
+    private void deliverEarly(Entry<Inlet> entry) {
+        if (entry == null || entry.match().life() == 0 || !(entry.channel instanceof UdpInlet inlet)) return;
+        for (Frame frame : early.take(inlet::isAt, entry.match().life(), loop.now())) {
+            if (providers.of(frame.life()) != entry) return; // it has ended
+            if (frame.kind() == Frame.Kind.MESSAGE && !inbox.hasRoom()) continue;
+            --dropped;
+            take(entry, frame);
+        }
     }
 
     @Override

@@ -18,13 +18,19 @@ export const maxStrangers = 16;
 export const maxConsumers = 256;
 /** Messages that wait for the application, of a subscriber, unless its `queue` says otherwise. */
 export const queueLength = 1024;
-/** Octets that wait for the application, of a subscriber. */
-export const maxQueuedOctets = 32 * 1024 * 1024;
+/** Octets that wait for the application, of a subscriber; one message may always wait. */
+export const maxQueuedOctets = 16 * 1024 * 1024;
+/** Frames over UDP of one subscriber that are of nobody whom it knows yet. */
+export const maxEarlyFrames = 64;
+/** Octets of payload of these. */
+export const maxEarlyOctets = 256 * 1024;
 /** Lives of providers that are gone whose last sequence a subscriber remembers. */
-export const maxRemembered = 256;
+export const maxRemembered = 1024;
 /** Network interfaces on which a multicast publisher sends. */
 export const maxInterfaces = 8;
 
+/** Milliseconds for which an early frame is kept. */
+export const earlyPatience = 1000;
 /** Milliseconds between two hellos to an `otm/stream` over UDP. */
 export const helloInterval = 1000;
 /** Milliseconds after which a group's interfaces are looked at again. */

@@ -1,6 +1,13 @@
 // Where datagrams are believed to come from: an address and port, for each of which there may be several lives.
 import { frameOfDatagram, kinds } from './frame.js';
 
+/** The frame that a datagram is, if it is one that a provider sends. */
+export function frameOfProvider(octets) {
+  const frame = frameOfDatagram(octets);
+  const isOne = frame && (frame.kind === kinds.message || (frame.kind === kinds.end && frame.payload.length === 0));
+  return isOne ? frame : undefined;
+}
+
 export class Places {
   #places = new Map();
 
@@ -23,8 +30,8 @@ export class Places {
   take(place, octets) {
     const there = this.#places.get(place);
     if (!there) return undefined;
-    const frame = frameOfDatagram(octets);
-    if (frame && (frame.kind === kinds.message || (frame.kind === kinds.end && frame.payload.length === 0))) {
+    const frame = frameOfProvider(octets);
+    if (frame) {
       const channel = there.find(({ life }) => life === frame.life);
       if (channel) return { channel, frame };
     }

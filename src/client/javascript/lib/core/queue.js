@@ -1,8 +1,9 @@
 // What waits for the application: messages in order, bounded by number and octets.
 
 /**
- * Datagrams that come when there is no room push out the oldest datagrams, since who sent them does not wait; streams are
- * asked to wait by `hasRoom`, so of what came over TCP nothing is lost.
+ * Full at either limit, but one message always has room. Datagrams that come then push out the oldest datagrams, since who
+ * sent them does not wait, and are lost themselves where there are none; streams are asked to wait by `hasRoom`, so of what
+ * came over TCP nothing is lost.
  */
 export class MessageQueue {
   #items = [];
@@ -12,7 +13,7 @@ export class MessageQueue {
   #length;
   #maxOctets;
 
-  /** @param length messages of each kind; @param maxOctets payloads of both together */
+  /** @param length messages; @param maxOctets of their payloads */
   constructor(length, maxOctets) {
     this.#length = length;
     this.#maxOctets = maxOctets;
@@ -22,22 +23,22 @@ export class MessageQueue {
     return this.#items.length - this.#head;
   }
 
-  /** Whether a stream may give one more. */
+  /** Whether there is room for one more. */
   get hasRoom() {
-    return this.size === 0 || (this.size - this.#datagrams < this.#length && this.#octets < this.#maxOctets);
+    return this.size < this.#length && this.#octets < this.#maxOctets;
   }
 
   /** Whether a stream that had to wait may go on: half of the room is there. */
   get isHalfEmpty() {
-    return this.size - this.#datagrams <= this.#length / 2 && this.#octets <= this.#maxOctets / 2;
+    return this.size <= this.#length / 2 && this.#octets <= this.#maxOctets / 2;
   }
 
-  /** Adds one; gives the datagrams that it pushed out. */
+  /** Adds one; gives the datagrams that were lost for that, perhaps this one itself. */
   push(item, isDatagram) {
     const lost = [];
     if (isDatagram) {
-      const isTooMuch = () => this.#octets + item.payload.length > this.#maxOctets;
-      while (this.#datagrams > 0 && (this.#datagrams >= this.#length || isTooMuch())) lost.push(this.#oldestDatagram());
+      while (this.#datagrams > 0 && !this.hasRoom) lost.push(this.#oldestDatagram());
+      if (!this.hasRoom) return [...lost, item];
       ++this.#datagrams;
     }
     this.#items.push({ item, isDatagram });

@@ -2,13 +2,14 @@
 import { isIPv6 } from 'node:net';
 
 import { isMulticast, place } from '../core/address.js';
+import { EarlyFrames } from '../core/early_frames.js';
 import { encodeFrame, kinds, lifeOctets } from '../core/frame.js';
 import { helloInterval, interfaceInterval } from '../core/limits.js';
-import { Places } from '../core/places.js';
+import { frameOfProvider, Places } from '../core/places.js';
 import { DatagramPort } from '../io/datagram_port.js';
 import { groupInterfaces } from '../io/interfaces.js';
 
-/** Hooks: `onFrame(channel, frame)`, `onDropped()`. A channel has a `life`. */
+/** Hooks: `onFrame(channel, frame)`; `onDropped()`; `onFound()`, which takes one `onDropped` back. A channel has a `life`. */
 export class DatagramsIn {
   #io;
   #timers;
@@ -16,6 +17,7 @@ export class DatagramsIn {
   #hooks;
   #own;
   #places = new Places();
+  #early = new EarlyFrames();
   #groups = new Map();
   #greeted = new Map();
   #greeting;
@@ -27,7 +29,7 @@ export class DatagramsIn {
     this.#ownLife = ownLife;
     this.#hooks = hooks;
     this.#own = DatagramPort.open(io, { port, isOne: true });
-    this.#own.listen((octets, address, from) => this.#onDatagram(octets, address, from));
+    this.#own.listen((octets, address, from) => this.#onOwnDatagram(octets, address, from));
   }
 
   get port() {
@@ -40,6 +42,17 @@ export class DatagramsIn {
     this.#places.set(place(address, port), channel);
     if (isMulticast(address)) this.#join(address, port);
     else if (isStream && channel.life !== 0n) this.#greet(channel, address, port);
+  }
+
+  /** Delivers what came from there, with its life, before it was added. */
+  deliverEarly(channel) {
+    const { where } = channel;
+    if (!where) return;
+    for (const frame of this.#early.take(place(where.address, where.port), channel.life, this.#timers.now())) {
+      if (channel.where !== where) return; // it has ended
+      this.#hooks.onFound();
+      this.#hooks.onFrame(channel, frame);
+    }
   }
 
   delete(channel) {
@@ -63,10 +76,18 @@ export class DatagramsIn {
     this.#own.close();
   }
 
+  /** Whether it was delivered. */
   #onDatagram(octets, address, port) {
     const taken = this.#places.take(place(address, port), octets);
     if (taken) this.#hooks.onFrame(taken.channel, taken.frame);
     else this.#hooks.onDropped();
+    return taken !== undefined;
+  }
+
+  #onOwnDatagram(octets, address, port) {
+    if (this.#onDatagram(octets, address, port)) return;
+    const frame = frameOfProvider(octets);
+    if (frame) this.#early.put(place(address, port), frame, this.#timers.now());
   }
 
   #greet(channel, address, port) {

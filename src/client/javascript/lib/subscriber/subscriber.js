@@ -180,6 +180,7 @@ export class Subscriber extends EventEmitter {
       this.#datagrams = new DatagramsIn(this.#io, { port: portOf(port), ownLife: this.life }, {
         onFrame: (channel, frame) => this.#onFrame(channel, frame, true),
         onDropped: () => ++this.#statistics.dropped,
+        onFound: () => --this.#statistics.dropped,
         onProblem: (error) => this.emit('problem', error),
       });
       parameters.push(['port', String(this.#datagrams.port)]);
@@ -224,6 +225,7 @@ export class Subscriber extends EventEmitter {
     this.#channels.set(peer, channel);
     this.#connect(channel);
     this.emit('provider', changeOf('added', peer));
+    this.#datagrams?.deliverEarly(channel);
   }
 
   #onModified(peer, isTold) {
@@ -231,6 +233,7 @@ export class Subscriber extends EventEmitter {
     channel.provider = describe(peer);
     this.#connect(channel);
     if (isTold) this.emit('provider', changeOf('modified', peer));
+    this.#datagrams?.deliverEarly(channel);
   }
 
   #onRemoved(peer, reason) {

@@ -7,6 +7,7 @@ import socket
 from collections.abc import Callable
 
 from ..core.counterparts import Counterpart, Key
+from ..core.early_frames import EarlyFrames
 from ..core.frame import Frame, FrameError, Kind, read_datagram, write_frame
 from ..core.listeners import HELLO_SECONDS
 from . import sockets
@@ -19,7 +20,7 @@ DATAGRAMS_AT_END = 16_384
 
 
 class UdpInlet:
-    """`says_hello`: for `otm/stream`, whose providers want to hear who listens."""
+    """`says_hello`: for `otm/stream`, whose providers want to hear who listens. `on_found` takes back an `on_drop`."""
 
     def __init__(
         self,
@@ -31,6 +32,7 @@ class UdpInlet:
         on_datagram: Callable[[Counterpart, bytes], None],
         on_end: Callable[[Key, bool], None],
         on_drop: Callable[[], None],
+        on_found: Callable[[], None],
     ) -> None:
         self._loop = loop
         self._life = life
@@ -39,6 +41,8 @@ class UdpInlet:
         self._on_datagram = on_datagram
         self._on_end = on_end
         self._on_drop = on_drop
+        self._on_found = on_found
+        self._early = EarlyFrames()
         self._sock = sockets.bound(socket.SOCK_DGRAM, port)
         self.port = sockets.port_of(self._sock)
         self._by_key: dict[Key, tuple[Address, Counterpart]] = {}
@@ -58,6 +62,17 @@ class UdpInlet:
             self._hello(Kind.HELLO, there, counterpart)
             if self._timer is None:
                 self._timer = self._loop.call_later(HELLO_SECONDS, self._hello_all)
+
+    def deliver_early(self, counterpart: Counterpart) -> None:
+        """Delivers what came from this provider before it was opened."""
+        known = self._by_key.get(counterpart.key)
+        if known is None:
+            return
+        for frame in self._early.take(known[0], counterpart.match.life, self._loop.time()):
+            if self._by_key.get(counterpart.key) is not known:
+                return  # It has ended.
+            self._on_found()
+            _deliver(counterpart, frame, self._on_message, self._on_end)
 
     def close(self, counterpart: Counterpart) -> None:
         """Hears it no more."""
@@ -100,11 +115,10 @@ class UdpInlet:
             self._heard(octets, source)
 
     def _heard(self, octets: bytes, source: Address) -> None:
-        lives = self._by_source.get(source) or self._by_source.get(sockets.canonical(source))
-        if lives is None:
-            self._on_drop()
-        else:
-            dispatch(octets, lives, self._on_message, self._on_datagram, self._on_end, self._on_drop)
+        lives = self._by_source.get(source) or self._by_source.get(sockets.canonical(source), {})
+        frame = dispatch(octets, lives, self._on_message, self._on_datagram, self._on_end, self._on_drop)
+        if frame is not None and frame.kind is not Kind.HELLO:
+            self._early.put(sockets.canonical(source), frame, self._loop.time())
 
     def _forget(self, counterpart: Counterpart) -> None:
         known = self._by_key.pop(counterpart.key, None)
@@ -137,21 +151,34 @@ def dispatch(
     on_datagram: Callable[[Counterpart, bytes], None],
     on_end: Callable[[Key, bool], None],
     on_drop: Callable[[], None],
-) -> None:
-    """Gives a datagram from one of these providers' address and port to the one whose life it has.
+) -> Frame | None:
+    """Gives a datagram from one of these providers' address and port to the one whose life it has, and the frame of nobody back.
 
     A provider without a life has each datagram delivered that no other provider there has sent.
     """
+    frame: Frame | None = None
+    counterpart: Counterpart | None = None
     try:
         frame = read_datagram(octets)
         counterpart = lives.get(frame.life) if frame.kind is not Kind.HELLO else None
     except FrameError:
-        counterpart = None
-    if counterpart is not None:
-        on_message(counterpart, frame)
-        if frame.kind is Kind.END:
-            on_end(counterpart.key, True)
+        pass
+    if frame is not None and counterpart is not None:
+        _deliver(counterpart, frame, on_message, on_end)
     elif 0 in lives:
         on_datagram(lives[0], octets)
     else:
         on_drop()
+        return frame
+    return None
+
+
+def _deliver(
+    counterpart: Counterpart,
+    frame: Frame,
+    on_message: Callable[[Counterpart, Frame], None],
+    on_end: Callable[[Key, bool], None],
+) -> None:
+    on_message(counterpart, frame)
+    if frame.kind is Kind.END:
+        on_end(counterpart.key, True)
