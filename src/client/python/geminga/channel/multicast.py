@@ -11,6 +11,7 @@ from .sockets import RECEIVE_BUFFER_OCTETS, Address
 
 TIME_TO_LIVE = 1
 _IP_MULTICAST_ALL = 49
+_IPV6_MULTICAST_ALL = 29
 
 
 def _family(group: str) -> socket.AddressFamily:
@@ -52,19 +53,30 @@ def listening(group: str, port: int) -> socket.socket:
     try:
         sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER_OCTETS)
         # Bound to the group, it hears nothing that is sent to the port alone.
-        sock.bind((group.partition("%")[0], port) if family == socket.AF_INET else (group.partition("%")[0], port, 0, _scope(group)))
+        if family == socket.AF_INET:
+            sock.setsockopt(socket.IPPROTO_IP, _IP_MULTICAST_ALL, 0)
+            sock.bind((group, port))
+        else:
+            bare, zone = group.partition("%")[0], _zone(group)
+            sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 1)
+            sock.setsockopt(socket.IPPROTO_IPV6, _IPV6_MULTICAST_ALL, 0)
+            # A link-local group of every interface has no one address to be bound to; whom it comes from is asked later anyway.
+            sock.bind(("::" if _is_of_a_link(bare) and zone == 0 else bare, port, 0, zone))
         return sock
     except OSError:
         sock.close()
         raise
 
 
-def _scope(group: str) -> int:
-    """Zone of a group; where a link-local one has none, the first interface."""
+def _is_of_a_link(group: str) -> bool:
+    """Whether an IPv6 group is one of a link, or of an interface, so that it is another group on each."""
+    return ipaddress.ip_address(group).packed[1] & 0x0F in (1, 2)
+
+
+def _zone(group: str) -> int:
+    """The interface that a group names, or 0. Raises OSError where there is none of this name."""
     zone = group.partition("%")[2]
-    if zone:
-        return int(zone) if zone.isdigit() else socket.if_nametoindex(zone)
-    return 0
+    return (int(zone) if zone.isdigit() else socket.if_nametoindex(zone)) if zone else 0
 
 
 def join(sock: socket.socket, group: str, interface: int) -> None:
