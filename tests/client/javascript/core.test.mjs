@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { isSlip, shownAttribute, statedKey } from '../../../src/client/javascript/lib/core/attribute.js';
-import { canonicalAddress, isMulticast } from '../../../src/client/javascript/lib/core/address.js';
+import { canonicalAddress, isMulticast, isOfSomeLink } from '../../../src/client/javascript/lib/core/address.js';
 import { Backoff } from '../../../src/client/javascript/lib/core/backoff.js';
 import { Conversions } from '../../../src/client/javascript/lib/core/conversion.js';
 import { FrameDecoder } from '../../../src/client/javascript/lib/core/decoder.js';
@@ -283,6 +283,8 @@ test('addresses are compared in one spelling, with their zone', () => {
   assert.equal(canonicalAddress('fe80::1%eth0'), 'fe80::1%eth0');
   assert.notEqual(canonicalAddress('fe80::1%eth0'), canonicalAddress('fe80::1%eth1'));
   for (const bad of ['robot2', '', undefined, '1.2.3', '1.2.3.4%eth0']) assert.equal(canonicalAddress(bad), undefined);
+  assert.deepEqual(['ff02::1', 'ff11::1', 'FF12::1', 'ff02::1%eth0', 'ff05::1', 'fe80::1', '224.0.0.1'].map(isOfSomeLink),
+    [true, true, true, false, false, false, false]);
   assert.deepEqual(['239.0.0.1', '224.0.0.1', 'ff02::1', '10.0.0.1', '240.0.0.1', 'fe80::1'].map(isMulticast),
     [true, true, true, false, false, false]);
 });

@@ -16,5 +16,8 @@ export function canonicalAddress(text) {
 export const isMulticast = (address) =>
   address !== undefined && (isIPv4(address) ? /^2(2[4-9]|3[0-9])\./.test(address) : /^ff/i.test(address));
 
+/** Whether a canonical address is an IPv6 group of a link, or of an interface, that does not say of which one. */
+export const isOfSomeLink = (address) => /^ff.[12]:[^%]*$/i.test(address);
+
 /** Address and port as one word. */
 export const place = (address, port) => `${address} ${port}`;

@@ -1,7 +1,7 @@
 // A subscriber's sockets for UDP: one of its own, and one for each group and port that a provider speaks to.
 import { isIPv6 } from 'node:net';
 
-import { isMulticast, place } from '../core/address.js';
+import { isMulticast, isOfSomeLink, place } from '../core/address.js';
 import { EarlyFrames } from '../core/early_frames.js';
 import { encodeFrame, kinds, lifeOctets } from '../core/frame.js';
 import { helloInterval, interfaceInterval } from '../core/limits.js';
@@ -113,7 +113,8 @@ export class DatagramsIn {
     const made = { users: 1, group: undefined, names: new Set(), timer: undefined };
     this.#groups.set(where, made);
     try {
-      made.group = DatagramPort.open(this.#io, { address, port, isShared: true });
+      // A group of every link has no one address to be bound to; whom it comes from is asked later anyway.
+      made.group = DatagramPort.open(this.#io, { address: isOfSomeLink(address) ? '::' : address, port, isShared: true });
       this.#listen(made, address);
       // The event has the group's address, not the sender's, so its port is all that can be compared.
       made.group.listen((octets, _, from) => this.#onDatagram(octets, address, from));
