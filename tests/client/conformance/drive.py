@@ -57,8 +57,10 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--only", default="", help="only checks whose name or title has this in it")
     parser.add_argument("--pair", default="", help="only this pair: PUBLISHER>SUBSCRIBER")
     parser.add_argument("--loopback", action="store_true", help="daemons on the loopback interface, as where no namespace may be made")
-    parser.add_argument("--behaviours", choices=["same", "all", "none"], default="same",
-                        help="for which pairs daemons are killed and so on: languages with themselves, all, none")  # fmt: skip
+    parser.add_argument("--face", action="append", default=[], metavar="LANGUAGE", help="this one is a face of another's library: fewer pairs")
+    parser.add_argument("--behaviours", choices=["turns", "same", "all", "none"], default="turns",
+                        help="for which pairs daemons are killed and so on: each language on each side once, with another one each "
+                             "time; languages with themselves; all; none")  # fmt: skip
     return parser.parse_args()
 
 
@@ -81,18 +83,42 @@ def run_in_one_pair(table: Table, lab: Lab, who: str, commands: tuple[Command, C
                 print(f"{who}: {error}", flush=True)
 
 
-def run_behaviours(table: Table, lab: Lab, who: str, publisher: Command, subscriber: Command, only: str) -> None:
-    """Each check in a pair of agents of its own."""
-    for check in chosen(behaviours.CHECKS, only):
+def all_pairs(languages: list[str], faces: list[str]) -> list[tuple[str, str]]:
+    """All pairs of languages; a face with itself, to the last and from the one before."""
+    whole = [language for language in languages if language not in faces]
+    pairs = [(one, other) for one in whole for other in whole]
+    for face in languages:
+        if face in faces:
+            pairs += [(face, face), *((face, one) for one in whole[-1:]), *((one, face) for one in whole[-2:-1])]
+    return pairs
 
-        def action() -> None:
-            with Pair(lab, publisher, subscriber) as pair:
-                pair.tried(check)  # noqa: B023
 
-        table.run(who, check, action)
-        for host in lab.hosts:
-            if host.daemon is None:
-                host.start_daemon(lab.gemingad)
+def pairs_in_turn(number: int, languages: list[str]) -> list[tuple[str, str]]:
+    """For the check of this number: each language on each side once, with another one; who that is changes with the number."""
+    step = 1 + number % (len(languages) - 1) if len(languages) > 1 else 0
+    return [(one, languages[(at + step) % len(languages)]) for at, one in enumerate(languages)]
+
+
+def pairs_of_behaviour(how: str, check: Check, languages: list[str], faces: list[str]) -> list[tuple[str, str]]:
+    """Who tries this check."""
+    if check in behaviours.WHOLE:
+        languages = [language for language in languages if language not in faces]
+    if how == "turns":
+        return pairs_in_turn(behaviours.CHECKS.index(check), languages)
+    return [(one, other) for one in languages for other in languages if how == "all" or (how == "same" and one == other)]
+
+
+def run_behaviour(table: Table, lab: Lab, who: str, publisher: Command, subscriber: Command, check: Check) -> None:
+    """In a pair of agents of its own."""
+
+    def action() -> None:
+        with Pair(lab, publisher, subscriber) as pair:
+            pair.tried(check)
+
+    table.run(who, check, action)
+    for host in lab.hosts:
+        if host.daemon is None:
+            host.start_daemon(lab.gemingad)
 
 
 def run_vectors(table: Table, lab: Lab, language: str, command: Command, only: str) -> None:
@@ -120,15 +146,17 @@ def main() -> int:
         lab.start_daemons()
         for language, command in commands.items():
             run_vectors(table, lab, language, command, options.only)
-        for one, publisher in commands.items():
-            for other, subscriber in commands.items():
-                who = f"{one}>{other}"
-                if options.pair and options.pair != who:
-                    continue
-                run_in_one_pair(table, lab, who, (publisher, subscriber), chosen(modes.CHECKS, options.only))
-                if options.behaviours == "all" or (options.behaviours == "same" and one == other):
-                    run_behaviours(table, lab, who, publisher, subscriber, options.only)
-                pairs.append((who, (publisher, subscriber)))
+        for one, other in all_pairs(list(commands), options.face):
+            who = f"{one}>{other}"
+            if options.pair in ("", who):
+                pairs.append((who, (commands[one], commands[other])))
+        checks = [check for check in chosen(modes.CHECKS, options.only) if lab.has_ipv6 or check is not modes.link_multicast]
+        for who, pair in pairs:
+            run_in_one_pair(table, lab, who, pair, list(checks))
+        for check in chosen(behaviours.CHECKS, options.only):
+            for one, other in pairs_of_behaviour(options.behaviours, check, list(commands), options.face):
+                if options.pair in ("", f"{one}>{other}"):
+                    run_behaviour(table, lab, f"{one}>{other}", commands[one], commands[other], check)
         if not lab.lose(LOSS_PERCENT):
             print("Nothing can be made to get lost here: no checks of that.", flush=True)
             pairs = []

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import shlex
 import socket
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from spoken import Failed, Spoken
 
@@ -46,6 +47,14 @@ class Host:
         if done.returncode != 0:
             raise Failed(f"{shlex.join(command)}: {done.stderr}")
 
+    def can(self, command: Sequence[str]) -> bool:
+        """Runs a command to its end, and says whether it did what it should."""
+        try:
+            self.run(command)
+        except Failed:
+            return False
+        return True
+
     def start_daemon(self, program: str) -> None:
         """Starts gemingad and waits until it is ready."""
         name = f"host{self.number}"
@@ -59,6 +68,16 @@ class Host:
         self.daemon.kill()
         self.daemon.discard()
 
+    @contextlib.contextmanager
+    def standing_daemon(self) -> Iterator[None]:
+        """The daemon neither hears nor says anything within this."""
+        assert self.daemon is not None
+        self.daemon.stand()
+        try:
+            yield
+        finally:
+            self.daemon.go_on()
+
 
 class Lab:
     """Two hosts, 0 and 1, that see each other."""
@@ -68,6 +87,7 @@ class Lab:
         self._holders: list[subprocess.Popen[str]] = []
         flags = [word for folder in ontologies for word in ("--ontology", folder)]
         self.has_namespaces = not on_loopback and _may_make_namespaces()
+        self.has_ipv6 = False  #: on the link between both
         self.hosts: list[Host] = []
         try:
             if self.has_namespaces:
@@ -100,14 +120,7 @@ class Lab:
             f"add rule netdev air in meta protocol {{ ip, ip6 }} numgen random mod 100 < {percent} drop"
         )
         netem = ["tc", "qdisc", "add", "dev", LINK, "root", "netem", "loss", f"{percent}%"]
-        return all(self._can(host, ["nft", rules]) or self._can(host, netem) for host in self.hosts)
-
-    def _can(self, host: Host, command: Sequence[str]) -> bool:
-        try:
-            host.run(command)
-        except Failed:
-            return False
-        return True
+        return all(host.can(["nft", rules]) or host.can(netem) for host in self.hosts)
 
     def close(self) -> None:
         """Ends what runs."""
@@ -137,3 +150,5 @@ class Lab:
             host.run(["ip", "link", "set", "lo", "up"])
             host.run(["ip", "address", "add", f"{host.address}/24", "dev", LINK])
             host.run(["ip", "link", "set", LINK, "up"])
+        # An address that need not wait until nobody else is known to have it.
+        self.has_ipv6 = all([host.can(["ip", "address", "add", f"fe80::66:{host.number + 1}/64", "dev", LINK, "nodad"]) for host in self.hosts])

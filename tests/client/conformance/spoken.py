@@ -126,6 +126,14 @@ class Spoken:
         self._process.wait()
         self._reader.join()
 
+    def stand(self) -> None:
+        """It does nothing until go_on()."""
+        self._signal(signal.SIGSTOP)
+
+    def go_on(self) -> None:
+        """After stand()."""
+        self._signal(signal.SIGCONT)
+
     def end(self, word: str | None = None) -> int:
         """Ends it as it wants to be ended, and says its exit status. One that does not end is killed and has failed."""
         if word is None:
