@@ -6,7 +6,7 @@ import { test } from 'node:test';
 
 import { encodeFrame, frameOfDatagram, kinds, lifeOf } from '../../../src/client/javascript/lib/core/frame.js';
 import { limits, MessageTooLargeError } from '../../../src/client/javascript/lib/index.js';
-import { added, consumer, consumerSocket, lab, life, message, ours } from './lab.mjs';
+import { added, consumer, consumerSocket, lab, message, ours } from './lab.mjs';
 import { event, until, valueOf } from './support.mjs';
 
 test('over TCP a full queue holds the provider back, and nothing is lost up to its end', async (t) => {

@@ -72,7 +72,7 @@ class Agent:
         else:
             self.early.setdefault(channel, []).append(lambda: say(word, self.labels[channel], *rest))
 
-    async def open(self, label: str, opening: geminga.opening.Opening[Any]) -> None:  # type: ignore[name-defined]
+    async def open(self, label: str, opening: geminga.opening.Opening[Any]) -> None:
         try:
             channel = await opening
             await channel.accepted()

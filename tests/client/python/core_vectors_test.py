@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unittest
+from typing import Any
 
 from virtual import ROOT
 
@@ -34,7 +35,8 @@ class Vectors(unittest.TestCase):
                 if kind == "number":
                     self.assertEqual(identity(id=int(value)), int(number))
                 else:
-                    self.assertEqual(identity(**{kind: value}, representation=representation or None), int(number))
+                    said: dict[str, Any] = {kind: value, "representation": representation or None}
+                    self.assertEqual(identity(**said), int(number))
 
     def test_the_hash_is_that_of_the_xxhash_project(self) -> None:
         # From the specification's own table, for the seed 0.
@@ -44,7 +46,8 @@ class Vectors(unittest.TestCase):
 
     def test_an_identity_is_one_of_its_kinds(self) -> None:
         self.assertEqual(identity(id=0xFFFFFFFF), 0xFFFFFFFF)
-        for wrong in ({}, {"id": 1, "text": "x"}, {"id": -1}, {"id": 2**32}, {"text": "x", "representation": "y"}):
+        slips: list[dict[str, Any]] = [{}, {"id": 1, "text": "x"}, {"id": -1}, {"id": 2**32}, {"text": "x", "representation": "y"}]
+        for wrong in slips:
             with self.assertRaises(ValueError):
                 identity(**wrong)
 

@@ -35,7 +35,7 @@ class Strangers(VirtualTestCase):
                 life, port = both.pub.life, both.sub._udp.port  # type: ignore[union-attr]
                 with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
                     stranger.sendto(write_frame(Kind.MESSAGE, life, 1, b"forged"), ("127.0.0.1", port))
-                outlet = both.pub._outlet._sock  # type: ignore[union-attr]
+                outlet = both.pub._outlet._sock  # type: ignore[attr-defined]
                 for octets in (write_frame(Kind.MESSAGE, life ^ 1, 1, b"forged"), b"no frame", write_frame(Kind.HELLO, life, 0)):
                     outlet.sendto(octets, ("::ffff:127.0.0.1", port) if outlet.family == socket.AF_INET6 else ("127.0.0.1", port))
                 both.pub.send(b"x")
@@ -155,9 +155,9 @@ class Strangers(VirtualTestCase):
                 pub = await node.publish(text="x", mode="otm/stream", protocol="tcp")
                 for life in range(1, MAX_CONSUMERS + 1):
                     self.connected(pub, write_frame(Kind.HELLO, life, 0))
-                    await until(lambda: len(pub._outlet.targets) == life)  # type: ignore[arg-type]  # noqa: B023
+                    await until(lambda: len(pub._outlet.targets) == life)  # noqa: B023
                 self.assertTrue(await self.is_closed(self.connected(pub, write_frame(Kind.HELLO, 999, 0))))
-                self.assertEqual(len(pub._outlet.targets), MAX_CONSUMERS)  # type: ignore[arg-type]
+                self.assertEqual(len(pub._outlet.targets), MAX_CONSUMERS)
                 pub.abort()
 
         self.run_async(story())

@@ -115,7 +115,7 @@ class UdpInlet:
             self._heard(octets, source)
 
     def _heard(self, octets: bytes, source: Address) -> None:
-        lives = self._by_source.get(source) or self._by_source.get(sockets.canonical(source), {})
+        lives = self._by_source.get(source) or self._by_source.get(sockets.canonical(source)) or {}
         frame = dispatch(octets, lives, self._on_message, self._on_datagram, self._on_end, self._on_drop)
         if frame is not None and frame.kind is not Kind.HELLO:
             self._early.put(sockets.canonical(source), frame, self._loop.time())
