@@ -10,14 +10,17 @@ import argparse
 import os
 import shlex
 import sys
+import threading
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from checks import behaviours, loss, modes, vectors  # noqa: E402
 from lab import Lab  # noqa: E402
+from lanes import Job, Lanes  # noqa: E402
 from pair import Command, Pair, fresh  # noqa: E402
 from spoken import Failed  # noqa: E402
 
@@ -32,20 +35,27 @@ class Table:
     def __init__(self) -> None:
         self.failed: list[str] = []
         self.count = 0
+        self._lock = threading.Lock()
+
+    def say(self, row: str) -> None:
+        """Says something, whole."""
+        with self._lock:
+            print(row, flush=True)
 
     def run(self, who: str, check: Check, action: Callable[[], None]) -> bool:
         """Runs a check, and says whether it holds."""
         what = (check.__doc__ or check.__name__).splitlines()[0]
         begin = time.monotonic()
-        self.count += 1
+        with self._lock:
+            self.count += 1
         try:
             action()
         except Failed as error:
             self.failed.append(f"{who}: {what}")
             notes = "".join(getattr(error, "__notes__", []))
-            print(f"{who:<18} {what:<44} FAILED\n    {error}{notes}", flush=True)
+            self.say(f"{who:<21} {what:<49} FAILED\n    {error}{notes}")
             return False
-        print(f"{who:<18} {what:<44} ok {time.monotonic() - begin:6.1f} s", flush=True)
+        self.say(f"{who:<21} {what:<49} ok {time.monotonic() - begin:6.1f} s")
         return True
 
 
@@ -57,6 +67,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--only", default="", help="only checks whose name or title has this in it")
     parser.add_argument("--pair", default="", help="only this pair: PUBLISHER>SUBSCRIBER")
     parser.add_argument("--loopback", action="store_true", help="daemons on the loopback interface, as where no namespace may be made")
+    parser.add_argument("--at-once", type=int, default=4, metavar="COUNT", help="labs side by side (4)")
     parser.add_argument("--face", action="append", default=[], metavar="LANGUAGE", help="this one is a face of another's library: fewer pairs")
     parser.add_argument("--behaviours", choices=["turns", "same", "all", "none"], default="turns",
                         help="for which pairs daemons are killed and so on: each language on each side once, with another one each "
@@ -68,8 +79,9 @@ def chosen(checks: list[Check], only: str) -> list[Check]:
     return [check for check in checks if only in check.__name__ or only in (check.__doc__ or "")]
 
 
-def run_in_one_pair(table: Table, lab: Lab, who: str, commands: tuple[Command, Command], waiting: list[Check]) -> None:
+def run_in_one_pair(table: Table, who: str, commands: tuple[Command, Command], checks: list[Check], lab: Lab) -> None:
     """These checks in one pair of agents; behind a failure, in another one."""
+    waiting = [check for check in checks if lab.has_ipv6 or check is not modes.link_multicast]
     while waiting:
         try:
             with Pair(lab, *commands) as pair:
@@ -80,7 +92,7 @@ def run_in_one_pair(table: Table, lab: Lab, who: str, commands: tuple[Command, C
         except Failed as error:
             if str(error):
                 table.failed.append(f"{who}: {error}")
-                print(f"{who}: {error}", flush=True)
+                table.say(f"{who}: {error}")
 
 
 def all_pairs(languages: list[str], faces: list[str]) -> list[tuple[str, str]]:
@@ -108,11 +120,11 @@ def pairs_of_behaviour(how: str, check: Check, languages: list[str], faces: list
     return [(one, other) for one in languages for other in languages if how == "all" or (how == "same" and one == other)]
 
 
-def run_behaviour(table: Table, lab: Lab, who: str, publisher: Command, subscriber: Command, check: Check) -> None:
+def run_behaviour(table: Table, who: str, commands: tuple[Command, Command], check: Check, lab: Lab) -> None:
     """In a pair of agents of its own."""
 
     def action() -> None:
-        with Pair(lab, publisher, subscriber) as pair:
+        with Pair(lab, *commands) as pair:
             pair.tried(check)
 
     table.run(who, check, action)
@@ -121,7 +133,7 @@ def run_behaviour(table: Table, lab: Lab, who: str, publisher: Command, subscrib
             host.start_daemon(lab.gemingad)
 
 
-def run_vectors(table: Table, lab: Lab, language: str, command: Command, only: str) -> None:
+def run_vectors(table: Table, language: str, command: Command, only: str, lab: Lab) -> None:
     for check in chosen(vectors.CHECKS, only):
         agent = lab.hosts[0].start(f"agent of {language}", [*command, fresh("agent")])
         try:
@@ -139,31 +151,30 @@ def main() -> int:
     if not commands:
         commands["python"] = [str(ROOT / "tests/client/python/agent.py")]
     table = Table()
-    pairs: list[tuple[str, tuple[Command, Command]]] = []
-    lab = Lab(os.path.abspath(options.gemingad), [options.ontology], options.loopback)
+
+    def wanted(pairs: list[tuple[str, str]]) -> list[tuple[str, tuple[Command, Command]]]:
+        named = [(f"{one}>{other}", (commands[one], commands[other])) for one, other in pairs]
+        return [(who, pair) for who, pair in named if options.pair in ("", who)]
+
+    jobs: list[Job] = []
+    for check in chosen(behaviours.CHECKS, options.only):
+        for who, pair in wanted(pairs_of_behaviour(options.behaviours, check, list(commands), options.face)):
+            jobs.append(partial(run_behaviour, table, who, pair, check))
+    pairs = wanted(all_pairs(list(commands), options.face))
+    for who, pair in pairs:
+        jobs.append(partial(run_in_one_pair, table, who, pair, chosen(modes.CHECKS, options.only)))
+    for language, command in commands.items():
+        jobs.append(partial(run_vectors, table, language, command, options.only))
+    lanes = Lanes(lambda: Lab(os.path.abspath(options.gemingad), [options.ontology], options.loopback), options.at_once)
     try:
-        print(f"This lab is made of {lab.way}.", flush=True)
-        lab.start_daemons()
-        for language, command in commands.items():
-            run_vectors(table, lab, language, command, options.only)
-        for one, other in all_pairs(list(commands), options.face):
-            who = f"{one}>{other}"
-            if options.pair in ("", who):
-                pairs.append((who, (commands[one], commands[other])))
-        checks = [check for check in chosen(modes.CHECKS, options.only) if lab.has_ipv6 or check is not modes.link_multicast]
-        for who, pair in pairs:
-            run_in_one_pair(table, lab, who, pair, list(checks))
-        for check in chosen(behaviours.CHECKS, options.only):
-            for one, other in pairs_of_behaviour(options.behaviours, check, list(commands), options.face):
-                if options.pair in ("", f"{one}>{other}"):
-                    run_behaviour(table, lab, f"{one}>{other}", commands[one], commands[other], check)
-        if not lab.lose(LOSS_PERCENT):
+        print(f"Labs: {len(lanes.labs)}, each made of {lanes.labs[0].way}.", flush=True)
+        lanes.run(jobs)
+        if all(lab.lose(LOSS_PERCENT) for lab in lanes.labs):
+            lanes.run([partial(run_in_one_pair, table, who, pair, chosen(loss.CHECKS, options.only)) for who, pair in pairs])
+        else:
             print("Nothing can be made to get lost here: no checks of that.", flush=True)
-            pairs = []
-        for who, pair in pairs:
-            run_in_one_pair(table, lab, who, pair, chosen(loss.CHECKS, options.only))
     finally:
-        lab.close()
+        lanes.close()
     print(f"\n{table.count - len(table.failed)} of {table.count} checks hold.")
     for failed in table.failed:
         print(f"failed: {failed}")

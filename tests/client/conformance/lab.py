@@ -67,6 +67,7 @@ class Host:
         assert self.daemon is not None
         self.daemon.kill()
         self.daemon.discard()
+        self.daemon = None
 
     @contextlib.contextmanager
     def standing_daemon(self) -> Iterator[None]:
