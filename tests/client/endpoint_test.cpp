@@ -1,6 +1,6 @@
-#include "client/channels/daemon_endpoint.hpp"
-
 #include <gtest/gtest.h>
+
+#include "client/channels/daemon_endpoint.hpp"
 
 namespace geminga::client {
 namespace {

@@ -34,8 +34,8 @@ class Talk {
   [[nodiscard]] std::vector<std::string> lines_until_pong();
   /// Asks `ID query WORDS` and gives the answer's lines without the end.
   [[nodiscard]] std::vector<std::string> query(const std::string& words);
-  /// Asks until the answer's lines satisfy `holds`, for what no event tells: again at the daemon's next words, or after a
-  /// moment without any. False when the daemon closed or patience ended first.
+  /// Asks until the answer's lines satisfy `holds`, for what no event tells: again at the daemon's next words, or after
+  /// a moment without any. False when the daemon closed or patience ended first.
   [[nodiscard]] bool wait_until(const std::string& words,
                                 const std::function<bool(const std::vector<std::string>&)>& holds);
   /// Whether the daemon closes the connection, whatever it says before.

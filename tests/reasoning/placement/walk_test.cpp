@@ -81,8 +81,7 @@ class Live {
   owl::Ontology source_;
 };
 
-std::set<std::string> place_by_overlay(const compiled::Ontology& ontology,
-                                       const ExpressionClassifier& classifier,
+std::set<std::string> place_by_overlay(const compiled::Ontology& ontology, const ExpressionClassifier& classifier,
                                        const std::string& expression) {
   const owl::Ontology query = owl::written("SubClassOf(TheExpression " + expression + ")");
   const ExpressionPlace place = classifier.classify(query, query.axiom(0).arguments[1]);

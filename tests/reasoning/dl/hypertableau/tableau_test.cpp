@@ -12,7 +12,6 @@
 namespace geminga::hypertableau {
 namespace {
 
-
 std::string to_string(const Answer& answer) {
   return answer.verdict == Verdict::yes ? "yes" : answer.verdict == Verdict::no ? "no" : "unknown: " + answer.reason;
 }
