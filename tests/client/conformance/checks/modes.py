@@ -10,7 +10,7 @@ from spoken import Failed
 #: How long a subscriber keeps what comes early.
 EARLY_SECONDS = 1.0
 #: A machine may be so busy that more passes.
-ATTEMPTS = 10
+ATTEMPTS = 30
 MAX_UDP = 65_000
 MAX_TCP = 16 * 1024 * 1024
 
