@@ -82,15 +82,19 @@ TEST_F(Demo, KeepsTheTeamUntilItIsStoppedAsTheReadmeSays) {
   Process keep(start({"--keep"}));
   ASSERT_TRUE(keep.wait_for("The team goes on")) << keep.said();
   EXPECT_EQ(keep.wait(), 0) << "the terminal is given back: " << keep.said();
+  EXPECT_THAT(keep.said(), HasSubstr("sar:LimbSighting is at 3.00 2.00 on the field"))
+      << "the other team is understood";
 
   const Ran unmatched = demo({"--in", "monitor", "geminga-query", "requests", "--unmatched"});
   EXPECT_EQ(unmatched.status, 0);
   EXPECT_THAT(unmatched.said, HasSubstr("soccer:RefereeBoxInfo"));
   const Ran robot = demo({"--in", "robot6", "geminga-query", "participants"});
   EXPECT_THAT(robot.said, HasSubstr("monitor"));
+  const Ran rescue = demo({"--in", "rescue1", "geminga-query", "participants"});
+  EXPECT_THAT(rescue.said, HasSubstr("robot1"));
   const Ran nowhere = demo({"--in", "robot7", "true"});
   EXPECT_EQ(nowhere.status, 2);
-  EXPECT_THAT(nowhere.said, StartsWith("demo: there is no host 'robot7': use one of: monitor robot1 "));
+  EXPECT_THAT(nowhere.said, StartsWith("demo: there is no host 'robot7': use one of: monitor rescue1 robot1 "));
   for (const std::vector<std::string>& words : {std::vector<std::string>{"--keep"}, {}}) {
     const Ran again = demo(words);
     EXPECT_EQ(again.status, 1);
