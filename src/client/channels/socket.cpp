@@ -205,6 +205,10 @@ std::vector<unsigned> multicast_interfaces(bool is_ipv4) {
 int send_datagram(const Socket& socket, const PeerAddress& to, std::span<const iovec> parts, unsigned interface) {
   auto system = system_address(to, socket.family());
   if (!system) return EAFNOSUPPORT;
+  if (parts.size() == 1 && interface == 0) {  // cheaper than a message with all that it may have
+    const iovec& one = parts.front();
+    return ::sendto(socket.get(), one.iov_base, one.iov_len, MSG_NOSIGNAL, system->get(), system->size) < 0 ? errno : 0;
+  }
   msghdr message{};
   message.msg_name = &system->storage;
   message.msg_namelen = system->size;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstring>
 #include <utility>
 
 namespace geminga::client {
@@ -10,6 +11,8 @@ namespace {
 
 /// Datagrams that are read before others have their turn.
 constexpr int datagrams_at_once = 64;
+/// Up to here a payload is copied behind its header: the system takes one piece sooner than two.
+constexpr std::size_t max_copied_payload = 8 * 1024;
 
 }  // namespace
 
@@ -59,26 +62,35 @@ std::expected<void, std::string> UdpPublisher::open_socket() {
 bool UdpPublisher::has_consumer() const { return group_ || reachable_ > 0 || !listeners_.all().empty(); }
 
 void UdpPublisher::transmit(const FrameHeader& header, std::span<const std::byte> payload) {
-  const std::array parts{part(header), part(payload)};
-  send_to_all(parts);
+  const std::array plain{part(payload)};
+  if (payload.size() > max_copied_payload) {
+    const std::array framed{part(header), part(payload)};
+    return send_to_all(framed, plain);
+  }
+  if (copied_.empty()) copied_.resize(header.size() + max_copied_payload);
+  // std::ranges::copy of GCC 12 goes octet by octet here.
+  std::memcpy(copied_.data(), header.data(), header.size());
+  if (!payload.empty()) std::memcpy(copied_.data() + header.size(), payload.data(), payload.size());
+  const std::array framed{part(std::span(copied_).first(header.size() + payload.size()))};
+  send_to_all(framed, plain);
 }
 
-void UdpPublisher::send_to_all(std::span<const iovec> parts) {
+void UdpPublisher::send_to_all(std::span<const iovec> framed, std::span<const iovec> plain) {
   if (group_) {
     if (now() >= interfaces_until_) {
       interfaces_ = multicast_interfaces(group_->is_ipv4());
       if (group_->zone != 0) interfaces_ = {group_->zone};
       interfaces_until_ = now() + interfaces_interval;
     }
-    for (const unsigned interface : interfaces_) send_to(*group_, parts, interface);
+    for (const unsigned interface : interfaces_) send_to(*group_, framed, interface);
   }
   for (const auto& [number, consumer] : consumers_) {
     if (consumer.address.port == 0) continue;
     // Who states no life knows nothing of frames.
-    const auto for_it = parties_.at(number).life == no_life ? parts.subspan(1) : parts;
+    const auto for_it = parties_.at(number).life == no_life ? plain : framed;
     if (!for_it.empty()) send_to(consumer.address, for_it, 0);
   }
-  for (const auto& listener : listeners_.all()) send_to(listener.address, parts, 0);
+  for (const auto& listener : listeners_.all()) send_to(listener.address, framed, 0);
 }
 
 void UdpPublisher::send_to(const PeerAddress& to, std::span<const iovec> parts, unsigned interface) {
@@ -152,8 +164,8 @@ void UdpPublisher::finish() {
   read();  // who listens since the last time hears the end, too
   is_closed_ = true;
   const auto header = frame_header(FrameKind::end, life_, sequence_, 0);
-  const std::array parts{part(header)};
-  if (socket_.is_open()) send_to_all(parts);
+  const std::array framed{part(header)};
+  if (socket_.is_open()) send_to_all(framed, {});
   watch_.stop();
   socket_.close();
   silence_.set(base::never);

@@ -33,8 +33,8 @@ class UdpPublisher : public PublisherChannel {
   std::expected<void, std::string> open_socket();
   void open_socket_of_first();
   void send_to(const PeerAddress& to, std::span<const iovec> parts, unsigned interface);
-  /// `parts` are the header and the payload, or the header alone.
-  void send_to_all(std::span<const iovec> parts);
+  /// `plain` is for those who know nothing of frames; empty: nothing is for them.
+  void send_to_all(std::span<const iovec> framed, std::span<const iovec> plain);
   void read();
   void take(const Frame& frame, const PeerAddress& from);
   void set_listener_timer() { silence_.set(listeners_.next_end()); }
@@ -47,7 +47,8 @@ class UdpPublisher : public PublisherChannel {
   std::size_t reachable_ = 0;  ///< consumers that have stated an address
   Socket socket_;
   Reactor::Watch watch_;
-  bool is_full_ = false;  ///< the system takes no more at the moment
+  bool is_full_ = false;           ///< the system takes no more at the moment
+  std::vector<std::byte> copied_;  ///< room for a frame with a small payload
   Listeners listeners_;
   Reactor::Timer silence_;
 };

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Coroutine, Iterator
+from time import monotonic
 from types import TracebackType
 from typing import Any, Generic, TypeVar
 
@@ -39,7 +40,7 @@ class _Served:
     def __init__(self) -> None:
         self.runner = asyncio.Runner(loop_factory=asyncio.new_event_loop)
         self.loop = self.runner.get_loop()
-        self._serve_at = 0.0
+        self.serve_at = 0.0  #: when the loop is to look at its sockets again
 
     def run(self, work: Coroutine[Any, Any, Result], timeout: float | None = None) -> Result:
         """Runs this to its end. Raises TimeoutError after so many seconds."""
@@ -49,12 +50,12 @@ class _Served:
                 return await work
 
         result = self.runner.run(within())
-        self._serve_at = self.loop.time() + SERVE_SECONDS
+        self.serve_at = monotonic() + SERVE_SECONDS
         return result
 
     def serve(self) -> None:
         """Lets the loop look at its sockets, if it has not lately."""
-        if self.loop.time() >= self._serve_at:
+        if monotonic() >= self.serve_at:
             self.run(asyncio.sleep(0))
 
 
@@ -126,7 +127,8 @@ class Publisher(_Channel[publisher.Publisher]):
 
     def send(self, payload: publisher.Octets) -> bool:
         """Sends to all consumers, and never waits; whether there are any. Raises MessageTooLarge and Closed."""
-        self._served.serve()
+        if monotonic() >= self._served.serve_at:
+            self._served.serve()
         return self._front.send(payload)
 
     def drain(self, timeout: float | None = None) -> None:

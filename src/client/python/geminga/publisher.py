@@ -86,17 +86,27 @@ class Publisher(RequestOwner):
         Over TCP a consumer for which more than 4 MiB wait is left out: drain() waits for room. Raises MessageTooLarge over
         65 000 octets for UDP and over 16 MiB for TCP, and Closed.
         """
-        if len(payload) > self._max_payload:
-            self._refuse(len(payload))
+        size = len(payload)
+        if size > self._max_payload:
+            self._refuse(size)
         if type(payload) is not bytes:
             payload = bytes(payload)  # It is the application's, who may change it.
         outlet = self._outlet
+        sole = outlet.sole
+        if sole is not None:
+            self._sequence = sequence = self._sequence + 1
+            sendto, there = sole
+            try:
+                sendto(_pack(MAGIC, VERSION, _MESSAGE, size, self._life, sequence) + payload, there)
+            except OSError:
+                self._left_out += 1
+            return True
         if not outlet.targets:
             if self._is_closed:
                 raise Closed("the publisher has been closed")
             return False
         self._sequence = sequence = self._sequence + 1
-        self._left_out += outlet.send(_pack(MAGIC, VERSION, _MESSAGE, len(payload), self._life, sequence), payload)
+        self._left_out += outlet.send(_pack(MAGIC, VERSION, _MESSAGE, size, self._life, sequence), payload)
         return True
 
     async def drain(self) -> None:

@@ -7,6 +7,9 @@ export const headerSize = 24;
 export const kinds = Object.freeze({ message: 1, hello: 2, end: 3 });
 const magic = 0x4743;
 const version = 1;
+/** Memory that messages up to `maxShared` octets are written into, one behind the other. It is freed with the last of them. */
+const slabSize = 64 * 1024;
+const maxShared = 16 * 1024;
 
 /** Whether the 24 octets at `at` begin a frame with a payload of at most `most` octets. */
 export function isHeader(octets, at, most) {
@@ -48,6 +51,8 @@ export function encodeFrame(kind, life, sequence, payload) {
 export class MessageWriter {
   #head;
   #scratch;
+  #slab;
+  #used = 0;
   #isReused;
   /** Whether what was written last is in octets that are written again. */
   isLent = false;
@@ -74,12 +79,21 @@ export class MessageWriter {
     return octets;
   }
 
-  /** Buffer has a pool for what is small; a large one of its own costs more than what is copied into it. */
+  /** Many messages share a piece of memory: one of its own for each costs more than what is copied into it. */
   #room(size) {
     this.isLent = this.#isReused && size * 2 >= Buffer.poolSize;
-    if (!this.isLent) return Buffer.allocUnsafe(size);
-    if (!this.#scratch || this.#scratch.length < size) this.#scratch = Buffer.allocUnsafeSlow(headerSize + maxDatagramMessage);
-    return this.#scratch.subarray(0, size);
+    if (this.isLent) {
+      if (!this.#scratch || this.#scratch.length < size) this.#scratch = Buffer.allocUnsafeSlow(headerSize + maxDatagramMessage);
+      return this.#scratch.subarray(0, size);
+    }
+    if (size > maxShared) return Buffer.allocUnsafeSlow(size);
+    if (!this.#slab || this.#used + size > slabSize) {
+      this.#slab = Buffer.allocUnsafeSlow(slabSize);
+      this.#used = 0;
+    }
+    const begin = this.#used;
+    this.#used = begin + size;
+    return this.#slab.subarray(begin, this.#used);
   }
 }
 

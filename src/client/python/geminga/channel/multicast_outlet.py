@@ -26,6 +26,7 @@ class MulticastOutlet:
         self._by_interface: dict[int, socket.socket] = {}
         self._timer: asyncio.TimerHandle | None = None
         self.dropped = 0
+        self.sole = None
         self._refresh()
 
     @property

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sized
+from collections.abc import Callable, Sized
 from typing import Protocol
 
 from ..core.counterparts import Counterpart
+from .sockets import Address
+
+#: A call that sends a frame, and where to.
+Sole = tuple[Callable[[bytes, Address], int], Address]
 
 
 class Outlet(Protocol):
@@ -14,6 +18,11 @@ class Outlet(Protocol):
     @property
     def targets(self) -> Sized:
         """Whoever is sent to; empty where sending reaches nobody."""
+
+    @property
+    def sole(self) -> Sole | None:
+        """What to call instead of send() for a frame, where there is one target that takes frames as datagrams: that is
+        what most sending is, and a call less."""
 
     @property
     def port(self) -> int:

@@ -9,6 +9,7 @@ from ..core.counterparts import Counterpart
 from ..core.frame import FrameError, Kind, read_datagram, write_frame
 from ..core.listeners import HELLO_SECONDS, Listeners
 from . import sockets
+from .outlet import Sole
 from .sockets import Address
 
 _DATAGRAMS_A_TURN = 64
@@ -25,6 +26,7 @@ class StreamOutlet:
         self.port = sockets.port_of(self._sock)
         self._listeners = Listeners()
         self.targets: list[Address] = []
+        self.sole: Sole | None = None
         self.dropped = 0
         self._timer: asyncio.TimerHandle | None = None
         loop.add_reader(self._sock, self._read)
@@ -60,6 +62,7 @@ class StreamOutlet:
         if self._timer is not None:
             self._timer.cancel()
         self.targets = []
+        self.sole = None
         if self._sock.fileno() >= 0:
             self._loop.remove_reader(self._sock)
         sockets.close(self._sock)
@@ -88,6 +91,7 @@ class StreamOutlet:
 
     def _changed(self) -> None:
         self.targets = self._listeners.addresses
+        self.sole = (self._sock.sendto, self.targets[0]) if len(self.targets) == 1 else None
         if self.targets and self._timer is None:
             self._timer = self._loop.call_later(HELLO_SECONDS / 4, self._tick)
 

@@ -50,6 +50,7 @@ class TcpOutlet:
         self._listener = sockets.listening(port, address)
         self.port = sockets.port_of(self._listener)
         self.targets: dict[int, TcpConnection] = {}
+        self.sole = None
         self.dropped = 0
         self._expected: set[int] = set()
         self._strangers: list[_Stranger] = []

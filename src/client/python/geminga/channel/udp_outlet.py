@@ -10,6 +10,7 @@ from ..core.counterparts import Counterpart, Key
 from ..core.frame import Kind, write_frame
 from ..errors import PortTaken
 from . import sockets
+from .outlet import Sole
 from .sockets import Address
 
 
@@ -21,11 +22,13 @@ class UdpOutlet:
         self._address = address
         self._is_lazy = is_lazy
         self._moved = moved
-        self._sock: socket.socket | None = sockets.bound(socket.SOCK_DGRAM, port, address)
-        self.port = sockets.port_of(self._sock)
+        sock = sockets.bound(socket.SOCK_DGRAM, port, address)
+        self._sock: socket.socket | None = sock
+        self.port = sockets.port_of(sock)
         self._by_key: dict[Key, tuple[Address, bool]] = {}
         self.dropped = 0
         self.targets: tuple[tuple[Address, bool], ...] = ()
+        self.sole: Sole | None = None
         if is_lazy:
             self._close_socket()
 
@@ -71,22 +74,27 @@ class UdpOutlet:
         """Closes the socket."""
         self._by_key.clear()
         self.targets = ()
+        self.sole = None
         self._close_socket()
 
     def _changed(self) -> None:
         self.targets = tuple(self._by_key.values())
+        is_sole = len(self.targets) == 1 and self.targets[0][1]
+        self.sole = (self._opened().sendto, self.targets[0][0]) if is_sole else None
         if self._is_lazy and not self.targets:
             self._close_socket()
 
     def _opened(self) -> socket.socket:
-        if self._sock is None:
+        sock = self._sock
+        if sock is None:
             try:
-                self._sock = sockets.bound(socket.SOCK_DGRAM, self.port, self._address)
+                sock = sockets.bound(socket.SOCK_DGRAM, self.port, self._address)
             except PortTaken:
-                self._sock = sockets.bound(socket.SOCK_DGRAM, 0, self._address)
-                self.port = sockets.port_of(self._sock)
+                sock = sockets.bound(socket.SOCK_DGRAM, 0, self._address)
+                self.port = sockets.port_of(sock)
                 self._moved(self.port)
-        return self._sock
+            self._sock = sock
+        return sock
 
     def _close_socket(self) -> None:
         sockets.close(self._sock)
