@@ -112,6 +112,16 @@ TEST_P(NodeTest, SendsToWhoAsked) {
   ASSERT_TRUE(message);
   EXPECT_EQ(message->sequence, last + 1);
   EXPECT_EQ(message->missed, 0U);
+  // Small ones are copied on their way and large ones are not.
+  for (const std::size_t size : {std::size_t{8191}, std::size_t{8192}, std::size_t{8193}, std::size_t{65'000}}) {
+    std::string payload(size, 'x');
+    payload.front() = 'a';
+    payload.back() = 'z';
+    EXPECT_TRUE(publisher->send(payload));
+    message = subscriber->receive(patience);
+    ASSERT_TRUE(message);
+    EXPECT_TRUE(text_of(*message) == payload) << size;
+  }
   publisher->withdraw();
   const auto removed = next<ProviderChange>(node);
   ASSERT_TRUE(removed);

@@ -31,6 +31,36 @@ class Exchange(VirtualTestCase):
                 with self.subTest(mode=mode, protocol=protocol):
                     self.run_async(story(mode, protocol))
 
+    def test_one_consumer_more_or_less_is_sent_to_or_not(self) -> None:
+        async def story(mode: str) -> None:
+            async with met(mode, "udp") as both:
+                (peer, pub), (_, sub) = await both.rows()  # type: ignore[misc]
+                with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+                    other.bind(("127.0.0.1", 0))
+                    other.setblocking(False)
+                    told = f"subscription=1a2b3c4d/2/9 consumer=1a2b3c4d/2 text=x degree=exact distance=0 mode={mode}"
+                    peer.say(f"{pub.id} sub add {told} address=127.0.0.1 port={other.getsockname()[1]} priority=0")
+                    await until(lambda: len(both.pub.consumers) == 2)
+                    self.assertTrue(both.pub.send(b"both"))
+                    self.assertEqual(other.recv(100), b"both")
+                    add_consumer((peer, pub), sub, change="del")
+                    await until(lambda: len(both.pub.consumers) == 1)
+                    self.assertTrue(both.pub.send(b"one"))
+                    self.assertEqual(other.recv(100), b"one")
+                    peer.say(f"{pub.id} sub del {told} reason=withdrawn")
+                    await until(lambda: not both.pub.has_consumers)
+                    self.assertFalse(both.pub.send(b"nobody"))
+                    self.assertRaises(BlockingIOError, other.recv, 100)
+                    add_consumer((peer, pub), sub)
+                    await until(lambda: both.pub.has_consumers)
+                    self.assertTrue(both.pub.send(b"again"))
+                    self.assertEqual((await both.take(2))[-1], b"again")
+                    self.assertEqual(both.pub.sent, 3)
+
+        for mode in ("oto", "otm/pubsub"):
+            with self.subTest(mode=mode):
+                self.run_async(story(mode))
+
     def test_a_multicast_group_is_heard_by_those_who_were_told(self) -> None:
         async def story() -> None:
             daemon, told = Daemon(), Told()
