@@ -1,8 +1,9 @@
 """How many round trips pass between `pub add` and the first message: two hosts with so long a way between them that nothing
 else counts.
 
-Each host has a TAP interface, and knows the other's place on it, so that nobody asks for that; what comes out of the one goes into the other after half a round trip. The conformance agents
-(tests/client/conformance/AGENT.md) say what they are told, and when is when their line comes.
+Each host has a TAP interface, and knows the other's place on it, so that nobody asks for that; what comes out of the one goes
+into the other after half a round trip. The conformance agents (tests/client/conformance/AGENT.md) say what they are told, and
+when is when their line comes.
 """
 
 from __future__ import annotations

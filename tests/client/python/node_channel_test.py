@@ -11,6 +11,7 @@ from virtual import Daemon, Told, VirtualTestCase, add_consumer, add_provider, u
 
 import geminga
 from geminga.channel import sockets
+from geminga.channel.outlet import COPIED_OCTETS
 from geminga.core.frame import MAX_TCP_PAYLOAD, MAX_UDP_PAYLOAD
 
 
@@ -102,6 +103,18 @@ class Exchange(VirtualTestCase):
                 self.assertEqual(len((await both.sub.receive()).payload), MAX_TCP_PAYLOAD)
 
         self.run_async(story())
+
+    def test_messages_are_whole_whether_they_are_sent_in_one_piece_or_two(self) -> None:
+        async def story(mode: str, protocol: str) -> None:
+            async with met(mode, protocol) as both:
+                for size in (COPIED_OCTETS - 1, COPIED_OCTETS, COPIED_OCTETS + 1, 60_000):
+                    payload = b"a" + bytes(size - 2) + b"z"
+                    self.assertTrue(both.pub.send(payload))
+                    self.assertEqual((await both.sub.receive()).payload, payload)
+
+        for mode, protocol in (("oto", "udp"), ("otm/stream", "udp"), ("oto", "tcp")):
+            with self.subTest(mode=mode, protocol=protocol):
+                self.run_async(story(mode, protocol))
 
     def test_nothing_is_lost_when_a_tcp_publisher_ends_whatever_comes_first(self) -> None:
         async def story() -> None:

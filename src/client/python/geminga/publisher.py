@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from .channel import sockets
 from .channel.multicast_outlet import MulticastOutlet
-from .channel.outlet import Outlet
+from .channel.outlet import COPIED_OCTETS, Outlet
 from .channel.stream_outlet import StreamOutlet
 from .channel.tcp_outlet import TcpOutlet
 from .channel.udp_outlet import UdpOutlet
@@ -93,7 +93,7 @@ class Publisher(RequestOwner):
             payload = bytes(payload)  # It is the application's, who may change it.
         outlet = self._outlet
         sole = outlet.sole
-        if sole is not None:
+        if sole is not None and size <= COPIED_OCTETS:
             self._sequence = sequence = self._sequence + 1
             sendto, there = sole
             try:

@@ -8,6 +8,8 @@ from typing import Protocol
 from ..core.counterparts import Counterpart
 from .sockets import Address
 
+#: Payloads up to here are copied behind their header: one piece costs less than two, unless it is large.
+COPIED_OCTETS = 16 * 1024
 #: A call that sends a frame, and where to.
 Sole = tuple[Callable[[bytes, Address], int], Address]
 
@@ -21,8 +23,8 @@ class Outlet(Protocol):
 
     @property
     def sole(self) -> Sole | None:
-        """What to call instead of send() for a frame, where there is one target that takes frames as datagrams: that is
-        what most sending is, and a call less."""
+        """What to call instead of send() for a frame with a payload of up to COPIED_OCTETS, where there is one target that takes frames
+        as datagrams: that is what most sending is, and a call less."""
 
     @property
     def port(self) -> int:

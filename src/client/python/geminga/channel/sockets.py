@@ -131,6 +131,15 @@ def send_datagram(sock: socket.socket, octets: bytes, there: Address) -> bool:
         return False
 
 
+def send_frame(sock: socket.socket, header: bytes, payload: bytes, there: Address) -> bool:
+    """The same of a header and a payload, which are not copied."""
+    try:
+        sock.sendmsg((header, payload), (), 0, there)
+        return True
+    except OSError:
+        return False
+
+
 def close(sock: socket.socket | None) -> None:
     """Closes it, if it is there."""
     if sock is not None:

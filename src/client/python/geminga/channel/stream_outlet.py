@@ -9,7 +9,7 @@ from ..core.counterparts import Counterpart
 from ..core.frame import FrameError, Kind, read_datagram, write_frame
 from ..core.listeners import HELLO_SECONDS, Listeners
 from . import sockets
-from .outlet import Sole
+from .outlet import COPIED_OCTETS, Sole
 from .sockets import Address
 
 _DATAGRAMS_A_TURN = 64
@@ -39,12 +39,14 @@ class StreamOutlet:
 
     def send(self, header: bytes, payload: bytes) -> int:
         """To all listeners."""
-        frame, left_out, sendto = header + payload, 0, self._sock.sendto
+        left_out = 0
+        frame = header + payload if len(payload) <= COPIED_OCTETS else b""
         for there in self.targets:
-            try:
-                sendto(frame, there)
-            except OSError:
-                left_out += 1
+            if frame:
+                took = sockets.send_datagram(self._sock, frame, there)
+            else:
+                took = sockets.send_frame(self._sock, header, payload, there)
+            left_out += not took
         return left_out
 
     async def drain(self) -> None:

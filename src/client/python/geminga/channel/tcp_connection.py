@@ -10,11 +10,10 @@ from collections.abc import Callable
 
 from ..core.frame import HEADER_OCTETS, MAX_TCP_PAYLOAD, Frame
 from ..core.frame_reader import BrokenStream, FrameReader
+from .outlet import COPIED_OCTETS
 
 #: What may wait for a consumer, beside one message.
 MAX_WAITING_OCTETS = 4 * 1024 * 1024
-#: Payloads up to here are copied behind their header, so that one call sends both.
-_COPIED_OCTETS = 256 * 1024
 #: Whoever does not take anything for so long after the end is not waited for.
 LINGER_SECONDS = 5.0
 _READ_OCTETS = 256 * 1024
@@ -34,6 +33,7 @@ class TcpConnection:
         self._loop = loop
         self._sock = sock
         self._send = sock.send
+        self._sendmsg = sock.sendmsg
         self._on_frame = on_frame
         self._on_end = on_end
         self._reader = FrameReader(max_payload)
@@ -53,19 +53,19 @@ class TcpConnection:
     def offer(self, header: bytes, payload: bytes) -> bool:
         """Sends a frame, or keeps it until there is room; False where too much waits already."""
         if not self._waiting:
-            if len(payload) <= _COPIED_OCTETS:
-                frame = header + payload
-                try:  # As in _sent(), without another call: senders are measured against plain sockets.
-                    sent = self._send(frame)
-                except OSError as error:
-                    sent = self._unsent(error, frame)
-                if sent == len(frame):
-                    return True
-                self._keep(memoryview(frame)[sent:])
-                return True
-            self._keep(memoryview(header))
-            self._keep(memoryview(payload))
-            self._write()
+            size = len(payload)
+            try:  # As in _sent(), without another call: senders are measured against plain sockets.
+                if size <= COPIED_OCTETS:
+                    sent = self._send(header + payload)
+                else:
+                    sent = self._sendmsg((header, payload))
+            except OSError as error:
+                sent = self._unsent(error, HEADER_OCTETS + size)
+            sent -= HEADER_OCTETS
+            if sent < 0:
+                self._keep(memoryview(header)[sent:])
+            if max(sent, 0) < size:
+                self._keep(memoryview(payload)[max(sent, 0) :])
             return True
         if self.waiting_octets + HEADER_OCTETS + len(payload) > MAX_WAITING_OCTETS:
             return False
@@ -158,14 +158,14 @@ class TcpConnection:
         try:
             return self._send(octets)
         except OSError as error:
-            return self._unsent(error, octets)
+            return self._unsent(error, len(octets))
 
-    def _unsent(self, error: OSError, octets: bytes | memoryview) -> int:
+    def _unsent(self, error: OSError, size: int) -> int:
         if isinstance(error, (BlockingIOError, InterruptedError)):
             return 0
         # The end is told by the loop, not from inside a send.
         self._loop.call_soon(self._end)
-        return len(octets)
+        return size
 
     def _keep(self, octets: memoryview) -> None:
         if not self._waiting:

@@ -10,7 +10,7 @@ from ..core.counterparts import Counterpart, Key
 from ..core.frame import Kind, write_frame
 from ..errors import PortTaken
 from . import sockets
-from .outlet import Sole
+from .outlet import COPIED_OCTETS, Sole
 from .sockets import Address
 
 
@@ -49,12 +49,14 @@ class UdpOutlet:
 
     def send(self, header: bytes, payload: bytes) -> int:
         """Requires that there are targets."""
-        frame, left_out, sendto = header + payload, 0, self._opened().sendto
+        sock, left_out = self._opened(), 0
+        frame = header + payload if len(payload) <= COPIED_OCTETS else b""
         for there, has_frames in self.targets:
-            try:
-                sendto(frame if has_frames else payload, there)
-            except OSError:
-                left_out += 1
+            if frame or not has_frames:
+                took = sockets.send_datagram(sock, frame if has_frames else payload, there)
+            else:
+                took = sockets.send_frame(sock, header, payload, there)
+            left_out += not took
         return left_out
 
     async def drain(self) -> None:
