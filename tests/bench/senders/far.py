@@ -82,7 +82,7 @@ class FarLab:
         self._way: Way | None = None
         try:
             if not self.lab.has_namespaces:
-                raise OSError("network namespaces")
+                raise OSError("no namespace may be made")
             self._way = Way(round_trip_seconds / 2)
             self._replace(self._way)
             self.lab.start_daemons()
