@@ -35,7 +35,7 @@ class Exchange(VirtualTestCase):
     def test_one_consumer_more_or_less_is_sent_to_or_not(self) -> None:
         async def story(mode: str) -> None:
             async with met(mode, "udp") as both:
-                (peer, pub), (_, sub) = await both.rows()  # type: ignore[misc]
+                (peer, pub), (_, sub) = await both.daemon.request("pub"), await both.daemon.request("sub")
                 with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
                     other.bind(("127.0.0.1", 0))
                     other.setblocking(False)

@@ -2,7 +2,7 @@
 else counts.
 
 Each host has a TAP interface, and knows the other's place on it, so that nobody asks for that; what comes out of the one goes
-into the other after half a round trip. The conformance agents (tests/client/conformance/AGENT.md) say what they are told, and
+into the other after half a round trip. The conformance agents (AGENT.md) say what they are told, and
 when is when their line comes.
 """
 
@@ -15,18 +15,13 @@ import os
 import select
 import struct
 import subprocess
-import sys
 import threading
 import time
 from collections.abc import Sequence
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "client/conformance"))
-
-from lab import LINK, Lab  # noqa: E402
-from spoken import Failed, Spoken  # noqa: E402
-
-__all__ = ["Failed", "FarLab", "Meeting"]
+from lab import LINK, Lab
+from spoken import Spoken
 
 TUNSETIFF, IFF_TAP, IFF_NO_PI = 0x400454CA, 0x0002, 0x1000
 _LABELS = itertools.count(1)
