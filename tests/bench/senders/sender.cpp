@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
     (void)publisher->send("there?");
     node->run_for(std::chrono::milliseconds(10));
   }
-  std::cout << "ready" << std::endl;
+  std::cout << "ready\n" << std::flush;
   std::string how;
   unsigned count = 0;
   std::size_t size = 0;
@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
     const std::string payload(size, 'x');
     const auto took = how == "library" ? nanoseconds_of(count, [&] { (void)publisher->send(payload); })
                                        : nanoseconds_of(count, [&] { plain.send(payload); });
-    std::cout << took << std::endl;
+    std::cout << took << '\n' << std::flush;
   }
   return 0;
 }
