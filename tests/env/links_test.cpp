@@ -2,6 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <ifaddrs.h>
+#include <net/if.h>
+#include <sys/socket.h>
+
+#include <string>
 
 namespace geminga::env {
 namespace {
@@ -40,6 +45,17 @@ TEST(Link, KnowsItsOwnAddresses) {
   EXPECT_FALSE(link.has_address(ip::make_address("10.0.0.2")));
   EXPECT_EQ(link.first_v4(), ip::make_address_v4("10.0.0.1"));
   EXPECT_FALSE(link_with({{"fd00::1", 64}}).first_v4());
+}
+
+TEST(Scan, FindsALinkWithoutAnAddressOfItsOwn) {
+  std::string name = "lo";
+  ifaddrs entry{};  // as getifaddrs() shows a TUN device
+  entry.ifa_name = name.data();
+  EXPECT_EQ(link_of(entry), InterfaceIndex{::if_nametoindex("lo")});
+  sockaddr address{};
+  address.sa_family = AF_INET;
+  entry.ifa_addr = &address;
+  EXPECT_FALSE(link_of(entry)) << "an address of a link, and not the link";
 }
 
 TEST(Scan, LeavesTheLoopbackOutUnlessItIsNamed) {

@@ -109,17 +109,28 @@ bool Link::is_on_link(const ip::address& source) const {
   });
 }
 
+std::optional<InterfaceIndex> link_of(const ifaddrs& entry) {
+  if (entry.ifa_addr == nullptr) {
+    const unsigned index = ::if_nametoindex(entry.ifa_name);
+    if (index == 0) return std::nullopt;  // it has just gone
+    return InterfaceIndex{index};
+  }
+  if (entry.ifa_addr->sa_family != AF_PACKET) return std::nullopt;
+  sockaddr_ll packet{};
+  std::memcpy(&packet, entry.ifa_addr, sizeof packet);
+  return InterfaceIndex{static_cast<std::uint32_t>(packet.sll_ifindex)};
+}
+
 std::vector<Link> scan_links(const std::vector<std::string>& names) {
   ifaddrs* raw = nullptr;
   if (::getifaddrs(&raw) != 0) return {};
   const std::unique_ptr<ifaddrs, decltype(&::freeifaddrs)> entries(raw, &::freeifaddrs);
   std::vector<Link> links;
   for (const ifaddrs* entry = entries.get(); entry != nullptr; entry = entry->ifa_next) {
-    if (entry->ifa_addr == nullptr || entry->ifa_addr->sa_family != AF_PACKET || !is_wanted(*entry, names)) continue;
-    sockaddr_ll packet{};
-    std::memcpy(&packet, entry->ifa_addr, sizeof packet);
+    const auto index = link_of(*entry);
+    if (!index || !is_wanted(*entry, names)) continue;
     Link link;
-    link.interface.index = InterfaceIndex{static_cast<std::uint32_t>(packet.sll_ifindex)};
+    link.interface.index = *index;
     link.interface.name = entry->ifa_name;
     link.interface.is_loopback = (entry->ifa_flags & IFF_LOOPBACK) != 0;
     links.push_back(std::move(link));

@@ -9,6 +9,8 @@
 
 #include "env/env.hpp"
 
+struct ifaddrs;
+
 namespace geminga::env {
 
 /// An address of an interface and the length of its network's prefix.
@@ -41,6 +43,10 @@ inline constexpr std::size_t max_addresses_per_link = 4;
 /// What is announced of the addresses: IPv4 first, then IPv6, link-local only where there is nothing else; at most
 /// max_addresses_per_link.
 [[nodiscard]] std::vector<std::string> announced_addresses(const std::vector<Prefix>& prefixes);
+
+/// The interface that an entry of getifaddrs() is about as a whole, and not by one of its IP addresses: it has the
+/// address of the link layer, or none where that has none (TUN).
+[[nodiscard]] std::optional<InterfaceIndex> link_of(const ifaddrs& entry);
 
 /// The interfaces that are up and running and can multicast, without the loopback; or, where `names` is not empty,
 /// those with these names, whatever they are, as long as they are up. Ordered by index. An IPv6 link-local address is
