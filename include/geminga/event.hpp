@@ -39,6 +39,7 @@ struct ServiceEvent {
   std::string reason;          ///< after `del`: "withdrawn", "expired", "left", "outranked", ...
   std::string convert{};   ///< how its representation is turned into what was asked for: "A>B>C"; empty: it need not be
   std::uint32_t cost = 0;  ///< of that
+  std::string via{};  ///< who does each step: "-,udp://10.0.0.7:6000/SERVICE", "-" for the consumer; empty: it does all
   friend bool operator==(const ServiceEvent&, const ServiceEvent&) = default;
 };
 

@@ -26,6 +26,7 @@ constexpr const char* examples = R"(Examples:
   geminga-publish soccer:BallInfo --representation soccer:CartesianFieldFrame --mode otm/stream --port 5000
   geminga-publish --text camera --mode otm/pubsub --port 5001 --priority 5 rate=30 frame=front
   geminga-publish --id 0x1234 --mode oto --port 5002 --protocol tcp --json
+  geminga-publish --text frames --mode oto --port 5003 --converts 'soccer:PolarRobotFrame>soccer:PolarFieldFrame' cost=3
   tail -f positions | geminga-publish soccer:BallInfo --mode otm/pubsub --send
   geminga-publish --text lamp --mode oto --port 5003 --exec 'echo "$GEMINGA_EVENT by $GEMINGA_NAME"'
 
@@ -41,6 +42,7 @@ struct Options {
   std::vector<std::string> words;
   std::vector<std::string> attributes;
   NamedPublication publication;
+  std::string converts;
   bool sends = false;
 };
 
@@ -63,6 +65,9 @@ void add_to(CLI::App& app, Options& options) {
          "An attribute, also one whose name is near a key: as the word attr.KEY=VALUE; may be given several times")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  app.add_option("--converts", options.converts,
+                 "The service turns one representation into another, at the cost that the attribute cost says")
+      ->type_name("FROM>TO");
   app.add_option("--scope", options.publication.scope, "Only consumers on these hosts: host, any, HOST[/PEER], !HOST")
       ->type_name("SCOPE");
   app.add_option("--for", options.publication.for_whom, "Only consumers that fit, e.g. \"name = robot*\"")
@@ -104,6 +109,8 @@ void complete(Options& options) {
     if (!name) throw CLI::ValidationError(*word, name.error().text);
     add_attribute(options.publication.attributes, *word, *name);
   }
+  if (!options.converts.empty())
+    add_attribute(options.publication.attributes, "converts=" + options.converts, "converts");
   for (const auto& stated : options.attributes) {
     std::string name = stated.substr(0, stated.find('='));
     if (name.starts_with(attribute_prefix)) name.erase(0, attribute_prefix.size());

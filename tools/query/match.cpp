@@ -34,6 +34,7 @@ shell::Table table(const std::vector<Record>& records) {
                       {"SERVICE", false, 0, 2},
                       {"CONVERT", false, 16, 8},
                       {"COST", true, 0, 8},
+                      {"VIA", false, 16, 8},
                       {"ATTRIBUTES", false, 10, 5}});
   for (const auto& record : records) {
     shown.add({std::string(record["degree"]), std::string(record["distance"]),
@@ -41,7 +42,7 @@ shell::Table table(const std::vector<Record>& records) {
                shell::identity_words(record), std::string(record["mode"]),
                shell::place(record["address"], record["port"]), std::string(record["priority"]),
                shell::duration_words(record["age"]), std::string(record["service"]), std::string(record["convert"]),
-               std::string(record["cost"]), shell::attribute_words(record.attributes)});
+               std::string(record["cost"]), std::string(record["via"]), shell::attribute_words(record.attributes)});
   }
   return shown;
 }

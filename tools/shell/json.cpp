@@ -137,6 +137,7 @@ json::object to_json(const ServiceEvent& event) {
   if (!event.convert.empty()) {
     object["convert"] = event.convert;
     object["cost"] = event.cost;
+    if (!event.via.empty()) object["via"] = event.via;
   }
   object["attributes"] = to_object(event.publication.attributes);
   return object;

@@ -1,5 +1,6 @@
 #include "client/channels/converter.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -31,12 +32,19 @@ std::vector<std::string_view> names_of(std::string_view chain) {
   return names;
 }
 
+/// Who does a step, counted from 0, by the words of `via`; empty: the consumer.
+std::string_view service_of(std::string_view via, std::size_t step) {
+  for (; step > 0 && !via.empty(); --step) via.remove_prefix(std::min(via.find(','), via.size() - 1) + 1);
+  const std::string_view word = via.substr(0, via.find(','));
+  return word == "-" ? std::string_view() : word;
+}
+
 std::string step_of(std::string_view from, std::string_view to) { return std::string(from) + '>' + std::string(to); }
 
 }  // namespace
 
 std::expected<std::vector<std::byte>, std::string> convert(const Conversions& conversions, std::string_view chain,
-                                                           std::span<const std::byte> payload) {
+                                                           std::span<const std::byte> payload, std::string_view via) {
   std::vector<std::byte> converted(payload.begin(), payload.end());
   const auto names = names_of(chain);
   if (names.size() < 2) return converted;
@@ -45,7 +53,11 @@ std::expected<std::vector<std::byte>, std::string> convert(const Conversions& co
   for (std::size_t next = 1; next < names.size(); ++next) {
     const std::string step = step_of(names[next - 1], names[next]);
     const auto found = conversions.find(step);
-    if (found == conversions.end()) return std::unexpected("there is no function for the conversion " + step);
+    if (found == conversions.end()) {
+      const std::string_view service = service_of(via, next - 1);
+      return std::unexpected("there is no function for the conversion " + step +
+                             (service.empty() ? "" : ", which the service " + std::string(service) + " does"));
+    }
     auto result = call(*found, converted);
     if (!result) return result;
     converted = std::move(*result);

@@ -14,10 +14,11 @@
 namespace geminga::client {
 
 /// The payload after the chain `A>B>C`: the function for `A>C` where there is one, else those for `A>B` and `B>C`. An
-/// empty chain changes nothing. The error says what is missing, or that a function threw.
+/// empty chain changes nothing. The error says what is missing, and who of `via` would do it, or that a function threw.
 [[nodiscard]] std::expected<std::vector<std::byte>, std::string> convert(const Conversions& conversions,
                                                                          std::string_view chain,
-                                                                         std::span<const std::byte> payload);
+                                                                         std::span<const std::byte> payload,
+                                                                         std::string_view via = {});
 
 }  // namespace geminga::client
 

@@ -166,7 +166,7 @@ bool SubscriberChannel::deliver(Parties::Number number, std::uint64_t sequence, 
     missed = *gap;
   }
   count_.missed += missed;
-  auto converted = convert(conversions_, provider.event.convert, payload);
+  auto converted = convert(conversions_, provider.event.convert, payload, provider.event.via);
   if (!converted) {
     ++count_.dropped;
     if (!std::exchange(provider.was_told_of_conversion, true)) problem(converted.error());

@@ -21,10 +21,10 @@ Record record_of(const gcnp::Statement& message) {
   record.kind = message.subcommand;
   // `why` tells of services too, but of none of their attributes.
   const bool is_service = message.subcommand != "why" && (message.has("service") || message.has("subscription"));
-  const bool is_converted = message.has("convert");  // then `cost` is what that costs, and an attribute is `attr.cost`
+  const bool is_converted = message.has("convert");  // then an attribute of these names is `attr.cost` or `attr.via`
   for (const auto& parameter : message.parameters) {
-    const bool is_cost = is_converted && parameter.key == "cost";
-    const auto attribute = is_service && !is_cost ? gcnp::shown_attribute(parameter.key) : std::nullopt;
+    const bool is_of_chain = is_converted && (parameter.key == "cost" || parameter.key == "via");
+    const auto attribute = is_service && !is_of_chain ? gcnp::shown_attribute(parameter.key) : std::nullopt;
     if (attribute) {
       record.attributes.emplace(*attribute, parameter.value.value_or(""));
     } else {

@@ -56,7 +56,7 @@ Statement to_statement(std::uint32_t request, const ServiceEvent& event) {
   append(parameters, "protocol", publication.protocol);
   append(parameters, "priority", publication.priority);
   append_stated(parameters, "participant_name", event.participant_name);
-  append_attributes(parameters, event.convert, event.cost, publication.attributes);
+  append_attributes(parameters, event.convert, event.cost, event.via, publication.attributes);
   return statement;
 }
 
@@ -98,16 +98,18 @@ void append_attributes(std::vector<Parameter>& parameters, const Attributes& att
 }
 
 void append_attributes(std::vector<Parameter>& parameters, const std::string& convert, std::uint32_t cost,
-                       const Attributes& attributes) {
+                       const std::string& via, const Attributes& attributes) {
   if (convert.empty()) {
     append_attributes(parameters, attributes);
     return;
   }
   append(parameters, "convert", convert);
   append(parameters, cost_key, cost);
-  // Not reserved, but here it would stand twice.
+  append_stated(parameters, via_key, via);
+  // Not reserved, but here they would be taken for these.
   for (const auto& [name, value] : attributes) {
-    append(parameters, name == cost_key ? std::string(attribute_prefix) + name : shown_key(name), value);
+    const bool is_key = name == cost_key || name == via_key;
+    append(parameters, is_key ? std::string(attribute_prefix) + name : shown_key(name), value);
   }
 }
 

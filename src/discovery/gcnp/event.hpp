@@ -18,9 +18,11 @@ namespace geminga::gcnp {
 
 /// The cost of a conversion. A key only where `convert` is one, too, and otherwise an attribute.
 inline constexpr std::string_view cost_key = "cost";
+/// Who does the steps of a conversion: a key as `cost` is.
+inline constexpr std::string_view via_key = "via";
 
 /// `N pub add|modify service=S provider=PARTICIPANT/PEER name=... IDENTITY degree=D distance=K mode=M address=A port=P
-/// protocol=... priority=K participant_name=... [convert=A>B cost=K] [attributes]`, or `N pub del service=S
+/// protocol=... priority=K participant_name=... [convert=A>B cost=K [via=V]] [attributes]`, or `N pub del service=S
 /// reason=...`. `request` is the subscription that is told. A name that is empty is left out.
 [[nodiscard]] Statement to_statement(std::uint32_t request, const ServiceEvent& event);
 
@@ -40,9 +42,9 @@ using Reply = std::variant<Event, Statement>;
 void append_identity(std::vector<Parameter>& parameters, const NamedIdentity& identity);
 /// Appends the attributes as the daemon shows them (shown_key()), sorted by name.
 void append_attributes(std::vector<Parameter>& parameters, const Attributes& attributes);
-/// Appends `convert=A>B cost=K` where something is converted, and the attributes.
+/// Appends `convert=A>B cost=K` and perhaps `via=V` where something is converted, and the attributes.
 void append_attributes(std::vector<Parameter>& parameters, const std::string& convert, std::uint32_t cost,
-                       const Attributes& attributes);
+                       const std::string& via, const Attributes& attributes);
 
 }  // namespace geminga::gcnp
 

@@ -10,6 +10,11 @@
 #include "discovery/gcnp/reserved.hpp"
 
 namespace geminga::gcnp {
+namespace {
+
+constexpr std::string_view converts_key = "converts";
+
+}  // namespace
 
 KeyReader::KeyReader(const Statement& statement) : statement_(statement), taken_(statement.parameters.size()) {
   std::vector<std::string_view> keys;
@@ -247,6 +252,7 @@ Statement KeyReader::behind(std::string_view prefix) {
 }
 
 std::optional<std::string> KeyReader::attribute(std::string_view key) {
+  if (may_convert_ && key == converts_key) return std::string(key);
   // The keys of this very statement come first: where a word may be a slip of several, the likely one is among them.
   const bool is_told = key.starts_with(attribute_prefix) || is_reserved(key);
   if (const auto meant = is_told ? std::nullopt : mistyped_key(key, asked_)) {
@@ -267,6 +273,12 @@ std::optional<std::string> KeyReader::attribute(std::string_view key) {
   return std::move(*name);
 }
 
+Attributes KeyReader::offered_attributes() {
+  may_convert_ = true;
+  asked_.push_back(converts_key);
+  return attributes();
+}
+
 Attributes KeyReader::attributes() {
   Attributes attributes;
   for (std::size_t i = 0; i < taken_.size(); ++i) {
@@ -279,6 +291,12 @@ Attributes KeyReader::attributes() {
     if (given.size() > max_attribute_value_bytes) {
       fail(ErrorCode::too_large, "attribute " + base::printable(*name, 64) + " is too long: at most " +
                                      std::to_string(max_attribute_value_bytes) + " octets");
+    }
+    if (parameter.key == converts_key && !given.empty() && !given.contains('>')) {
+      fail(ErrorCode::malformed,
+           "converts: " + base::printable(given, 64) +
+               " is no conversion: did you mean converts=FROM>TO?; an attribute of this name is " +
+               "written attr.converts");
     }
     if (!attributes.emplace(std::move(*name), given).second) {
       fail(ErrorCode::malformed,

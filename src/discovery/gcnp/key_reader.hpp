@@ -53,6 +53,8 @@ class KeyReader {
   Statement behind(std::string_view prefix);
   /// Every key that is left, as attribute_name() takes it; to be called after all others.
   Attributes attributes();
+  /// The same of a publication: `converts=FROM>TO` is an attribute, too, although it is a slip of `convert`.
+  Attributes offered_attributes();
   /// 400 where a key is left, with the key of this statement that it is a slip of.
   void finish();
 
@@ -64,6 +66,7 @@ class KeyReader {
   void fail_value(std::string_view key, std::string_view expected);
   /// The attribute that a key that is left states, or nothing and an error.
   std::optional<std::string> attribute(std::string_view key);
+  bool may_convert_ = false;  ///< `converts` is an attribute
 
   const Statement& statement_;
   std::vector<bool> taken_;

@@ -37,7 +37,7 @@ Attributes attributes_of(const Statement& statement) {
   Attributes attributes;
   const bool is_converted = statement.value("convert").has_value();
   for (const auto& parameter : statement.parameters) {
-    if (is_converted && parameter.key == cost_key) continue;
+    if (is_converted && (parameter.key == cost_key || parameter.key == via_key)) continue;
     if (const auto name = shown_attribute(parameter.key)) attributes.emplace(*name, parameter.value.value_or(""));
   }
   return attributes;
@@ -82,7 +82,10 @@ std::expected<Reply, Error> read_service_event(const Statement& statement, Chang
   if (change != Change::del) {
     event.publication.protocol = statement.value("protocol").value_or("udp");
     event.convert = statement.value("convert").value_or("");
-    if (!event.convert.empty()) event.cost = number_of<std::uint32_t>(statement, cost_key);
+    if (!event.convert.empty()) {
+      event.cost = number_of<std::uint32_t>(statement, cost_key);
+      event.via = statement.value(via_key).value_or("");
+    }
   }
   return Event{statement.id, std::move(event)};
 }

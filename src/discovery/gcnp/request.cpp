@@ -40,7 +40,7 @@ Request read_pub_create(KeyReader& keys) {
   publication.priority = keys.priority().value_or(0);
   publication.scope = keys.text("scope", max_scope_bytes).value_or("");
   publication.for_whom = keys.text("for", max_where_bytes).value_or("");
-  publication.attributes = keys.attributes();
+  publication.attributes = keys.offered_attributes();
   return PubCreate{std::move(publication)};
 }
 
@@ -54,7 +54,7 @@ Request read_pub_modify(KeyReader& keys) {
   change.priority = keys.priority();
   change.scope = keys.text("scope", max_scope_bytes);
   change.for_whom = keys.text("for", max_where_bytes);
-  change.attributes = keys.attributes();
+  change.attributes = keys.offered_attributes();
   return change;
 }
 
@@ -173,7 +173,7 @@ HypotheticalOffer read_offer(KeyReader& keys, const Statement& stated) {
     if (providers->size() > 1) inner.fail(ErrorCode::malformed, "provider: one service has one provider");
     offer.provider = std::move(providers->front());
   }
-  offer.publication.attributes = inner.attributes();
+  offer.publication.attributes = inner.offered_attributes();
   if (stated.has("")) inner.fail(ErrorCode::malformed, "a key is missing behind offer.");
   if (inner.error()) keys.fail(inner.error()->code, "offer: " + inner.error()->text);
   return offer;

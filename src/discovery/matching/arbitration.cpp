@@ -114,6 +114,9 @@ Verdict Choice::settle(const std::function<void()>& refill) {
     demote_worst(verdict);
   }
   std::ranges::sort(touched_, BestFirst{});
+  // One may have been judged twice.
+  const auto twice = std::ranges::unique(touched_, [](const Rank& a, const Rank& b) { return !BestFirst{}(a, b); });
+  touched_.erase(twice.begin(), twice.end());
   for (const Rank& rank : std::exchange(touched_, {})) {
     const auto at = chosen_.find(rank);
     if (at == chosen_.end()) continue;

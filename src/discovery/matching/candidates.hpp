@@ -3,11 +3,13 @@
 #define GEMINGA_DISCOVERY_MATCHING_CANDIDATES_HPP
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "discovery/matching/converters.hpp"
 #include "discovery/matching/degree.hpp"
 #include "discovery/registry/table.hpp"
 #include "geminga/service.hpp"
@@ -19,6 +21,7 @@ namespace geminga::matching {
 struct Edition {
   vocabulary::Vocabulary vocabulary;
   registry::Generation generation = registry::Generation::even;
+  std::shared_ptr<Converters> converters{};  ///< null where there is no vocabulary
 };
 
 /// The classes that an entry is filed under, kept alive for a registry::Filing.

@@ -70,7 +70,7 @@ std::optional<Match> degree_of_concept(const SemanticIdentity& offered, const Cl
 std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
                                         const Identity& requested, const Classes& requested_classes,
                                         const vocabulary::Vocabulary& vocabulary, std::uint32_t convert,
-                                        const AskOverlap& overlaps) {
+                                        const AskOverlap& overlaps, const AskChain& chains) {
   const auto* offer = std::get_if<SemanticIdentity>(&offered);
   const auto* request = std::get_if<SemanticIdentity>(&requested);
   if (offer == nullptr || request == nullptr) {
@@ -81,7 +81,7 @@ std::optional<Match> degree_of_identity(const Identity& offered, const Classes& 
   if (!by_concept && !overlaps) return std::nullopt;
   const auto by_representation = degree_of_representation(
       offer->representation_iri, offered_classes.representation_class, request->representation_iri,
-      requested_classes.representation_class, vocabulary, convert);
+      requested_classes.representation_class, vocabulary, convert, chains);
   if (!by_representation) return std::nullopt;
   // Asked last, because the reasoner has to search.
   if (!by_concept) by_concept = degree_of_overlap(offered_classes, requested_classes, vocabulary, overlaps);

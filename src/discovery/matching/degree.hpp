@@ -52,6 +52,11 @@ using Placing = std::function<std::shared_ptr<const vocabulary::Place>(
 using AskOverlap = std::function<std::shared_ptr<const vocabulary::Overlap>(const vocabulary::Vocabulary& vocabulary,
                                                                             vocabulary::ClassNumber offered)>;
 
+/// The cheapest chain that turns what is in a class that is offered into a class that a request asks for, for that
+/// request; null where there is none. Empty: that of declared conversions alone.
+using AskChain = std::function<std::shared_ptr<const vocabulary::Chain>(vocabulary::ClassNumber offered,
+                                                                        vocabulary::ClassNumber requested)>;
+
 /// Looks up both names.
 [[nodiscard]] Classes classes_of(const Identity& identity, const vocabulary::Vocabulary& vocabulary);
 
@@ -81,11 +86,12 @@ using AskOverlap = std::function<std::shared_ptr<const vocabulary::Overlap>(cons
 /// The degree of the whole identity, however weak; the caller compares it with what the subscription allows. Identities
 /// of different kinds never match, with one exception: a number matches exactly the concept whose 32-bit identity it
 /// is. Numbers and texts match only when they are equal. `convert` is the largest cost of conversions that counts,
-/// `overlaps` says of concepts that have no degree otherwise whether they overlap.
+/// `overlaps` says of concepts that have no degree otherwise whether they overlap, `chains` who converts.
 [[nodiscard]] std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
                                                       const Identity& requested, const Classes& requested_classes,
                                                       const vocabulary::Vocabulary& vocabulary,
-                                                      std::uint32_t convert = 0, const AskOverlap& overlaps = {});
+                                                      std::uint32_t convert = 0, const AskOverlap& overlaps = {},
+                                                      const AskChain& chains = {});
 
 }  // namespace geminga::matching
 

@@ -14,7 +14,7 @@ void Matcher::State::begin_departure(ParticipantId participant, Reason reason) {
       publications_.of_participant(participant), subscriptions_.of_participant(participant), reason, {}};
   std::erase_if(departure.publications, [&](const auto* one) { return of(*one).leaves.has_value(); });
   std::erase_if(departure.subscriptions, [&](const auto* one) { return of(*one).is_leaving; });
-  for (const auto* publication : departure.publications) of(*publication).leaves = reason;
+  for (const auto* publication : departure.publications) retire(*publication, reason);
   for (const auto* subscription : departure.subscriptions) of(*subscription).is_leaving = true;
   // Taken from the back, in ascending order of key.
   std::ranges::reverse(departure.subscriptions);

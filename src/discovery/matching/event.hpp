@@ -35,6 +35,8 @@ struct Event {
       about;
   Match match;                        ///< for del as it was last told
   Reason reason = Reason::withdrawn;  ///< for del only
+  /// Of a service, how its representation is turned into what is asked for; null: it need not be, or for del.
+  std::shared_ptr<const vocabulary::Chain> chain{};
 };
 
 }  // namespace geminga::matching

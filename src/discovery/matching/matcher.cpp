@@ -54,10 +54,24 @@ bool Matcher::is_departing() const { return !state_->departures_.empty(); }
 
 const vocabulary::Vocabulary& Matcher::vocabulary() const { return state_->in_force_.vocabulary; }
 
-std::string Matcher::chain_words(const ServiceKey& subscription, const Identity& offered) const {
+std::string Matcher::chain_words(const ServiceKey& subscription, const vocabulary::Chain& chain) const {
   const StoredSubscription* asked = state_->subscriptions_.find(subscription);
-  if (asked == nullptr) return "";
-  return matching::chain_words(offered, asked->entry.subscription.identity, state_->edition_of(*asked).vocabulary);
+  return asked == nullptr ? "" : matching::chain_words(&chain, state_->edition_of(*asked).vocabulary);
+}
+
+std::shared_ptr<const vocabulary::Chain> Matcher::chain(const ServiceKey& subscription,
+                                                        const ServiceKey& publication) const {
+  const StoredSubscription* asked = state_->subscriptions_.find(subscription);
+  const StoredPublication* offered = state_->publications_.find(publication);
+  return asked == nullptr || offered == nullptr ? nullptr : state_->chain_of(*asked, *offered);
+}
+
+bool Matcher::rejudge_next() { return state_->rejudge_next(); }
+
+bool Matcher::has_stale() const { return state_->has_stale(); }
+
+void Matcher::catch_up(const ServiceKey& subscription) {
+  if (const StoredSubscription* stored = state_->subscriptions_.find(subscription)) state_->catch_up(*stored);
 }
 
 void Matcher::begin_vocabulary(vocabulary::Vocabulary next) { state_->begin_vocabulary(std::move(next)); }
@@ -143,13 +157,15 @@ Finding Matcher::examine(const registry::SubscriptionEntry& asked, const Request
 }
 
 std::expected<Match, std::string> Matcher::why(const registry::SubscriptionEntry& request,
-                                               const registry::PublicationEntry& offer) const {
+                                               const registry::PublicationEntry& offer, const AskChain& chains) const {
   ++state_->judged_;
   if (state_->is_kept_apart(offer.publication.identity, request.subscription.identity)) {
     return std::unexpected("identity: the number is that of two different services, and nobody is connected by it");
   }
   const Imagined imagined(offer, vocabulary());
-  return explained(request, state_->prepare(request), imagined.offer, vocabulary());
+  Request prepared = state_->prepare(request);
+  if (chains) prepared.chains = chains;
+  return explained(request, prepared, imagined.offer, vocabulary());
 }
 
 bool Matcher::walk_publications(const std::optional<ServiceKey>& after, const VisitPublication& visit) const {

@@ -81,8 +81,17 @@ class Matcher {
   [[nodiscard]] bool is_departing() const;
   /// The vocabulary in force, by which all questions to the matcher are answered.
   [[nodiscard]] const vocabulary::Vocabulary& vocabulary() const;
-  /// How a converted representation is turned into what this subscription asks for: "A>B>C" in short names.
-  [[nodiscard]] std::string chain_words(const ServiceKey& subscription, const Identity& offered) const;
+  /// The classes of a chain of an event for this subscription: "A>B>C" in short names.
+  [[nodiscard]] std::string chain_words(const ServiceKey& subscription, const vocabulary::Chain& chain) const;
+  /// How a publication is turned into what a subscription asks for, both known here; null where nothing does.
+  [[nodiscard]] std::shared_ptr<const vocabulary::Chain> chain(const ServiceKey& subscription,
+                                                               const ServiceKey& publication) const;
+  /// Where a converter has come or gone, more subscriptions may be concerned than are judged at once: the next one of
+  /// those that are left, with its events. False: none was left. Until then such a one keeps what it was given.
+  [[nodiscard]] bool rejudge_next();
+  [[nodiscard]] bool has_stale() const;
+  /// Judges one of them now.
+  void catch_up(const ServiceKey& subscription);
   /// Begins to put another vocabulary in the place of the one in force. That is work over the whole registry. It is
   /// done in steps, and between them everything else may go on:
   ///
@@ -135,9 +144,10 @@ class Matcher {
   [[nodiscard]] OverlapAnswer overlap(vocabulary::ClassNumber offered, const SemanticIdentity& requested,
                                       const Classes& requested_classes) const;
   /// How this offer meets this request by identity, mode, provider, scope and conditions; the error says what does not
-  /// fit.
+  /// fit. `chains` says what is converted; empty: what this very request is told.
   [[nodiscard]] std::expected<Match, std::string> why(const registry::SubscriptionEntry& request,
-                                                      const registry::PublicationEntry& offer) const;
+                                                      const registry::PublicationEntry& offer,
+                                                      const AskChain& chains = {}) const;
   /// How a publication stands in the arbitration of a subscription, both known here; nothing where they do not match.
   /// While the vocabulary changes, this is also the subscription's step.
   [[nodiscard]] std::optional<Standing> standing(const ServiceKey& subscription, const ServiceKey& publication);

@@ -201,7 +201,7 @@ Finding examine(const registry::SubscriptionEntry& subscription, const Request& 
     return finding;
   }
   finding.match = degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary,
-                                     asked.convert, request.overlaps);
+                                     asked.convert, request.overlaps, request.chains);
   if (!finding.match) {
     finding.identity =
         of_identities(offered.identity, offer.classes, asked.identity, request.classes, request.overlaps, vocabulary);

@@ -29,7 +29,8 @@ auto next_after(const Table& table, std::optional<ServiceKey>& at) {
 }  // namespace
 
 Matcher::State::State(vocabulary::Vocabulary vocabulary, Placing placing, Overlapping overlapping)
-    : in_force_{.vocabulary = std::move(vocabulary)}, placing_(std::move(placing)) {
+    : in_force_{.vocabulary = vocabulary, .converters = std::make_shared<Converters>(vocabulary)},
+      placing_(std::move(placing)) {
   if (overlapping) {
     overlapping_ = [this, overlapping = std::move(overlapping)](const auto&... question) {
       OverlapAnswer answer = overlapping(question...);
@@ -43,7 +44,7 @@ Matcher::State::State(vocabulary::Vocabulary vocabulary, Placing placing, Overla
 
 void Matcher::State::begin_vocabulary(vocabulary::Vocabulary next) {
   GEMINGA_ASSERT(stage_ == Stage::none);
-  other_ = {std::move(next), registry::other(in_force_.generation)};
+  other_ = {next, registry::other(in_force_.generation), std::make_shared<Converters>(next)};
   publications_.set_class_count(other_.vocabulary.class_count(), other_.generation);
   subscriptions_.set_class_count(other_.vocabulary.class_count(), other_.generation);
   stage_ = Stage::filing;
@@ -95,7 +96,7 @@ bool Matcher::State::asks_overlaps(const StoredSubscription& subscription, const
 }
 
 bool Matcher::State::rematch_if_answered(const StoredSubscription& subscription) {
-  Request request = prepare(subscription.entry);
+  Request request = prepare(subscription.entry, false);
   const bool may_wait = subscription.entry.is_local && !of(subscription).is_leaving;
   if (may_wait && !asks_overlaps(subscription, request)) return false;
   rematch(subscription, std::move(request));
@@ -104,16 +105,20 @@ bool Matcher::State::rematch_if_answered(const StoredSubscription& subscription)
 
 void Matcher::State::rematch(const StoredSubscription& subscription, Request request) {
   begin_cause();
+  unwatch(subscription);
   subscriptions_.unfile(subscription, of(subscription).generation);
   of(subscription).generation = in_force_.generation;
   of(subscription).is_waiting = false;
   if (of(subscription).is_leaving) return;
   of(subscription).request.signature = std::move(request.signature);
   of(subscription).request.overlaps = std::move(request.overlaps);
+  of(subscription).request.chains = std::move(request.chains);
+  of(subscription).request.consumer = std::move(request.consumer);
   const auto& known = of(subscription).request.classes = std::move(request.classes);
   const FilingPlan plan = FilingPlan::of_subscription(known, subscription.entry.subscription.weakest, in_force_);
   subscriptions_.refile(subscription, plan.filing());
   filed_ += 1 + plan.size();
+  watch(subscription);
   judge_all(subscription);
   settle(subscription);
 }

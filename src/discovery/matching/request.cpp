@@ -53,10 +53,12 @@ std::string unrelated(const vocabulary::Vocabulary& vocabulary, const std::strin
 }
 
 /// Why a representation that does not fit is not converted either.
-std::string conversion_misfit(const Classes& offered, const Classes& requested, std::uint32_t convert,
+std::string conversion_misfit(const Classes& offered, const Request& request, std::uint32_t convert,
                               const vocabulary::Vocabulary& vocabulary) {
+  const Classes& requested = request.classes;
   if (!offered.representation_class || !requested.representation_class) return "";
-  const auto chain = vocabulary.conversion(*offered.representation_class, *requested.representation_class);
+  const auto chain =
+      chain_between(offered.representation_class, requested.representation_class, vocabulary, request.chains);
   if (chain == nullptr) return convert == 0 ? "" : "; no conversion leads from one to the other";
   if (convert == 0)
     return "; it can be converted, cost " + std::to_string(chain->cost) + ": accept that by convert=yes";
@@ -76,8 +78,9 @@ std::string overlap_misfit(const Classes& offered, const Classes& requested, con
 }
 
 std::string identity_misfit(const Identity& offered, const Classes& offered_classes, const Identity& requested,
-                            const Classes& requested_classes, std::uint32_t convert, const AskOverlap& overlaps,
-                            const vocabulary::Vocabulary& vocabulary) {
+                            const Request& prepared, std::uint32_t convert, const vocabulary::Vocabulary& vocabulary) {
+  const Classes& requested_classes = prepared.classes;
+  const AskOverlap& overlaps = prepared.overlaps;
   if (offered.index() != requested.index()) {
     return "identity: " + kind_of(offered) + " is offered, " + kind_of(requested) + " is asked for";
   }
@@ -110,7 +113,7 @@ std::string identity_misfit(const Identity& offered, const Classes& offered_clas
                      requested_classes.representation_class, vocabulary)) {
     why = "representation: it is not the same, and the concept has no class by which to compare";
   }
-  return why + conversion_misfit(offered_classes, requested_classes, convert, vocabulary);
+  return why + conversion_misfit(offered_classes, prepared, convert, vocabulary);
 }
 
 /// How the request asks about overlaps; empty where it accepts none.
@@ -181,7 +184,7 @@ std::optional<Match> meets(const SubscriptionEntry& subscription, const Request&
   if (!is_accepted_provider(asked, entry) || !is_accepted_protocol(asked, entry)) return std::nullopt;
   if (!is_in_scope(subscription, request, offer)) return std::nullopt;
   const auto match = degree_of_identity(entry.publication.identity, offer.classes, asked.identity, request.classes,
-                                        vocabulary, asked.convert, request.overlaps);
+                                        vocabulary, asked.convert, request.overlaps, request.chains);
   if (!match || !is_accepted_degree(asked, request, offer, *match, vocabulary)) return std::nullopt;
   if (!request.where->accepts(entry)) return std::nullopt;
   if (!offer.audience.condition || !offer.audience.condition->accepts(subscription)) return std::nullopt;
@@ -198,10 +201,9 @@ std::expected<Match, std::string> explained(const SubscriptionEntry& subscriptio
   std::string why;
   const auto say = [&why](const std::string& misfit) { why += (why.empty() ? "" : "; ") + misfit; };
   const auto degree = degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary,
-                                         asked.convert, request.overlaps);
+                                         asked.convert, request.overlaps, request.chains);
   if (!degree) {
-    say(identity_misfit(offered.identity, offer.classes, asked.identity, request.classes, asked.convert,
-                        request.overlaps, vocabulary));
+    say(identity_misfit(offered.identity, offer.classes, asked.identity, request, asked.convert, vocabulary));
   } else if (!is_accepted_degree(asked, request, offer, *degree, vocabulary)) {
     say("degree: " + std::string(to_string(degree->degree)) + ", but at least " +
         std::string(to_string(asked.weakest)) + " is asked for");

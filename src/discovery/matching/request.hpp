@@ -3,11 +3,13 @@
 #define GEMINGA_DISCOVERY_MATCHING_REQUEST_HPP
 
 #include <expected>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "discovery/matching/arbitration.hpp"
 #include "discovery/matching/audience.hpp"
+#include "discovery/matching/consumer.hpp"
 #include "discovery/matching/degree.hpp"
 #include "discovery/matching/overlap.hpp"
 #include "discovery/matching/preferences.hpp"
@@ -28,6 +30,8 @@ struct Request {
   std::optional<Signature> signature{};  ///< nothing: none is stated
   std::optional<Scope> scope = Scope();  ///< nothing: it cannot be read, and the subscription never matches
   AskOverlap overlaps{};                 ///< empty: it asks for a better degree than overlapping
+  AskChain chains{};                     ///< empty: it asks for no representation, or declared conversions are all
+  std::shared_ptr<const Consumer> consumer{};  ///< who asks `chains`; null where that is empty
 
   /// How such a publication, which matches, ranks among all that do.
   [[nodiscard]] Rank rank(const registry::PublicationEntry& publication, const Match& match) const {

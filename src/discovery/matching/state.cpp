@@ -51,6 +51,8 @@ void Matcher::State::file(const StoredPublication& stored, const Edition& editio
   of(stored).signatures[std::to_underlying(edition.generation)] =
       has_signature(attributes) ? std::make_unique<const Signature>(signature_of(attributes, edition.vocabulary))
                                 : nullptr;
+  if (!of(stored).leaves) edition.converters->put(stored.entry, of(stored).audience, of(stored).arrival);
+  filed_ += edition.converters->take_work();
   const FilingPlan plan = FilingPlan::of_publication(known, edition);
   publications_.refile(stored, plan.filing());
   filed_ += 1 + plan.size();
@@ -62,6 +64,7 @@ const StoredPublication& Matcher::State::store(PublicationEntry entry, const Sto
     known = &publications_.insert(std::move(entry), nowhere);
     if (known->slot >= of_publication_.size()) of_publication_.resize(known->slot + 1);
     of(*known) = {};
+    of(*known).arrival = ++arrivals_;
   } else {
     replaced_publication_ = {known, known->entry};
     publications_.replace(*known, std::move(entry), nowhere);
@@ -73,7 +76,7 @@ const StoredPublication& Matcher::State::store(PublicationEntry entry, const Sto
 }
 
 const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const StoredSubscription* known) {
-  Request request = prepare(entry);
+  Request request = prepare(entry, false);
   const FilingPlan plan = FilingPlan::of_subscription(request.classes, entry.subscription.weakest, in_force_);
   if (known == nullptr) {
     known = &subscriptions_.insert(std::move(entry), plan.filing());
@@ -85,6 +88,7 @@ const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const S
     but_for_choice.subscription.chosen = known->entry.subscription.chosen;
     replaced_is_silent_ = known->entry.same_as(but_for_choice);
     replaced_subscription_ = {known, known->entry};
+    unwatch(*known);
     if (of(*known).request.preferences != request.preferences) {
       of(*known).choice.release_waiting();
       forget_dropped(*known);
@@ -99,6 +103,7 @@ const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const S
   of(*known).request = std::move(request);
   of(*known).is_waiting = false;
   of(*known).generation = in_force_.generation;
+  watch(*known);
   return *known;
 }
 
@@ -135,6 +140,7 @@ void Matcher::State::put(PublicationEntry entry) {
   judge_anew(anew);
   replaced_publication_ = {};
   relieve();
+  rejudge_some();
 }
 
 void Matcher::State::put(SubscriptionEntry entry, Telling telling) {
@@ -172,7 +178,7 @@ void Matcher::State::put(SubscriptionEntry entry, Telling telling) {
 void Matcher::State::remove(const std::vector<const StoredPublication*>& publications,
                             const std::vector<const StoredSubscription*>& subscriptions, Reason reason) {
   begin_cause();
-  for (const auto* publication : publications) of(*publication).leaves = reason;
+  for (const auto* publication : publications) retire(*publication, reason);
   for (const auto* subscription : subscriptions) of(*subscription).is_leaving = true;
   for (const auto* subscription : subscriptions) forget(*subscription, reason);
   std::vector<const StoredSubscription*> concerned;
@@ -192,6 +198,7 @@ void Matcher::State::remove(const std::vector<const StoredPublication*>& publica
   begin_cause();
   for (const Id32 number : numbers) judge_anew(review(number, nullptr));
   relieve();
+  rejudge_some();
 }
 
 void Matcher::State::erase(const StoredPublication& publication, std::set<Id32>& numbers) {
@@ -202,6 +209,7 @@ void Matcher::State::erase(const StoredPublication& publication, std::set<Id32>&
 
 void Matcher::State::erase(const StoredSubscription& subscription, std::set<Id32>& numbers) {
   if (clashing_.contains(subscription.identity)) numbers.insert(subscription.identity);
+  unwatch(subscription);
   of(subscription) = {};
   subscriptions_.erase(subscription);
 }

@@ -38,6 +38,9 @@ inline constexpr std::uint32_t max_given = 1024;
 /// them have gone, so that the walk through all who ask for it is made once for many departures.
 inline constexpr std::size_t max_consumers = 1024;
 
+/// Requests that are judged at once where a converter has come or gone; the others in steps.
+inline constexpr std::size_t max_rejudged_at_once = 64;
+
 /// A publication that meets a request.
 struct Ranked {
   const registry::PublicationEntry* publication = nullptr;  ///< borrowed until the next change of the matcher
@@ -63,10 +66,8 @@ class Matcher::State {
   [[nodiscard]] bool rematch_next();
   bool take_prepared(vocabulary::Vocabulary prepared);
   void place_again();
-  /// By the vocabulary in force.
-  [[nodiscard]] Request prepare(const registry::SubscriptionEntry& entry) const {
-    return prepared(entry.subscription, in_force_.vocabulary, placing_, entry.key.participant, overlapping_);
-  }
+  /// By the vocabulary in force. `must_convert`: also where it does not ask for conversions, to say what they cost.
+  [[nodiscard]] Request prepare(const registry::SubscriptionEntry& entry, bool must_convert = true) const;
 
   [[nodiscard]] std::vector<Ranked> match(const registry::SubscriptionEntry& entry, const Request& request) const;
   [[nodiscard]] std::optional<Standing> standing(const registry::StoredSubscription& subscription,
@@ -119,6 +120,15 @@ class Matcher::State {
     std::set<Id32> numbers;  ///< clashing ones of those that were erased
   };
   std::deque<Departure> departures_;
+  /// Judges a subscription now if its chains may have changed.
+  void catch_up(const registry::StoredSubscription& subscription);
+  /// The same for the next one. False: there is none.
+  [[nodiscard]] bool rejudge_next();
+  [[nodiscard]] bool has_stale() const;
+  /// How what is offered is turned into what is asked for; null where it is not.
+  [[nodiscard]] std::shared_ptr<const vocabulary::Chain> chain_of(const registry::StoredSubscription& subscription,
+                                                                  const registry::StoredPublication& publication) const;
+
   bool has_choice_changed_ = false;  ///< Matcher::take_choice_change()
   [[nodiscard]] std::vector<ServiceKey> announced_choice(const ServiceKey& subscription) const {
     const auto* stored = subscriptions_.find(subscription);
@@ -132,6 +142,7 @@ class Matcher::State {
     Audience audience;
     std::map<std::uint32_t, Rank> considered_by;  ///< by the slot of the subscription whose candidate it is
     std::optional<Reason> leaves;                 ///< it is about to be erased, for this reason
+    std::uint64_t arrival = 0;                    ///< greater than that of those that came before it
   };
   struct OfSubscription {
     const registry::StoredSubscription* stored = nullptr;
@@ -169,6 +180,14 @@ class Matcher::State {
   [[nodiscard]] bool is_known_by_both() const { return stage_ == Stage::filing || stage_ == Stage::rematching; }
   /// Looks up what is offered in a vocabulary, and files it by that.
   void file(const registry::StoredPublication& stored, const Edition& edition);
+  /// It is about to be erased: it meets nothing and converts nothing any more.
+  void retire(const registry::StoredPublication& stored, Reason reason);
+  /// A subscription has been prepared anew: it is told of converters that concern it, and is not stale.
+  void watch(const registry::StoredSubscription& stored);
+  void unwatch(const registry::StoredSubscription& stored);
+  /// Judges each candidate of a stale subscription whose chain is not what it was.
+  void rejudge(const registry::StoredSubscription& subscription);
+  void rejudge_some();
   /// Ends all departures at once, because somebody comes back before his is over.
   void finish_departures() {
     while (depart_next()) {
@@ -177,7 +196,9 @@ class Matcher::State {
   void erase(const registry::StoredPublication& publication, std::set<Id32>& numbers);
   void erase(const registry::StoredSubscription& subscription, std::set<Id32>& numbers);
   /// Judges a subscription by the vocabulary in force, after it was filed by it.
-  void rematch(const registry::StoredSubscription& subscription) { rematch(subscription, prepare(subscription.entry)); }
+  void rematch(const registry::StoredSubscription& subscription) {
+    rematch(subscription, prepare(subscription.entry, false));
+  }
   void rematch(const registry::StoredSubscription& subscription, Request request);
   /// The same unless a request of our own waits for the reasoner: then nothing is done, so that it loses nothing that
   /// it has. Whether it was done.
@@ -247,6 +268,7 @@ class Matcher::State {
   };
   std::optional<PlaceWalk> placing_walk_;
 
+  std::uint64_t arrivals_ = 0;
   std::set<ServiceKey> crowded_;                 ///< publications that somebody waits for
   std::set<Id32> clashing_;                      ///< numbers of two concepts or more
   std::vector<OfPublication> of_publication_;    ///< by slot

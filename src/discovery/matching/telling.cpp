@@ -14,6 +14,7 @@ using registry::StoredSubscription;
 using registry::SubscriptionEntry;
 
 void Matcher::State::settle(const StoredSubscription& subscription) {
+  rejudge(subscription);
   const Verdict verdict = of(subscription).choice.settle([&] { refill(subscription); });
   forget_dropped(subscription);
   const auto tell_gone = [&](const Verdict::Gone& gone) {
@@ -28,7 +29,9 @@ void Matcher::State::settle(const StoredSubscription& subscription) {
     if (is_other_match || is_other_publication) {
       tell_consumer(Change::modify, subscription, *kept.publication, kept.match);
     }
-    if (is_other_match || is_other_subscription) {
+    // It is told what it gives, and not how that is converted.
+    const bool is_other_gift = kept.told.degree != kept.match.degree || kept.told.distance != kept.match.distance;
+    if (is_other_gift || is_other_subscription) {
       tell_provider(Change::modify, subscription, *kept.publication, kept.match);
     }
   }
@@ -64,7 +67,9 @@ void Matcher::State::tell_consumer(Change change, const StoredSubscription& subs
                                    const StoredPublication& publication, Match match, Reason reason) {
   if (!subscription.entry.is_local || untold_ == &subscription) return;
   const PublicationEntry& about = change == Change::del ? as_told(publication) : publication.entry;
-  events_.push_back({change, subscription.entry.key, snapshot(told_publication_, about), match, reason});
+  auto chain = change == Change::del || match.cost == 0 ? nullptr : chain_of(subscription, publication);
+  events_.push_back(
+      {change, subscription.entry.key, snapshot(told_publication_, about), match, reason, std::move(chain)});
 }
 
 void Matcher::State::tell_provider(Change change, const StoredSubscription& subscription,
@@ -74,7 +79,7 @@ void Matcher::State::tell_provider(Change change, const StoredSubscription& subs
   const ChannelMode mode = is_over ? as_told(publication).publication.mode : publication.entry.publication.mode;
   if (mode == ChannelMode::one_to_many_stream) return;
   const SubscriptionEntry& about = is_over ? as_told(subscription) : subscription.entry;
-  events_.push_back({change, publication.entry.key, snapshot(told_subscription_, about), match, reason});
+  events_.push_back({change, publication.entry.key, snapshot(told_subscription_, about), match, reason, {}});
 }
 
 std::vector<ServiceKey> Matcher::State::chosen(const ServiceKey& subscription) const {

@@ -85,7 +85,7 @@ void speak_to(Core& core, const announcement::Announcement& announcement, const 
 
 void feed_next(Core& core) {
   core.overlaps.begin_step();
-  if (core.matcher.depart_next()) return;
+  if (core.matcher.depart_next() || core.matcher.rejudge_next()) return;
   if (!core.returning.empty()) return return_next(core);
   membership::Change change = core.neighbour_queue.pop();
   std::visit(Feed{core.matcher}, change);
@@ -94,7 +94,8 @@ void feed_next(Core& core) {
 }  // namespace
 
 bool is_feed_due(const Core& core) {
-  return core.matcher.is_departing() || !core.returning.empty() || !core.neighbour_queue.is_empty();
+  return core.matcher.is_departing() || core.matcher.has_stale() || !core.returning.empty() ||
+         !core.neighbour_queue.is_empty();
 }
 
 void proceed_feed(Core& core, Work most) {

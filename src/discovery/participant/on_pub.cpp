@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "discovery/announcement/announceable.hpp"
+#include "discovery/matching/converter.hpp"
 #include "discovery/matching/scope.hpp"
 #include "discovery/matching/where.hpp"
 #include "discovery/participant/identities.hpp"
@@ -12,10 +13,11 @@ namespace geminga::participant {
 namespace {
 
 /// What must hold of a publication beside what its statement says by itself.
-Refusal check(const Publication& publication) {
+Refusal check(const Core& core, const Publication& publication) {
   if (auto refusal = announcement::check(publication)) return refusal;
   if (auto refusal = matching::check_scope(publication.scope)) return refusal;
-  return matching::check_where(publication.for_whom, "for");
+  if (auto refusal = matching::check_where(publication.for_whom, "for")) return refusal;
+  return matching::check_conversion(publication.attributes, core.vocabulary());
 }
 
 }  // namespace
@@ -31,7 +33,7 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubCreate
                            .is_in_force = !must_wait,
                            .is_awaited = must_wait};
   if (identity) stated.publication.identity = std::move(*identity);
-  if (auto refusal = check(stated.publication)) return refusal;
+  if (auto refusal = check(core, stated.publication)) return refusal;
   if (auto refusal = make_room(core, session)) return refusal;
   enter(core, session, id, session.publications.emplace(id, std::move(stated)).first->second);
   return std::nullopt;
@@ -54,7 +56,7 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubModify
   if (identity) stated.publication.identity = std::move(*identity);
   stated.is_in_force = !must_wait;
   stated.is_awaited = must_wait;
-  if (auto refusal = check(stated.publication)) return refusal;
+  if (auto refusal = check(core, stated.publication)) return refusal;
   if (must_wait) suspend(core, session, id, found->second);
   found->second = std::move(stated);
   enter(core, session, id, found->second);

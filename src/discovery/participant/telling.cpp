@@ -26,6 +26,8 @@ struct News {
   ServiceKey about;
   matching::Match match;
   std::string reason;  ///< for del
+  /// How what is there is converted; null: it need not be.
+  std::shared_ptr<const vocabulary::Chain> chain{};
 };
 
 /// What was said last of an entry. Many requests are told the same of it, but for their number in front.
@@ -57,14 +59,15 @@ ServiceKey own_key(const Core& core, const Session& session, std::uint32_t numbe
 }
 
 void fill(const Core& core, const ServiceKey& own, const registry::PublicationEntry& entry,
-          const matching::Match& match, ServiceEvent& told) {
+          const vocabulary::Chain* chain, ServiceEvent& told) {
   told.publication = named(core.vocabulary(), entry.publication);
-  if (match.cost == 0) return;
-  told.convert = core.matcher.chain_words(own, entry.publication.identity);
-  told.cost = match.cost;
+  if (chain == nullptr) return;
+  told.convert = core.matcher.chain_words(own, *chain);
+  told.cost = chain->cost;
+  told.via = chain->via;
 }
 
-void fill(const Core& core, const ServiceKey&, const registry::SubscriptionEntry& entry, const matching::Match&,
+void fill(const Core& core, const ServiceKey&, const registry::SubscriptionEntry& entry, const vocabulary::Chain*,
           ConsumerEvent& told) {
   told.subscribed = named(core.vocabulary(), entry.subscription);
 }
@@ -98,7 +101,7 @@ void say(Core& core, Session& session, std::uint32_t number, const News& news,
     told.participant_name = entry->participant_name;
     told.degree = news.match.degree;
     told.distance = news.match.distance;
-    fill(core, own_key(core, session, number), *entry, news.match, told);
+    fill(core, own_key(core, session, number), *entry, news.chain.get(), told);
   }
   std::string line = gcnp::to_line(gcnp::to_statement(number, told));
   session.say(line);
@@ -143,7 +146,8 @@ void deliver(Core& core, Session& session, const matching::Event& event, Said& s
         const auto picture = session.pictures.find(number);
         if (picture != session.pictures.end() && picture->second.will_tell(about->key)) return;
         if (must_wait(core, session, number)) return;
-        News news{.change = event.change, .about = about->key, .match = event.match, .reason = {}};
+        News news{
+            .change = event.change, .about = about->key, .match = event.match, .reason = {}, .chain = event.chain};
         if (event.change == Change::del) news.reason = to_string(event.reason);
         tell(core, session, number, std::move(news), about, said);
       },
@@ -160,10 +164,12 @@ std::shared_ptr<const Entry> borrowed(const Entry* entry) {
 void tell_state(Core& core, Session& session, std::uint32_t number, const ServiceKey& about) {
   const ServiceKey own = own_key(core, session, number);
   const bool is_offer = session.publications.contains(number);
+  if (!is_offer) core.matcher.catch_up(own);
   const auto match = is_offer ? core.matcher.given(about, own) : core.matcher.given(own, about);
   News news{.change = match ? Change::add : Change::del, .about = about, .match = {}, .reason = lagged};
   if (match) news.match = *match;
   if (match) news.reason.clear();
+  if (!is_offer && match && match->cost != 0) news.chain = core.matcher.chain(own, about);
   Said said;
   if (is_offer) {
     tell(core, session, number, std::move(news), borrowed(core.matcher.find_subscription(about)), said);

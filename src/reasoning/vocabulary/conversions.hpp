@@ -8,29 +8,12 @@
 #include <memory>
 #include <mutex>
 #include <utility>
-#include <vector>
 
 #include "reasoning/compiled/ontology.hpp"
-#include "reasoning/owl/conversion.hpp"
 #include "reasoning/taxonomy/class_number.hpp"
+#include "reasoning/vocabulary/step_graph.hpp"
 
 namespace geminga::vocabulary {
-
-/// The most conversions in one chain.
-inline constexpr std::size_t max_chain_conversions = 8;
-/// The most that one can cost.
-inline constexpr std::uint32_t max_chain_cost = max_chain_conversions * owl::max_conversion_cost;
-
-/// One conversion after the other. What comes of one is below what the next one takes.
-struct Chain {
-  /// What the first conversion takes, then what comes of each.
-  std::vector<taxonomy::ClassNumber> classes;
-  std::uint32_t cost = 0;
-  /// Taxonomy edges from what is offered up to what the first conversion takes, between conversions, and from what
-  /// comes of the last up to what is asked for.
-  std::uint32_t distance = 0;
-  std::uint32_t mark = 0;  ///< different for chains over different classes, but for chance; equal on every host
-};
 
 /// The declared conversions of one ontology, without those of which a side can have no instance. Safe to use from many
 /// threads.
@@ -45,17 +28,12 @@ class Conversions {
   /// shortest, and of those the first by the classes. Null where there is none. Both must be satisfiable.
   [[nodiscard]] std::shared_ptr<const Chain> cheapest(taxonomy::ClassNumber offered,
                                                       taxonomy::ClassNumber requested) const;
-  [[nodiscard]] std::size_t size() const { return conversions_.size(); }
+  [[nodiscard]] std::size_t size() const { return graph_.size(); }
+  /// All of them, at the places from 0 to size().
+  [[nodiscard]] const StepGraph& graph() const { return graph_; }
 
  private:
-  [[nodiscard]] std::shared_ptr<const Chain> search(taxonomy::ClassNumber offered,
-                                                    taxonomy::ClassNumber requested) const;
-  [[nodiscard]] Chain chain_of(const std::vector<std::uint32_t>& steps, taxonomy::ClassNumber offered,
-                               taxonomy::ClassNumber requested) const;
-
-  std::shared_ptr<const compiled::Ontology> ontology_;
-  std::vector<taxonomy::Conversion> conversions_;
-  std::vector<std::vector<std::uint32_t>> next_;  ///< of each conversion, those that take what comes of it
+  StepGraph graph_;
   mutable std::mutex mutex_;
   mutable std::map<std::pair<taxonomy::ClassNumber, taxonomy::ClassNumber>, std::shared_ptr<const Chain>> remembered_;
 };

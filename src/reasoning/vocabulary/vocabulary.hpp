@@ -107,6 +107,8 @@ class Vocabulary {
   [[nodiscard]] std::shared_ptr<const Chain> conversion(ClassNumber offered, ClassNumber requested) const {
     return conversions_->cheapest(offered, requested);
   }
+  /// All that is declared, at the places from 0 to its size. Requires an ontology.
+  [[nodiscard]] const StepGraph& conversions() const { return conversions_->graph(); }
 
   // Class expressions. They need the saturated ontology and tables of its names, which take seconds to make for a large
   // one.

@@ -231,6 +231,19 @@ TEST(Conversions, AreAppliedInTheirOrderOrAllAtOnce) {
   EXPECT_EQ(*convert(conversions, "A>B>C", bytes("x")), bytes("x3"));
 }
 
+TEST(Conversions, SayWhoWouldDoWhatIsMissing) {
+  const Conversions conversions{{"A>B", append("1")}, {"C>D", append("3")}};
+  const std::string_view via = "-,udp://10.0.0.7:6000/0000002a/1/1,-";
+  const auto missing = convert(conversions, "A>B>C>D", bytes("x"), via);
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error(),
+            "there is no function for the conversion B>C, which the service udp://10.0.0.7:6000/0000002a/1/1 does");
+  EXPECT_EQ(convert(conversions, "A>B>C>D", bytes("x")).error(), "there is no function for the conversion B>C");
+  EXPECT_EQ(convert(conversions, "A>C", bytes("x"), "-").error(), "there is no function for the conversion A>C");
+  EXPECT_EQ(*convert(conversions, "A>B", bytes("x"), "udp://10.0.0.7:6000/0000002a/1/1"), bytes("x1"))
+      << "a function is as good as the service";
+}
+
 TEST(Conversions, KnowIrisByTheirBrackets) {
   const Conversions conversions{{"<http://a.example/#A>>s:B", append("1")}, {"s:B><http://a.example/#C>", append("2")}};
   EXPECT_EQ(*convert(conversions, "<http://a.example/#A>>s:B><http://a.example/#C>", bytes("x")), bytes("x12"));

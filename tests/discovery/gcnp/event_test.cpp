@@ -54,6 +54,25 @@ TEST(ServiceEvent, OfAConvertedMatchSaysByWhichChainAndCost) {
   EXPECT_EQ(read(other), (Event{7, event}));
 }
 
+TEST(ServiceEvent, OfAConvertedMatchSaysWhoConverts) {
+  ServiceEvent event = service_event();
+  event.degree = Degree::converted;
+  event.convert = "s:Pixels>s:Robot>s:Field";
+  event.cost = 4;
+  event.publication.attributes["via"] = "tunnel";
+  const std::string without = to_line(to_statement(7, event));
+  EXPECT_THAT(without, HasSubstr(" attr.via=tunnel"));
+  event.via = "udp://10.0.0.7:6000/0000002a/1/1,-";
+  const std::string line = to_line(to_statement(7, event));
+  EXPECT_THAT(line, HasSubstr(" cost=4 via=udp://10.0.0.7:6000/0000002a/1/1,- "));
+  EXPECT_THAT(line, HasSubstr(" attr.via=tunnel"));
+  EXPECT_EQ(read(line), (Event{7, event}));
+  EXPECT_TRUE(std::get<ServiceEvent>(read(without).what).via.empty());
+  // Where nothing is converted, via is the name of an attribute as any other.
+  event.convert.clear();
+  EXPECT_THAT(to_line(to_statement(7, event)), HasSubstr(" via=tunnel"));
+}
+
 TEST(ServiceEvent, OfADeletionHasServiceAndReasonOnly) {
   ServiceEvent event = service_event();
   event.change = Change::del;

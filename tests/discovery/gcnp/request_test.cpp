@@ -160,6 +160,22 @@ TEST(Request, TakesNoMistypedKeyForAnAttribute) {
   }
 }
 
+TEST(Request, TakesAConversionForAnAttributeOfAPublication) {
+  for (const std::string before :
+       {"5 pub create mode=oto id=1 port=1 ", "5 pub modify ", "9 query why text=a offer.text=a offer."}) {
+    const auto bare = read(before + "converts=a>b");
+    ASSERT_TRUE(bare) << before;
+    EXPECT_EQ(*bare, *read(before + "attr.converts=a>b")) << before;
+    EXPECT_TRUE(read(before + "converts=\"\"")) << "nothing any more";
+    EXPECT_FALSE(read(before + "converts=a"));
+    EXPECT_TRUE(read(before + "attr.converts=a")) << "an attribute and no more";
+    EXPECT_FALSE(read(before + "convers=a>b"));
+    EXPECT_FALSE(read(before + "converts=a>" + std::string(max_attribute_value_bytes - 1, 'b')));
+    EXPECT_TRUE(read(before + "converts=a>" + std::string(max_attribute_value_bytes - 2, 'b')));
+  }
+  EXPECT_FALSE(read("5 sub create mode=oto id=1 converts=a>b"));
+}
+
 TEST(Request, SaysWhichKeyWasMeant) {
   const auto text = [](const std::string& line) { return read(line).error().text; };
   EXPECT_EQ(text("5 sub create mode=oto id=1 wehre=\"rate > 50\""),

@@ -173,7 +173,9 @@ std::string turned(const Identity& offered, const Identity& requested, std::uint
   if (!match) return "none";
   const std::string words = std::string(to_string(match->degree)) + " " + std::to_string(match->distance);
   if (match->cost == 0) return words;
-  return words + " " + chain_words(offered, requested, ontology) + " " + std::to_string(match->cost);
+  const auto chain = chain_between(classes_of(offered, ontology).representation_class,
+                                   classes_of(requested, ontology).representation_class, ontology);
+  return words + " " + chain_words(chain.get(), ontology) + " " + std::to_string(match->cost);
 }
 
 TEST(Degree, IsConvertedWhereADeclaredChainLeadsToWhatIsAskedFor) {

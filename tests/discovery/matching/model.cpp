@@ -4,6 +4,7 @@
 #include <string>
 #include <tuple>
 
+#include "discovery/matching/naive_chains.hpp"
 #include "discovery/matching/team.hpp"
 
 namespace geminga::matching {
@@ -12,8 +13,10 @@ using registry::PublicationEntry;
 using registry::SubscriptionEntry;
 
 bool is_same(const Told& a, const Told& b) {
-  if (a.about.index() != b.about.index() || a.match != b.match) return false;
+  if (a.about.index() != b.about.index()) return false;
+  if (a.match.degree != b.match.degree || a.match.distance != b.match.distance) return false;
   if (a.about.index() == 0) {
+    if (a.match != b.match) return false;
     return std::get<0>(a.about)->same_as(*std::get<0>(b.about));
   }
   // Nobody is told what has been chosen, only whether he has been.
@@ -47,9 +50,20 @@ void Model::work_out() {
   };
   for (const auto& [key, entry] : publications) note(entry.publication.identity);
   for (const auto& [key, entry] : subscriptions) note(entry.subscription.identity);
+  std::erase_if(arrival_, [&](const auto& one) { return !publications.contains(one.first); });
+  NaiveChains::Offered offered;
+  for (const auto& [key, entry] : publications) {
+    const auto [arrival, is_new] = arrival_.try_emplace(key, arrivals_ + 1);
+    if (is_new) ++arrivals_;
+    offered.emplace_back(arrival->second, &entry);
+  }
   for (const auto& [key, entry] : subscriptions) {
-    requests_[key] = prepared(entry.subscription, former.contains(key) ? former_ontology : ontology, {},
-                              entry.key.participant, overlapping);
+    const vocabulary::Vocabulary& by = former.contains(key) ? former_ontology : ontology;
+    requests_[key] = prepared(entry.subscription, by, {}, entry.key.participant, overlapping);
+    if (entry.subscription.convert == 0) continue;
+    requests_[key].chains = [naive = std::make_shared<NaiveChains>(by, entry, offered)](auto from, auto to) {
+      return naive->chain(from, to);
+    };
   }
   for (const auto& [key, subscription] : subscriptions) {
     const auto& incumbents = before[key];
@@ -124,6 +138,9 @@ std::string Replay::apply(const std::vector<Event>& events, Reason reason, const
 
 std::string Replay::apply(const Event& event, Reason reason, const Model& model) {
   const std::pair pair(event.to, key_of(event));
+  const bool must_say_how = event.about.index() == 0 && event.change != Change::del;
+  const std::uint32_t chain = event.chain == nullptr ? 0 : event.chain->mark;
+  if (chain != (must_say_how ? event.match.chain : 0)) return "with another chain";
   const Told told{event.about, event.match};
   const auto known = view_.find(pair);
   if (event.change == Change::add) return view_.emplace(pair, told).second ? "" : "told already";

@@ -58,6 +58,8 @@ class Model {
  private:
   std::map<std::tuple<std::uint64_t, vocabulary::ClassNumber, std::string>, OverlapAnswer> overlaps_;
   std::map<ServiceKey, Request> requests_;
+  std::uint64_t arrivals_ = 0;
+  std::map<ServiceKey, std::uint64_t> arrival_;  ///< of publications, in the order in which they came
   /// Whether one is a number and the other a concept, and the number that of two different concepts.
   [[nodiscard]] bool is_kept_apart(const Identity& offered, const Identity& requested) const;
   std::map<Id32, std::set<Identity>> concepts_;               ///< by their number

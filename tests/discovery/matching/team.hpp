@@ -76,7 +76,7 @@ inline std::string in_words(const Event& event) {
 /// All steps of a participant's departure.
 inline void remove_participant(Matcher& matcher, ParticipantId participant, Reason reason) {
   matcher.begin_departure(participant, reason);
-  while (matcher.depart_next()) {
+  while (matcher.depart_next() || matcher.rejudge_next()) {
   }
 }
 
@@ -100,7 +100,7 @@ inline void place_again(Matcher& matcher) {
 /// The publications that meet a request, in ascending order of key, found as `query match` finds them.
 inline std::vector<ServiceKey> matched(const Matcher& matcher, const registry::SubscriptionEntry& entry) {
   const Subscription& asked = entry.subscription;
-  const auto request = matcher.prepare(asked);
+  const auto request = matcher.prepare(entry);
   const auto candidates = matcher.candidates(asked, *request, matcher.publication_count());
   std::vector<ServiceKey> keys;
   for (const ServiceKey& one : candidates.value_or(keys)) {

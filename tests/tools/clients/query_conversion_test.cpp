@@ -12,8 +12,11 @@
 namespace geminga::tools {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::StartsWith;
+using testing::UnorderedElementsAre;
 
 TEST(QueryConversion, IsShownInWordsAndAsJson) {
   Bench bench;
@@ -35,6 +38,34 @@ TEST(QueryConversion, IsShownInWordsAndAsJson) {
   EXPECT_EQ(why.at("degree"), "converted");
   EXPECT_EQ(why.at("convert"), "soccer:PolarRobotFrame>soccer:CartesianRobotFrame");
   EXPECT_EQ(why.at("cost").as_int64(), 1);
+}
+
+TEST(QueryConversion, SaysWhichServiceConverts) {
+  Bench bench;
+  Talk peer = bench.talk();
+  peer.say("5 pub create mode=oto concept=soccer:GoalInfo representation=soccer:PolarRobotFrame port=5002 via=tunnel");
+  peer.say("6 sub create mode=oto concept=soccer:GoalInfo representation=soccer:CartesianFieldFrame convert=yes");
+  EXPECT_THAT(peer.lines_until_pong(), UnorderedElementsAre(HasSubstr("6 pub add "), HasSubstr("5 sub add ")));
+  peer.say(
+      "7 pub create mode=oto text=frames port=6000 address=10.0.0.7 "
+      "converts=soccer:PolarRobotFrame>soccer:CartesianFieldFrame cost=2");
+  const auto told = peer.lines_until_pong();
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_THAT(told.front(), HasSubstr(" convert=soccer:PolarRobotFrame>soccer:CartesianFieldFrame cost=2 "
+                                      "via=udp://10.0.0.7:6000/"));
+  EXPECT_THAT(told.front(), HasSubstr(" attr.via=tunnel"));
+  const std::vector<std::string> query{
+      "match", "soccer:GoalInfo", "--representation", "soccer:CartesianFieldFrame", "--convert", "yes"};
+  const auto found = bench.json(query).at(0);
+  EXPECT_EQ(found.at("cost").as_int64(), 2);
+  EXPECT_THAT(std::string(found.at("via").as_string()), StartsWith("udp://10.0.0.7:6000/"));
+  EXPECT_EQ(found.at("attributes").at("via"), "tunnel");
+  EXPECT_THAT(bench.query(query).out, HasSubstr("udp://10.0.0.7:6000/"));
+  const auto why = bench.json({"why", "--concept", "soccer:GoalInfo", "--representation", "soccer:CartesianFieldFrame",
+                               "--convert", "2", "--service", found.at("service").as_string().c_str()});
+  EXPECT_EQ(why.at("via"), found.at("via"));
+  peer.say("7 pub remove");
+  EXPECT_THAT(peer.lines_until_pong(), ElementsAre(HasSubstr("soccer:CartesianFieldFrame cost=11 attr.via=tunnel")));
 }
 
 }  // namespace

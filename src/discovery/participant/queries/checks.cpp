@@ -140,19 +140,9 @@ bool may_overlap(const Core& core, const Identity& offered, const Identity& requ
   return answer && answer->verdict == vocabulary::Overlap::Verdict::possible;
 }
 
-/// What it costs to turn the one representation into the other; nothing where nothing does.
-std::optional<std::uint32_t> cost_of_conversion(const Core& core, const SemanticIdentity& offered,
-                                                const SemanticIdentity& requested) {
-  const auto from = core.vocabulary().find_iri(offered.representation_iri);
-  const auto to = core.vocabulary().find_iri(requested.representation_iri);
-  if (!from || !to) return std::nullopt;
-  const auto chain = core.vocabulary().conversion(*from, *to);
-  return chain == nullptr ? std::nullopt : std::optional(chain->cost);
-}
-
 /// What would mend an identity that does not fit.
 std::string mend_identity(const Core& core, Obstacle obstacle, const Identity& offered, const Identity& requested,
-                          std::optional<matching::Match> match) {
+                          std::optional<matching::Match> match, const vocabulary::Chain* chain) {
   const auto* offer = semantic(offered);
   const auto* request = semantic(requested);
   switch (obstacle) {
@@ -187,9 +177,9 @@ std::string mend_identity(const Core& core, Obstacle obstacle, const Identity& o
              " in the offer, or ask without a representation";
     case Obstacle::representation: {
       const std::string other = offer == nullptr ? "" : short_name(core, offer->representation_iri);
-      const auto cost =
-          offer == nullptr || request == nullptr ? std::nullopt : cost_of_conversion(core, *offer, *request);
-      if (cost) return "ask with convert=" + std::to_string(*cost) + ", the cost of turning it into what is asked for";
+      if (chain != nullptr) {
+        return "ask with convert=" + std::to_string(chain->cost) + ", the cost of turning it into what is asked for";
+      }
       return "ask with representation=" + other + ", or without: nothing converts " + other + " to " +
              (request == nullptr ? "" : short_name(core, request->representation_iri));
     }
@@ -204,12 +194,11 @@ std::string mend_identity(const Core& core, Obstacle obstacle, const Identity& o
   }
 }
 
-/// ", by A>B, cost 1" where the representation is converted.
-std::string conversion_of(const Core& core, const Identity& offered, const Identity& requested,
-                          const matching::Match& match) {
+/// ", by A>B, cost 1" and who does it where the representation is converted.
+std::string conversion_of(const Core& core, const vocabulary::Chain* chain, const matching::Match& match) {
   if (match.cost == 0) return "";
-  return ", by " + matching::chain_words(offered, requested, core.vocabulary()) + ", cost " +
-         std::to_string(match.cost);
+  return ", by " + matching::chain_words(chain, core.vocabulary()) + ", cost " + std::to_string(match.cost) +
+         (chain == nullptr || chain->via.empty() ? "" : ", via " + chain->via);
 }
 
 Check check_identity(const Core& core, const Asked& asked, const PublicationEntry& offer, Depth depth) {
@@ -218,18 +207,20 @@ Check check_identity(const Core& core, const Asked& asked, const PublicationEntr
   SubscriptionEntry one = only(asked.entry, offer);
   one.subscription.identity = requested;
   one.subscription.weakest = asked.entry.subscription.weakest;
-  const auto match = core.matcher.why(one, for_all(offer));
+  const auto match = core.matcher.why(one, for_all(offer), asked.request->chains);
+  const auto chain = chain_of(core, asked, offer);
   const std::string pair = "offered is " + words(core, offered) + ", asked for is " + words(core, requested) + ": ";
   if (match) {
     return {"identity", Obstacle::none,
             pair + std::string(to_string(match->degree)) + ", distance " + std::to_string(match->distance) +
-                conversion_of(core, offered, requested, *match),
+                conversion_of(core, chain.get(), *match),
             "", depth == Depth::search ? proof_of(core, offered, requested) : ""};
   }
   const auto finding = core.matcher.examine(one, *asked.request, offer);
   // An expression may have found its place since.
   const Obstacle obstacle = finding.identity == Obstacle::none ? Obstacle::unclassified : finding.identity;
-  Check check{"identity", obstacle, match.error(), mend_identity(core, obstacle, offered, requested, finding.match)};
+  Check check{"identity", obstacle, match.error(),
+              mend_identity(core, obstacle, offered, requested, finding.match, chain.get())};
   if (depth == Depth::search) {
     check.text.insert(0, pair);
   } else if (obstacle == Obstacle::broader || obstacle == Obstacle::degree) {
@@ -325,6 +316,12 @@ Check check_signature(const Core& core, const Asked& asked, const PublicationEnt
 }
 
 }  // namespace
+
+std::shared_ptr<const vocabulary::Chain> chain_of(const Core& core, const Asked& asked, const PublicationEntry& offer) {
+  const auto offered = matching::classes_of(offer.publication.identity, core.vocabulary());
+  return matching::chain_between(offered.representation_class, asked.request->classes.representation_class,
+                                 core.vocabulary(), asked.request->chains);
+}
 
 std::string words(const Core& core, const Identity& identity) {
   Line line;

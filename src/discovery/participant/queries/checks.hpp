@@ -46,6 +46,10 @@ inline constexpr std::size_t max_proof_bytes = 4096;
 /// The identity as a user would write it.
 [[nodiscard]] std::string words(const Core& core, const Identity& identity);
 
+/// How what is offered is turned into what is asked for, whether that is accepted or not; null where nothing does.
+[[nodiscard]] std::shared_ptr<const vocabulary::Chain> chain_of(const Core& core, const Asked& asked,
+                                                                const registry::PublicationEntry& offer);
+
 /// Mode, identity, provider, protocol, condition, and where there are any the scopes and the provider's condition.
 [[nodiscard]] std::vector<Check> checks_of(const Core& core, const Asked& asked,
                                            const registry::PublicationEntry& offer, Depth depth);

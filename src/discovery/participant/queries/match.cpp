@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t max_candidates = 256;
 
 Line line_of(const Core& core, const registry::PublicationEntry& entry, const matching::Match& match,
-             const Identity& requested) {
+             const matching::Request& request) {
   Line line;
   append(line, "service", to_string(entry.key));
   append(line, "provider", peer_word(entry.key));
@@ -30,10 +30,14 @@ Line line_of(const Core& core, const registry::PublicationEntry& entry, const ma
   append_channel(line, entry.publication);
   append(line, "age", age(core, entry));
   append_stated(line, "participant_name", entry.participant_name);
-  const bool is_converted = match.cost != 0;
-  const std::string chain =
-      is_converted ? matching::chain_words(entry.publication.identity, requested, core.vocabulary()) : "";
-  gcnp::append_attributes(line, chain, match.cost, entry.publication.attributes);
+  const auto& vocabulary = core.vocabulary();
+  const auto classes = matching::classes_of(entry.publication.identity, vocabulary);
+  const auto chain = match.cost == 0
+                         ? nullptr
+                         : matching::chain_between(classes.representation_class, request.classes.representation_class,
+                                                   vocabulary, request.chains);
+  gcnp::append_attributes(line, matching::chain_words(chain.get(), vocabulary), match.cost, chain ? chain->via : "",
+                          entry.publication.attributes);
   return line;
 }
 
@@ -47,7 +51,7 @@ class Ranking {
                .participant_name = core.name(),
                .is_local = true,
                .updated = {}},
-        request_(core.matcher.prepare(asked_.subscription)),
+        request_(core.matcher.prepare(asked_)),
         is_any_identity_(!query.identity),
         mode_(query.mode),
         limit_(query.limit) {
@@ -61,7 +65,7 @@ class Ranking {
     while (next_ < found_.size() && !piece.is_full()) {
       const matching::Rank& one = found_[next_++];
       if (const auto* entry = core.matcher.find_publication(one.key)) {
-        piece.tell(line_of(core, *entry, one.match, asked_.subscription.identity));
+        piece.tell(line_of(core, *entry, one.match, *request_));
       }
     }
     return next_ == found_.size();

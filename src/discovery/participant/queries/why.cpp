@@ -80,10 +80,10 @@ class PairAnswer {
       append(line, "degree", std::string(to_string(match_->degree)));
       append(line, "distance", match_->distance);
       if (match_->cost != 0) {
-        append(line, "convert",
-               matching::chain_words(offer_.entry.publication.identity, asked_.entry.subscription.identity,
-                                     core.vocabulary()));
+        const auto chain = chain_of(core, asked_, offer_.entry);
+        append(line, "convert", matching::chain_words(chain.get(), core.vocabulary()));
         append(line, "cost", match_->cost);
+        if (chain != nullptr) append_stated(line, "via", chain->via);
       }
     }
     if (is_outranked) append_flag(line, "outranked", true);

@@ -1,0 +1,108 @@
+// How many services that convert take part in chains, and what their coming and going costs.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "discovery/matching/consumer.hpp"
+#include "discovery/matching/converting_team.hpp"
+#include "discovery/matching/state.hpp"
+
+namespace geminga::matching {
+namespace {
+
+using registry::PublicationEntry;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using ConverterLimits = ConvertersTest;
+
+TEST_F(ConverterLimits, OfOneParticipantAreSixteen) {
+  matcher.put(ball(key(2, 1, 2), "E"));
+  matcher.put(asks(key(here, 1, 1), "F"));
+  for (std::uint32_t number = 0; number < max_converters_of_participant; ++number) {
+    matcher.put(converter(key(3, 1, 2 + 2 * number), "I", "J"));
+  }
+  const ServiceKey late = key(3, 1, 100);
+  matcher.put(converter(late, "E", "F"));
+  EXPECT_THAT(told(), IsEmpty()) << "one too many";
+  matcher.put(converter(key(4, 1, 2), "E", "F", 9));
+  EXPECT_THAT(told(), ElementsAre(HasSubstr("add p2.1.2 converted 1 E>F 9")));
+  PublicationEntry moved = converter(key(3, 1, 2), "I", "J");
+  moved.publication.port = 9;
+  matcher.put(moved);
+  EXPECT_THAT(told(), IsEmpty()) << "who changes keeps his place";
+  matcher.remove_publication(key(3, 1, 2), Reason::withdrawn);
+  EXPECT_THAT(told(), ElementsAre(HasSubstr("modify p2.1.2 converted 1 E>F 1 ")));
+}
+
+TEST_F(ConverterLimits, OfOtherHostsLeaveRoomForThoseOfThisOne) {
+  matcher.put(ball(key(2, 1, 2), "E"));
+  matcher.put(asks(key(here, 1, 1), "F"));
+  std::uint32_t count = 0;
+  for (; count < max_remote_converters; ++count) {
+    matcher.put(converter(key(10 + count / 16, 1, 2 + 2 * (count % 16)), "I", "J"));
+  }
+  matcher.put(converter(key(9, 1, 2), "E", "F"));
+  EXPECT_THAT(told(), IsEmpty()) << "one too many of other hosts";
+  for (std::uint32_t own = 0; own < max_converters_of_participant; ++own) {
+    matcher.put(converter(key(here, 2, 2 + 2 * own), "E", "F"));
+  }
+  EXPECT_THAT(told(), ElementsAre(HasSubstr("add p2.1.2 converted 1 E>F 1 udp://10.0.0.1:6002")));
+  matcher.remove_peer(ParticipantId{here}, PeerId{2}, Reason::withdrawn);
+  EXPECT_THAT(told(), ElementsAre("p1.1.1 pub del p2.1.2 changed"));
+  matcher.remove_publication(key(11, 1, 2), Reason::withdrawn);
+  EXPECT_THAT(told(), ElementsAre(HasSubstr("add p2.1.2 converted 1 E>F 1 udp://10.0.0.9:6002")));
+}
+
+TEST_F(ConverterLimits, TouchOnlyTheRequestsWhoseChainsTheyCanChange) {
+  constexpr std::uint32_t many = 300;
+  for (std::uint32_t number = 0; number < many; ++number) {
+    matcher.put(ball(key(2, 1, 2 * number), "E"));
+    matcher.put(asks(key(4, 1, 1 + 2 * number), "F", 0));  // accepts no conversion
+    matcher.put(asks(key(5, 1, 1 + 2 * number), "G"));     // asks for what the converter does not lead to
+    matcher.put(asks(key(6, 1, 1 + 2 * number), "F", 2));  // accepts less than it costs
+    matcher.put(request(key(7, 1, 1 + 2 * number), semantic("Ball", "E")));
+  }
+  matcher.put(asks(key(here, 1, 1), "F"));
+  static_cast<void>(told());
+  const std::uint64_t judged = matcher.judged();
+  matcher.put(converter(key(3, 1, 2), "E", "F", 3));
+  EXPECT_EQ(matcher.judged() - judged, many) << "each pair of the one request, once";
+  EXPECT_EQ(told().size(), many);
+  matcher.put(converter(key(3, 1, 4), "E", "F", 4));
+  EXPECT_EQ(matcher.judged() - judged, many) << "the request is looked at, and no chain is another one";
+  EXPECT_FALSE(matcher.has_stale());
+  matcher.put(converter(key(3, 1, 6), "I", "J"));
+  EXPECT_EQ(matcher.judged() - judged, many);
+  matcher.put(ball(key(2, 2, 2), "I"));
+  EXPECT_THAT(told(), IsEmpty());
+}
+
+TEST_F(ConverterLimits, JudgeManyInSteps) {
+  matcher.put(ball(key(2, 1, 2), "E"));
+  const auto count = static_cast<std::uint32_t>(max_rejudged_at_once) + 3;
+  for (std::uint32_t number = 0; number < count; ++number) matcher.put(asks(key(here, 1, 1 + 2 * number), "F"));
+  matcher.put(converter(key(3, 1, 2), "E", "F"));
+  EXPECT_EQ(told().size(), max_rejudged_at_once);
+  EXPECT_TRUE(matcher.has_stale());
+  matcher.catch_up(key(here, 1, 1 + 2 * (count - 1)));
+  EXPECT_EQ(told().size(), 1U);
+  EXPECT_TRUE(matcher.rejudge_next());
+  EXPECT_EQ(told().size(), 1U);
+  EXPECT_TRUE(matcher.rejudge_next());
+  EXPECT_FALSE(matcher.rejudge_next());
+  EXPECT_EQ(told().size(), 1U);
+  EXPECT_FALSE(matcher.has_stale());
+  matcher.begin_departure(ParticipantId{3}, Reason::expired);
+  EXPECT_THAT(told(), IsEmpty());
+  while (matcher.depart_next()) {
+  }
+  // One of them changes before its step: it is told the truth, once.
+  matcher.put(asks(key(here, 1, 1), "F", 7));
+  EXPECT_THAT(told(), ElementsAre("p1.1.1 pub del p2.1.2 changed"));
+  while (matcher.rejudge_next()) {
+  }
+  EXPECT_EQ(told().size(), count - 1);
+}
+
+}  // namespace
+}  // namespace geminga::matching
