@@ -1,5 +1,5 @@
 // What follows where a converter comes, goes or changes: which subscriptions are stale, and how they are judged anew.
-#include <map>
+#include <memory>
 #include <utility>
 
 #include "discovery/matching/representation.hpp"
@@ -14,11 +14,19 @@ using registry::SubscriptionEntry;
 Request Matcher::State::prepare(const SubscriptionEntry& entry, bool must_convert) const {
   Request request = prepared(entry.subscription, in_force_.vocabulary, placing_, entry.key.participant, overlapping_);
   if (!request.classes.representation_class || (!must_convert && entry.subscription.convert == 0)) return request;
-  request.consumer = std::make_shared<const Consumer>(Consumer{.entry = entry, .scope = request.scope});
-  request.chains = [converters = in_force_.converters, consumer = request.consumer](vocabulary::ClassNumber offered,
-                                                                                    vocabulary::ClassNumber requested) {
-    return converters->chain(*consumer, offered, requested);
+  const auto asking = [&](std::shared_ptr<const Consumer> consumer) -> AskChain {
+    return [converters = in_force_.converters, consumer = std::move(consumer)](vocabulary::ClassNumber offered,
+                                                                               vocabulary::ClassNumber requested) {
+      return converters->chain(*consumer, offered, requested);
+    };
   };
+  request.consumer = std::make_shared<const Consumer>(Consumer{.entry = entry, .scope = request.scope});
+  request.chains = asking(request.consumer);
+  if (!must_convert) return request;
+  SubscriptionEntry of_all = entry;
+  of_all.subscription.providers.clear();
+  of_all.subscription.protocols.clear();
+  request.chains_of_all = asking(std::make_shared<const Consumer>(Consumer{.entry = of_all, .scope = Scope()}));
   return request;
 }
 

@@ -121,7 +121,7 @@ class Matcher {
   /// Whose number turned out to be that of two different concepts since the last call (clash.hpp).
   [[nodiscard]] std::vector<Clash> take_clashes();
 
-  /// What meets() needs of a request, for as long as the ontology stays.
+  /// What meets() needs of a request, for as long as the ontology stays. Without who asks, nobody converts for it.
   [[nodiscard]] std::shared_ptr<const Request> prepare(const Subscription& asked) const;
   [[nodiscard]] std::shared_ptr<const Request> prepare(const registry::SubscriptionEntry& asked) const;
   /// How a publication of the registry meets `asked`, from which `request` was prepared; its mode and its identity may

@@ -59,7 +59,16 @@ std::string conversion_misfit(const Classes& offered, const Request& request, st
   if (!offered.representation_class || !requested.representation_class) return "";
   const auto chain =
       chain_between(offered.representation_class, requested.representation_class, vocabulary, request.chains);
-  if (chain == nullptr) return convert == 0 ? "" : "; no conversion leads from one to the other";
+  if (chain == nullptr) {
+    const auto other = request.chains_of_all
+                           ? request.chains_of_all(*offered.representation_class, *requested.representation_class)
+                           : nullptr;
+    if (other != nullptr) {
+      return "; what converts it is none that the request takes part with by protocol, provider and scope: " +
+             other->via + ", cost " + std::to_string(other->cost);
+    }
+    return convert == 0 ? "" : "; no conversion leads from one to the other";
+  }
   if (convert == 0)
     return "; it can be converted, cost " + std::to_string(chain->cost) + ": accept that by convert=yes";
   return "; converting costs " + std::to_string(chain->cost) + ", and at most " + std::to_string(convert) +

@@ -31,6 +31,7 @@ struct Request {
   std::optional<Scope> scope = Scope();  ///< nothing: it cannot be read, and the subscription never matches
   AskOverlap overlaps{};                 ///< empty: it asks for a better degree than overlapping
   AskChain chains{};                     ///< empty: it asks for no representation, or declared conversions are all
+  AskChain chains_of_all{};              ///< with converters that it does not take part with, too; empty: not asked
   std::shared_ptr<const Consumer> consumer{};  ///< who asks `chains`; null where that is empty
 
   /// How such a publication, which matches, ranks among all that do.

@@ -327,7 +327,7 @@ std::vector<Ranked> Matcher::State::match(const SubscriptionEntry& entry, const 
 
 bool Matcher::State::is_served(const SubscriptionEntry& subscription) const {
   const Subscription& asked = subscription.subscription;
-  const Request request = prepare(subscription);
+  const Request request = prepare(subscription, false);
   bool served = false;
   visit_publications(publications_, asked.identity, request.classes, asked.weakest, in_force_,
                      [&](const StoredPublication& publication) {
