@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "discovery/matching/consumer.hpp"
+#include "discovery/matching/converters.hpp"
 #include "discovery/matching/converting_team.hpp"
 #include "discovery/matching/state.hpp"
 
@@ -102,6 +102,38 @@ TEST_F(ConverterLimits, JudgeManyInSteps) {
   while (matcher.rejudge_next()) {
   }
   EXPECT_EQ(told().size(), count - 1);
+}
+
+TEST(Converters, RememberSoManyAnswers) {
+  Taxonomy taxonomy;
+  constexpr int names = 65;
+  static_assert(names * (names - 1) > static_cast<int>(Converters::max_remembered));
+  const auto name = [](int number) { return "Frame" + std::to_string(number); };
+  for (int number = 0; number < names; ++number) taxonomy.sub(name(number), "Frame");
+  const auto ontology = taxonomy.classified();
+  const auto number_of = [&](int number) { return *ontology.find_iri(iri(name(number))); };
+  Converters converters(ontology);
+  converters.put(converter(key(3, 1, 2), name(0), name(1)), {}, 1);
+  const Consumer consumer{.entry = asks(key(here, 1, 1), name(1)), .scope = Scope()};
+  const auto first = converters.chain(consumer, number_of(0), number_of(1));
+  ASSERT_NE(first, nullptr);
+  std::size_t remembered = 1;
+  const auto ask_until = [&](std::size_t count) {
+    for (int from = 0; from < names; ++from) {
+      for (int to = 0; to < names && remembered < count; ++to) {
+        if (from == to || (from == 0 && to == 1)) continue;
+        EXPECT_EQ(converters.chain(consumer, number_of(from), number_of(to)), nullptr);
+        ++remembered;
+      }
+    }
+  };
+  ask_until(Converters::max_remembered);
+  EXPECT_EQ(converters.chain(consumer, number_of(0), number_of(1)), first);
+  EXPECT_EQ(converters.chain(consumer, number_of(names - 1), number_of(names - 2)), nullptr) << "one more";
+  const auto again = converters.chain(consumer, number_of(0), number_of(1));
+  ASSERT_NE(again, nullptr);
+  EXPECT_NE(again, first) << "all were forgotten";
+  EXPECT_EQ(again->via, first->via);
 }
 
 }  // namespace
