@@ -33,7 +33,7 @@ Request Matcher::State::prepare(const SubscriptionEntry& entry, bool must_conver
 void Matcher::State::retire(const StoredPublication& stored, Reason reason) {
   of(stored).leaves = reason;
   for (const Edition* edition : {&in_force_, &other_}) {
-    if (edition->converters == nullptr) continue;
+    if (edition->converters == nullptr || edition->converters->is_empty()) continue;
     edition->converters->erase(stored.entry.key);
     filed_ += edition->converters->take_work();
   }
@@ -84,11 +84,6 @@ void Matcher::State::catch_up(const StoredSubscription& subscription) {
   if (!edition_of(subscription).converters->stale().contains(subscription.entry.key)) return;
   begin_cause();
   settle(subscription);
-}
-
-bool Matcher::State::has_stale() const {
-  return !in_force_.converters->stale().empty() ||
-         (other_.converters != nullptr && !other_.converters->stale().empty());
 }
 
 bool Matcher::State::rejudge_next() {

@@ -27,6 +27,7 @@ std::optional<vocabulary::ClassNumber> class_of(std::string_view name, const voc
 }  // namespace
 
 bool is_converter(const Attributes& attributes) {
+  if (attributes.empty()) return false;
   const auto stated = attributes.find(converts_attribute);
   return stated != attributes.end() && stated->second.contains(arrow);
 }

@@ -33,6 +33,8 @@ class Converters {
   /// order in which this host came to know of what is offered.
   void put(const registry::PublicationEntry& entry, const Audience& audience, std::uint64_t arrival);
   void erase(const ServiceKey& key);
+  /// Whether none is known: most teams have none, and pay nothing.
+  [[nodiscard]] bool is_empty() const { return known_.empty(); }
 
   /// From here on a request is told by stale() of what concerns it. It asks for the class `requested`.
   void watch(const std::shared_ptr<const Consumer>& consumer, vocabulary::ClassNumber requested);

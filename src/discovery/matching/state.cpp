@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "discovery/matching/converter.hpp"
+
 namespace geminga::matching {
 
 using registry::PublicationEntry;
@@ -51,8 +53,10 @@ void Matcher::State::file(const StoredPublication& stored, const Edition& editio
   of(stored).signatures[std::to_underlying(edition.generation)] =
       has_signature(attributes) ? std::make_unique<const Signature>(signature_of(attributes, edition.vocabulary))
                                 : nullptr;
-  if (!of(stored).leaves) edition.converters->put(stored.entry, of(stored).audience, of(stored).arrival);
-  filed_ += edition.converters->take_work();
+  if (!of(stored).leaves && (is_converter(attributes) || !edition.converters->is_empty())) {
+    edition.converters->put(stored.entry, of(stored).audience, of(stored).arrival);
+    filed_ += edition.converters->take_work();
+  }
   const FilingPlan plan = FilingPlan::of_publication(known, edition);
   publications_.refile(stored, plan.filing());
   filed_ += 1 + plan.size();
@@ -140,7 +144,7 @@ void Matcher::State::put(PublicationEntry entry) {
   judge_anew(anew);
   replaced_publication_ = {};
   relieve();
-  rejudge_some();
+  if (has_stale()) rejudge_some();
 }
 
 void Matcher::State::put(SubscriptionEntry entry, Telling telling) {
@@ -198,7 +202,7 @@ void Matcher::State::remove(const std::vector<const StoredPublication*>& publica
   begin_cause();
   for (const Id32 number : numbers) judge_anew(review(number, nullptr));
   relieve();
-  rejudge_some();
+  if (has_stale()) rejudge_some();
 }
 
 void Matcher::State::erase(const StoredPublication& publication, std::set<Id32>& numbers) {

@@ -124,7 +124,10 @@ class Matcher::State {
   void catch_up(const registry::StoredSubscription& subscription);
   /// The same for the next one. False: there is none.
   [[nodiscard]] bool rejudge_next();
-  [[nodiscard]] bool has_stale() const;
+  [[nodiscard]] bool has_stale() const {
+    return !in_force_.converters->stale().empty() ||
+           (other_.converters != nullptr && !other_.converters->stale().empty());
+  }
   /// How what is offered is turned into what is asked for; null where it is not.
   [[nodiscard]] std::shared_ptr<const vocabulary::Chain> chain_of(const registry::StoredSubscription& subscription,
                                                                   const registry::StoredPublication& publication) const;

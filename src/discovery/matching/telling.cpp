@@ -14,7 +14,7 @@ using registry::StoredSubscription;
 using registry::SubscriptionEntry;
 
 void Matcher::State::settle(const StoredSubscription& subscription) {
-  rejudge(subscription);
+  if (!edition_of(subscription).converters->stale().empty()) rejudge(subscription);
   const Verdict verdict = of(subscription).choice.settle([&] { refill(subscription); });
   forget_dropped(subscription);
   const auto tell_gone = [&](const Verdict::Gone& gone) {
