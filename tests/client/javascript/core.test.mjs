@@ -9,7 +9,7 @@ import { Conversions } from '../../../src/client/javascript/lib/core/conversion.
 import { FrameDecoder } from '../../../src/client/javascript/lib/core/decoder.js';
 import { Memory, Track } from '../../../src/client/javascript/lib/core/delivery.js';
 import { EarlyFrames } from '../../../src/client/javascript/lib/core/early_frames.js';
-import { readEvent } from '../../../src/client/javascript/lib/core/event.js';
+import { eventStatement, readEvent } from '../../../src/client/javascript/lib/core/event.js';
 import { encodeFrame, frameOfDatagram, kinds, lifeOf, lifeOctets, MessageWriter, newLife } from '../../../src/client/javascript/lib/core/frame.js';
 import * as limits from '../../../src/client/javascript/lib/core/limits.js';
 import { Places } from '../../../src/client/javascript/lib/core/places.js';
@@ -65,6 +65,16 @@ test('hostile events are refused and no attribute reaches a prototype', () => {
   assert.equal(statedKey('prot'), 'attr.prot');
   assert.equal(isSlip('wehre', 'where') && isSlip('Port', 'port') && isSlip('limits', 'limit') && isSlip('od', 'id'), true);
   assert.equal(isSlip('rate', 'where') || isSlip('port', 'port'), false);
+});
+
+test('who converts is a key behind a conversion, and else an attribute', () => {
+  const of = (rest) => readEvent(parseStatement(`5 pub add service=a provider=b degree=converted mode=oto port=1 protocol=udp ${rest}`));
+  const served = of('convert=a:A>a:B cost=2 via=udp://10.0.0.7:6000/b/1/1 attr.via=x');
+  assert.equal(served.via, 'udp://10.0.0.7:6000/b/1/1');
+  assert.equal(served.attributes.via, 'x');
+  assert.deepEqual(eventStatement(served).parameters.at(-1), ['attr.via', 'x']);
+  assert.equal(of('via=x').via, undefined);
+  assert.equal(of('via=x').attributes.via, 'x');
 });
 
 test('options become parameters, and a word that is none is told', () => {

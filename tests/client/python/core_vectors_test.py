@@ -86,6 +86,17 @@ class Vectors(unittest.TestCase):
         self.assertEqual(converted.convert, ("soccer:PolarRobotFrame", "soccer:CartesianRobotFrame"))
         self.assertEqual((converted.cost, converted.attributes), (1, {"cost": "3"}))
 
+    def test_who_converts_is_read_behind_a_conversion_only(self) -> None:
+        lines = (
+            (b"1 pub add service=a convert=a:A>a:B cost=2 via=udp://10.0.0.7:6000/b/1/1 attr.via=x", "udp://10.0.0.7:6000/b/1/1"),
+            (b"1 pub add service=a via=x", ""),
+        )
+        for octets, via in lines:
+            line = read_line(octets)
+            assert isinstance(line, Statement)
+            match = read_match(line)
+            self.assertEqual((match.via, match.attributes), (via, {"via": "x"}))
+
     def test_a_conversion_between_iris_is_read(self) -> None:
         line = read_line(b"1 pub add service=a convert=<http://a#A>>b:B><http://a#C> cost=2")
         assert isinstance(line, Statement)

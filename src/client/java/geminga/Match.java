@@ -22,10 +22,11 @@ import java.util.Map;
  * @param priority in an arbitration; the greater wins
  * @param conversion representations from the offered one to the wanted one; empty where they are the same
  * @param cost what the conversion costs; 0 where there is none
+ * @param via who does each conversion, with commas: {@code PROTOCOL://ADDRESS:PORT/SERVICE}, or {@code -} where the consumer does; empty where it does all
  * @param attributes what it states about itself
  */
 public record Match(String word, String owner, String name, String host, long life, Identity identity, Degree degree, int distance, Mode mode, String address, int port,
-        String protocol, int priority, List<String> conversion, long cost, Map<String, String> attributes) {
+        String protocol, int priority, List<String> conversion, long cost, String via, Map<String, String> attributes) {
     /** {@return the life in sixteen hexadecimal digits} */
     public String lifeText() {
         return Lives.write(life);

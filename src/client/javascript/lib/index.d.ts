@@ -86,6 +86,8 @@ export interface Peer {
   readonly priority: number;
   readonly convert?: string;
   readonly cost?: number;
+  /** Who does each conversion, with commas: `udp://ADDRESS:PORT/SERVICE`, or `-` where the consumer does. */
+  readonly via?: string;
   readonly attributes: Readonly<Record<string, string>>;
 }
 

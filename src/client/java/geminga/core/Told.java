@@ -21,6 +21,8 @@ import java.util.Map;
  */
 public record Told(long id, boolean isOfService, Change change, Map<String, String> keys, Map<String, String> attributes) {
     private static final List<String> CHANGES = List.of("add", "modify", "del");
+    /** Reserved behind {@code convert}, and else names of attributes. */
+    private static final List<String> OF_CHAIN = List.of("cost", "via");
 
     /** The event that a statement of the daemon is, or null where it is none. A part of it that cannot be read is an error. */
     public static Told read(Statement statement) throws LineException {
@@ -30,8 +32,8 @@ public record Told(long id, boolean isOfService, Change change, Map<String, Stri
         Map<String, String> keys = new LinkedHashMap<>();
         Map<String, String> attributes = new LinkedHashMap<>();
         for (Parameter parameter : statement.parameters()) {
-            boolean isCost = parameter.key().equals("cost") && keys.containsKey("convert") && !keys.containsKey("cost");
-            String name = isCost ? null : Keys.shown(parameter.key());
+            boolean isOfChain = OF_CHAIN.contains(parameter.key()) && keys.containsKey("convert") && !keys.containsKey(parameter.key());
+            String name = isOfChain ? null : Keys.shown(parameter.key());
             if (name == null) {
                 keys.put(parameter.key(), parameter.value());
             } else if (attributes.put(name, parameter.value()) != null) {
@@ -49,8 +51,8 @@ public record Told(long id, boolean isOfService, Change change, Map<String, Stri
         List<Parameter> parameters = new ArrayList<>();
         keys.forEach((key, value) -> parameters.add(new Parameter(key, value)));
         attributes.forEach((name, value) -> {
-            boolean isTakenForCost = name.equals("cost") && keys.containsKey("cost");
-            parameters.add(new Parameter(isTakenForCost ? Keys.PREFIX + name : Keys.showing(name), value));
+            boolean isTaken = OF_CHAIN.contains(name) && keys.containsKey("convert");
+            parameters.add(new Parameter(isTaken ? Keys.PREFIX + name : Keys.showing(name), value));
         });
         return new Statement(id, isOfService ? "pub" : "sub", CHANGES.get(change.ordinal()), parameters);
     }
@@ -70,7 +72,7 @@ public record Told(long id, boolean isOfService, Change change, Map<String, Stri
         try {
             return new Match(word(), text(isOfService ? "provider" : "consumer"), text("name"), text("participant_name"), Lives.read(attributes.get("channel")), identity(),
                     Degree.of(text("degree")), number("distance"), Mode.of(text("mode")), text("address"), (int) Values.number("port", orZero("port"), 0, 65535),
-                    text("protocol"), number("priority"), chain(text("convert")), Values.number("cost", orZero("cost"), 0, Statement.MAX_ID), Collections.unmodifiableMap(attributes));
+                    text("protocol"), number("priority"), chain(text("convert")), Values.number("cost", orZero("cost"), 0, Statement.MAX_ID), text("via"), Collections.unmodifiableMap(attributes));
         } catch (IllegalArgumentException fault) {
             throw new LineException(fault.getMessage());
         }

@@ -3,6 +3,8 @@ import { inOrder, shownAttribute, shownKey } from './attribute.js';
 import { StatementError } from './errors.js';
 import { modes, readNumber } from './key.js';
 
+/** Reserved beside `convert`, and else names of attributes. */
+const ofChain = ['cost', 'via'];
 const degrees = ['exact', 'equivalent', 'narrower', 'converted', 'broader', 'overlapping'];
 const changes = ['add', 'modify', 'del'];
 
@@ -12,7 +14,7 @@ const shapes = Object.freeze({
     service: 'service',
     peer: 'provider',
     keys: ['service', 'provider', 'name', 'id', 'text', 'concept', 'representation', 'degree', 'distance', 'mode', 'address',
-      'port', 'protocol', 'priority', 'participant_name', 'convert', 'cost'],
+      'port', 'protocol', 'priority', 'participant_name', 'convert', 'cost', 'via'],
     required: ['service', 'provider', 'degree', 'mode', 'port', 'protocol'],
   },
   sub: {
@@ -40,7 +42,7 @@ export const isEvent = ({ command, subcommand }) => Object.hasOwn(shapes, comman
 /**
  * The event of a statement: `id`, `change`, `command`, `service` (the word of the other side's service or subscription),
  * `peer`, `name`, `identity`, `degree`, `distance`, `mode`, `address`, `port`, `protocol`, `priority`, `participantName`,
- * `convert`, `cost`, `attributes`; of a `del` only the first four and `reason`. Throws StatementError.
+ * `convert`, `cost`, `via`, `attributes`; of a `del` only the first four and `reason`. Throws StatementError.
  */
 export function readEvent({ id, command, subcommand, parameters }) {
   const shape = shapes[command];
@@ -48,7 +50,7 @@ export function readEvent({ id, command, subcommand, parameters }) {
   const attributes = Object.create(null);
   const isConverted = parameters.some(([key]) => key === 'convert');
   for (const [key, value = ''] of parameters) {
-    const isKey = shape.keys.includes(key) && (key !== 'cost' || isConverted);
+    const isKey = shape.keys.includes(key) && (isConverted || !ofChain.includes(key));
     if (isKey || key === 'reason') {
       if (values.has(key)) fail(id, `${key} is given twice`);
       values.set(key, value);
@@ -83,6 +85,7 @@ export function readEvent({ id, command, subcommand, parameters }) {
     participantName: values.get('participant_name'),
     convert: values.get('convert') || undefined,
     cost: numberOf(id, values, 'cost', 0xffffffff),
+    via: values.get('via') || undefined,
     attributes,
   };
 }
@@ -104,7 +107,7 @@ export function eventStatement(event) {
     if (values[key] !== undefined) statement.parameters.push([key, String(values[key])]);
   }
   for (const [name, value] of inOrder(event.attributes)) {
-    statement.parameters.push([event.convert && name === 'cost' ? 'attr.cost' : shownKey(name), value]);
+    statement.parameters.push([event.convert && ofChain.includes(name) ? `attr.${name}` : shownKey(name), value]);
   }
   return statement;
 }

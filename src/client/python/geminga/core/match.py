@@ -33,6 +33,7 @@ class Match:
     representation: str | None
     convert: tuple[str, ...] = ()  #: the representations from what is offered to what is asked for
     cost: int = 0
+    via: str = ""  #: who does each conversion, with commas: `udp://ADDRESS:PORT/SERVICE`, or `-` where the consumer does
     attributes: dict[str, str] = field(default_factory=dict)
 
 
@@ -48,7 +49,7 @@ def read_match(line: Statement) -> Match:
     convert = tuple(_NAME.findall(line.get("convert")))
     attributes = {}
     for key, value in line.parameters.items():
-        name = None if convert and key == "cost" else attribute_of(key)
+        name = None if convert and key in ("cost", "via") else attribute_of(key)
         if name is not None:
             attributes[name] = value or ""
     return Match(
@@ -69,5 +70,6 @@ def read_match(line: Statement) -> Match:
         representation=line.parameters.get("representation"),
         convert=convert,
         cost=_number(line.get("cost"), 0, 0xFFFFFFFF) if convert else 0,
+        via=line.get("via") if convert else "",
         attributes=attributes,
     )
