@@ -39,7 +39,9 @@ geminga_node* geminga_open_with_room(const char* connect, const char* name, uint
 /* Withdraws everything cleanly and frees the node, its publishers and its subscribers. Null is nothing. */
 void geminga_close(geminga_node* node);
 
-/* Readable when geminga_process() has something to do. Owned by the node. */
+/* Readable when geminga_process() has something to do, and where another call has read messages or events that nobody
+ * has taken. What was there when geminga_process() was called does not make it readable: take it first. Owned by the
+ * node. */
 int geminga_descriptor(const geminga_node* node);
 /* Does what is to be done, calls callbacks, and never waits. */
 void geminga_process(geminga_node* node);

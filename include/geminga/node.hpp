@@ -128,8 +128,8 @@ class Node {
   void on_event(std::function<void(const ChannelEvent&)> tell);
 
   [[nodiscard]] bool is_connected() const;
-  /// Readable when process() has something to do. Messages and events that were read already do not make it readable:
-  /// take them first. Owned by the node.
+  /// Readable when process() has something to do, and where another call has read messages or events that nobody has
+  /// taken. What was there when process() was called does not make it readable: take it first. Owned by the node.
   [[nodiscard]] int descriptor() const;
   /// Does what is to be done and never waits.
   void process();

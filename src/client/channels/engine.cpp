@@ -25,6 +25,8 @@ std::string_view to_string(ProviderChange::What what) {
 namespace geminga::client {
 namespace {
 
+/// No channel, among the news.
+constexpr ChannelNumber events_only = 0;
 /// The largest datagram that IP carries.
 constexpr std::size_t largest_datagram = 65'536;
 
@@ -63,10 +65,12 @@ Engine::Engine(DaemonLink::Options options)
     : room_(largest_datagram),
       link_(reactor_, std::move(options), told()),
       requests_([this](const gcnp::Statement& statement) { link_.say(statement); }),
-      settle_(reactor_, [this] {
-        for (const auto& [number, publisher] : publishers_) publisher->on_settled();
-        for (const auto& [number, subscriber] : subscribers_) subscriber->on_settled();
-      }) {
+      settle_(reactor_,
+              [this] {
+                for (const auto& [number, publisher] : publishers_) publisher->on_settled();
+                for (const auto& [number, subscriber] : subscribers_) subscriber->on_settled();
+              }),
+      reminder_(reactor_, [] {}) {
   link_.start();
 }
 
@@ -134,6 +138,7 @@ Result<void, ClientError> Engine::modify(ChannelNumber number, const Requests::C
 void Engine::withdraw(ChannelNumber number) {
   if (subscribers_.erase(number) > 0) {
     on_message_.erase(number);
+    has_looked(number);
     requests_.remove(number);
     return;
   }
@@ -247,9 +252,11 @@ void Engine::tell(ChannelEvent event) {
   }
   events_.push_back(std::move(event));
   has_event_come_ = true;
+  news_.insert(events_only);
 }
 
 std::optional<ChannelEvent> Engine::next_event() {
+  has_looked(events_only);
   if (events_.empty()) return std::nullopt;
   std::optional<ChannelEvent> event(std::move(events_.front()));
   events_.pop_front();
@@ -274,6 +281,7 @@ bool Engine::hand_out() {
     const auto found = on_message_.find(number);
     if (found == on_message_.end()) continue;
     const OnMessage told = found->second;
+    has_looked(number);
     while (auto* known = subscriber(number)) {
       auto message = known->take();
       if (!message) break;

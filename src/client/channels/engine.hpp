@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -66,9 +67,23 @@ class Engine final : public ChannelHost {
   void on_events(OnEvent on_event) { on_event_ = std::move(on_event); }
   void on_messages(ChannelNumber number, OnMessage on_message);
 
+  /// Whether messages or events have come that nobody has looked at since.
+  [[nodiscard]] bool has_news() const { return !news_.empty(); }
+  /// The program has looked whether this subscriber has a message; or 0: whether there is an event.
+  void has_looked(ChannelNumber number) { news_.erase(number); }
+  /// The program is about to look at everything.
+  void will_look() { news_.clear(); }
+  /// Makes the descriptor readable until the next process(), where there are news.
+  void remind() {
+    if (has_news()) reminder_.set(reactor_.now());
+  }
+
   [[nodiscard]] Reactor& reactor() override { return reactor_; }
   void tell(ChannelEvent event) override;
-  void on_message(ChannelNumber channel) override { ready_.push_back(channel); }
+  void on_message(ChannelNumber channel) override {
+    ready_.push_back(channel);
+    news_.insert(channel);
+  }
   void state_port(ChannelNumber channel, std::uint16_t port) override;
   [[nodiscard]] std::span<std::byte> datagram_room() override { return room_; }
 
@@ -101,6 +116,8 @@ class Engine final : public ChannelHost {
   std::map<ChannelNumber, OnMessage> on_message_;
   bool has_event_come_ = false;
   std::vector<ChannelNumber> ready_;  ///< subscribers that have got a message
+  std::set<ChannelNumber> news_;      ///< those that the program has not looked at since, and 0 for events
+  Reactor::Timer reminder_;
   bool is_ending_ = false;
 };
 

@@ -33,16 +33,24 @@ class NodeState {
   }
   /// process(), but not more often than is of use.
   void keep_up() {
-    if (Clock::now() - last_upkeep >= upkeep_interval) process();
+    if (Clock::now() - last_upkeep < upkeep_interval) return;
+    process();
+    remind();
+  }
+  /// Who polls the descriptor would wait for what a call has read that he does not know of.
+  void remind() {
+    if (is_polled) engine.remind();
   }
   /// Drives the engine until `is_done` or the deadline; whether it is done.
   template <typename IsDone>
   bool run_until(const IsDone& is_done, Clock::time_point deadline) {
-    while (true) {
+    bool done = false;
+    do {
       process();
-      if (is_done()) return true;
-      if (!wait(deadline)) return false;
-    }
+      done = is_done();
+    } while (!done && wait(deadline));
+    remind();
+    return done;
   }
   /// Waits for something to do; false where the deadline came first.
   [[nodiscard]] bool wait(Clock::time_point deadline) const {
@@ -97,6 +105,7 @@ class NodeState {
   client::Engine engine;
   milliseconds timeout{};
   bool is_closed = false;
+  bool is_polled = false;  ///< the program waits at the descriptor itself
   Clock::time_point last_upkeep{};
 };
 
@@ -159,6 +168,7 @@ Subscriber::~Subscriber() {
 }
 
 std::optional<Message> Subscriber::poll() {
+  node_->engine.has_looked(number_);
   auto* subscriber = node_->engine.subscriber(number_);
   return subscriber == nullptr ? std::nullopt : subscriber->take();
 }
@@ -241,11 +251,20 @@ std::optional<ChannelEvent> Node::next_event(milliseconds timeout) {
 
 void Node::on_event(std::function<void(const ChannelEvent&)> tell) { state_->engine.on_events(std::move(tell)); }
 bool Node::is_connected() const { return state_->engine.is_connected(); }
-int Node::descriptor() const { return state_->engine.descriptor(); }
-void Node::process() { state_->process(); }
+int Node::descriptor() const {
+  state_->is_polled = true;
+  return state_->engine.descriptor();
+}
+void Node::process() {
+  state_->process();
+  state_->engine.will_look();
+}
 
 void Node::wait(milliseconds timeout) {
-  if (!state_->process() && state_->wait(client::deadline_after(timeout))) state_->process();
+  const bool had_news = state_->engine.has_news();
+  const bool has_come = state_->process();
+  if (!had_news && !has_come && state_->wait(client::deadline_after(timeout))) state_->process();
+  state_->engine.will_look();
 }
 
 void Node::run_for(milliseconds duration) {

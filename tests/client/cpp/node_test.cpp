@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 
 #include <chrono>
 #include <string>
@@ -278,6 +279,57 @@ TEST(Node, AsksForTheRoomThatItNeeds) {
 
 TEST(Node, ReadsNoAddressThatIsNone) {
   EXPECT_EQ(Node::open({"robot2", "", patience}).error().kind, ClientError::Kind::wrong_use);
+}
+
+TEST(Node, IsReadableWhereACallHasReadWhatNobodyHasTaken) {
+  ScriptedDaemon daemon([](Conversation& talk) {
+    introduce(talk);
+    talk.hear();  // the other one's request
+    talk.expect("0 sys ping");
+    talk.say("0 msg pong");
+    talk.wait_for_end();
+  });
+  Node node = node_at(daemon);
+  const auto is_readable = [&node] {
+    pollfd waiting{node.descriptor(), POLLIN, 0};
+    return ::poll(&waiting, 1, 0) > 0;
+  };
+  auto publisher = node.publish(offer(ChannelMode::one_to_one, "udp"));
+  auto subscriber = node.subscribe(wish(ChannelMode::one_to_one));
+  auto other = node.subscribe(wish(ChannelMode::one_to_one));
+  ASSERT_TRUE(other);
+  ASSERT_TRUE(next<ConsumerChange>(node));
+  while (node.next_event()) continue;
+  while (is_readable()) node.process();
+  EXPECT_TRUE(publisher->send("to the one"));
+  EXPECT_FALSE(other->receive(0ms)) << "but it has read for the one";
+  EXPECT_FALSE(other->receive(0ms));
+  EXPECT_TRUE(is_readable());
+  node.process();
+  EXPECT_FALSE(is_readable()) << "who has been told looks";
+  EXPECT_EQ(text_of(*subscriber->receive(0ms)), "to the one");
+  EXPECT_FALSE(subscriber->receive(0ms));
+  EXPECT_FALSE(is_readable());
+}
+
+TEST(Node, DoesNotWaitWhereACallHasReadWhatNobodyHasTaken) {
+  ScriptedDaemon daemon([](Conversation& talk) {
+    introduce(talk);
+    talk.hear();
+    talk.expect("0 sys ping");
+    talk.say("0 msg pong");
+    talk.wait_for_end();
+  });
+  Node node = node_at(daemon);
+  auto publisher = node.publish(offer(ChannelMode::one_to_one, "udp"));
+  auto subscriber = node.subscribe(wish(ChannelMode::one_to_one));
+  auto other = node.subscribe(wish(ChannelMode::one_to_one));
+  ASSERT_TRUE(next<ConsumerChange>(node));
+  while (node.next_event()) continue;
+  EXPECT_TRUE(publisher->send("to the one"));
+  EXPECT_FALSE(other->receive(0ms));
+  node.wait(std::chrono::hours(1));
+  EXPECT_EQ(text_of(*subscriber->receive(0ms)), "to the one");
 }
 
 TEST(Node, HandsMessagesAndEventsToCallbacks) {

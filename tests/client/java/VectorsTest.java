@@ -67,7 +67,7 @@ final class VectorsTest {
         Check.equal("3", costly.attributes().get("cost"));
         Check.equal(1L, costly.match().cost());
         Check.equal("", costly.match().via());
-        Told served = Told.read(Statement.read("1 pub add service=a/1/1 provider=a/1 degree=converted mode=oto port=1 protocol=udp convert=a:A>a:B cost=2 attr.via=x via=udp://10.0.0.7:6000/b/1/1"));
+        Told served = Told.read(Statement.read("1 pub add service=a/1/1 provider=a/1 text=x degree=converted mode=oto port=1 protocol=udp convert=a:A>a:B cost=2 attr.via=x via=udp://10.0.0.7:6000/b/1/1"));
         Check.equal("udp://10.0.0.7:6000/b/1/1", served.match().via());
         Check.equal("x", served.attributes().get("via"));
         Check.equal("attr.via", served.write().parameters().get(served.write().parameters().size() - 1).key());
