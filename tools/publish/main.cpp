@@ -55,8 +55,10 @@ void add_to(CLI::App& app, Options& options) {
   app.add_option("--port", options.publication.port, "Where the service can be reached")
       ->type_name("1..65535")
       ->check(CLI::Range(1, 65535).description(""));
-  app.add_flag("--send", options.sends,
-               "Send each line of standard input as a message to who consumes the service; any port unless told")
+  app.add_flag(
+         "--send", options.sends,
+         "Send each line of standard input as a message to who consumes the service; any port unless told. A line has "
+         "at most 65000 octets, with --protocol tcp 16 MiB")
       ->excludes("--json", "--timestamps", "--exec");
   app.add_option("--address", options.publication.address, "Its IP address; else each interface's own is announced");
   app.add_option("--protocol", options.publication.protocol, "udp unless told");
@@ -67,7 +69,9 @@ void add_to(CLI::App& app, Options& options) {
       ->allow_extra_args(false);
   app.add_option("--converts", options.converts,
                  "The service turns one representation into another, at the cost that the attribute cost says")
-      ->type_name("FROM>TO");
+      ->type_name("FROM>TO")
+      ->check([](const std::string& text) { return text.find('>', 1) == std::string::npos ? "must be FROM>TO" : ""; },
+              "", "");
   app.add_option("--scope", options.publication.scope, "Only consumers on these hosts: host, any, HOST[/PEER], !HOST")
       ->type_name("SCOPE");
   app.add_option("--for", options.publication.for_whom, "Only consumers that fit, e.g. \"name = robot*\"")

@@ -197,12 +197,14 @@ ExitStatus send(const Pipe& pipe, const NamedPublication& publication) {
   if (!publisher) return report(pipe.program, publisher.error());
   Both both(piping.node().descriptor());
   Lines lines;
+  bool has_left_out = false;
   while (!piping.ended()) {
     const auto line = lines.next();
     if (!line) {
       if (lines.is_over()) break;
       if (lines.is_too_long()) {
         complain(pipe.program, "a line is longer than " + std::to_string(max_piped_bytes) + " octets");
+        piping.finish();
         return ExitStatus::wrong_use;
       }
       if (both.has_input()) {
@@ -214,8 +216,17 @@ ExitStatus send(const Pipe& pipe, const NamedPublication& publication) {
     }
     const auto before = publisher->count().sent;
     if (publisher->has_room(line->size())) {
-      if (const auto sent = publisher->send(*line); !sent) {
-        complain(pipe.program, sent.error().text);
+      const auto sent = publisher->send(*line);
+      if (!sent)
+        complain(pipe.program,
+                 "a line of " + std::to_string(line->size()) + " octets is left out: " + sent.error().text);
+      if (!sent && sent.error().kind == SendError::Kind::too_large) {
+        has_left_out = true;
+        lines.take();
+        continue;
+      }
+      if (!sent) {
+        piping.finish();
         return ExitStatus::wrong_use;
       }
     }
@@ -228,7 +239,8 @@ ExitStatus send(const Pipe& pipe, const NamedPublication& publication) {
   }
   piping.finish();
   publisher->withdraw();
-  return piping.ended().value_or(ExitStatus::found);
+  const auto status = piping.ended().value_or(ExitStatus::found);
+  return has_left_out && status == ExitStatus::found ? ExitStatus::wrong_use : status;
 }
 
 }  // namespace geminga::shell

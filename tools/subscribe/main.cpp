@@ -101,7 +101,7 @@ void add_to(CLI::App& app, Options& options) {
   app.add_option("--address", options.subscription.address, "Its IP address; told to the provider");
   app.add_flag("--listen", options.listens,
                "Receive from the services, and print each message as a line instead of the events")
-      ->excludes("--json", "--timestamps", "--exec");
+      ->excludes("--json", "--timestamps", "--exec", "--convert");
   app.add_option("--count", options.count, "End after this many events, or messages; 0: never")
       ->type_name("N")
       ->check(CLI::Range(0.0, 1e15).description(""));  // the sign of an unsigned number is not looked at otherwise
@@ -129,12 +129,18 @@ void complete(Options& options) {
                                                    " = " + pair->second + "'");
     }
     if (pair) concept_name = pair->second;
-    options.identities.push_back(options.shared.identity.identity(concept_name).value_or(NamedIdentity{}));
+    const auto identity = options.shared.identity.identity(concept_name);
+    if (!identity || concept_name.empty()) throw CLI::ValidationError("CONCEPT", "must not be empty");
+    options.identities.push_back(*identity);
   }
   if (options.concepts.empty()) {
     auto identity = options.shared.identity.identity("");
     if (!identity) throw CLI::ValidationError("IDENTITY", "is missing: name a CONCEPT, --id N or --text NAME");
     options.identities.push_back(std::move(*identity));
+  }
+  const auto carries = [](const std::string& protocol) { return protocol == "udp" || protocol == "tcp"; };
+  if (options.listens && !std::ranges::all_of(options.subscription.protocols, carries)) {
+    throw CLI::ValidationError("--protocol", "must be udp or tcp where --listen receives");
   }
   options.subscription.mode = options.shared.mode_or_stream();
   options.subscription.limit = options.limit;

@@ -45,8 +45,27 @@ TEST(Pipe, CarriesAFileWithoutLossOverTcp) {
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
 }
 
+TEST(Pipe, LeavesOutALineThatNoDatagramHolds) {
+  const Bench bench;
+  const auto outcome =
+      shell(bench,
+            "(echo one; head -c 70000 /dev/zero | tr '\\0' x; echo; echo two) | $publish --text long --mode "
+            "oto --send & publisher=$!; $subscribe --text long --mode oto --listen --count 2 --timeout 30; "
+            "wait $publisher");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.out, "one\ntwo\n") << outcome.errors;
+  EXPECT_THAT(outcome.errors, testing::HasSubstr("a line of 70000 octets is left out"));
+  EXPECT_THAT(outcome.errors, testing::Not(testing::HasSubstr("closed the connection")));
+}
+
 TEST(Pipe, SaysWhatIsWrong) {
   const Bench bench;
+  EXPECT_EQ(shell(bench, "$subscribe ''").status, 2) << "an unset variable is no number 0";
+  EXPECT_EQ(shell(bench, "$subscribe concept=").status, 2);
+  EXPECT_EQ(shell(bench, "$subscribe --text x --listen --protocol carrier").status, 2);
+  EXPECT_EQ(shell(bench, "$subscribe --text x --listen --convert yes").status, 2) << "it has no functions";
+  EXPECT_EQ(shell(bench, "$publish --text x --mode oto --port 5000 --converts soccer:A").status, 2);
+  EXPECT_EQ(shell(bench, "$publish --text x --mode oto --port 5000 --converts ''").status, 2);
   EXPECT_EQ(shell(bench, "$publish soccer:BallInfo --mode oto").status, 2) << "no port, and nothing is sent";
   EXPECT_EQ(shell(bench, "$subscribe --text x --listen --json").status, 2) << "messages are no events";
   EXPECT_EQ(shell(bench, "$publish --text x --send --timestamps < /dev/null").status, 2);
