@@ -54,9 +54,10 @@ void Schedule::changed(Say what, Instant now) {
   for (std::size_t i = 1; i < all; ++i) {
     copies_.push_back({now + spread(repeat_delays[i - 1], repeat_jitter), i < said ? what : Say::presence});
   }
-  for (const Duration delay : std::span(late_presence_delays).first(doublings_)) {
-    copies_.push_back({now + spread(delay, repeat_jitter), Say::presence});
-  }
+  const auto show = [&](Duration delay) { copies_.push_back({now + spread(delay, repeat_jitter), Say::presence}); };
+  if (loss_.value_or(0) >= bad_loss) std::ranges::for_each(bad_presence_delays, show);
+  std::ranges::for_each(std::span(late_presence_delays).first(doublings_), show);
+  std::ranges::sort(copies_, {}, &Copy::due);
 }
 
 void Schedule::set_size(std::size_t datagrams) { size_ = std::max<std::int64_t>(1, std::int64_t(datagrams)); }

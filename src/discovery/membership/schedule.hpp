@@ -38,6 +38,10 @@ inline constexpr std::array<base::Duration, 8> repeat_delays = {
 inline constexpr std::size_t presence_copies = 2;
 /// While the loss is not known, as when a team starts.
 inline constexpr std::size_t unknown_presence_copies = 4;
+/// Where at least bad_loss is lost, one receiver in 500 misses all of these, and would learn of the change by the next
+/// presence: so many presences more, between and behind them, so long after the change.
+inline constexpr std::array<base::Duration, 3> bad_presence_delays = {
+    std::chrono::milliseconds(300), std::chrono::milliseconds(550), std::chrono::milliseconds(850)};
 /// Where many share the air, somebody of them misses all of these: so many presences more as the interval is doubled.
 inline constexpr std::array<base::Duration, announcement::max_doublings> late_presence_delays = {
     std::chrono::milliseconds(1'200), std::chrono::seconds(2),          std::chrono::seconds(3),
