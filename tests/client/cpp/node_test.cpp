@@ -71,6 +71,15 @@ void introduce(Conversation& talk) {
   talk.say("0 msg pong");
 }
 
+/// The same, and takes a further request that nobody meets.
+void introduce_and_admit_another(Conversation& talk) {
+  introduce(talk);
+  talk.hear();
+  talk.expect("0 sys ping");
+  talk.say("0 msg pong");
+  talk.wait_for_end();
+}
+
 /// Drives the node until an event of this kind comes.
 template <typename Kind>
 std::optional<Kind> next(Node& node) {
@@ -282,13 +291,7 @@ TEST(Node, ReadsNoAddressThatIsNone) {
 }
 
 TEST(Node, IsReadableWhereACallHasReadWhatNobodyHasTaken) {
-  ScriptedDaemon daemon([](Conversation& talk) {
-    introduce(talk);
-    talk.hear();  // the other one's request
-    talk.expect("0 sys ping");
-    talk.say("0 msg pong");
-    talk.wait_for_end();
-  });
+  ScriptedDaemon daemon(introduce_and_admit_another);
   Node node = node_at(daemon);
   const auto is_readable = [&node] {
     pollfd waiting{node.descriptor(), POLLIN, 0};
@@ -313,13 +316,7 @@ TEST(Node, IsReadableWhereACallHasReadWhatNobodyHasTaken) {
 }
 
 TEST(Node, DoesNotWaitWhereACallHasReadWhatNobodyHasTaken) {
-  ScriptedDaemon daemon([](Conversation& talk) {
-    introduce(talk);
-    talk.hear();
-    talk.expect("0 sys ping");
-    talk.say("0 msg pong");
-    talk.wait_for_end();
-  });
+  ScriptedDaemon daemon(introduce_and_admit_another);
   Node node = node_at(daemon);
   auto publisher = node.publish(offer(ChannelMode::one_to_one, "udp"));
   auto subscriber = node.subscribe(wish(ChannelMode::one_to_one));

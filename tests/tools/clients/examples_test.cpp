@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "tools/clients/bench.hpp"
+#include "tools/help_text.hpp"
 
 namespace geminga::tools {
 namespace {
@@ -41,18 +42,6 @@ std::vector<std::string> examples_in(const std::string& text) {
     found.push_back(line);
   }
   return found;
-}
-
-/// The commands that a program's --help lists.
-std::vector<std::string> commands_of(const std::string& help) {
-  std::vector<std::string> commands;
-  const auto begin = help.find("Subcommands:\n");
-  if (begin == std::string::npos) return commands;
-  std::istringstream lines(help.substr(help.find('\n', begin) + 1));
-  for (std::string line; std::getline(lines, line) && line.starts_with("  ");) {
-    if (line[2] != ' ') commands.push_back(line.substr(2, line.find(' ', 2) - 2));
-  }
-  return commands;
 }
 
 std::string text_of(const fs::path& file) {

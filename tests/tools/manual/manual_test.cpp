@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "support/process.hpp"
+#include "tools/help_text.hpp"
 
 namespace geminga::tools {
 namespace {
@@ -56,16 +57,6 @@ std::vector<std::string> flags_of(const std::string& help) {
     for (std::string name; std::getline(names, name, ',');) flags.push_back(name);
   }
   return flags;
-}
-std::vector<std::string> commands_of(const std::string& help) {
-  std::vector<std::string> commands;
-  const auto begin = help.find("Subcommands:\n");
-  if (begin == std::string::npos) return commands;
-  std::istringstream lines(help.substr(help.find('\n', begin) + 1));
-  for (std::string line; std::getline(lines, line) && line.starts_with("  ");) {
-    if (line[2] != ' ') commands.push_back(line.substr(2, line.find(' ', 2) - 2));
-  }
-  return commands;
 }
 
 /// As it stands in roff.
