@@ -81,6 +81,10 @@ void print(const Collector::Row& row, const std::vector<Collector::Row>& rows, c
         verdict = times <= target->second.at_most ? "ok" : "over";
       }
     }
+    if (target->second.limit > 0) {
+      wanted = in_words(target->second.limit);
+      verdict = row.nanoseconds <= target->second.limit ? "ok" : "over";
+    }
   }
   if (!row.error.empty()) verdict = row.error;
   std::printf("%s\t%s\t%s\t%s\t%s\t%s\n", row.name.c_str(), row.size.empty() ? "-" : row.size.c_str(),

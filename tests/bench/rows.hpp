@@ -10,8 +10,9 @@ namespace geminga::bench {
 
 /// What a figure is compared with: another benchmark of the same run, and how many times its time is allowed.
 struct Target {
-  std::string baseline;  ///< the name of the other benchmark, without its size
-  double at_most = 0;    ///< 0: the ratio is shown and judged by nobody
+  std::string baseline{};  ///< the name of the other benchmark, without its size; empty: there is none
+  double at_most = 0;      ///< 0: the ratio is shown and judged by nobody
+  double limit = 0;        ///< without a baseline: at most so many nanoseconds
 };
 
 /// Targets by the name of the benchmark, without its size.

@@ -132,7 +132,7 @@ bool Matcher::State::unfile_next() {
     stage_ = Stage::none;
     return true;
   }
-  filed_ += 1 + stored->filings[std::to_underlying(registry::filed_by(other_.generation))].size();
+  filed_ += 1 + stored->classes[std::to_underlying(other_.generation)].size();
   publications_.unfile(*stored, other_.generation);
   of(*stored).classes[std::to_underlying(other_.generation)] = {};
   of(*stored).signatures[std::to_underlying(other_.generation)] = nullptr;

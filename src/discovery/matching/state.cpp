@@ -207,7 +207,7 @@ void Matcher::State::remove(const std::vector<const StoredPublication*>& publica
 
 void Matcher::State::erase(const StoredPublication& publication, std::set<Id32>& numbers) {
   if (clashing_.contains(publication.identity)) numbers.insert(publication.identity);
-  filed_ += 1 + publication.filings[std::to_underlying(registry::filed_by(in_force_.generation))].size();
+  filed_ += 1 + publication.classes[std::to_underlying(in_force_.generation)].size();
   publications_.erase(publication);
 }
 

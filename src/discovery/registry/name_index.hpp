@@ -2,13 +2,15 @@
 #ifndef GEMINGA_DISCOVERY_REGISTRY_NAME_INDEX_HPP
 #define GEMINGA_DISCOVERY_REGISTRY_NAME_INDEX_HPP
 
-#include <boost/container/small_vector.hpp>
-#include <boost/multi_index/hashed_index.hpp>
-#include <boost/multi_index/member.hpp>
-#include <boost/multi_index_container.hpp>
-#include <cstring>
+#include <algorithm>
+#include <boost/unordered/unordered_flat_map.hpp>
+#include <cstdint>
+#include <memory>
+#include <new>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -17,118 +19,169 @@
 
 namespace geminga::registry {
 
-/// An identity as two texts, borrowed: the concept and the representation, or the text and nothing. A number is its
-/// 32-bit form already.
+/// What a name is of. The first three are the alternatives of Identity.
+enum class NameKind : std::uint8_t { number, text, semantic, concept_alone };
+
+/// An identity, or a concept in whatever representation, as two texts, borrowed: the concept and the representation, or
+/// the text and nothing. A number is its 32-bit form already.
 struct NameView {
-  std::size_t kind = 0;  ///< the index in Identity
+  NameKind kind = NameKind::number;
   std::string_view first;
   std::string_view second;
 };
 
 inline NameView view_of(const Identity& identity) {
   if (const auto* semantic = std::get_if<SemanticIdentity>(&identity)) {
-    return {identity.index(), semantic->concept_iri, semantic->representation_iri};
+    return {NameKind::semantic, semantic->concept_iri, semantic->representation_iri};
   }
-  const auto* text = std::get_if<TextIdentity>(&identity);
-  return {identity.index(), text == nullptr ? std::string_view() : std::string_view(text->text), {}};
+  if (const auto* text = std::get_if<TextIdentity>(&identity)) return {NameKind::text, text->text, {}};
+  return {};
 }
 
-/// The octets of an identity, kept in place where they are not many: comparing them then costs no other cache miss.
-class NameText {
+/// A name that some entry has, and the entries that have it. Each is kept once, so that a look-up compares one full
+/// name, however many entries share it. Its octets stand right behind it and it begins a cache line: to find and
+/// compare two IRIs of usual length costs two of them.
+template <typename Entry>
+class alignas(64) Name {
  public:
-  explicit NameText(const NameView& name)
-      : kind_(name.kind), first_size_(name.first.size()), octets_(name.first.begin(), name.first.end()) {
-    octets_.insert(octets_.end(), name.second.begin(), name.second.end());
-  }
+  struct Free {
+    void operator()(Name* name) const {
+      name->~Name();
+      ::operator delete(static_cast<void*>(name), std::align_val_t{alignof(Name)});
+    }
+  };
+  using Owner = std::unique_ptr<Name, Free>;
 
-  /// Whether this is the whole of that identity, 32-bit numbers apart.
-  [[nodiscard]] bool is(const NameView& name) const {
-    return kind_ == name.kind && first_size_ == name.first.size() &&
-           octets_.size() == name.first.size() + name.second.size() && has_at(0, name.first) &&
-           has_at(first_size_, name.second);
+  [[nodiscard]] static Owner make(const NameView& view, Id32 id, Owner next) {
+    const std::size_t size = sizeof(Name) + view.first.size() + view.second.size();
+    void* memory = ::operator new(size, std::align_val_t{alignof(Name)});
+    return Owner(new (memory) Name(view, id, std::move(next)));
   }
+  Name(const Name&) = delete;
+  Name& operator=(const Name&) = delete;
+
+  /// Whether this is the whole of that name, 32-bit numbers apart.
+  [[nodiscard]] bool is(const NameView& view) const {
+    return kind_ == view.kind && first_size_ == view.first.size() && second_size_ == view.second.size() &&
+           std::string_view(octets(), first_size_) == view.first &&
+           std::string_view(octets() + first_size_, second_size_) == view.second;
+  }
+  [[nodiscard]] bool is_of(NameKind kind) const { return kind_ == kind; }
+  [[nodiscard]] Id32 id() const { return id_; }
+
+  mutable Bucket<Entry> entries;
+  Owner next;  ///< another one with the same 32-bit number
 
  private:
-  static constexpr std::size_t in_place = 104;  ///< two IRIs of usual length; longer ones go to the heap
-
-  [[nodiscard]] bool has_at(std::size_t offset, std::string_view octets) const {
-    return octets.empty() || std::memcmp(octets_.data() + offset, octets.data(), octets.size()) == 0;
+  Name(const NameView& view, Id32 id, Owner further)
+      : next(std::move(further)),
+        id_(id),
+        first_size_(static_cast<std::uint32_t>(view.first.size())),
+        second_size_(static_cast<std::uint32_t>(view.second.size())),
+        kind_(view.kind) {
+    char* to = std::ranges::copy(view.first, reinterpret_cast<char*>(this + 1)).out;
+    std::ranges::copy(view.second, to);
   }
+  ~Name() = default;
 
-  std::size_t kind_;
-  std::size_t first_size_;
-  boost::container::small_vector<char, in_place> octets_;
-};
+  [[nodiscard]] const char* octets() const { return reinterpret_cast<const char*>(this + 1); }
 
-/// One identity that some entry has, or whose concept some entry has. Every identity is kept once, so that a look-up
-/// compares one full identity, however many entries share it.
-template <typename Entry>
-struct Name {
-  Id32 id = 0;
-  mutable Bucket<Entry> same;  ///< entries with this very identity
-  NameText text;
-  mutable Bucket<Entry> same_concept;  ///< for a concept alone: entries with it in whatever representation
+  Id32 id_;
+  std::uint32_t first_size_;
+  std::uint32_t second_size_;
+  NameKind kind_;
 };
 
 template <typename Entry>
 class NameIndex {
  public:
+  NameIndex() = default;
+  NameIndex(const NameIndex&) = delete;
+  NameIndex& operator=(const NameIndex&) = delete;
+  ~NameIndex() {
+    // One by one, because a hostile host may have made a chain that is too long for the stack.
+    for (auto& [id, chain] : names_) {
+      while (chain) chain = std::move(chain->next);
+    }
+  }
+
   /// Files under the identity and, for a semantic one, under its concept.
   void file(const Stored<Entry>& stored) {
     const Identity& identity = identity_of(stored.entry);
-    stored.identity_name = &name(identity, stored.identity);
-    stored.identity_name->same.file(stored, FiledBy::names);
+    file(stored, NameFiling::identity, view_of(identity), stored.identity);
     if (const auto* semantic = std::get_if<SemanticIdentity>(&identity)) {
-      const Identity alone = SemanticIdentity{semantic->concept_iri, {}};
-      stored.concept_name = &name(alone, id32(alone));
-      stored.concept_name->same_concept.file(stored, FiledBy::names);
+      file(stored, NameFiling::concept_alone, alone(semantic->concept_iri), number_of(semantic->concept_iri));
     }
   }
 
-  /// Forgets the names that nobody has any more, after the entry was taken out of its buckets.
-  void release(const Stored<Entry>& stored) {
-    const Name<Entry>* first = stored.identity_name;
-    const Name<Entry>* second = stored.concept_name == first ? nullptr : stored.concept_name;
-    stored.identity_name = stored.concept_name = nullptr;
-    drop_if_unused(first);
-    drop_if_unused(second);
+  /// Takes an entry out, and forgets the names that nobody has any more.
+  void unfile(const Stored<Entry>& stored) {
+    for (auto& [name, position] : stored.names) {
+      if (name == nullptr) continue;
+      name->entries.remove(position);
+      if (name->entries.is_empty()) drop(*name);
+      name = nullptr;
+    }
   }
 
-  /// The name with this full identity, among those with this 32-bit one.
-  [[nodiscard]] const Name<Entry>* find(const Identity& identity, Id32 id) const {
-    const NameView view = view_of(identity);
-    for (auto candidate = names_.find(id); candidate != names_.end() && candidate->id == id; ++candidate) {
-      if (candidate->text.is(view)) return &*candidate;
-    }
-    return nullptr;
+  /// The entries with this full identity, among those with this 32-bit one.
+  [[nodiscard]] std::span<const Filed<Entry>> with_identity(const Identity& identity, Id32 id) const {
+    return entries(view_of(identity), id);
+  }
+  [[nodiscard]] std::span<const Filed<Entry>> with_concept(std::string_view concept_iri) const {
+    return entries(alone(concept_iri), number_of(concept_iri));
   }
 
   /// The entries of each full identity with this 32-bit one.
-  [[nodiscard]] std::vector<std::span<const Filed<Entry>>> find_all(Id32 id) const {
+  [[nodiscard]] std::vector<std::span<const Filed<Entry>>> with_number(Id32 id) const {
     std::vector<std::span<const Filed<Entry>>> found;
-    for (auto name = names_.find(id); name != names_.end() && name->id == id; ++name) {
-      if (!name->same.is_empty()) found.push_back(name->same.entries());
+    for (const Name<Entry>* name = first(id); name != nullptr; name = name->next.get()) {
+      if (!name->is_of(NameKind::concept_alone)) found.push_back(name->entries.entries());
     }
     return found;
   }
 
  private:
-  using Names =
-      boost::multi_index_container<Name<Entry>, boost::multi_index::indexed_by<boost::multi_index::hashed_non_unique<
-                                                    boost::multi_index::member<Name<Entry>, Id32, &Name<Entry>::id>>>>;
+  static NameView alone(std::string_view concept_iri) { return {NameKind::concept_alone, concept_iri, {}}; }
+  static Id32 number_of(std::string_view concept_iri) { return id32(SemanticIdentity{std::string(concept_iri), {}}); }
 
-  const Name<Entry>& name(const Identity& identity, Id32 id) {
-    if (const auto* known = find(identity, id)) return *known;
-    return *names_.insert(Name<Entry>{id, {}, NameText(view_of(identity)), {}}).first;
+  [[nodiscard]] const Name<Entry>* first(Id32 id) const {
+    const auto found = names_.find(id);
+    return found == names_.end() ? nullptr : found->second.get();
   }
 
-  void drop_if_unused(const Name<Entry>* name) {
-    if (name != nullptr && name->same.is_empty() && name->same_concept.is_empty()) {
-      names_.erase(names_.iterator_to(*name));
+  [[nodiscard]] const Name<Entry>* find(const NameView& view, Id32 id) const {
+    const Name<Entry>* name = first(id);
+    while (name != nullptr && !name->is(view)) name = name->next.get();
+    return name;
+  }
+
+  [[nodiscard]] std::span<const Filed<Entry>> entries(const NameView& view, Id32 id) const {
+    const Name<Entry>* name = find(view, id);
+    return name == nullptr ? std::span<const Filed<Entry>>{} : name->entries.entries();
+  }
+
+  void file(const Stored<Entry>& stored, NameFiling as, const NameView& view, Id32 id) {
+    const Name<Entry>* name = find(view, id);
+    if (name == nullptr) {
+      auto& chain = names_[id];
+      chain = Name<Entry>::make(view, id, std::move(chain));
+      name = chain.get();
     }
+    const auto back = std::to_underlying(as);
+    stored.names[back] = {name, name->entries.file(stored, FiledBy::names, back)};
   }
 
-  Names names_;
+  void drop(const Name<Entry>& name) {
+    const auto found = names_.find(name.id());
+    typename Name<Entry>::Owner* link = &found->second;
+    while (link->get() != &name) link = &(*link)->next;
+    *link = std::move((*link)->next);
+    if (!found->second) names_.erase(found);
+  }
+
+  /// By 32-bit number. Open addressing, because a look-up that misses the cache should do so once.
+  boost::unordered_flat_map<Id32, typename Name<Entry>::Owner> names_;
 };
 
 }  // namespace geminga::registry

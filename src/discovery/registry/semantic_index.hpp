@@ -23,16 +23,29 @@ class SemanticIndex {
     for (const auto& buckets : classes_) {
       GEMINGA_ASSERT(!buckets || (buckets->own.is_empty() && buckets->below.is_empty()));
     }
+    GEMINGA_ASSERT(count <= max_classes);
     classes_.clear();
     classes_.resize(count);
     classes_.shrink_to_fit();
   }
 
   void file(const Stored<Entry>& stored, const Filing& filing) {
-    const FiledBy by = filed_by(filing.generation);
-    if (filing.own) at(*filing.own).own.file(stored, by);
-    for (const ClassIndex number : filing.further_own) at(number).own.file(stored, by);
-    for (const ClassIndex number : filing.below) at(number).below.file(stored, by);
+    auto& filings = filings_of(stored, filing.generation);
+    filings.reserve(filing.below.size() + filing.further_own.size() + (filing.own ? 1 : 0));
+    const auto file_in = [&](ClassIndex number, bool is_below) {
+      const std::uint32_t place = 2 * number + (is_below ? 1 : 0);
+      const std::uint32_t position = at(place).file(stored, filed_by(filing.generation), filings.size());
+      filings.push_back({place, position});
+    };
+    if (filing.own) file_in(*filing.own, false);
+    for (const ClassIndex number : filing.further_own) file_in(number, false);
+    for (const ClassIndex number : filing.below) file_in(number, true);
+  }
+
+  /// Takes an entry out. O(filings).
+  void unfile(const Stored<Entry>& stored, Generation generation) {
+    auto& filings = filings_of(stored, generation);
+    for (; !filings.empty(); filings.pop_back()) at(filings.back().bucket).remove(filings.back().position);
   }
 
   [[nodiscard]] std::span<const Filed<Entry>> own(ClassIndex number) const {
@@ -43,6 +56,8 @@ class SemanticIndex {
   }
 
  private:
+  static constexpr std::size_t max_classes = std::size_t{1} << 31;  ///< more than any vocabulary has
+
   struct Buckets {
     Bucket<Entry> own;
     Bucket<Entry> below;
@@ -50,11 +65,17 @@ class SemanticIndex {
 
   static std::span<const Filed<Entry>> none() { return {}; }
 
-  Buckets& at(ClassIndex number) {
+  static std::vector<ClassedAt>& filings_of(const Stored<Entry>& stored, Generation generation) {
+    return stored.classes[std::to_underlying(generation)];
+  }
+
+  /// The bucket of what is filed under a class, and behind it, that of what is filed below it.
+  Bucket<Entry>& at(std::uint32_t place) {
+    const ClassIndex number = place / 2;
     GEMINGA_ASSERT(number < classes_.size());
     auto& buckets = classes_[number];
     if (!buckets) buckets = std::make_unique<Buckets>();
-    return *buckets;
+    return place % 2 == 0 ? buckets->own : buckets->below;
   }
 
   std::vector<std::unique_ptr<Buckets>> classes_;

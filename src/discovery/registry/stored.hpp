@@ -19,7 +19,7 @@ namespace geminga::registry {
 template <typename Entry>
 class Bucket;
 template <typename Entry>
-struct Name;
+class Name;
 
 /// Two ontologies are at work while one takes the place of the other, and each has a semantic index; an entry may be
 /// filed in both.
@@ -30,15 +30,22 @@ enum class Generation : std::uint8_t { even, odd };
 
 /// What an entry is filed by: its names, or the classes of one ontology.
 enum class FiledBy : std::uint8_t { names, even_classes, odd_classes };
-inline constexpr std::size_t ways_to_file = 3;
 [[nodiscard]] constexpr FiledBy filed_by(Generation one) {
   return one == Generation::even ? FiledBy::even_classes : FiledBy::odd_classes;
 }
 
-/// The place of an entry in one bucket; the way back that makes removal independent of the bucket's size.
+/// By which of its names an entry is filed.
+enum class NameFiling : std::uint8_t { identity, concept_alone };
+
+/// The place of an entry among those with one name, and among those of one class: the way back that makes removal
+/// independent of how many they are.
 template <typename Entry>
-struct FiledAt {
-  Bucket<Entry>* bucket = nullptr;
+struct NamedAt {
+  const Name<Entry>* name = nullptr;
+  std::uint32_t position = 0;
+};
+struct ClassedAt {
+  std::uint32_t bucket = 0;  ///< of the semantic index
   std::uint32_t position = 0;
 };
 
@@ -53,9 +60,16 @@ struct Stored {
   std::uint32_t slot = 0;
 
   /// The registry's own; mutable because none of it is part of a key of the container.
-  mutable std::array<std::vector<FiledAt<Entry>>, ways_to_file> filings;
-  mutable const Name<Entry>* identity_name = nullptr;
-  mutable const Name<Entry>* concept_name = nullptr;
+  mutable std::array<NamedAt<Entry>, 2> names;            ///< by NameFiling
+  mutable std::array<std::vector<ClassedAt>, 2> classes;  ///< by Generation
+  /// Tells where it is now in the bucket that `by` and `back` are about.
+  void move_to(FiledBy by, std::uint32_t back, std::uint32_t position) const {
+    if (by == FiledBy::names) {
+      names[back].position = position;
+    } else {
+      classes[by == FiledBy::even_classes ? 0 : 1][back].position = position;
+    }
+  }
 };
 
 /// Entries that share something, in no order that means anything. A caller that shows or decides by them sorts first. A
@@ -66,23 +80,22 @@ class Bucket {
  public:
   struct Filed {
     const Stored<Entry>* stored = nullptr;
-    std::uint32_t by : 2 = 0;     ///< in which of stored->filings
-    std::uint32_t back : 30 = 0;  ///< which of them points here
+    std::uint32_t by : 2 = 0;     ///< FiledBy
+    std::uint32_t back : 30 = 0;  ///< which of its filings of this kind points here
   };
 
-  /// Appends; amortised O(1).
-  void file(const Stored<Entry>& stored, FiledBy by) {
+  /// Appends, as its filing `back` of this kind, and gives the position. Amortised O(1).
+  std::uint32_t file(const Stored<Entry>& stored, FiledBy by, std::size_t back) {
     if (size_ == capacity_) grow();
-    auto& filings = stored.filings[std::to_underlying(by)];
-    begin()[size_++] = {&stored, std::to_underlying(by) & 3U, static_cast<std::uint32_t>(filings.size()) & max_filings};
-    filings.push_back({this, size_ - 1});
+    begin()[size_] = {&stored, std::to_underlying(by) & 3U, static_cast<std::uint32_t>(back) & max_filings};
+    return size_++;
   }
 
   /// Puts the last entry into the hole and tells it its new place; O(1). The caller forgets the filing itself.
   void remove(std::uint32_t position) {
     const Filed last = begin()[--size_];
     begin()[position] = last;
-    last.stored->filings[last.by][last.back].position = position;
+    last.stored->move_to(FiledBy{static_cast<std::uint8_t>(last.by)}, last.back, position);
   }
 
   [[nodiscard]] std::span<const Filed> entries() const { return {many_ ? many_.get() : &only_, size_}; }

@@ -107,28 +107,12 @@ struct Table<Entry>::Indexes {
 
   void file(const Stored<Entry>& stored, const Filing& filing) {
     names.file(stored);
-    file_classes(stored, filing);
-  }
-
-  void file_classes(const Stored<Entry>& stored, const Filing& filing) {
-    filings_of(stored, filed_by(filing.generation))
-        .reserve(filing.below.size() + filing.further_own.size() + (filing.own ? 1 : 0));
     of(filing.generation).file(stored, filing);
   }
 
-  static auto& filings_of(const Stored<Entry>& stored, FiledBy by) { return stored.filings[std::to_underlying(by)]; }
-
-  static void unfile(const Stored<Entry>& stored, FiledBy by) {
-    auto& filings = filings_of(stored, by);
-    while (!filings.empty()) {
-      const FiledAt<Entry> last = filings.back();
-      last.bucket->remove(last.position);
-      filings.pop_back();
-    }
-  }
-
-  static void unfile_all(const Stored<Entry>& stored) {
-    for (const FiledBy by : {FiledBy::names, FiledBy::even_classes, FiledBy::odd_classes}) unfile(stored, by);
+  void unfile(const Stored<Entry>& stored) {
+    names.unfile(stored);
+    for (const Generation generation : {Generation::even, Generation::odd}) of(generation).unfile(stored, generation);
   }
 };
 
@@ -154,8 +138,7 @@ template <typename Entry>
 void Table<Entry>::replace(const StoredEntry& stored, Entry entry, const Filing& filing) {
   GEMINGA_ASSERT(stored.entry.key == entry.key);
   const auto at = indexes_->position_of(stored);
-  Indexes::unfile_all(stored);
-  indexes_->names.release(stored);
+  indexes_->unfile(stored);
   const bool is_replaced = indexes_->container.modify(at, [&](Element<Entry>& element) {
     element.identity = id32(identity_of(entry));
     element.entry = std::move(entry);
@@ -172,8 +155,7 @@ void Table<Entry>::refresh(const StoredEntry& stored, base::Instant updated) {
 
 template <typename Entry>
 void Table<Entry>::erase(const StoredEntry& stored) {
-  Indexes::unfile_all(stored);
-  indexes_->names.release(stored);
+  indexes_->unfile(stored);
   indexes_->free_slots.push_back(stored.slot);
   indexes_->container.erase(indexes_->position_of(stored));
 }
@@ -185,15 +167,15 @@ void Table<Entry>::set_class_count(std::size_t count, Generation generation) {
 
 template <typename Entry>
 void Table<Entry>::refile(const StoredEntry& stored, const Filing& filing) {
-  unfile(stored, filing.generation);
-  indexes_->file_classes(stored, filing);
+  auto& index = indexes_->of(filing.generation);
+  index.unfile(stored, filing.generation);
+  index.file(stored, filing);
 }
 
 template <typename Entry>
 void Table<Entry>::unfile(const StoredEntry& stored, Generation generation) {
-  auto& filings = Indexes::filings_of(stored, filed_by(generation));
-  Indexes::unfile(stored, filed_by(generation));
-  filings.shrink_to_fit();
+  indexes_->of(generation).unfile(stored, generation);
+  stored.classes[std::to_underlying(generation)].shrink_to_fit();
 }
 
 template <typename Entry>
@@ -210,20 +192,17 @@ const Stored<Entry>* Table<Entry>::find(const ServiceKey& key) const {
 
 template <typename Entry>
 std::span<const Filed<Entry>> Table<Entry>::with_identity(const Identity& identity, Id32 id) const {
-  const auto* name = indexes_->names.find(identity, id);
-  return name == nullptr ? std::span<const Filed<Entry>>{} : name->same.entries();
+  return indexes_->names.with_identity(identity, id);
 }
 
 template <typename Entry>
 std::vector<std::span<const Filed<Entry>>> Table<Entry>::with_number(Id32 id) const {
-  return indexes_->names.find_all(id);
+  return indexes_->names.with_number(id);
 }
 
 template <typename Entry>
 std::span<const Filed<Entry>> Table<Entry>::with_concept(std::string_view concept_iri) const {
-  const Identity alone = SemanticIdentity{std::string(concept_iri), {}};
-  const auto* name = indexes_->names.find(alone, id32(alone));
-  return name == nullptr ? std::span<const Filed<Entry>>{} : name->same_concept.entries();
+  return indexes_->names.with_concept(concept_iri);
 }
 
 template <typename Entry>
