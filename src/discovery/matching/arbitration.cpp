@@ -2,6 +2,7 @@
 #include "discovery/matching/arbitration.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -41,15 +42,16 @@ void Choice::offer(const Rank& rank, const registry::StoredPublication& publicat
 }
 
 void Choice::wait(const Rank& rank, const Candidate& candidate) {
-  if (bound_ && !BestFirst{}(rank, *bound_)) {
+  if (passes_over(rank)) {
     dropped_.push_back(candidate.publication);  // nobody knows whether it is better than those dropped before
     return;
   }
   const bool is_new = waiting_.emplace(rank, candidate).second;
   GEMINGA_ASSERT(is_new);
   const bool is_bounded = limit_ < unlimited - max_waiting;
-  if (!is_bounded || waiting_.size() <= limit_ + max_waiting) return;
+  if (!is_bounded || waiting_.size() <= limit_ + room_) return;
   const auto worst = std::prev(waiting_.end());
+  ++passed_over_;
   bound_ = worst->first;
   dropped_.push_back(worst->second.publication);
   waiting_.erase(worst);
@@ -82,6 +84,8 @@ const Rank* Choice::best_waiting(const std::function<void()>& refill) {
   const bool is_full = chosen_.size() >= limit_;
   if (waiting_.empty() && bound_ && (!is_full || is_strictly_better(*bound_, std::prev(chosen_.end())->first))) {
     bound_.reset();
+    const auto passed_over = static_cast<double>(std::exchange(passed_over_, 0));
+    room_ = std::clamp(static_cast<std::size_t>(std::sqrt(passed_over)), first_waiting, max_waiting);
     refill();
   }
   return waiting_.empty() ? nullptr : &waiting_.begin()->first;

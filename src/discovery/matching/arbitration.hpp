@@ -43,10 +43,12 @@ struct BestFirst {
   }
 };
 
-/// How many candidates beyond its limit a subscription remembers. Without this bound, one team member that announces
-/// thousands of services and another that asks for them thousands of times would cost memory for every pair. When all
-/// that are remembered have gone, the registry is searched again.
-inline constexpr std::size_t max_waiting = 16;
+/// How many candidates beyond its limit a subscription remembers at first. Without a bound, one team member that
+/// announces thousands of services and another that asks for them thousands of times would cost memory for every pair.
+/// When all that are remembered have gone, the registry is searched again, and from then on as many are remembered as
+/// the square root of those that were passed over: a search through a million pays for a thousand departures.
+inline constexpr std::size_t first_waiting = 16;
+inline constexpr std::size_t max_waiting = 1024;
 
 /// What one settling changed. Each publication is in at most one of the lists.
 struct Verdict {
@@ -75,8 +77,8 @@ struct Verdict {
 /// a consumer change its provider, nor does noise in a value. It is the best of the others that must be better. Changes
 /// are collected and take effect in settle(), so that one cause gives one verdict.
 ///
-/// Of those that are not chosen only the best wait here, at most `limit + max_waiting`; the others are dropped, and
-/// when it comes to them, settle() asks for all candidates again.
+/// Of those that are not chosen only the best wait here, at most `limit + max_waiting` and few at first; the others are
+/// dropped, and when it comes to them, settle() asks for all candidates again.
 ///
 /// Borrows the publications; one that was withdrawn must live until the next settle(). Each operation is O(log n).
 class Choice {
@@ -93,6 +95,14 @@ class Choice {
   /// changed where they are chosen.
   void release_waiting();
 
+  /// Whether somebody was dropped since the last refill.
+  [[nodiscard]] bool has_passed_over() const { return bound_.has_value(); }
+  /// Whether a new candidate would be dropped at once: then it need not be offered.
+  [[nodiscard]] bool passes_over(const Rank& rank) {
+    const bool is_behind = bound_ && !BestFirst{}(rank, *bound_);
+    if (is_behind) ++passed_over_;
+    return is_behind;
+  }
   /// A new candidate. `is_incumbent` tells that it was chosen before this Choice heard of it.
   void offer(const Rank& rank, const registry::StoredPublication& publication, bool is_incumbent = false);
   /// A candidate that stays one, perhaps with another rank.
@@ -108,7 +118,7 @@ class Choice {
   [[nodiscard]] Dropped take_dropped() { return std::exchange(dropped_, {}); }
 
   /// Whether it had to choose: there may be candidates that it has not chosen.
-  [[nodiscard]] bool is_contested() const { return !waiting_.empty() || bound_; }
+  [[nodiscard]] bool is_contested() const { return !waiting_.empty() || has_passed_over(); }
   [[nodiscard]] bool is_chosen(const Rank& rank) const { return chosen_.contains(rank); }
   /// Best first.
   [[nodiscard]] std::vector<Verdict::Come> chosen() const;
@@ -135,6 +145,8 @@ class Choice {
   Ranking waiting_;
   std::optional<Rank> bound_;  ///< every dropped candidate ranks here or behind; nothing: none was dropped
   Dropped dropped_;
+  std::size_t room_ = first_waiting;  ///< how many wait beyond the limit
+  std::size_t passed_over_ = 0;       ///< how many were dropped since the last refill
   std::vector<Verdict::Gone> gone_;
   std::vector<Rank> touched_;
 };

@@ -15,6 +15,13 @@ struct Audience {
   std::optional<Scope> scope = Scope();      ///< nothing: it cannot be read, and nobody is admitted
   std::optional<Where> condition = Where();  ///< nothing: it cannot be read, and nobody is admitted
 
+  [[nodiscard]] static const Audience& everybody() {
+    static const Audience all;
+    return all;
+  }
+  [[nodiscard]] static bool is_stated(const Publication& publication) {
+    return !publication.scope.empty() || !publication.for_whom.empty();
+  }
   [[nodiscard]] static Audience of(const Publication& publication) {
     Audience audience;
     if (!publication.scope.empty()) {

@@ -54,7 +54,7 @@ void Matcher::State::file(const StoredPublication& stored, const Edition& editio
       has_signature(attributes) ? std::make_unique<const Signature>(signature_of(attributes, edition.vocabulary))
                                 : nullptr;
   if (!of(stored).leaves && (is_converter(attributes) || !edition.converters->is_empty())) {
-    edition.converters->put(stored.entry, of(stored).audience, of(stored).arrival);
+    edition.converters->put(stored.entry, audience(stored), of(stored).arrival);
     filed_ += edition.converters->take_work();
   }
   const FilingPlan plan = FilingPlan::of_publication(known, edition);
@@ -73,7 +73,9 @@ const StoredPublication& Matcher::State::store(PublicationEntry entry, const Sto
     replaced_publication_ = {known, known->entry};
     publications_.replace(*known, std::move(entry), nowhere);
   }
-  of(*known).audience = Audience::of(known->entry.publication);
+  const Publication& offered = known->entry.publication;
+  of(*known).audience =
+      Audience::is_stated(offered) ? std::make_unique<const Audience>(Audience::of(offered)) : nullptr;
   file(*known, in_force_);
   if (is_known_by_both()) file(*known, other_);
   return *known;
@@ -260,12 +262,22 @@ bool Matcher::State::was_chosen_unseen(const StoredPublication& publication) con
          matching::meets(before, replaced_request_, offer(publication, edition), edition.vocabulary);
 }
 
+bool Matcher::State::is_hopeless(const StoredSubscription& subscription, const StoredPublication& publication) {
+  // What somebody is given who had no limit before is known only when the pair is judged.
+  if (replaced_subscription_.stored != nullptr) return false;
+  constexpr Match best_possible;
+  auto& known = of(subscription);
+  return known.choice.has_passed_over() &&
+         known.choice.passes_over(known.request.rank(publication.entry, best_possible));
+}
+
 void Matcher::State::judge(const StoredSubscription& subscription, const StoredPublication& publication) {
   auto& considered_by = of(publication).considered_by;
   auto& choice = of(subscription).choice;
   const bool is_interesting = is_of_interest(subscription.entry, publication.entry);
   const auto known = considered_by.find(subscription.slot);
   if (!is_interesting && known == considered_by.end()) return;
+  if (known == considered_by.end() && is_hopeless(subscription, publication)) return;
   has_waited_ = false;
   const auto match = meets(subscription, publication);
   if (has_waited_) of(subscription).is_waiting = true;
@@ -280,9 +292,11 @@ void Matcher::State::judge(const StoredSubscription& subscription, const StoredP
   if (known != considered_by.end()) {
     choice.change(std::exchange(known->second, rank), rank);
   } else {
+    const bool is_incumbent = was_chosen_unseen(publication);
+    if (!is_incumbent && choice.passes_over(rank)) return;
     if (is_turned_away(subscription, publication)) return;
     considered_by.emplace(subscription.slot, rank);
-    choice.offer(rank, publication, was_chosen_unseen(publication));
+    choice.offer(rank, publication, is_incumbent);
   }
   forget_dropped(subscription);
 }

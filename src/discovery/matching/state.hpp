@@ -16,6 +16,7 @@
 #include "discovery/matching/audience.hpp"
 #include "discovery/matching/candidates.hpp"
 #include "discovery/matching/clash.hpp"
+#include "discovery/matching/considered_by.hpp"
 #include "discovery/matching/matcher.hpp"
 #include "discovery/matching/obstacle.hpp"
 #include "discovery/matching/request.hpp"
@@ -142,10 +143,10 @@ class Matcher::State {
   struct OfPublication {
     std::array<Classes, 2> classes;                              ///< by generation
     std::array<std::unique_ptr<const Signature>, 2> signatures;  ///< by generation; null: none is stated
-    Audience audience;
-    std::map<std::uint32_t, Rank> considered_by;  ///< by the slot of the subscription whose candidate it is
-    std::optional<Reason> leaves;                 ///< it is about to be erased, for this reason
-    std::uint64_t arrival = 0;                    ///< greater than that of those that came before it
+    std::unique_ptr<const Audience> audience;                    ///< null: it is for everybody
+    ConsideredBy considered_by;
+    std::optional<Reason> leaves;  ///< it is about to be erased, for this reason
+    std::uint64_t arrival = 0;     ///< greater than that of those that came before it
   };
   struct OfSubscription {
     const registry::StoredSubscription* stored = nullptr;
@@ -171,11 +172,15 @@ class Matcher::State {
   [[nodiscard]] const Classes& classes(const registry::StoredPublication& stored, const Edition& edition) const {
     return of_publication_[stored.slot].classes[std::to_underlying(edition.generation)];
   }
+  [[nodiscard]] const Audience& audience(const registry::StoredPublication& stored) const {
+    const auto& stated = of_publication_[stored.slot].audience;
+    return stated ? *stated : Audience::everybody();
+  }
   /// With all that is known of it.
   [[nodiscard]] Offer offer(const registry::StoredPublication& stored, const Edition& edition) const {
     const OfPublication& known = of_publication_[stored.slot];
     const auto generation = std::to_underlying(edition.generation);
-    return {stored.entry, known.audience, known.classes[generation], known.signatures[generation].get()};
+    return {stored.entry, audience(stored), known.classes[generation], known.signatures[generation].get()};
   }
   [[nodiscard]] const Edition& edition_of(registry::Generation generation) const {
     return generation == in_force_.generation ? in_force_ : other_;
@@ -240,6 +245,9 @@ class Matcher::State {
                                     const registry::StoredPublication& publication);
   /// Takes up those that wait for a publication that has room again.
   void relieve();
+  /// Whether a new candidate would be dropped however well it meets the subscription, so that this need not be known.
+  [[nodiscard]] bool is_hopeless(const registry::StoredSubscription& subscription,
+                                 const registry::StoredPublication& publication);
   void judge(const registry::StoredSubscription& subscription, const registry::StoredPublication& publication);
   void judge_all(const registry::StoredSubscription& subscription);
   /// Offers every candidate that the choice does not hold.

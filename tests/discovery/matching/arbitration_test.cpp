@@ -153,7 +153,7 @@ TEST_F(Arbitration, OneThatWasChosenUnseenIsAnIncumbent) {
 
 TEST_F(Arbitration, RemembersUpToItsLimitOfWaitingOnesAndSearchesAgainForMore) {
   constexpr std::uint32_t limit = 2;
-  constexpr auto most = static_cast<std::uint32_t>(max_waiting) + limit;
+  constexpr auto most = static_cast<std::uint32_t>(first_waiting) + limit;
   choice_.set_limit(limit);
   offer(rank(1001, 9));
   offer(rank(1002, 9));
@@ -181,7 +181,7 @@ TEST_F(Arbitration, RemembersUpToItsLimitOfWaitingOnesAndSearchesAgainForMore) {
 }
 
 TEST_F(Arbitration, SearchesAgainWhenAChosenOneFallsBehindTheDropped) {
-  constexpr auto most = static_cast<std::uint32_t>(max_waiting) + 1;
+  constexpr auto most = static_cast<std::uint32_t>(first_waiting) + 1;
   choice_.set_limit(1);
   offer(rank(1001, 9));
   EXPECT_THAT(settle(), ElementsAre("+1001"));
@@ -194,7 +194,7 @@ TEST_F(Arbitration, SearchesAgainWhenAChosenOneFallsBehindTheDropped) {
 }
 
 TEST_F(Arbitration, NobodyWaitsWhoRanksBehindADroppedOne) {
-  constexpr auto most = static_cast<std::uint32_t>(max_waiting) + 1;
+  constexpr auto most = static_cast<std::uint32_t>(first_waiting) + 1;
   choice_.set_limit(1);
   offer(rank(1001, 9));
   EXPECT_THAT(settle(), ElementsAre("+1001"));
@@ -209,6 +209,40 @@ TEST_F(Arbitration, NobodyWaitsWhoRanksBehindADroppedOne) {
   EXPECT_EQ(dropped_.size(), 3U) << "one that waited is the worst now";
   choice_.withdraw(rank(1001, 9), Reason::left);
   EXPECT_THAT(settle(), ElementsAre("-1001 left", "+" + std::to_string(most + 1)));
+}
+
+TEST_F(Arbitration, RemembersMoreWhereManyWerePassedOver) {
+  constexpr std::uint32_t many = 10'000;
+  constexpr std::uint32_t root = 100;
+  choice_.set_limit(1);
+  for (std::uint32_t number = 1; number <= many; ++number) offer(rank(number, 1));
+  EXPECT_THAT(settle(), ElementsAre("+1"));
+  std::uint32_t gone = 0;
+  const auto leave_until_refill = [&](int refills) {
+    const std::uint32_t before = gone;
+    for (; refills_ < refills; static_cast<void>(settle())) choice_.withdraw(rank(++gone, 1), Reason::left);
+    return gone - before;
+  };
+  leave_until_refill(1);
+  EXPECT_NEAR(leave_until_refill(2), root, 2);
+  EXPECT_NEAR(leave_until_refill(3), root, 2);
+}
+
+TEST_F(Arbitration, NoMoreWaitThanTheirLimitHoweverManyWerePassedOver) {
+  constexpr auto most = static_cast<std::uint32_t>(first_waiting) + 1;
+  choice_.set_limit(1);
+  offer(rank(1, 1));
+  EXPECT_THAT(settle(), ElementsAre("+1"));
+  for (std::uint32_t number = 2; number <= 1 + most + 1; ++number) offer(rank(number, 1));
+  for (std::size_t i = 0; i < (max_waiting + 1) * (max_waiting + 1); ++i) {
+    ASSERT_TRUE(choice_.passes_over(rank(9000, 0)));
+  }
+  for (std::uint32_t number = 1; number <= 1 + most; ++number) choice_.withdraw(rank(number, 1), Reason::left);
+  static_cast<void>(settle());
+  ASSERT_EQ(refills_, 1);
+  for (std::uint32_t number = 1; number <= 2 * max_waiting; ++number) offer(rank(10'000 + number, 0));
+  EXPECT_EQ(choice_.candidates().size(), 1 + 1 + max_waiting)
+      << "the chosen one, and as many as the limit and the room";
 }
 
 TEST_F(Arbitration, WithoutALimitNobodyIsDropped) {
