@@ -40,26 +40,24 @@ FilingPlan FilingPlan::of_subscription(const Classes& classes, Degree weakest, c
   return {classes.concept_class, accepts_broader(weakest), edition};
 }
 
-void add_subscriptions_for(const registry::Subscriptions& subscriptions, const Identity& offered,
+void add_subscriptions_for(const registry::Subscriptions& subscriptions, const registry::StoredPublication& offer,
                            const Classes& classes, const Edition& edition,
                            std::vector<const registry::StoredSubscription*>& found) {
   const auto add_all = [&found](auto filed) {
     for (const auto& one : filed) found.push_back(one.stored);
   };
+  const Identity& offered = offer.entry.publication.identity;
   const auto* semantic = std::get_if<SemanticIdentity>(&offered);
-  if (semantic != nullptr) {
-    const NumericIdentity number{id32(offered)};
-    add_all(subscriptions.with_identity(number, number.number));
-  }
+  if (semantic != nullptr) add_all(subscriptions.with_identity(NumericIdentity{offer.identity}, offer.identity));
   if (std::holds_alternative<NumericIdentity>(offered)) {
-    std::ranges::for_each(subscriptions.with_number(id32(offered)), add_all);
+    std::ranges::for_each(subscriptions.with_number(offer.identity), add_all);
   } else if (semantic == nullptr) {
-    add_all(subscriptions.with_identity(offered, id32(offered)));
+    add_all(subscriptions.with_identity(offered, offer.identity));
   } else if (!classes.concept_class) {
     add_all(subscriptions.with_concept(semantic->concept_iri));
   } else {
-    for (const vocabulary::ClassNumber wider : edition.vocabulary.subsumers(*classes.concept_class)) {
-      add_all(subscriptions.own(std::to_underlying(wider), edition.generation));
+    for (const registry::ClassedAt& filed : offer.classes[std::to_underlying(edition.generation)]) {
+      if (filed.is_below()) add_all(subscriptions.own(filed.number(), edition.generation));
     }
     add_all(subscriptions.below(std::to_underlying(*classes.concept_class), edition.generation));
   }

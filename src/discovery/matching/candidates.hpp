@@ -115,9 +115,9 @@ void visit_publications(const registry::Publications& publications, const Identi
   }
 }
 
-/// Appends the subscriptions of one edition that an offer with these classes may meet, and those that it may meet
-/// whatever the classes, in no order and perhaps more than once.
-void add_subscriptions_for(const registry::Subscriptions& subscriptions, const Identity& offered,
+/// Appends the subscriptions of one edition that an offer, which has these classes and is filed by them, may meet, and
+/// those that it may meet whatever the classes, in no order and perhaps more than once.
+void add_subscriptions_for(const registry::Subscriptions& subscriptions, const registry::StoredPublication& offer,
                            const Classes& classes, const Edition& edition,
                            std::vector<const registry::StoredSubscription*>& found);
 

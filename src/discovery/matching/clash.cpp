@@ -1,7 +1,9 @@
 // Which numbers are those of two different concepts, and who is told.
 #include "discovery/matching/clash.hpp"
 
-#include <set>
+#include <algorithm>
+#include <span>
+#include <vector>
 
 #include "discovery/matching/state.hpp"
 
@@ -13,11 +15,11 @@ using registry::StoredSubscription;
 namespace {
 
 template <typename Table>
-void add_identities(const Table& table, Id32 number, std::set<Identity>& concepts, bool& has_number) {
+void add_identities(const Table& table, Id32 number, std::vector<const Identity*>& concepts, bool& has_number) {
   for (const auto entries : table.with_number(number)) {
     const Identity& identity = registry::identity_of(entries.front().stored->entry);
     if (std::holds_alternative<NumericIdentity>(identity)) has_number = true;
-    if (std::holds_alternative<SemanticIdentity>(identity) && !has_expression(identity)) concepts.insert(identity);
+    if (std::holds_alternative<SemanticIdentity>(identity) && !has_expression(identity)) concepts.push_back(&identity);
   }
 }
 
@@ -31,10 +33,14 @@ bool Matcher::State::is_kept_apart(const Identity& offered, const Identity& requ
 }
 
 std::vector<const StoredSubscription*> Matcher::State::review(Id32 number, const ServiceKey* newcomer) {
-  std::set<Identity> concepts;
+  std::vector<const Identity*> concepts;
   bool has_number = false;
   add_identities(publications_, number, concepts, has_number);
   add_identities(subscriptions_, number, concepts, has_number);
+  const auto by_value = [](const Identity* one) -> const Identity& { return *one; };
+  std::ranges::sort(concepts, {}, by_value);
+  const auto twice = std::ranges::unique(concepts, {}, by_value);
+  concepts.erase(twice.begin(), twice.end());
   const bool is_clash = concepts.size() > 1;
   const bool was_clash = clashing_.contains(number);
   if (!is_clash && !was_clash) return {};
@@ -53,9 +59,9 @@ std::vector<const StoredSubscription*> Matcher::State::review(Id32 number, const
   return concerned;
 }
 
-void Matcher::State::tell_clash(Id32 number, const std::set<Identity>& concepts) {
+void Matcher::State::tell_clash(Id32 number, std::span<const Identity* const> concepts) {
   std::string names;
-  for (const Identity& one : concepts) names += (names.empty() ? "" : " and ") + canonical_form(one);
+  for (const Identity* one : concepts) names += (names.empty() ? "" : " and ") + canonical_form(*one);
   const std::string text = "the number " + std::to_string(number) + " is that of two different services, " + names +
                            ": nobody is connected by it, ask for and offer the concept";
   const auto tell_all = [&](const auto& table) {

@@ -177,10 +177,9 @@ bool Matcher::State::place_next() {
 
 std::vector<const StoredSubscription*> Matcher::State::subscriptions_for(const StoredPublication& publication) const {
   std::vector<const StoredSubscription*> found;
-  const Identity& offered = publication.entry.publication.identity;
-  add_subscriptions_for(subscriptions_, offered, classes(publication, in_force_), in_force_, found);
+  add_subscriptions_for(subscriptions_, publication, classes(publication, in_force_), in_force_, found);
   if (stage_ == Stage::rematching) {
-    add_subscriptions_for(subscriptions_, offered, classes(publication, other_), other_, found);
+    add_subscriptions_for(subscriptions_, publication, classes(publication, other_), other_, found);
   }
   order_by_key(found);
   return found;

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -238,7 +239,7 @@ class Matcher::State {
   /// Finds out whether the number is that of two concepts, after what has come or gone. Gives the subscriptions that
   /// must be judged anew. `newcomer` is whose coming it is; null: somebody has gone.
   [[nodiscard]] std::vector<const registry::StoredSubscription*> review(Id32 number, const ServiceKey* newcomer);
-  void tell_clash(Id32 number, const std::set<Identity>& concepts);
+  void tell_clash(Id32 number, std::span<const Identity* const> concepts);
   void judge_anew(const std::vector<const registry::StoredSubscription*>& subscriptions);
   /// Whether the publication has as many consumers as it can be told of, and this one has to wait.
   [[nodiscard]] bool is_turned_away(const registry::StoredSubscription& subscription,

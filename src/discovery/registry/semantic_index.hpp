@@ -33,9 +33,9 @@ class SemanticIndex {
     auto& filings = filings_of(stored, filing.generation);
     filings.reserve(filing.below.size() + filing.further_own.size() + (filing.own ? 1 : 0));
     const auto file_in = [&](ClassIndex number, bool is_below) {
-      const std::uint32_t place = 2 * number + (is_below ? 1 : 0);
-      const std::uint32_t position = at(place).file(stored, filed_by(filing.generation), filings.size());
-      filings.push_back({place, position});
+      ClassedAt filed{2 * number + (is_below ? 1 : 0)};
+      filed.position = at(filed).file(stored, filed_by(filing.generation), filings.size());
+      filings.push_back(filed);
     };
     if (filing.own) file_in(*filing.own, false);
     for (const ClassIndex number : filing.further_own) file_in(number, false);
@@ -45,7 +45,7 @@ class SemanticIndex {
   /// Takes an entry out. O(filings).
   void unfile(const Stored<Entry>& stored, Generation generation) {
     auto& filings = filings_of(stored, generation);
-    for (; !filings.empty(); filings.pop_back()) at(filings.back().bucket).remove(filings.back().position);
+    for (; !filings.empty(); filings.pop_back()) at(filings.back()).remove(filings.back().position);
   }
 
   [[nodiscard]] std::span<const Filed<Entry>> own(ClassIndex number) const {
@@ -70,12 +70,11 @@ class SemanticIndex {
   }
 
   /// The bucket of what is filed under a class, and behind it, that of what is filed below it.
-  Bucket<Entry>& at(std::uint32_t place) {
-    const ClassIndex number = place / 2;
-    GEMINGA_ASSERT(number < classes_.size());
-    auto& buckets = classes_[number];
+  Bucket<Entry>& at(const ClassedAt& filed) {
+    GEMINGA_ASSERT(filed.number() < classes_.size());
+    auto& buckets = classes_[filed.number()];
     if (!buckets) buckets = std::make_unique<Buckets>();
-    return place % 2 == 0 ? buckets->own : buckets->below;
+    return filed.is_below() ? buckets->below : buckets->own;
   }
 
   std::vector<std::unique_ptr<Buckets>> classes_;

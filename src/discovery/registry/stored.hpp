@@ -45,8 +45,10 @@ struct NamedAt {
   std::uint32_t position = 0;
 };
 struct ClassedAt {
-  std::uint32_t bucket = 0;  ///< of the semantic index
+  std::uint32_t bucket = 0;  ///< of the semantic index: twice the class, and one more for those below it
   std::uint32_t position = 0;
+  [[nodiscard]] std::uint32_t number() const { return bucket / 2; }
+  [[nodiscard]] bool is_below() const { return bucket % 2 != 0; }
 };
 
 /// An entry in the registry. Its address stays the same until it is erased. Only the registry changes it.
