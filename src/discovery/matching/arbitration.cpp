@@ -9,6 +9,16 @@
 #include "base/assert.hpp"
 
 namespace geminga::matching {
+namespace {
+
+/// How far the difference of two numbers may be off because of how they are kept: 0.15 - 0.1 is a little less than
+/// 0.05.
+double noise(double a, double b) {
+  constexpr double rounding = 1e-12;
+  return rounding * std::max(std::abs(a), std::abs(b));
+}
+
+}  // namespace
 
 bool is_strictly_better(const Rank& a, const Rank& b) {
   const bool has_score = !a.score.empty() || !b.score.empty();  // asked first, because few have one
@@ -22,7 +32,7 @@ bool is_better_by(const Score& margins, const Rank& a, const Rank& incumbent) {
   const auto [its, others] = std::ranges::mismatch(a.score, incumbent.score);
   const auto place = static_cast<std::size_t>(its - a.score.begin());
   if (its == a.score.end() || others == incumbent.score.end() || place >= margins.size()) return true;
-  return *others - *its >= margins[place];
+  return *others - *its >= margins[place] - noise(*others, *its);
 }
 
 void Choice::release_waiting() {

@@ -1,6 +1,7 @@
 #include "discovery/matching/number.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -50,6 +51,15 @@ std::optional<double> number(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+double rounded(double value) {
+  constexpr int digits_behind_the_first = 13;
+  std::array<char, 32> octets{};
+  const auto written = std::to_chars(octets.data(), octets.data() + octets.size(), value, std::chars_format::scientific,
+                                     digits_behind_the_first);
+  std::from_chars(octets.data(), written.ptr, value);
   return value;
 }
 

@@ -16,6 +16,9 @@ namespace geminga::matching {
 /// The number that the whole text is; nothing where it has another form or is not finite.
 [[nodiscard]] std::optional<double> number(std::string_view text);
 
+/// The nearest number of 14 decimal digits: 70 * 0.01 and 0.7 are the same there. Requires that it is finite.
+[[nodiscard]] double rounded(double value);
+
 /// Whole numbers of 64 bits are compared exactly, all others as doubles. Requires two numbers.
 [[nodiscard]] std::partial_ordering compare_numbers(std::string_view a, std::string_view b);
 

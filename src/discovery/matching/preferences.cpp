@@ -71,6 +71,7 @@ std::optional<double> value_of(const Wish& wish, const PublicationEntry& publica
     value.value = *bare;
   } else if (const auto with_unit = quantity(*stated)) {
     value = *with_unit;
+    value.value = rounded(value.value);  // a length in another unit is no better for what rounding made of it
   } else {
     return std::nullopt;
   }

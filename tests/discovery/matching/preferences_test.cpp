@@ -127,6 +127,32 @@ TEST_F(Preferring, AMarginHasTheUnitOfItsValues) {
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p3.1.1 exact 0", "p1.1.1 pub del p2.1.1 outranked"));
 }
 
+TEST_F(Preferring, TheSameLengthInAnotherUnitIsNoBetter) {
+  matcher.put(provider(3, "70 cm"));
+  EXPECT_THAT(ask(1, "rate asc"), ElementsAre("p1.1.1 pub add p3.1.1 exact 0"));
+  matcher.put(provider(4, "0.7 m"));
+  matcher.put(provider(2, "0.7 m"));
+  EXPECT_THAT(told(matcher), IsEmpty()) << "0.7 m and 70 cm differ by what rounding makes of them";
+}
+
+TEST_F(Preferring, WhoIsBetterByJustTheMarginTakesThePlace) {
+  matcher.put(provider(2, "15 cm"));
+  EXPECT_THAT(ask(1, "rate asc by 5 cm"), ElementsAre("p1.1.1 pub add p2.1.1 exact 0"));
+  matcher.put(provider(3, "10.01 cm"));
+  EXPECT_THAT(told(matcher), IsEmpty());
+  matcher.put(provider(3, "10 cm"));
+  EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p3.1.1 exact 0", "p1.1.1 pub del p2.1.1 outranked"));
+}
+
+TEST_F(Preferring, WhoIsBetterByJustAMarginWithoutUnitTakesThePlace) {
+  matcher.put(provider(2, "1000.1"));
+  EXPECT_THAT(ask(1, "rate desc by 0.05"), ElementsAre("p1.1.1 pub add p2.1.1 exact 0"));
+  matcher.put(provider(3, "1000.1499"));
+  EXPECT_THAT(told(matcher), IsEmpty());
+  matcher.put(provider(3, "1000.15"));
+  EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p3.1.1 exact 0", "p1.1.1 pub del p2.1.1 outranked"));
+}
+
 TEST_F(Preferring, TheBestOfManyAreFoundWhenThePreferenceChanges) {
   // More than a choice remembers, so that some have been dropped by the order that holds no more.
   for (std::uint32_t host = 2; host < 60; ++host) matcher.put(provider(host, std::to_string(host)));
