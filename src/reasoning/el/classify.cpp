@@ -23,7 +23,7 @@
 namespace geminga::el {
 namespace {
 
-constexpr std::size_t max_pairs = std::size_t{1} << 28;  // of one closure before saturation
+constexpr std::size_t max_closure_pairs = std::size_t{1} << 28;  // of one closure before saturation
 
 /// What may follow. It grows with what is written, so that a small file that means much takes the memory of a small one
 /// (a conclusion is about ten octets); published ontologies have tens of conclusions an axiom.
@@ -52,10 +52,10 @@ class Classifier {
     if (source_.problem()) return std::unexpected(ClassifyError{*source_.problem()});
     find_classes();
     add_axioms();
-    if (!index_.finish(max_pairs)) {
+    if (!index_.finish(max_closure_pairs)) {
       return std::unexpected(ClassifyError{"the closure of the properties has more than " +
                                            std::to_string(max_role_pairs) + " pairs, or that of the told classes " +
-                                           std::to_string(max_pairs)});
+                                           std::to_string(max_closure_pairs)});
     }
     find_roots();
     if (options_.inherits && !may_settle_ && Inheritance::is_for(index_)) {
