@@ -27,7 +27,7 @@ inline constexpr std::size_t max_where_bytes = 400;
 /// Provider filters of one subscription, and providers that it favours.
 inline constexpr std::size_t max_provider_filters = 16;
 /// Services that a subscription has chosen, as its host announces them.
-inline constexpr std::size_t max_announced_choice = 16;
+inline constexpr std::size_t max_announced_choice = 64;
 /// What it prefers, and by what it ranks, in octets.
 inline constexpr std::size_t max_prefer_bytes = 200;
 inline constexpr std::size_t max_rank_bytes = 64;

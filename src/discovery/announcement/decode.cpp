@@ -12,6 +12,7 @@
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/fault.hpp"
 #include "discovery/announcement/limits.hpp"
+#include "discovery/announcement/wire_choice.hpp"
 #include "discovery/announcement/wire_entry.hpp"
 
 namespace geminga::announcement {
@@ -218,9 +219,9 @@ Decoded<NumberedSubscription> subscription_of(const wire::Subscription& message,
   subscription.prefer = message.prefer();
   subscription.rank = message.rank();
   subscription.scope = message.scope();
-  for (const auto& chosen : message.chosen()) {
-    subscription.chosen.push_back({ParticipantId{chosen.participant()}, PeerId{chosen.peer()}, chosen.number()});
-  }
+  auto chosen = read_choice(message);
+  if (!chosen) return Failure(DecodeError::bad_identifier);
+  subscription.chosen = std::move(*chosen);
   subscription.convert = message.convert();
   if (const auto fault = find_fault(subscription)) return Failure(fault->word);
   return numbered;

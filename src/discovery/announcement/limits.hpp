@@ -25,6 +25,8 @@ inline constexpr std::size_t max_entry_bytes = 720;
 inline constexpr std::size_t max_iri_bytes = 255;
 /// A class expression that is asked for instead of a concept, in octets of its canonical form.
 inline constexpr std::size_t max_expression_bytes = 400;
+/// Services of a choice that are written one by one; of more the participants are written once (wire_choice.hpp).
+inline constexpr std::size_t max_listed_choice = 16;
 /// Addresses of one interface; further ones are not announced.
 inline constexpr std::size_t max_addresses = 8;
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/address.hpp"
+#include "discovery/announcement/wire_choice.hpp"
 
 namespace geminga::announcement {
 namespace {
@@ -102,12 +103,7 @@ wire::Subscription to_wire(const NumberedSubscription& numbered, TermTable& term
   message.set_prefer(numbered.subscription.prefer);
   message.set_rank(numbered.subscription.rank);
   message.set_scope(numbered.subscription.scope);
-  for (const ServiceKey& key : numbered.subscription.chosen) {
-    auto* chosen = message.add_chosen();
-    chosen->set_participant(std::to_underlying(key.participant));
-    chosen->set_peer(std::to_underlying(key.peer));
-    chosen->set_number(key.number);
-  }
+  write_choice(numbered.subscription.chosen, message);
   message.set_convert(numbered.subscription.convert);
   return message;
 }

@@ -27,9 +27,9 @@
 
 namespace geminga::matching {
 
-/// A remote consumer that asks for more providers than this is treated as one that takes all: its choice then needs no
-/// other candidates than our own publications. The price is that a provider may be told of a consumer that has better
-/// ones.
+/// A remote consumer that asks for more providers than this and has not announced its choice is treated as one that
+/// takes all: its choice then needs no other candidates than our own publications. The price is that a provider may be
+/// told of a consumer that has better ones.
 inline constexpr std::uint32_t max_counted_providers = 16;
 
 /// A consumer of our own that asks for all is given the best of so many. Each pair costs memory here and in its peer,

@@ -101,9 +101,14 @@ Subscription random_subscription(Random& random) {
   subscription.prefer = random_text(random, 0, 40, "abc desc,by0123");
   subscription.rank = random_text(random, 0, 20, "abc,");
   subscription.scope = random_text(random, 0, 20, "abc,!/*");
-  for (std::uint32_t number = 1; number < random.below(4); ++number) {
-    subscription.chosen.push_back({ParticipantId{7}, PeerId{number}, static_cast<std::uint32_t>(1 + random.below(9))});
+  const auto most = random.chance(0.1) ? max_announced_choice : 3;
+  for (auto left = random.below(most + 1); left > 0; --left) {
+    subscription.chosen.push_back({ParticipantId{static_cast<std::uint32_t>(1 + random.below(9))},
+                                   PeerId{static_cast<std::uint32_t>(1 + random.below(4))},
+                                   static_cast<std::uint32_t>(1 + random.below(99))});
   }
+  std::ranges::sort(subscription.chosen);
+  subscription.chosen.erase(std::ranges::unique(subscription.chosen).begin(), subscription.chosen.end());
   subscription.convert = random.chance(0.5) ? 0 : static_cast<std::uint32_t>(random.next());
   return subscription;
 }

@@ -120,6 +120,19 @@ TEST(Decode, RefusesEachViolationInAServiceByItsWord) {
       chosen->set_number(static_cast<std::uint32_t>(i + 1));
     }
   };
+  // Groups of what is chosen: their participants, their sizes, and what follows each.
+  const auto set_groups = [](M& m, const std::vector<std::vector<std::uint32_t>>& groups) {
+    std::uint32_t participant = 0;
+    for (const auto& group : groups) {
+      subscription(m).add_chosen_hosts(++participant);
+      for (const std::uint32_t number : group) subscription(m).add_chosen_services(number);
+    }
+  };
+  const auto group_of = [](std::uint32_t count) {
+    std::vector<std::uint32_t> group = {count};
+    for (std::uint32_t number = 1; number <= count; ++number) group.insert(group.end(), {1, number});
+    return group;
+  };
   expect({
       {"number 0", [](M& m) { publication(m).set_number(0); }, DecodeError::bad_identifier},
       {"number twice", [](M& m) { publication(m).set_number(43); }, DecodeError::bad_identifier},
@@ -215,6 +228,23 @@ TEST(Decode, RefusesEachViolationInAServiceByItsWord) {
        [&](M& m) {
          set_chosen(m, 2);
          subscription(m).mutable_chosen(0)->set_number(2);
+       },
+       DecodeError::bad_identifier},
+      {"17 chosen in groups", [&](M& m) { set_groups(m, {group_of(16), {1, 1, 1}}); }, {}},
+      {"64 chosen in groups", [&](M& m) { set_groups(m, {group_of(32), group_of(32)}); }, {}},
+      {"65 chosen in groups", [&](M& m) { set_groups(m, {group_of(32), group_of(33)}); }, DecodeError::bad_identifier},
+      {"65 chosen in one group", [&](M& m) { set_groups(m, {group_of(65)}); }, DecodeError::bad_identifier},
+      {"a group of none", [&](M& m) { set_groups(m, {{0}}); }, DecodeError::bad_identifier},
+      {"a group without size", [&](M& m) { set_groups(m, {{1, 1, 1}, {}}); }, DecodeError::bad_identifier},
+      {"a group that is cut", [&](M& m) { set_groups(m, {{2, 1, 1, 1}}); }, DecodeError::bad_identifier},
+      {"a group larger than all", [&](M& m) { set_groups(m, {{0xFFFFFFFF, 1, 1}}); }, DecodeError::bad_identifier},
+      {"a group of nobody", [&](M& m) { subscription(m).add_chosen_services(0); }, DecodeError::bad_identifier},
+      {"a group with a peer 0", [&](M& m) { set_groups(m, {{1, 0, 1}}); }, DecodeError::bad_identifier},
+      {"a group that descends", [&](M& m) { set_groups(m, {{2, 1, 2, 1, 1}}); }, DecodeError::bad_identifier},
+      {"chosen in both forms",
+       [&](M& m) {
+         set_chosen(m, 1);
+         set_groups(m, {{1, 1, 1}});
        },
        DecodeError::bad_identifier},
       {"scope of 201", [](M& m) { subscription(m).set_scope(std::string(201, 's')); }, DecodeError::bad_filter},

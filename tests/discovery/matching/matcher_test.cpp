@@ -324,7 +324,7 @@ TEST(Matcher, AnnouncesAChoiceOnlyWhereItHadToChoose) {
   matcher.put(request(key(here, 1, 3), ball, 1, Degree::narrower, one_to_many_stream));
   matcher.put(request(key(here, 1, 4), ball, max_announced_choice));
   matcher.put(request(key(here, 1, 5), ball, max_announced_choice + 1));
-  for (std::uint32_t host = 3; host < 30; ++host) {
+  for (std::uint32_t host = 3; host < 3 + max_announced_choice + 2; ++host) {
     matcher.put(offer(key(host, 1, 1), ball));
     matcher.put(offer(key(host, 1, 2), ball, 0, one_to_many_stream));
   }
