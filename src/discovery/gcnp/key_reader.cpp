@@ -144,7 +144,7 @@ std::optional<std::vector<ProviderFilter>> KeyReader::providers(std::string_view
   std::string_view rest = *given;
   while (!rest.empty()) {
     const auto comma = std::min(rest.find(','), rest.size());
-    const std::string_view item = rest.substr(0, comma);
+    const std::string_view item = base::trimmed(rest.substr(0, comma));
     const bool is_last = comma == rest.size();
     rest.remove_prefix(is_last ? comma : comma + 1);
     const auto slash = item.find('/');
@@ -176,7 +176,7 @@ std::optional<std::vector<std::string>> KeyReader::protocols() {
   std::vector<std::string> protocols;
   for (std::size_t begin = 0; !given->empty() && begin <= given->size();) {
     const auto comma = std::min(given->find(',', begin), given->size());
-    protocols.emplace_back(given->substr(begin, comma - begin));
+    protocols.emplace_back(base::trimmed(given->substr(begin, comma - begin)));
     begin = comma + 1;
     if (protocols.back().empty()) {
       fail_value("protocol", "a word such as udp, or several of them with commas");

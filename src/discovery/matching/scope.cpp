@@ -13,13 +13,14 @@ std::optional<Scope::Entry> Scope::entry(std::string_view text) {
   Entry entry;
   entry.excludes = text.starts_with('!');
   if (entry.excludes) text = base::trimmed(text.substr(1));
+  if (entry.excludes && text.starts_with('!')) return std::nullopt;
   const auto slash = std::min(text.find('/'), text.size());
   const std::string_view host = text.substr(0, slash);
   if (host.empty() || (slash != text.size() && text.find('/', slash + 1) != std::string_view::npos))
     return std::nullopt;
   if (slash + 1 == text.size()) return std::nullopt;
   if (slash != text.size()) entry.peer = text.substr(slash + 1);
-  if (host == "host") {
+  if (host == "host" || host == "localhost") {
     entry.host = Entry::Host::own;
   } else if (host != "any" && host != "group") {
     entry.host = Entry::Host::named;

@@ -276,6 +276,22 @@ TEST(Request, HasAsManyAttributesAndProvidersAsTheirLimits) {
   EXPECT_EQ(providers(max_provider_filters + 1).error().code, ErrorCode::too_large);
 }
 
+TEST(Request, HasListsWithBlanksBetweenTheirEntries) {
+  const auto create = std::get<SubCreate>(*read(
+      "5 sub create mode=oto id=1 provider=\"robot1, robot 2/left eye ,r3\" favour=\" a , b\" protocol=\"udp, tcp\""));
+  EXPECT_THAT(create.subscription.providers,
+              testing::ElementsAre(ProviderFilter{"robot1", ""}, ProviderFilter{"robot 2", "left eye"},
+                                   ProviderFilter{"r3", ""}));
+  EXPECT_THAT(create.subscription.favoured, testing::ElementsAre(ProviderFilter{"a", ""}, ProviderFilter{"b", ""}));
+  EXPECT_THAT(create.subscription.protocols, testing::ElementsAre("udp", "tcp"));
+  for (const char* bad :
+       {"provider=\" \"", "provider=\"a, ,b\"", "favour=\"a, \"", "protocol=\"udp, \"", "protocol=\" \""}) {
+    const auto request = read("5 sub create mode=oto id=1 " + std::string(bad));
+    ASSERT_FALSE(request) << bad;
+    EXPECT_EQ(request.error().code, ErrorCode::malformed) << bad;
+  }
+}
+
 TEST(Request, HasNumbersUpToTheirEdges) {
   for (const char* good : {"port=1", "port=65535", "port=1 priority=-2147483648", "port=1 priority=2147483647"}) {
     EXPECT_TRUE(read("5 pub create mode=oto id=1 " + std::string(good))) << good;

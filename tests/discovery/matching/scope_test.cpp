@@ -39,6 +39,8 @@ TEST(Scope, AdmitsWhoSuitsAnEntryAndNobodyWhoIsExcluded) {
   EXPECT_THAT(admitted("host"), ElementsAre("robot1"));
   EXPECT_THAT(admitted("host/module1"), ElementsAre("robot1"));
   EXPECT_THAT(admitted("host/module2"), IsEmpty());
+  EXPECT_THAT(admitted("localhost/module1"), ElementsAre("robot1"));
+  EXPECT_THAT(admitted("robot*/module1, !localhost/module1"), ElementsAre("robot2", "robot12"));
   EXPECT_THAT(admitted("!host"), ElementsAre("robot2", "robot12"));
   EXPECT_THAT(admitted("! host"), ElementsAre("robot2", "robot12"));
   EXPECT_THAT(admitted("robot1*,!host"), ElementsAre("robot12"));
@@ -51,7 +53,7 @@ TEST(Scope, AdmitsWhoSuitsAnEntryAndNobodyWhoIsExcluded) {
 }
 
 TEST(Scope, ThatCannotBeReadIsRefused) {
-  for (const char* text : {",", "host,", ",host", "!", "a/b/c", "a/", "/b", " ", "host,,any"}) {
+  for (const char* text : {",", "host,", ",host", "!", "a/b/c", "a/", "/b", " ", "host,,any", "!!host", "! !host"}) {
     const auto error = check_scope(text);
     ASSERT_TRUE(error) << text;
     EXPECT_EQ(error->code, ErrorCode::impossible);
