@@ -23,8 +23,13 @@ using std::chrono::seconds;
 /// Three hosts with two clients each, that say what chance says.
 class Agreement {
  public:
-  Agreement(std::uint64_t seed, Air air, bool is_crowded)
-      : is_crowded_(is_crowded), world_(seed, air), random_(world_.random()) {
+  enum class Crowd : std::uint8_t {
+    mixed,
+    crowded,     ///< many offer the same
+    converting,  ///< many convert, and all ask for that
+  };
+
+  Agreement(std::uint64_t seed, Air air, Crowd crowd) : crowd_(crowd), world_(seed, air), random_(world_.random()) {
     for (const char* name : {"robot1", "robot2", "robot3"}) {
       Host& host = world_.add_host(name);
       host.ontology = small_ontology("frames");
@@ -53,7 +58,7 @@ class Agreement {
     } else if (dice < 8) {
       one.client->hang_up();
       connect(one);
-    } else if (dice < (is_crowded_ ? 85 : 55)) {
+    } else if (dice < (crowd_ == Crowd::crowded ? 85 : 55)) {
       offer(one);
     } else {
       ask(one);
@@ -65,27 +70,33 @@ class Agreement {
   std::string difference() {
     world_.run_for(must_expire_ ? seconds(40) : seconds(8));
     must_expire_ = false;
-    std::set<Pair> given;
-    std::set<Pair> taken;
+    std::map<Pair, std::string> given;
+    std::map<Pair, std::string> taken;
     for (const auto& one : clients_) {
       const std::string own = one.client->participant() + '/' + one.client->peer() + '/';
       for (const auto& [number, request] : one.asked) {
         for (const auto& [service, event] : one.client->view(number)) {
-          if (event.value("mode") != "otm/stream") given.emplace(own + std::to_string(number), service);
+          if (event.value("mode") == "otm/stream") continue;  // its provider is not told
+          given.emplace(Pair(own + std::to_string(number), service), match_of(event));
         }
       }
       for (const auto& [number, request] : one.offered) {
         for (const auto& [subscription, event] : one.client->view(number)) {
-          taken.emplace(subscription, own + std::to_string(number));
+          taken.emplace(Pair(subscription, own + std::to_string(number)), match_of(event));
         }
       }
     }
     pairs_ += given.size();
     std::string words;
-    for (const auto& pair : given) {
-      if (!taken.contains(pair)) words += describe(pair) + ": the provider is not told\n";
+    for (const auto& [pair, match] : given) {
+      const auto found = taken.find(pair);
+      if (found == taken.end()) {
+        words += describe(pair) + ": the provider is not told\n";
+      } else if (found->second != match) {
+        words += describe(pair) + ": the consumer is told " + match + ", the provider " + found->second + '\n';
+      }
     }
-    for (const auto& pair : taken) {
+    for (const auto& [pair, match] : taken) {
       if (!given.contains(pair)) words += describe(pair) + ": the consumer is not told\n";
     }
     return words;
@@ -104,6 +115,10 @@ class Agreement {
     std::map<std::uint32_t, std::string> offered{};
     std::map<std::uint32_t, std::string> asked{};
   };
+
+  static std::string match_of(const gcnp::Statement& event) {
+    return std::string(event.value("degree").value_or("?")) + ' ' + std::string(event.value("distance").value_or("?"));
+  }
 
   std::string describe(const Pair& pair) const {
     std::string words = pair.first + " by " + pair.second;
@@ -159,9 +174,9 @@ class Agreement {
     }
   }
 
-  std::string mode() { return is_crowded_ ? "oto" : one_of<4>({"oto", "oto", "otm/pubsub", "otm/stream"}); }
+  std::string mode() { return crowd_ != Crowd::mixed ? "oto" : one_of<4>({"oto", "oto", "otm/pubsub", "otm/stream"}); }
   std::string identity(bool is_offer) {
-    if (is_crowded_)
+    if (crowd_ == Crowd::crowded)
       return is_offer && random_.chance(0.7) ? " concept=soccer:Ball representation=soccer:RobotFrame"
                                              : " concept=soccer:Ball";
     if (random_.chance(0.1)) return " text=goalie";
@@ -191,8 +206,12 @@ class Agreement {
     }
   }
 
+  std::string conversion() {
+    return " converts=soccer:" + frame() + ">soccer:" + frame() + " cost=" + std::to_string(1 + random_.below(4));
+  }
+
   void offer(Module& one) {
-    const auto number = static_cast<std::uint32_t>(1 + random_.below(is_crowded_ ? 10 : 4));
+    const auto number = static_cast<std::uint32_t>(1 + random_.below(crowd_ == Crowd::mixed ? 4 : 10));
     const std::string create = " mode=" + mode() + identity(true) + " port=" + std::to_string(5000 + number);
     std::string change;
     switch (random_.below(10)) {
@@ -217,7 +236,7 @@ class Agreement {
         change = " rate=" + std::to_string(random_.below(5)) + one_of<3>({"m", "cm", "Hz"});
         break;
       case 7:
-        change = " converts=soccer:" + frame() + ">soccer:" + frame() + " cost=" + std::to_string(1 + random_.below(4));
+        change = conversion();
         break;
       case 8:
         if (!one.offered.contains(number)) break;
@@ -226,17 +245,19 @@ class Agreement {
       default:
         break;
     }
+    if (crowd_ == Crowd::converting && random_.chance(0.5)) change = conversion();
     say(one, one.offered, "pub", create, change, number);
   }
 
   void ask(Module& one) {
     const auto number = static_cast<std::uint32_t>(101 + random_.below(3));
-    const std::string create = " mode=" + mode() + identity(false);
-    std::string change;
-    switch (random_.below(14)) {
+    const std::string create =
+        " mode=" + mode() + identity(false) + (crowd_ == Crowd::converting ? " match=broader" : "");
+    std::string change = crowd_ == Crowd::converting && !one.asked.contains(number) ? " convert=yes" : "";
+    switch (change.empty() ? random_.below(14) : 14) {
       case 0:
       case 1:
-        change = " limit=" + std::to_string(random_.below(is_crowded_ ? 30 : 4));
+        change = " limit=" + std::to_string(random_.below(crowd_ == Crowd::crowded ? 30 : 4));
         break;
       case 2:
       case 3:
@@ -268,17 +289,16 @@ class Agreement {
       case 12:
         change = " provider=" + one_of<3>({"\"\"", "robot1,robot2", "robot3/base"});
         break;
-      default:
+      case 13:
         change = " role=" + one_of<2>({"x", "y"});
         break;
+      default:
+        break;
     }
-    // So long that there is no room to announce what it has chosen.
-    if (random_.chance(0.05))
-      change = " note=" + std::string(250, 'x') + " mark=" + std::string(random_.below(250), 'x');
     say(one, one.asked, "sub", create, change, number);
   }
 
-  bool is_crowded_;  ///< many offer the same
+  Crowd crowd_;
   World world_;
   base::Random& random_;
   std::vector<Host*> hosts_;
@@ -290,12 +310,12 @@ class Agreement {
 TEST(Agreement, BothSidesSayTheSameWhenNothingChanges) {
   const std::uint64_t first = World::seed_or(1);
   std::size_t pairs = 0;
-  for (std::uint64_t seed = first; seed < first + 24; ++seed) {
-    const bool is_crowded = seed % 2 == 0;
-    const Air air = seed % 3 == 0 ? Air{.loss = 0.2, .duplicate = 0.05, .longest_delay = milliseconds(50)} : Air{};
-    Agreement agreement(seed, air, is_crowded);
+  for (std::uint64_t seed = first; seed < first + 30; ++seed) {
+    const auto crowd = static_cast<Agreement::Crowd>(seed % 3);
+    const Air air = seed % 4 == 0 ? Air{.loss = 0.2, .duplicate = 0.05, .longest_delay = milliseconds(50)} : Air{};
+    Agreement agreement(seed, air, crowd);
     for (int round = 0; round < 30; ++round) {
-      for (int i = 0; i < (is_crowded ? 20 : 6); ++i) agreement.step();
+      for (int i = 0; i < (crowd == Agreement::Crowd::mixed ? 6 : 20); ++i) agreement.step();
       ASSERT_EQ(agreement.difference(), "") << agreement.when() << ", round " << round;
     }
     pairs += agreement.pairs();

@@ -25,7 +25,8 @@ class Conversions {
   explicit Conversions(std::shared_ptr<const compiled::Ontology> ontology);
 
   /// The cheapest chain, up to its length, from something above `offered` to something below `requested`; of those the
-  /// shortest, and of those the first by the classes. Null where there is none. Both must be satisfiable.
+  /// shortest, of those the one with the least distance, and of those the first by the classes. Null where there is
+  /// none. Both must be satisfiable.
   [[nodiscard]] std::shared_ptr<const Chain> cheapest(taxonomy::ClassNumber offered,
                                                       taxonomy::ClassNumber requested) const;
   [[nodiscard]] std::size_t size() const { return graph_.size(); }

@@ -22,7 +22,11 @@ constexpr unsigned service_bits = 8;
 /// The cheapest way of a certain length that ends with a certain step.
 struct StepGraph::Best {
   std::uint64_t weight = unreached;
+  std::uint32_t distance = 0;
   std::uint32_t before = 0;  ///< the step before the last
+  [[nodiscard]] bool is_better_than(const Best& other) const {
+    return weight != other.weight ? weight < other.weight : distance < other.distance;
+  }
 };
 
 std::uint64_t StepGraph::weight_of(const Step& step) {
@@ -36,16 +40,19 @@ void StepGraph::put(std::uint32_t place, const Step& step, std::uint64_t turn) {
   const auto behind_it = std::ranges::upper_bound(order_, turn, {}, [this](auto other) { return steps_[other].turn; });
   order_.insert(behind_it, place);
   for (const std::uint32_t other : order_) {
-    if (ontology_->is_subsumed(step.to, steps_[other].step.from)) steps_[place].next.push_back(other);
+    const Step& one = steps_[other].step;
+    if (ontology_->is_subsumed(step.to, one.from)) steps_[place].next.push_back({other, climb(step.to, one.from)});
     if (other == place) continue;
-    if (ontology_->is_subsumed(steps_[other].step.to, step.from)) steps_[other].next.push_back(place);
+    if (ontology_->is_subsumed(one.to, step.from)) steps_[other].next.push_back({place, climb(one.to, step.from)});
   }
 }
 
 void StepGraph::erase(std::uint32_t place) {
   GEMINGA_ASSERT(has(place));
   std::erase(order_, place);
-  for (const std::uint32_t other : order_) std::erase(steps_[other].next, place);
+  for (const std::uint32_t other : order_) {
+    std::erase_if(steps_[other].next, [place](const Next& next) { return next.place == place; });
+  }
   steps_[place] = {};
 }
 
@@ -53,10 +60,10 @@ bool StepGraph::go_on(const Round& reached, std::uint64_t least, const Usable& u
   bool is_any_reached = false;
   for (const std::uint32_t at : order_) {
     if (reached[at].weight == unreached) continue;
-    for (const std::uint32_t next : steps_[at].next) {
-      const std::uint64_t weight = reached[at].weight + weight_of(steps_[next].step);
-      if (weight >= further[next].weight || weight >= least || (usable && !usable(next))) continue;
-      further[next] = {weight, at};
+    for (const auto& [next, distance] : steps_[at].next) {
+      const Best best{reached[at].weight + weight_of(steps_[next].step), reached[at].distance + distance, at};
+      if (!best.is_better_than(further[next]) || best.weight >= least || (usable && !usable(next))) continue;
+      further[next] = best;
       is_any_reached = true;
     }
   }
@@ -70,19 +77,23 @@ std::vector<std::uint32_t> StepGraph::cheapest(ClassNumber offered, ClassNumber 
     if (usable && !usable(at)) continue;
     const Step& one = steps_[at].step;
     is_last[at] = ontology_->is_subsumed(one.to, requested);
-    if (ontology_->is_subsumed(offered, one.from)) first[at].weight = weight_of(one);
+    if (ontology_->is_subsumed(offered, one.from)) first[at] = {weight_of(one), climb(offered, one.from), 0};
   }
   std::vector<Round> rounds = {std::move(first)};
   std::uint64_t least = unreached;
   std::vector<std::uint32_t> way;
   for (;;) {
     const Round& reached = rounds.back();
+    Best best{.weight = least};  // a way that is longer must be cheaper
     for (const std::uint32_t at : order_) {
-      if (!is_last[at] || reached[at].weight >= least) continue;
-      least = reached[at].weight;
+      if (!is_last[at] || reached[at].weight > best.weight || reached[at].weight == least) continue;
+      const Best one{reached[at].weight, reached[at].distance + climb(steps_[at].step.to, requested), 0};
+      if (!one.is_better_than(best)) continue;
+      best = one;
       way = {at};
       for (std::size_t round = rounds.size() - 1; round > 0; --round) way.push_back(rounds[round][way.back()].before);
     }
+    least = best.weight;
     if (rounds.size() == max_chain_conversions) break;
     Round further(steps_.size());
     if (!go_on(reached, least, usable, further)) break;

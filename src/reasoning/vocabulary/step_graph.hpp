@@ -61,8 +61,8 @@ class StepGraph {
   /// Whether a step may be used. Empty: all.
   using Usable = std::function<bool(std::uint32_t place)>;
   /// The places of the cheapest way, up to max_chain_conversions, from something above `offered` to something below
-  /// `requested`; of those that with the fewest services, of those the shortest, of those the one whose last step has
-  /// the least turn, and so on back to the first. Empty where there is none.
+  /// `requested`; of those that with the fewest services, of those the shortest, of those that with the least distance,
+  /// of those the one whose last step has the least turn, and so on back to the first. Empty where there is none.
   [[nodiscard]] std::vector<std::uint32_t> cheapest(taxonomy::ClassNumber offered, taxonomy::ClassNumber requested,
                                                     const Usable& usable = {}) const;
   /// What comes of the ways that begin with this step, each place once, with the least cost of a way that ends with it.
@@ -72,15 +72,22 @@ class StepGraph {
                                taxonomy::ClassNumber requested) const;
 
  private:
+  struct Next {
+    std::uint32_t place = 0;
+    std::uint32_t distance = 0;  ///< up to what it takes
+  };
   struct Stored {
     Step step;
     std::uint64_t turn = 0;
     bool is_there = false;
-    std::vector<std::uint32_t> next{};  ///< those that take what comes of it
+    std::vector<Next> next{};  ///< those that take what comes of it
   };
   struct Best;
   using Round = std::vector<Best>;
   [[nodiscard]] static std::uint64_t weight_of(const Step& step);
+  [[nodiscard]] std::uint32_t climb(taxonomy::ClassNumber from, taxonomy::ClassNumber to) const {
+    return ontology_->distance(from, to).value_or(0);
+  }
   /// What one step more than `reached` leads to, where that is below `least`; false: nothing.
   [[nodiscard]] bool go_on(const Round& reached, std::uint64_t least, const Usable& usable, Round& further) const;
 

@@ -55,7 +55,7 @@ bool NaiveChains::is_better(const Trial& one, const Trial& other) {
     for (const Way* way : trial.ways) turns.push_back(way->turn);
     std::ranges::reverse(turns);
     const auto services = std::ranges::count_if(trial.ways, [](const Way* way) { return way->step.is_service; });
-    return std::tuple(trial.cost, services, trial.ways.size(), std::move(turns));
+    return std::tuple(trial.cost, services, trial.ways.size(), trial.distance, std::move(turns));
   };
   return rank(one) < rank(other);
 }
@@ -67,9 +67,14 @@ void NaiveChains::extend(const Trial& trial, ClassNumber at, ClassNumber request
     if (std::ranges::find(trial.ways, &way) != trial.ways.end()) continue;
     Trial longer = trial;
     longer.cost += way.step.cost;
+    longer.distance += *vocabulary_.distance(at, way.step.from);
     longer.ways.push_back(&way);
     if (best_ && longer.cost > best_->cost) continue;
-    if (vocabulary_.is_subsumed(way.step.to, requested) && (!best_ || is_better(longer, *best_))) best_ = longer;
+    if (vocabulary_.is_subsumed(way.step.to, requested)) {
+      Trial whole = longer;
+      whole.distance += *vocabulary_.distance(way.step.to, requested);
+      if (!best_ || is_better(whole, *best_)) best_ = std::move(whole);
+    }
     extend(longer, way.step.to, requested);
   }
 }
@@ -82,16 +87,14 @@ std::shared_ptr<const vocabulary::Chain> NaiveChains::chain(ClassNumber offered,
   if (!best_) return nullptr;
   auto chain = std::make_shared<vocabulary::Chain>();
   chain->cost = best_->cost;
+  chain->distance = best_->distance;
   chain->classes.push_back(best_->ways.front()->step.from);
-  ClassNumber at = offered;
   bool has_service = false;
   for (const Way* way : best_->ways) {
-    chain->distance += *vocabulary_.distance(at, way->step.from);
-    chain->classes.push_back(at = way->step.to);
+    chain->classes.push_back(way->step.to);
     has_service |= way->step.is_service;
     chain->via += (chain->via.empty() ? "" : ",") + way->via;
   }
-  chain->distance += *vocabulary_.distance(at, requested);
   if (!has_service) chain->via.clear();
   std::string names;
   for (const ClassNumber number : chain->classes) names.append(vocabulary_.iri(number)).append(" ");

@@ -32,6 +32,7 @@ class NaiveChains {
   };
   struct Trial {
     std::uint32_t cost = 0;
+    std::uint32_t distance = 0;
     std::vector<const Way*> ways;
   };
   void extend(const Trial& trial, vocabulary::ClassNumber at, vocabulary::ClassNumber requested);

@@ -51,6 +51,17 @@ TEST(Conversions, TakeTheCheapestChainAndOfThoseTheShortest) {
   EXPECT_EQ(chain(frames, "t:A", "t:D"), "t:A>t:B>t:D 6 0");
 }
 
+TEST(Conversions, TakeOfThoseTheOneThatClimbsTheLeast) {
+  // What is offered is A, which is below B and that below C; D is below E, which is asked for.
+  const std::string axioms = "SubClassOf(A B)\nSubClassOf(B C)\nSubClassOf(D E)\nSubClassOf(X T)\nSubClassOf(Y T)";
+  EXPECT_EQ(chain(with(axioms, {{"C", "E", 1}, {"B", "E", 1}, {"C", "D", 1}}), "t:A", "t:E"), "t:B>t:E 1 1");
+  EXPECT_EQ(chain(with(axioms, {{"B", "D", 1}, {"A", "D", 1}}), "t:A", "t:E"), "t:A>t:D 1 1");
+  EXPECT_EQ(chain(with(axioms, {{"C", "X", 1}, {"X", "E", 1}, {"A", "Y", 1}, {"Y", "E", 1}}), "t:A", "t:E"),
+            "t:A>t:Y>t:E 2 0");
+  EXPECT_EQ(chain(with(axioms, {{"C", "E", 1}, {"A", "X", 1}, {"X", "E", 1}}), "t:A", "t:E"), "t:C>t:E 1 2")
+      << "what is cheaper comes before";
+}
+
 TEST(Conversions, GoOnFromWhatIsBelow) {
   const Vocabulary frames = with(
       "SubClassOf(Offered A)\nSubClassOf(B Above)\nSubClassOf(Above Top)\nSubClassOf(C Wanted)\n"
