@@ -39,6 +39,11 @@ struct Event {
   std::shared_ptr<const vocabulary::Chain> chain{};
 };
 
+/// Whether an event about the one says the same as an event about the other. What its own host judges by is not told:
+/// of a publication for whom it is, of a subscription what it wants to have of those that meet it.
+[[nodiscard]] bool is_told_alike(const registry::PublicationEntry& one, const registry::PublicationEntry& other);
+[[nodiscard]] bool is_told_alike(const registry::SubscriptionEntry& one, const registry::SubscriptionEntry& other);
+
 }  // namespace geminga::matching
 
 #endif

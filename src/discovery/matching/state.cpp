@@ -70,6 +70,7 @@ const StoredPublication& Matcher::State::store(PublicationEntry entry, const Sto
     of(*known) = {};
     of(*known).arrival = ++arrivals_;
   } else {
+    replaced_is_silent_ = is_told_alike(known->entry, entry);
     replaced_publication_ = {known, known->entry};
     publications_.replace(*known, std::move(entry), nowhere);
   }
@@ -90,9 +91,7 @@ const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const S
     of(*known) = {};
     of(*known).stored = known;
   } else {
-    registry::SubscriptionEntry but_for_choice = entry;
-    but_for_choice.subscription.chosen = known->entry.subscription.chosen;
-    replaced_is_silent_ = known->entry.same_as(but_for_choice);
+    replaced_is_silent_ = is_told_alike(known->entry, entry);
     replaced_subscription_ = {known, known->entry};
     unwatch(*known);
     if (of(*known).request.preferences != request.preferences) {

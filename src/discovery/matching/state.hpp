@@ -313,7 +313,7 @@ class Matcher::State {
   Replaced<registry::SubscriptionEntry> replaced_subscription_;
   Request replaced_request_;
   registry::Generation replaced_generation_ = registry::Generation::even;  ///< of the edition of replaced_request_
-  bool replaced_is_silent_ = false;                       ///< nothing changed but the choice that is announced
+  bool replaced_is_silent_ = false;                                        ///< nothing changed that is told
   bool replaced_was_clashing_ = false;                    ///< whether its number was that of two concepts
   const registry::StoredSubscription* untold_ = nullptr;  ///< its own consumer gets no events (Telling::providers)
 };

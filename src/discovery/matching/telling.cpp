@@ -24,7 +24,7 @@ void Matcher::State::settle(const StoredSubscription& subscription) {
   for (const auto& gone : verdict.gone) tell_gone(gone);
   for (const auto& kept : verdict.kept) {
     const bool is_other_match = kept.told != kept.match;
-    const bool is_other_publication = replaced_publication_.stored == kept.publication;
+    const bool is_other_publication = replaced_publication_.stored == kept.publication && !replaced_is_silent_;
     const bool is_other_subscription = replaced_subscription_.stored == &subscription && !replaced_is_silent_;
     if (is_other_match || is_other_publication) {
       tell_consumer(Change::modify, subscription, *kept.publication, kept.match);

@@ -17,11 +17,23 @@ bool is_same(const Told& a, const Told& b) {
   if (a.match.degree != b.match.degree || a.match.distance != b.match.distance) return false;
   if (a.about.index() == 0) {
     if (a.match != b.match) return false;
-    return std::get<0>(a.about)->same_as(*std::get<0>(b.about));
+    // For whom it is, is not told.
+    PublicationEntry one = *std::get<0>(a.about);
+    one.publication.scope = std::get<0>(b.about)->publication.scope;
+    one.publication.for_whom = std::get<0>(b.about)->publication.for_whom;
+    return one.same_as(*std::get<0>(b.about));
   }
-  // Nobody is told what has been chosen, only whether he has been.
+  // Nobody is told what a consumer wants and what it has chosen, only whether he has been.
+  const Subscription& other = std::get<1>(b.about)->subscription;
   SubscriptionEntry one = *std::get<1>(a.about);
-  one.subscription.chosen = std::get<1>(b.about)->subscription.chosen;
+  Subscription told = other;
+  told.mode = one.subscription.mode;
+  told.identity = one.subscription.identity;
+  told.address = one.subscription.address;
+  told.port = one.subscription.port;
+  told.priority = one.subscription.priority;
+  told.attributes = one.subscription.attributes;
+  one.subscription = told;
   return one.same_as(*std::get<1>(b.about));
 }
 
