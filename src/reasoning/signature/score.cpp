@@ -24,11 +24,13 @@ double of_outputs(const std::vector<Pair>& pairs, std::size_t offered) {
   return coverage * (1 - weight::surplus * surplus_share(pairs.size(), offered));
 }
 
-/// An input that the request has nothing for weighs less than one that it has the wrong thing for.
+/// An input that the request has nothing for weighs less than one that it has the wrong thing for. A request that gives
+/// nothing leaves open what it is about, which is not counted against anybody: as if that were given, and right.
 double of_inputs(const std::vector<Pair>& pairs, std::size_t given) {
   const std::size_t paired = std::min(pairs.size(), given);
+  const double unsaid = given == 0 ? 1 : 0;
   const double all = static_cast<double>(paired) + weight::lone_input * static_cast<double>(pairs.size() - paired);
-  const double coverage = pairs.empty() ? 1 : sum_of(pairs) / all;
+  const double coverage = pairs.empty() ? 1 : (unsaid + sum_of(pairs)) / (unsaid + all);
   return coverage * (1 - weight::lone_input * surplus_share(pairs.size(), given));
 }
 

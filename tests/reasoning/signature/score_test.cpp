@@ -131,6 +131,15 @@ TEST(Score, CostsInputsThatTheRequestCannotGiveAndThoseThatAreNotUsed) {
                     {{{book, author}, {price}}, {{book}, {price}}, {{}, {price}}, {{magazine}, {taxed}}});
 }
 
+TEST(Score, LeavesOpenWhatARequestIsAboutThatGivesNothing) {
+  Shop shop;
+  shop.expect_order({{}, {price}},
+                    {{{}, {price}}, {{book}, {price}}, {{book, author}, {price}}, {{}, {person}}, {{book}, {person}}});
+  // As an input beyond the right ones.
+  EXPECT_DOUBLE_EQ(shop.scorer.score({{}, {price}}, {{book}, {price}}).inputs,
+                   shop.scorer.score({{author}, {price}}, {{author, book}, {price}}).inputs);
+}
+
 TEST(Score, StaysBetweenItsEndsForAnySignature) {
   base::Random random(7);
   Shop shop;
