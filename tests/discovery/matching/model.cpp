@@ -71,7 +71,7 @@ void Model::work_out() {
   }
   for (const auto& [key, entry] : subscriptions) {
     const vocabulary::Vocabulary& by = former.contains(key) ? former_ontology : ontology;
-    requests_[key] = prepared(entry.subscription, by, {}, entry.key.participant, overlapping);
+    requests_[key] = prepared(entry.subscription, by, placing_, entry.key.participant, overlapping);
     if (entry.subscription.convert == 0) continue;
     requests_[key].chains = [naive = std::make_shared<NaiveChains>(by, entry, offered)](auto from, auto to) {
       return naive->chain(from, to);

@@ -29,7 +29,7 @@ using View = std::map<std::pair<ServiceKey, ServiceKey>, Told>;
 
 class Model {
  public:
-  Model() = default;
+  explicit Model(Placing placing = {}) : placing_(std::move(placing)) {}
   Model(const Model&) = delete;  // `overlapping` knows its place
   Model& operator=(const Model&) = delete;
 
@@ -56,6 +56,7 @@ class Model {
                                            const registry::PublicationEntry& publication) const;
 
  private:
+  Placing placing_;
   std::map<std::tuple<std::uint64_t, vocabulary::ClassNumber, std::string>, OverlapAnswer> overlaps_;
   std::map<ServiceKey, Request> requests_;
   std::uint64_t arrivals_ = 0;
