@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 1> owls_endings{".owls"};
 constexpr std::array<std::string_view, 2> old_endings{".daml", ".rdfs"};  ///< of ontologies
 
-bool is_owls(std::string_view path) { return syntax::name_without_gz(path).ends_with(".owls"); }
+bool is_owls(std::string_view path) { return base::in_lower_case(syntax::name_without_gz(path)).ends_with(".owls"); }
 
 /// The file's path below the folder that was named.
 std::string path_below(const std::string& path, const std::vector<std::string>& arguments) {

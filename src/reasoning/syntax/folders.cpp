@@ -29,8 +29,8 @@ LoadError unreadable(const std::string& file, std::string text) {
   return {base::printable(file, 4096), 0, std::move(text), true};
 }
 
-bool is_wanted_name(std::string_view name, std::span<const std::string_view> also) {
-  name = name_without_gz(name);
+bool is_wanted_name(std::string_view given, std::span<const std::string_view> also) {
+  const std::string name = base::in_lower_case(name_without_gz(given));
   if (name.starts_with("catalog-v")) return false;
   const auto is_ending = [&](std::string_view extension) { return name.ends_with(extension); };
   return std::ranges::any_of(extensions, is_ending) || std::ranges::any_of(also, is_ending);
@@ -107,7 +107,8 @@ class Walk {
     const auto [end, rest] = std::mismatch(inside_.begin(), inside_.end(), target.begin(), target.end());
     if (end != inside_.end())
       return unreadable(path.string(), "is a link that leads out of its folder: name the file itself");
-    const bool is_foreign = name.ends_with(".xml") && fs::is_regular_file(target, error) && !is_ontology_xml(target);
+    const bool is_foreign =
+        base::in_lower_case(name).ends_with(".xml") && fs::is_regular_file(target, error) && !is_ontology_xml(target);
     (is_foreign ? listing_.skipped : listing_.files).push_back(path.string());
     return std::nullopt;
   }

@@ -134,7 +134,8 @@ bool is_foreign_xml(std::string_view begin) {
 }
 
 std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::string_view content) {
-  path = name_without_gz(path);
+  const std::string lower = base::in_lower_case(name_without_gz(path));
+  path = lower;
   const Content found = look(content);
   switch (found) {
     case Content::packed:

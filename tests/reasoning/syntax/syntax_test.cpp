@@ -14,6 +14,8 @@ TEST(Syntax, IsDecidedByTheNameOfTurtleAndTriplesAndByTheContentOfOthers) {
   EXPECT_EQ(detect_syntax("a.ttl", turtle), Syntax::turtle);
   EXPECT_EQ(detect_syntax("a.ttl", ""), Syntax::turtle);
   EXPECT_EQ(detect_syntax("a.nt", iri_first), Syntax::n_triples);
+  EXPECT_EQ(detect_syntax("A.TTL", turtle), Syntax::turtle);
+  EXPECT_EQ(detect_syntax("A.NT.gz", iri_first), Syntax::n_triples);
   for (const char* name : {"a.owl", "a.rdf", "a.xml"}) {
     EXPECT_EQ(detect_syntax(name, turtle), Syntax::turtle) << name;
     EXPECT_EQ(detect_syntax(name, iri_first), Syntax::turtle) << name;

@@ -160,6 +160,12 @@ TEST(Rank, EndsWhereNothingCanBeRead) {
   EXPECT_EQ(shop.program.run({"rank", "--services", "c/services"}).status, 2);
 }
 
+TEST(Rank, ReadsFilesWhoseNamesEndInCapitals) {
+  const Shop shop;
+  shop.write("services/1.1/again.OWLS", owls({books("Book")}, {prices("Price")}));
+  EXPECT_THAT(shop.rank({}).out, HasSubstr("\tagain.OWLS\t1.0"));
+}
+
 TEST(Rank, KnowsAnOntologyUnderSeveralUrls) {
   const Shop shop;
   const std::string known = shop.score("novel_price");

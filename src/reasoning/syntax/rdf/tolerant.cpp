@@ -52,8 +52,8 @@ std::expected<Tolerated, LoadError> read_tolerantly(const std::string& path, con
   if (bytes && syntax::is_gzip(bytes->view())) bytes = syntax::inflate(path, *bytes, limits);
   if (!bytes) return std::unexpected(std::move(bytes.error()));
   // OWL-S files are OWL files.
-  std::string_view name = syntax::name_without_gz(path);
-  if (name.ends_with(".owls")) name.remove_suffix(1);
+  std::string name = base::in_lower_case(syntax::name_without_gz(path));
+  if (name.ends_with(".owls")) name.pop_back();
   const auto syntax = syntax::detect_syntax(name, bytes->view());
   if (!syntax) return std::unexpected(LoadError{base::printable(path, 4096), 0, syntax.error()});
   Tolerated read;
