@@ -57,12 +57,13 @@ void Converters::put(const registry::PublicationEntry& entry, const Audience& au
   Known& one = is_new ? known_[entry.key] : known->second;
   const bool was_active = one.place.has_value();
   if (was_active) deactivate(one);
+  if (!is_new && !was_active) await_no_more(one);
   one.converter = {.entry = entry, .audience = audience, .step = *step};
   one.arrival = arrival;
   if (was_active || has_room_for(one)) {
     activate(one);
-  } else if (is_new) {
-    waiting_.emplace(arrival, entry.key);
+  } else {
+    await(one);
   }
 }
 
@@ -71,16 +72,45 @@ void Converters::erase(const ServiceKey& key) {
   if (known == known_.end()) return;
   const bool was_active = known->second.place.has_value();
   if (was_active) deactivate(known->second);
-  if (!was_active) waiting_.erase(known->second.arrival);
+  if (!was_active) await_no_more(known->second);
   known_.erase(known);
   if (was_active) promote();
 }
 
+bool Converters::may_have_another(ParticipantId participant) const {
+  const auto of_participant = active_of_.find(participant);
+  return of_participant == active_of_.end() || of_participant->second < max_converters_of_participant;
+}
+
 bool Converters::has_room_for(const Known& known) const {
-  if (active_.size() >= max_converters) return false;
-  const auto of_participant = active_of_.find(known.converter.entry.key.participant);
-  if (of_participant != active_of_.end() && of_participant->second >= max_converters_of_participant) return false;
+  if (active_.size() >= max_converters || !may_have_another(known.converter.entry.key.participant)) return false;
   return known.converter.entry.is_local || remote_ < max_remote_converters;
+}
+
+void Converters::await(const Known& known) {
+  const registry::PublicationEntry& entry = known.converter.entry;
+  waiting_[entry.key.participant].by_arrival.emplace(known.arrival, entry.key);
+  put_in_line(entry);
+}
+
+void Converters::await_no_more(const Known& known) {
+  const registry::PublicationEntry& entry = known.converter.entry;
+  waiting_[entry.key.participant].by_arrival.erase(known.arrival);
+  put_in_line(entry);
+}
+
+void Converters::put_in_line(const registry::PublicationEntry& any_of_host) {
+  const ParticipantId participant = any_of_host.key.participant;
+  const auto waiting = waiting_.find(participant);
+  if (waiting == waiting_.end()) return;
+  Queue& queue = waiting->second;
+  if (queue.next) next(any_of_host.is_local).erase({*std::exchange(queue.next, {}), participant});
+  if (queue.by_arrival.empty()) {
+    waiting_.erase(waiting);
+  } else if (may_have_another(participant)) {
+    queue.next = queue.by_arrival.begin()->first;
+    next(any_of_host.is_local).emplace(*queue.next, participant);
+  }
 }
 
 void Converters::activate(Known& known) {
@@ -93,6 +123,7 @@ void Converters::activate(Known& known) {
   known.place = free;
   active_.emplace(free, &known);
   ++active_of_[known.converter.entry.key.participant];
+  put_in_line(known.converter.entry);
   if (!known.converter.entry.is_local) ++remote_;
   ++version_;
   graph_->put(in_graph(free), known.converter.step, first_arrival + known.arrival);
@@ -108,18 +139,24 @@ void Converters::deactivate(Known& known) {
   if (!known.converter.entry.is_local) --remote_;
   const auto of_participant = active_of_.find(known.converter.entry.key.participant);
   if (--of_participant->second == 0) active_of_.erase(of_participant);
+  put_in_line(known.converter.entry);
   active_.erase(place);
   known.place.reset();
 }
 
 void Converters::promote() {
-  for (const auto& [arrival, key] : waiting_) {
-    Known& known = known_.at(key);
-    if (!has_room_for(known)) continue;
-    waiting_.erase(arrival);
-    activate(known);
-    return;
-  }
+  const Next::value_type* first = nullptr;
+  const auto look_at = [&](const Next& line) {
+    if (line.empty()) return;
+    ++work_;
+    if (first == nullptr || line.begin()->first < first->first) first = &*line.begin();
+  };
+  if (active_.size() < max_converters) look_at(next_local_);
+  if (active_.size() < max_converters && remote_ < max_remote_converters) look_at(next_remote_);
+  if (first == nullptr) return;
+  Known& known = known_.at(waiting_.at(first->second).by_arrival.begin()->second);
+  await_no_more(known);
+  activate(known);
 }
 
 void Converters::concern(const Known& known) {

@@ -53,7 +53,7 @@ class Converters {
   /// Those that take part in chains.
   [[nodiscard]] std::size_t active_count() const { return active_.size(); }
   /// Those that are known beside them.
-  [[nodiscard]] std::size_t waiting_count() const { return waiting_.size(); }
+  [[nodiscard]] std::size_t waiting_count() const { return known_.size() - active_.size(); }
 
  private:
   struct Known {
@@ -62,10 +62,24 @@ class Converters {
     std::optional<std::uint32_t> place{};  ///< nothing: it waits for one
   };
 
+  /// The converters of one host that wait for a place. While the host may have another one, the first is in `next_`.
+  struct Queue {
+    std::map<std::uint64_t, ServiceKey> by_arrival;
+    std::optional<std::uint64_t> next{};
+  };
+  using Next = std::set<std::pair<std::uint64_t, ParticipantId>>;
+
+  [[nodiscard]] bool may_have_another(ParticipantId participant) const;
   [[nodiscard]] bool has_room_for(const Known& known) const;
+  [[nodiscard]] Next& next(bool is_local) { return is_local ? next_local_ : next_remote_; }
+  void await(const Known& known);
+  void await_no_more(const Known& known);
+  /// To be called when those that wait, or the room that their host has, may be others.
+  void put_in_line(const registry::PublicationEntry& any_of_host);
   void activate(Known& known);
   void deactivate(Known& known);
-  /// Gives a free place to the first that waits and may have it.
+  /// Gives a free place to the first that waits and may have it. Those of a host that has all it may have are not
+  /// looked at, however many they are.
   void promote();
   /// The requests that the step of an active converter may concern become stale.
   void concern(const Known& known);
@@ -75,8 +89,10 @@ class Converters {
 
   vocabulary::Vocabulary vocabulary_;
   std::map<ServiceKey, Known> known_;
-  std::map<std::uint32_t, const Known*> active_;             ///< by place
-  std::map<std::uint64_t, ServiceKey> waiting_;              ///< by arrival
+  std::map<std::uint32_t, const Known*> active_;  ///< by place
+  std::map<ParticipantId, Queue> waiting_;
+  Next next_local_;
+  Next next_remote_;
   std::map<ParticipantId, std::size_t> active_of_;           ///< how many
   std::size_t remote_ = 0;                                   ///< active ones of other hosts
   std::optional<vocabulary::StepGraph> graph_;               ///< since the first converter came

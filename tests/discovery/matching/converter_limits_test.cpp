@@ -104,6 +104,36 @@ TEST_F(ConverterLimits, JudgeManyInSteps) {
   EXPECT_EQ(told().size(), count - 1);
 }
 
+/// What it takes that one of the converters of other hosts goes and one of host 9 takes its place, where host 3 has so
+/// many that wait.
+std::uint64_t work_of_taking_turns(std::uint32_t that_wait) {
+  Taxonomy taxonomy;
+  taxonomy.sub("E", "Frame").sub("F", "Frame");
+  const auto ontology = taxonomy.classified();
+  Converters converters(ontology);
+  std::uint64_t arrival = 0;
+  const auto put = [&](const ServiceKey& one) { converters.put(converter(one, "E", "F"), {}, ++arrival); };
+  for (std::uint32_t number = 0; number < max_converters_of_participant + that_wait; ++number) put(key(3, 1, number));
+  for (std::uint32_t count = 16; count < max_remote_converters; ++count) put(key(10 + count / 16, 1, count % 16));
+  put(key(9, 1, 1));
+  EXPECT_EQ(converters.waiting_count(), that_wait + 1);
+  static_cast<void>(converters.take_work());
+  converters.erase(key(12, 1, 0));
+  EXPECT_EQ(converters.active_count(), max_remote_converters);
+  EXPECT_EQ(converters.waiting_count(), that_wait);
+  const std::uint64_t work = converters.take_work();
+  // Of its own those come in the order in which they came.
+  for (std::uint32_t number = 0; number < that_wait; ++number) converters.erase(key(3, 1, number));
+  EXPECT_EQ(converters.waiting_count(), 0);
+  converters.erase(key(9, 1, 1));
+  EXPECT_EQ(converters.active_count(), max_remote_converters - 1) << "host 9 had got the place";
+  return work;
+}
+
+TEST(Converters, DoNotLookThroughAllThatWaitOfOneHost) {
+  EXPECT_EQ(work_of_taking_turns(1000), work_of_taking_turns(0));
+}
+
 TEST(Converters, RememberSoManyAnswers) {
   Taxonomy taxonomy;
   constexpr int names = 65;
