@@ -22,16 +22,25 @@ Parameter parameter_of(std::string_view word, const vocabulary::Vocabulary& voca
   return {std::string(is_bracketed ? word.substr(1, word.size() - 2) : word), std::nullopt};
 }
 
+/// Takes the first name off a list in which blanks and commas stand between names; empty where none is left. An IRI in
+/// angle brackets may have commas.
+std::string_view take_name(std::string_view& list) {
+  constexpr std::string_view separators = " ,\t\r\n";
+  list.remove_prefix(std::min(list.find_first_not_of(separators), list.size()));
+  const std::size_t bracket = list.starts_with('<') ? std::min(list.find('>'), list.size()) : 0;
+  const std::string_view name = list.substr(0, list.find_first_of(separators, bracket));
+  list.remove_prefix(name.size());
+  return name;
+}
+
 std::optional<Parameters> parameters_of(const Attributes& attributes, std::string_view key,
                                         const vocabulary::Vocabulary& vocabulary) {
   const auto stated = attributes.find(key);
   if (stated == attributes.end()) return std::nullopt;
   Parameters found;
-  for (std::string_view rest = stated->second; !rest.empty();) {
-    const std::string_view word = rest.substr(0, rest.find(' '));
-    if (!word.empty()) found.push_back(parameter_of(word, vocabulary));
-    rest.remove_prefix(std::min(rest.size(), word.size() + 1));
-  }
+  std::string_view rest = stated->second;
+  for (auto name = take_name(rest); !name.empty(); name = take_name(rest))
+    found.push_back(parameter_of(name, vocabulary));
   return found;
 }
 

@@ -69,6 +69,13 @@ TEST(Signature, TakesOutputsCovariantAndInputsContravariant) {
       {{{}, word("Ghost")}, {{}, word("Ball")}, broader, {}},
       {{{}, word("Ghost")}, {{}, word("Ghost")}, narrower, Match{exact, 0}},
       {{{}, iri("Ball")}, {{}, word("Ball")}, narrower, Match{exact, 0}},
+      // Blanks and commas stand between names, but not between angle brackets.
+      {{{}, word("OwnBall") + ',' + word("Robot")},
+       {{}, word("Robot") + ",\t" + word("Ball") + ","},
+       narrower,
+       Match{narrower, 1}},
+      {{{}, "<a,b>,c"}, {{}, "c <a,b>"}, narrower, Match{exact, 0}},
+      {{{}, "<a,b>"}, {{}, "b>"}, broader, {}},
   };
   for (std::size_t at = 0; at < cases.size(); ++at) {
     const auto& [offered, asked, weakest, wanted] = cases[at];
