@@ -29,10 +29,11 @@ bool Matcher::State::is_kept_apart(const Identity& offered, const Identity& requ
   if (clashing_.empty() || offered.index() == requested.index()) return false;
   const auto* number = std::get_if<NumericIdentity>(&offered);
   if (number == nullptr) number = std::get_if<NumericIdentity>(&requested);
-  return number != nullptr && clashing_.contains(number->number);
+  if (number == nullptr || !clashing_.contains(number->number)) return false;
+  return is_number_of(offered, requested) || is_number_of(requested, offered);
 }
 
-std::vector<const StoredSubscription*> Matcher::State::review(Id32 number, const ServiceKey* newcomer) {
+std::vector<const StoredSubscription*> Matcher::State::review(Id32 number, bool has_newcomer) {
   std::vector<const Identity*> concepts;
   bool has_number = false;
   add_identities(publications_, number, concepts, has_number);
@@ -44,7 +45,7 @@ std::vector<const StoredSubscription*> Matcher::State::review(Id32 number, const
   const bool is_clash = concepts.size() > 1;
   const bool was_clash = clashing_.contains(number);
   if (!is_clash && !was_clash) return {};
-  if (is_clash && has_number && (!was_clash || newcomer != nullptr)) tell_clash(number, concepts);
+  if (is_clash && has_number && (!was_clash || has_newcomer)) tell_clash(number, concepts);
   if (is_clash == was_clash) return {};
   if (is_clash) {
     clashing_.insert(number);

@@ -37,7 +37,7 @@ bool Matcher::State::depart_next() {
   if (departure.publications.empty()) {
     const std::set<Id32> numbers = std::move(departure.numbers);
     departures_.pop_front();
-    for (const Id32 number : numbers) judge_anew(review(number, nullptr));
+    for (const Id32 number : numbers) judge_anew(review(number, false));
     relieve();
     return true;
   }

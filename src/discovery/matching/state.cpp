@@ -128,10 +128,11 @@ void Matcher::State::put(PublicationEntry entry) {
     return;
   }
   const Id32 number_before = known == nullptr ? id32(entry.publication.identity) : known->identity;
+  const bool is_new_identity = known == nullptr || known->entry.publication.identity != entry.publication.identity;
   const StoredPublication& stored = store(std::move(entry), known);
-  auto anew = review(stored.identity, &stored.entry.key);
+  auto anew = review(stored.identity, is_new_identity);
   if (number_before != stored.identity) {
-    const auto further = review(number_before, nullptr);
+    const auto further = review(number_before, false);
     anew.insert(anew.end(), further.begin(), further.end());
   }
   auto concerned = subscriptions_for(stored);
@@ -164,10 +165,11 @@ void Matcher::State::put(SubscriptionEntry entry, Telling telling) {
     return;
   }
   const Id32 number_before = known == nullptr ? id32(entry.subscription.identity) : known->identity;
+  const bool is_new_identity = known == nullptr || known->entry.subscription.identity != entry.subscription.identity;
   const StoredSubscription& stored = store(std::move(entry), known);
-  auto anew = review(stored.identity, &stored.entry.key);
+  auto anew = review(stored.identity, is_new_identity);
   if (number_before != stored.identity) {
-    const auto further = review(number_before, nullptr);
+    const auto further = review(number_before, false);
     anew.insert(anew.end(), further.begin(), further.end());
   }
   std::erase(anew, &stored);
@@ -201,7 +203,7 @@ void Matcher::State::remove(const std::vector<const StoredPublication*>& publica
   for (const auto* publication : publications) erase(*publication, numbers);
   for (const auto* subscription : subscriptions) erase(*subscription, numbers);
   begin_cause();
-  for (const Id32 number : numbers) judge_anew(review(number, nullptr));
+  for (const Id32 number : numbers) judge_anew(review(number, false));
   relieve();
   if (has_stale()) rejudge_some();
 }

@@ -237,8 +237,8 @@ class Matcher::State {
   [[nodiscard]] std::optional<Match> meet(const registry::SubscriptionEntry& asked, const Request& request,
                                           const registry::StoredPublication& offered, const Edition& edition) const;
   /// Finds out whether the number is that of two concepts, after what has come or gone. Gives the subscriptions that
-  /// must be judged anew. `newcomer` is whose coming it is; null: somebody has gone.
-  [[nodiscard]] std::vector<const registry::StoredSubscription*> review(Id32 number, const ServiceKey* newcomer);
+  /// must be judged anew. All whose number it is are told of it when it begins, and of each that comes to have it.
+  [[nodiscard]] std::vector<const registry::StoredSubscription*> review(Id32 number, bool has_newcomer);
   void tell_clash(Id32 number, std::span<const Identity* const> concepts);
   void judge_anew(const std::vector<const registry::StoredSubscription*>& subscriptions);
   /// Whether the publication has as many consumers as it can be told of, and this one has to wait.

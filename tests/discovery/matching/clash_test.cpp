@@ -71,6 +71,43 @@ TEST(Clash, IsWhyTheTwoDoNotMeet) {
   EXPECT_EQ(matcher.examine(asks, *matcher.prepare(asks), *offered).first(), Obstacle::clash);
 }
 
+TEST(Clash, IsNotWhyANumberDoesNotMeetAnotherConcept) {
+  const auto [one, other] = twins();
+  Matcher matcher;
+  matcher.put(request(key(here, 1, 1), NumericIdentity{id32(one)}));
+  for (std::uint32_t peer = 1; const Identity& offered : {one, other, concept_of(-1)})
+    matcher.put(offer(key(2, peer++, 1), offered));
+  const auto asks = request(key(here, 1, 1), NumericIdentity{id32(one)});
+  const auto* ball = matcher.find_publication(key(2, 3, 1));
+  EXPECT_EQ(matcher.examine(asks, *matcher.prepare(asks), *ball).first(), Obstacle::kind);
+}
+
+TEST(Clash, IsToldOnceHoweverOftenItsPartsChangeOtherwise) {
+  const auto [one, other] = twins();
+  Matcher matcher;
+  const auto asks = request(key(here, 1, 1), NumericIdentity{id32(one)});
+  matcher.put(asks);
+  matcher.put(offer(key(here, 2, 1), one));
+  auto remote = offer(key(3, 1, 1), other);
+  matcher.put(remote);
+  EXPECT_EQ(told_of_a_clash(matcher).size(), 2U);
+  remote.publication.attributes["rate"] = "30";
+  matcher.put(remote);
+  EXPECT_THAT(told_of_a_clash(matcher), IsEmpty());
+  auto faster = asks;
+  faster.subscription.priority = 1;
+  matcher.put(faster);
+  EXPECT_THAT(told_of_a_clash(matcher), IsEmpty());
+  // Who comes to use the number is told of the clash, and so are those that it cannot meet.
+  remote.publication.identity = NumericIdentity{id32(one)};
+  matcher.put(remote);
+  EXPECT_THAT(told_of_a_clash(matcher), IsEmpty()) << "the clash is over";
+  matcher.put(request(key(3, 1, 2), other));
+  EXPECT_EQ(told_of_a_clash(matcher).size(), 2U);
+  matcher.put(request(key(3, 1, 3), NumericIdentity{id32(one)}));
+  EXPECT_EQ(told_of_a_clash(matcher).size(), 2U);
+}
+
 TEST(Clash, AProviderThatAClashKeptApartIsNoIncumbentWhenItEnds) {
   const auto [one, other] = twins();
   const Identity number = NumericIdentity{id32(one)};
