@@ -89,7 +89,7 @@ compiled::Ontology make_misspelt() {
 /// A long way up, from Level100 to Level220.
 compiled::Ontology make_deep() {
   Writer writer;
-  for (int level = 100; level < 220; ++level) {
+  for (int level = 100; level < 500; ++level) {
     writer.sub(("Level" + std::to_string(level)).c_str(), ("Level" + std::to_string(level + 1)).c_str());
   }
   return writer.finish();

@@ -58,7 +58,8 @@ void add_requests(CLI::App& app, Run& selected) {
   const auto flags = std::make_shared<RequestsFlags>();
   command->add_option("FILTER", flags->words, filter_meaning);
   CLI::Option* unmatched = command->add_flag("--unmatched", flags->unmatched, "Only those that nobody serves, and why");
-  command->add_flag("--unused", flags->unused, "Instead, the publications that nobody asks for")->excludes(unmatched);
+  command->add_flag("--unused", flags->unused, "Instead, the publications that nobody asks for, and why")
+      ->excludes(unmatched);
   command->footer(
       "Examples:\n  geminga-query requests\n  geminga-query requests --unmatched\n  geminga-query requests --unused "
       "robot2");

@@ -17,15 +17,16 @@ shell::Table table_of_services(const std::vector<Record>& records) {
                       {"PRIO", true, 0, 7},
                       {"AGE", true, 0, 8},
                       {"USED", false, 0, 5},
+                      {"WHY", false, 20},
                       {"SERVICE", false, 0, 2},
                       {"ATTRIBUTES", false, 10, 4}});
   for (const auto& record : records) {
     const auto protocol = record["protocol"] == "udp" ? "" : std::string(record["protocol"]);
-    shown.add({shell::who(record["provider"], record["name"], record["participant_name"]),
-               shell::identity_words(record), std::string(record["mode"]),
-               shell::place(record["address"], record["port"]), protocol, std::string(record["priority"]),
-               shell::duration_words(record["age"]), record["used"] == "1" ? "yes" : "no",
-               std::string(record["service"]), shell::attribute_words(record.attributes)});
+    shown.add(
+        {shell::who(record["provider"], record["name"], record["participant_name"]), shell::identity_words(record),
+         std::string(record["mode"]), shell::place(record["address"], record["port"]), protocol,
+         std::string(record["priority"]), shell::duration_words(record["age"]), record["used"] == "1" ? "yes" : "no",
+         std::string(record["because"]), std::string(record["service"]), shell::attribute_words(record.attributes)});
   }
   return shown;
 }
@@ -66,7 +67,7 @@ void add_services(CLI::App& app, Run& selected) {
   };
   const auto flags = std::make_shared<Flags>();
   command->add_option("FILTER", flags->words, filter_meaning);
-  command->add_flag("--unused", flags->unused, "Only those that nobody asks for");
+  command->add_flag("--unused", flags->unused, "Only those that nobody asks for, and why");
   command->footer(
       "Examples:\n  geminga-query services\n  geminga-query services soccer:TrackedObject\n"
       "  geminga-query services robot2 mode=otm/stream\n"

@@ -1,4 +1,4 @@
-// geminga-query why: why a request and a service match or do not, or why nobody answers a request.
+// geminga-query why: why a request and a service match or do not, or why nobody answers a request or takes a service.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -38,6 +38,10 @@ struct Question {
     return !service.empty() ||
            std::ranges::any_of(parameters, [](const auto& one) { return one.first.starts_with("offer."); });
   }
+  [[nodiscard]] bool has_request() const {
+    return !subscription.empty() ||
+           std::ranges::any_of(parameters, [](const auto& one) { return !one.first.starts_with("offer."); });
+  }
 };
 
 struct Flag {
@@ -70,7 +74,8 @@ constexpr auto offer_flags = std::to_array<Flag>({
     {"--offer-representation", "offer.representation", "R", "In this representation"},
     {"--offer-id", "offer.id", "N", "This number instead of a concept"},
     {"--offer-text", "offer.text", "NAME", "This text instead of a concept"},
-    {"--offer-mode", "offer.mode", "oto|otm/stream|otm/pubsub", "In this mode; that of the request unless told"},
+    {"--offer-mode", "offer.mode", "oto|otm/stream|otm/pubsub",
+     "In this mode; that of the request, or of each, unless told"},
     {"--offer-protocol", "offer.protocol", "P", "In this protocol"},
     {"--offer-provider", "offer.provider", "PARTICIPANT[/PEER]", "By this one; by somebody here unless told"},
     {"--offer-priority", "offer.priority", "K", "With this priority"},
@@ -117,9 +122,17 @@ void add_attributes(CLI::App& command, const std::shared_ptr<Question>& question
 /// Throws CLI::ValidationError where it is not one question.
 void check(const Question& question) {
   const bool is_imagined = question.has_any({"concept", "id", "text"});
-  if (!is_imagined && question.subscription.empty()) {
+  const bool is_offer_alone = question.has_service() && !question.has_request();
+  if (!is_imagined && question.subscription.empty() && !is_offer_alone) {
     throw CLI::ValidationError(
-        "SUBSCRIPTION", "is missing: name a request, or say with --concept, --id or --text what might be asked for");
+        "SUBSCRIPTION",
+        "is missing: name a request, or say with --concept, --id or --text what might be asked for; "
+        "--service or --offer-concept and its like alone ask who takes a service");
+  }
+  if (question.has_service() && question.service.empty() &&
+      !question.has_any({"offer.concept", "offer.id", "offer.text"})) {
+    throw CLI::ValidationError("--offer-concept",
+                               "is missing: say with it, --offer-id or --offer-text what is offered");
   }
   if (is_imagined && !question.subscription.empty()) {
     throw CLI::ValidationError("SUBSCRIPTION",
@@ -130,6 +143,14 @@ void check(const Question& question) {
 
 /// A pair that fits, whose consumer has better ones.
 bool is_outranked(const Answer& answer) { return answer.end["outranked"] == "1"; }
+
+/// What an answer is about.
+enum class About : std::uint8_t { pair, request, service };
+
+About about(const Question& question) {
+  if (!question.has_service()) return About::request;
+  return question.has_request() ? About::pair : About::service;
+}
 
 /// Those of the record, the axioms one by one.
 boost::json::object object_of(const Record& record) {
@@ -169,14 +190,15 @@ boost::json::object asked(const Question& question) {
 
 void print_json(const Question& question, const Answer& answer) {
   boost::json::object object = asked(question);
-  if (question.has_service()) {
+  if (about(question) == About::pair) {
     object["matches"] = answer.end["matches"] == "1";
     object["outranked"] = is_outranked(answer);
   }
   for (const auto& member : shell::to_json(answer.end)) {
     if (member.key() != "count" && !object.contains(member.key())) object[member.key()] = member.value();
   }
-  object[question.has_service() ? "checks" : "services"] = array_of(answer.records);
+  constexpr auto lists = std::to_array<const char*>({"checks", "services", "subscriptions"});
+  object[lists[std::to_underlying(about(question))]] = array_of(answer.records);
   shell::print(std::cout, object);
 }
 
@@ -242,20 +264,72 @@ void print_request(const Context& context, const Answer& answer) {
   if (!table.is_empty()) table.print(std::cout, context.terminal);
 }
 
-shell::ExitStatus answer_to(const Context& context, Client& client, const Question& question) {
-  if (refuses_watch(context, "why")) return shell::ExitStatus::wrong_use;
+void print_service(const Context& context, const Answer& answer) {
+  const Record& end = answer.end;
+  const bool is_one = end["requests"] == "1";
+  if (end["taken"] != "0") {
+    std::cout << coloured(context.terminal, shell::Colour::green, "yes") << ": " << shell::printable(end["taken"])
+              << " of the " << shell::printable(end["requests"]) << " requests that are known "
+              << (end["taken"] == "1" ? "takes it" : "take it");
+    if (end["matching"] != end["taken"]) std::cout << ", " << shell::printable(end["matching"]) << " match it";
+    std::cout << '\n';
+  } else {
+    std::cout << coloured(context.terminal, shell::Colour::red, "no") << ": " << shell::printable(end["text"]) << " ("
+              << shell::printable(end["requests"]) << (is_one ? " request is known)\n" : " requests are known)\n");
+    print_mend(context, end["code"], end["mend"]);
+  }
+  shell::Table table({{"CONSUMER", false, 12},
+                      {"ASKS FOR", false, 16},
+                      {"MODE", false, 0, 3},
+                      {"OK"},
+                      {"WHY", false, 20},
+                      {"REQUEST", false, 0, 2}});
+  for (const auto& record : answer.records) {
+    table.add({shell::who(record["consumer"], record["name"], record["participant_name"]), std::string(record["asked"]),
+               std::string(record["mode"]), record["ok"] == "1" ? "yes" : "no", std::string(record["text"]),
+               std::string(record["subscription"])});
+  }
+  if (!table.is_empty()) table.print(std::cout, context.terminal);
+}
+
+std::expected<Answer, ClientError> ask(Client& client, const Question& question) {
   Parameters parameters = question.parameters;
   if (!question.subscription.empty()) parameters.emplace_back("subscription", question.subscription);
   if (!question.service.empty()) parameters.emplace_back("service", question.service);
-  const auto answer = client.query("why", parameters);
+  return client.query("why", parameters);
+}
+
+bool is_not_there(const std::expected<Answer, ClientError>& answer) {
+  return !answer && answer.error().kind == ClientError::Kind::refused &&
+         answer.error().code == ErrorCode::unknown_request;
+}
+
+shell::ExitStatus answer_to(const Context& context, Client& client, Question question) {
+  if (refuses_watch(context, "why")) return shell::ExitStatus::wrong_use;
+  auto answer = ask(client, question);
+  if (is_not_there(answer) && !question.subscription.empty() && !question.has_service()) {
+    // One word, which may as well be that of a service: the two share their numbers.
+    Question other = question;
+    std::swap(other.subscription, other.service);
+    auto of_service = ask(client, other);
+    if (!is_not_there(of_service)) {
+      answer = std::move(of_service);
+      question = std::move(other);
+    }
+  }
   if (!answer) return shell::report(program, answer.error());
-  const bool is_yes = answer->end[question.has_service() ? "matches" : "served"] == "1";
+  const Record& end = answer->end;
+  const About what = about(question);
+  const bool is_yes =
+      what == About::service ? end["taken"] != "0" : end[what == About::pair ? "matches" : "served"] == "1";
   if (context.common.is_json) {
     print_json(question, *answer);
-  } else if (question.has_service()) {
+  } else if (what == About::pair) {
     print_pair(context, *answer);
-  } else {
+  } else if (what == About::request) {
     print_request(context, *answer);
+  } else {
+    print_service(context, *answer);
   }
   return is_yes ? shell::ExitStatus::found : shell::ExitStatus::nothing;
 }
@@ -263,11 +337,12 @@ shell::ExitStatus answer_to(const Context& context, Client& client, const Questi
 }  // namespace
 
 void add_why(CLI::App& app, Run& selected) {
-  CLI::App* command =
-      app.add_subcommand("why", "Why a request and a service match or do not; or why nobody answers a request");
+  CLI::App* command = app.add_subcommand(
+      "why", "Why a request and a service match or do not; or why nobody answers a request, or takes a service");
   const auto question = std::make_shared<Question>();
   command->add_option("SUBSCRIPTION", question->subscription,
-                      "The word in the column REQUEST of geminga-query requests");
+                      "The word in the column REQUEST of geminga-query requests, or a SERVICE alone: who takes it, or "
+                      "why nobody does");
   CLI::Option* service = command->add_option(
       "SERVICE", question->service,
       "The word in the column SERVICE of geminga-query services; without it: why nobody answers, or who");
@@ -280,11 +355,13 @@ void add_why(CLI::App& app, Run& selected) {
                  "With this attribute; may be given several times", offer_group);
   command->footer(
       "Examples:\n  geminga-query why 5e6f7a8b/2/1\n  geminga-query why 5e6f7a8b/2/1 1a2b3c4d/1/42\n"
+      "  geminga-query why 1a2b3c4d/1/42\n  geminga-query why --offer-concept soccer:BallInfo --offer-attribute "
+      "rate=30\n"
       "  geminga-query why --concept soccer:BallInfo --representation soccer:PolarFieldFrame --where 'rate >= 50'\n"
       "  geminga-query why --concept soccer:BallInfo --mode oto --service 1a2b3c4d/1/42\n"
       "  geminga-query why 5e6f7a8b/2/1 --offer-concept soccer:BallInfo --offer-attribute rate=30\n"
-      "Exit status 0: they match, or somebody answers; 1: they do not, better ones take the places that the limit "
-      "leaves, nobody answers, or one is not known.");
+      "Exit status 0: they match, or somebody answers, or takes it; 1: they do not, better ones take the places that "
+      "the limit leaves, nobody answers or takes it, or one is not known.");
   command->callback([question, &selected] {
     check(*question);
     selected = [question](const Context& context, Client& client) { return answer_to(context, client, *question); };

@@ -2,6 +2,7 @@
 #ifndef GEMINGA_DISCOVERY_GCNP_KEY_READER_HPP
 #define GEMINGA_DISCOVERY_GCNP_KEY_READER_HPP
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -55,6 +56,8 @@ class KeyReader {
   Attributes attributes();
   /// The same of a publication: `converts=FROM>TO` is an attribute, too, although it is a slip of `convert`.
   Attributes offered_attributes();
+  /// Whether every key has been taken.
+  [[nodiscard]] bool is_empty() const { return std::ranges::find(taken_, false) == taken_.end(); }
   /// 400 where a key is left, with the key of this statement that it is a slip of.
   void finish();
 

@@ -184,9 +184,10 @@ Request read_query_why(KeyReader& keys) {
   const auto subscription = keys.service_key("subscription");
   const auto service = keys.service_key("service");
   const Statement offered = keys.behind(offer_prefix);
+  const bool is_offer_alone = (service || !offered.parameters.empty()) && keys.is_empty();
   if (subscription) {
     query.request = *subscription;
-  } else {
+  } else if (!is_offer_alone) {
     HypotheticalRequest asked;
     auto identity = keys.identity();
     keys.require(identity.has_value(), "subscription",

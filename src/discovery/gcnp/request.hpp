@@ -110,13 +110,14 @@ struct HypotheticalRequest {
 /// A service that nobody offers: who would take it. Its keys are those of `pub create` behind `offer.`.
 struct HypotheticalOffer {
   NamedPublication publication;
-  bool is_any_mode = false;  ///< no mode was stated: it has that of the request
+  bool is_any_mode = false;  ///< no mode was stated: it has that of the request, without one that of each request
   ProviderFilter provider;   ///< by whom; nobody: by a peer of this participant
   friend bool operator==(const HypotheticalOffer&, const HypotheticalOffer&) = default;
 };
-/// Why a request and an offer meet or do not; without an offer why nobody answers the request, or who does.
+/// Why a request and an offer meet or do not; without an offer why nobody answers the request, or who does; without a
+/// request why nobody takes the offer, or who does. One of them is there.
 struct QueryWhy {
-  std::variant<ServiceKey, HypotheticalRequest> request;
+  std::variant<std::monostate, ServiceKey, HypotheticalRequest> request;
   std::variant<std::monostate, ServiceKey, HypotheticalOffer> offer;
   friend bool operator==(const QueryWhy&, const QueryWhy&) = default;
 };

@@ -156,6 +156,20 @@ Finding Matcher::examine(const registry::SubscriptionEntry& asked, const Request
   return state_->examine(asked, request, offer);
 }
 
+bool Matcher::examine_requests(const std::optional<ServiceKey>& after, const registry::PublicationEntry& offer,
+                               const VisitFinding& visit) const {
+  return state_->examine_requests(after, offer, visit);
+}
+
+std::size_t Matcher::examine_near(const registry::PublicationEntry& offer, std::size_t most,
+                                  const VisitFinding& visit) const {
+  return state_->examine_near(offer, most, visit);
+}
+
+std::optional<std::vector<ServiceKey>> Matcher::known_choice(const registry::SubscriptionEntry& subscription) const {
+  return state_->known_choice(subscription);
+}
+
 std::expected<Match, std::string> Matcher::why(const registry::SubscriptionEntry& request,
                                                const registry::PublicationEntry& offer, const AskChain& chains) const {
   ++state_->judged_;

@@ -139,6 +139,18 @@ class Matcher {
   /// stated.
   [[nodiscard]] Finding examine(const registry::SubscriptionEntry& asked, const Request& request,
                                 const registry::PublicationEntry& offer) const;
+  /// What stands between an offer, which may be one that nobody has stated, and each subscription behind `after`, or
+  /// all, in ascending order of key, by the vocabulary in force, until `visit` gives false. Whether all were visited.
+  using VisitFinding = std::function<bool(const registry::SubscriptionEntry&, const Finding&)>;
+  bool examine_requests(const std::optional<ServiceKey>& after, const registry::PublicationEntry& offer,
+                        const VisitFinding& visit) const;
+  /// The same for up to `most` that are likely to come near: those who ask for the same or something above it, then for
+  /// something below it, the nearest first. Gives how many subscriptions and classes were looked at.
+  std::size_t examine_near(const registry::PublicationEntry& offer, std::size_t most, const VisitFinding& visit) const;
+  /// What a subscription is given, as its consumer's host has announced it or as it is chosen here; nothing where that
+  /// is the affair of another host.
+  [[nodiscard]] std::optional<std::vector<ServiceKey>> known_choice(
+      const registry::SubscriptionEntry& subscription) const;
   /// Whether the class of an offer can have instances in common with what a request asks for, by the vocabulary in
   /// force, for a peer of our own; null: that waits to be decided. One of the request's classes must be known.
   [[nodiscard]] OverlapAnswer overlap(vocabulary::ClassNumber offered, const SemanticIdentity& requested,

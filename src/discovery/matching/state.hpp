@@ -43,6 +43,9 @@ inline constexpr std::size_t max_consumers = 1024;
 /// Requests that are judged at once where a converter has come or gone; the others in steps.
 inline constexpr std::size_t max_rejudged_at_once = 64;
 
+/// Classes below that of an offer that are looked at for those who ask for something narrower.
+inline constexpr std::size_t max_searched_classes = 256;
+
 /// A publication that meets a request.
 struct Ranked {
   const registry::PublicationEntry* publication = nullptr;  ///< borrowed until the next change of the matcher
@@ -82,6 +85,13 @@ class Matcher::State {
                                            const registry::PublicationEntry& publication) const;
   [[nodiscard]] Finding examine(const registry::SubscriptionEntry& asked, const Request& request,
                                 const registry::PublicationEntry& offered) const;
+  /// Matcher::examine_requests(), examine_near(), known_choice().
+  bool examine_requests(const std::optional<ServiceKey>& after, const registry::PublicationEntry& offered,
+                        const VisitFinding& visit) const;
+  std::size_t examine_near(const registry::PublicationEntry& offered, std::size_t most,
+                           const VisitFinding& visit) const;
+  [[nodiscard]] std::optional<std::vector<ServiceKey>> known_choice(
+      const registry::SubscriptionEntry& subscription) const;
   [[nodiscard]] std::vector<ServiceKey> chosen(const ServiceKey& subscription) const;
   [[nodiscard]] std::vector<ServiceKey> consumers(const ServiceKey& publication) const;
   [[nodiscard]] std::optional<Match> given(const ServiceKey& subscription, const ServiceKey& publication) const;
@@ -219,6 +229,13 @@ class Matcher::State {
       const registry::StoredPublication& publication) const;
   [[nodiscard]] std::optional<Match> meets(const registry::StoredSubscription& subscription,
                                            const registry::StoredPublication& publication) const;
+
+  /// By the vocabulary in force.
+  [[nodiscard]] Finding examine(const registry::StoredSubscription& stored, const Offer& offer) const;
+  /// Adds, up to `most`, those who ask for something below a class, the nearest first; gives how many classes were
+  /// looked at.
+  std::size_t add_narrower(vocabulary::ClassNumber concept_class, std::size_t most,
+                           std::vector<const registry::StoredSubscription*>& found) const;
 
   const registry::StoredPublication& store(registry::PublicationEntry entry, const registry::StoredPublication* known);
   const registry::StoredSubscription& store(registry::SubscriptionEntry entry,

@@ -92,6 +92,8 @@ class Vocabulary {
   [[nodiscard]] std::vector<ClassNumber> subsumers(const Place& place) const {
     return placement::subsumers(place, *ontology_);
   }
+  /// The direct subclasses: one of each set of equivalent ones, ascending.
+  [[nodiscard]] std::vector<ClassNumber> children(ClassNumber number) const { return ontology_->children(number); }
   [[nodiscard]] bool is_above(const Place& place, ClassNumber sub) const {
     return placement::is_above(place, sub, *ontology_);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "discovery/matching/standing.hpp"
 #include "discovery/participant/queries/lines.hpp"
 
 namespace geminga::participant {
@@ -88,9 +89,8 @@ Check against_incumbent(const Core& core, const Asked& asked, const PublicationE
   return refused(Obstacle::incumbent, text + ", which was there first and is no worse", place);
 }
 
-}  // namespace
-
-Check check_arbitration(const Core& core, const Asked& asked, const PublicationEntry& offer, const Standing& standing) {
+/// Of two that are known to the matcher.
+Check check_known(const Core& core, const Asked& asked, const PublicationEntry& offer, const Standing& standing) {
   const std::uint32_t limit = asked.entry.subscription.limit;
   std::string text = place_of(standing.rank, standing.candidates, limit);
   if (limit == 0) return {"arbitration", Obstacle::none, std::move(text)};
@@ -102,8 +102,9 @@ Check check_arbitration(const Core& core, const Asked& asked, const PublicationE
   return {"arbitration", Obstacle::none, std::move(text)};
 }
 
-Check check_arbitration(const Core& core, const Survey& survey, const PublicationEntry& offer,
-                        const matching::Rank& rank, bool is_offer_living) {
+/// Where at least one side is stated by nobody.
+Check check_imagined(const Core& core, const Survey& survey, const PublicationEntry& offer, const matching::Rank& rank,
+                     bool is_offer_living) {
   const Asked& asked = survey.asked();
   const std::uint32_t limit = asked.entry.subscription.limit;
   const std::size_t place = survey.ahead() + 1;
@@ -121,6 +122,22 @@ Check check_arbitration(const Core& core, const Survey& survey, const Publicatio
   const auto at = std::next(survey.best().begin(),
                             static_cast<std::ptrdiff_t>(std::min<std::size_t>(limit, survey.best().size()) - 1));
   return outranked(core, asked, offer, place, candidates, core.matcher.find_publication(at->key));
+}
+
+}  // namespace
+
+Check check_arbitration(Core& core, const Survey& survey, const Offered& offer, const matching::Rank& rank) {
+  const Asked& asked = survey.asked();
+  if (!asked.is_living || !offer.is_living) return check_imagined(core, survey, offer.entry, rank, offer.is_living);
+  matching::Place place{.rank = survey.ahead() + 1, .candidates = survey.matching()};
+  const std::size_t limit = matching::Matcher::counted_limit(asked.entry);
+  if (limit != 0 && place.rank > limit && limit <= survey.best().size()) {
+    const auto last = std::next(survey.best().begin(), static_cast<std::ptrdiff_t>(limit) - 1);
+    place.last = core.matcher.find_publication(last->key);
+  }
+  const auto standing = core.matcher.standing(asked.entry.key, offer.entry.key, place);
+  if (!standing) return {"arbitration", Obstacle::none, "one of them has gone"};
+  return check_known(core, asked, offer.entry, *standing);
 }
 
 Check outranked(const Core& core, const Asked& asked, const PublicationEntry& offer, std::size_t place,

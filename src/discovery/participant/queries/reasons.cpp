@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
+#include "discovery/participant/queries/mending.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -18,15 +19,15 @@ std::string shown(const Core& core, const std::string& iri) {
   return base::printable(core.vocabulary().short_name(std::string_view(iri)), max_shown_bytes);
 }
 
-/// The consumer's participant where it is another one with another ontology.
-std::optional<membership::Neighbour> other_ontology(const Core& core, const Asked& asked) {
-  auto consumer = core.neighbours.find(asked.entry.key.participant);
-  return consumer && consumer->ontology_digest != core.digest() ? std::move(consumer) : std::nullopt;
+/// A participant where it is another one with another ontology.
+std::optional<membership::Neighbour> other_ontology(const Core& core, ParticipantId user) {
+  auto other = core.neighbours.find(user);
+  return other && other->ontology_digest != core.digest() ? std::move(other) : std::nullopt;
 }
 
-std::string digests(const Core& core, const membership::Neighbour& consumer) {
-  return base::printable(consumer.name) + " has the ontology " + digest_word(consumer.ontology_digest) +
-         ", this host has " + digest_word(core.digest());
+std::string digests(const Core& core, const membership::Neighbour& other) {
+  return base::printable(other.name) + " has the ontology " + digest_word(other.ontology_digest) + ", this host has " +
+         digest_word(core.digest());
 }
 
 /// A name that is asked for and that the ontology does not know.
@@ -47,13 +48,25 @@ Reason of_nobody(const Core& core, const Asked& asked) {
                          ? ", nor anything that can have instances in common with it"
                          : ", nor anything below or above it"),
                 "start who offers it; geminga-query services shows what is there"};
-  if (const auto consumer = is_concept ? other_ontology(core, asked) : std::nullopt) {
+  if (const auto consumer = is_concept ? other_ontology(core, asked.entry.key.participant) : std::nullopt) {
     reason.text += "; " + digests(core, *consumer);
   }
   return reason;
 }
 
-std::string offered_representations(const Core& core, const Nearest& nearest) {
+Reason of_nobody(const Core& core, const PublicationEntry& offer) {
+  const Identity& identity = offer.publication.identity;
+  const bool is_concept = std::holds_alternative<SemanticIdentity>(identity);
+  Reason reason{Obstacle::nobody,
+                "nobody asks for " + words(core, identity) + (is_concept ? ", nor for anything below or above it" : ""),
+                "start who asks for it; geminga-query requests shows what is there"};
+  if (const auto provider = is_concept ? other_ontology(core, offer.key.participant) : std::nullopt) {
+    reason.text += "; " + digests(core, *provider);
+  }
+  return reason;
+}
+
+std::string told_representations(const Core& core, const Nearest& nearest) {
   std::vector<std::string> names;
   for (const std::string& iri : nearest.representations) names.push_back(shown(core, iri));
   return base::joined(names, ", ");
@@ -61,18 +74,18 @@ std::string offered_representations(const Core& core, const Nearest& nearest) {
 
 }  // namespace
 
-void Nearest::consider(const PublicationEntry& offer, const matching::Finding& finding) {
+void Nearest::consider(const ServiceKey& key, const Identity& identity, const matching::Finding& finding) {
   if (finding.meets()) return;  // it is about to be gone
-  Misfit one{offer.key, finding};
+  Misfit one{key, finding};
   if (!misfit || one < *misfit) misfit = one;
-  const auto* semantic = std::get_if<SemanticIdentity>(&offer.publication.identity);
+  const auto* semantic = std::get_if<SemanticIdentity>(&identity);
   if (finding.identity != Obstacle::representation || representations.size() >= max_told_representations) return;
   if (std::ranges::find(representations, semantic->representation_iri) == representations.end()) {
     representations.push_back(semantic->representation_iri);
   }
 }
 
-Reason Reasons::of_unknown_name(Core& core, Piece& piece, const Asked& asked, const std::string& iri,
+Reason Reasons::of_unknown_name(Core& core, Piece& piece, ParticipantId user, const std::string& iri,
                                 Obstacle obstacle) {
   Reason reason{obstacle, shown(core, iri) + " is unknown to the ontology",
                 "correct the name, or load an ontology that has it"};
@@ -83,9 +96,9 @@ Reason Reasons::of_unknown_name(Core& core, Piece& piece, const Asked& asked, co
     const auto found = core.vocabulary().find(core.vocabulary().short_name(std::string_view(iri)));
     if (!found) reason.text = base::printable(found.error(), max_shown_bytes);
   }
-  if (const auto consumer = other_ontology(core, asked)) {
+  if (const auto other = other_ontology(core, user)) {
     reason.obstacle = Obstacle::ontology_differs;
-    reason.text += "; " + digests(core, *consumer);
+    reason.text += "; " + digests(core, *other);
     reason.mend = "load the same ontologies on every host: geminga-query ontology says who has others";
   }
   return reason;
@@ -105,14 +118,15 @@ std::optional<Reason> Reasons::of_request(Core& core, Piece& piece, const Asked&
   }
   if (const std::string* unknown = unknown_name(core, *semantic)) {
     const bool is_concept = unknown == &semantic->concept_iri;
-    return of_unknown_name(core, piece, asked, *unknown,
+    return of_unknown_name(core, piece, asked.entry.key.participant, *unknown,
                            is_concept ? Obstacle::unknown_concept : Obstacle::unknown_representation);
   }
   if (has_expression(*semantic) && !asked.request->classes.place) {
     Reason reason{Obstacle::unclassified,
                   "the expression is unknown to the ontology, unsatisfiable, or waits to be classified",
                   "ask again in a second, or ask for a named concept"};
-    if (const auto consumer = other_ontology(core, asked)) reason.text += "; " + digests(core, *consumer);
+    if (const auto consumer = other_ontology(core, asked.entry.key.participant))
+      reason.text += "; " + digests(core, *consumer);
     return reason;
   }
   if (!has_expression(*semantic) && !asked.request->classes.concept_class) {
@@ -132,7 +146,7 @@ Reason Reasons::of(Core& core, Piece& piece, const Asked& asked, const Nearest& 
   const Check check = misfit_of(core, asked, *offer, nearest.misfit->finding.first());
   Reason reason{check.obstacle, to_string(offer->key) + ": " + check.text, check.mend};
   if (check.obstacle == Obstacle::representation && nearest.representations.size() > 1) {
-    reason.text += "; offered are " + offered_representations(core, nearest);
+    reason.text += "; offered are " + told_representations(core, nearest);
   }
   return reason;
 }
@@ -143,7 +157,7 @@ Reason Reasons::likely(Core& core, Piece& piece, const registry::SubscriptionEnt
   if (wider.weakest != Degree::overlapping) wider.weakest = Degree::broader;
   Nearest nearest;
   const auto consider = [&](const PublicationEntry& offer) {
-    nearest.consider(offer, core.matcher.examine(asked.entry, *asked.request, offer));
+    nearest.consider(offer.key, offer.publication.identity, core.matcher.examine(asked.entry, *asked.request, offer));
   };
   for (const ServiceKey& key : core.matcher.some_candidates(wider, *asked.request, max_examined_offers)) {
     if (const auto* offer = core.matcher.find_publication(key)) consider(*offer);
@@ -157,6 +171,70 @@ Reason Reasons::likely(Core& core, Piece& piece, const registry::SubscriptionEnt
     });
   }
   return of(core, piece, asked, nearest);
+}
+
+/// What is wrong with the offer itself, whatever is asked for.
+std::optional<Reason> Reasons::of_offer(Core& core, Piece& piece, const PublicationEntry& offer) {
+  if (!matching::Scope::of(offer.publication.scope) || !matching::Where::parse(offer.publication.for_whom)) {
+    return Reason{Obstacle::unreadable, "its condition or its scope cannot be read here",
+                  "its provider's host knows more of conditions than this one: update a whole team"};
+  }
+  const auto* semantic = std::get_if<SemanticIdentity>(&offer.publication.identity);
+  if (semantic == nullptr) return std::nullopt;
+  const auto& vocabulary = core.vocabulary();
+  if (!vocabulary.is_loaded()) {
+    return Reason{Obstacle::no_ontology, "no ontology is loaded here, and nobody asks for the very same names",
+                  "start gemingad with --ontology"};
+  }
+  const auto concept_class = vocabulary.find_iri(semantic->concept_iri);
+  if (!concept_class) {
+    return of_unknown_name(core, piece, offer.key.participant, semantic->concept_iri, Obstacle::unknown_offer);
+  }
+  if (!vocabulary.is_satisfiable(*concept_class)) {
+    return Reason{Obstacle::unsatisfiable, shown(core, semantic->concept_iri) + " is unsatisfiable: nothing can be one",
+                  "mend the ontology: geminga-ontology check says why"};
+  }
+  if (!semantic->representation_iri.empty() && !vocabulary.find_iri(semantic->representation_iri)) {
+    return of_unknown_name(core, piece, offer.key.participant, semantic->representation_iri,
+                           Obstacle::unknown_representation);
+  }
+  return std::nullopt;
+}
+
+Reason Reasons::of(Core& core, Piece& piece, const PublicationEntry& offer, const Nearest& nearest) {
+  const bool is_near = nearest.misfit && nearest.misfit->finding.is_near();
+  const auto* request = is_near ? core.matcher.find_subscription(nearest.misfit->key) : nullptr;
+  if (request == nullptr) {
+    auto reason = of_offer(core, piece, offer);
+    return reason ? std::move(*reason) : of_nobody(core, offer);
+  }
+  const Asked asked{.entry = *request, .request = core.matcher.prepare(*request)};
+  const Check check = misfit_of(core, asked, offer, nearest.misfit->finding.first());
+  Reason reason{check.obstacle, to_string(request->key) + ": " + check.text,
+                mend_by_provider(core, asked, offer, check)};
+  if (check.obstacle == Obstacle::representation && nearest.representations.size() > 1) {
+    reason.text += "; asked for are " + told_representations(core, nearest);
+  }
+  return reason;
+}
+
+Reason Reasons::likely(Core& core, Piece& piece, const PublicationEntry& offer) {
+  Nearest nearest;
+  const auto consider = [&](const registry::SubscriptionEntry& request, const matching::Finding& finding) {
+    nearest.consider(request.key, request.subscription.identity, finding);
+    return true;
+  };
+  core.worked += cost_of_entry * core.matcher.examine_near(offer, max_examined_requests, consider);
+  if (!nearest.misfit && std::holds_alternative<TextIdentity>(offer.publication.identity)) {
+    std::size_t left = max_compared_requests;
+    core.matcher.examine_requests(std::nullopt, offer,
+                                  [&](const registry::SubscriptionEntry& request, const matching::Finding& finding) {
+                                    core.worked += cost_of_entry;
+                                    consider(request, finding);
+                                    return --left > 0;
+                                  });
+  }
+  return of(core, piece, offer, nearest);
 }
 
 }  // namespace geminga::participant

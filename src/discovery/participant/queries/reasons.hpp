@@ -1,4 +1,5 @@
-// Why nobody answers a request: the likely reason, from the offer that comes nearest or from the request itself.
+// Why nobody answers a request or takes an offer: the likely reason, from what comes nearest to it on the other side,
+// or from itself.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_REASONS_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_REASONS_HPP
 
@@ -17,6 +18,9 @@ namespace geminga::participant {
 inline constexpr std::size_t max_examined_offers = 64;
 /// And so many texts that are offered are compared with one that nobody offers.
 inline constexpr std::size_t max_compared_offers = 256;
+/// The same in `services unused=1`: requests whose concept is above or below what is offered, and texts.
+inline constexpr std::size_t max_examined_requests = 64;
+inline constexpr std::size_t max_compared_requests = 256;
 /// How many representations are named that are offered instead of the one that is asked for.
 inline constexpr std::size_t max_told_representations = 4;
 /// For so many unknown names of one answer those are looked for that they may have been meant for; that takes up to
@@ -25,7 +29,7 @@ inline constexpr std::size_t max_searched_names = 16;
 /// What such a search counts as, in entries.
 inline constexpr std::size_t cost_of_searched_name = 160;
 
-/// An offer that does not meet a request.
+/// An offer that does not meet a request, or a request that is not met by an offer.
 struct Misfit {
   ServiceKey key;
   matching::Finding finding;
@@ -35,12 +39,12 @@ struct Misfit {
   }
 };
 
-/// What was found among the offers.
+/// What was found on the other side.
 struct Nearest {
   std::optional<Misfit> misfit;
-  std::vector<std::string> representations;  ///< IRIs of those offered with a concept that fits, each once
-  /// Takes another offer into account that does not meet the request.
-  void consider(const registry::PublicationEntry& offer, const matching::Finding& finding);
+  std::vector<std::string> representations;  ///< IRIs of those there with a concept that fits, each once
+  /// Takes another one into account, with its identity, that does not fit.
+  void consider(const ServiceKey& key, const Identity& identity, const matching::Finding& finding);
 };
 
 struct Reason {
@@ -57,10 +61,15 @@ class Reasons {
   /// From a bounded look at what may come near, all in one piece. It counts as work, and towards the statements of the
   /// client no more than the request itself does.
   [[nodiscard]] Reason likely(Core& core, Piece& piece, const registry::SubscriptionEntry& request);
+  // The same why nobody takes an offer.
+  [[nodiscard]] Reason of(Core& core, Piece& piece, const registry::PublicationEntry& offer, const Nearest& nearest);
+  [[nodiscard]] Reason likely(Core& core, Piece& piece, const registry::PublicationEntry& offer);
 
  private:
   [[nodiscard]] std::optional<Reason> of_request(Core& core, Piece& piece, const Asked& asked);
-  [[nodiscard]] Reason of_unknown_name(Core& core, Piece& piece, const Asked& asked, const std::string& iri,
+  [[nodiscard]] std::optional<Reason> of_offer(Core& core, Piece& piece, const registry::PublicationEntry& offer);
+  /// Of a name that somebody of this participant uses.
+  [[nodiscard]] Reason of_unknown_name(Core& core, Piece& piece, ParticipantId user, const std::string& iri,
                                        matching::Obstacle obstacle);
 
   std::size_t searches_left_ = max_searched_names;

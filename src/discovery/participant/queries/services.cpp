@@ -5,11 +5,13 @@
 #include "discovery/gcnp/event.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
+#include "discovery/participant/queries/reasons.hpp"
 
 namespace geminga::participant {
 namespace {
 
-Line line_of(const Core& core, const registry::PublicationEntry& entry) {
+/// `reason` says why nobody asks for it, where that was asked for.
+Line line_of(const Core& core, const registry::PublicationEntry& entry, const Reason* reason) {
   Line line;
   append(line, "service", to_string(entry.key));
   append(line, "provider", peer_word(entry.key));
@@ -22,6 +24,10 @@ Line line_of(const Core& core, const registry::PublicationEntry& entry) {
   append_flag(line, "used", core.matcher.is_used(entry));
   append_stated(line, "scope", entry.publication.scope);
   append_stated(line, "for", entry.publication.for_whom);
+  if (reason != nullptr) {
+    append(line, "why", std::string(to_string(reason->obstacle)));
+    append(line, "because", reason->text + (reason->mend.empty() ? "" : ": " + reason->mend));
+  }
   gcnp::append_attributes(line, entry.publication.attributes);
   return line;
 }
@@ -31,20 +37,27 @@ Line line_of(const Core& core, const registry::PublicationEntry& entry) {
 std::expected<Answering, Error> begin(Core& core, const gcnp::QueryServices& query) {
   auto sieve = Sieve::make(core, query.filter);
   if (!sieve) return std::unexpected(sieve.error());
-  return Answering{.kind = "services",
-                   .proceed = [sieve = std::move(*sieve), is_unused_only = query.unused,
-                               last = std::optional<ServiceKey>()](Core& all, Piece& piece) mutable {
-                     return all.matcher.walk_publications(last, [&](const registry::PublicationEntry& entry) {
-                       last = entry.key;
-                       piece.look_at_one();
-                       const bool passes = sieve.passes(all, entry.key, entry.participant_name, entry.peer_name,
-                                                        entry.publication.identity, entry.publication.mode) &&
-                                           !(is_unused_only && all.matcher.is_used(entry));
-                       Line line = passes ? line_of(all, entry) : Line{};
-                       if (passes && sieve.passes(line)) piece.tell(std::move(line));
-                       return !piece.is_full();
-                     });
-                   }};
+  return Answering{
+      .kind = "services",
+      .proceed = [sieve = std::move(*sieve), is_unused_only = query.unused, last = std::optional<ServiceKey>(),
+                  reasons = Reasons()](Core& all, Piece& piece) mutable {
+        return all.matcher.walk_publications(last, [&](const registry::PublicationEntry& entry) {
+          last = entry.key;
+          piece.look_at_one();
+          const bool passes = sieve.passes(all, entry.key, entry.participant_name, entry.peer_name,
+                                           entry.publication.identity, entry.publication.mode) &&
+                              !(is_unused_only && all.matcher.is_used(entry));
+          Line line = passes ? line_of(all, entry, nullptr) : Line{};
+          if (passes && sieve.passes(line)) {
+            if (is_unused_only) {
+              const Reason reason = reasons.likely(all, piece, entry);
+              line = line_of(all, entry, &reason);
+            }
+            piece.tell(std::move(line));
+          }
+          return !piece.is_full();
+        });
+      }};
 }
 
 }  // namespace geminga::participant

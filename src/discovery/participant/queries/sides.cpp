@@ -41,7 +41,8 @@ std::expected<Asked, Error> imagined(Core& core, const gcnp::HypotheticalRequest
 }
 
 /// As if the provider that it names offered it, else a peer of this participant.
-std::expected<Offered, Error> imagined(Core& core, const gcnp::HypotheticalOffer& offer, const Asked& asked) {
+std::expected<Offered, Error> imagined(Core& core, const gcnp::HypotheticalOffer& offer,
+                                       const std::optional<Asked>& asked) {
   auto identity = resolve_offered(core, offer.publication.identity);
   if (!identity) return std::unexpected(Error{identity.error().code, "offer: " + identity.error().text});
   if (auto error = matching::check_scope(offer.publication.scope)) return std::unexpected(std::move(*error));
@@ -49,7 +50,8 @@ std::expected<Offered, Error> imagined(Core& core, const gcnp::HypotheticalOffer
   Offered offered{.entry = {}, .is_living = false};
   auto& entry = offered.entry;
   entry.publication = gcnp::with_identity(offer.publication, std::move(*identity));
-  if (offer.is_any_mode) entry.publication.mode = asked.entry.subscription.mode;
+  offered.is_any_mode = offer.is_any_mode && !asked;
+  if (offer.is_any_mode && asked) entry.publication.mode = asked->entry.subscription.mode;
   const ProviderFilter& provider = offer.provider;
   entry.key.participant = provider.participant.empty() ? core.id : ParticipantId{};
   entry.participant_name = provider.participant.empty() ? core.name() : provider.participant;
@@ -63,12 +65,14 @@ std::expected<Offered, Error> imagined(Core& core, const gcnp::HypotheticalOffer
 
 }  // namespace
 
-std::expected<Asked, Error> asked_of(Core& core, const gcnp::QueryWhy& query) {
+std::expected<std::optional<Asked>, Error> asked_of(Core& core, const gcnp::QueryWhy& query) {
   if (const auto* key = std::get_if<ServiceKey>(&query.request)) return stated(core, *key);
-  return imagined(core, std::get<gcnp::HypotheticalRequest>(query.request));
+  if (const auto* request = std::get_if<gcnp::HypotheticalRequest>(&query.request)) return imagined(core, *request);
+  return std::nullopt;
 }
 
-std::expected<std::optional<Offered>, Error> offered_of(Core& core, const gcnp::QueryWhy& query, const Asked& asked) {
+std::expected<std::optional<Offered>, Error> offered_of(Core& core, const gcnp::QueryWhy& query,
+                                                        const std::optional<Asked>& asked) {
   if (const auto* key = std::get_if<ServiceKey>(&query.offer)) {
     const auto* entry = core.matcher.find_publication(*key);
     if (entry == nullptr) return std::unexpected(unknown("service", *key, "services"));

@@ -13,13 +13,14 @@ namespace geminga::participant {
 struct Offered {
   registry::PublicationEntry entry;
   bool is_living = true;
+  bool is_any_mode = false;  ///< it takes that of each request
 };
 
-/// 404 where there is none, 422 where a name or a text cannot be understood.
-[[nodiscard]] std::expected<Asked, Error> asked_of(Core& core, const gcnp::QueryWhy& query);
-/// Nothing where no offer is asked about. One without mode has the mode of the request, or `oto`.
+/// Nothing where no request is asked about; 404 where there is none, 422 where a name or a text cannot be understood.
+[[nodiscard]] std::expected<std::optional<Asked>, Error> asked_of(Core& core, const gcnp::QueryWhy& query);
+/// Nothing where no offer is asked about. One without mode has the mode of the request, or any where there is none.
 [[nodiscard]] std::expected<std::optional<Offered>, Error> offered_of(Core& core, const gcnp::QueryWhy& query,
-                                                                      const Asked& asked);
+                                                                      const std::optional<Asked>& asked);
 
 }  // namespace geminga::participant
 

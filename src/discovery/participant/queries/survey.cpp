@@ -43,7 +43,7 @@ bool Survey::look(Core& core, const PublicationEntry& offer) {
     if (match) take(asked_.request->rank(offer, *match));
     return true;
   }
-  nearest_.consider(offer, finding);
+  nearest_.consider(offer.key, offer.publication.identity, finding);
   if (!finding.is_near()) return true;
   misfits_.insert({offer.key, finding});
   if (misfits_.size() > max_told_misfits) misfits_.erase(std::prev(misfits_.end()));

@@ -1,4 +1,5 @@
-// `query why`: what fits and what does not between a request and an offer, or why nobody answers a request.
+// `query why` of a pair and of a request: what fits and what does not between it and an offer, or why nobody answers
+// it.
 #include <algorithm>
 #include <iterator>
 #include <set>
@@ -7,18 +8,17 @@
 
 #include "discovery/matching/representation.hpp"
 #include "discovery/participant/queries/arbitration.hpp"
+#include "discovery/participant/queries/demand.hpp"
 #include "discovery/participant/queries/lines.hpp"
 #include "discovery/participant/queries/sides.hpp"
 #include "discovery/participant/queries/survey.hpp"
+#include "discovery/participant/queries/why_offer.hpp"
 
 namespace geminga::participant {
 namespace {
 
 using matching::Obstacle;
 using registry::PublicationEntry;
-
-/// Behind every key that there is: what nobody offers is there last.
-constexpr ServiceKey last_key{ParticipantId{0xffffffff}, PeerId{0xffffffff}, 0xffffffff};
 
 /// One request and one offer, aspect by aspect.
 class PairAnswer {
@@ -29,7 +29,7 @@ class PairAnswer {
     if (checks_.empty()) begin(core, piece);
     if (survey_) {
       if (!survey_->proceed(core, piece)) return false;
-      arbitrate(core);
+      checks_.push_back(check_arbitration(core, *survey_, offer_, *rank_));
       survey_.reset();
     }
     for (; told_ < checks_.size(); ++told_) {
@@ -50,25 +50,8 @@ class PairAnswer {
     match_ = finding.match;
     if (first_obstacle(checks_) != nullptr) return;
     if (!match_) return;  // cannot be: all fits
-    rank_ = asked_.request->rank(offer_.entry, *match_);
-    if (!offer_.is_living) rank_->key = last_key;
+    rank_ = rank_of(asked_, offer_, *match_);
     survey_.emplace(core, asked_, *rank_);
-  }
-
-  void arbitrate(Core& core) {
-    if (!asked_.is_living || !offer_.is_living) {
-      checks_.push_back(check_arbitration(core, *survey_, offer_.entry, *rank_, offer_.is_living));
-      return;
-    }
-    matching::Place place{.rank = survey_->ahead() + 1, .candidates = survey_->matching()};
-    const std::size_t limit = matching::Matcher::counted_limit(asked_.entry);
-    if (limit != 0 && place.rank > limit && limit <= survey_->best().size()) {
-      const auto last = std::next(survey_->best().begin(), static_cast<std::ptrdiff_t>(limit) - 1);
-      place.last = core.matcher.find_publication(last->key);
-    }
-    if (const auto standing = core.matcher.standing(asked_.entry.key, offer_.entry.key, place)) {
-      checks_.push_back(check_arbitration(core, asked_, offer_.entry, *standing));
-    }
   }
 
   [[nodiscard]] Line end(const Core& core) const {
@@ -205,8 +188,9 @@ std::expected<Answering, Error> begin(Core& core, const gcnp::QueryWhy& query) {
   if (!asked) return std::unexpected(std::move(asked.error()));
   auto offered = offered_of(core, query, *asked);
   if (!offered) return std::unexpected(std::move(offered.error()));
-  if (!*offered) return Answering{.kind = "why", .proceed = RequestAnswer(std::move(*asked))};
-  return Answering{.kind = "why", .proceed = PairAnswer(std::move(*asked), std::move(**offered))};
+  if (!*asked) return explaining(std::move(**offered));
+  if (!*offered) return Answering{.kind = "why", .proceed = RequestAnswer(std::move(**asked))};
+  return Answering{.kind = "why", .proceed = PairAnswer(std::move(**asked), std::move(**offered))};
 }
 
 }  // namespace geminga::participant

@@ -143,7 +143,10 @@ function readWhy(parameters) {
   const offered = rest.filter(([key]) => key.startsWith('offer.'));
   const attributes = rest.filter(([key]) => key.startsWith('attr.')).map(([key, value]) => [key, value ?? '']);
   const isAsked = checkIdentity(values, false);
-  if (values.has('subscription') ? values.size > 1 + Number(values.has('service')) || attributes.length > 0 : !isAsked) {
+  const isOfferAlone = attributes.length === 0 &&
+    (values.has('service') ? values.size === 1 : values.size === 0 && offered.length > 0);
+  const isBeside = values.size > 1 + Number(values.has('service')) || attributes.length > 0;
+  if (values.has('subscription') ? isBeside : !isAsked && !isOfferAlone) {
     throw new StatementError('say subscription=PARTICIPANT/PEER/NUMBER, or what might be asked for as in sub create');
   }
   if (values.has('service') && offered.length > 0) throw new StatementError('service and offer. together');

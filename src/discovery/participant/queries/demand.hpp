@@ -1,0 +1,70 @@
+// A look at everything that is asked for, for one offer: who takes it, who would but has better ones, and what comes
+// nearest.
+#ifndef GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_DEMAND_HPP
+#define GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_DEMAND_HPP
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "discovery/participant/queries/sides.hpp"
+#include "discovery/participant/queries/survey.hpp"
+
+namespace geminga::participant {
+
+/// Of so many requests that an offer meets and whose choice is not known here the offers are ranked, to say whether it
+/// is among the best. Those behind them count as taking it not.
+inline constexpr std::size_t max_ranked_requests = 64;
+
+/// Walks all subscriptions piece by piece, one judgement each, then the offers for those whose choice is not known.
+class Demand {
+ public:
+  explicit Demand(Offered offer);
+
+  /// Whether all have been looked at.
+  bool proceed(Core& core, Piece& piece);
+
+  [[nodiscard]] const Offered& offer() const { return offer_; }
+  /// The offer as this request is to be compared with it.
+  [[nodiscard]] registry::PublicationEntry offer_for(const registry::SubscriptionEntry& request) const;
+  /// How many requests were looked at, how many the offer meets, and how many of these take it.
+  [[nodiscard]] std::size_t seen() const { return seen_; }
+  [[nodiscard]] std::size_t matching() const { return matching_; }
+  [[nodiscard]] std::size_t taken() const { return taken_; }
+  /// The first few by key.
+  [[nodiscard]] const std::vector<ServiceKey>& takers() const { return takers_; }
+  /// The first few of those that it meets and that have better ones.
+  [[nodiscard]] const std::vector<ServiceKey>& others() const { return others_; }
+  /// The nearest of those that it does not meet and whose concept fits at least, or whose text nearly.
+  [[nodiscard]] const std::set<Misfit>& misfits() const { return misfits_; }
+  [[nodiscard]] const Nearest& nearest() const { return nearest_; }
+
+ private:
+  enum class Taking : std::uint8_t { yes, no, unknown };
+
+  void look(const Core& core, const registry::SubscriptionEntry& request, matching::Finding finding);
+  [[nodiscard]] Taking taking(const Core& core, const registry::SubscriptionEntry& request,
+                              const matching::Match& match) const;
+  void note(const ServiceKey& request, bool is_taken);
+
+  Offered offer_;
+  std::optional<ServiceKey> last_;
+  bool is_walked_ = false;
+  std::size_t seen_ = 0;
+  std::size_t matching_ = 0;
+  std::size_t taken_ = 0;
+  std::vector<ServiceKey> takers_;
+  std::vector<ServiceKey> others_;
+  std::vector<ServiceKey> undecided_;  ///< the last is next
+  std::optional<Survey> survey_;       ///< for the last of them
+  std::set<Misfit> misfits_;
+  Nearest nearest_;
+};
+
+/// The rank of an offer that meets a request. What nobody offers is behind all others that are as good.
+[[nodiscard]] matching::Rank rank_of(const Asked& asked, const Offered& offer, const matching::Match& match);
+
+}  // namespace geminga::participant
+
+#endif

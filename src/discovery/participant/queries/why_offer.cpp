@@ -1,0 +1,129 @@
+// `query why` of an offer alone: who takes it, and why the others do not.
+#include "discovery/participant/queries/why_offer.hpp"
+
+#include <utility>
+
+#include "discovery/participant/queries/arbitration.hpp"
+#include "discovery/participant/queries/demand.hpp"
+#include "discovery/participant/queries/lines.hpp"
+#include "discovery/participant/queries/mending.hpp"
+
+namespace geminga::participant {
+namespace {
+
+using matching::Obstacle;
+using registry::SubscriptionEntry;
+
+class OfferAnswer {
+ public:
+  explicit OfferAnswer(Offered offer) : demand_(std::move(offer)) {}
+
+  bool operator()(Core& core, Piece& piece) {
+    if (!is_walked_) {
+      if (!demand_.proceed(core, piece)) return false;
+      list();
+      is_walked_ = true;
+    }
+    for (; told_ < list_.size(); ++told_) {
+      if (piece.is_full()) return false;
+      const auto* request = core.matcher.find_subscription(list_[told_].key);
+      if (request == nullptr) continue;
+      auto check = checked(core, piece, *request, list_[told_]);
+      if (!check) return false;
+      tell(core, piece, *request, *check);
+      if (list_[told_].is_meeting && !check->is_ok() && !outranked_) outranked_ = std::move(*check);
+    }
+    if (piece.is_full()) return false;
+    piece.conclude(end(core, piece));
+    return true;
+  }
+
+ private:
+  struct Entry {
+    ServiceKey key;
+    bool is_meeting = false;
+    bool is_taken = false;
+    Obstacle misfit = Obstacle::none;
+  };
+
+  void list() {
+    for (const ServiceKey& key : demand_.takers()) list_.push_back({.key = key, .is_meeting = true, .is_taken = true});
+    for (const ServiceKey& key : demand_.others()) list_.push_back({.key = key, .is_meeting = true});
+    for (const Misfit& one : demand_.misfits()) list_.push_back({.key = one.key, .misfit = one.finding.first()});
+  }
+
+  /// Nothing: all offers are being ranked, and it goes on.
+  std::optional<Check> checked(Core& core, Piece& piece, const SubscriptionEntry& request, const Entry& entry) {
+    Offered offer = demand_.offer();
+    offer.entry = demand_.offer_for(request);
+    const Asked asked{.entry = request, .request = core.matcher.prepare(request)};
+    if (!entry.is_meeting) {
+      Check check = misfit_of(core, asked, offer.entry, entry.misfit);
+      check.mend = mend_by_provider(core, asked, offer.entry, check);
+      return check;
+    }
+    if (entry.is_taken) {
+      Check check = checks_of(core, asked, offer.entry, Depth::search)[1];
+      if (!check.proof.empty()) piece.look_at(cost_of_proof);
+      return check;
+    }
+    if (!survey_) {
+      const auto finding = core.matcher.examine(asked.entry, *asked.request, offer.entry);
+      if (!finding.match) return Check{.what = "arbitration", .obstacle = Obstacle::outranked, .text = "it has gone"};
+      rank_ = rank_of(asked, offer, *finding.match);
+      survey_.emplace(core, asked, *rank_);
+    }
+    if (!survey_->proceed(core, piece)) return std::nullopt;
+    Check check = check_arbitration(core, *survey_, offer, *rank_);
+    survey_.reset();
+    if (!check.is_ok()) check.mend = mend_by_provider(core, asked, offer.entry, check);
+    return check;
+  }
+
+  static void tell(const Core& core, Piece& piece, const SubscriptionEntry& request, const Check& check) {
+    Line line;
+    append(line, "subscription", to_string(request.key));
+    append(line, "consumer", peer_word(request.key));
+    append_stated(line, "name", request.peer_name);
+    append_stated(line, "participant_name", request.participant_name);
+    append(line, "asked", words(core, request.subscription.identity));
+    append(line, "mode", std::string(to_string(request.subscription.mode)));
+    append_check(line, check);
+    piece.tell(std::move(line));
+  }
+
+  [[nodiscard]] Line end(Core& core, Piece& piece) const {
+    Line line;
+    append_flag(line, "used", demand_.matching() > 0);
+    append(line, "requests", demand_.seen());
+    append(line, "matching", demand_.matching());
+    append(line, "taken", demand_.taken());
+    if (demand_.taken() > 0) return line;
+    if (demand_.matching() > 0) {
+      if (!outranked_) return line;  // they have gone meanwhile
+      append(line, "code", std::string(to_string(outranked_->obstacle)));
+      append(line, "text", to_string(demand_.others().front()) + ": " + outranked_->text);
+      append_stated(line, "mend", outranked_->mend);
+      return line;
+    }
+    const Reason reason = Reasons().of(core, piece, demand_.offer().entry, demand_.nearest());
+    append(line, "code", std::string(to_string(reason.obstacle)));
+    append(line, "text", reason.text);
+    append_stated(line, "mend", reason.mend);
+    return line;
+  }
+
+  Demand demand_;
+  bool is_walked_ = false;
+  std::vector<Entry> list_;
+  std::size_t told_ = 0;
+  std::optional<Survey> survey_;  ///< for the one that is told next
+  std::optional<matching::Rank> rank_;
+  std::optional<Check> outranked_;  ///< of the first that has better ones
+};
+
+}  // namespace
+
+Answering explaining(Offered offer) { return {.kind = "why", .proceed = OfferAnswer(std::move(offer))}; }
+
+}  // namespace geminga::participant
