@@ -153,10 +153,9 @@ Obstacle Finding::first() const {
   if (!is_mode_met) return Obstacle::mode;
   if (!is_protocol_met) return Obstacle::protocol;
   if (!is_provider_met) return Obstacle::provider;
-  if (!is_readable) return Obstacle::unreadable;
-  if (!is_scope_met) return Obstacle::scope;
-  if (!is_where_met) return Obstacle::where;
-  if (!is_for_met) return Obstacle::for_whom;
+  if (!is_scope_met) return is_scope_readable ? Obstacle::scope : Obstacle::unreadable;
+  if (!is_where_met) return is_where_readable ? Obstacle::where : Obstacle::unreadable;
+  if (!is_for_met) return is_for_readable ? Obstacle::for_whom : Obstacle::unreadable;
   return is_signature_met ? Obstacle::none : Obstacle::signature;
 }
 
@@ -187,7 +186,9 @@ Finding examine(const registry::SubscriptionEntry& subscription, const Request& 
   finding.is_mode_met = asked.mode == offered.mode;
   finding.is_protocol_met = is_accepted_protocol(asked, offer.entry);
   finding.is_provider_met = is_accepted_provider(asked, offer.entry);
-  finding.is_readable = request.where && request.scope && offer.audience.scope && offer.audience.condition;
+  finding.is_scope_readable = request.scope && offer.audience.scope;
+  finding.is_where_readable = request.where.has_value();
+  finding.is_for_readable = offer.audience.condition.has_value();
   finding.is_scope_met = is_in_scope(subscription, request, offer);
   finding.is_where_met = request.where && request.where->accepts(offer.entry);
   finding.is_for_met = offer.audience.condition && offer.audience.condition->accepts(subscription);

@@ -64,7 +64,10 @@ struct Finding {
   bool is_where_met = true;
   bool is_for_met = true;
   bool is_signature_met = true;
-  bool is_readable = true;       ///< scopes and conditions
+  // Whether these can be read; one that cannot is not met.
+  bool is_scope_readable = true;
+  bool is_where_readable = true;
+  bool is_for_readable = true;
   std::optional<Match> match{};  ///< of identity and signature, also where that is too weak
 
   [[nodiscard]] bool meets() const { return first() == Obstacle::none; }

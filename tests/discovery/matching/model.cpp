@@ -52,6 +52,14 @@ std::optional<Match> Model::meets(const SubscriptionEntry& subscription, const P
   return matching::meets(subscription, requests_.at(subscription.key), Imagined(publication, by).offer, by);
 }
 
+std::optional<Match> Model::would_meet(const SubscriptionEntry& subscription,
+                                       const PublicationEntry& publication) const {
+  if (is_kept_apart(publication.publication.identity, subscription.subscription.identity)) return std::nullopt;
+  Request request = prepared(subscription.subscription, ontology, placing_, subscription.key.participant, overlapping);
+  request.chains = requests_.at(subscription.key).chains;
+  return matching::meets(subscription, request, Imagined(publication, ontology).offer, ontology);
+}
+
 void Model::work_out() {
   auto before = std::exchange(chosen_, {});
   requests_.clear();

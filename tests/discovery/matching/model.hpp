@@ -54,6 +54,13 @@ class Model {
   /// Between entries that are here since the last work_out().
   [[nodiscard]] std::optional<Match> meets(const registry::SubscriptionEntry& subscription,
                                            const registry::PublicationEntry& publication) const;
+  /// The same of both in another form; what is converted for the subscription is as it was.
+  [[nodiscard]] std::optional<Match> would_meet(const registry::SubscriptionEntry& subscription,
+                                                const registry::PublicationEntry& publication) const;
+  /// What a subscription of any host is given by the whole of what is known, as far as it chooses for itself.
+  [[nodiscard]] bool is_chosen(const ServiceKey& subscription, const ServiceKey& publication) const {
+    return chosen_.at(subscription).contains(publication);
+  }
 
  private:
   Placing placing_;

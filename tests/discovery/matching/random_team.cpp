@@ -11,6 +11,7 @@
 
 #include "discovery/matching/found_places.hpp"
 #include "discovery/matching/model.hpp"
+#include "discovery/matching/obstacle_model.hpp"
 #include "discovery/matching/random_words.hpp"
 #include "discovery/matching/team.hpp"
 #include "support/shrink.hpp"
@@ -322,6 +323,16 @@ class RandomTeam {
       }
       expect(matched(matcher_, entry) == meeting, name(one) + ": what meets it?");
       expect(matcher_.is_served(entry) == !meeting.empty(), name(one) + ": is it served?");
+    }
+    const bool has_pairs = !model_.publications.empty() && !model_.subscriptions.empty();
+    for (int i = 0; i < 8 && has_pairs; ++i) {
+      const auto draw = [this](const auto& all) {
+        return std::next(all.begin(), static_cast<std::ptrdiff_t>(words_.random().below(all.size())));
+      };
+      const auto& asked = draw(model_.subscriptions)->second;
+      const auto& offered = draw(model_.publications)->second;
+      const std::string wrong = complaint(matcher_, model_, asked, offered);
+      expect(wrong.empty(), name(asked.key) + " about " + name(offered.key) + ": " + wrong);
     }
   }
 
