@@ -16,6 +16,7 @@
 #include "shell/pipe.hpp"
 #include "shell/stream.hpp"
 #include "shell/terminal.hpp"
+#include "shell/whole_lines.hpp"
 
 namespace geminga::publish {
 namespace {
@@ -54,7 +55,7 @@ void add_to(CLI::App& app, Options& options) {
                         "When the daemon goes, wait for it and offer again");
   app.add_option("--port", options.publication.port, "Where the service can be reached")
       ->type_name("1..65535")
-      ->check(CLI::Range(1, 65535).description(""));
+      ->check(shell::whole_number(1, 65535), "", "");
   app.add_flag(
          "--send", options.sends,
          "Send each line of standard input as a message to who consumes the service; any port unless told. A line has "
@@ -77,7 +78,8 @@ void add_to(CLI::App& app, Options& options) {
   app.add_option("--for", options.publication.for_whom, "Only consumers that fit, e.g. \"name = robot*\"")
       ->type_name("EXPRESSION");
   app.add_option("--priority", options.publication.priority, "Greater wins where several providers match")
-      ->type_name("K");
+      ->type_name("K")
+      ->check(shell::whole_number(INT32_MIN, INT32_MAX), "", "");
 }
 
 /// Adds the attribute of a word NAME=VALUE. Throws CLI::ValidationError.
@@ -160,4 +162,7 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace geminga::publish
 
-int main(int argc, char** argv) { return geminga::publish::run(argc, argv); }
+int main(int argc, char** argv) {
+  const geminga::shell::WholeLines lines;
+  return geminga::publish::run(argc, argv);
+}

@@ -83,6 +83,7 @@ shell::ExitStatus show(const Context& context, Client& client, const Listing& li
   if (!listing.filter.values.empty()) {
     if (const auto all = ask_daemon(client, listing)) why = complaint_about_keys(listing, *all);
   }
+  if (why.empty() && !context.common.is_json && listing.reason) why = listing.reason(client);
   if (!why.empty() || !context.common.is_json) shell::complain(program, why.empty() ? listing.nothing : why);
   return shell::ExitStatus::nothing;
 }

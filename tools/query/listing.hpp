@@ -26,6 +26,8 @@ struct Listing {
   std::function<std::string(const Record&)> line;
   /// What to say where there is nothing, and what to do.
   std::string nothing;
+  /// The same as the daemon knows it; empty where it does not.
+  std::function<std::string(Client&)> reason{};
 };
 
 /// The records of the listing as they are now.

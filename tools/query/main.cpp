@@ -5,6 +5,7 @@
 
 #include "query/command.hpp"
 #include "shell/report.hpp"
+#include "shell/whole_lines.hpp"
 
 namespace geminga::query {
 namespace {
@@ -61,4 +62,7 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace geminga::query
 
-int main(int argc, char** argv) { return geminga::query::run(argc, argv); }
+int main(int argc, char** argv) {
+  const geminga::shell::WholeLines lines;
+  return geminga::query::run(argc, argv);
+}

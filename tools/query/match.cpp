@@ -66,6 +66,16 @@ void read_words(Flags& flags) {
   }
 }
 
+/// What comes nearest, what stands in its way, and what would mend it.
+std::string reason_of(Client& client, std::vector<std::pair<std::string, std::string>> asked) {
+  for (auto& [key, value] : asked) {
+    if (key == "degree") key = "match";
+  }
+  const auto answer = client.query("why", asked);
+  if (!answer || answer->end["text"].empty()) return "";
+  return "nothing matches: " + std::string(answer->end["text"]) + ": " + std::string(answer->end["mend"]);
+}
+
 Listing listing_of(const Flags& flags) {
   Listing listing{"match",
                   {},
@@ -73,7 +83,7 @@ Listing listing_of(const Flags& flags) {
                   "service",
                   table,
                   service_line,
-                  "nothing matches: see geminga-query services for what is offered, and try --degree broader"};
+                  "nothing matches: see geminga-query services for what is offered"};
   auto& parameters = listing.parameters;
   const auto identity = flags.identity.identity(flags.concept_name);
   if (identity) {
@@ -93,6 +103,7 @@ Listing listing_of(const Flags& flags) {
   if (!flags.providers.empty()) parameters.emplace_back("provider", CLI::detail::join(flags.providers, ","));
   if (!flags.convert.empty()) parameters.emplace_back("convert", flags.convert);
   if (flags.limit != 0) parameters.emplace_back("limit", std::to_string(flags.limit));
+  if (identity) listing.reason = [asked = parameters](Client& client) { return reason_of(client, asked); };
   return listing;
 }
 
@@ -116,7 +127,9 @@ void add_match(CLI::App& app, Run& selected) {
       ->add_option("--convert", flags->convert,
                    "Also services whose representation can be converted: yes, no or the largest cost")
       ->type_name("yes|no|COST");
-  command->add_option("--limit", flags->limit, "At most this many, the best")->type_name("N");
+  command->add_option("--limit", flags->limit, "At most this many, the best")
+      ->type_name("N")
+      ->check(shell::whole_number(0, UINT32_MAX), "", "");
   command->footer(
       "Examples:\n  geminga-query match soccer:TrackedObject\n  geminga-query match text=camera\n"
       "  geminga-query match 'soccer:BallInfo or soccer:GoalInfo'\n"

@@ -129,6 +129,11 @@ void check(const Question& question) {
         "is missing: name a request, or say with --concept, --id or --text what might be asked for; "
         "--service or --offer-concept and its like alone ask who takes a service");
   }
+  const bool is_offer_imagined =
+      std::ranges::any_of(question.parameters, [](const auto& one) { return one.first.starts_with("offer."); });
+  if (!question.service.empty() && is_offer_imagined) {
+    throw CLI::ValidationError("SERVICE", "does not go with --offer-concept and its like: one service at a time");
+  }
   if (question.has_service() && question.service.empty() &&
       !question.has_any({"offer.concept", "offer.id", "offer.text"})) {
     throw CLI::ValidationError("--offer-concept",

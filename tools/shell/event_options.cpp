@@ -6,7 +6,9 @@ void EventOptions::add_to(CLI::App& app, const std::string& timeout_meaning, con
   common.add_to(app, timeout_meaning);
   identity.add_to(app);
   add_mode(app, mode, "How the channel is set up (otm/stream unless told)");
-  app.add_option("--name", name, "The name of this peer (" + name + " unless told)")->type_name("PEER");
+  app.add_option("--name", name, "The name of this peer (" + name + " unless told)")
+      ->type_name("PEER")
+      ->check([](const std::string& text) { return text.empty() ? "must not be empty" : ""; }, "", "");
   app.add_flag("--keep", is_kept, keep_meaning);
   app.add_flag("--timestamps", has_timestamps, "Begin each line with the time (RFC 3339, UTC); JSON always has it");
   auto* const exec =

@@ -24,9 +24,9 @@ namespace {
 namespace json = boost::json;
 
 constexpr auto number_keys = std::to_array<std::string_view>(
-    {"id",    "port",         "priority",      "distance",   "age",    "heard",    "interval", "loss",
-     "limit", "publications", "subscriptions", "statements", "line",   "classes",  "count",    "left_out",
-     "sent",  "received",     "peer",          "datagrams",  "offers", "matching", "requests", "taken", "cost"});
+    {"id",           "port",          "priority",   "distance", "age",      "heard", "interval", "loss", "limit",
+     "publications", "subscriptions", "statements", "line",     "classes",  "count", "left_out", "sent", "received",
+     "peer",         "datagrams",     "offers",     "matching", "requests", "taken", "cost"});
 constexpr auto flag_keys =
     std::to_array<std::string_view>({"self", "local", "used", "served", "ok", "loaded", "matches", "subsumed"});
 constexpr auto list_keys = std::to_array<std::string_view>({"addresses", "keys", "lacks"});

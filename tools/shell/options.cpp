@@ -92,6 +92,14 @@ std::optional<NamedIdentity> IdentityOptions::identity(const std::string& concep
   return std::nullopt;
 }
 
+std::function<std::string(const std::string&)> whole_number(std::int64_t least, std::int64_t most) {
+  return [least, most](const std::string& text) -> std::string {
+    std::int64_t number = 0;
+    if (CLI::detail::lexical_cast(text, number) && number >= least && number <= most) return {};
+    return "must be a whole number from " + std::to_string(least) + " to " + std::to_string(most);
+  };
+}
+
 CLI::Option* add_seconds(CLI::App& app, const std::string& flag, std::optional<double>& seconds,
                          const std::string& meaning) {
   return app.add_option(flag, seconds, meaning)->type_name("SECONDS")->check(complaint_about_seconds, "", "");

@@ -4,6 +4,8 @@
 
 #include <CLI/App.hpp>
 #include <chrono>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -46,6 +48,9 @@ struct IdentityOptions {
   [[nodiscard]] std::optional<NamedIdentity> identity(const std::string& concept_name) const;
   [[nodiscard]] bool needs_no_concept() const { return id.has_value() || text.has_value(); }
 };
+
+/// A check for a flag with a whole number that must be one of these.
+[[nodiscard]] std::function<std::string(const std::string&)> whole_number(std::int64_t least, std::int64_t most);
 
 /// Adds a flag with a time of at most max_timeout_seconds, e.g. `--timeout SECONDS`.
 CLI::Option* add_seconds(CLI::App& app, const std::string& flag, std::optional<double>& seconds,

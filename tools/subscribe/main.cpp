@@ -13,6 +13,7 @@
 #include "shell/options.hpp"
 #include "shell/pipe.hpp"
 #include "shell/stream.hpp"
+#include "shell/whole_lines.hpp"
 
 namespace geminga::subscribe {
 namespace {
@@ -55,7 +56,7 @@ std::uint32_t accepted_cost(const std::string& word) {
   std::uint32_t cost = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), cost);
   if (error != std::errc() || end != word.data() + word.size()) {
-    throw CLI::ValidationError("--convert", "must be yes, no or the largest cost");
+    throw CLI::ValidationError("--convert", "must be yes, no or the largest cost, a whole number from 0 to 4294967295");
   }
   return cost;
 }
@@ -68,7 +69,8 @@ void add_to(CLI::App& app, Options& options) {
   shell::add_degree(app, options.subscription.weakest);
   app.add_option("--where", options.subscription.where, "Only services whose attributes fit")->type_name("EXPRESSION");
   app.add_option("--limit", options.limit, "At most this many providers, the best; 0: all (1 for oto, else all)")
-      ->type_name("K");
+      ->type_name("K")
+      ->check(shell::whole_number(0, UINT32_MAX), "", "");
   app.add_option("--provider", options.providers, "Only these providers, with commas or given several times")
       ->type_name("PARTICIPANT[/PEER]")
       ->delimiter(',')
@@ -94,17 +96,19 @@ void add_to(CLI::App& app, Options& options) {
          "--convert", [&options](const std::string& word) { options.subscription.convert = accepted_cost(word); },
          "Also services whose representation can be converted: yes, no or the largest cost")
       ->type_name("yes|no|COST");
-  app.add_option("--priority", options.subscription.priority, "Told to the provider")->type_name("K");
+  app.add_option("--priority", options.subscription.priority, "Told to the provider")
+      ->type_name("K")
+      ->check(shell::whole_number(INT32_MIN, INT32_MAX), "", "");
   app.add_option("--port", options.subscription.port, "Where this consumer can be reached; told to the provider")
       ->type_name("1..65535")
-      ->check(CLI::Range(1, 65535).description(""));
+      ->check(shell::whole_number(1, 65535), "", "");
   app.add_option("--address", options.subscription.address, "Its IP address; told to the provider");
   app.add_flag("--listen", options.listens,
                "Receive from the services, and print each message as a line instead of the events")
       ->excludes("--json", "--timestamps", "--exec", "--convert");
   app.add_option("--count", options.count, "End after this many events, or messages; 0: never")
       ->type_name("N")
-      ->check(CLI::Range(0.0, 1e15).description(""));  // the sign of an unsigned number is not looked at otherwise
+      ->check(shell::whole_number(0, 1'000'000'000'000'000), "", "");
 }
 
 /// Throws CLI::ValidationError.
@@ -193,4 +197,7 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace geminga::subscribe
 
-int main(int argc, char** argv) { return geminga::subscribe::run(argc, argv); }
+int main(int argc, char** argv) {
+  const geminga::shell::WholeLines lines;
+  return geminga::subscribe::run(argc, argv);
+}

@@ -135,6 +135,7 @@ Announcer::Consequence hear(Core& core, Announcer& announcer, env::InterfaceInde
   const announcement::Announcement& announcement = core.heard;
   if (const auto error = announcement::decode(opened->text, core.heard)) {
     ++core.counters.undecodable.at(static_cast<std::size_t>(*error));
+    core.seal.reject_unreadable(*opened, arrival);
     return Announcer::Consequence::nothing;
   }
   if (!core.seal.attribute(*opened, announcement.participant, arrival)) return Announcer::Consequence::nothing;

@@ -25,6 +25,8 @@ std::string_view remedy(Rejection rejection) {
              "us; if it goes on, a recording";
     case Rejection::downgraded:
       return "not sealed, in the name of a participant that seals: a program there forges announcements";
+    case Rejection::unreadable:
+      return "no announcement of this version: another program says something there, or it is damaged on the way";
     case Rejection::other_version:
       return "sealed in a way that this version does not know: have the same version on all hosts";
     case Rejection::too_large:

@@ -21,8 +21,9 @@ enum class Rejection : std::uint8_t {
   unproved,       ///< of a session that has not shown yet that it is not a recording
   downgraded,     ///< not sealed, in the name of somebody who seals
   own,            ///< what we have sealed ourselves, given back by the link: no fault, and not counted as one
+  unreadable,     ///< not sealed, which would be heard, and no announcement
 };
-inline constexpr std::size_t rejection_count = 11;
+inline constexpr std::size_t rejection_count = 12;
 
 /// "too-large", "plain", ... Static storage.
 [[nodiscard]] std::string_view to_string(Rejection rejection);

@@ -172,6 +172,10 @@ bool Seal::attribute(const Opened& opened, ParticipantId participant, const Arri
   return !outcome.rejection;
 }
 
+void Seal::reject_unreadable(const Opened& opened, const Arrival& arrival) {
+  if (!opened.session) ledger_.enter({Protection::plain, std::nullopt, Rejection::unreadable}, arrival);
+}
+
 std::optional<Sealing> Seal::sealing_of(ParticipantId participant) const {
   const auto sealer = sealers_.find(participant);
   if (sealer == sealers_.end()) return std::nullopt;

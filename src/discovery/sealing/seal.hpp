@@ -81,6 +81,8 @@ class Seal {
   [[nodiscard]] std::expected<Opened, Rejection> open(std::span<const std::byte> datagram, const Arrival& arrival);
   /// Who has said what was opened last. False: it is not to be heard, since he seals, and this was not sealed.
   [[nodiscard]] bool attribute(const Opened& opened, ParticipantId participant, const Arrival& arrival);
+  /// What was opened last says nothing that can be read.
+  void reject_unreadable(const Opened& opened, const Arrival& arrival);
 
   /// Whether somebody is to be asked for a proof: something is to be said soon, and again and again.
   [[nodiscard]] bool asks(base::Instant now) { return is_sealing() && challenges_.asks(now); }

@@ -33,6 +33,11 @@ TEST(QueryConversion, IsShownInWordsAndAsJson) {
   EXPECT_EQ(found.at("cost").as_int64(), 1);
   EXPECT_EQ(found.at("attributes").at("cost"), "7") << "its own attribute of that name";
   EXPECT_THAT(bench.query(converting).out, HasSubstr("CONVERT"));
+  const auto nothing = bench.query(
+      {"match", "soccer:GoalInfo", "--representation", "soccer:CartesianRobotFrame", "--degree", "narrower"});
+  EXPECT_EQ(nothing.status, 1);
+  EXPECT_THAT(nothing.errors, testing::HasSubstr("geminga-query: nothing matches: "));
+  EXPECT_THAT(nothing.errors, testing::HasSubstr("ask with convert=1, the cost of turning it into what is asked for"));
   const auto why = bench.json({"why", "--concept", "soccer:GoalInfo", "--representation", "soccer:CartesianRobotFrame",
                                "--convert", "1", "--service", found.at("service").as_string().c_str()});
   EXPECT_EQ(why.at("degree"), "converted");

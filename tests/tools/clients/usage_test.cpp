@@ -107,6 +107,37 @@ TEST(Programs, EndWithTwoOnWrongUsage) {
   }
 }
 
+TEST(Programs, SayWhichNumbersTheyTake) {
+  const std::string priority = "--priority: must be a whole number from -2147483648 to 2147483647: see ";
+  const std::string limit = "--limit: must be a whole number from 0 to 4294967295: see ";
+  const std::string port = "--port: must be a whole number from 1 to 65535: see ";
+  const std::string count = "--count: must be a whole number from 0 to 1000000000000000: see ";
+  const std::string convert =
+      "--convert: must be yes, no or the largest cost, a whole number from 0 to 4294967295: see ";
+  const std::vector<std::tuple<std::string, std::vector<std::string>, std::string>> cases{
+      {"geminga-publish", {"--priority", "2147483648"}, priority},
+      {"geminga-publish", {"--priority", "-2147483649"}, priority},
+      {"geminga-publish", {"--priority", "9999999999"}, priority},
+      {"geminga-publish", {"--priority", "1.5"}, priority},
+      {"geminga-publish", {"--port", "0"}, port},
+      {"geminga-publish", {"--port", "65536"}, port},
+      {"geminga-publish", {"--name", ""}, "--name: must not be empty: see "},
+      {"geminga-subscribe", {"--priority", "9999999999999999999999"}, priority},
+      {"geminga-subscribe", {"--limit", "4294967296"}, limit},
+      {"geminga-subscribe", {"--limit", "-1"}, limit},
+      {"geminga-subscribe", {"--port", "x"}, port},
+      {"geminga-subscribe", {"--count", "-1"}, count},
+      {"geminga-subscribe", {"--convert", "4294967296"}, convert},
+      {"geminga-subscribe", {"--name", ""}, "--name: must not be empty: see "},
+      {"geminga-query", {"match", "--limit", "4294967296"}, limit},
+  };
+  for (const auto& [program, words, text] : cases) {
+    auto line = words;
+    if (program != "geminga-query") line.insert(line.begin(), {"--text", "a"});
+    EXPECT_EQ(run(program, line).errors, program + ": " + text + program + " --help\n");
+  }
+}
+
 TEST(Programs, EndWithThreeWhereNobodyListens) {
   const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
       {"geminga-query", {"status"}},
