@@ -231,12 +231,12 @@ void Ontology::add_label(std::string_view entity_iri, std::string_view text, std
 }
 
 void Ontology::add_conversion(std::string_view from_iri, std::string_view to_iri, std::string_view cost, FileId file,
-                              std::uint32_t line) {
+                              std::uint32_t line, std::uint32_t cost_line) {
   if (problem_) return;
   const auto number = cost.empty() ? std::optional(usual_conversion_cost) : base::parse_number<std::uint32_t>(cost);
   if (!number || *number == 0 || *number > max_conversion_cost) {
     leave_out("geminga:conversionCost that is no whole number from 1 to " + std::to_string(max_conversion_cost), file,
-              line);
+              cost_line == 0 ? line : cost_line);
     return;
   }
   const Conversion added{intern(from_iri, limits_.name_bytes), intern(to_iri, limits_.name_bytes), *number, file, line};

@@ -110,9 +110,9 @@ class Ontology {
   void add_label(std::string_view entity_iri, std::string_view text, std::string_view language = {});
   /// That one representation can be turned into another (reasoning/owl/conversion.hpp). Of two statements about one
   /// pair the lower cost counts. `cost` is as it is written, empty where none is; one that is no whole number from 1 to
-  /// max_conversion_cost is left out with its conversion, and named.
+  /// max_conversion_cost is left out with its conversion, and named with its line; 0: that of the conversion.
   void add_conversion(std::string_view from_iri, std::string_view to_iri, std::string_view cost, FileId file,
-                      std::uint32_t line);
+                      std::uint32_t line, std::uint32_t cost_line = 0);
   void add_prefix(std::string_view prefix, std::string_view iri);
   /// Notes something that was read and that no axiom can express. `construct` is a short name like "swrl:Imp".
   void leave_out(std::string_view construct, FileId file, std::uint32_t line, std::uint32_t count = 1);

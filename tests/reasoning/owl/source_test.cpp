@@ -183,11 +183,12 @@ TEST(Conversions, HaveACostFromOneUpAndTheLowestOfAPairCounts) {
   for (const auto& one : source.conversions()) costs.push_back(one.cost);
   EXPECT_EQ(costs, (std::vector<std::uint32_t>{3, 1, 1, max_conversion_cost}));
   for (const char* wrong : {"0", "-1", "1000001", "1.5", "two", "99999999999999999999"}) {
-    source.add_conversion("urn:e", "urn:f", wrong, file, 7);
+    source.add_conversion("urn:e", "urn:f", wrong, file, 7, 9);
   }
   EXPECT_EQ(source.conversions().size(), 4U);
   ASSERT_EQ(source.omissions().size(), 1U);
   EXPECT_EQ(source.omissions()[0].count, 6U);
+  EXPECT_EQ(source.omissions()[0].line, 9U) << "the line of the cost";
   EXPECT_THAT(source.name(source.omissions()[0].construct), HasSubstr("geminga:conversionCost"));
 }
 

@@ -112,7 +112,8 @@ class Parser final : private manchester::Parser {
   std::size_t counted_ = 0;   ///< lines were counted up to here
   std::uint32_t line_ = 1;    ///< of counted_
   std::size_t annotation_depth_ = 0;
-  std::string cost_;           ///< of a conversion, as its own annotation says
+  std::string cost_;  ///< of a conversion, as its own annotation says
+  std::uint32_t cost_line_ = 0;
   std::string last_text_;      ///< of the literal that was read last
   std::string last_language_;  ///< of that literal, in lower case
   std::string last_datatype_;  ///< of that literal

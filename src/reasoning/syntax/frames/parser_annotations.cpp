@@ -58,6 +58,7 @@ void Parser::annotation(std::string_view subject) {
     read.subject.clear();
   }
   if (is_literal()) {
+    const std::uint32_t line = this->line();
     const bool is_text = tokens_.token().kind == manchester::TokenKind::string;
     const Term value = literal();
     if (failed()) return;
@@ -70,7 +71,10 @@ void Parser::annotation(std::string_view subject) {
     const bool is_label = property == rdfs_label || property == skos_pref_label;
     const bool is_of_name = !read.subject.empty() && !subject.starts_with("_:");
     if (is_label && is_text && is_of_name) source_.add_label(subject, last_text_, last_language_);
-    if (property == owl::conversion_cost) cost_ = last_text_;
+    if (property == owl::conversion_cost) {
+      cost_ = last_text_;
+      cost_line_ = line;
+    }
     if (!annotations_.is_wanted()) return;
     read.is_literal = true;
     read.value = last_text_;
@@ -83,7 +87,7 @@ void Parser::annotation(std::string_view subject) {
     read.value = iri("an IRI, a blank node or a literal");
     const bool is_of_name = !read.subject.empty() && !subject.starts_with("_:");
     if (!failed() && property == owl::converts_to && is_of_name) {
-      source_.add_conversion(subject, read.value, cost_, file_, line);
+      source_.add_conversion(subject, read.value, cost_, file_, line, cost_line_);
     }
   }
   if (!failed()) annotations_.add(std::move(read), annotation_depth_);

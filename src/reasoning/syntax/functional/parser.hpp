@@ -121,6 +121,7 @@ class Parser {
   std::string_view lexical_;   ///< of the last literal, without escapes
   std::string_view language_;  ///< of the last literal, in lower case
   std::string cost_;           ///< of a conversion, as an annotation of the current axiom says
+  std::uint32_t cost_line_ = 0;
   std::string lexical_buffer_;
   std::string language_buffer_;
 

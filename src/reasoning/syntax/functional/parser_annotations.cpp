@@ -26,8 +26,12 @@ bool Parser::annotation() {
   std::string property(annotations_.is_wanted() && is_read ? iri_ : std::string_view());
   const bool is_cost = is_read && iri_ == owl::conversion_cost;
   const TokenKind kind = tokens_.token().kind;
+  const std::uint32_t line = tokens_.line();
   is_read = is_read && annotation_value();
-  if (is_read && is_cost && kind == TokenKind::string) cost_ = lexical_;
+  if (is_read && is_cost && kind == TokenKind::string) {
+    cost_ = lexical_;
+    cost_line_ = line;
+  }
   if (is_read && annotations_.is_wanted()) {
     owl::Annotation read = owl::annotation_of({}, std::move(property));
     if (is_of_ontology_ && depth_ == 1) {
@@ -78,7 +82,9 @@ bool Parser::annotation_assertion() {
   if (!annotation_value()) return false;
   if (is_label && !is_of_blank && value == TokenKind::string) source_.add_label(subject, lexical_, language_);
   const bool is_name_value = value == TokenKind::full_iri || value == TokenKind::prefixed_name;
-  if (is_conversion && !is_of_blank && is_name_value) source_.add_conversion(subject, iri_, cost_, file_, line);
+  if (is_conversion && !is_of_blank && is_name_value) {
+    source_.add_conversion(subject, iri_, cost_, file_, line, cost_line_);
+  }
   if (annotations_.is_wanted()) keep(owl::annotation_of(std::move(subject), std::move(property)), value, 0);
   return true;
 }

@@ -112,11 +112,12 @@ class Builder final : public Listener {
   std::unordered_map<std::string, std::string, TextHash, std::equal_to<>> prefixes_;
   std::unordered_set<std::string> imported_;
   std::unordered_set<owl::TermId> declared_;
-  std::string blank_prefix_;        ///< the same for the same file on every host: made of its content
-  std::string text_;                ///< of the element that is open and may hold one
-  std::string literal_datatype_;    ///< of the literal that is open
-  std::string literal_language_;    ///< of the literal that is open
-  std::string cost_;                ///< of a conversion, as an annotation of the axiom that is open says
+  std::string blank_prefix_;      ///< the same for the same file on every host: made of its content
+  std::string text_;              ///< of the element that is open and may hold one
+  std::string literal_datatype_;  ///< of the literal that is open
+  std::string literal_language_;  ///< of the literal that is open
+  std::string cost_;              ///< of a conversion, as an annotation of the axiom that is open says
+  std::uint32_t cost_line_ = 0;
   std::string facet_iri_;           ///< of the facet restriction that is open
   const char* obstacle_ = nullptr;  ///< what in the current axiom has no term
 };

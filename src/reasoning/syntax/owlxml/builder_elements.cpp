@@ -193,7 +193,10 @@ Listener::Refusal Builder::end_annotation(const Open& open) {
   const bool is_whole = operands_.size() == open.first + 2 && operands_[open.first].kind == Operand::Kind::iri;
   if (!is_whole) return expected("an annotation property and a value", open, open.first);
   const bool is_cost = operands_[open.first].iri == owl::conversion_cost;
-  if (is_cost && operands_[open.first + 1].kind == Operand::Kind::text) cost_ = operands_[open.first + 1].text;
+  if (is_cost && operands_[open.first + 1].kind == Operand::Kind::text) {
+    cost_ = operands_[open.first + 1].text;
+    cost_line_ = open.line;
+  }
   owl::Annotation read = owl::annotation_of({}, operands_[open.first].iri);
   if (open_.size() == 1) {
     read.of = owl::Annotation::Of::ontology;
@@ -218,7 +221,7 @@ Listener::Refusal Builder::end_annotation_assertion(const Open& open) {
     source_.add_label(of[1].iri, of[2].text, of[2].language);
   const bool is_between_names = !of[1].iri.starts_with("_:") && of[2].kind == Operand::Kind::iri;
   if (of[0].iri == owl::converts_to && is_between_names && !of[2].iri.starts_with("_:"))
-    source_.add_conversion(of[1].iri, of[2].iri, cost_, file_, open.line);
+    source_.add_conversion(of[1].iri, of[2].iri, cost_, file_, open.line, cost_line_);
   keep(owl::annotation_of(of[1].iri, of[0].iri), of[2], 0);
   return std::nullopt;
 }

@@ -52,7 +52,7 @@ void add_conversions(const Graph& graph, const std::vector<owl::FileId>& files, 
   if (converts == NodeId{}) return;
   const NodeId costs = node_named(graph, owl::conversion_cost);
   std::vector<std::uint32_t> conversions;
-  std::map<std::pair<NodeId, NodeId>, NodeId> cost_of;
+  std::map<std::pair<NodeId, NodeId>, std::uint32_t> cost_of;  // by triple
   for (std::uint32_t number = 0; number < graph.triple_count(); ++number) {
     const Triple& triple = graph.triple(number);
     if (triple.predicate == converts && graph.is_iri(triple.subject) && graph.is_iri(triple.object)) {
@@ -61,15 +61,16 @@ void add_conversions(const Graph& graph, const std::vector<owl::FileId>& files, 
                only(graph, triple.subject, Word::owl_annotated_property) == converts) {
       cost_of.emplace(std::pair(only(graph, triple.subject, Word::owl_annotated_source),
                                 only(graph, triple.subject, Word::owl_annotated_target)),
-                      triple.object);
+                      number);
     }
   }
   for (const std::uint32_t number : conversions) {
     const Triple& triple = graph.triple(number);
     const auto cost = cost_of.find({triple.subject, triple.object});
+    const Triple* of_cost = cost == cost_of.end() ? nullptr : &graph.triple(cost->second);
     ontology.add_conversion(graph.text(triple.subject), graph.text(triple.object),
-                            cost == cost_of.end() ? std::string_view() : graph.text(cost->second),
-                            files[graph.file_of(number)], triple.line);
+                            of_cost == nullptr ? std::string_view() : graph.text(of_cost->object),
+                            files[graph.file_of(number)], triple.line, of_cost == nullptr ? 0 : of_cost->line);
   }
 }
 

@@ -123,6 +123,15 @@ TEST(Frames, HaveConversionsWithTheirCosts) {
                           "http://e/A > http://e/D 8, line 5", "http://e/A > http://e/E 1, line 5"));
 }
 
+TEST(Frames, HaveConversionsOfNoCostNamedWhereItStands) {
+  const Reading reading(
+      "Prefix: : <http://e/> Prefix: g: <https://geminga.example/core#> Ontology:\nClass: B\n"
+      "Class: A\n  Annotations:\n    Annotations: g:conversionCost 0\n    g:convertsTo\n      B\n");
+  ASSERT_EQ(reading.error, "");
+  ASSERT_EQ(reading.source.omissions().size(), 1U);
+  EXPECT_EQ(reading.source.omissions()[0].line, 5U);
+}
+
 TEST(Frames, HaveAnnotationsThatMayNestAndKeepLabels) {
   const Reading reading(ontology(
       "Annotations: rdfs:comment \"of the ontology\"\n"

@@ -109,6 +109,15 @@ TEST(Document, CollectsConversionsWithTheirCosts) {
                           "http://e/B > http://e/A 1, line 4", "http://e/C > http://e/A 1, line 9"));
 }
 
+TEST(Document, NamesAConversionOfNoCostWhereItStands) {
+  const Reading reading(
+      "Prefix(:=<http://e/>) Prefix(g:=<https://geminga.example/core#>) Ontology(<http://e>\n"
+      "AnnotationAssertion(\nAnnotation(g:conversionCost\n\"0\"^^xsd:integer)\ng:convertsTo :A :B))");
+  ASSERT_EQ(reading.error, "");
+  ASSERT_EQ(reading.source.omissions().size(), 1U);
+  EXPECT_EQ(reading.source.omissions()[0].line, 4U);
+}
+
 TEST(Document, CollectsLabels) {
   const Reading reading(
       "Prefix(:=<http://e/>) Prefix(skos:=<http://www.w3.org/2004/02/skos/core#>) Ontology(<http://e>\n"

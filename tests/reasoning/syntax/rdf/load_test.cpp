@@ -152,6 +152,19 @@ TEST(Conversions, AreReadWithTheCostsOfTheirAnnotations) {
                                             testing::StartsWith("http://e/A > http://e/C 7,")));
 }
 
+TEST(Conversions, OfNoCostAreNamedWhereItStands) {
+  const auto loaded = load_text("a.ttl", std::string(turtle_prefixes) +
+                                             "@prefix g: <https://geminga.example/core#> .\n"
+                                             ":A a owl:Class ; g:convertsTo :B .\n:B a owl:Class .\n"
+                                             "[] a owl:Axiom ; owl:annotatedSource :A ;\n"
+                                             "   owl:annotatedProperty g:convertsTo ; owl:annotatedTarget :B ;\n"
+                                             "   g:conversionCost 0 .\n");
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  ASSERT_THAT(loaded->source.omissions(), SizeIs(1));
+  const auto lines = std::ranges::count(std::string_view(turtle_prefixes), '\n');
+  EXPECT_EQ(loaded->source.omissions()[0].line, lines + 6);
+}
+
 TEST(Load, ReadsIso88591WhereXmlSaysSo) {
   const std::string text =
       "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n<rdf:RDF "
