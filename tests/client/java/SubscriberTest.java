@@ -310,6 +310,19 @@ final class SubscriberTest {
         }
     }
 
+    static void whoWouldDoAMissingConversionIsNamed() throws Exception {
+        Request request = request().conversion("a:A", "a:B", payload -> payload);
+        String chain = " convert=a:A>a:B>a:C cost=2 via=-,udp://10.0.0.7:6000/9c0d1e2f/1/1";
+        try (Bench bench = new Bench(request); DatagramSocket provider = new DatagramSocket()) {
+            bench.daemon.say(ScriptedDaemon.provider(1, WORD, provider.getLocalPort(), "udp", LIFE, chain));
+            bench.is("ADDED 10 -");
+            send(provider, bench.subscriber.request().port(), message(10, 1, "x"));
+            Check.that(bench.subscriber.receive(Duration.ofMillis(200)).isEmpty(), "it is dropped");
+            Check.that(bench.next() instanceof Event.Problem problem && problem.text().endsWith(
+                    "there is no function for the conversion a:B>a:C, which the service udp://10.0.0.7:6000/9c0d1e2f/1/1 does"), "and told who does it");
+        }
+    }
+
     static void whoDoesNotTakeIsNotReadFor() throws Exception {
         try (Bench bench = new Bench(request()); Socket provider = bench.meet()) {
             int size = 1024 * 1024;

@@ -278,7 +278,11 @@ test('conversions follow the chain, or the one function that does it all', () =>
   assert.equal(String(conversions.along('A>B>C')(Buffer.from('x'))), 'x12');
   conversions.set('A>C', add('3'));
   assert.equal(String(conversions.along('A>B>C')(Buffer.from('x'))), 'x3');
-  assert.throws(() => conversions.along('A>B>D')(Buffer.alloc(0)), /no conversion for B>D/);
+  assert.throws(() => conversions.along('A>B>D')(Buffer.alloc(0)), /no function for the conversion B>D$/);
+  const served = conversions.along('A>B>D', '-,udp://10.0.0.7:6000/9c0d1e2f/1/1');
+  assert.throws(() => served(Buffer.alloc(0)), /B>D, which the service udp:\/\/10.0.0.7:6000\/9c0d1e2f\/1\/1 does$/);
+  conversions.set('<http://e/#A>>B', add('4'));
+  assert.equal(String(conversions.along('<http://e/#A>>B>C')(Buffer.from('x'))), 'x42');
   conversions.set('B>D', () => 'text');
   assert.throws(() => conversions.along('A>B>D')(Buffer.alloc(0)), /B>D gave no Uint8Array/);
   conversions.set('B>D', () => JSON.parse('{'));

@@ -287,6 +287,10 @@ class Converting(unittest.TestCase):
         with self.assertRaises(ConversionError) as caught:
             convert(b"", ("A", "B", "C"), {"A>B": bytes})
         self.assertEqual(caught.exception.step, "B>C")
+        self.assertEqual(str(caught.exception), "B>C: there is no function for this conversion")
+        with self.assertRaises(ConversionError) as caught:
+            convert(b"", ("A", "B", "C"), {"A>B": bytes}, "-,udp://10.0.0.7:6000/9c0d1e2f/1/1")
+        self.assertIn("conversion, which the service udp://10.0.0.7:6000/9c0d1e2f/1/1 does", str(caught.exception))
         with self.assertRaises(ConversionError) as caught:
             convert(b"", ("A", "B"), {"A>B": lambda octets: octets[1].to_bytes()})
         self.assertEqual(caught.exception.step, "A>B")

@@ -169,5 +169,15 @@ TEST_F(Demo, EndsWithTwoOnWhatItDoesNotUnderstand) {
   EXPECT_THAT(help.said, HasSubstr("tools/demo --stop"));
 }
 
+TEST(Scripts, SayWhatTheyAreForWithoutBuildingFirst) {
+  const std::string root = GEMINGA_SOURCE_DIR;
+  for (const std::string script : {"/examples/rescue-team/run", "/tools/simulate", "/tools/demo"}) {
+    const auto help = system::run({.words = {root + script, "--help"}, .environment = {}, .before = {}});
+    EXPECT_EQ(help.status, 0) << script;
+    EXPECT_THAT(help.said, testing::Not(testing::HasSubstr("Building"))) << script;
+    EXPECT_THAT(help.said, testing::HasSubstr(" team")) << script;
+  }
+}
+
 }  // namespace
 }  // namespace geminga::tools

@@ -7,8 +7,11 @@ import java.util.Map;
 final class Conversions {
     private Conversions() {}
 
-    /** The payload in the last representation of the chain; an exception where a function is missing or throws. */
-    static byte[] apply(Map<String, Conversion> functions, List<String> chain, byte[] payload) throws Exception {
+    /**
+     * The payload in the last representation of the chain; an exception where a function is missing, which names who of
+     * {@code via} would do it, or throws.
+     */
+    static byte[] apply(Map<String, Conversion> functions, List<String> chain, String via, byte[] payload) throws Exception {
         if (chain.size() < 2) return payload;
         String whole = chain.get(0) + '>' + chain.get(chain.size() - 1);
         Conversion atOnce = functions.get(whole);
@@ -17,10 +20,20 @@ final class Conversions {
         for (int i = 1; i < chain.size(); ++i) {
             String step = chain.get(i - 1) + '>' + chain.get(i);
             Conversion function = functions.get(step);
-            if (function == null) throw new IllegalStateException("no function for " + step);
+            if (function == null) {
+                String service = serviceOf(via, i - 1);
+                throw new IllegalStateException("there is no function for the conversion " + step
+                        + (service.isEmpty() ? "" : ", which the service " + service + " does"));
+            }
             octets = made(step, function, octets);
         }
         return octets;
+    }
+
+    /** Who does a step, counted from 0; empty: the consumer. */
+    private static String serviceOf(String via, int step) {
+        String[] words = via.split(",");
+        return step < words.length && !words[step].equals("-") ? words[step] : "";
     }
 
     private static byte[] made(String step, Conversion function, byte[] payload) throws Exception {

@@ -76,7 +76,8 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
     Message take(Message message) {
         byte[] payload = message.payload();
         try {
-            payload = Conversions.apply(channel.request().conversions(), message.provider().conversion(), payload);
+            var provider = message.provider();
+            payload = Conversions.apply(channel.request().conversions(), provider.conversion(), provider.via(), payload);
         } catch (Exception fault) {
             boolean isNew = node.locking(() -> {
                 ++failed;

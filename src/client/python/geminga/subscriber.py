@@ -269,7 +269,7 @@ class Subscriber(RequestOwner):
     def _deliver(self, counterpart: Counterpart, payload: bytes, life: int, sequence: int, missed: int) -> None:
         if counterpart.match.convert:
             try:
-                payload = convert(payload, counterpart.match.convert, self._conversions)
+                payload = convert(payload, counterpart.match.convert, self._conversions, counterpart.match.via)
             except ConversionError as error:
                 self._dropped += 1
                 if (counterpart.key, error.step) not in self._complained:

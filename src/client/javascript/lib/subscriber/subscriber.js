@@ -247,9 +247,9 @@ export class Subscriber extends EventEmitter {
   /** Opens what a channel needs, or moves it to where its provider is now. */
   #connect(channel) {
     const { peer } = channel;
-    const { protocol, port, mode, convert } = peer.event;
+    const { protocol, port, mode, convert, via } = peer.event;
     const address = canonicalAddress(peer.event.address);
-    channel.convert = convert && this.#conversions.along(convert);
+    channel.convert = convert && this.#conversions.along(convert, via);
     if (address === undefined) {
       this.#problem(channel, `${peer.service} has no address`);
     } else if (protocol === 'udp' && this.#datagrams) {
