@@ -50,17 +50,19 @@ bool Matcher::State::examine_requests(const std::optional<ServiceKey>& after, co
 
 std::size_t Matcher::State::examine_near(const PublicationEntry& offered, std::size_t most,
                                          const VisitFinding& visit) const {
-  const Imagined imagined(offered, in_force_.vocabulary);
+  const auto* publication = publications_.find(offered.key);
+  if (publication == nullptr) return 0;
+  const Classes& known = classes(*publication, in_force_);
   std::vector<const StoredSubscription*> found;
-  add_subscriptions_for(subscriptions_, offered.publication.identity, imagined.classes, in_force_, found);
+  add_subscriptions_for(subscriptions_, *publication, known, in_force_, found);
   order_by_key(found);
   std::size_t searched = 0;
-  if (imagined.classes.concept_class && in_force_.vocabulary.is_satisfiable(*imagined.classes.concept_class)) {
-    searched = add_narrower(*imagined.classes.concept_class, most, found);
+  if (known.concept_class && in_force_.vocabulary.is_satisfiable(*known.concept_class)) {
+    searched = add_narrower(*known.concept_class, most, found);
   }
   if (found.size() > most) found.resize(most);
   for (const StoredSubscription* stored : found) {
-    const bool goes_on = is_going(*stored) || visit(stored->entry, examine(*stored, imagined.offer));
+    const bool goes_on = is_going(*stored) || visit(stored->entry, examine(*stored, offer(*publication, in_force_)));
     if (!goes_on) break;
   }
   return found.size() + searched;

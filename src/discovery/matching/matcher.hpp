@@ -144,8 +144,9 @@ class Matcher {
   using VisitFinding = std::function<bool(const registry::SubscriptionEntry&, const Finding&)>;
   bool examine_requests(const std::optional<ServiceKey>& after, const registry::PublicationEntry& offer,
                         const VisitFinding& visit) const;
-  /// The same for up to `most` that are likely to come near: those who ask for the same or something above it, then for
-  /// something below it, the nearest first. Gives how many subscriptions and classes were looked at.
+  /// The same of an offer that is known, for up to `most` that are likely to come near: those who ask for the same or
+  /// something above it, then for something below it, the nearest first. Gives how many subscriptions and classes were
+  /// looked at.
   std::size_t examine_near(const registry::PublicationEntry& offer, std::size_t most, const VisitFinding& visit) const;
   /// What a subscription is given, as its consumer's host has announced it or as it is chosen here; nothing where that
   /// is the affair of another host.
