@@ -39,6 +39,13 @@ class Writer {
   void convert(const char* from, const char* to, const char* cost) {
     source_.add_conversion(std::string(soccer) + from, std::string(soccer) + to, cost, file_, ++line_);
   }
+  /// A unit of length.
+  void unit(const char* name, const char* symbol, const char* metres) {
+    const std::string iri = std::string(soccer) + name;
+    source_.add_unit_statement(iri, owl::UnitWord::qudt_multiplier, metres, file_, ++line_);
+    source_.add_unit_statement(iri, owl::UnitWord::qudt_dimension, "/A0E0L1I0M0H0T0D0", file_, line_);
+    source_.add_unit_statement(iri, owl::UnitWord::qudt_symbol, symbol, file_, line_);
+  }
   void disjoint(const char* a, const char* b) {
     source_.add(owl::AxiomKind::disjoint_classes, {named(a), named(b)}, file_, ++line_);
   }
@@ -116,6 +123,15 @@ compiled::Ontology make_frames(bool is_other_way) {
   return writer.finish();
 }
 
+/// Balls on a pitch that is so long.
+compiled::Ontology make_units(const char* pitch) {
+  Writer writer;
+  writer.sub("Ball", "TrackedObject");
+  writer.unit("Pitch", "pitch", pitch);
+  writer.unit("Goal", "goal", "7.32");
+  return writer.finish();
+}
+
 /// For class expressions: cameras that observe balls, and a lidar.
 compiled::Ontology make_sensors(bool has_ball, bool is_damaged = false) {
   Writer writer;
@@ -156,7 +172,11 @@ vocabulary::Vocabulary small_ontology(std::string_view name) {
   static const vocabulary::Vocabulary frames(make_frames(false));
   static const vocabulary::Vocabulary other_frames(make_frames(true));
   static const vocabulary::Vocabulary unread(make_unread());
+  static const vocabulary::Vocabulary units(make_units("105"));
+  static const vocabulary::Vocabulary other_units(make_units("50"));
   if (name == "unread") return unread;
+  if (name == "units") return units;
+  if (name == "other-units") return other_units;
   if (name == "frames") return frames;
   if (name == "other-frames") return other_frames;
   if (name == "damaged") return damaged;

@@ -12,6 +12,7 @@ namespace geminga::sim {
 /// `sensors`, for class expressions, or `blind`: the same without soccer:Ball; `misspelt`, with soccer:Bal;
 /// `deep`, for long proofs.
 /// `frames`, for conversions, or `other-frames`: over another chain of the same cost.
+/// `units`, with the unit `pitch` of 105 m, or `other-units`, where it is 50 m.
 /// `damaged` is `sensors` from a compiled form whose axioms are damaged.
 /// Without an ontology for `none`.
 [[nodiscard]] vocabulary::Vocabulary small_ontology(std::string_view name);

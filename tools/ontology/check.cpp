@@ -69,6 +69,18 @@ std::string sources_as_text(const Sources& sources) {
   return text;
 }
 
+/// Nothing where the files say nothing of units.
+std::string units_as_text(const Sources& sources) {
+  if (sources.units == 0 && sources.units_left_out.empty()) return {};
+  std::string text = "Units of measurement for conditions: " + std::to_string(sources.units) + " read";
+  text += sources.units_left_out.empty() ? "\n" : "; left out:\n";
+  for (const owl::LeftOut& one : sources.units_left_out) {
+    text += "  " + base::printable(one.construct, 400) + ": " + std::to_string(one.count);
+    text += one.first.empty() ? "\n" : ", first at " + one.first + '\n';
+  }
+  return text;
+}
+
 std::string doubts_as_text(const Sources& sources) {
   std::string text;
   if (sources.outgrown) text += "Older than its sources: " + *sources.outgrown + '\n';
@@ -147,7 +159,8 @@ std::string names_as_text(const NameFindings& names, bool shows_all) {
 Exit report(const Findings& findings, const CheckRequest& request) {
   const std::string text = request.as_json
                                ? as_json(findings)
-                               : sources_as_text(findings.sources) + left_out_as_text(findings, request.shows_all) +
+                               : sources_as_text(findings.sources) + units_as_text(findings.sources) +
+                                     left_out_as_text(findings, request.shows_all) +
                                      open_as_text(findings.open, request.shows_all) + doubts_as_text(findings.sources) +
                                      names_as_text(findings.names, request.shows_all) + problems_as_text(findings) +
                                      verdict(findings) + '\n';
@@ -176,10 +189,11 @@ Exit check(const CheckRequest& request, const WorkLimits& limits) {
 
 void add_check(CLI::App& program, Choice& choice) {
   auto request = std::make_shared<CheckRequest>();
-  CLI::App* command = program.add_subcommand(
-      "check",
-      "Load and classify; list what could not be used, names that are nowhere declared, classes that can have no "
-      "instance, and hash collisions");
+  CLI::App* command =
+      program.add_subcommand("check",
+                             "Load and classify; list what could not be used, the units of measurement that were read, "
+                             "names that are nowhere declared, classes that can have no "
+                             "instance, and hash collisions");
   add_files(*command, request->files);
   command->add_flag("--json", request->as_json, "print one JSON document, with every axiom that was left out");
   command->add_flag("--all", request->shows_all,

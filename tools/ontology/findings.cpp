@@ -179,6 +179,19 @@ void add_names(boost::json::object& document, const NameFindings& names) {
     clashes.push_back(boost::json::object{{"label", clash.label}, {"classes", boost::json::value_from(clash.classes)}});
 }
 
+void find_units(const compiled::Ontology& ontology, Sources& sources) {
+  sources.units = ontology.units().size();
+  sources.units_left_out = ontology.units_left_out();
+}
+
+boost::json::object units_as_json(const Sources& sources) {
+  boost::json::object units{{"read", sources.units}};
+  boost::json::array& left_out = units["left_out"].emplace_array();
+  for (const owl::LeftOut& one : sources.units_left_out)
+    left_out.push_back(boost::json::object{{"reason", one.construct}, {"count", one.count}, {"first", one.first}});
+  return units;
+}
+
 }  // namespace
 
 Findings find(const Knowledge& knowledge, const compiled::Ontology& ontology, base::Budget& budget) {
@@ -190,6 +203,7 @@ Findings find(const Knowledge& knowledge, const compiled::Ontology& ontology, ba
   findings.sources.axioms = knowledge.classification.counts.axioms;
   findings.sources.unresolved = loaded.unresolved;
   findings.sources.conflicts = loaded.conflicts;
+  find_units(ontology, findings.sources);
   findings.left_out = group(knowledge);
   findings.gaps = knowledge.classification.gaps;
   findings.open = find_open(knowledge, ontology);
@@ -205,6 +219,7 @@ Findings find(const compiled::Ontology& ontology, base::Budget& budget) {
   findings.sources.classes = std::max(ontology.class_count(), 2U) - 2;  // without owl:Thing and owl:Nothing
   findings.sources.axioms = ontology.axiom_count();
   findings.sources.outgrown = ontology.stale_source();
+  find_units(ontology, findings.sources);
   findings.left_out = group(ontology);
   findings.gaps = ontology.gaps();
   find_problems(ontology, findings, budget);
@@ -249,6 +264,7 @@ std::string as_json(const Findings& findings) {
   for (const owl::LoadedFile& file : sources.files)
     files.push_back(boost::json::object{{"path", file.path}, {"ontology", file.ontology_iri}});
   document["left_out"] = left_out_as_json(findings);
+  document["units"] = units_as_json(sources);
   document["gaps"] = boost::json::value_from(findings.gaps);
   boost::json::object& open = document["undecided"].emplace_object();
   open["classes"] = boost::json::value_from(findings.open.classes);

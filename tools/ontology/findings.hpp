@@ -49,6 +49,8 @@ struct Sources {
   std::optional<std::size_t> triples;  ///< nothing: a compiled ontology does not keep how many there were
   std::size_t classes = 0;
   std::size_t axioms = 0;
+  std::size_t units = 0;                     ///< that can stand behind a number in a condition
+  std::vector<owl::LeftOut> units_left_out;  ///< why others cannot; they are nothing of the taxonomy
   std::vector<rdf::UnresolvedImport> unresolved;
   std::vector<rdf::PrefixConflict> conflicts;
   /// Of a compiled ontology: which file has changed since, in one line.

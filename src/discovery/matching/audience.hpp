@@ -29,7 +29,7 @@ struct Audience {
       audience.scope = scope ? std::optional(std::move(*scope)) : std::nullopt;
     }
     if (!publication.for_whom.empty()) {
-      auto condition = Where::parse(publication.for_whom);
+      auto condition = Where::parse_with_any_unit(publication.for_whom);
       audience.condition = condition ? std::optional(std::move(*condition)) : std::nullopt;
     }
     return audience;

@@ -42,7 +42,8 @@ struct Converter {
 
 struct Consumer {
   registry::SubscriptionEntry entry;
-  std::optional<Scope> scope;  ///< nothing: it cannot be read
+  std::optional<Scope> scope;    ///< nothing: it cannot be read
+  vocabulary::Units declared{};  ///< beside the table: what the conditions of converters may be written in
 
   /// Whether it takes part with a converter: by protocol, provider, and the scopes and the condition of both.
   [[nodiscard]] bool takes_part(const Converter& converter) const;

@@ -20,13 +20,16 @@ Request Matcher::State::prepare(const SubscriptionEntry& entry, bool must_conver
       return converters->chain(*consumer, offered, requested);
     };
   };
-  request.consumer = std::make_shared<const Consumer>(Consumer{.entry = entry, .scope = request.scope});
+  const vocabulary::Units& declared = in_force_.vocabulary.units();
+  request.consumer =
+      std::make_shared<const Consumer>(Consumer{.entry = entry, .scope = request.scope, .declared = declared});
   request.chains = asking(request.consumer);
   if (!must_convert) return request;
   SubscriptionEntry of_all = entry;
   of_all.subscription.providers.clear();
   of_all.subscription.protocols.clear();
-  request.chains_of_all = asking(std::make_shared<const Consumer>(Consumer{.entry = of_all, .scope = Scope()}));
+  request.chains_of_all =
+      asking(std::make_shared<const Consumer>(Consumer{.entry = of_all, .scope = Scope(), .declared = declared}));
   return request;
 }
 

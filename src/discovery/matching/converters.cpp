@@ -42,7 +42,7 @@ bool Consumer::takes_part(const Converter& converter) const {
   const Party provider = party(converter.entry);
   const Audience& audience = converter.audience;
   return scope && scope->admits(consumer, provider) && audience.scope && audience.scope->admits(provider, consumer) &&
-         audience.condition && audience.condition->accepts(entry);
+         audience.condition && audience.condition->accepts(entry, declared);
 }
 
 void Converters::put(const registry::PublicationEntry& entry, const Audience& audience, std::uint64_t arrival) {

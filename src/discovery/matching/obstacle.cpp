@@ -190,8 +190,8 @@ Finding examine(const registry::SubscriptionEntry& subscription, const Request& 
   finding.is_where_readable = request.where.has_value();
   finding.is_for_readable = offer.audience.condition.has_value();
   finding.is_scope_met = is_in_scope(subscription, request, offer);
-  finding.is_where_met = request.where && request.where->accepts(offer.entry);
-  finding.is_for_met = offer.audience.condition && offer.audience.condition->accepts(subscription);
+  finding.is_where_met = request.where && request.where->accepts(offer.entry, vocabulary.units());
+  finding.is_for_met = offer.audience.condition && offer.audience.condition->accepts(subscription, vocabulary.units());
   std::optional<Match> by_signature;
   if (request.signature) {
     by_signature = degree_of_signature(stated(offer.signature), *request.signature, asked.weakest, vocabulary);

@@ -12,6 +12,9 @@
 #include "geminga/attribute.hpp"
 
 namespace geminga::matching {
+
+using vocabulary::Units;
+
 namespace {
 
 using registry::PublicationEntry;
@@ -35,7 +38,7 @@ std::unexpected<Error> unreadable(std::string_view key, std::string_view item, s
                                                           " cannot be read: " + std::string(expected)});
 }
 
-std::expected<Wish, Error> read_wish(std::string_view item) {
+std::expected<Wish, Error> read_wish(std::string_view item, const Units& declared) {
   constexpr std::string_view form = "write KEY asc or KEY desc, perhaps with by NUMBER [UNIT], e.g. rate desc by 5";
   std::string_view rest = item;
   Wish wish{.key = std::string(take_word(rest))};
@@ -50,7 +53,7 @@ std::expected<Wish, Error> read_wish(std::string_view item) {
   if (const auto bare = number(rest)) {
     wish.margin = *bare;
     wish.dimension = Dimension{};
-  } else if (const auto stated = difference(rest)) {
+  } else if (const auto stated = difference(rest, declared)) {
     wish.margin = stated->value;
     wish.dimension = stated->dimension;
   } else {
@@ -62,14 +65,14 @@ std::expected<Wish, Error> read_wish(std::string_view item) {
 
 /// What a publication says under the key of a wish, in the base unit; nothing where that is no number, or is of another
 /// kind than the wish speaks of.
-std::optional<double> value_of(const Wish& wish, const PublicationEntry& publication) {
+std::optional<double> value_of(const Wish& wish, const PublicationEntry& publication, const Units& declared) {
   std::string room;
   const auto stated = Stated(publication).under(wish.key, room);
   if (!stated) return std::nullopt;
   Quantity value;
   if (const auto bare = number(*stated)) {
     value.value = *bare;
-  } else if (const auto with_unit = quantity(*stated)) {
+  } else if (const auto with_unit = quantity(*stated, declared)) {
     value = *with_unit;
     value.value = rounded(value.value);  // a length in another unit is no better for what rounding made of it
   } else {
@@ -80,15 +83,15 @@ std::optional<double> value_of(const Wish& wish, const PublicationEntry& publica
 }
 
 /// The lesser the better; what says nothing is behind all that do.
-double score_of(const Wish& wish, const PublicationEntry& publication) {
-  const auto value = value_of(wish, publication);
+double score_of(const Wish& wish, const PublicationEntry& publication, const Units& declared) {
+  const auto value = value_of(wish, publication, declared);
   if (!value) return std::numeric_limits<double>::infinity();
   return wish.is_descending ? -*value : *value;
 }
 
-std::string shown(const Wish& wish, const PublicationEntry& publication) {
+std::string shown(const Wish& wish, const PublicationEntry& publication, const Units& declared) {
   std::string room;
-  return value_of(wish, publication)
+  return value_of(wish, publication, declared)
              ? base::printable(Stated(publication).under(wish.key, room).value_or(""), max_shown_item)
              : "none";
 }
@@ -105,7 +108,7 @@ bool is_of(const ProviderFilter& provider, const PublicationEntry& publication) 
   return is_participant && is_peer;
 }
 
-std::expected<Preferences, Error> Preferences::of(const Subscription& subscription) {
+std::expected<Preferences, Error> Preferences::of(const Subscription& subscription, const Units& declared) {
   Preferences preferences;
   preferences.favoured_ = subscription.favoured;
   if (subscription.prefer.ends_with(',')) {
@@ -115,9 +118,10 @@ std::expected<Preferences, Error> Preferences::of(const Subscription& subscripti
     if (preferences.wishes_.size() == max_wishes) {
       return unreadable("prefer", rest, "there are at most " + std::to_string(max_wishes) + " wishes");
     }
-    auto wish = read_wish(take_item(rest));
+    auto wish = read_wish(take_item(rest), declared);
     if (!wish) return std::unexpected(std::move(wish.error()));
     preferences.wishes_.push_back(std::move(*wish));
+    preferences.declared_ = declared;
   }
   if (subscription.rank.ends_with(',')) return unreadable("rank", subscription.rank, "nothing follows the last comma");
   std::size_t place = 0;
@@ -166,7 +170,7 @@ Score Preferences::stated_score(const PublicationEntry& publication, const Match
         score.push_back(-static_cast<double>(publication.publication.priority));
         break;
       case Criterion::prefer:
-        for (const Wish& wish : wishes_) score.push_back(score_of(wish, publication));
+        for (const Wish& wish : wishes_) score.push_back(score_of(wish, publication, declared_));
         break;
       case Criterion::degree:
         score.push_back(place_of(match));
@@ -205,8 +209,9 @@ std::string Preferences::lead(const PublicationEntry& better, const Match& its_m
                std::to_string(worse.publication.priority);
       case Criterion::prefer:
         for (const Wish& wish : wishes_) {
-          if (score_of(wish, better) == score_of(wish, worse)) continue;
-          return "whose " + base::printable(wish.key) + " is " + shown(wish, better) + " against " + shown(wish, worse);
+          if (score_of(wish, better, declared_) == score_of(wish, worse, declared_)) continue;
+          return "whose " + base::printable(wish.key) + " is " + shown(wish, better, declared_) + " against " +
+                 shown(wish, worse, declared_);
         }
         break;
       case Criterion::degree:
@@ -223,8 +228,8 @@ std::string Preferences::lead(const PublicationEntry& better, const Match& its_m
   return "";
 }
 
-std::optional<Error> check_preferences(const Subscription& subscription) {
-  const auto preferences = Preferences::of(subscription);
+std::optional<Error> check_preferences(const Subscription& subscription, const Units& declared) {
+  const auto preferences = Preferences::of(subscription, declared);
   return preferences ? std::nullopt : std::optional(preferences.error());
 }
 

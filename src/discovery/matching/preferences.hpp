@@ -43,8 +43,10 @@ class Preferences {
  public:
   /// None: the usual order.
   Preferences() = default;
-  /// Reads what a subscription says; the error (422) says what cannot be read.
-  [[nodiscard]] static std::expected<Preferences, Error> of(const Subscription& subscription);
+  /// Reads what a subscription says, with the units that are known beside the table; the error (422) says what cannot
+  /// be read.
+  [[nodiscard]] static std::expected<Preferences, Error> of(const Subscription& subscription,
+                                                            const vocabulary::Units& declared = {});
 
   /// Where a publication stands in the order that is preferred: one number for each thing that it is ranked by, the
   /// lesser the better, all the same number of them. Empty without preferences. Allocates only with them.
@@ -66,6 +68,7 @@ class Preferences {
 
   std::vector<ProviderFilter> favoured_;
   std::vector<Wish> wishes_;
+  vocabulary::Units declared_;  ///< beside the table; none without wishes
   std::array<Criterion, criterion_count> order_{Criterion::favour, Criterion::priority, Criterion::prefer,
                                                 Criterion::degree, Criterion::distance};
   bool is_reordered_ = false;
@@ -76,7 +79,8 @@ class Preferences {
 [[nodiscard]] bool is_of(const ProviderFilter& provider, const registry::PublicationEntry& publication);
 
 /// Reads `favour`, `prefer` and `rank`; used to refuse bad ones with 422.
-[[nodiscard]] std::optional<Error> check_preferences(const Subscription& subscription);
+[[nodiscard]] std::optional<Error> check_preferences(const Subscription& subscription,
+                                                     const vocabulary::Units& declared = {});
 
 }  // namespace geminga::matching
 

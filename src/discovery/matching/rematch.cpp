@@ -110,6 +110,10 @@ void Matcher::State::rematch(const StoredSubscription& subscription, Request req
   of(subscription).generation = in_force_.generation;
   of(subscription).is_waiting = false;
   if (of(subscription).is_leaving) return;
+  release_if_others(subscription, request.preferences);
+  of(subscription).choice.set_margins(request.preferences.margins());
+  of(subscription).request.preferences = std::move(request.preferences);
+  of(subscription).request.where = std::move(request.where);
   of(subscription).request.signature = std::move(request.signature);
   of(subscription).request.overlaps = std::move(request.overlaps);
   of(subscription).request.chains = std::move(request.chains);

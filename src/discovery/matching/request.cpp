@@ -176,8 +176,9 @@ Request prepared(const Subscription& subscription, const vocabulary::Vocabulary&
     request.classes.place = placing(vocabulary, std::get<SemanticIdentity>(subscription.identity).concept_iri, from);
     if (request.classes.place && !request.classes.place->is_satisfiable) request.classes.place = nullptr;
   }
-  if (auto where = Where::parse(subscription.where)) request.where = std::move(*where);
-  if (auto preferences = Preferences::of(subscription)) request.preferences = std::move(*preferences);
+  if (auto where = Where::parse(subscription.where, vocabulary.units())) request.where = std::move(*where);
+  if (auto preferences = Preferences::of(subscription, vocabulary.units()))
+    request.preferences = std::move(*preferences);
   auto scope = Scope::of(subscription.scope);
   request.scope = scope ? std::optional(std::move(*scope)) : std::nullopt;
   request.overlaps = asking(subscription, request.classes, from, overlapping);
@@ -195,8 +196,9 @@ std::optional<Match> meets(const SubscriptionEntry& subscription, const Request&
   const auto match = degree_of_identity(entry.publication.identity, offer.classes, asked.identity, request.classes,
                                         vocabulary, asked.convert, request.overlaps, request.chains);
   if (!match || !is_accepted_degree(asked, request, offer, *match, vocabulary)) return std::nullopt;
-  if (!request.where->accepts(entry)) return std::nullopt;
-  if (!offer.audience.condition || !offer.audience.condition->accepts(subscription)) return std::nullopt;
+  if (!request.where->accepts(entry, vocabulary.units())) return std::nullopt;
+  if (!offer.audience.condition || !offer.audience.condition->accepts(subscription, vocabulary.units()))
+    return std::nullopt;
   if (!request.signature) return match;
   const auto by_signature = degree_of_signature(stated(offer.signature), *request.signature, asked.weakest, vocabulary);
   return by_signature ? std::optional(combined(*match, *by_signature)) : std::nullopt;
@@ -227,16 +229,17 @@ std::expected<Match, std::string> explained(const SubscriptionEntry& subscriptio
   }
   if (!is_in_scope(subscription, request, offer)) say(scope_misfit(subscription, request, offer));
   if (!request.where) {
-    say("filter: it cannot be read");
-  } else if (!request.where->accepts(offer.entry)) {
+    const std::string problem = unit_problem(asked.where, vocabulary.units());
+    say("filter: it cannot be read" + (problem.empty() ? "" : ": " + problem));
+  } else if (!request.where->accepts(offer.entry, vocabulary.units())) {
     say("filter: " + base::printable(asked.where, max_shown_expression) +
-        " does not hold: " + request.where->misses(offer.entry));
+        " does not hold: " + request.where->misses(offer.entry, vocabulary.units()));
   }
   if (!offer.audience.condition) {
     say("for: it cannot be read");
-  } else if (!offer.audience.condition->accepts(subscription)) {
+  } else if (!offer.audience.condition->accepts(subscription, vocabulary.units())) {
     say("for: " + base::printable(offered.for_whom, max_shown_expression) +
-        " does not hold: " + offer.audience.condition->misses(subscription));
+        " does not hold: " + offer.audience.condition->misses(subscription, vocabulary.units()));
   }
   if (request.signature) {
     const std::string misfit = signature_misfit(stated(offer.signature), *request.signature, asked.weakest, vocabulary);

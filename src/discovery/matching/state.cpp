@@ -82,6 +82,12 @@ const StoredPublication& Matcher::State::store(PublicationEntry entry, const Sto
   return *known;
 }
 
+void Matcher::State::release_if_others(const StoredSubscription& subscription, const Preferences& preferences) {
+  if (of(subscription).request.preferences == preferences) return;
+  of(subscription).choice.release_waiting();
+  forget_dropped(subscription);
+}
+
 const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const StoredSubscription* known) {
   Request request = prepare(entry, false);
   const FilingPlan plan = FilingPlan::of_subscription(request.classes, entry.subscription.weakest, in_force_);
@@ -94,10 +100,7 @@ const StoredSubscription& Matcher::State::store(SubscriptionEntry entry, const S
     replaced_is_silent_ = is_told_alike(known->entry, entry);
     replaced_subscription_ = {known, known->entry};
     unwatch(*known);
-    if (of(*known).request.preferences != request.preferences) {
-      of(*known).choice.release_waiting();
-      forget_dropped(*known);
-    }
+    release_if_others(*known, request.preferences);
     replaced_request_ = std::move(of(*known).request);
     replaced_generation_ = of(*known).generation;
     replaced_was_clashing_ = clashing_.contains(known->identity);

@@ -201,6 +201,8 @@ class Matcher::State {
   void file(const registry::StoredPublication& stored, const Edition& edition);
   /// It is about to be erased: it meets nothing and converts nothing any more.
   void retire(const registry::StoredPublication& stored, Reason reason);
+  /// Where it preferred others until now its candidates are about to be ranked anew.
+  void release_if_others(const registry::StoredSubscription& subscription, const Preferences& preferences);
   /// A subscription has been prepared anew: it is told of converters that concern it, and is not stale.
   void watch(const registry::StoredSubscription& stored);
   void unwatch(const registry::StoredSubscription& stored);

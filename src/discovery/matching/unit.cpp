@@ -12,7 +12,11 @@
 namespace geminga::matching {
 namespace {
 
+using vocabulary::Units;
+
 constexpr int max_exponent = 16;
+/// How far a published factor may be from that of the table and mean the same: OM gives a degree with seven digits.
+constexpr double published = 1e-6;
 /// Two lengths that were written in different units are the same if they differ by no more than rounding does.
 constexpr double rounding = 1e-12;
 
@@ -153,6 +157,15 @@ std::optional<Unit> of_symbol(std::string_view symbol) {
   return std::nullopt;
 }
 
+/// As an ontology declares it.
+std::optional<Unit> of_declared(const std::optional<vocabulary::FoundUnit>& found) {
+  if (!found) return std::nullopt;
+  Unit unit{found->factor, found->offset, {}};
+  std::ranges::copy(found->dimension, unit.dimension.exponents.begin());
+  unit.dimension.alone = found->alone;
+  return unit;
+}
+
 /// Takes `²`, `³`, `^2`, `^-1` or `2` off the end of a symbol; 1 where there is none.
 int take_exponent(std::string_view& symbol) {
   for (const auto& [sign, power] : {std::pair<std::string_view, int>{"\u00b2", 2}, {"\u00b3", 3}}) {
@@ -173,32 +186,34 @@ int take_exponent(std::string_view& symbol) {
 }
 
 /// `before` times or by one factor, e.g. `s^2`; nothing where that is none.
-std::optional<Unit> times(const Unit& before, std::string_view symbol, bool is_divisor) {
+std::optional<Unit> times(const Unit& before, std::string_view symbol, bool is_divisor, const Units& declared) {
   const int power = take_exponent(symbol);
-  const auto factor = of_symbol(symbol);
-  if (!factor || factor->offset != 0 || before.offset != 0) return std::nullopt;
+  auto factor = of_symbol(symbol);
+  if (!factor) factor = of_declared(declared.by_symbol(symbol));
+  if (!factor || factor->offset != 0 || before.offset != 0 || factor->dimension.alone != 0) return std::nullopt;
   Unit product = before;
   const bool is_inverse = is_divisor != (power < 0);
   for (int i = 0; i < std::abs(power); ++i) {
     product.factor = is_inverse ? product.factor / factor->factor : product.factor * factor->factor;
-    for (std::size_t base = 0; base < product.dimension.size(); ++base) {
-      const int exponent = product.dimension[base] + (is_inverse ? -1 : 1) * factor->dimension[base];
+    for (std::size_t base = 0; base < vocabulary::unit_base_count; ++base) {
+      std::int8_t& one = product.dimension.exponents[base];
+      const int exponent = one + (is_inverse ? -1 : 1) * factor->dimension.exponents[base];
       if (std::abs(exponent) > max_exponent) return std::nullopt;
-      product.dimension[base] = static_cast<std::int8_t>(exponent);
+      one = static_cast<std::int8_t>(exponent);
     }
   }
   return std::isnormal(product.factor) ? std::optional(product) : std::nullopt;
 }
 
 /// A product of symbols with exponents.
-std::optional<Unit> of_symbols(std::string_view text) {
+std::optional<Unit> of_symbols(std::string_view text, const Units& declared) {
   if (text.empty()) return std::nullopt;
   if (const auto alone = of_symbol(text)) return alone;
   std::optional<Unit> product = Unit{};
   bool is_divisor = false;
   while (product) {
     const std::size_t end = std::min(text.find_first_of("/.*"), text.size());
-    product = times(*product, text.substr(0, end), is_divisor);
+    product = times(*product, text.substr(0, end), is_divisor, declared);
     if (end == text.size()) break;
     is_divisor = text[end] == '/';
     text.remove_prefix(end + 1);
@@ -206,25 +221,51 @@ std::optional<Unit> of_symbols(std::string_view text) {
   return product;
 }
 
-}  // namespace
+const Units none;
 
-std::optional<Unit> unit(std::string_view text) {
+/// A unit that an ontology declares under a name. Where it is written by a symbol that the table has for the same, it
+/// is that of the table.
+std::optional<Unit> of_named(const std::optional<vocabulary::FoundUnit>& found) {
+  const auto unit = of_declared(found);
+  const auto known = unit ? of_symbols(found->symbol, none) : std::nullopt;
+  const bool is_known = known && known->dimension == unit->dimension &&
+                        std::abs(known->factor - unit->factor) <= published * known->factor;
+  return is_known ? known : unit;
+}
+
+/// `unit:CentiM`, an IRI with or without angle brackets, or `prefix:Name`.
+std::optional<Unit> of_name(std::string_view text, const Units& declared) {
+  if (text.starts_with('<') && text.ends_with('>')) text = text.substr(1, text.size() - 2);
   if (const auto name = qudt_name(text)) {
     const auto symbol = symbol_of_name(*name);
-    return symbol ? of_symbols(symbol->text()) : std::nullopt;
+    if (const auto known = symbol ? of_symbols(symbol->text(), none) : std::nullopt) return known;
+    const bool is_iri = text.contains("://");
+    return of_named(is_iri ? declared.by_iri("http://qudt.org/vocab/unit/", *name) : declared.by_name(text));
   }
-  return text.size() <= max_unit_octets ? of_symbols(text) : std::nullopt;
+  if (declared.is_empty() || text.size() > max_unit_name) return std::nullopt;
+  return of_named(text.contains("://") ? declared.by_iri("", text) : declared.by_name(text));
+}
+
+}  // namespace
+
+std::optional<Unit> unit(std::string_view text, const Units& declared) {
+  if (text.contains(':')) return of_name(text, declared);
+  if (text.size() > max_unit_octets) return std::nullopt;
+  if (const auto known = of_symbols(text, none)) return known;
+  if (declared.is_empty()) return std::nullopt;
+  const auto whole = of_declared(declared.by_symbol(text));
+  return whole ? whole : of_symbols(text, declared);
 }
 
 namespace {
 
-std::optional<Quantity> read(std::string_view text, bool is_difference) {
+std::optional<Quantity> read(std::string_view text, bool is_difference, const Units& declared) {
   const std::size_t digits = number_length(text);
   const auto value = number(text.substr(0, digits));
   if (!value) return std::nullopt;
   text.remove_prefix(digits);
   while (text.starts_with(' ')) text.remove_prefix(1);
-  const auto in = unit(text);
+  const auto in = unit(text, declared);
   if (!in) return std::nullopt;
   const double base = *value * in->factor + (is_difference ? 0 : in->offset);
   return std::isfinite(base) ? std::optional(Quantity{base, in->dimension}) : std::nullopt;
@@ -232,9 +273,9 @@ std::optional<Quantity> read(std::string_view text, bool is_difference) {
 
 }  // namespace
 
-std::optional<Quantity> quantity(std::string_view text) { return read(text, false); }
+std::optional<Quantity> quantity(std::string_view text, const Units& declared) { return read(text, false, declared); }
 
-std::optional<Quantity> difference(std::string_view text) { return read(text, true); }
+std::optional<Quantity> difference(std::string_view text, const Units& declared) { return read(text, true, declared); }
 
 std::partial_ordering compare(const Quantity& a, const Quantity& b) {
   if (a.dimension != b.dimension) return std::partial_ordering::unordered;

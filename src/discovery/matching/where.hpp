@@ -13,6 +13,7 @@
 
 #include "discovery/matching/stated.hpp"
 #include "geminga/error.hpp"
+#include "reasoning/vocabulary/units.hpp"
 
 namespace geminga::matching {
 
@@ -29,16 +30,23 @@ class Where {
  public:
   /// Accepts everything.
   Where() = default;
-  /// Reads an expression; the empty one accepts everything. The error names the octet, counted from 1. O(length).
-  [[nodiscard]] static std::expected<Where, Error> parse(std::string_view expression);
+  /// Reads an expression; the empty one accepts everything. `declared` are the units that are known beside the table of
+  /// WHERE.md. The error names the octet, counted from 1. O(length).
+  [[nodiscard]] static std::expected<Where, Error> parse(std::string_view expression,
+                                                         const vocabulary::Units& declared = {});
+  /// The same whatever its units may be. While one is unknown, it accepts nobody.
+  [[nodiscard]] static std::expected<Where, Error> parse_with_any_unit(std::string_view expression);
 
   /// Whether the other side passes. Allocates nothing for attributes. O(length of the expression).
-  [[nodiscard]] bool accepts(const Stated& stated) const {
-    return parsed_.nodes.empty() || holds(static_cast<std::uint16_t>(parsed_.nodes.size() - 1), stated);
+  [[nodiscard]] bool accepts(const Stated& stated, const vocabulary::Units& declared = {}) const {
+    return parsed_.nodes.empty() || ((!parsed_.has_declared_unit || unknown_unit(declared).empty()) &&
+                                     holds(static_cast<std::uint16_t>(parsed_.nodes.size() - 1), stated, declared));
   }
   /// What it says under each key that keeps it from passing: "rate is 33, camera is absent". At most
   /// max_missed_keys of them. Empty where it passes.
-  [[nodiscard]] std::string misses(const Stated& stated) const;
+  [[nodiscard]] std::string misses(const Stated& stated, const vocabulary::Units& declared = {}) const;
+  /// The first number with a unit that cannot be converted, or empty.
+  [[nodiscard]] std::string_view unknown_unit(const vocabulary::Units& declared) const;
 
   enum class Operator : std::uint8_t { equal, different, less, at_most, greater, at_least };
 
@@ -67,8 +75,9 @@ class Where {
 
   /// What the parser makes of a text.
   struct Parsed {
-    std::vector<Node> nodes;  ///< the root is the last
-    std::string texts;        ///< keys and values, without escapes
+    std::vector<Node> nodes;         ///< the root is the last
+    std::string texts;               ///< keys and values, without escapes
+    bool has_declared_unit = false;  ///< one that is not in the table: only the ontology can tell what it means
   };
 
  private:
@@ -77,18 +86,25 @@ class Where {
     return std::string_view(parsed_.texts).substr(slice.at, slice.size);
   }
   [[nodiscard]] std::vector<std::uint16_t> operands(std::uint16_t number) const;
-  [[nodiscard]] bool holds(std::uint16_t number, const Stated& stated) const;
-  [[nodiscard]] bool leaf_holds(const Node& node, const Stated& stated) const;
+  [[nodiscard]] bool holds(std::uint16_t number, const Stated& stated, const vocabulary::Units& declared) const;
+  [[nodiscard]] bool leaf_holds(const Node& node, const Stated& stated, const vocabulary::Units& declared) const;
   /// Collects the leaves that make this node what it is, each key once, in the order of the text.
-  void blame(std::uint16_t number, const Stated& stated, std::vector<const Node*>& leaves) const;
-  [[nodiscard]] std::string said(const Node& leaf, const Stated& stated) const;
+  void blame(std::uint16_t number, const Stated& stated, const vocabulary::Units& declared,
+             std::vector<const Node*>& leaves) const;
+  [[nodiscard]] std::string said(const Node& leaf, const Stated& stated, const vocabulary::Units& declared) const;
+  [[nodiscard]] static std::expected<Where, Error> read(std::string_view expression, const vocabulary::Units* declared);
 
   Parsed parsed_;  ///< no nodes: accepts everything
 };
 
 /// Reads an expression and says what is wrong with it at which octet; used to refuse a bad one with 422. `key` is the
 /// one that it was stated under.
-[[nodiscard]] std::optional<Error> check_where(std::string_view expression, std::string_view key = "where");
+[[nodiscard]] std::optional<Error> check_where(std::string_view expression, std::string_view key = "where",
+                                               const vocabulary::Units& declared = {});
+
+/// Why an expression cannot be read that could be with another unit: "expected ... or a unit that is known at octet 9:
+/// did you mean pitch?". Empty where that is not it.
+[[nodiscard]] std::string unit_problem(std::string_view expression, const vocabulary::Units& declared);
 
 }  // namespace geminga::matching
 

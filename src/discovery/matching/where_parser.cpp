@@ -23,7 +23,8 @@ bool is_pattern_octet(char octet) { return is_word_octet(octet) || octet == '*';
 
 /// Signs of units are letters of other alphabets, too.
 bool is_unit_octet(char octet) {
-  return is_pattern_octet(octet) || octet == '^' || octet == '%' || static_cast<unsigned char>(octet) >= 0x80;
+  return is_pattern_octet(octet) || octet == '^' || octet == '%' || octet == '#' ||
+         static_cast<unsigned char>(octet) >= 0x80;
 }
 
 /// The run of such octets that a text begins with.
@@ -181,7 +182,7 @@ std::expected<WhereParser::Literal, Error> WhereParser::literal(bool is_ordered)
   const bool is_pattern = bare.contains('*');
   if (is_ordered && is_pattern) return wrong("a pattern is neither less nor greater: quote it to compare it as a text");
   // As a text it would be compared by its digits, which nobody means.
-  if (is_ordered && quantity(run_of(text_.substr(at_), is_unit_octet))) {
+  if (is_ordered && quantity(run_of(text_.substr(at_), is_unit_octet), declared_ ? *declared_ : vocabulary::Units())) {
     return wrong("write a blank between number and unit, or quote it to compare it as a text");
   }
   at_ += bare.size();
@@ -194,16 +195,34 @@ std::expected<WhereParser::Literal, Error> WhereParser::numeric(std::string_view
   at_ += digits.size();
   const std::size_t end = at_;
   skip_blanks();
-  const std::string_view sign = run_of(text_.substr(at_), is_unit_octet);
+  const std::string_view sign = unit_word();
   if (sign.empty() || is_reserved(sign)) {
     at_ = end;
     return Literal{keep(digits), Where::Wanted::number};
   }
   const std::string written = std::string(digits) + ' ' + std::string(sign);
-  if (!unit(sign)) return wrong("expected 'and', 'or', the end or a unit that is known");
-  if (!quantity(written)) return wrong("this number is out of range", begin);
+  const bool is_of_table = unit(sign).has_value();
+  const vocabulary::Units none;
+  const vocabulary::Units& declared = declared_ ? *declared_ : none;
+  if (declared_ && !unit(sign, declared)) return wrong_unit(sign);
+  if ((declared_ || is_of_table) && !quantity(written, declared)) return wrong("this number is out of range", begin);
+  parsed_.has_declared_unit = parsed_.has_declared_unit || !is_of_table;
   at_ += sign.size();
   return Literal{keep(written), Where::Wanted::quantity};
+}
+
+std::string_view WhereParser::unit_word() const {
+  const std::string_view rest = text_.substr(at_);
+  // An IRI may have any octets but these between its brackets.
+  const std::size_t end = rest.starts_with('<') ? rest.find_first_of(" \t\r\n>'\"", 1) : std::string_view::npos;
+  return end != std::string_view::npos && rest[end] == '>' ? rest.substr(0, end + 1) : run_of(rest, is_unit_octet);
+}
+
+std::unexpected<Error> WhereParser::wrong_unit(std::string_view sign) const {
+  auto error = wrong("expected 'and', 'or', the end or a unit that is known");
+  const std::string_view meant = declared_->similar_symbol(sign);
+  if (meant.empty()) return error;
+  return std::unexpected(Error{error.error().code, error.error().text + ": did you mean " + std::string(meant) + "?"});
 }
 
 std::expected<WhereParser::Literal, Error> WhereParser::quoted() {

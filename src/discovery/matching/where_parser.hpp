@@ -19,8 +19,10 @@ inline constexpr std::string_view parse_error_prefix = "where: ";
 
 class WhereParser {
  public:
-  /// Borrows the expression. Requires at most max_where_octets of it.
-  explicit WhereParser(std::string_view expression) : text_(expression) {}
+  /// Borrows the expression and the units that are known beside the table; null: any may be. Requires at most
+  /// max_where_octets of the expression.
+  WhereParser(std::string_view expression, const vocabulary::Units* declared)
+      : text_(expression), declared_(declared) {}
 
   [[nodiscard]] std::expected<Where::Parsed, Error> parse();
 
@@ -65,7 +67,12 @@ class WhereParser {
   [[nodiscard]] std::unexpected<Error> wrong(std::string_view what) const { return wrong(what, at_); }
   [[nodiscard]] std::unexpected<Error> wrong(std::string_view what, std::size_t at) const;
 
+  /// The run of octets that may be a unit at the current place, not consumed.
+  [[nodiscard]] std::string_view unit_word() const;
+  [[nodiscard]] std::unexpected<Error> wrong_unit(std::string_view sign) const;
+
   std::string_view text_;
+  const vocabulary::Units* declared_;
   std::size_t at_ = 0;
   Where::Parsed parsed_;
 };

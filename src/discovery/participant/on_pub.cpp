@@ -4,7 +4,7 @@
 #include "discovery/announcement/announceable.hpp"
 #include "discovery/matching/converter.hpp"
 #include "discovery/matching/scope.hpp"
-#include "discovery/matching/where.hpp"
+#include "discovery/participant/conditions.hpp"
 #include "discovery/participant/identities.hpp"
 #include "discovery/participant/own_services.hpp"
 #include "discovery/participant/statements.hpp"
@@ -16,8 +16,16 @@ namespace {
 Refusal check(const Core& core, const Publication& publication) {
   if (auto refusal = announcement::check(publication)) return refusal;
   if (auto refusal = matching::check_scope(publication.scope)) return refusal;
-  if (auto refusal = matching::check_where(publication.for_whom, "for")) return refusal;
   return matching::check_conversion(publication.attributes, core.vocabulary());
+}
+
+/// The same of its condition, which may have to wait.
+Refusal check_conditions(const Core& core, StatedPublication& stated) {
+  auto refusal = check_conditions(core, stated.publication);
+  if (!is_awaited(refusal)) return refusal;
+  stated.is_in_force = false;
+  stated.is_awaited = true;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -34,6 +42,7 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubCreate
                            .is_awaited = must_wait};
   if (identity) stated.publication.identity = std::move(*identity);
   if (auto refusal = check(core, stated.publication)) return refusal;
+  if (auto refusal = check_conditions(core, stated)) return refusal;
   if (auto refusal = make_room(core, session)) return refusal;
   enter(core, session, id, session.publications.emplace(id, std::move(stated)).first->second);
   return std::nullopt;
@@ -57,7 +66,8 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::PubModify
   stated.is_in_force = !must_wait;
   stated.is_awaited = must_wait;
   if (auto refusal = check(core, stated.publication)) return refusal;
-  if (must_wait) suspend(core, session, id, found->second);
+  if (auto refusal = check_conditions(core, stated)) return refusal;
+  if (stated.is_awaited) suspend(core, session, id, found->second);
   found->second = std::move(stated);
   enter(core, session, id, found->second);
   return std::nullopt;

@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "discovery/announcement/announceable.hpp"
-#include "discovery/matching/preferences.hpp"
 #include "discovery/matching/scope.hpp"
+#include "discovery/participant/conditions.hpp"
 #include "discovery/participant/identities.hpp"
 #include "discovery/participant/own_services.hpp"
 #include "discovery/participant/statements.hpp"
@@ -14,9 +14,16 @@ namespace {
 /// What must hold of a subscription beside what its statement says by itself.
 Refusal check(const Subscription& subscription) {
   if (auto refusal = announcement::check(subscription)) return refusal;
-  if (auto refusal = matching::check_where(subscription.where)) return refusal;
-  if (auto refusal = matching::check_preferences(subscription)) return refusal;
   return matching::check_scope(subscription.scope);
+}
+
+/// The same of its conditions and wishes, which may have to wait.
+Refusal check_conditions(const Core& core, StatedSubscription& stated) {
+  auto refusal = check_conditions(core, stated.subscription);
+  if (!is_awaited(refusal)) return refusal;
+  stated.is_in_force = false;
+  stated.is_awaited = true;
+  return std::nullopt;
 }
 
 /// Whether it has a place of the room that its peer asked for: the others need not know who listens to a stream.
@@ -52,12 +59,13 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::SubCreate
                             .is_awaited = must_wait};
   if (identity) stated.subscription.identity = std::move(*identity);
   if (auto refusal = check(stated.subscription)) return refusal;
+  if (auto refusal = check_conditions(core, stated)) return refusal;
   if (auto refusal = takes_room ? std::nullopt : make_room(core, session)) return refusal;
   session.quiet += takes_room ? 1 : 0;
   // All that it is given is told piece by piece, however much that is.
   enter(core, session, id, session.subscriptions.emplace(id, std::move(stated)).first->second,
         matching::Matcher::Telling::providers);
-  if (!must_wait) session.pictures[id] = {};
+  if (session.subscriptions.at(id).is_in_force) session.pictures[id] = {};
   return std::nullopt;
 }
 
@@ -82,6 +90,7 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::SubModify
   stated.is_in_force = !must_wait;
   stated.is_awaited = must_wait;
   if (auto refusal = check(stated.subscription)) return refusal;
+  if (auto refusal = check_conditions(core, stated)) return refusal;
   if (stated.is_quiet && !is_quiet(session, stated.subscription.mode)) {
     if (auto refusal = check_place(core, session, false)) return refusal;
     if (auto refusal = make_room(core, session)) return refusal;
@@ -89,7 +98,7 @@ Refusal on(Core& core, Session& session, std::uint32_t id, const gcnp::SubModify
     --session.quiet;
     core.is_changed = true;
   }
-  if (must_wait) suspend(core, session, id, found->second);
+  if (stated.is_awaited) suspend(core, session, id, found->second);
   found->second = std::move(stated);
   enter(core, session, id, found->second);
   return std::nullopt;

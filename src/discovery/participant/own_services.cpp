@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "discovery/announcement/announceable.hpp"
+#include "discovery/participant/conditions.hpp"
 #include "discovery/participant/identities.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/telling.hpp"
@@ -26,6 +27,7 @@ bool resolve_again(Core& core, Session& session, std::uint32_t number, Stated& s
   if (identity) {
     service.identity = std::move(*identity);
     refusal = announcement::check(service);  // full IRIs may be longer than what can be announced
+    if (!refusal) refusal = check_conditions(core, service);
   } else {
     refusal = identity.error();
   }

@@ -51,6 +51,7 @@ std::vector<std::byte> compile(const owl::Ontology& source, const taxonomy::Clas
   write_classes(input, taxonomy);
   if (taxonomy.further.size() > max_list_items) return {};
   write_conversions(input, taxonomy);
+  write_units(input, taxonomy);
   write_labels(input, labels);
   write_signatures(labels, taxonomy);
   if (!write_axioms(input, taxonomy, axioms)) return {};

@@ -37,6 +37,8 @@ void write_classes(const CompilerInput& input, form::TaxonomyT& out);
 void write_labels(const CompilerInput& input, form::LabelsT& out);
 /// Writes the conversions between classes.
 void write_conversions(const CompilerInput& input, form::TaxonomyT& out);
+/// Writes the units that are declared, with their names, and what was left out of them.
+void write_units(const CompilerInput& input, form::TaxonomyT& out);
 /// Writes the signatures by which similar names are found. Classes and labels must have been written.
 void write_signatures(const form::LabelsT& labels, form::TaxonomyT& out);
 /// Writes names, terms, axioms and the tables of modules. The taxonomy must have been written. False if there would be

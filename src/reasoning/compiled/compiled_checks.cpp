@@ -1,6 +1,8 @@
 // Checks the sections, array by array.
 #include "reasoning/compiled/compiled_checks.hpp"
 
+#include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include "reasoning/modules/module_locality.hpp"
@@ -190,6 +192,34 @@ void check_conversions(std::span<const taxonomy::Conversion> conversions, const 
     const taxonomy::Conversion& before = conversions[at - 1];
     const bool ascends = before.from < one.from || (before.from == one.from && before.to < one.to);
     check.expect(ascends, "the order of conversions", conversions, at);
+  }
+}
+
+void check_units(const UnitsView& units, Checker& check) {
+  const std::size_t count = units.size();
+  const std::size_t names = units.name_end.size();
+  check.expect(count <= owl::max_units, "the number of units", units.factor);
+  check.expect(units.offset.size() == count, "the number of offsets of units", units.offset);
+  check.expect(units.dimension.size() == count * owl::unit_base_count, "the number of exponents", units.dimension);
+  check.expect(units.alone.size() == count, "the number of kinds of units", units.alone);
+  check.expect(units.symbol.size() == count, "the number of symbols of units", units.symbol);
+  check.expect(units.unit_of_name.size() == names, "the number of names of units", units.unit_of_name);
+  check.ends(units.name_end, units.text.size(), "the end of the name of a unit");
+  check.in_range(units.unit_of_name, count, "the unit of a name");
+  check.in_range_or_none(units.alone, count, "the kind of a unit");
+  check.in_range_or_none(units.symbol, names, "the symbol of a unit");
+  if (check.failed()) return;
+  for (std::size_t unit = 0; unit < count; ++unit) {
+    const bool is_factor = std::isnormal(units.factor[unit]) && units.factor[unit] > 0;
+    check.expect(is_factor, "the factor of a unit", units.factor, unit);
+    check.expect(std::isfinite(units.offset[unit]), "the offset of a unit", units.offset, unit);
+  }
+  for (std::size_t at = 0; at < units.dimension.size(); ++at) {
+    const bool is_exponent = std::abs(int{units.dimension[at]}) <= owl::max_unit_exponent;
+    check.expect(is_exponent, "the exponent of a unit", units.dimension, at);
+  }
+  for (std::size_t name = 1; name < names; ++name) {
+    check.expect(units.name(name - 1) < units.name(name), "the order of names of units", units.name_end, name);
   }
 }
 

@@ -92,6 +92,7 @@ class Checker {
 void check_taxonomy(const taxonomy::ClassifiedView& view, Checker& check);
 void check_conversions(std::span<const taxonomy::Conversion> conversions, const taxonomy::ClassifiedView& view,
                        Checker& check);
+void check_units(const UnitsView& units, Checker& check);
 void check_labels(const LabelsView& labels, const taxonomy::ClassifiedView& taxonomy, Checker& check);
 /// Checks the axioms of a view whose taxonomy has been checked. `files` and `groups` are the numbers of files and
 /// left-outs.

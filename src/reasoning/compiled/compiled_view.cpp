@@ -31,6 +31,22 @@ std::string_view text(const flatbuffers::Vector<std::uint8_t>* vector) {
   return {reinterpret_cast<const char*>(vector->Data()), vector->size()};
 }
 
+/// An array that older files do not have.
+template <typename Number>
+std::span<const Number> optional_array(const flatbuffers::Vector<Number>* vector) {
+  return vector == nullptr ? std::span<const Number>()
+                           : std::span<const Number>(reinterpret_cast<const Number*>(vector->Data()), vector->size());
+}
+
+std::vector<owl::LeftOut> read_left_out(const flatbuffers::Vector<flatbuffers::Offset<form::LeftOut>>* entries) {
+  std::vector<owl::LeftOut> left_out;
+  if (entries == nullptr) return left_out;
+  for (const form::LeftOut* left : *entries) {
+    left_out.push_back({left->construct()->str(), left->count(), {}, left->file(), left->line()});
+  }
+  return left_out;
+}
+
 /// The root of a section.
 template <typename Root>
 std::expected<const Root*, CompiledError> root_of(const Container& file, Section section) {
@@ -72,6 +88,7 @@ std::expected<TaxonomySection, CompiledError> view_taxonomy(const Container& fil
   check_taxonomy(view, check);
   const TaxonomySection section{&root, view};
   if (!check.failed()) check_conversions(conversions_of(section), view, check);
+  if (!check.failed()) check_units(units_of(section), check);
   if (check.failed()) return std::unexpected(check.error());
   return section;
 }
@@ -129,11 +146,7 @@ std::vector<owl::LoadedFile> files_of(const TaxonomySection& taxonomy) {
 }
 
 std::vector<owl::LeftOut> left_out_of(const TaxonomySection& taxonomy) {
-  std::vector<owl::LeftOut> left_out;
-  for (const form::LeftOut* left : *taxonomy.root->left_out()) {
-    left_out.push_back({left->construct()->str(), left->count(), {}, left->file(), left->line()});
-  }
-  return left_out;
+  return read_left_out(taxonomy.root->left_out());
 }
 
 std::vector<std::string> gaps_of(const TaxonomySection& taxonomy) {
@@ -159,6 +172,25 @@ std::span<const std::uint64_t> signatures_of(const TaxonomySection& taxonomy) {
 std::span<const taxonomy::Conversion> conversions_of(const TaxonomySection& taxonomy) {
   const auto* const conversions = taxonomy.root->conversions();
   return conversions == nullptr ? std::span<const taxonomy::Conversion>() : structs<taxonomy::Conversion>(conversions);
+}
+
+UnitsView units_of(const TaxonomySection& taxonomy) {
+  const form::Taxonomy& root = *taxonomy.root;
+  UnitsView view;
+  view.factor = optional_array(root.unit_factor());
+  view.offset = optional_array(root.unit_offset());
+  view.dimension = optional_array(root.unit_dimension());
+  view.alone = optional_array(root.unit_alone());
+  view.symbol = optional_array(root.unit_symbol());
+  const auto names = optional_array(root.unit_text());
+  view.text = {reinterpret_cast<const char*>(names.data()), names.size()};
+  view.name_end = optional_array(root.unit_name_end());
+  view.unit_of_name = optional_array(root.unit_of_name());
+  return view;
+}
+
+std::vector<owl::LeftOut> units_left_out_of(const TaxonomySection& taxonomy) {
+  return read_left_out(taxonomy.root->units_left_out());
 }
 
 std::uint32_t counted_axioms(const TaxonomySection& taxonomy) { return taxonomy.root->axioms(); }

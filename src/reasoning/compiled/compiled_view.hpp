@@ -13,6 +13,7 @@
 
 #include "reasoning/compiled/compiled_error.hpp"
 #include "reasoning/compiled/container.hpp"
+#include "reasoning/compiled/units_view.hpp"
 #include "reasoning/owl/left_out.hpp"
 #include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/taxonomy/classified_view.hpp"
@@ -63,6 +64,10 @@ struct LabelsView {
 [[nodiscard]] std::span<const std::uint64_t> signatures_of(const TaxonomySection& taxonomy);
 /// Which representation can be turned into which, ascending by pairs of classes.
 [[nodiscard]] std::span<const taxonomy::Conversion> conversions_of(const TaxonomySection& taxonomy);
+/// The units that are declared; none in a file that has no such arrays.
+[[nodiscard]] UnitsView units_of(const TaxonomySection& taxonomy);
+/// What was left out of them, by reason.
+[[nodiscard]] std::vector<owl::LeftOut> units_left_out_of(const TaxonomySection& taxonomy);
 /// The number of different axioms, without declarations.
 [[nodiscard]] std::uint32_t counted_axioms(const TaxonomySection& taxonomy);
 

@@ -237,14 +237,15 @@ std::vector<owl::LoadedFile> Ontology::files() const {
   return files;
 }
 
-std::vector<owl::LeftOut> Ontology::left_out() const {
-  std::vector<owl::LeftOut> left_out = left_out_of(mapped_->taxonomy);
+std::vector<owl::LeftOut> Ontology::placed(std::vector<owl::LeftOut> left_out) const {
   const std::vector<owl::LoadedFile> known = files();
   for (owl::LeftOut& one : left_out) {
     if (one.file < known.size()) one.first = known[one.file].path + ':' + std::to_string(one.line);
   }
   return left_out;
 }
+
+std::vector<owl::LeftOut> Ontology::left_out() const { return placed(left_out_of(mapped_->taxonomy)); }
 
 std::optional<std::string> Ontology::stale_source() const {
   for (const owl::LoadedFile& file : files()) {
@@ -370,6 +371,8 @@ std::vector<taxonomy::ClassNumber> Ontology::children(taxonomy::ClassNumber numb
   return to_classes(mapped_->taxonomy.view.children_of(mapped_->node(number)));
 }
 
+UnitsView Ontology::units() const { return units_of(mapped_->taxonomy); }
+std::vector<owl::LeftOut> Ontology::units_left_out() const { return placed(units_left_out_of(mapped_->taxonomy)); }
 std::span<const taxonomy::Conversion> Ontology::conversions() const { return conversions_of(mapped_->taxonomy); }
 
 const taxonomy::ClassifiedView& Ontology::view() const { return mapped_->taxonomy.view; }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "reasoning/compiled/compiled_error.hpp"
+#include "reasoning/compiled/units_view.hpp"
 #include "reasoning/owl/left_out.hpp"
 #include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/taxonomy/class_number.hpp"
@@ -119,6 +120,9 @@ class Ontology {
 
   /// Which representation is declared to be turned into which (reasoning/owl/conversion.hpp).
   [[nodiscard]] std::span<const taxonomy::Conversion> conversions() const;
+  /// The units that are declared (reasoning/owl/unit.hpp), and what was left out of them, by reason.
+  [[nodiscard]] UnitsView units() const;
+  [[nodiscard]] std::vector<owl::LeftOut> units_left_out() const;
   /// Two for each class, of its local name and of its label (similar.hpp). Empty if the form has none.
   [[nodiscard]] std::span<const std::uint64_t> signatures() const;
   /// The taxonomy as numbers, without terms and axioms.
@@ -131,6 +135,8 @@ class Ontology {
  private:
   struct Mapped;
   explicit Ontology(std::unique_ptr<const Mapped> mapped);
+  /// With their places as files() has them.
+  [[nodiscard]] std::vector<owl::LeftOut> placed(std::vector<owl::LeftOut> left_out) const;
   /// Whether a rank lies in the further intervals. An unsatisfiable class lies below everything.
   [[nodiscard]] bool is_in_further(std::uint32_t rank, const taxonomy::Reach& above) const {
     return (rank & taxonomy::Reach::flag) != 0 ||

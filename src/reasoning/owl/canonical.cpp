@@ -2,11 +2,14 @@
 #include "reasoning/owl/canonical.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <string>
 #include <tuple>
 
 #include "base/hash.hpp"
 #include "base/sorted.hpp"
+#include "reasoning/owl/unit.hpp"
 
 namespace geminga::owl {
 namespace {
@@ -24,6 +27,21 @@ std::vector<std::uint64_t> words_of_conversions(const Ontology& source) {
     words.push_back(base::hash64(text));
   }
   std::ranges::sort(words);
+  return words;
+}
+
+/// One for each name of a unit: hosts that read a condition differently do not match alike.
+std::vector<std::uint64_t> words_of_units(const Ontology& source) {
+  std::vector<std::uint64_t> words;
+  const DeclaredUnits declared = units_of(source);
+  for (const UnitName& name : declared.names) {
+    const DeclaredUnit& unit = declared.units[name.unit];
+    std::string text = name.text + ' ' + (unit.alone ? declared.units[*unit.alone].iri : std::string());
+    for (const int exponent : unit.dimension) text.append(" ").append(std::to_string(exponent));
+    const std::array<std::uint64_t, 3> whole{base::hash64(text), std::bit_cast<std::uint64_t>(unit.factor),
+                                             std::bit_cast<std::uint64_t>(unit.offset)};
+    words.push_back(base::hash64(base::octets_of(std::span(whole))));
+  }
   return words;
 }
 
@@ -203,6 +221,7 @@ std::uint64_t digest(const Ontology& source) {
     words.push_back(low);
   }
   for (const std::uint64_t word : words_of_conversions(source)) words.push_back(word);
+  for (const std::uint64_t word : words_of_units(source)) words.push_back(word);
   return base::hash64(base::octets_of(std::span(words)));
 }
 

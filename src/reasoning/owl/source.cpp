@@ -252,6 +252,17 @@ void Ontology::add_conversion(std::string_view from_iri, std::string_view to_iri
   conversions_.push_back(added);
 }
 
+void Ontology::add_unit_statement(std::string_view subject_iri, UnitWord word, std::string_view value, FileId file,
+                                  std::uint32_t line) {
+  if (problem_ || word == UnitWord::none || unit_statements_.size() > max_unit_statements) return;
+  if (subject_iri.size() > max_unit_text_octets || value.size() > max_unit_text_octets) {
+    unit_statements_.push_back({NameId{}, UnitWord::too_long, NameId{}, file, line});
+    return;
+  }
+  unit_statements_.push_back(
+      {intern(subject_iri, max_unit_text_octets), word, intern(value, max_unit_text_octets), file, line});
+}
+
 void Ontology::add_prefix(std::string_view prefix, std::string_view iri) {
   if (problem_) return;
   const Prefix added{intern(prefix, limits_.name_bytes), intern(iri, limits_.name_bytes)};

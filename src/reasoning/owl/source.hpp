@@ -16,6 +16,7 @@
 #include "reasoning/owl/axiom.hpp"
 #include "reasoning/owl/conversion.hpp"
 #include "reasoning/owl/loaded_file.hpp"
+#include "reasoning/owl/unit.hpp"
 
 namespace geminga::owl {
 
@@ -52,6 +53,13 @@ class Ontology {
     NameId from{};
     NameId to{};
     std::uint32_t cost = usual_conversion_cost;  ///< 1 to max_conversion_cost
+    FileId file{};
+    std::uint32_t line = 0;
+  };
+  struct UnitStatement {
+    NameId subject{};
+    UnitWord word = UnitWord::none;
+    NameId value{};
     FileId file{};
     std::uint32_t line = 0;
   };
@@ -113,6 +121,10 @@ class Ontology {
   /// max_conversion_cost is left out with its conversion, and named with its line; 0: that of the conversion.
   void add_conversion(std::string_view from_iri, std::string_view to_iri, std::string_view cost, FileId file,
                       std::uint32_t line, std::uint32_t cost_line = 0);
+  /// What the annotations and, in RDF, the triples about a named thing say in a word of unit_word(), or that it is of a
+  /// class of units; `value` is an IRI or a lexical form. What follows from all of them is for units_of() to say.
+  void add_unit_statement(std::string_view subject_iri, UnitWord word, std::string_view value, FileId file,
+                          std::uint32_t line);
   void add_prefix(std::string_view prefix, std::string_view iri);
   /// Notes something that was read and that no axiom can express. `construct` is a short name like "swrl:Imp".
   void leave_out(std::string_view construct, FileId file, std::uint32_t line, std::uint32_t count = 1);
@@ -142,6 +154,8 @@ class Ontology {
   [[nodiscard]] std::span<const Label> labels() const { return labels_; }
   /// Of different pairs, in the order of reading.
   [[nodiscard]] std::span<const Conversion> conversions() const { return conversions_; }
+  /// In the order of reading, no more than a few beyond max_unit_statements.
+  [[nodiscard]] std::span<const UnitStatement> unit_statements() const { return unit_statements_; }
   [[nodiscard]] std::span<const Prefix> prefixes() const { return prefixes_; }
   [[nodiscard]] std::span<const LoadedFile> files() const { return files_; }
   [[nodiscard]] std::span<const Omission> omissions() const { return omissions_; }
@@ -190,6 +204,7 @@ class Ontology {
   std::vector<TermId> axiom_arguments_;
   std::vector<Label> labels_;
   std::vector<Conversion> conversions_;
+  std::vector<UnitStatement> unit_statements_;
   std::vector<Prefix> prefixes_;
   std::vector<LoadedFile> files_;
   std::vector<Omission> omissions_;

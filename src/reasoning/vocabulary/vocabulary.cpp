@@ -12,6 +12,7 @@ namespace geminga::vocabulary {
 
 Vocabulary::Vocabulary(std::shared_ptr<const compiled::Ontology> ontology) : ontology_(std::move(ontology)) {
   if (ontology_ != nullptr) conversions_ = std::make_shared<const Conversions>(ontology_);
+  units_ = Units(ontology_);
 }
 
 Vocabulary::Vocabulary(compiled::Ontology ontology)

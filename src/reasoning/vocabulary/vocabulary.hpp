@@ -18,6 +18,7 @@
 #include "reasoning/taxonomy/class_number.hpp"
 #include "reasoning/vocabulary/conversions.hpp"
 #include "reasoning/vocabulary/overlap.hpp"
+#include "reasoning/vocabulary/units.hpp"
 
 namespace geminga::vocabulary {
 
@@ -112,6 +113,9 @@ class Vocabulary {
   /// All that is declared, at the places from 0 to its size. Requires an ontology.
   [[nodiscard]] const StepGraph& conversions() const { return conversions_->graph(); }
 
+  /// What is declared of units of measurement; none without an ontology.
+  [[nodiscard]] const Units& units() const { return units_; }
+
   // Class expressions. They need the saturated ontology and tables of its names, which take seconds to make for a large
   // one.
 
@@ -158,6 +162,7 @@ class Vocabulary {
 
   std::shared_ptr<const compiled::Ontology> ontology_;
   std::shared_ptr<const Conversions> conversions_;  ///< null: without an ontology
+  Units units_;
   std::shared_ptr<const ExpressionReader> reader_;  ///< borrows the ontology; null: not prepared
 };
 

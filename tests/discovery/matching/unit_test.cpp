@@ -8,6 +8,10 @@
 #include <utility>
 
 #include "discovery/matching/unit_name.hpp"
+#include "reasoning/compiled/compile.hpp"
+#include "reasoning/el/classify.hpp"
+#include "reasoning/owl/source.hpp"
+#include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::matching {
 namespace {
@@ -138,6 +142,116 @@ TEST(Unit, ADifferenceOfTemperaturesHasNoZero) {
   EXPECT_DOUBLE_EQ(difference("5 degC")->value, 5);
   EXPECT_DOUBLE_EQ(difference("9 degF")->value, 5);
   EXPECT_DOUBLE_EQ(difference("5 cm")->value, quantity("5 cm")->value);
+}
+
+/// A team's units: `pitch` and `goal` are lengths, `cup` is a kind of its own, `m` and `kpitch` are what nobody may
+/// say.
+vocabulary::Units declared() {
+  owl::Ontology source;
+  source.add_file("units.ttl");
+  source.add_prefix("team", "https://team.example/#");
+  source.add_prefix("u", "http://qudt.org/vocab/unit/");
+  const auto add = [&](const std::string& iri, const char* factor, const char* symbol, const char* vector,
+                       const char* offset = "0") {
+    source.add_unit_statement(iri, owl::UnitWord::qudt_multiplier, factor, owl::FileId{0}, 1);
+    source.add_unit_statement(iri, owl::UnitWord::qudt_offset, offset, owl::FileId{0}, 1);
+    source.add_unit_statement(iri, owl::UnitWord::qudt_dimension, vector, owl::FileId{0}, 1);
+    source.add_unit_statement(iri, owl::UnitWord::qudt_symbol, symbol, owl::FileId{0}, 1);
+  };
+  const std::string om = "http://www.ontology-of-units-of-measure.org/resource/om-2/";
+  add("https://team.example/#Pitch", "105", "pitch", "/A0E0L1I0M0H0T0D0");
+  add("https://team.example/#Goal", "7.32", "goal", "/A0E0L1I0M0H0T0D0");
+  add("https://team.example/#Cup", "1", "cup", "/A0E0L0I0M0H0T0D1");
+  add("https://team.example/#Mug", "1", "mug", "/A0E0L0I0M0H0T0D1");
+  add("https://team.example/#Metre", "2", "m", "/A0E0L1I0M0H0T0D0");
+  add("http://qudt.org/vocab/unit/MOL", "1", "mol", "/A1E0L0I0M0H0T0D0");
+  add("http://qudt.org/vocab/unit/M", "3", "metre", "/A0E0L1I0M0H0T0D0");
+  add("http://qudt.org/vocab/unit/FATHOM", "1.8288", "fath", "/A0E0L1I0M0H0T0D0");
+  add("http://qudt.org/vocab/unit/DEG_X", "2", "degX", "/A0E0L0I0M0H1T0D0", "10");
+  add(om + "fathom-USSurvey", "1.828804", "fathom", "/A0E0L1I0M0H0T0D0");
+  const auto base = [&](const char* name, const char* symbol) {
+    source.add_unit_statement(om + name, owl::UnitWord::type, om + "Unit", owl::FileId{0}, 1);
+    source.add_unit_statement(om + name, owl::UnitWord::om_symbol, symbol, owl::FileId{0}, 1);
+  };
+  base("degreeCelsius", "\u00b0C");
+  source.add_unit_statement(om + "degree", owl::UnitWord::om_factor, "0.01745329", owl::FileId{0}, 1);
+  source.add_unit_statement(om + "degree", owl::UnitWord::om_unit, om + "radian", owl::FileId{0}, 1);
+  base("degree", "\u00b0");
+  auto ontology = compiled::Ontology::from_bytes(compiled::compile(source, *el::classify(source)));
+  return vocabulary::Vocabulary(std::move(ontology).value()).units();
+}
+
+bool are_equal(const std::string& a, const std::string& b, const vocabulary::Units& units) {
+  const auto one = quantity(a, units);
+  const auto other = quantity(b, units);
+  EXPECT_TRUE(one) << a;
+  EXPECT_TRUE(other) << b;
+  return one && other && compare(*one, *other) == std::partial_ordering::equivalent;
+}
+
+TEST(Unit, MayBeDeclaredByAnOntology) {
+  const vocabulary::Units units = declared();
+  for (const auto& [one, other] : {std::pair{"2 pitch", "210 m"},
+                                   {"1 team:Pitch", "105 m"},
+                                   {"1 https://team.example/#Pitch", "105 m"},
+                                   {"1 <https://team.example/#Pitch>", "105 m"},
+                                   {"1 pitch/s", "105 m/s"},
+                                   {"1 kg.pitch2", "11025 kg.m2"},
+                                   {"1 pitch^-1", "0.009523809523809525 m-1"},
+                                   {"2 mol/m3", "2 mol.m-3"},
+                                   {"1 unit:FATHOM", "182.88 cm"},
+                                   {"1 u:FATHOM", "182.88 cm"},
+                                   {"1 http://qudt.org/vocab/unit/FATHOM", "182.88 cm"},
+                                   {"1 <https://qudt.org/vocab/unit/FATHOM>", "182.88 cm"},
+                                   {"1 om:fathom-USSurvey", "1.828804 m"},
+                                   {"3 cup", "3 team:Cup"},
+                                   {"5 degX", "30 K"},
+                                   {"20 om:degreeCelsius", "293.15 K"},
+                                   {"90 om:degree", "90 deg"}}) {
+    EXPECT_TRUE(are_equal(one, other, units)) << one << ' ' << other;
+    EXPECT_FALSE(quantity(one)) << one << " means nothing without the ontology";
+  }
+  EXPECT_DOUBLE_EQ(difference("5 degX", units)->value, 10);
+  EXPECT_EQ(compare(*quantity("3 cup", units), *quantity("3 mug", units)), std::partial_ordering::unordered);
+  EXPECT_EQ(compare(*quantity("3 cup", units), *quantity("3 m/m", units)), std::partial_ordering::unordered);
+}
+
+TEST(Unit, OfTheTableMeansTheSameUnderEveryOntology) {
+  const vocabulary::Units units = declared();
+  EXPECT_TRUE(are_equal("1 m", "100 cm", units));
+  EXPECT_TRUE(are_equal("1 unit:M", "1 m", units));
+  EXPECT_TRUE(are_equal("1 <http://qudt.org/vocab/unit/M>", "1 m", units));
+  EXPECT_TRUE(are_equal("1 team:Metre", "2 m", units)) << "by its own name it is what it is";
+}
+
+TEST(Unit, ThatAnOntologyDoesNotDeclareOrNobodyCanMakeIsNone) {
+  const vocabulary::Units units = declared();
+  for (const char* text : {"pitc",
+                           "Pitch",
+                           "kpitch",
+                           "pitch/",
+                           "cup/s",
+                           "cup2",
+                           "degX/s",
+                           "team:",
+                           "team:Nothing",
+                           ":Pitch",
+                           "nobody:Pitch",
+                           "<https://team.example/#Pitch",
+                           "https://team.example/#",
+                           "unit:",
+                           "unit:X",
+                           "om:",
+                           "om:Pitch",
+                           "<>",
+                           ":",
+                           "pitch17.pitch"}) {
+    EXPECT_FALSE(unit(text, units)) << text;
+  }
+  EXPECT_TRUE(unit("pitch4.pitch4.pitch4.pitch4", units));
+  EXPECT_FALSE(unit("pitch4.pitch4.pitch4.pitch4.goal", units)) << "over 16";
+  const std::string space = "https://team.example/#";
+  EXPECT_FALSE(unit(space + std::string(max_unit_name + 1 - space.size(), 'x'), units));
 }
 
 }  // namespace

@@ -31,6 +31,15 @@ std::vector<std::byte> small() {
   source.add_conversion("https://t.example/#X", "https://t.example/#Y", "7", owl::FileId{0}, 1);
   source.add_conversion("https://t.example/#A", "https://t.example/#B", "", owl::FileId{0}, 2);
   source.add_conversion("https://t.example/#A", "https://t.example/#Unknown", "", owl::FileId{0}, 3);
+  const auto say = [&](const char* unit, owl::UnitWord word, const char* value, std::uint32_t line) {
+    source.add_unit_statement(std::string("https://t.example/#") + unit, word, value, owl::FileId{0}, line);
+  };
+  for (const auto& [unit, factor] : {std::pair{"Pitch", "105"}, {"Goal", "7.32"}, {"Bad", "0"}}) {
+    say(unit, owl::UnitWord::qudt_multiplier, factor, 4);
+    say(unit, owl::UnitWord::qudt_dimension, "/A0E0L1I0M0H0T0D0", 4);
+  }
+  say("Pitch", owl::UnitWord::qudt_symbol, "pitch", 4);
+  say("Cup", owl::UnitWord::type, "http://www.ontology-of-units-of-measure.org/resource/om-2/Unit", 5);
   return compile(source, owl::classified(source));
 }
 
@@ -61,6 +70,8 @@ void ask_everything(const Ontology& ontology) {
   (void)ontology.gaps();
   (void)ontology.digest();
   (void)ontology.conversions();
+  (void)ontology.units_left_out();
+  for (const char* name : {"pitch", "m", "https://t.example/#Cup"}) (void)ontology.units().find(name);
   for (const char* name : {"t:A", "a", "owl:Thing", "nobody", "<x>"}) (void)ontology.find(name);
   const std::uint32_t count = std::min(ontology.class_count(), 12U);
   for (std::uint32_t one = 0; one < count; ++one) {

@@ -46,6 +46,29 @@ TEST(Check, ListsWhatWasLeftOutWithItsFirstPlace) {
   EXPECT_THAT(outcome.out, HasSubstr("\nIncomplete: every answer is right, but some may be missing"));
 }
 
+TEST(Check, CountsUnitsAndSaysWhichWereLeftOut) {
+  const Program program;
+  program.turtle(
+      "a.ttl",
+      "@prefix qudt: <http://qudt.org/schema/qudt/> . @prefix d: <http://qudt.org/vocab/dimensionvector/> .\n"
+      ":Pitch a qudt:Unit ; qudt:conversionMultiplier 105 ; qudt:hasDimensionVector d:A0E0L1I0M0H0T0D0 ;\n"
+      "  qudt:symbol \"pitch\" .\n:Wind a qudt:Unit ; qudt:conversionMultiplier 0.0 ;\n"
+      "  qudt:hasDimensionVector d:A0E0L1I0M0H0T-1D0 .\n:A rdfs:subClassOf :B .\n");
+  const std::string said =
+      "Units of measurement for conditions: 1 read; left out:\n"
+      "  a unit whose factor is not positive, or too large or too small, like http://e/Wind: 1, first at ";
+  const Outcome outcome = program.run({"check", "a.ttl"});
+  EXPECT_EQ(outcome.status, 0) << outcome.out;
+  EXPECT_THAT(outcome.out, HasSubstr(said + "a.ttl:5\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("Complete: everything that follows")) << "the taxonomy lacks nothing";
+  ASSERT_EQ(program.run({"compile", "-o", "a.geminga", "a.ttl"}).status, 0);
+  EXPECT_THAT(program.run({"check", "a.geminga"}).out, HasSubstr(said));
+  const auto document = boost::json::parse(program.run({"check", "--json", "a.ttl"}).out).as_object();
+  EXPECT_EQ(document.at("units").at("read").to_number<int>(), 1);
+  EXPECT_EQ(document.at("units").at("left_out").at(0).at("first").as_string(), "a.ttl:5");
+  EXPECT_TRUE(document.at("complete").as_bool());
+}
+
 TEST(Check, ListsWhatWasNotUsedAxiomByAxiom) {
   const Program program;
   std::string axioms = ":r a owl:TransitiveProperty .\n";

@@ -294,7 +294,7 @@ Check check_for(const Core& core, const Asked& asked, const PublicationEntry& of
   other.publication.scope.clear();
   const auto match = core.matcher.why(only(asked.entry, offer), other);
   if (match) return {"for", Obstacle::none, "the consumer meets " + offer.publication.for_whom};
-  const bool is_readable = matching::Where::parse(offer.publication.for_whom).has_value();
+  const bool is_readable = matching::Where::parse(offer.publication.for_whom, core.vocabulary().units()).has_value();
   return {
       "for", is_readable ? Obstacle::for_whom : Obstacle::unreadable, match.error(),
       is_readable ? "state in the request what the provider asks for, or ask for less in its for" : newer_elsewhere};

@@ -121,7 +121,8 @@ class Ranking {
 
 std::expected<Answering, Error> begin(Core& core, const gcnp::QueryMatch& query) {
   if (!query.where.empty()) {
-    if (auto error = matching::check_where(query.where)) return std::unexpected(std::move(*error));
+    if (auto error = matching::check_where(query.where, "where", core.vocabulary().units()))
+      return std::unexpected(std::move(*error));
   }
   Subscription asked;
   asked.weakest = query.weakest;

@@ -107,6 +107,11 @@ Reason Reasons::of_unknown_name(Core& core, Piece& piece, ParticipantId user, co
 /// What is wrong with the request itself, whatever is offered.
 std::optional<Reason> Reasons::of_request(Core& core, Piece& piece, const Asked& asked) {
   if (!asked.request->where || !asked.request->scope) {
+    const std::string problem = matching::unit_problem(asked.entry.subscription.where, core.vocabulary().units());
+    if (!problem.empty()) {
+      return Reason{Obstacle::unreadable, "its condition cannot be read here: " + problem,
+                    "load the same ontologies on every host: geminga-query ontology says who has others"};
+    }
     return Reason{Obstacle::unreadable, "its condition or its scope cannot be read here",
                   "its consumer's host knows more of conditions than this one: update a whole team"};
   }

@@ -33,8 +33,10 @@ std::expected<Asked, Error> imagined(Core& core, const gcnp::HypotheticalRequest
   asked.entry.is_local = true;
   asked.entry.updated = core.env.now();
   asked.entry.subscription = gcnp::with_identity(named, std::move(*identity));
-  if (auto error = matching::check_where(named.where)) return std::unexpected(std::move(*error));
-  if (auto error = matching::check_preferences(asked.entry.subscription)) return std::unexpected(std::move(*error));
+  if (auto error = matching::check_where(named.where, "where", core.vocabulary().units()))
+    return std::unexpected(std::move(*error));
+  if (auto error = matching::check_preferences(asked.entry.subscription, core.vocabulary().units()))
+    return std::unexpected(std::move(*error));
   if (auto error = matching::check_scope(named.scope)) return std::unexpected(std::move(*error));
   asked.request = core.matcher.prepare(asked.entry);
   return asked;
@@ -46,7 +48,8 @@ std::expected<Offered, Error> imagined(Core& core, const gcnp::HypotheticalOffer
   auto identity = resolve_offered(core, offer.publication.identity);
   if (!identity) return std::unexpected(Error{identity.error().code, "offer: " + identity.error().text});
   if (auto error = matching::check_scope(offer.publication.scope)) return std::unexpected(std::move(*error));
-  if (auto error = matching::check_where(offer.publication.for_whom, "for")) return std::unexpected(std::move(*error));
+  if (auto error = matching::check_where(offer.publication.for_whom, "for", core.vocabulary().units()))
+    return std::unexpected(std::move(*error));
   Offered offered{.entry = {}, .is_living = false};
   auto& entry = offered.entry;
   entry.publication = gcnp::with_identity(offer.publication, std::move(*identity));

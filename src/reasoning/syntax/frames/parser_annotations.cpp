@@ -75,6 +75,7 @@ void Parser::annotation(std::string_view subject) {
       cost_ = last_text_;
       cost_line_ = line;
     }
+    if (is_of_name) source_.add_unit_statement(subject, owl::unit_word(property), last_text_, file_, line);
     if (!annotations_.is_wanted()) return;
     read.is_literal = true;
     read.value = last_text_;
@@ -88,6 +89,9 @@ void Parser::annotation(std::string_view subject) {
     const bool is_of_name = !read.subject.empty() && !subject.starts_with("_:");
     if (!failed() && property == owl::converts_to && is_of_name) {
       source_.add_conversion(subject, read.value, cost_, file_, line, cost_line_);
+    }
+    if (!failed() && is_of_name) {
+      source_.add_unit_statement(subject, owl::unit_word(property), read.value, file_, line);
     }
   }
   if (!failed()) annotations_.add(std::move(read), annotation_depth_);

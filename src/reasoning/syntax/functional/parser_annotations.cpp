@@ -67,13 +67,15 @@ bool Parser::annotation_assertion() {
   if (!iri(property_name)) return false;
   const bool is_label = iri_ == rdfs_label || iri_ == skos_pref_label;
   const bool is_conversion = iri_ == owl::converts_to;
+  const owl::UnitWord unit_word = owl::unit_word(iri_);
+  const bool is_of_unit = unit_word != owl::UnitWord::none;
   const std::uint32_t line = tokens_.line();
   std::string property(annotations_.is_wanted() ? iri_ : std::string_view());
   std::string subject;
   const bool is_of_blank = tokens_.is(TokenKind::node_id);
   if (is_name()) {
     if (!iri("an IRI")) return false;
-    if (is_label || is_conversion || annotations_.is_wanted()) subject = iri_;
+    if (is_label || is_conversion || is_of_unit || annotations_.is_wanted()) subject = iri_;
   } else {
     if (is_of_blank && annotations_.is_wanted()) subject = blank_name(tokens_.token().text);
     if (!expect(TokenKind::node_id, "an IRI or a blank node")) return false;
@@ -84,6 +86,9 @@ bool Parser::annotation_assertion() {
   const bool is_name_value = value == TokenKind::full_iri || value == TokenKind::prefixed_name;
   if (is_conversion && !is_of_blank && is_name_value) {
     source_.add_conversion(subject, iri_, cost_, file_, line, cost_line_);
+  }
+  if (is_of_unit && !is_of_blank && value != TokenKind::node_id) {
+    source_.add_unit_statement(subject, unit_word, value == TokenKind::string ? lexical_ : iri_, file_, line);
   }
   if (annotations_.is_wanted()) keep(owl::annotation_of(std::move(subject), std::move(property)), value, 0);
   return true;

@@ -222,6 +222,10 @@ Listener::Refusal Builder::end_annotation_assertion(const Open& open) {
   const bool is_between_names = !of[1].iri.starts_with("_:") && of[2].kind == Operand::Kind::iri;
   if (of[0].iri == owl::converts_to && is_between_names && !of[2].iri.starts_with("_:"))
     source_.add_conversion(of[1].iri, of[2].iri, cost_, file_, open.line, cost_line_);
+  const bool is_text = of[2].kind == Operand::Kind::text;
+  if (!of[1].iri.starts_with("_:") && !(of[2].kind == Operand::Kind::iri && of[2].iri.starts_with("_:")))
+    source_.add_unit_statement(of[1].iri, owl::unit_word(of[0].iri), is_text ? of[2].text : of[2].iri, file_,
+                               open.line);
   keep(owl::annotation_of(of[1].iri, of[0].iri), of[2], 0);
   return std::nullopt;
 }

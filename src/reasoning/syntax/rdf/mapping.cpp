@@ -74,6 +74,28 @@ void add_conversions(const Graph& graph, const std::vector<owl::FileId>& files, 
   }
 }
 
+/// What is said of units is declared by QUDT and OM in ways that make it annotations, facts or neither.
+void add_unit_statements(const Graph& graph, const std::vector<owl::FileId>& files, owl::Ontology& ontology) {
+  std::vector<owl::UnitWord> words(graph.node_count(), owl::UnitWord::none);
+  bool has_any = false;
+  for (std::uint32_t number = 0; number < graph.node_count(); ++number) {
+    if (!graph.is_iri(NodeId{number})) continue;
+    const std::string_view iri = graph.text(NodeId{number});
+    words[number] = owl::is_unit_class(iri) ? owl::UnitWord::type : owl::unit_word(iri);
+    has_any = has_any || words[number] != owl::UnitWord::none;
+  }
+  if (!has_any) return;
+  for (std::uint32_t number = 0; number < graph.triple_count(); ++number) {
+    const Triple& triple = graph.triple(number);
+    const bool is_type = triple.predicate == node_of(Word::rdf_type);
+    const owl::UnitWord word = words[static_cast<std::size_t>(is_type ? triple.object : triple.predicate)];
+    if (word == owl::UnitWord::none || is_type != (word == owl::UnitWord::type)) continue;
+    if (!graph.is_iri(triple.subject) || graph.is_blank(triple.object)) continue;
+    ontology.add_unit_statement(graph.text(triple.subject), word, graph.text(triple.object),
+                                files[graph.file_of(number)], triple.line);
+  }
+}
+
 /// Names the triples of OWL's vocabulary that nothing used.
 void leave_out_unused(TripleReader& triples, const NodeTypes& types, DataRangeMapper& ranges,
                       ExpressionMapper& expressions, AxiomWriter& axioms) {
@@ -102,6 +124,7 @@ void leave_out_unused(TripleReader& triples, const NodeTypes& types, DataRangeMa
 
 void map_to_axioms(const Graph& graph, owl::Ontology& ontology, std::vector<owl::FileId> files) {
   add_conversions(graph, files, ontology);
+  add_unit_statements(graph, files, ontology);
   TripleReader triples(graph);
   const NodeTypes types(triples);
   DataRangeMapper ranges(triples, ontology);

@@ -132,6 +132,17 @@ TEST(Frames, HaveConversionsOfNoCostNamedWhereItStands) {
   EXPECT_EQ(reading.source.omissions()[0].line, 5U);
 }
 
+TEST(Frames, HaveUnits) {
+  const Reading reading(
+      "Prefix: : <http://e/> Prefix: q: <http://qudt.org/schema/qudt/> Ontology:\n"
+      "AnnotationProperty: q:symbol DataProperty: q:conversionMultiplier\n"
+      "AnnotationProperty: q:hasDimensionVector Class: q:Unit\n"
+      "Individual: Pitch\n  Annotations: q:symbol \"pitch\", q:hasDimensionVector <http://v/A0E0L1I0M0H0T0D0>\n"
+      "  Types: q:Unit Facts: q:conversionMultiplier 105\n");
+  ASSERT_EQ(reading.error, "");
+  EXPECT_THAT(rdf::unit_names(reading.source), ElementsAre("http://e/Pitch 105", "pitch 105"));
+}
+
 TEST(Frames, HaveAnnotationsThatMayNestAndKeepLabels) {
   const Reading reading(ontology(
       "Annotations: rdfs:comment \"of the ontology\"\n"

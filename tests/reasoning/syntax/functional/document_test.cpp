@@ -118,6 +118,21 @@ TEST(Document, NamesAConversionOfNoCostWhereItStands) {
   EXPECT_EQ(reading.source.omissions()[0].line, 4U);
 }
 
+TEST(Document, HasUnitsWhetherTheirPropertiesAreAnnotationsOrNot) {
+  const Reading reading(
+      "Prefix(:=<http://e/>) Prefix(q:=<http://qudt.org/schema/qudt/>) Ontology(<http://e>\n"
+      "DataPropertyAssertion(q:conversionMultiplier :Pitch \"105\"^^xsd:decimal)\n"
+      "ObjectPropertyAssertion(q:hasDimensionVector :Pitch <http://v/A0E0L1I0M0H0T0D0>)\n"
+      "AnnotationAssertion(q:symbol :Pitch \"pitch\")\n"
+      "AnnotationAssertion(q:conversionMultiplier :Rod \"5\")\nAnnotationAssertion(q:conversionMultiplier _:b \"5\")\n"
+      "AnnotationAssertion(q:hasDimensionVector :Rod <http://v/A0E0L1I0M0H0T0D0>)\n"
+      "ClassAssertion(q:Unit :Empty) NegativeDataPropertyAssertion(q:conversionMultiplier :Pitch \"1\"^^xsd:decimal))");
+  ASSERT_EQ(reading.error, "");
+  EXPECT_THAT(rdf::unit_names(reading.source), ElementsAre("http://e/Pitch 105", "http://e/Rod 5", "pitch 105"));
+  ASSERT_EQ(owl::units_of(reading.source).left_out.size(), 1U);
+  EXPECT_THAT(owl::units_of(reading.source).left_out[0].first, testing::EndsWith(":8"));
+}
+
 TEST(Document, CollectsLabels) {
   const Reading reading(
       "Prefix(:=<http://e/>) Prefix(skos:=<http://www.w3.org/2004/02/skos/core#>) Ontology(<http://e>\n"

@@ -63,6 +63,20 @@ TEST(Elements, OfConversionsKeepTheirCosts) {
                           "http://e/B > http://e/A 1, line 4"));
 }
 
+TEST(Elements, HaveUnits) {
+  const std::string property = "<AnnotationProperty IRI=\"http://qudt.org/schema/qudt/";
+  const Reading reading(ontology(
+      "<DataPropertyAssertion><DataProperty IRI=\"http://qudt.org/schema/qudt/conversionMultiplier\"/>"
+      "<NamedIndividual IRI=\"A\"/><Literal datatypeIRI=\"http://www.w3.org/2001/XMLSchema#decimal\">105</Literal>"
+      "</DataPropertyAssertion>\n<AnnotationAssertion>" +
+      property +
+      "hasDimensionVector\"/><IRI>A</IRI><IRI>http://v/A0E0L1I0M0H0T0D0</IRI></AnnotationAssertion>\n"
+      "<AnnotationAssertion>" +
+      property + "symbol\"/><IRI>A</IRI><Literal>pitch</Literal></AnnotationAssertion>"));
+  ASSERT_EQ(reading.error, "");
+  EXPECT_THAT(rdf::unit_names(reading.source), ElementsAre("http://e/A 105", "pitch 105"));
+}
+
 TEST(Elements, OfAnnotationsKeepLabelsAndNothingElse) {
   const Reading reading(ontology(
       "<SubClassOf><Annotation><Annotation><AnnotationProperty IRI=\"n\"/><IRI>#x</IRI></Annotation>"

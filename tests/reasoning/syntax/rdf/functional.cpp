@@ -98,4 +98,13 @@ std::vector<std::string> conversions(const owl::Ontology& source) {
   return lines;
 }
 
+std::vector<std::string> unit_names(const owl::Ontology& source) {
+  const owl::DeclaredUnits declared = owl::units_of(source);
+  std::vector<std::string> lines;
+  for (const owl::UnitName& name : declared.names) {
+    lines.push_back(name.text + ' ' + std::to_string(static_cast<int>(declared.units[name.unit].factor)));
+  }
+  return lines;
+}
+
 }  // namespace geminga::rdf

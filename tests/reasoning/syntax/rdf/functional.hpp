@@ -19,6 +19,8 @@ namespace geminga::rdf {
 [[nodiscard]] std::vector<std::string> labels(const owl::Ontology& source);
 /// "IRI > IRI COST, line N"
 [[nodiscard]] std::vector<std::string> conversions(const owl::Ontology& source);
+/// "NAME FACTOR" of each name of a unit.
+[[nodiscard]] std::vector<std::string> unit_names(const owl::Ontology& source);
 
 }  // namespace geminga::rdf
 

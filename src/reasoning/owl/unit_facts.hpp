@@ -1,0 +1,73 @@
+// What an ontology says of its units, subject by subject, and what one of them measures.
+#ifndef GEMINGA_REASONING_OWL_UNIT_FACTS_HPP
+#define GEMINGA_REASONING_OWL_UNIT_FACTS_HPP
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "reasoning/owl/source.hpp"
+#include "reasoning/owl/unit.hpp"
+
+namespace geminga::owl {
+
+struct UnitFact {
+  UnitWord word = UnitWord::none;
+  std::string_view value;  ///< an IRI or a lexical form
+  friend auto operator<=>(const UnitFact&, const UnitFact&) = default;
+};
+
+/// Where something stands: the first place by path and line.
+struct UnitPlace {
+  std::string_view path;
+  std::uint32_t line = 0;
+  FileId file{};
+  friend auto operator<=>(const UnitPlace&, const UnitPlace&) = default;
+};
+
+/// One unit, prefix, or whatever else these words are said of. Borrows from its ontology.
+struct UnitSubject {
+  std::string_view iri;
+  std::vector<UnitFact> facts;  ///< ascending, each once
+  UnitPlace place;
+
+  [[nodiscard]] std::span<const UnitFact> all(UnitWord word) const;
+  [[nodiscard]] bool has(UnitWord word) const { return !all(word).empty(); }
+};
+
+/// What a unit measures, or why that cannot be said.
+struct UnitMeasure {
+  double factor = 1;
+  double offset = 0;
+  UnitDimension dimension{};
+  std::string_view alone;  ///< the IRI of the unit of its own kind; empty: the dimension says the kind
+};
+using UnitReading = std::expected<UnitMeasure, std::string_view>;
+
+/// A number as xsd:decimal and xsd:double write it, finite; nothing where it is none.
+[[nodiscard]] std::optional<double> unit_number(std::string_view lexical);
+/// What the facts of one word say as a number: nothing where there are none, an error where they differ or are none.
+[[nodiscard]] std::expected<std::optional<double>, std::string_view> unit_number(const UnitSubject& subject,
+                                                                                 UnitWord word);
+/// Refuses a factor that is not positive, or too large or small, and an offset that is not finite.
+[[nodiscard]] UnitReading sound(const UnitMeasure& measure);
+
+/// By IRI. Nothing where there are more than max_unit_statements.
+[[nodiscard]] std::optional<std::vector<UnitSubject>> unit_subjects(const Ontology& source);
+
+/// Whether it is a unit of QUDT, and what it measures.
+[[nodiscard]] bool is_qudt_unit(const UnitSubject& subject);
+[[nodiscard]] UnitReading qudt_measure(const UnitSubject& subject);
+/// Whether it is a unit of OM.
+[[nodiscard]] bool is_om_unit(const UnitSubject& subject);
+/// What the units of OM among them measure; `readings` has what is known of the others, and one of each subject.
+void measure_om_units(std::span<const UnitSubject> subjects, std::span<std::optional<UnitReading>> readings);
+
+}  // namespace geminga::owl
+
+#endif

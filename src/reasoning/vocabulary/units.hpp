@@ -1,0 +1,62 @@
+// The units of measurement that the ontology in force declares.
+#ifndef GEMINGA_REASONING_VOCABULARY_UNITS_HPP
+#define GEMINGA_REASONING_VOCABULARY_UNITS_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "reasoning/compiled/ontology.hpp"
+
+namespace geminga::vocabulary {
+
+inline constexpr std::size_t unit_base_count = owl::unit_base_count;
+
+/// A unit as it is declared. The symbol lives as long as the ontology.
+struct FoundUnit {
+  double factor = 1;
+  double offset = 0;
+  std::span<const std::int8_t> dimension;  ///< owl::unit_base_count exponents
+  std::uint32_t alone = 0;                 ///< not 0: only what has this number, too, can be compared with it
+  std::string_view symbol;                 ///< that it is usually written by; empty: none
+};
+
+/// What names of units mean. A value: copies are cheap, share their ontology and keep it alive.
+class Units {
+ public:
+  /// None.
+  Units() = default;
+  /// Null: without an ontology.
+  explicit Units(std::shared_ptr<const compiled::Ontology> ontology);
+
+  [[nodiscard]] bool is_empty() const { return declared_ == nullptr; }
+  [[nodiscard]] std::size_t size() const { return is_empty() ? 0 : declared_->view.size(); }
+  /// Whether both are copies of the same, or have no unit.
+  friend bool operator==(const Units& a, const Units& b) { return a.declared_ == b.declared_; }
+
+  /// The unit with this symbol. O(log n), allocates nothing, and so do the others.
+  [[nodiscard]] std::optional<FoundUnit> by_symbol(std::string_view symbol) const;
+  /// The unit with the IRI that the two make together.
+  [[nodiscard]] std::optional<FoundUnit> by_iri(std::string_view space, std::string_view name) const;
+  /// That of `prefix:Name` by the prefixes of the ontology; `om:` and `unit:` are known unless it gives them a meaning.
+  [[nodiscard]] std::optional<FoundUnit> by_name(std::string_view prefixed) const;
+  /// The symbol one letter away from what is none, or empty: "did you mean".
+  [[nodiscard]] std::string_view similar_symbol(std::string_view text) const;
+
+ private:
+  struct Declared {
+    std::shared_ptr<const compiled::Ontology> ontology;
+    compiled::UnitsView view;
+  };
+  [[nodiscard]] FoundUnit at(std::uint32_t number) const;
+
+  std::shared_ptr<const Declared> declared_;  ///< null where there are no units
+};
+
+}  // namespace geminga::vocabulary
+
+#endif
