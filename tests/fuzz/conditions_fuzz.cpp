@@ -47,6 +47,14 @@ void check_where(std::string_view text, const registry::PublicationEntry& entry)
   const auto where = Where::parse(text);
   const auto error = matching::check_where(text);
   require(where.has_value() != error.has_value());
+  const auto whatever_unit = Where::parse_with_any_unit(text);
+  require(!where || whatever_unit);
+  if (whatever_unit) {
+    require(whatever_unit->accepts(entry) == whatever_unit->misses(entry).empty());
+    require(base::is_valid_utf8(whatever_unit->misses(entry)));
+    require(!where || where->accepts(entry) == whatever_unit->accepts(entry));
+  }
+  require(unit_problem(text, {}).empty() || (!where && whatever_unit));
   if (error) return check_error(*error);
   require(where->accepts(entry) == where->misses(entry).empty());
   require(base::is_valid_utf8(where->misses(entry)));

@@ -78,13 +78,18 @@ std::expected<Where, Error> Where::parse_with_any_unit(std::string_view expressi
   return read(expression, nullptr);
 }
 
-std::expected<Where, Error> Where::read(std::string_view expression, const Units* declared) {
+std::optional<Error> Where::problem(std::string_view expression, const Units& declared) {
+  const auto parsed = read(expression, &declared, true);
+  return parsed ? std::nullopt : std::optional(parsed.error());
+}
+
+std::expected<Where, Error> Where::read(std::string_view expression, const Units* declared, bool suggests) {
   if (expression.size() > max_where_octets) {
     return std::unexpected(
         Error{ErrorCode::too_large, std::string(parse_error_prefix) + "longer than 4096 octets: ask for less at once"});
   }
   if (expression.empty()) return Where();
-  auto parsed = WhereParser(expression, declared).parse();
+  auto parsed = WhereParser(expression, declared, suggests).parse();
   if (!parsed) return std::unexpected(std::move(parsed.error()));
   parsed->nodes.shrink_to_fit();
   parsed->texts.shrink_to_fit();
@@ -175,15 +180,15 @@ std::string Where::misses(const Stated& stated, const Units& declared) const {
 }
 
 std::optional<Error> check_where(std::string_view expression, std::string_view key, const Units& declared) {
-  auto parsed = Where::parse(expression, declared);
-  if (parsed) return std::nullopt;
-  return Error{parsed.error().code, std::string(key) + ": " + parsed.error().text.substr(parse_error_prefix.size())};
+  const auto problem = Where::problem(expression, declared);
+  if (!problem) return std::nullopt;
+  return Error{problem->code, std::string(key) + ": " + problem->text.substr(parse_error_prefix.size())};
 }
 
 std::string unit_problem(std::string_view expression, const Units& declared) {
-  const auto parsed = Where::parse(expression, declared);
-  if (parsed || !Where::parse_with_any_unit(expression)) return "";
-  return parsed.error().text.substr(parse_error_prefix.size());
+  const auto problem = Where::problem(expression, declared);
+  if (!problem || !Where::parse_with_any_unit(expression)) return "";
+  return problem->text.substr(parse_error_prefix.size());
 }
 
 }  // namespace geminga::matching

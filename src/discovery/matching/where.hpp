@@ -34,7 +34,9 @@ class Where {
   /// WHERE.md. The error names the octet, counted from 1. O(length).
   [[nodiscard]] static std::expected<Where, Error> parse(std::string_view expression,
                                                          const vocabulary::Units& declared = {});
-  /// The same whatever its units may be. While one is unknown, it accepts nobody.
+  /// Why parse() fails, with the unit that may have been meant, which takes a look at all that are declared.
+  [[nodiscard]] static std::optional<Error> problem(std::string_view expression, const vocabulary::Units& declared);
+  /// The same as parse() whatever its units may be. While one is unknown, it accepts nobody.
   [[nodiscard]] static std::expected<Where, Error> parse_with_any_unit(std::string_view expression);
 
   /// Whether the other side passes. Allocates nothing for attributes. O(length of the expression).
@@ -92,7 +94,8 @@ class Where {
   void blame(std::uint16_t number, const Stated& stated, const vocabulary::Units& declared,
              std::vector<const Node*>& leaves) const;
   [[nodiscard]] std::string said(const Node& leaf, const Stated& stated, const vocabulary::Units& declared) const;
-  [[nodiscard]] static std::expected<Where, Error> read(std::string_view expression, const vocabulary::Units* declared);
+  [[nodiscard]] static std::expected<Where, Error> read(std::string_view expression, const vocabulary::Units* declared,
+                                                        bool suggests = false);
 
   Parsed parsed_;  ///< no nodes: accepts everything
 };

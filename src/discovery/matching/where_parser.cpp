@@ -220,9 +220,10 @@ std::string_view WhereParser::unit_word() const {
 
 std::unexpected<Error> WhereParser::wrong_unit(std::string_view sign) const {
   auto error = wrong("expected 'and', 'or', the end or a unit that is known");
-  const std::string_view meant = declared_->similar_symbol(sign);
+  const std::string_view meant = suggests_ ? declared_->similar_symbol(sign) : std::string_view();
   if (meant.empty()) return error;
-  return std::unexpected(Error{error.error().code, error.error().text + ": did you mean " + std::string(meant) + "?"});
+  return std::unexpected(Error{error.error().code,
+                               error.error().text + ": did you mean " + base::printable(meant, max_unit_octets) + "?"});
 }
 
 std::expected<WhereParser::Literal, Error> WhereParser::quoted() {

@@ -21,8 +21,8 @@ class WhereParser {
  public:
   /// Borrows the expression and the units that are known beside the table; null: any may be. Requires at most
   /// max_where_octets of the expression.
-  WhereParser(std::string_view expression, const vocabulary::Units* declared)
-      : text_(expression), declared_(declared) {}
+  WhereParser(std::string_view expression, const vocabulary::Units* declared, bool suggests = false)
+      : text_(expression), declared_(declared), suggests_(suggests) {}
 
   [[nodiscard]] std::expected<Where::Parsed, Error> parse();
 
@@ -73,6 +73,7 @@ class WhereParser {
 
   std::string_view text_;
   const vocabulary::Units* declared_;
+  bool suggests_;  ///< the unit that may have been meant
   std::size_t at_ = 0;
   Where::Parsed parsed_;
 };

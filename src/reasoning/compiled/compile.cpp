@@ -26,6 +26,7 @@ bool fits(const CompilerInput& input, const CompileOptions& options) {
     bytes += options.folder.size() + file.path.size() + file.ontology_iri.size() + 64;
   }
   bytes += classification.unused.size() * 8;
+  bytes += source.unit_statements().size() * owl::max_unit_text_octets;
   return bytes < max_compiled_bytes - spare_bytes;
 }
 

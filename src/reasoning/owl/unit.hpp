@@ -17,7 +17,7 @@ namespace geminga::owl {
 
 class Ontology;
 
-/// The most statements about units of one ontology, each once; of one that has more no unit is read.
+/// The most statements about units of one ontology; of one that has more no unit is read.
 inline constexpr std::size_t max_unit_statements = std::size_t{1} << 18;
 /// The most units of one ontology; of one that has more none is read.
 inline constexpr std::size_t max_units = 16'384;

@@ -80,6 +80,7 @@ UnitReading sound(const UnitMeasure& measure) {
 }
 
 std::optional<std::vector<UnitSubject>> unit_subjects(const Ontology& source) {
+  if (source.unit_statements().size() > max_unit_statements) return std::nullopt;
   std::vector<Statement> statements;
   for (const Ontology::UnitStatement& one : source.unit_statements()) {
     statements.push_back({source.name(one.subject),

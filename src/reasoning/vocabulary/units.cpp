@@ -49,7 +49,8 @@ std::string_view Units::similar_symbol(std::string_view text) const {
   const compiled::UnitsView& view = declared_->view;
   for (std::size_t number = 0; number < view.name_end.size(); ++number) {
     const std::string_view name = view.name(number);
-    if (!name.contains(':') && base::edit_distance(text, name, 1) == 1) return name;
+    const bool is_near = name.size() + 1 >= text.size() && name.size() <= text.size() + 1;
+    if (is_near && !name.contains(':') && base::edit_distance(text, name, 1) == 1) return name;
   }
   return {};
 }

@@ -44,7 +44,7 @@ class Units {
   [[nodiscard]] std::optional<FoundUnit> by_iri(std::string_view space, std::string_view name) const;
   /// That of `prefix:Name` by the prefixes of the ontology; `om:` and `unit:` are known unless it gives them a meaning.
   [[nodiscard]] std::optional<FoundUnit> by_name(std::string_view prefixed) const;
-  /// The symbol one letter away from what is none, or empty: "did you mean".
+  /// The symbol one letter away from what is none, or empty: "did you mean". Looks at all of them.
   [[nodiscard]] std::string_view similar_symbol(std::string_view text) const;
 
  private:
