@@ -38,9 +38,6 @@ class Agreement {
       for (const char* module : {"vision", "base"}) {
         Client& client = world_.add_client(std::string(name) + '/' + module);
         client.keeps_lines = false;
-        client.on_line = [this](std::string_view line, const gcnp::Statement& statement) {
-          if (statement.command[0] == '4') world_.complain(std::string(line));
-        };
         clients_.push_back({&client, &host, module});
       }
     }
@@ -55,7 +52,9 @@ class Agreement {
       restart(*one.host);
     } else if (dice < 5) {
       reload();
-    } else if (dice < 8) {
+    } else if (dice < 7) {
+      one.client->say("0 sys hello name=" + one_of<3>({"vision", "base", "eye"}));
+    } else if (dice < 10) {
       one.client->hang_up();
       connect(one);
     } else if (dice < (crowd_ == Crowd::crowded ? 85 : 55)) {
@@ -166,7 +165,7 @@ class Agreement {
 
   /// All of them, one after the other.
   void reload() {
-    const auto next = small_ontology(one_of<3>({"frames", "other-frames", "soccer"}));
+    const auto next = small_ontology(one_of<5>({"frames", "frames", "other-frames", "other-frames", "soccer"}));
     for (Host* host : hosts_) {
       host->ontology = next;
       host->reload(next);
@@ -180,6 +179,8 @@ class Agreement {
       return is_offer && random_.chance(0.7) ? " concept=soccer:Ball representation=soccer:RobotFrame"
                                              : " concept=soccer:Ball";
     if (random_.chance(0.1)) return " text=goalie";
+    if (!is_offer && random_.chance(0.1)) return " concept=\"soccer:TrackedObject and not soccer:Ball\"";
+    if (!is_offer && random_.chance(0.1)) return " concept=\"soccer:Ball or soccer:RobotFrame\"";
     std::string words = random_.chance(0.7) ? " concept=soccer:Ball" : " concept=soccer:TrackedObject";
     if (!is_offer && random_.chance(0.3)) return words;
     return words + " representation=soccer:" + frame();
