@@ -62,7 +62,7 @@ void Converters::put(const registry::PublicationEntry& entry, const Audience& au
   one.arrival = arrival;
   if (was_active || has_room_for(one)) {
     activate(one);
-  } else {
+  } else if (!displace(one)) {
     await(one);
   }
 }
@@ -79,7 +79,7 @@ void Converters::erase(const ServiceKey& key) {
 
 bool Converters::may_have_another(ParticipantId participant) const {
   const auto of_participant = active_of_.find(participant);
-  return of_participant == active_of_.end() || of_participant->second < max_converters_of_participant;
+  return of_participant == active_of_.end() || of_participant->second.size() < max_converters_of_participant;
 }
 
 bool Converters::has_room_for(const Known& known) const {
@@ -89,13 +89,13 @@ bool Converters::has_room_for(const Known& known) const {
 
 void Converters::await(const Known& known) {
   const registry::PublicationEntry& entry = known.converter.entry;
-  waiting_[entry.key.participant].by_arrival.emplace(known.arrival, entry.key);
+  waiting_[entry.key.participant].keys.insert(entry.key);
   put_in_line(entry);
 }
 
 void Converters::await_no_more(const Known& known) {
   const registry::PublicationEntry& entry = known.converter.entry;
-  waiting_[entry.key.participant].by_arrival.erase(known.arrival);
+  waiting_[entry.key.participant].keys.erase(entry.key);
   put_in_line(entry);
 }
 
@@ -105,10 +105,10 @@ void Converters::put_in_line(const registry::PublicationEntry& any_of_host) {
   if (waiting == waiting_.end()) return;
   Queue& queue = waiting->second;
   if (queue.next) next(any_of_host.is_local).erase({*std::exchange(queue.next, {}), participant});
-  if (queue.by_arrival.empty()) {
+  if (queue.keys.empty()) {
     waiting_.erase(waiting);
   } else if (may_have_another(participant)) {
-    queue.next = queue.by_arrival.begin()->first;
+    queue.next = known_.at(*queue.keys.begin()).arrival;
     next(any_of_host.is_local).emplace(*queue.next, participant);
   }
 }
@@ -122,7 +122,7 @@ void Converters::activate(Known& known) {
   while (active_.contains(free)) ++free;
   known.place = free;
   active_.emplace(free, &known);
-  ++active_of_[known.converter.entry.key.participant];
+  active_of_[known.converter.entry.key.participant].insert(known.converter.entry.key);
   put_in_line(known.converter.entry);
   if (!known.converter.entry.is_local) ++remote_;
   ++version_;
@@ -138,7 +138,8 @@ void Converters::deactivate(Known& known) {
   ++version_;
   if (!known.converter.entry.is_local) --remote_;
   const auto of_participant = active_of_.find(known.converter.entry.key.participant);
-  if (--of_participant->second == 0) active_of_.erase(of_participant);
+  of_participant->second.erase(known.converter.entry.key);
+  if (of_participant->second.empty()) active_of_.erase(of_participant);
   put_in_line(known.converter.entry);
   active_.erase(place);
   known.place.reset();
@@ -154,9 +155,21 @@ void Converters::promote() {
   if (active_.size() < max_converters) look_at(next_local_);
   if (active_.size() < max_converters && remote_ < max_remote_converters) look_at(next_remote_);
   if (first == nullptr) return;
-  Known& known = known_.at(waiting_.at(first->second).by_arrival.begin()->second);
+  Known& known = known_.at(*waiting_.at(first->second).keys.begin());
   await_no_more(known);
   activate(known);
+}
+
+bool Converters::displace(Known& newcomer) {
+  const ServiceKey& key = newcomer.converter.entry.key;
+  if (may_have_another(key.participant)) return false;
+  const ServiceKey greatest = *active_of_.at(key.participant).rbegin();
+  if (greatest < key) return false;
+  Known& other = known_.at(greatest);
+  deactivate(other);
+  activate(newcomer);
+  await(other);
+  return true;
 }
 
 void Converters::concern(const Known& known) {

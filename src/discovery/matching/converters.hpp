@@ -62,9 +62,10 @@ class Converters {
     std::optional<std::uint32_t> place{};  ///< nothing: it waits for one
   };
 
-  /// The converters of one host that wait for a place. While the host may have another one, the first is in `next_`.
+  /// The converters of one host that wait for a place. While the host may have another one, the arrival of the first is
+  /// in `next_`.
   struct Queue {
-    std::map<std::uint64_t, ServiceKey> by_arrival;
+    std::set<ServiceKey> keys;
     std::optional<std::uint64_t> next{};
   };
   using Next = std::set<std::pair<std::uint64_t, ParticipantId>>;
@@ -81,6 +82,9 @@ class Converters {
   /// Gives a free place to the first that waits and may have it. Those of a host that has all it may have are not
   /// looked at, however many they are.
   void promote();
+  /// Takes its place from the one with the greatest key of the same host, where that has as many as it may and this key
+  /// is smaller: so everybody takes the same ones of a host, in whatever order they became known. Whether it did.
+  bool displace(Known& newcomer);
   /// The requests that the step of an active converter may concern become stale.
   void concern(const Known& known);
   [[nodiscard]] const Places& partners_of(const Consumer& consumer) const;
@@ -93,7 +97,7 @@ class Converters {
   std::map<ParticipantId, Queue> waiting_;
   Next next_local_;
   Next next_remote_;
-  std::map<ParticipantId, std::size_t> active_of_;           ///< how many
+  std::map<ParticipantId, std::set<ServiceKey>> active_of_;  ///< by whose they are
   std::size_t remote_ = 0;                                   ///< active ones of other hosts
   std::optional<vocabulary::StepGraph> graph_;               ///< since the first converter came
   std::uint32_t declared_ = 0;                               ///< the places of declared conversions are below this

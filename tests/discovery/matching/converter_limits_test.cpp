@@ -34,6 +34,27 @@ TEST_F(ConverterLimits, OfOneParticipantAreSixteen) {
   EXPECT_THAT(told(), ElementsAre(HasSubstr("modify p2.1.2 converted 1 E>F 1 ")));
 }
 
+TEST_F(ConverterLimits, OfOneParticipantAreThoseWithTheSmallestKeysInWhateverOrderTheyCome) {
+  matcher.put(ball(key(2, 1, 2), "E"));
+  matcher.put(asks(key(here, 1, 1), "F"));
+  matcher.put(asks(key(here, 1, 3), "J"));
+  matcher.put(ball(key(2, 1, 4), "I"));
+  for (std::uint32_t number = 1; number < max_converters_of_participant; ++number) {
+    matcher.put(converter(key(3, 1, 10 + 2 * number), "A", "B"));
+  }
+  matcher.put(converter(key(3, 2, 2), "E", "F"));
+  EXPECT_THAT(told(), ElementsAre(HasSubstr("add p2.1.2 converted 1 E>F 1 ")));
+  matcher.put(converter(key(3, 2, 4), "I", "J"));
+  EXPECT_THAT(told(), IsEmpty()) << "one too many";
+  matcher.put(converter(key(3, 1, 4), "I", "J"));
+  EXPECT_THAT(told(), testing::UnorderedElementsAre("p1.1.1 pub del p2.1.2 changed",
+                                                    HasSubstr("add p2.1.4 converted 1 I>J 1 ")));
+  matcher.remove_publication(key(3, 1, 4), Reason::withdrawn);
+  EXPECT_THAT(told(), testing::UnorderedElementsAre("p1.1.3 pub del p2.1.4 changed",
+                                                    HasSubstr("add p2.1.2 converted 1 E>F 1 ")))
+      << "the smaller of those that wait";
+}
+
 TEST_F(ConverterLimits, OfOtherHostsLeaveRoomForThoseOfThisOne) {
   matcher.put(ball(key(2, 1, 2), "E"));
   matcher.put(asks(key(here, 1, 1), "F"));
