@@ -38,6 +38,8 @@ also a name that the daemon's ontology does not know.
 
 )";
 
+const std::string converts = "converts";
+
 struct Options {
   shell::EventOptions shared{program};
   std::vector<std::string> words;
@@ -46,6 +48,11 @@ struct Options {
   std::string converts;
   bool sends = false;
 };
+
+/// What is wrong with the value of `converts`; empty: nothing.
+std::string conversion_fault(const std::string& text) {
+  return text.find('>', 1) == std::string::npos ? "must be FROM>TO" : "";
+}
 
 void add_to(CLI::App& app, Options& options) {
   app.add_option(
@@ -71,8 +78,7 @@ void add_to(CLI::App& app, Options& options) {
   app.add_option("--converts", options.converts,
                  "The service turns one representation into another, at the cost that the attribute cost says")
       ->type_name("FROM>TO")
-      ->check([](const std::string& text) { return text.find('>', 1) == std::string::npos ? "must be FROM>TO" : ""; },
-              "", "");
+      ->check(conversion_fault, "", "");
   app.add_option("--scope", options.publication.scope, "Only consumers on these hosts: host, any, HOST[/PEER], !HOST")
       ->type_name("SCOPE");
   app.add_option("--for", options.publication.for_whom, "Only consumers that fit, e.g. \"name = robot*\"")
@@ -111,12 +117,18 @@ void complete(Options& options) {
   }
   options.publication.mode = options.shared.mode_or_stream();
   for (; word != options.words.end(); ++word) {
+    const auto pair = shell::key_and_value(*word);
+    if (pair && pair->first == converts) {  // as in GCNP, where it is no slip of `convert` either
+      if (const auto fault = conversion_fault(pair->second); !fault.empty()) throw CLI::ValidationError(*word, fault);
+      add_attribute(options.publication.attributes, *word, converts);
+      continue;
+    }
     const auto name = attribute_name(word->substr(0, word->find('=')));
     if (!name) throw CLI::ValidationError(*word, name.error().text);
     add_attribute(options.publication.attributes, *word, *name);
   }
   if (!options.converts.empty())
-    add_attribute(options.publication.attributes, "converts=" + options.converts, "converts");
+    add_attribute(options.publication.attributes, converts + ("=" + options.converts), converts);
   for (const auto& stated : options.attributes) {
     std::string name = stated.substr(0, stated.find('='));
     if (name.starts_with(attribute_prefix)) name.erase(0, attribute_prefix.size());

@@ -66,6 +66,7 @@ TEST(Pipe, SaysWhatIsWrong) {
   EXPECT_EQ(shell(bench, "$subscribe --text x --listen --convert yes").status, 2) << "it has no functions";
   EXPECT_EQ(shell(bench, "$publish --text x --mode oto --port 5000 --converts soccer:A").status, 2);
   EXPECT_EQ(shell(bench, "$publish --text x --mode oto --port 5000 --converts ''").status, 2);
+  EXPECT_EQ(shell(bench, "$publish --text x --mode oto --port 5000 converts=soccer:A").status, 2);
   EXPECT_EQ(shell(bench, "$publish soccer:BallInfo --mode oto").status, 2) << "no port, and nothing is sent";
   EXPECT_EQ(shell(bench, "$subscribe --text x --listen --json").status, 2) << "messages are no events";
   EXPECT_EQ(shell(bench, "$publish --text x --send --timestamps < /dev/null").status, 2);

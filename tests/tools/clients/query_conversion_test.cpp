@@ -45,6 +45,20 @@ TEST(QueryConversion, IsShownInWordsAndAsJson) {
   EXPECT_EQ(why.at("cost").as_int64(), 1);
 }
 
+TEST(QueryConversion, FindsAConverterThatIsOfferedFromAShell) {
+  Bench bench;
+  Talk peer = bench.talk();
+  peer.say("5 pub create mode=oto concept=soccer:GoalInfo representation=soccer:PixelCameraFrame port=5002");
+  peer.say("6 sub create mode=oto concept=soccer:GoalInfo representation=soccer:CartesianFieldFrame convert=3");
+  EXPECT_THAT(peer.lines_until_pong(), IsEmpty());
+  const auto publisher =
+      bench.start("geminga-publish", {"--text", "frames", "--mode", "oto", "--port", "6000", "cost=3",
+                                      "converts=soccer:PixelCameraFrame>soccer:CartesianFieldFrame"});
+  const auto told = peer.line_with({"6 pub add "});
+  ASSERT_TRUE(told);
+  EXPECT_THAT(*told, HasSubstr(" convert=soccer:PixelCameraFrame>soccer:CartesianFieldFrame cost=3 via=udp://"));
+}
+
 TEST(QueryConversion, SaysWhichServiceConverts) {
   Bench bench;
   Talk peer = bench.talk();
