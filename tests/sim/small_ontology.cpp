@@ -1,6 +1,8 @@
 #include "sim/small_ontology.hpp"
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +14,8 @@
 
 namespace geminga::sim {
 namespace {
+
+using Bytes = std::vector<std::byte>;
 
 constexpr std::string_view soccer = "https://geminga.example/soccer#";
 
@@ -52,14 +56,12 @@ class Writer {
   void leave_out(const char* construct) { source_.leave_out(construct, file_, ++line_); }
   void label(const char* name, const char* text) { source_.add_label(std::string(soccer) + name, text); }
   /// Damage is done to the axioms, which are verified when an explanation or an expression is asked for.
-  [[nodiscard]] compiled::Ontology finish(bool is_damaged = false) const {
+  [[nodiscard]] Bytes finish(bool is_damaged = false) const {
     const auto classification = el::classify(source_);
     GEMINGA_ASSERT(classification.has_value());
-    std::vector<std::byte> bytes = compiled::compile(source_, *classification);
+    Bytes bytes = compiled::compile(source_, *classification);
     if (is_damaged) bytes.back() ^= std::byte{1};
-    auto ontology = compiled::Ontology::from_bytes(std::move(bytes));
-    GEMINGA_ASSERT(ontology.has_value());
-    return std::move(*ontology);
+    return bytes;
   }
 
  private:
@@ -69,7 +71,7 @@ class Writer {
   std::uint32_t line_ = 0;
 };
 
-compiled::Ontology make(bool has_ball) {
+Bytes make(bool has_ball) {
   Writer writer;
   writer.sub("TrackedObject", "Information");
   writer.sub("Opponent", "TrackedObject");
@@ -86,7 +88,7 @@ compiled::Ontology make(bool has_ball) {
 }
 
 /// As the whole one, by somebody who writes `Bal`.
-compiled::Ontology make_misspelt() {
+Bytes make_misspelt() {
   Writer writer;
   writer.sub("TrackedObject", "Information");
   writer.sub("Bal", "TrackedObject");
@@ -94,7 +96,7 @@ compiled::Ontology make_misspelt() {
 }
 
 /// A long way up, from Level100 to Level220.
-compiled::Ontology make_deep() {
+Bytes make_deep() {
   Writer writer;
   for (int level = 100; level < 500; ++level) {
     writer.sub(("Level" + std::to_string(level)).c_str(), ("Level" + std::to_string(level + 1)).c_str());
@@ -103,7 +105,7 @@ compiled::Ontology make_deep() {
 }
 
 /// Balls in frames that are turned into each other; the other form: by another way for the same cost.
-compiled::Ontology make_frames(bool is_other_way) {
+Bytes make_frames(bool is_other_way) {
   Writer writer;
   writer.sub("Ball", "TrackedObject");
   writer.sub("RobotPolar", "RobotFrame");
@@ -124,7 +126,7 @@ compiled::Ontology make_frames(bool is_other_way) {
 }
 
 /// Balls on a pitch that is so long.
-compiled::Ontology make_units(const char* pitch) {
+Bytes make_units(const char* pitch) {
   Writer writer;
   writer.sub("Ball", "TrackedObject");
   writer.unit("Pitch", "pitch", pitch);
@@ -133,7 +135,7 @@ compiled::Ontology make_units(const char* pitch) {
 }
 
 /// For class expressions: cameras that observe balls, and a lidar.
-compiled::Ontology make_sensors(bool has_ball, bool is_damaged = false) {
+Bytes make_sensors(bool has_ball, bool is_damaged = false) {
   Writer writer;
   writer.sub("Camera", "Sensor");
   writer.sub("Lidar", "Sensor");
@@ -150,7 +152,7 @@ compiled::Ontology make_sensors(bool has_ball, bool is_damaged = false) {
 }
 
 /// As a part of sensors, and an axiom that could not be read.
-compiled::Ontology make_unread() {
+Bytes make_unread() {
   Writer writer;
   writer.sub("Camera", "Sensor");
   writer.sub("Lidar", "Sensor");
@@ -162,30 +164,26 @@ compiled::Ontology make_unread() {
 
 }  // namespace
 
+std::optional<Bytes> compiled_small_ontology(std::string_view name) {
+  if (name == "soccer" || name == "ballless") return make(name == "soccer");
+  if (name == "sensors" || name == "blind" || name == "damaged")
+    return make_sensors(name != "blind", name == "damaged");
+  if (name == "frames" || name == "other-frames") return make_frames(name == "other-frames");
+  if (name == "units" || name == "other-units") return make_units(name == "units" ? "105" : "50");
+  if (name == "unread") return make_unread();
+  if (name == "misspelt") return make_misspelt();
+  if (name == "deep") return make_deep();
+  return std::nullopt;
+}
+
 vocabulary::Vocabulary small_ontology(std::string_view name) {
-  static const vocabulary::Vocabulary whole(make(true));
-  static const vocabulary::Vocabulary without_ball(make(false));
-  static const vocabulary::Vocabulary misspelt(make_misspelt());
-  static const vocabulary::Vocabulary sensors(make_sensors(true));
-  static const vocabulary::Vocabulary blind(make_sensors(false));
-  static const vocabulary::Vocabulary damaged(make_sensors(true, true));
-  static const vocabulary::Vocabulary frames(make_frames(false));
-  static const vocabulary::Vocabulary other_frames(make_frames(true));
-  static const vocabulary::Vocabulary unread(make_unread());
-  static const vocabulary::Vocabulary units(make_units("105"));
-  static const vocabulary::Vocabulary other_units(make_units("50"));
-  if (name == "unread") return unread;
-  if (name == "units") return units;
-  if (name == "other-units") return other_units;
-  if (name == "frames") return frames;
-  if (name == "other-frames") return other_frames;
-  if (name == "damaged") return damaged;
-  if (name == "soccer") return whole;
-  if (name == "misspelt") return misspelt;
-  if (name == "deep") return vocabulary::Vocabulary(make_deep());
-  if (name == "sensors") return sensors;
-  if (name == "blind") return blind;
-  return name == "ballless" ? without_ball : vocabulary::Vocabulary();
+  static std::map<std::string, vocabulary::Vocabulary, std::less<>> known;
+  if (const auto found = known.find(name); found != known.end()) return found->second;
+  auto bytes = compiled_small_ontology(name);
+  if (!bytes) return {};
+  auto ontology = compiled::Ontology::from_bytes(std::move(*bytes));
+  GEMINGA_ASSERT(ontology.has_value());
+  return known.emplace(name, std::move(*ontology)).first->second;
 }
 
 }  // namespace geminga::sim

@@ -2,7 +2,10 @@
 #ifndef GEMINGA_TESTS_SIM_SMALL_ONTOLOGY_HPP
 #define GEMINGA_TESTS_SIM_SMALL_ONTOLOGY_HPP
 
+#include <cstddef>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 #include "reasoning/vocabulary/vocabulary.hpp"
 
@@ -16,6 +19,8 @@ namespace geminga::sim {
 /// `damaged` is `sensors` from a compiled form whose axioms are damaged.
 /// Without an ontology for `none`.
 [[nodiscard]] vocabulary::Vocabulary small_ontology(std::string_view name);
+/// The same as gemingad maps it from a file.
+[[nodiscard]] std::optional<std::vector<std::byte>> compiled_small_ontology(std::string_view name);
 
 }  // namespace geminga::sim
 

@@ -4,51 +4,14 @@
 
 #include <algorithm>
 #include <fstream>
-#include <regex>
-#include <sstream>
 
 #include "base/text.hpp"
 #include "discovery/announcement/codec.hpp"
 #include "discovery/sealing/rig.hpp"
 #include "sim/small_ontology.hpp"
+#include "support/transcript_words.hpp"
 
 namespace geminga::participant {
-namespace {
-
-std::string next_word(std::string_view& rest) {
-  rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
-  const std::size_t end = std::min(rest.find(' '), rest.size());
-  std::string word(rest.substr(0, end));
-  rest.remove_prefix(end);
-  return word;
-}
-
-std::string escaped(std::string_view text) {
-  static const std::regex special(R"([.^$|()\[\]{}*+?\\])");
-  return std::regex_replace(std::string(text), special, R"(\$&)");
-}
-
-/// Turns \r, \n, \t, \\ and \xHH into what they stand for.
-std::string unescaped(std::string_view text) {
-  std::string bytes;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '\\' || i + 1 == text.size()) {
-      bytes += text[i];
-      continue;
-    }
-    const char kind = text[++i];
-    if (kind == 'x') {
-      bytes += static_cast<char>(std::stoi(std::string(text.substr(i + 1, 2)), nullptr, 16));
-      i += 2;
-    } else {
-      bytes += kind == 'r' ? '\r' : kind == 'n' ? '\n' : kind == 't' ? '\t' : kind;
-    }
-  }
-  return bytes;
-}
-
-}  // namespace
-
 void Transcript::play() {
   std::ifstream file(path_);
   ASSERT_TRUE(file) << path_;
@@ -65,14 +28,14 @@ void Transcript::play() {
 
 void Transcript::line(std::string_view text) {
   std::string_view rest = text;
-  const std::string who = next_word(rest);
+  const std::string who = test::next_word(rest);
   if (who == "@") {
     // Waiting is no action: what comes meanwhile is expected after it.
     if (!rest.starts_with(" wait")) expect_nothing_more();
     if (!testing::Test::HasFailure()) direct(rest);
     return;
   }
-  const std::string sign = next_word(rest);
+  const std::string sign = test::next_word(rest);
   rest.remove_prefix(std::min<std::size_t>(1, rest.size()));
   ASSERT_TRUE(clients_.contains(who)) << at_ << ": nobody of that name is connected";
   if (sign == "<") {
@@ -85,9 +48,9 @@ void Transcript::line(std::string_view text) {
 }
 
 void Transcript::direct(std::string_view words) {
-  const std::string verb = next_word(words);
-  const std::string name = next_word(words);
-  const std::string third = next_word(words);
+  const std::string verb = test::next_word(words);
+  const std::string name = test::next_word(words);
+  const std::string third = test::next_word(words);
   if (verb == "host") {
     sim::Host& made = world_.add_host(name);
     hosts_[name] = &made;
@@ -135,11 +98,11 @@ void Transcript::direct(std::string_view words) {
       expect_logged(*one, third + std::string(words), verb == "log");
       return;
     } else if (verb == "limit") {
-      set_limit(*one, third, std::stoul(next_word(words)));
+      set_limit(*one, third, std::stoul(test::next_word(words)));
     } else if (verb == "seal") {
       seal(*one, third, words);
     } else if (verb == "receive") {
-      const std::string bytes = unescaped(substituted(third));
+      const std::string bytes = test::unescaped(substituted(third));
       one->receive(one->ports().front().index, "10.0.0.99", bytes);
     } else if (verb == "clash") {
       clash(*one, substituted(third));
@@ -165,7 +128,8 @@ void Transcript::clash(sim::Host& host, const std::string& id) {
 
 void Transcript::expect_logged(sim::Host& host, std::string_view pattern, bool is_expected) {
   auto& logged = host.logged;
-  const auto found = std::ranges::find_if(logged, [&](const std::string& line) { return matches(pattern, line); });
+  const auto found =
+      std::ranges::find_if(logged, [&](const std::string& line) { return words_.matches(pattern, line); });
   EXPECT_EQ(found != logged.end(), is_expected) << at_ << "\n  the log: " << testing::PrintToString(logged);
   if (found != logged.end()) logged.erase(logged.begin(), found + 1);
 }
@@ -189,7 +153,7 @@ void Transcript::seal(sim::Host& host, const std::string& mode, std::string_view
   const auto read = sealing::read_mode(mode);
   ASSERT_TRUE(read) << at_;
   sealing::Policy policy{.mode = *read};
-  for (std::string key = next_word(keys); !key.empty(); key = next_word(keys)) {
+  for (std::string key = test::next_word(keys); !key.empty(); key = test::next_word(keys)) {
     ASSERT_EQ(policy.keys.add(sealing::key_of(std::stoi(key))), sealing::Keyring::Added::yes) << at_;
   }
   host.settings.sealing = policy;
@@ -198,7 +162,7 @@ void Transcript::seal(sim::Host& host, const std::string& mode, std::string_view
 
 void Transcript::say(const std::string& client, const std::string& text, bool is_raw) {
   if (is_raw) {
-    clients_.at(client)->send_bytes(unescaped(text));
+    clients_.at(client)->send_bytes(test::unescaped(text));
   } else {
     clients_.at(client)->say(text);
   }
@@ -210,7 +174,7 @@ void Transcript::expect(const std::string& client, std::string_view pattern) {
   ASSERT_FALSE(lines.empty()) << at_ << ": nothing came";
   const std::string came = lines.front();
   lines.erase(lines.begin());
-  ASSERT_TRUE(matches(pattern, came)) << at_ << "\n  came: " << came;
+  ASSERT_TRUE(words_.matches(pattern, came)) << at_ << "\n  came: " << came;
 }
 
 void Transcript::expect_nothing_more() {
@@ -224,50 +188,9 @@ void Transcript::expect_nothing_more() {
 void Transcript::run(base::Duration duration) { world_.run_for(duration); }
 
 std::string Transcript::substituted(std::string_view text) const {
-  std::string result;
-  while (!text.empty()) {
-    const std::size_t open = text.find('{');
-    const std::size_t close = text.find('}', open);
-    result += text.substr(0, open);
-    if (open == std::string_view::npos || close == std::string_view::npos) return result;
-    const std::string name(text.substr(open + 1, close - open - 1));
-    const std::size_t star = name.find('*');
-    if (star != std::string::npos) {
-      for (std::size_t i = std::stoul(name.substr(star + 1)); i > 0; --i) result += name.substr(0, star);
-    } else {
-      EXPECT_TRUE(bound_.contains(name)) << at_ << ": {" << name << "} is not known yet";
-      if (bound_.contains(name)) result += bound_.at(name);
-    }
-    text.remove_prefix(close + 1);
-  }
-  return result;
-}
-
-bool Transcript::matches(std::string_view pattern, const std::string& text) {
-  std::string expression;
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < pattern.size();) {
-    if (pattern.substr(i).starts_with("...")) {
-      expression += ".*";
-      i += 3;
-    } else if (const std::size_t close = pattern.find('}', i); pattern[i] == '{' && close != std::string_view::npos) {
-      const std::string name(pattern.substr(i + 1, close - i - 1));
-      if (bound_.contains(name)) {
-        expression += escaped(bound_.at(name));
-      } else {
-        names.push_back(name);
-        expression += "([^ /]+)";
-      }
-      i = close + 1;
-    } else {
-      expression += escaped(pattern.substr(i, 1));
-      ++i;
-    }
-  }
-  std::smatch match;
-  if (!std::regex_match(text, match, std::regex(expression))) return false;
-  for (std::size_t i = 0; i < names.size(); ++i) bound_[names[i]] = match[i + 1];
-  return true;
+  const auto result = words_.substituted(text);
+  EXPECT_TRUE(result) << at_ << ": a name is not known yet";
+  return result.value_or("");
 }
 
 sim::Host* Transcript::host(const std::string& name) {

@@ -9,6 +9,7 @@
 #include "sim/client.hpp"
 #include "sim/host.hpp"
 #include "sim/world.hpp"
+#include "support/transcript_words.hpp"
 
 namespace geminga::participant {
 
@@ -27,7 +28,6 @@ class Transcript {
   void expect_nothing_more();
   void run(base::Duration duration);
   [[nodiscard]] std::string substituted(std::string_view text) const;
-  [[nodiscard]] bool matches(std::string_view pattern, const std::string& text);
   [[nodiscard]] sim::Host* host(const std::string& name);
   /// Somebody else announces a state under this identifier.
   void clash(sim::Host& host, const std::string& id);
@@ -41,7 +41,7 @@ class Transcript {
   sim::World world_{1};
   std::map<std::string, sim::Host*> hosts_;
   std::map<std::string, sim::Client*> clients_;
-  std::map<std::string, std::string> bound_;
+  test::BoundWords words_;
 };
 
 }  // namespace geminga::participant
