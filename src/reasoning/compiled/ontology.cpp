@@ -143,15 +143,15 @@ std::vector<std::uint32_t> Ontology::Mapped::find_label(std::string_view label) 
 std::vector<std::uint32_t> Ontology::Mapped::walk_up(std::uint32_t node) const {
   std::vector<std::uint32_t> above;
   above.reserve(16);
-  // Most classes have one parent, up to the top.
+  // Most classes have one parent, up to the top. A taxonomy that lies goes round in a circle.
   std::span<const std::uint32_t> only = std::span(&node, 1);
-  while (only.size() == 1) {
+  while (only.size() == 1 && above.size() < taxonomy.view.class_count()) {
     above.push_back(only.front());
     only = taxonomy.view.parents_of(above.back());
   }
   std::vector<std::uint32_t> layer;
   if (!only.empty()) layer.push_back(above.back());
-  std::ranges::sort(above);
+  base::sort_unique(above);
   while (!layer.empty()) {
     std::vector<std::uint32_t> next;
     for (const std::uint32_t at : layer) {
