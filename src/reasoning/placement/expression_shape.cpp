@@ -2,6 +2,9 @@
 #include "reasoning/placement/expression_shape.hpp"
 
 #include <algorithm>
+#include <compare>
+#include <tuple>
+#include <utility>
 
 #include "reasoning/owl/literal_value.hpp"
 
@@ -14,6 +17,48 @@ constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#
 bool is_top_property(std::string_view iri) {
   return iri.starts_with(owl) &&
          (iri.substr(owl.size()) == "topObjectProperty" || iri.substr(owl.size()) == "topDataProperty");
+}
+
+/// A number in canonical form: digits, perhaps a sign, and a point only before a fraction.
+struct Decimal {
+  bool is_negative = false;
+  std::string_view whole;
+  std::string_view fraction;
+
+  static std::optional<Decimal> read(std::string_view text) {
+    Decimal read{.is_negative = text.starts_with('-'), .whole = {}, .fraction = {}};
+    if (read.is_negative) text.remove_prefix(1);
+    if (text.empty() || text.find_first_not_of("0123456789.") != std::string_view::npos) return std::nullopt;
+    const std::size_t point = std::min(text.find('.'), text.size());
+    read.whole = text.substr(0, point);
+    read.whole.remove_prefix(std::min(read.whole.find_first_not_of('0'), read.whole.size()));
+    if (point < text.size()) read.fraction = text.substr(point + 1);
+    return read;
+  }
+  [[nodiscard]] std::strong_ordering compare_size(const Decimal& other) const {
+    return std::tuple(whole.size(), whole, fraction) <=> std::tuple(other.whole.size(), other.whole, other.fraction);
+  }
+  [[nodiscard]] std::strong_ordering compare(const Decimal& other) const {
+    if (is_negative != other.is_negative) return other.is_negative <=> is_negative;
+    return is_negative ? other.compare_size(*this) : compare_size(other);
+  }
+};
+
+/// Whether a value is within a bound. False for what is not worked out here, as patterns and lengths.
+bool is_certainly_met(std::string_view facet, const owl::DataValue& value, const owl::DataValue& bound) {
+  constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
+  const bool are_numbers = value.family == owl::DataFamily::number && bound.family == owl::DataFamily::number;
+  if (!facet.starts_with(xsd) || !are_numbers || !value.is_exact || !bound.is_exact) return false;
+  facet.remove_prefix(xsd.size());
+  const auto is = Decimal::read(value.canonical);
+  const auto limit = Decimal::read(bound.canonical);
+  if (!is || !limit) return false;
+  const auto order = is->compare(*limit);
+  return facet == "minInclusive"   ? order >= 0
+         : facet == "minExclusive" ? order > 0
+         : facet == "maxInclusive" ? order <= 0
+         : facet == "maxExclusive" ? order < 0
+                                   : false;
 }
 
 }  // namespace
@@ -208,6 +253,30 @@ ShapeId ShapeReader::read_datatype(owl::TermId id, const owl::Term& term) {
   return add(std::move(shape));
 }
 
+// The values of the ontology that are certainly among those of the restriction are below it, and the datatypes of all
+// its values above. Which other ranges are is left open.
+ShapeId ShapeReader::read_facets(owl::TermId id, const owl::Term& term) {
+  add_gap("owl:withRestrictions in the expression");
+  const auto type = owl::Datatype::find(query_.name(query_.term(term.arguments[0]).name));
+  if (!type) return add({.kind = ShapeKind::opaque, .atom = known_atom(id)});
+  std::vector<std::pair<std::string_view, owl::DataValue>> facets;
+  for (const owl::TermId facet : term.arguments.subspan(1)) {
+    const owl::Term named = query_.term(facet);
+    auto bound = value_of(query_, query_.term(named.arguments[0]));
+    if (!bound) return add({.kind = ShapeKind::opaque, .atom = known_atom(id)});
+    facets.emplace_back(query_.name(named.name), std::move(*bound));
+  }
+  Shape shape{.kind = ShapeKind::value, .atom = known_atom(id)};
+  for (const auto& [other, expr] : base_.datatypes()) {
+    if (type->is_within(other)) shape.above.push_back(expr);
+  }
+  for (const auto& [value, expr] : base_.values()) {
+    const auto is_met = [&](const auto& facet) { return is_certainly_met(facet.first, value, facet.second); };
+    if (value.is_in(*type) && std::ranges::all_of(facets, is_met)) shape.below.push_back(expr);
+  }
+  return add(std::move(shape));
+}
+
 ShapeId ShapeReader::read(owl::TermId id) {
   const owl::Term term = query_.term(id);
   std::vector<ShapeId> parts;
@@ -243,7 +312,7 @@ ShapeId ShapeReader::read(owl::TermId id) {
     case owl::TermKind::data_complement_of:
       return unknown(id, "owl:datatypeComplementOf in the expression");
     case owl::TermKind::datatype_restriction:
-      return unknown(id, "owl:withRestrictions in the expression");
+      return read_facets(id, term);
     default:
       return read_restriction(id, term);
   }

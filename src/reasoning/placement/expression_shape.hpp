@@ -77,6 +77,7 @@ class ShapeReader {
   ShapeId read_restriction(owl::TermId id, const owl::Term& term);
   ShapeId read_literal(owl::TermId id, const owl::Term& term);
   ShapeId read_datatype(owl::TermId id, const owl::Term& term);
+  ShapeId read_facets(owl::TermId id, const owl::Term& term);
   ShapeId unknown(owl::TermId id, std::string_view words);
   [[nodiscard]] std::optional<el::RoleId> role_of(owl::TermId property);
   [[nodiscard]] std::optional<owl::TermId> in_base(owl::TermId term) const;

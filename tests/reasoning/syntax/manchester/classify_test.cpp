@@ -143,6 +143,22 @@ TEST(Place, KnowsValuesAndIndividuals) {
   EXPECT_EQ(asked.place("owner some {bob}"), "< Thing > Mine");
 }
 
+TEST(Place, FindsTheValuesWithinBounds) {
+  const Asked asked(
+      "SubClassOf(Two DataHasValue(d:mass \"2\"^x:integer))\nSubClassOf(Nine DataHasValue(d:mass \"9\"^x:integer))\n"
+      "SubClassOf(Ten DataHasValue(d:mass \"10\"^x:integer))\nSubClassOf(Minus DataHasValue(d:mass \"-3\"^x:integer))\n"
+      "SubClassOf(Part DataHasValue(d:mass \"2.5\"^x:decimal))\nSubClassOf(Less DataHasValue(d:mass "
+      "\"-3.5\"^x:decimal))\n");
+  EXPECT_EQ(asked.place("mass some integer[> 2]"), "< Thing > Nine Ten ?");
+  EXPECT_EQ(asked.place("mass some integer[>= 2, < 10]"), "< Thing > Nine Two ?");
+  EXPECT_EQ(asked.place("mass some decimal[> 2, <= 9.0]"), "< Thing > Nine Part ?");
+  EXPECT_EQ(asked.place("mass some decimal[< -3]"), "< Thing > Less ?");
+  EXPECT_EQ(asked.place("mass some decimal[<= -3]"), "< Thing > Less Minus ?");
+  EXPECT_EQ(asked.place("mass some decimal[>= -3, < 2]"), "< Thing > Minus ?");
+  EXPECT_EQ(asked.place("mass some integer[> 10]"), "< Thing ?");
+  EXPECT_EQ(asked.is_subsumed("mass value 2.4", "mass some decimal[> 2]"), "no?") << "of a value of the ontology only";
+}
+
 TEST(Place, IsExactWhereIndividualsDecide) {
   // Whoever sits on the throne is the king, and the king is bald.
   const Asked asked(
