@@ -248,7 +248,11 @@ void print_request(const Context& context, const Answer& answer) {
   if (end["served"] == "1") {
     std::cout << coloured(context.terminal, shell::Colour::green, "yes") << ": " << shell::printable(end["matching"])
               << " of the " << shell::printable(end["offers"]) << " services that are known "
-              << (end["matching"] == "1" ? "meets it\n" : "meet it\n");
+              << (end["matching"] == "1" ? "meets it" : "meet it");
+    if (!end["gaps"].empty()) {
+      std::cout << "; not all is found of an expression that no class is defined by: " << shell::printable(end["gaps"]);
+    }
+    std::cout << '\n';
   } else {
     const bool is_one = end["offers"] == "1";
     std::cout << coloured(context.terminal, shell::Colour::red, "no") << ": " << shell::printable(end["text"]) << " ("

@@ -1,13 +1,17 @@
 // Degrees of match by subsumption.
 #include "discovery/matching/degree.hpp"
 
+#include <algorithm>
 #include <variant>
 
+#include "base/text.hpp"
 #include "discovery/matching/overlap.hpp"
 #include "discovery/matching/representation.hpp"
 
 namespace geminga::matching {
 namespace {
+
+constexpr std::size_t max_gap_bytes = 400;
 
 std::optional<vocabulary::ClassNumber> class_of(const std::string& iri, const vocabulary::Vocabulary& vocabulary) {
   const auto number = vocabulary.find_iri(iri);
@@ -49,6 +53,20 @@ std::optional<Match> degree_of_expression(std::optional<vocabulary::ClassNumber>
   if (up) return *up == 0 ? Match{Degree::equivalent, 0} : Match{Degree::narrower, *up};
   if (const auto down = vocabulary.distance_up(*requested, *offered)) return Match{Degree::broader, *down};
   return std::nullopt;
+}
+
+bool may_be_missed(vocabulary::ClassNumber offered, const vocabulary::Place& requested, bool is_broader_enough,
+                   const vocabulary::Vocabulary& vocabulary) {
+  if (requested.gaps.empty()) return false;
+  const auto is_below = [&](vocabulary::ClassNumber parent) { return vocabulary.is_subsumed(offered, parent); };
+  const auto is_above = [&](vocabulary::ClassNumber child) { return vocabulary.is_subsumed(child, offered); };
+  return std::ranges::all_of(requested.parents, is_below) ||
+         (is_broader_enough && std::ranges::all_of(requested.children, is_above));
+}
+
+std::string gap_words(const Classes& requested) {
+  if (requested.place == nullptr) return "";
+  return base::printable(base::joined(requested.place->gaps, ", "), max_gap_bytes);
 }
 
 bool is_number_of(const Identity& number, const Identity& named) {

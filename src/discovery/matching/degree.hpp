@@ -74,6 +74,14 @@ using AskChain = std::function<std::shared_ptr<const vocabulary::Chain>(vocabula
                                                         const vocabulary::Place* requested,
                                                         const vocabulary::Vocabulary& vocabulary);
 
+/// Whether a class that has no degree against an expression may be below it all the same, because the place has gaps:
+/// it is below all that is known to be above the expression. With `is_broader_enough` also whether it may be above it.
+[[nodiscard]] bool may_be_missed(vocabulary::ClassNumber offered, const vocabulary::Place& requested,
+                                 bool is_broader_enough, const vocabulary::Vocabulary& vocabulary);
+
+/// Why the place of the expression that is asked for may miss something, in few words; empty where nothing is missing.
+[[nodiscard]] std::string gap_words(const Classes& requested);
+
 /// Whether the first is a number and the second a concept with that 32-bit identity.
 [[nodiscard]] bool is_number_of(const Identity& number, const Identity& named);
 

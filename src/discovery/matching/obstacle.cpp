@@ -44,8 +44,9 @@ constexpr auto words = std::to_array<std::string_view>({"none",
                                                         "outranked",
                                                         "incumbent",
                                                         "nobody",
-                                                        "ontology_differs"});
-static_assert(words.size() == std::to_underlying(Obstacle::ontology_differs) + 1U);
+                                                        "ontology_differs",
+                                                        "incomplete"});
+static_assert(words.size() == std::to_underlying(Obstacle::incomplete) + 1U);
 
 bool is_similar(const std::string& a, const std::string& b) {
   const std::size_t limit = base::tolerated_slips(a);
@@ -68,7 +69,8 @@ Obstacle of_names(const std::string& offered, const std::string& requested, cons
 
 /// Of two semantic identities that do not match at all.
 Obstacle of_semantics(const SemanticIdentity& offer, const Classes& offered, const SemanticIdentity& request,
-                      const Classes& requested, const AskOverlap& overlaps, const vocabulary::Vocabulary& vocabulary) {
+                      const Classes& requested, Degree weakest, const AskOverlap& overlaps,
+                      const vocabulary::Vocabulary& vocabulary) {
   const bool is_expression = has_expression(request) && offer.concept_iri != request.concept_iri;
   auto by_concept = degree_of_concept(offer, offered, request, requested, vocabulary);
   const bool may_overlap = overlaps && offered.concept_class && (requested.concept_class || requested.place);
@@ -91,12 +93,15 @@ Obstacle of_semantics(const SemanticIdentity& offer, const Classes& offered, con
   }
   if (!vocabulary.is_loaded()) return Obstacle::no_ontology;
   if (!requested.place) return Obstacle::unclassified;
-  return vocabulary.find_iri(offer.concept_iri) ? Obstacle::unrelated : Obstacle::unknown_offer;
+  if (!vocabulary.find_iri(offer.concept_iri)) return Obstacle::unknown_offer;
+  const bool is_missed = offered.concept_class && may_be_missed(*offered.concept_class, *requested.place,
+                                                                !is_weaker(Degree::broader, weakest), vocabulary);
+  return is_missed ? Obstacle::incomplete : Obstacle::unrelated;
 }
 
 /// Of two identities that do not match at all.
 Obstacle of_identities(const Identity& offered, const Classes& offered_classes, const Identity& requested,
-                       const Classes& requested_classes, const AskOverlap& overlaps,
+                       const Classes& requested_classes, Degree weakest, const AskOverlap& overlaps,
                        const vocabulary::Vocabulary& vocabulary) {
   if (offered.index() != requested.index()) return Obstacle::kind;
   if (std::holds_alternative<NumericIdentity>(offered)) return Obstacle::number;
@@ -104,7 +109,7 @@ Obstacle of_identities(const Identity& offered, const Classes& offered_classes, 
     return is_similar(std::get<TextIdentity>(requested).text, text->text) ? Obstacle::similar_text : Obstacle::text;
   }
   return of_semantics(std::get<SemanticIdentity>(offered), offered_classes, std::get<SemanticIdentity>(requested),
-                      requested_classes, overlaps, vocabulary);
+                      requested_classes, weakest, overlaps, vocabulary);
 }
 
 /// How far apart two identities are. Below `first_far` the concept fits.
@@ -126,6 +131,8 @@ unsigned stage_of(Obstacle identity) {
       return 4;
     case Obstacle::undecided:
       return 5;
+    case Obstacle::incomplete:
+      return 6;
     case Obstacle::disjoint:
     case Obstacle::unclassified:
     case Obstacle::unsatisfiable:
@@ -204,8 +211,8 @@ Finding examine(const registry::SubscriptionEntry& subscription, const Request& 
   finding.match = degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary,
                                      asked.convert, request.overlaps, request.chains);
   if (!finding.match) {
-    finding.identity =
-        of_identities(offered.identity, offer.classes, asked.identity, request.classes, request.overlaps, vocabulary);
+    finding.identity = of_identities(offered.identity, offer.classes, asked.identity, request.classes, asked.weakest,
+                                     request.overlaps, vocabulary);
   } else if (!is_accepted_degree(asked, request, offer, *finding.match, vocabulary)) {
     finding.identity = finding.match->degree == Degree::broader ? Obstacle::broader : Obstacle::degree;
   }

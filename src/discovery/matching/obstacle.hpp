@@ -49,6 +49,7 @@ enum class Obstacle : std::uint8_t {
   incumbent,         ///< one that is no better was there first
   nobody,            ///< nothing that is offered comes near
   ontology_differs,  ///< the consumer's host has another ontology, and the name is unknown here
+  incomplete,        ///< neither is known to subsume the other, and the place of the expression may miss something
 };
 
 /// The word of GCNP. Static storage.

@@ -30,7 +30,8 @@ std::string kind_of(const Identity& identity) {
 }
 
 std::string named(const vocabulary::Vocabulary& vocabulary, const std::string& iri) {
-  if (iri.find('<') != std::string::npos) return base::printable(iri, max_shown_expression);
+  if (iri.find('<') != std::string::npos)
+    return base::printable(vocabulary.short_expression(iri), max_shown_expression);
   return vocabulary.short_name(std::string_view(iri));
 }
 
@@ -86,8 +87,25 @@ std::string overlap_misfit(const Classes& offered, const Classes& requested, con
   return "; it is undecided whether something can be both: " + base::printable(answer->reason, max_shown_expression);
 }
 
-std::string identity_misfit(const Identity& offered, const Classes& offered_classes, const Identity& requested,
-                            const Request& prepared, std::uint32_t convert, const vocabulary::Vocabulary& vocabulary) {
+/// The same of an expression, whose place may miss something.
+std::string unrelated_expression(const SemanticIdentity& offer, const Classes& offered, const Subscription& asked,
+                                 const Request& prepared, const vocabulary::Vocabulary& vocabulary) {
+  const std::string& requested = std::get<SemanticIdentity>(asked.identity).concept_iri;
+  const std::string both =
+      named(vocabulary, offer.concept_iri) + " is offered, " + named(vocabulary, requested) + " is asked for, and ";
+  const std::string reason = without_class(vocabulary, offer.concept_iri);
+  if (!reason.empty()) return both + reason;
+  const bool is_missed = offered.concept_class && may_be_missed(*offered.concept_class, *prepared.classes.place,
+                                                                !is_weaker(Degree::broader, asked.weakest), vocabulary);
+  if (!is_missed) return both + "neither subsumes the other";
+  return both +
+         "neither is known to subsume the other, but not all is found of an expression that no class is defined by: " +
+         gap_words(prepared.classes);
+}
+
+std::string identity_misfit(const Identity& offered, const Classes& offered_classes, const Subscription& asked,
+                            const Request& prepared, const vocabulary::Vocabulary& vocabulary) {
+  const Identity& requested = asked.identity;
   const Classes& requested_classes = prepared.classes;
   const AskOverlap& overlaps = prepared.overlaps;
   if (offered.index() != requested.index()) {
@@ -108,9 +126,7 @@ std::string identity_misfit(const Identity& offered, const Classes& offered_clas
                     degree_of_overlap(offered_classes, requested_classes, vocabulary, overlaps);
   if (!fits) {
     const std::string neither = has_expression(*request)
-                                    ? named(vocabulary, offer->concept_iri) + " is offered, " +
-                                          named(vocabulary, request->concept_iri) +
-                                          " is asked for, and neither subsumes the other"
+                                    ? unrelated_expression(*offer, offered_classes, asked, prepared, vocabulary)
                                     : unrelated(vocabulary, offer->concept_iri, request->concept_iri);
     return "concept: " + neither + overlap_misfit(offered_classes, requested_classes, overlaps, vocabulary);
   }
@@ -122,7 +138,7 @@ std::string identity_misfit(const Identity& offered, const Classes& offered_clas
                      requested_classes.representation_class, vocabulary)) {
     why = "representation: it is not the same, and the concept has no class by which to compare";
   }
-  return why + conversion_misfit(offered_classes, prepared, convert, vocabulary);
+  return why + conversion_misfit(offered_classes, prepared, asked.convert, vocabulary);
 }
 
 /// How the request asks about overlaps; empty where it accepts none.
@@ -214,7 +230,7 @@ std::expected<Match, std::string> explained(const SubscriptionEntry& subscriptio
   const auto degree = degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary,
                                          asked.convert, request.overlaps, request.chains);
   if (!degree) {
-    say(identity_misfit(offered.identity, offer.classes, asked.identity, request, asked.convert, vocabulary));
+    say(identity_misfit(offered.identity, offer.classes, asked, request, vocabulary));
   } else if (!is_accepted_degree(asked, request, offer, *degree, vocabulary)) {
     say("degree: " + std::string(to_string(degree->degree)) + ", but at least " +
         std::string(to_string(asked.weakest)) + " is asked for");

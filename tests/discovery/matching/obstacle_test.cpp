@@ -56,6 +56,35 @@ TEST(Obstacle, OfAnIdentityIsTheFirstThatKeepsItApart) {
   EXPECT_EQ(between(semantic("Sphere"), semantic("Ball"), Degree::exact), Obstacle::degree);
 }
 
+TEST(Obstacle, AnExpressionWhosePlaceHasGapsMayMissWhatIsBelowAllThatIsKnownToBeAboveIt) {
+  const auto ontology = soccer();
+  vocabulary::Place place;
+  place.parents = {*ontology.find_iri(iri("Tracked"))};
+  place.children = {*ontology.find_iri(iri("OwnBall"))};
+  const auto between_gaps = [&](const Identity& offered, Degree weakest = Degree::narrower) {
+    const auto shared = std::make_shared<const vocabulary::Place>(place);
+    const Matcher matcher(ontology,
+                          [&](const vocabulary::Vocabulary&, const std::string&, ParticipantId) { return shared; });
+    const SubscriptionEntry asked =
+        request(asking, SemanticIdentity{"(<http://x/A> and <http://x/B>)", ""}, 0, weakest);
+    const auto found = matcher.examine(asked, *matcher.prepare(asked), offer(offering, offered)).first();
+    const auto why = matcher.why(asked, offer(offering, offered));
+    EXPECT_EQ(!why && why.error().find("not all is found") != std::string::npos, found == Obstacle::incomplete);
+    return found;
+  };
+  EXPECT_EQ(between_gaps(semantic("Ball")), Obstacle::unrelated);
+  place.gaps = {"a gap"};
+  EXPECT_EQ(between_gaps(semantic("Ball")), Obstacle::incomplete);
+  EXPECT_EQ(between_gaps(semantic("OwnBall")), Obstacle::none);
+  EXPECT_EQ(between_gaps(semantic("Tracked")), Obstacle::broader);
+  EXPECT_EQ(between_gaps(semantic("Frame")), Obstacle::unrelated);
+  EXPECT_EQ(between_gaps(semantic("New")), Obstacle::unknown_offer);
+  EXPECT_EQ(between_gaps(semantic("Ghost")), Obstacle::unrelated);
+  place.parents = {*ontology.find_iri(iri("Robot"))};
+  EXPECT_EQ(between_gaps(semantic("Ball")), Obstacle::unrelated) << "it is below no Robot";
+  EXPECT_EQ(between_gaps(semantic("Ball"), Degree::broader), Obstacle::incomplete) << "but above what is below it";
+}
+
 TEST(Obstacle, OfTheRestComesInTheOrderInWhichAPairIsWalked) {
   SubscriptionEntry asked = request(asking, semantic("Ball"));
   asked.subscription.protocols = {"tcp"};

@@ -8,6 +8,7 @@
 #include "discovery/matching/representation.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
+#include "discovery/participant/queries/mending.hpp"
 #include "reasoning/vocabulary/explanation.hpp"
 #include "reasoning/vocabulary/expression.hpp"
 
@@ -50,11 +51,6 @@ PublicationEntry for_all(const PublicationEntry& offer) {
 }
 
 const SemanticIdentity* semantic(const Identity& identity) { return std::get_if<SemanticIdentity>(&identity); }
-
-/// A name as a client writes it.
-std::string short_name(const Core& core, const std::string& iri) {
-  return core.vocabulary().short_name(std::string_view(iri));
-}
 
 Check check_mode(const Asked& asked, const PublicationEntry& offer) {
   const std::string offers(to_string(offer.publication.mode));
@@ -140,60 +136,6 @@ bool may_overlap(const Core& core, const Identity& offered, const Identity& requ
   return answer && answer->verdict == vocabulary::Overlap::Verdict::possible;
 }
 
-/// What would mend an identity that does not fit.
-std::string mend_identity(const Core& core, Obstacle obstacle, const Identity& offered, const Identity& requested,
-                          std::optional<matching::Match> match, const vocabulary::Chain* chain) {
-  const auto* offer = semantic(offered);
-  const auto* request = semantic(requested);
-  switch (obstacle) {
-    case Obstacle::kind:
-      return "ask for it by the kind of identity that is offered, or offer it by the one that is asked for";
-    case Obstacle::number:
-    case Obstacle::text:
-      return "use one " + std::string(to_string(obstacle)) + " on both sides";
-    case Obstacle::similar_text:
-      return "write one text on both sides: they differ by few letters";
-    case Obstacle::clash:
-      return "ask for the concept and offer the concept, not the number";
-    case Obstacle::no_ontology:
-      return "start gemingad with --ontology";
-    case Obstacle::unknown_concept:
-    case Obstacle::unknown_offer:
-    case Obstacle::unknown_representation:
-      return "load the same ontologies on every host: geminga-query ontology says who has others";
-    case Obstacle::unsatisfiable:
-      return "mend the ontology: geminga-ontology check says why nothing can be one";
-    case Obstacle::unclassified:
-      return "ask for a named concept, or load an ontology that knows all names of the expression";
-    case Obstacle::disjoint:
-      return "ask for something else, or mend the ontology if something can be both";
-    case Obstacle::undecided:
-      return "ask again in a second, or ask for something that subsumes what is offered";
-    case Obstacle::unrelated:
-      return "ask for " + (offer == nullptr ? "" : short_name(core, offer->concept_iri)) +
-             " or for something above it, or say in the ontology that it is subsumed";
-    case Obstacle::representation_unstated:
-      return "state representation=" + (request == nullptr ? "" : short_name(core, request->representation_iri)) +
-             " in the offer, or ask without a representation";
-    case Obstacle::representation: {
-      const std::string other = offer == nullptr ? "" : short_name(core, offer->representation_iri);
-      if (chain != nullptr) {
-        return "ask with convert=" + std::to_string(chain->cost) + ", the cost of turning it into what is asked for";
-      }
-      return "ask with representation=" + other + ", or without: nothing converts " + other + " to " +
-             (request == nullptr ? "" : short_name(core, request->representation_iri));
-    }
-    case Obstacle::broader:
-    case Obstacle::degree:
-      // Of what is converted the concept is too weak, and `match` is about that: it is narrower at the most.
-      return "ask with match=" + std::string(to_string(!match                               ? Degree::broader
-                                                       : match->degree == Degree::converted ? Degree::narrower
-                                                                                            : match->degree));
-    default:
-      return "";
-  }
-}
-
 /// ", by A>B, cost 1" and who does it where the representation is converted.
 std::string conversion_of(const Core& core, const vocabulary::Chain* chain, const matching::Match& match) {
   if (match.cost == 0) return "";
@@ -220,7 +162,7 @@ Check check_identity(const Core& core, const Asked& asked, const PublicationEntr
   // An expression may have found its place since.
   const Obstacle obstacle = finding.identity == Obstacle::none ? Obstacle::unclassified : finding.identity;
   Check check{"identity", obstacle, match.error(),
-              mend_identity(core, obstacle, offered, requested, finding.match, chain.get())};
+              mend_of_identity(core, asked, offer, obstacle, finding.match, chain.get())};
   if (depth == Depth::search) {
     check.text.insert(0, pair);
   } else if (obstacle == Obstacle::broader || obstacle == Obstacle::degree) {
@@ -233,7 +175,8 @@ Check check_identity(const Core& core, const Asked& asked, const PublicationEntr
     if (!is_told) check.text += nearest(core, asked.entry, offer);
     check.proof = obstacle == Obstacle::disjoint ? exclusion_of(core, offered, requested, *asked.request)
                                                  : proof_of(core, offered, requested);
-    if (obstacle == Obstacle::unrelated && may_overlap(core, offered, requested, *asked.request)) {
+    const bool is_apart = obstacle == Obstacle::unrelated || obstacle == Obstacle::incomplete;
+    if (is_apart && may_overlap(core, offered, requested, *asked.request)) {
       check.mend += ", or ask with match=overlapping: something can be both";
     }
   }

@@ -68,7 +68,11 @@ class Ranking {
         piece.tell(line_of(core, *entry, one.match, *request_));
       }
     }
-    return next_ == found_.size();
+    if (next_ < found_.size()) return false;
+    Line end;
+    append_stated(end, "gaps", matching::gap_words(request_->classes));
+    piece.conclude(std::move(end));
+    return true;
   }
 
  private:

@@ -63,4 +63,60 @@ std::string mend_by_provider(const Core& core, const Asked& asked, const registr
   }
 }
 
+std::string mend_of_identity(const Core& core, const Asked& asked, const registry::PublicationEntry& offered,
+                             Obstacle obstacle, const std::optional<matching::Match>& match,
+                             const vocabulary::Chain* chain) {
+  const auto* offer = std::get_if<SemanticIdentity>(&offered.publication.identity);
+  const auto* request = std::get_if<SemanticIdentity>(&asked.entry.subscription.identity);
+  switch (obstacle) {
+    case Obstacle::kind:
+      return "ask for it by the kind of identity that is offered, or offer it by the one that is asked for";
+    case Obstacle::number:
+    case Obstacle::text:
+      return "use one " + std::string(to_string(obstacle)) + " on both sides";
+    case Obstacle::similar_text:
+      return "write one text on both sides: they differ by few letters";
+    case Obstacle::clash:
+      return "ask for the concept and offer the concept, not the number";
+    case Obstacle::no_ontology:
+      return "start gemingad with --ontology";
+    case Obstacle::unknown_concept:
+    case Obstacle::unknown_offer:
+    case Obstacle::unknown_representation:
+      return "load the same ontologies on every host: geminga-query ontology says who has others";
+    case Obstacle::unsatisfiable:
+      return "mend the ontology: geminga-ontology check says why nothing can be one";
+    case Obstacle::unclassified:
+      return "ask for a named concept, or load an ontology that knows all names of the expression";
+    case Obstacle::disjoint:
+      return "ask for something else, or mend the ontology if something can be both";
+    case Obstacle::undecided:
+      return "ask again in a second, or ask for something that subsumes what is offered";
+    case Obstacle::incomplete:
+      return std::string(mend_of_gaps);
+    case Obstacle::unrelated:
+      return "ask for " + (offer == nullptr ? "" : asked_name(core, offer->concept_iri)) +
+             " or for something above it, or say in the ontology that it is subsumed";
+    case Obstacle::representation_unstated:
+      return "state representation=" + (request == nullptr ? "" : asked_name(core, request->representation_iri)) +
+             " in the offer, or ask without a representation";
+    case Obstacle::representation: {
+      const std::string other = offer == nullptr ? "" : asked_name(core, offer->representation_iri);
+      if (chain != nullptr) {
+        return "ask with convert=" + std::to_string(chain->cost) + ", the cost of turning it into what is asked for";
+      }
+      return "ask with representation=" + other + ", or without: nothing converts " + other + " to " +
+             (request == nullptr ? "" : asked_name(core, request->representation_iri));
+    }
+    case Obstacle::broader:
+    case Obstacle::degree:
+      // Of what is converted the concept is too weak, and `match` is about that: it is narrower at the most.
+      return "ask with match=" + std::string(to_string(!match                               ? Degree::broader
+                                                       : match->degree == Degree::converted ? Degree::narrower
+                                                                                            : match->degree));
+    default:
+      return "";
+  }
+}
+
 }  // namespace geminga::participant

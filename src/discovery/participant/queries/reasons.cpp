@@ -38,6 +38,12 @@ const std::string* unknown_name(const Core& core, const SemanticIdentity& asked)
   return is_stated && !vocabulary.find_iri(asked.representation_iri) ? &asked.representation_iri : nullptr;
 }
 
+/// Why offers may be missed; empty where none is, or where the reasoner is asked about each.
+std::string gaps_of(const Asked& asked) {
+  if (asked.entry.subscription.weakest == Degree::overlapping) return "";
+  return matching::gap_words(asked.request->classes);
+}
+
 Reason of_nobody(const Core& core, const Asked& asked) {
   const Identity& identity = asked.entry.subscription.identity;
   const bool is_concept = std::holds_alternative<SemanticIdentity>(identity);
@@ -138,11 +144,20 @@ std::optional<Reason> Reasons::of_request(Core& core, Piece& piece, const Asked&
     return Reason{Obstacle::unsatisfiable, shown(core, semantic->concept_iri) + " is unsatisfiable: nothing can be one",
                   "mend the ontology: geminga-ontology check says why"};
   }
+  if (const std::string gaps = gaps_of(asked); !gaps.empty()) {
+    return Reason{Obstacle::incomplete,
+                  "nothing that is offered is known to be below or above " +
+                      words(core, asked.entry.subscription.identity) +
+                      ", but not all is found of an expression that no class is defined by: " + gaps,
+                  std::string(mend_of_gaps)};
+  }
   return std::nullopt;
 }
 
 Reason Reasons::of(Core& core, Piece& piece, const Asked& asked, const Nearest& nearest) {
-  const bool is_near = nearest.misfit && nearest.misfit->finding.is_near();
+  // What may have been missed says less of one offer than of the request.
+  const bool is_near =
+      nearest.misfit && nearest.misfit->finding.is_near() && nearest.misfit->finding.identity != Obstacle::incomplete;
   const auto* offer = is_near ? core.matcher.find_publication(nearest.misfit->key) : nullptr;
   if (offer == nullptr) {
     auto reason = of_request(core, piece, asked);
@@ -152,6 +167,10 @@ Reason Reasons::of(Core& core, Piece& piece, const Asked& asked, const Nearest& 
   Reason reason{check.obstacle, to_string(offer->key) + ": " + check.text, check.mend};
   if (check.obstacle == Obstacle::representation && nearest.representations.size() > 1) {
     reason.text += "; offered are " + told_representations(core, nearest);
+  }
+  if (const std::string gaps = gaps_of(asked); !gaps.empty()) {
+    reason.text += "; not all is found of an expression that no class is defined by: " + gaps;
+    reason.mend += "; or " + std::string(mend_of_gaps);
   }
   return reason;
 }

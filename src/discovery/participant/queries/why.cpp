@@ -166,11 +166,16 @@ class RequestAnswer {
     append_flag(line, "served", survey_.matching() > 0);
     append(line, "offers", survey_.seen());
     append(line, "matching", survey_.matching());
-    if (survey_.matching() > 0) return line;
+    const std::string gaps = matching::gap_words(survey_.asked().request->classes);
+    if (survey_.matching() > 0) {
+      append_stated(line, "gaps", gaps);
+      return line;
+    }
     const Reason reason = Reasons().of(core, piece, survey_.asked(), survey_.nearest());
     append(line, "code", std::string(to_string(reason.obstacle)));
     append(line, "text", reason.text);
     append_stated(line, "mend", reason.mend);
+    append_stated(line, "gaps", gaps);
     return line;
   }
 
