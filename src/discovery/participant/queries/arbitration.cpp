@@ -13,14 +13,34 @@ using matching::Obstacle;
 using matching::Standing;
 using registry::PublicationEntry;
 
-std::string place_of(std::size_t place, std::size_t candidates, std::uint32_t limit) {
-  return "it ranks " + std::to_string(place) + " of " + std::to_string(candidates) +
-         (limit == 0 ? ", and there is no limit" : ", the limit is " + std::to_string(limit));
-}
+/// The place of an offer among all that meet a request, from 1.
+struct RankWords {
+  std::size_t place = 0;
+  std::size_t candidates = 0;
+  std::uint32_t limit = 0;
+  std::size_t settled = 0;  ///< where those that were there first and rank behind it keep their places
+  [[nodiscard]] std::string text() const {
+    return "it ranks " + std::to_string(place) + " of " + std::to_string(candidates) +
+           (settled > place ? ", and " + std::to_string(settled) + " behind those that were there first" : "") +
+           (limit == 0 ? ", and there is no limit" : ", the limit is " + std::to_string(limit));
+  }
+};
 
 std::string mend_of(std::size_t place) {
   return "ask with a limit of at least " + std::to_string(place) +
          ", or with favour, prefer or rank so that it is ahead";
+}
+
+/// How many that the consumer has keep their places against one with this rank, though they rank behind it.
+std::size_t kept_behind(const Core& core, const Asked& asked, const matching::Rank& rank) {
+  auto chosen = asked.entry.subscription.chosen;
+  if (chosen.empty()) chosen = core.matcher.chosen(asked.entry.key);
+  return static_cast<std::size_t>(std::ranges::count_if(chosen, [&](const ServiceKey& key) {
+    const auto* incumbent = core.matcher.find_publication(key);
+    const auto match =
+        incumbent == nullptr ? std::nullopt : core.matcher.meets(asked.entry, *asked.request, *incumbent);
+    return match && matching::BestFirst{}(rank, asked.request->rank(*incumbent, *match));
+  }));
 }
 
 /// By its identity; the rest of an offer that meets the request does not matter here.
@@ -42,22 +62,22 @@ Check refused(Obstacle obstacle, std::string text, std::size_t place) {
 }
 
 Check outranked_known(const Core& core, const Asked& asked, const PublicationEntry& offer, const Standing& standing,
-                      std::string text) {
+                      std::size_t place, std::string text) {
   const bool is_by_consumer = standing.decided == Standing::Decided::by_consumer;
   if (standing.rival == nullptr) {
     text += is_by_consumer ? ": the consumer's host has chosen another" : ": it is not used";
-    return refused(Obstacle::outranked, std::move(text), standing.rank);
+    return refused(Obstacle::outranked, std::move(text), place);
   }
   text += ": outranked by " + to_string(standing.rival->key);
   if (is_by_consumer) {
-    return refused(Obstacle::outranked, text + ", which the consumer's host has chosen", standing.rank);
+    return refused(Obstacle::outranked, text + ", which the consumer's host has chosen", place);
   }
   if (standing.decided == Standing::Decided::by_incumbent && !asked.entry.subscription.prefer.empty()) {
     text += ", which was there first, and it is not better by as much as prefer asks for";
-    return refused(Obstacle::incumbent, std::move(text), standing.rank);
+    return refused(Obstacle::incumbent, std::move(text), place);
   }
   if (const std::string lead = lead_of(core, asked, *standing.rival, offer); !lead.empty()) {
-    return refused(Obstacle::outranked, text.append(", ").append(lead), standing.rank);
+    return refused(Obstacle::outranked, text.append(", ").append(lead), place);
   }
   if (standing.decided == Standing::Decided::elsewhere) {
     text += ", which is no better: the consumer's host keeps whichever was there first";
@@ -66,20 +86,23 @@ Check outranked_known(const Core& core, const Asked& asked, const PublicationEnt
   } else {
     text += ", which is as good and was there first or has the smaller key";
   }
-  return refused(Obstacle::incumbent, std::move(text), standing.rank);
+  return refused(Obstacle::incumbent, std::move(text), place);
 }
 
 /// Against what a consumer has already. The last that it has must be pushed out.
 Check against_incumbent(const Core& core, const Asked& asked, const PublicationEntry& offer, const matching::Rank& rank,
-                        const PublicationEntry& incumbent, std::size_t place, std::string text) {
+                        const PublicationEntry& incumbent, RankWords words_of_rank) {
   const auto match = match_of(core, asked, incumbent);
   const auto& preferences = asked.request->preferences;
-  if (!match) return {"arbitration", Obstacle::none, std::move(text)};
+  if (!match) return {"arbitration", Obstacle::none, words_of_rank.text()};
   const matching::Rank other = asked.request->rank(incumbent, *match);
   if (matching::is_better_by(preferences.margins(), rank, other)) {
-    return {"arbitration", Obstacle::none, text + ": it takes the place of " + to_string(incumbent.key)};
+    return {"arbitration", Obstacle::none,
+            words_of_rank.text() + ": it takes the place of " + to_string(incumbent.key)};
   }
-  text += ": outranked by " + to_string(incumbent.key);
+  const std::size_t place = words_of_rank.place + kept_behind(core, asked, rank);
+  words_of_rank.settled = place;
+  std::string text = words_of_rank.text() + ": outranked by " + to_string(incumbent.key);
   if (matching::is_strictly_better(rank, other)) {
     text += ", which was there first, and it is not better by as much as prefer asks for";
     return refused(Obstacle::incumbent, std::move(text), place);
@@ -90,11 +113,16 @@ Check against_incumbent(const Core& core, const Asked& asked, const PublicationE
 }
 
 /// Of two that are known to the matcher.
-Check check_known(const Core& core, const Asked& asked, const PublicationEntry& offer, const Standing& standing) {
-  const std::uint32_t limit = asked.entry.subscription.limit;
-  std::string text = place_of(standing.rank, standing.candidates, limit);
-  if (limit == 0) return {"arbitration", Obstacle::none, std::move(text)};
-  if (!standing.is_chosen) return outranked_known(core, asked, offer, standing, std::move(text));
+Check check_known(const Core& core, const Asked& asked, const PublicationEntry& offer, const Standing& standing,
+                  const matching::Rank& rank) {
+  RankWords words_of_rank{
+      .place = standing.rank, .candidates = standing.candidates, .limit = asked.entry.subscription.limit};
+  if (words_of_rank.limit == 0) return {"arbitration", Obstacle::none, words_of_rank.text()};
+  if (!standing.is_chosen) {
+    words_of_rank.settled = words_of_rank.place + kept_behind(core, asked, rank);
+    return outranked_known(core, asked, offer, standing, words_of_rank.settled, words_of_rank.text());
+  }
+  std::string text = words_of_rank.text();
   if (standing.decided == Standing::Decided::by_incumbent) {
     text += ": it was there first, and none of those ahead of it is better ";
     text += asked.entry.subscription.prefer.empty() ? "but for its key" : "by as much as prefer asks for";
@@ -109,19 +137,20 @@ Check check_imagined(const Core& core, const Survey& survey, const PublicationEn
   const std::uint32_t limit = asked.entry.subscription.limit;
   const std::size_t place = survey.ahead() + 1;
   const std::size_t candidates = survey.matching() + (is_offer_living ? 0 : 1);
-  std::string text = place_of(place, candidates, limit);
-  if (limit == 0) return {"arbitration", Obstacle::none, std::move(text)};
+  const RankWords words_of_rank{.place = place, .candidates = candidates, .limit = limit};
+  if (limit == 0) return {"arbitration", Obstacle::none, words_of_rank.text()};
   const auto chosen = asked.is_living ? core.matcher.chosen(asked.entry.key) : std::vector<ServiceKey>();
   if (!chosen.empty() && chosen.size() >= limit) {
     const auto* incumbent = core.matcher.find_publication(chosen.back());
     if (incumbent != nullptr) {
-      return against_incumbent(core, asked, offer, rank, *incumbent, place, std::move(text));
+      return against_incumbent(core, asked, offer, rank, *incumbent, words_of_rank);
     }
   }
-  if (place <= limit) return {"arbitration", Obstacle::none, std::move(text)};
+  if (place <= limit) return {"arbitration", Obstacle::none, words_of_rank.text()};
   const auto at = std::next(survey.best().begin(),
                             static_cast<std::ptrdiff_t>(std::min<std::size_t>(limit, survey.best().size()) - 1));
-  return outranked(core, asked, offer, place, candidates, core.matcher.find_publication(at->key));
+  return outranked(core, asked, offer, {.place = place, .settled = place, .candidates = candidates},
+                   core.matcher.find_publication(at->key));
 }
 
 }  // namespace
@@ -137,17 +166,28 @@ Check check_arbitration(Core& core, const Survey& survey, const Offered& offer, 
   }
   const auto standing = core.matcher.standing(asked.entry.key, offer.entry.key, place);
   if (!standing) return {"arbitration", Obstacle::none, "one of them has gone"};
-  return check_known(core, asked, offer.entry, *standing);
+  return check_known(core, asked, offer.entry, *standing, rank);
 }
 
-Check outranked(const Core& core, const Asked& asked, const PublicationEntry& offer, std::size_t place,
-                std::size_t candidates, const PublicationEntry* rival) {
-  std::string text = place_of(place, candidates, asked.entry.subscription.limit);
+Check outranked(const Core& core, const Asked& asked, const PublicationEntry& offer, const Outranking& among,
+                const PublicationEntry* rival) {
+  const RankWords words_of_rank{.place = among.place,
+                                .candidates = among.candidates,
+                                .limit = asked.entry.subscription.limit,
+                                .settled = among.settled};
+  const std::size_t place = std::max(among.place, among.settled);
+  std::string text = words_of_rank.text();
   if (rival == nullptr) return refused(Obstacle::outranked, text + ": it is not used", place);
   text += ": outranked by " + to_string(rival->key);
   const std::string lead = lead_of(core, asked, *rival, offer);
   if (!lead.empty()) return refused(Obstacle::outranked, text.append(", ").append(lead), place);
-  return refused(Obstacle::incumbent, text + ", which is as good and was there first or has the smaller key", place);
+  if (among.settled <= among.place) {
+    return refused(Obstacle::incumbent, text + ", which is as good and was there first or has the smaller key", place);
+  }
+  text += asked.entry.subscription.prefer.empty()
+              ? ", which was there first and is no worse"
+              : ", which was there first, and it is not better by as much as prefer asks for";
+  return refused(Obstacle::incumbent, std::move(text), place);
 }
 
 }  // namespace geminga::participant

@@ -13,9 +13,16 @@ namespace geminga::participant {
 /// not.
 [[nodiscard]] Check check_arbitration(Core& core, const Survey& survey, const Offered& offer,
                                       const matching::Rank& rank);
-/// Where the request is given others: `place` counts from 1, `rival` is the last that is chosen.
+/// Where an offer stands of which others take the places.
+struct Outranking {
+  std::size_t place = 0;    ///< among all that meet the request, from 1
+  std::size_t settled = 0;  ///< where those that are chosen keep their places against it
+  std::size_t candidates = 0;
+};
+
+/// Where the request is given others: `rival` is the last that is chosen.
 [[nodiscard]] Check outranked(const Core& core, const Asked& asked, const registry::PublicationEntry& offer,
-                              std::size_t place, std::size_t candidates, const registry::PublicationEntry* rival);
+                              const Outranking& among, const registry::PublicationEntry* rival);
 
 }  // namespace geminga::participant
 

@@ -107,7 +107,8 @@ class RequestAnswer {
   struct Entry {
     ServiceKey key;
     bool is_chosen = false;
-    std::size_t place = 0;  ///< in the ranking, from 1; 0: it does not meet, or is behind those that are kept
+    std::size_t place = 0;    ///< in the ranking, from 1; 0: it does not meet, or is behind those that are kept
+    std::size_t settled = 0;  ///< the same behind all that are chosen
     Obstacle misfit = Obstacle::none;
   };
 
@@ -133,7 +134,9 @@ class RequestAnswer {
     const std::size_t serving = list_.size();
     const std::set<ServiceKey> chosen(chosen_.begin(), chosen_.end());
     for (std::size_t i = 0; i < ranked.size() && list_.size() < serving + max_told_matches; ++i) {
-      if (!chosen.contains(ranked[i])) list_.push_back({.key = ranked[i], .place = i + 1});
+      if (chosen.contains(ranked[i])) continue;
+      list_.push_back(
+          {.key = ranked[i], .place = i + 1, .settled = std::max(i, chosen.size() + list_.size() - serving) + 1});
     }
     for (const Misfit& one : survey_.misfits()) list_.push_back({.key = one.key, .misfit = one.finding.first()});
   }
@@ -148,7 +151,8 @@ class RequestAnswer {
       if (!check.proof.empty()) piece.look_at(cost_of_proof);
     } else {
       const auto* rival = chosen_.empty() ? nullptr : core.matcher.find_publication(chosen_.back());
-      check = outranked(core, asked, offer, entry.place, survey_.matching(), rival);
+      check = outranked(core, asked, offer,
+                        {.place = entry.place, .settled = entry.settled, .candidates = survey_.matching()}, rival);
     }
     Line line;
     append(line, "service", to_string(offer.key));
