@@ -2,6 +2,7 @@
 
 #include "base/text.hpp"
 #include "discovery/gcnp/parameters.hpp"
+#include "discovery/matching/representation.hpp"
 #include "discovery/participant/naming.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
 
@@ -18,6 +19,47 @@ std::string asked_name(const Core& core, const std::string& name) {
   return base::printable(name.find('<') == std::string::npos ? vocabulary.short_name(std::string_view(name))
                                                              : vocabulary.short_expression(name),
                          max_name_bytes);
+}
+
+/// What else the concept needs once the representation fits: " and match=broader", or nothing.
+std::string match_beside(const Core& core, const Asked& asked, const SemanticIdentity& offer,
+                         const SemanticIdentity& request) {
+  const auto classes = matching::classes_of(offer, core.vocabulary());
+  const auto degree = matching::degree_of_concept(offer, classes, request, asked.request->classes, core.vocabulary());
+  const bool is_met = !degree || !is_weaker(degree->degree, asked.entry.subscription.weakest);
+  return is_met ? "" : " and match=" + std::string(to_string(degree->degree));
+}
+
+/// What keeps a request from what converts for others: those of these that it states.
+std::string narrowed_by(const Subscription& asked) {
+  std::vector<std::string> words;
+  if (!asked.protocols.empty()) words.emplace_back("protocol");
+  if (!asked.providers.empty()) words.emplace_back("provider");
+  if (!asked.scope.empty()) words.emplace_back("scope");
+  return words.empty() ? "the scope or the condition of that service" : base::joined(words, " or ");
+}
+
+std::string mend_of_representation(const Core& core, const Asked& asked, const SemanticIdentity& offer,
+                                   const SemanticIdentity& request, const vocabulary::Chain* chain) {
+  const std::string beside = match_beside(core, asked, offer, request);
+  if (chain != nullptr) {
+    return "ask with convert=" + std::to_string(chain->cost) + ", the cost of turning it into what is asked for" +
+           (beside.empty() ? "" : "," + beside);
+  }
+  const std::string other = asked_name(core, offer.representation_iri);
+  const std::string as_it_is = "ask with representation=" + other + beside + ", or without";
+  const auto offered = matching::classes_of(offer, core.vocabulary()).representation_class;
+  const auto requested = asked.request->classes.representation_class;
+  const auto of_others = offered && requested && asked.request->chains_of_all
+                             ? asked.request->chains_of_all(*offered, *requested)
+                             : nullptr;
+  if (of_others == nullptr) {
+    return as_it_is + ": nothing converts " + other + " to " + asked_name(core, request.representation_iri);
+  }
+  const bool is_dearer = of_others->cost > asked.entry.subscription.convert;
+  return "widen " + narrowed_by(asked.entry.subscription) + " so that the request takes part with what converts it, " +
+         of_others->via + (is_dearer ? ", with convert=" + std::to_string(of_others->cost) : "") + beside + "; or " +
+         as_it_is;
 }
 
 }  // namespace
@@ -100,14 +142,8 @@ std::string mend_of_identity(const Core& core, const Asked& asked, const registr
     case Obstacle::representation_unstated:
       return "state representation=" + (request == nullptr ? "" : asked_name(core, request->representation_iri)) +
              " in the offer, or ask without a representation";
-    case Obstacle::representation: {
-      const std::string other = offer == nullptr ? "" : asked_name(core, offer->representation_iri);
-      if (chain != nullptr) {
-        return "ask with convert=" + std::to_string(chain->cost) + ", the cost of turning it into what is asked for";
-      }
-      return "ask with representation=" + other + ", or without: nothing converts " + other + " to " +
-             (request == nullptr ? "" : asked_name(core, request->representation_iri));
-    }
+    case Obstacle::representation:
+      return offer == nullptr || request == nullptr ? "" : mend_of_representation(core, asked, *offer, *request, chain);
     case Obstacle::broader:
     case Obstacle::degree:
       // Of what is converted the concept is too weak, and `match` is about that: it is narrower at the most.
