@@ -68,6 +68,7 @@ class Daemon::State final : private env::EventSink {
 
   std::expected<void, Lines> check() {
     load([this](Loaded loaded) {
+      loaded = without_contradiction(std::move(loaded));
       if (!loaded) fail(std::move(loaded.error()));
     });
     return go();
@@ -95,6 +96,13 @@ class Daemon::State final : private env::EventSink {
   }
 
   using Loaded = std::expected<LoadedOntology, Lines>;
+
+  /// An ontology that contradicts itself is a failure where there is a choice.
+  [[nodiscard]] Loaded without_contradiction(Loaded loaded) const {
+    if (!loaded) return loaded;
+    auto contradiction = contradiction_in(*loaded, configuration_.ontologies);
+    return contradiction ? Loaded(std::unexpected(Lines{std::move(*contradiction)})) : std::move(loaded);
+  }
 
   /// Starts to load the configured ontologies; a load that is under way is given up.
   template <typename Then>
@@ -300,7 +308,7 @@ class Daemon::State final : private env::EventSink {
     }
     if (std::exchange(is_next_in_preparation_, false)) preparation_.cancel();  // what is read now is newer
     env_.event([&] { participant_->ontology_begun(); });
-    load([this](Loaded loaded) { take(std::move(loaded)); });
+    load([this](Loaded loaded) { take(without_contradiction(std::move(loaded))); });
   }
 
   void say_sealing() {

@@ -104,6 +104,12 @@ std::string find_compiler() {
   return std::string(program_name);
 }
 
+std::optional<std::string> contradiction_in(const LoadedOntology& loaded, const std::vector<std::string>& files) {
+  if (loaded.ontology == nullptr || loaded.ontology->is_consistent()) return std::nullopt;
+  return "the ontology contradicts itself, so that no class can have an instance: see " + std::string(program_name) +
+         " check " + base::joined(files, " ");
+}
+
 class OntologyLoader::State {
  public:
   State(boost::asio::io_context& context, std::string compiler, ChildLimits limits)

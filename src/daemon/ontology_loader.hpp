@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,11 @@ struct LoadedOntology {
   std::unique_ptr<compiled::Ontology> ontology;  ///< null: there are no files
   std::vector<std::string> remarks;              ///< what the compiler said although it succeeded, a line each
 };
+
+/// Why nobody can match by this ontology of these files, where it contradicts itself: every class is empty then.
+/// Nothing where it does not, where that was not decided within the limits, and where there is none.
+[[nodiscard]] std::optional<std::string> contradiction_in(const LoadedOntology& loaded,
+                                                          const std::vector<std::string>& files);
 
 /// Names for the beginnings of IRIs; both as Turtle can write them.
 using Prefixes = std::map<std::string, std::string>;

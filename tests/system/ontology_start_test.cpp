@@ -48,6 +48,61 @@ TEST(Start, ServesWithoutAnOntologyThatCannotBeRead) {
   EXPECT_EQ(refused({"--ontology", broken, "--check-config"}).status, 2) << "a check says that it will not do";
 }
 
+/// An instance of two classes that exclude each other.
+constexpr const char* contradiction = R"(@prefix : <http://zoo.example/#> .
+@prefix owl: <http://www.w3.org/2002/07/owl#> .
+:Tree a owl:Class ; owl:disjointWith :Animal .
+:bob a owl:NamedIndividual , :Cat , :Tree .
+)";
+
+TEST(Start, SaysThatItsOntologyContradictsItself) {
+  const Folder folder;
+  const std::string zoo = folder.write("zoo.ttl", animals);
+  const std::string facts = folder.write("facts.ttl", contradiction);
+  Lab lab(1);
+  lab.start(0, {"--ontology", zoo, "--ontology", facts});
+  Talk talk = lab.talk(0);
+  EXPECT_THAT(talk.query("status")[0], HasSubstr("ontology_contradiction=1"));
+  EXPECT_THAT(talk.query("ontology")[0], AllOf(HasSubstr("complete=0"), HasSubstr("contradiction=1")));
+  talk.say("1 pub create mode=otm/stream concept=<http://zoo.example/#Cat> port=5000");
+  EXPECT_THAT(talk.lines_until_pong(),
+              testing::ElementsAre(AllOf(StartsWith("1 422 "), HasSubstr("contradicts itself"))));
+  const std::string address = "127.0.0.1:" + std::to_string(lab.gcnp_port(0));
+  const Ran told = run(lab.on(0, {program("geminga-query"), "--connect", address, "ontology"}));
+  EXPECT_THAT(told.said, AllOf(HasSubstr("Contradiction: "), Not(HasSubstr("Complete: "))));
+  const Ran checked = refused({"--ontology", zoo, "--ontology", facts, "--check-config"});
+  EXPECT_EQ(checked.status, 2);
+  EXPECT_THAT(checked.said,
+              AllOf(HasSubstr("contradicts itself"), HasSubstr("geminga-ontology check " + zoo + ' ' + facts)));
+}
+
+TEST(Reload, KeepsTheOntologyInForceWhenTheNewOneContradictsItself) {
+  const Folder folder;
+  const std::string zoo = folder.write("zoo.ttl", animals);
+  const std::string facts = folder.write("facts.ttl", "");
+  Lab lab(1);
+  lab.start(0, {"--ontology", zoo, "--ontology", facts});
+  Talk provider = lab.talk(0);
+  Talk consumer = lab.talk(0);
+  provider.say("1 pub create mode=otm/stream concept=<http://zoo.example/#Cat> port=5001");
+  consumer.say("1 sub create mode=otm/stream concept=<http://zoo.example/#Animal>");
+  ASSERT_TRUE(consumer.line_with({"1 pub add", "port=5001"}));
+  folder.write("facts.ttl", contradiction);
+  lab.daemon(0).forget();
+  lab.daemon(0).signal(SIGHUP);
+  ASSERT_TRUE(lab.daemon(0).wait_for("the ontology in force is kept")) << lab.daemon(0).said();
+  EXPECT_THAT(lab.daemon(0).said(), HasSubstr("the ontology contradicts itself"));
+  EXPECT_THAT(consumer.lines_until_pong(), IsEmpty());
+  EXPECT_THAT(provider.lines_until_pong(), IsEmpty());
+  EXPECT_THAT(consumer.query("status")[0], HasSubstr("ontology_failed=\"the ontology contradicts itself"));
+  EXPECT_THAT(consumer.query("ontology"), Contains(HasSubstr(" failed=\"the ontology contradicts itself")));
+
+  folder.write("facts.ttl", "");
+  lab.daemon(0).signal(SIGHUP);
+  ASSERT_TRUE(lab.daemon(0).wait_for("the failure is mended")) << lab.daemon(0).said();
+  EXPECT_THAT(consumer.query("status")[0], Not(HasSubstr("ontology_failed")));
+}
+
 /// A gemingad beside a geminga-ontology of our own making, a shell script without other programs.
 class WithCompiler {
  public:

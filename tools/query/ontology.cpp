@@ -50,6 +50,7 @@ void print_json(const Parts& parts) {
     if (head.contains(key)) object[key] = head.at(key);
   }
   if (!parts.head["complete"].empty()) object["complete"] = parts.head["complete"] == "1";
+  object["contradiction"] = parts.head["contradiction"] == "1";
   boost::json::array left_out;
   for (const auto& record : parts.left_out) {
     auto row = shell::to_json(record);
@@ -86,8 +87,17 @@ void print_failures(const Context& context, const Parts& parts) {
   std::cout << '\n';
 }
 
+/// `geminga-ontology check` finds out which axioms it is.
+void print_contradiction(const Context& context, const Parts& parts) {
+  if (parts.head["contradiction"] != "1") return;
+  std::cout << coloured(context.terminal, shell::Colour::red, "Contradiction: ")
+            << "no world can be as these files say, so that no concept can be offered or asked for;\n"
+               "geminga-ontology check FILES says why; mend them and send gemingad a SIGHUP.\n\n";
+}
+
 void print_words(const Context& context, const Parts& parts) {
   print_failures(context, parts);
+  print_contradiction(context, parts);
   if (parts.head["loading"] == "1") std::cout << "Files are being read.\n\n";
   if (parts.head["loaded"] != "1") {
     if (parts.head["loading"] != "1" && parts.failures.empty()) {

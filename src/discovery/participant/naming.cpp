@@ -20,6 +20,10 @@ std::expected<std::string, Error> resolve_class(const vocabulary::Vocabulary& vo
   }
   const auto found = vocabulary.find(name);
   if (!found) return impossible(found.error());
+  if (!vocabulary.is_consistent()) {
+    return impossible(
+        "the ontology contradicts itself, so that no class can have an instance: see geminga-query ontology");
+  }
   if (!vocabulary.is_satisfiable(*found)) {
     return impossible("the class is unsatisfiable, nothing can be one: geminga-query explain says why");
   }

@@ -150,6 +150,8 @@ class Vocabulary {
 
   /// Equal on every host that loaded the same ontologies.
   [[nodiscard]] std::uint64_t digest() const { return is_loaded() ? ontology_->digest() : 0; }
+  /// False: it contradicts itself, and every class is empty. True also where that is not decided.
+  [[nodiscard]] bool is_consistent() const { return !is_loaded() || ontology_->is_consistent(); }
   [[nodiscard]] std::vector<owl::LoadedFile> files() const;
   [[nodiscard]] std::vector<owl::LeftOut> left_out() const;
   /// Why something may be missing although its axioms were used, one line each.

@@ -23,7 +23,9 @@ Answered answer(Core& core, const gcnp::QueryOntology&) {
     append(answer.lines.front(), "files", files.size());
     append(answer.lines.front(), "left_out", left_out.size());
     const auto gaps = vocabulary.gaps();
-    append_flag(answer.lines.front(), "complete", left_out.empty() && gaps.empty());
+    const bool is_consistent = vocabulary.is_consistent();
+    append_flag(answer.lines.front(), "complete", is_consistent && left_out.empty() && gaps.empty());
+    if (!is_consistent) append_flag(answer.lines.front(), "contradiction", true);
     for (const auto& file : files) {
       Line line;
       append(line, "file", base::printable(file.path, 4096));

@@ -45,6 +45,7 @@ void append_counters(Line& line, const Counters& counters) {
 void append_ontology_state(Line& line, const Core& core) {
   if (core.ontology_state.is_loading) append_flag(line, "ontology_loading", true);
   if (!core.ontology_state.failure.empty()) append(line, "ontology_failed", core.ontology_state.failure.front());
+  if (!core.vocabulary().is_consistent()) append_flag(line, "ontology_contradiction", true);
   if (const auto undecided = core.vocabulary().undecided()) append(line, "ontology_undecided", *undecided);
   std::size_t others = 0;
   core.neighbours.for_each(
