@@ -228,7 +228,8 @@ signature::Hierarchy ConceptNames::hierarchy() const {
   inclusions.reserve(classes_.inclusions.size());
   for (const auto& [sub, super] : classes_.inclusions)
     inclusions.emplace_back(signature::Concept{sub}, signature::Concept{super});
-  return {static_cast<std::uint32_t>(classes_.iris.size()), inclusions, signature::Concept{thing_}};
+  return {static_cast<std::uint32_t>(classes_.iris.size()), inclusions, signature::Concept{thing_},
+          static_cast<std::uint32_t>(classes_.iris.size() - known_)};
 }
 
 }  // namespace geminga::ontology

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "base/components.hpp"
 #include "reasoning/taxonomy/interval_index.hpp"
 
@@ -37,7 +38,9 @@ double count_of(const Intervals& ranks) {
 
 }  // namespace
 
-Hierarchy::Hierarchy(std::uint32_t concept_count, std::span<const Inclusion> inclusions, std::optional<Concept> top) {
+Hierarchy::Hierarchy(std::uint32_t concept_count, std::span<const Inclusion> inclusions, std::optional<Concept> top,
+                     std::uint32_t foreign_count) {
+  GEMINGA_ASSERT(foreign_count <= concept_count);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   edges.reserve(inclusions.size());
   for (const auto& [sub, super] : inclusions) {
@@ -59,7 +62,7 @@ Hierarchy::Hierarchy(std::uint32_t concept_count, std::span<const Inclusion> inc
   parents_.sort_unique();
 
   const taxonomy::IntervalIndex index(parents_);
-  const double world = 2.0 * components.count;
+  const double world = 2.0 * std::max(components.count - foreign_count, 1U);
   added_.resize(components.count);
   for (std::uint32_t node = 0; node < components.count; ++node) {
     double among = world;

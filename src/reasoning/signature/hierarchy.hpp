@@ -34,15 +34,17 @@ class Hierarchy {
   static constexpr std::size_t max_ancestors = 10'000;
 
   /// Concepts that include each other are one node. What is said of `top`, the concept above all, has no meaning:
-  /// everything is below it anyway.
-  Hierarchy(std::uint32_t concept_count, std::span<const Inclusion> inclusions, std::optional<Concept> top = {});
+  /// everything is below it anyway. The last `foreign_count` concepts are in no ontology: nothing is said of them, they
+  /// have nothing in common with any other, and the open world has the same size without them.
+  Hierarchy(std::uint32_t concept_count, std::span<const Inclusion> inclusions, std::optional<Concept> top = {},
+            std::uint32_t foreign_count = 0);
 
   /// O(ancestors).
   [[nodiscard]] Meaning meaning(Concept of) const;
   /// The information that stands above both.
   [[nodiscard]] double shared_bits(const Meaning& a, const Meaning& b) const;
   /// What a node adds to what its parents say together: log2 of how many nodes are below all of its parents, for each
-  /// node that is below it. Below no parent is the open world, which has as many nodes again as this hierarchy.
+  /// node that is below it. Below no parent is the open world, which has as many nodes again as the ontologies.
   [[nodiscard]] double added_bits(std::uint32_t node) const { return added_[node]; }
   [[nodiscard]] std::uint32_t concept_count() const { return static_cast<std::uint32_t>(node_of_.size()); }
 

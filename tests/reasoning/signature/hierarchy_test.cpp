@@ -71,6 +71,18 @@ TEST(Hierarchy, TakesConceptsThatIncludeEachOtherForOne) {
   EXPECT_DOUBLE_EQ(hierarchy.meaning(a).bits, std::log2(4.0 / 2));
 }
 
+TEST(Hierarchy, HasTheSameWorldHoweverManyConceptsAreInNoOntology) {
+  constexpr std::array<Inclusion, 2> inclusions{{{car, vehicle}, {boat, vehicle}}};
+  const Hierarchy known(3, inclusions);
+  const Hierarchy more(5, inclusions, {}, 2);
+  for (const Concept one : {vehicle, car, boat}) EXPECT_EQ(known.meaning(one).bits, more.meaning(one).bits);
+  const Meaning foreign = more.meaning(Concept{3});
+  EXPECT_DOUBLE_EQ(foreign.bits, std::log2(6.0));
+  EXPECT_EQ(more.shared_bits(foreign, more.meaning(Concept{4})), 0);
+  EXPECT_EQ(more.shared_bits(foreign, more.meaning(car)), 0);
+  EXPECT_DOUBLE_EQ(Hierarchy(2, {}, {}, 2).meaning(Concept{0}).bits, std::log2(2.0)) << "there is no ontology at all";
+}
+
 TEST(Hierarchy, IsTheSameWhateverTheOrderAndTheRepetitions) {
   constexpr std::array<Inclusion, 4> inclusions{{{car, vehicle}, {boat, vehicle}, {amphibian, boat}, {amphibian, car}}};
   constexpr std::array<Inclusion, 6> turned{

@@ -224,6 +224,21 @@ TEST(Rank, SaysWhichTypesAreInNoOntologyAndMatchesThemByName) {
   EXPECT_THAT(outcome.out, HasSubstr("map.owls\t1\tmap.owls\t1.000000000\n"));
 }
 
+TEST(Rank, GivesAServiceTheSameScoreWhateverTypesOthersName) {
+  const Shop shop;
+  shop.service("count", {"http://www.w3.org/2001/XMLSchema#decimal"}, {"http://www.w3.org/2001/XMLSchema#int"});
+  shop.request("number", {"http://www.w3.org/2001/XMLSchema#integer"}, {"http://www.w3.org/2001/XMLSchema#integer"});
+  const auto first = [&] {
+    const std::string out = shop.rank().out;
+    const std::size_t at = out.find("number.owls\t1\t");
+    return at == std::string::npos ? out : out.substr(at, out.find('\n', at) - at);
+  };
+  const std::string alone = first();
+  EXPECT_THAT(alone, testing::StartsWith("number.owls\t1\tcount.owls\t0.8"));
+  shop.service("map", {}, {"http://127.0.0.1/ontology/none.owl#Map", "http://127.0.0.1/ontology/none.owl#Way"});
+  EXPECT_EQ(first(), alone);
+}
+
 TEST(Rank, TakesDatatypesForConcepts) {
   const Shop shop;
   const std::string xsd = "http://www.w3.org/2001/XMLSchema#";
