@@ -74,6 +74,9 @@ void Parser::annotation(std::string_view subject) {
     if (property == owl::conversion_cost) {
       cost_ = last_text_;
       cost_line_ = line;
+      if (!read.subject.empty()) source_.leave_out(owl::cost_of_nothing, file_, line);
+    } else if (property == owl::converts_to) {
+      source_.leave_out(owl::conversion_to_literal, file_, line);
     }
     if (is_of_name) source_.add_unit_statement(subject, owl::unit_word(property), last_text_, file_, line);
     if (!annotations_.is_wanted()) return;
@@ -82,6 +85,7 @@ void Parser::annotation(std::string_view subject) {
     read.datatype = last_datatype_;
     read.language = last_language_;
   } else if (is_name() && tokens_.token().text.starts_with("_:")) {
+    if (property == owl::converts_to) source_.leave_out(owl::conversion_without_name, file_, line());
     read.value = source_.name_of(individual());
   } else {
     const std::uint32_t line = this->line();
@@ -89,6 +93,8 @@ void Parser::annotation(std::string_view subject) {
     const bool is_of_name = !read.subject.empty() && !subject.starts_with("_:");
     if (!failed() && property == owl::converts_to && is_of_name) {
       source_.add_conversion(subject, read.value, cost_, file_, line, cost_line_);
+    } else if (property == owl::converts_to) {
+      source_.leave_out(owl::conversion_without_name, file_, line);
     }
     if (!failed() && is_of_name) {
       source_.add_unit_statement(subject, owl::unit_word(property), read.value, file_, line);

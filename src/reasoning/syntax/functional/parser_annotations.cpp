@@ -69,6 +69,7 @@ bool Parser::annotation_assertion() {
   const bool is_conversion = iri_ == owl::converts_to;
   const owl::UnitWord unit_word = owl::unit_word(iri_);
   const bool is_of_unit = unit_word != owl::UnitWord::none;
+  const bool is_cost = iri_ == owl::conversion_cost;
   const std::uint32_t line = tokens_.line();
   std::string property(annotations_.is_wanted() ? iri_ : std::string_view());
   std::string subject;
@@ -86,6 +87,11 @@ bool Parser::annotation_assertion() {
   const bool is_name_value = value == TokenKind::full_iri || value == TokenKind::prefixed_name;
   if (is_conversion && !is_of_blank && is_name_value) {
     source_.add_conversion(subject, iri_, cost_, file_, line, cost_line_);
+  } else if (is_conversion) {
+    const bool has_literal = value == TokenKind::string;
+    source_.leave_out(has_literal ? owl::conversion_to_literal : owl::conversion_without_name, file_, line);
+  } else if (is_cost) {
+    source_.leave_out(owl::cost_of_nothing, file_, line);
   }
   if (is_of_unit && !is_of_blank && value != TokenKind::node_id) {
     source_.add_unit_statement(subject, unit_word, value == TokenKind::string ? lexical_ : iri_, file_, line);

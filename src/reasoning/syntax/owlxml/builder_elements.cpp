@@ -222,6 +222,11 @@ Listener::Refusal Builder::end_annotation_assertion(const Open& open) {
   const bool is_between_names = !of[1].iri.starts_with("_:") && of[2].kind == Operand::Kind::iri;
   if (of[0].iri == owl::converts_to && is_between_names && !of[2].iri.starts_with("_:"))
     source_.add_conversion(of[1].iri, of[2].iri, cost_, file_, open.line, cost_line_);
+  else if (of[0].iri == owl::converts_to)
+    source_.leave_out(of[2].kind == Operand::Kind::text ? owl::conversion_to_literal : owl::conversion_without_name,
+                      file_, open.line);
+  else if (of[0].iri == owl::conversion_cost)
+    source_.leave_out(owl::cost_of_nothing, file_, open.line);
   const bool is_text = of[2].kind == Operand::Kind::text;
   if (!of[1].iri.starts_with("_:") && !(of[2].kind == Operand::Kind::iri && of[2].iri.starts_with("_:")))
     source_.add_unit_statement(of[1].iri, owl::unit_word(of[0].iri), is_text ? of[2].text : of[2].iri, file_,

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -49,28 +50,46 @@ NodeId only(const Graph& graph, NodeId subject, Word predicate) {
 /// Conversions are annotations of classes, and their costs annotations of those.
 void add_conversions(const Graph& graph, const std::vector<owl::FileId>& files, owl::Ontology& ontology) {
   const NodeId converts = node_named(graph, owl::converts_to);
-  if (converts == NodeId{}) return;
   const NodeId costs = node_named(graph, owl::conversion_cost);
+  if (converts == NodeId{} && costs == NodeId{}) return;
+  const auto leave_out = [&](std::string_view construct, std::uint32_t number) {
+    ontology.leave_out(construct, files[graph.file_of(number)], graph.triple(number).line);
+  };
   std::vector<std::uint32_t> conversions;
-  std::map<std::pair<NodeId, NodeId>, std::uint32_t> cost_of;  // by triple
+  std::multimap<std::pair<NodeId, NodeId>, std::uint32_t> cost_of;  // by triple
   for (std::uint32_t number = 0; number < graph.triple_count(); ++number) {
     const Triple& triple = graph.triple(number);
-    if (triple.predicate == converts && graph.is_iri(triple.subject) && graph.is_iri(triple.object)) {
-      conversions.push_back(number);
-    } else if (costs != NodeId{} && triple.predicate == costs &&
-               only(graph, triple.subject, Word::owl_annotated_property) == converts) {
-      cost_of.emplace(std::pair(only(graph, triple.subject, Word::owl_annotated_source),
-                                only(graph, triple.subject, Word::owl_annotated_target)),
-                      number);
+    if (converts != NodeId{} && triple.predicate == converts) {
+      if (graph.is_iri(triple.subject) && graph.is_iri(triple.object)) {
+        conversions.push_back(number);
+      } else {
+        const bool has_literal = graph.node(triple.object).kind == NodeKind::literal;
+        leave_out(has_literal ? owl::conversion_to_literal : owl::conversion_without_name, number);
+      }
+    } else if (costs != NodeId{} && triple.predicate == costs) {
+      const bool is_of_conversion =
+          converts != NodeId{} && only(graph, triple.subject, Word::owl_annotated_property) == converts;
+      const std::pair of(only(graph, triple.subject, Word::owl_annotated_source),
+                         only(graph, triple.subject, Word::owl_annotated_target));
+      cost_of.emplace(is_of_conversion ? of : std::pair(NodeId{}, NodeId{}), number);
     }
   }
+  std::set<std::pair<NodeId, NodeId>> stated;
   for (const std::uint32_t number : conversions) {
     const Triple& triple = graph.triple(number);
-    const auto cost = cost_of.find({triple.subject, triple.object});
-    const Triple* of_cost = cost == cost_of.end() ? nullptr : &graph.triple(cost->second);
-    ontology.add_conversion(graph.text(triple.subject), graph.text(triple.object),
-                            of_cost == nullptr ? std::string_view() : graph.text(of_cost->object),
-                            files[graph.file_of(number)], triple.line, of_cost == nullptr ? 0 : of_cost->line);
+    const owl::FileId file = files[graph.file_of(number)];
+    const auto [first, last] = cost_of.equal_range({triple.subject, triple.object});
+    if (first == last)
+      ontology.add_conversion(graph.text(triple.subject), graph.text(triple.object), {}, file, triple.line);
+    for (auto cost = first; cost != last; ++cost) {
+      const Triple& of_cost = graph.triple(cost->second);
+      ontology.add_conversion(graph.text(triple.subject), graph.text(triple.object), graph.text(of_cost.object), file,
+                              triple.line, of_cost.line);
+    }
+    stated.emplace(triple.subject, triple.object);
+  }
+  for (const auto& [of, number] : cost_of) {
+    if (!stated.contains(of)) leave_out(owl::cost_of_nothing, number);
   }
 }
 

@@ -121,6 +121,19 @@ TEST(Frames, HaveConversionsWithTheirCosts) {
   EXPECT_THAT(rdf::conversions(reading.source),
               ElementsAre("http://e/A > http://e/B 1, line 4", "http://e/A > http://e/C 7, line 4",
                           "http://e/A > http://e/D 8, line 5", "http://e/A > http://e/E 1, line 5"));
+  ASSERT_EQ(reading.source.omissions().size(), 1U) << "of what has no name, and of an axiom";
+  EXPECT_EQ(reading.source.omissions()[0].count, 2U);
+  EXPECT_EQ(reading.source.omissions()[0].line, 5U);
+}
+
+TEST(Frames, HaveConversionsThatCannotBeOnesNamedWhereTheyStand) {
+  const Reading reading(
+      "Prefix: : <http://e/> Prefix: g: <https://geminga.example/core#> Ontology:\n"
+      "Class: A\n  Annotations: g:convertsTo \"B\",\n    g:conversionCost 3\n");
+  ASSERT_EQ(reading.error, "");
+  ASSERT_EQ(reading.source.omissions().size(), 2U);
+  EXPECT_EQ(reading.source.omissions()[0].line, 3U);
+  EXPECT_EQ(reading.source.omissions()[1].line, 4U);
 }
 
 TEST(Frames, HaveConversionsOfNoCostNamedWhereItStands) {

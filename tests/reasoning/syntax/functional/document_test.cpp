@@ -107,6 +107,10 @@ TEST(Document, CollectsConversionsWithTheirCosts) {
   EXPECT_THAT(rdf::conversions(reading.source),
               ElementsAre("http://e/A > http://e/B 1, line 2", "http://e/A > http://e/C 7, line 3",
                           "http://e/B > http://e/A 1, line 4", "http://e/C > http://e/A 1, line 9"));
+  ASSERT_EQ(reading.source.omissions().size(), 2U) << "what has no name, and a literal";
+  EXPECT_EQ(reading.source.omissions()[0].line, 5U);
+  EXPECT_EQ(reading.source.omissions()[0].count, 2U);
+  EXPECT_EQ(reading.source.omissions()[1].line, 7U);
 }
 
 TEST(Document, NamesAConversionOfNoCostWhereItStands) {

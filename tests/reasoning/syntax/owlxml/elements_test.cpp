@@ -61,6 +61,9 @@ TEST(Elements, OfConversionsKeepTheirCosts) {
   EXPECT_THAT(rdf::conversions(reading.source),
               ElementsAre("http://e/A > http://e/B 1, line 2", "http://e/A > http://e/C 7, line 3",
                           "http://e/B > http://e/A 1, line 4"));
+  ASSERT_EQ(reading.source.omissions().size(), 2U) << "a literal, and what has no name";
+  EXPECT_EQ(reading.source.omissions()[0].line, 5U);
+  EXPECT_EQ(reading.source.omissions()[1].line, 6U);
 }
 
 TEST(Elements, HaveUnits) {

@@ -152,6 +152,41 @@ TEST(Conversions, AreReadWithTheCostsOfTheirAnnotations) {
                                             testing::StartsWith("http://e/A > http://e/C 7,")));
 }
 
+TEST(Conversions, ThatCannotBeOnesAreNamedWhereTheyStand) {
+  const auto loaded =
+      load_text("a.ttl", std::string(turtle_prefixes) +
+                             "@prefix g: <https://geminga.example/core#> .\n"
+                             ":A a owl:Class ; g:conversionCost 3 .\n"
+                             ":A g:convertsTo \"B\" .\n"
+                             ":A g:convertsTo [ a owl:Class ] .\n"
+                             "[] g:convertsTo :A .\n"
+                             "[] a owl:Axiom ; owl:annotatedSource :A ; owl:annotatedProperty g:convertsTo ;\n"
+                             "   owl:annotatedTarget :B ; g:conversionCost 7 .\n");
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  const auto lines = std::ranges::count(std::string_view(turtle_prefixes), '\n');
+  std::vector<std::string> named;
+  for (const auto& one : loaded->source.omissions())
+    named.push_back(std::string(loaded->source.name(one.construct)) + " x" + std::to_string(one.count) + " line " +
+                    std::to_string(one.line - lines));
+  EXPECT_THAT(
+      named, testing::UnorderedElementsAre("geminga:convertsTo with a literal: name a class x1 line 3",
+                                           "geminga:convertsTo from or to what has no name x2 line 4",
+                                           "geminga:conversionCost of no geminga:convertsTo that is stated x2 line 2"));
+}
+
+TEST(Conversions, TakeTheLowestOfTheirCosts) {
+  const auto loaded =
+      load_text("a.ttl", std::string(turtle_prefixes) +
+                             "@prefix g: <https://geminga.example/core#> .\n"
+                             ":A a owl:Class ; g:convertsTo :B . :B a owl:Class .\n"
+                             "[] a owl:Axiom ; owl:annotatedSource :A ; owl:annotatedProperty g:convertsTo ;\n"
+                             "   owl:annotatedTarget :B ; g:conversionCost 7 .\n"
+                             "[] a owl:Axiom ; owl:annotatedSource :A ; owl:annotatedProperty g:convertsTo ;\n"
+                             "   owl:annotatedTarget :B ; g:conversionCost 5 .\n");
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  EXPECT_THAT(conversions(loaded->source), testing::ElementsAre(testing::StartsWith("http://e/A > http://e/B 5,")));
+}
+
 TEST(Conversions, OfNoCostAreNamedWhereItStands) {
   const auto loaded = load_text("a.ttl", std::string(turtle_prefixes) +
                                              "@prefix g: <https://geminga.example/core#> .\n"
