@@ -41,6 +41,7 @@ Request read_pub_create(KeyReader& keys) {
   publication.scope = keys.text("scope", max_scope_bytes).value_or("");
   publication.for_whom = keys.text("for", max_where_bytes).value_or("");
   publication.attributes = keys.offered_attributes();
+  drop_empty_conversion(publication.attributes);
   return PubCreate{std::move(publication)};
 }
 

@@ -17,12 +17,19 @@ void apply_common(const Change& change, Service& service) {
   for (const auto& [key, value] : change.attributes) service.attributes.insert_or_assign(key, value);
 }
 
+/// An empty `converts` is none: it takes back what was stated.
+inline void drop_empty_conversion(Attributes& attributes) {
+  const auto conversion = attributes.find("converts");
+  if (conversion != attributes.end() && conversion->second.empty()) attributes.erase(conversion);
+}
+
 /// All but the identity, which is the caller's to change, of a Publication or a NamedPublication.
 template <typename Publication>
 void apply_stated(const PublicationChange& change, Publication& publication) {
   apply_common(change, publication);
   publication.protocol = change.protocol.value_or(publication.protocol);
   publication.for_whom = change.for_whom.value_or(publication.for_whom);
+  drop_empty_conversion(publication.attributes);
 }
 
 /// The same of a Subscription or a NamedSubscription.
