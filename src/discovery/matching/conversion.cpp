@@ -1,5 +1,7 @@
 // What follows where a converter comes, goes or changes: which subscriptions are stale, and how they are judged anew.
 #include <memory>
+#include <ranges>
+#include <string_view>
 #include <utility>
 
 #include "discovery/matching/representation.hpp"
@@ -58,6 +60,26 @@ std::shared_ptr<const vocabulary::Chain> Matcher::State::chain_of(const StoredSu
   const Request& request = of_subscription_[subscription.slot].request;
   return chain_between(classes(publication, edition).representation_class, request.classes.representation_class,
                        edition.vocabulary, request.chains);
+}
+
+std::set<std::string> Matcher::State::converters_in_use() const {
+  std::set<std::string> places;
+  if (in_force_.converters->is_empty()) return places;
+  subscriptions_.visit_after(std::nullopt, [&](const StoredSubscription& stored) {
+    const Subscription& asked = stored.entry.subscription;
+    if (asked.convert == 0) return true;
+    const auto add = [&](const StoredPublication& publication) {
+      const auto match = meets(stored, publication);
+      const auto chain = match && match->cost != 0 ? chain_of(stored, publication) : nullptr;
+      if (chain == nullptr || chain->via.empty()) return false;
+      for (const auto step : std::views::split(chain->via, ',')) places.emplace(std::string_view(step));
+      return false;
+    };
+    visit_publications(publications_, asked.identity, of_subscription_[stored.slot].request.classes, asked.weakest,
+                       edition_of(stored), add);
+    return true;
+  });
+  return places;
 }
 
 void Matcher::State::rejudge(const StoredSubscription& subscription) {

@@ -53,6 +53,13 @@ std::expected<StatedConversion, std::string> stated_conversion(const Attributes&
   return stated;
 }
 
+std::string place_of(const registry::PublicationEntry& entry) {
+  const Publication& publication = entry.publication;
+  const bool is_ipv6 = publication.address.contains(':');
+  return publication.protocol + "://" + (is_ipv6 ? "[" : "") + publication.address + (is_ipv6 ? "]" : "") + ":" +
+         std::to_string(publication.port) + "/" + to_string(entry.key);
+}
+
 std::optional<vocabulary::Step> step_of(const Attributes& attributes, const vocabulary::Vocabulary& vocabulary) {
   if (!vocabulary.is_loaded() || !is_converter(attributes)) return std::nullopt;
   const auto stated = stated_conversion(attributes);

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "discovery/registry/entry.hpp"
 #include "geminga/error.hpp"
 #include "geminga/service.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
@@ -29,6 +30,8 @@ struct StatedConversion {
 [[nodiscard]] bool is_converter(const Attributes& attributes);
 /// The error says what cannot be read. Requires is_converter().
 [[nodiscard]] std::expected<StatedConversion, std::string> stated_conversion(const Attributes& attributes);
+/// Where a converter is, as Chain::via says it: "udp://10.0.0.7:6000/5e6f7a8b/2/1".
+[[nodiscard]] std::string place_of(const registry::PublicationEntry& entry);
 /// The step that a converter does; nothing where it is none, cannot be read, or names what the vocabulary does not know
 /// or what can have no instance.
 [[nodiscard]] std::optional<vocabulary::Step> step_of(const Attributes& attributes,

@@ -25,14 +25,6 @@ bool is_same(const Converter& one, const registry::PublicationEntry& entry, cons
          one.entry.participant_name == entry.participant_name && one.entry.is_local == entry.is_local;
 }
 
-/// "udp://10.0.0.7:6000/5e6f7a8b/2/1"
-std::string place_of(const registry::PublicationEntry& entry) {
-  const Publication& publication = entry.publication;
-  const bool is_ipv6 = publication.address.contains(':');
-  return publication.protocol + "://" + (is_ipv6 ? "[" : "") + publication.address + (is_ipv6 ? "]" : "") + ":" +
-         std::to_string(publication.port) + "/" + to_string(entry.key);
-}
-
 }  // namespace
 
 bool Consumer::takes_part(const Converter& converter) const {

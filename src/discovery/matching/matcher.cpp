@@ -224,4 +224,5 @@ bool Matcher::is_served(const registry::SubscriptionEntry& subscription) const {
 
 bool Matcher::is_used(const registry::PublicationEntry& publication) const { return state_->is_used(publication); }
 
+std::set<std::string> Matcher::converters_in_use() const { return state_->converters_in_use(); }
 }  // namespace geminga::matching

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -197,6 +198,9 @@ class Matcher {
   /// known.
   [[nodiscard]] bool is_served(const registry::SubscriptionEntry& subscription) const;
   [[nodiscard]] bool is_used(const registry::PublicationEntry& publication) const;
+  /// The converters that the chain of a known request needs, as Chain::via names them (place_of()). Looks at all that
+  /// the requests that convert may meet.
+  [[nodiscard]] std::set<std::string> converters_in_use() const;
 
  private:
   class State;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -97,6 +98,7 @@ class Matcher::State {
   [[nodiscard]] std::optional<Match> given(const ServiceKey& subscription, const ServiceKey& publication) const;
   [[nodiscard]] bool is_served(const registry::SubscriptionEntry& subscription) const;
   [[nodiscard]] bool is_used(const registry::PublicationEntry& publication) const;
+  [[nodiscard]] std::set<std::string> converters_in_use() const;
 
   /// Whether a number and a concept do not meet because the number is that of another concept, too.
   [[nodiscard]] bool is_kept_apart(const Identity& offered, const Identity& requested) const;

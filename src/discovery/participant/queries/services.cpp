@@ -1,8 +1,11 @@
 // `query services`: every known publication, or those that nobody asks for.
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "discovery/gcnp/event.hpp"
+#include "discovery/matching/converter.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 #include "discovery/participant/queries/reasons.hpp"
@@ -10,8 +13,23 @@
 namespace geminga::participant {
 namespace {
 
+/// Which services somebody uses, for the time of one answer.
+class Use {
+ public:
+  /// Whether somebody asks for it, or a chain for somebody goes through it.
+  [[nodiscard]] bool is_of(const Core& core, const registry::PublicationEntry& entry) {
+    if (core.matcher.is_used(entry)) return true;
+    if (!matching::is_converter(entry.publication.attributes)) return false;
+    if (!converters_) converters_ = core.matcher.converters_in_use();
+    return converters_->contains(matching::place_of(entry));
+  }
+
+ private:
+  std::optional<std::set<std::string>> converters_;  ///< when the first was asked for
+};
+
 /// `reason` says why nobody asks for it, where that was asked for.
-Line line_of(const Core& core, const registry::PublicationEntry& entry, const Reason* reason) {
+Line line_of(const Core& core, const registry::PublicationEntry& entry, bool is_used, const Reason* reason) {
   Line line;
   append(line, "service", to_string(entry.key));
   append(line, "provider", peer_word(entry.key));
@@ -21,7 +39,7 @@ Line line_of(const Core& core, const registry::PublicationEntry& entry, const Re
   append_channel(line, entry.publication);
   append(line, "age", age(core, entry));
   append_flag(line, "local", entry.is_local);
-  append_flag(line, "used", core.matcher.is_used(entry));
+  append_flag(line, "used", is_used);
   append_stated(line, "scope", entry.publication.scope);
   append_stated(line, "for", entry.publication.for_whom);
   if (reason != nullptr) {
@@ -40,18 +58,19 @@ std::expected<Answering, Error> begin(Core& core, const gcnp::QueryServices& que
   return Answering{
       .kind = "services",
       .proceed = [sieve = std::move(*sieve), is_unused_only = query.unused, last = std::optional<ServiceKey>(),
-                  reasons = Reasons()](Core& all, Piece& piece) mutable {
+                  reasons = Reasons(), use = Use()](Core& all, Piece& piece) mutable {
         return all.matcher.walk_publications(last, [&](const registry::PublicationEntry& entry) {
           last = entry.key;
           piece.look_at_one();
           const bool passes = sieve.passes(all, entry.key, entry.participant_name, entry.peer_name,
-                                           entry.publication.identity, entry.publication.mode) &&
-                              !(is_unused_only && all.matcher.is_used(entry));
-          Line line = passes ? line_of(all, entry, nullptr) : Line{};
-          if (passes && sieve.passes(line)) {
+                                           entry.publication.identity, entry.publication.mode);
+          const bool is_used = passes && use.is_of(all, entry);
+          const bool is_told = passes && !(is_unused_only && is_used);
+          Line line = is_told ? line_of(all, entry, is_used, nullptr) : Line{};
+          if (is_told && sieve.passes(line)) {
             if (is_unused_only) {
               const Reason reason = reasons.likely(all, piece, entry);
-              line = line_of(all, entry, &reason);
+              line = line_of(all, entry, is_used, &reason);
             }
             piece.tell(std::move(line));
           }
